@@ -1,0 +1,126 @@
+"""The documentation: MyST pages whose cells run as it is built, and fail it when they fail.
+
+sphinx-build -q -W --keep-going -b html docs docs/_build/html
+"""
+
+from __future__ import annotations
+
+import os
+import sys
+from importlib import metadata
+from pathlib import Path
+
+from sphinx.application import Sphinx
+
+import carom
+
+project = "carom"
+author = "the carom authors"
+project_copyright = "the carom authors"
+version = release = carom.__version__
+
+extensions = [
+    "myst_nb",
+    "sphinx.ext.autodoc",
+    "sphinx.ext.mathjax",
+    "sphinx.ext.napoleon",
+    "sphinx.ext.viewcode",
+]
+exclude_patterns = ["_build", "**/.ipynb_checkpoints"]
+root_doc = "index"
+
+# --- pages --------------------------------------------------------------------------------------------------------
+myst_enable_extensions = ["amsmath", "colon_fence", "deflist", "dollarmath"]
+myst_heading_anchors = 3
+myst_dmath_double_inline = True
+
+# --- cells --------------------------------------------------------------------------------------------------------
+nb_execution_mode = os.environ.get("CAROM_DOCS_CELLS", "force")  # "off" for a quick look at the words
+nb_execution_raise_on_error = True
+nb_execution_timeout = 300
+nb_execution_in_temp = True
+nb_execution_show_tb = True
+nb_render_markdown_format = "myst"  # tables and roles in what cells display
+# cells call the command `carom` of the interpreter that builds, and print without colours, on one width
+os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
+# (a kernel sets FORCE_COLOR for its children; TTY_COMPATIBLE comes before it)
+os.environ.update(NO_COLOR="1", TTY_COMPATIBLE="0", COLUMNS="100", PYTHONWARNINGS="default")
+
+# --- the reference ------------------------------------------------------------------------------------------------
+autodoc_member_order = "bysource"
+autodoc_typehints = "description"
+autodoc_typehints_description_target = "documented"
+autodoc_preserve_defaults = True
+autodoc_default_options = {"show-inheritance": False}
+napoleon_use_rtype = False
+napoleon_use_ivar = True
+viewcode_line_numbers = True
+add_module_names = False
+python_use_unqualified_type_names = True
+
+# --- the look -----------------------------------------------------------------------------------------------------
+html_theme = "furo"
+html_title = f"carom {version}"
+html_static_path = ["_static"]
+html_css_files = ["carom.css"]
+html_copy_source = False
+html_show_sphinx = False
+
+
+def _offline_mathjax() -> Path | None:
+    """The one-file MathJax of the package sphinx-mathjax-offline, where it is installed."""
+    try:
+        files = metadata.files("sphinx-mathjax-offline") or []
+    except metadata.PackageNotFoundError:
+        return None
+    found = [Path(str(file.locate())) for file in files if file.name == "tex-svg.js"]
+    return found[0] if found else None
+
+
+if (mathjax := _offline_mathjax()) is not None:  # the pages then need no network
+    html_static_path.append(str(mathjax))
+    mathjax_path = "tex-svg.js"
+
+
+def _underlined(lines: list[str], i: int, *names: str) -> bool:
+    return i + 1 < len(lines) and lines[i] in names and set(lines[i + 1]) == {"-"}
+
+
+def _fields(app: object, what: str, name: str, obj: object, options: object, lines: list[str]) -> None:
+    """Prose in NumPy sections: napoleon takes every paragraph after Parameters, Returns and Raises for a name and its type."""
+    given = [line if "``" in line else line.replace("|", "\\|") for line in lines]  # a size, |u_t|, is no substitution
+    found: list[str] = ["..", ""] if what in ("attribute", "property") else []  # of these, what stands before a colon
+    listing, i = False, 0
+    while i < len(given):
+        line = given[i]
+        after = given[i + 1] if i + 1 < len(given) else ""
+        if _underlined(given, i, "Returns", "Raises"):
+            field, i, listing = line, i + 2, False
+            words = given[i] if i < len(given) else ""
+            if field == "Raises":
+                error, _, words = words.partition(" ")
+                found += ["", "", f":raises {error}: {words}"]
+            else:
+                found += ["", "", f":returns: {words}"]
+            i += 1
+            while i < len(given) and given[i].strip():
+                found.append(f"    {given[i].strip()}")
+                i += 1
+            found.append("")
+            continue
+        if _underlined(given, i, "Parameters", "Attributes"):
+            listing = True
+            found += given[i : i + 2]
+            i += 2
+            continue
+        prose = listing and found[-1] == "" and line[:1].strip() and not after.startswith(" ")
+        if prose and not _underlined(given, i, line):
+            found += ["", ""]
+            listing = False
+        found.append(line)
+        i += 1
+    lines[:] = found
+
+
+def setup(app: Sphinx) -> None:
+    app.connect("autodoc-process-docstring", _fields, priority=100)

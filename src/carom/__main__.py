@@ -1,0 +1,5 @@
+"""``python -m carom``: the command line."""
+
+from carom.cli import main
+
+main()

@@ -1,0 +1,79 @@
+"""Kernels compiled: the only place where carom speaks to Numba.
+
+``register_jitable`` makes a kernel callable from compiled code while it stays a plain function for Python. Compiled loops
+are cached in the user's cache folder, under a hash of carom's sources: Numba looks only at the file of the function that
+it caches, and would go on using a loop whose kernels, in other files, have changed.
+"""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import os
+import shutil
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from carom.kernel import HOT, KERNELS
+
+__all__ = ["cache_folder", "njit", "source_hash"]
+
+_registered: set[Callable[..., Any]] = set()
+
+
+def source_hash() -> str:
+    """Hash of all of carom's Python sources, and of the interpreter's version."""
+    digest = hashlib.sha256(sys.version.encode())
+    for path in sorted(Path(__file__).parent.rglob("*.py")):
+        digest.update(path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+@functools.cache
+def cache_folder() -> Path:
+    """Where compiled loops are kept: CAROM_CACHE, else ``carom`` in the user's ordinary cache folder."""
+    own = os.environ.get("CAROM_CACHE")
+    base = Path(own) if own else Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "carom"
+    here = base / source_hash()
+    if not here.exists():
+        # one generation is enough: what older sources left is never read again
+        for old in base.glob("*/") if base.is_dir() else ():
+            if len(old.name) == 16:
+                shutil.rmtree(old, ignore_errors=True)
+    return here
+
+
+@contextmanager
+def _numba_cache() -> Iterator[None]:
+    """Point Numba's cache at ours while a function is decorated, and back: a user's own functions keep theirs."""
+    import numba
+
+    before = numba.config.CACHE_DIR
+    numba.config.CACHE_DIR = str(cache_folder())
+    try:
+        yield
+    finally:
+        numba.config.CACHE_DIR = before
+
+
+def register_kernels() -> None:
+    """Make every kernel marked so far callable from compiled code."""
+    from numba.extending import register_jitable
+
+    for function in KERNELS:
+        if function not in _registered:
+            register_jitable(error_model="numpy", forceinline=function in HOT)(function)
+            _registered.add(function)
+
+
+def njit(function: Callable[..., Any], **options: Any) -> Callable[..., Any]:
+    """Compile a loop over kernels; fastmath stays off, so that it gives the same bits as Python."""
+    import numba
+
+    register_kernels()
+    options = {"error_model": "numpy", "cache": True, **options}
+    with _numba_cache():
+        return numba.njit(**options)(function)  # type: ignore[no-any-return]

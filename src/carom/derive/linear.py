@@ -1,0 +1,216 @@
+"""Linear algebra over expressions with sines and cosines: zero tests, independent rows, null spaces, solving.
+
+SymPy's own elimination treats ``sin(q)`` and ``cos(q)`` as independent, so a pivot such as ``sin(q)**2 + cos(q)**2 -
+1`` would pass for a number that one may divide by. Every pivot here goes through `is_zero` first.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import sympy as sp
+from sympy.core.function import AppliedUndef
+
+from carom.errors import CaromError
+
+Expr = Any
+Matrix = Any
+
+# Two fixed points of generic rationals: an analytic expression that vanishes at both to 25 digits is then put to
+# `simplify`; one that does not vanish at the first is certainly not zero.
+_PRIMES = (101, 103, 107, 109, 113, 127, 131, 137, 139, 149, 151, 157, 163, 167, 173, 179, 181, 191, 193, 197, 199, 211)
+
+
+def atoms_of(expr: Expr) -> list[Expr]:
+    """Symbols, unknown functions and their derivatives of ``expr``, in a fixed order; time itself only where it stands free."""
+    derivatives = expr.atoms(sp.Derivative)
+    rest = expr.xreplace(dict.fromkeys(derivatives, sp.S.One))
+    functions = rest.atoms(AppliedUndef)
+    rest = rest.xreplace(dict.fromkeys(functions, sp.S.One))
+    found = derivatives | functions | rest.free_symbols
+    return sorted(found, key=lambda a: (not isinstance(a, sp.Derivative), not isinstance(a, AppliedUndef), str(a)))
+
+
+def probe(expr: Expr, turn: int = 0) -> Expr:
+    """Value of ``expr`` to 30 digits at a fixed generic point; ``turn`` picks the point."""
+    names = atoms_of(expr)
+    values = {
+        name: sp.Rational(_PRIMES[(i * 5 + 3 * turn + 1) % len(_PRIMES)] + 7 * (i // len(_PRIMES)), 211 + 16 * turn + i)
+        for i, name in enumerate(names)
+    }
+    return expr.xreplace(values).evalf(30, chop=False)
+
+
+def is_zero(expr: Expr) -> bool:
+    """Whether ``expr`` is identically zero, trigonometric identities included.
+
+    A value that is not zero at one generic point decides against it. For it: exact arithmetic for rational functions of
+    symbols, sines and cosines; where roots or inverse functions come in, zero to 20 digits at three generic points.
+    """
+    expr = sp.sympify(expr)
+    if expr.is_Number:
+        return bool(expr == 0)
+    for turn in (0, 1, 2):
+        value = probe(expr, turn)
+        if value.is_number and value.is_finite and abs(value) > sp.Float("1e-20", 30):
+            return False
+    if expr.atoms(sp.Function) - expr.atoms(sp.sin, sp.cos, sp.tan, sp.cot, AppliedUndef):
+        return True
+    if any(not w.exp.is_Integer for w in expr.atoms(sp.Pow)):
+        return True
+    return bool(reduce_trig(expr) == 0)
+
+
+def reduce_trig(expr: Expr, keep: str = "sin") -> Expr:
+    """``expr`` over one denominator, with every even power of a cosine written in sines (or the reverse): a normal
+    form, nearly.
+
+    Tangents, cotangents and multiple angles are taken apart first, so that cos^2 + sin^2 = 1 is the only relation left.
+    """
+    expr = sp.sympify(expr)
+    if expr.atoms(sp.tan, sp.cot, sp.sec, sp.csc):
+        expr = expr.replace(sp.tan, lambda q: sp.sin(q) / sp.cos(q)).replace(sp.cot, lambda q: sp.cos(q) / sp.sin(q))
+        expr = expr.replace(sp.sec, lambda q: 1 / sp.cos(q)).replace(sp.csc, lambda q: 1 / sp.sin(q))
+    angles = {f.args[0] for f in expr.atoms(sp.sin, sp.cos)}
+    if any(not q.is_Symbol and not isinstance(q, AppliedUndef) for q in angles):
+        expr = sp.expand_trig(expr)
+        angles = {f.args[0] for f in expr.atoms(sp.sin, sp.cos)}
+    if not angles:
+        return sp.cancel(sp.together(expr))
+    # a root, sign or modulus that holds an angle stands for itself until it is put back
+    odd = {w for w in expr.atoms(sp.Pow) if w.exp.is_Rational and w.exp.q == 2 and w.has(*angles)}
+    others = {w for w in expr.atoms(sp.sign, sp.Abs) if w.has(*angles)}
+    back = {sp.Dummy(positive=True): sp.sqrt(base) for base in sorted({w.base for w in odd}, key=str)}
+    back |= {sp.Dummy(real=True): w for w in sorted(others, key=str)}
+    forth = {w: d for d, w in back.items()}
+    expr = expr.xreplace({w: forth[sp.sqrt(w.base)] ** (2 * w.exp) for w in odd} | {w: forth[w] for w in others})
+    names = {f(q): sp.Dummy() for q in sorted(angles, key=str) for f in (sp.sin, sp.cos)}
+    first, second = (sp.sin, sp.cos) if keep == "sin" else (sp.cos, sp.sin)
+    pairs = [(names[first(q)], names[second(q)]) for q in sorted(angles, key=str)]
+    value = sp.cancel(sp.together(expr.xreplace(names)))
+    for _ in range(2):  # a cancellation after the first pass may free another square
+        parts = []
+        for part in sp.fraction(value):
+            for s, c in pairs:
+                part = sp.rem(part, s**2 + c**2 - 1, c)  # noqa: PLW2901 - reduced angle by angle
+            parts.append(part)
+        value = sp.cancel(parts[0] / parts[1])
+    return value.xreplace(back).xreplace({v: k for k, v in names.items()})
+
+
+def tidy(expr: Expr) -> Expr:
+    """A short form of ``expr``: factored where it is rational, with sines and cosines reduced and gathered."""
+    expr = sp.sympify(expr)
+    if expr.is_Atom or expr.is_Matrix:
+        return expr
+    if expr.atoms(sp.sin, sp.cos, sp.tan, sp.cot):
+        return min((sp.factor(reduce_trig(expr, keep)) for keep in ("sin", "cos")), key=sp.count_ops)
+    return sp.factor(sp.cancel(sp.together(expr)))
+
+
+def _short(expr: Expr) -> Expr:
+    """Clear common factors, and sin^2 + cos^2, between elimination steps."""
+    return expr if expr.is_Atom else reduce_trig(expr)
+
+
+def independent_rows(rows: Matrix) -> tuple[list[int], dict[int, dict[int, Expr]]]:
+    """Indices of a first maximal set of independent rows, and how each other row follows from them.
+
+    Returns ``(kept, dependent)`` with ``dependent[i] = {j: c_j}`` meaning row i = sum of c_j times row j, j in kept.
+    """
+    kept: list[int] = []
+    dependent: dict[int, dict[int, Expr]] = {}
+    reduced: list[tuple[int, list[Expr], dict[int, Expr]]] = []  # (pivot column, row, its combination of kept rows)
+    for i in range(rows.rows):
+        row = [sp.sympify(x) for x in rows.row(i)]
+        combination: dict[int, Expr] = {}
+        for column, base, how in reduced:
+            factor = row[column]
+            if factor == 0:
+                continue
+            row = [_short(x - factor * b) for x, b in zip(row, base, strict=True)]
+            row[column] = sp.S.Zero
+            for j, c in how.items():
+                combination[j] = combination.get(j, sp.S.Zero) + factor * c
+        pivot = next((k for k, x in enumerate(row) if not is_zero(x)), None)
+        if pivot is None:
+            dependent[i] = {j: tidy(c) for j, c in combination.items() if not is_zero(c)}
+            continue
+        scale = row[pivot]
+        row = [_short(x / scale) for x in row]
+        how_new = {j: -c / scale for j, c in combination.items()}
+        how_new[i] = 1 / scale
+        reduced.append((pivot, row, how_new))
+        kept.append(i)
+    return kept, dependent
+
+
+def solve_linear(matrix: Matrix, right: Matrix, what: str = "linear equations") -> Matrix:
+    """Solve ``matrix x = right`` by elimination with a true zero test on every pivot.
+
+    ``right`` may have several columns. Raises CaromError, naming ``what``, when the square matrix is singular.
+    """
+    size = matrix.rows
+    table = [[sp.sympify(x) for x in list(matrix.row(i)) + list(right.row(i))] for i in range(size)]
+    for k in range(size):
+        choices = [i for i in range(k, size) if not is_zero(table[i][k])]
+        if not choices:
+            raise CaromError(f"{what}: singular (no pivot in column {k + 1} of {size})")
+        best = min(choices, key=lambda i: sp.count_ops(table[i][k]))
+        table[k], table[best] = table[best], table[k]
+        pivot = table[k][k]
+        table[k] = [x if j < k else _short(x / pivot) for j, x in enumerate(table[k])]
+        for i in range(size):
+            factor = table[i][k]
+            if i == k or factor == 0:
+                continue
+            table[i] = [
+                _short(x - factor * y) if j >= k else x for j, (x, y) in enumerate(zip(table[i], table[k], strict=True))
+            ]
+            table[i][k] = sp.S.Zero
+    return sp.Matrix([[tidy(x) for x in row[size:]] for row in table])
+
+
+def null_basis(rows: Matrix, free: Sequence[int] | None = None) -> Matrix:
+    """Columns that span the null space of ``rows``; ``free`` may name the columns to keep as parameters.
+
+    Raises CaromError when the wanted free columns cannot parametrise the null space.
+    """
+    kept, _ = independent_rows(rows)
+    system = rows.extract(kept, list(range(rows.cols))) if kept else sp.zeros(0, rows.cols)
+    wanted = rows.cols - len(kept)
+    bound = _bound_columns(system, () if free is None else free)
+    loose = [j for j in range(rows.cols) if j not in bound]
+    if free is not None and set(loose) != set(free):
+        raise CaromError(
+            f"independent speeds: columns {sorted(free)} leave the constraints singular; possible: {loose}"
+        )
+    basis = sp.zeros(rows.cols, wanted)
+    if kept:
+        part = solve_linear(
+            system.extract(list(range(len(kept))), bound), -system.extract(list(range(len(kept))), loose)
+        )
+        for i, j in enumerate(bound):
+            basis[j, :] = part[i, :]
+    for k, j in enumerate(loose):
+        basis[j, k] = sp.S.One
+    return basis
+
+
+def _bound_columns(system: Matrix, avoid: Iterable[int]) -> list[int]:
+    """Columns of ``system`` that can be solved for, taking those outside ``avoid`` first and the last ones first."""
+    away = set(avoid)
+    order = [j for j in reversed(range(system.cols)) if j not in away] + [
+        j for j in reversed(range(system.cols)) if j in away
+    ]
+    if not system.rows:
+        return []
+    kept, _ = independent_rows(system.extract(list(range(system.rows)), order).T)
+    return sorted(order[i] for i in kept)
+
+
+def bound_columns(rows: Matrix) -> list[int]:
+    """Columns that the rows determine by the others, the last ones first."""
+    kept, _ = independent_rows(rows)
+    return _bound_columns(rows.extract(kept, list(range(rows.cols))), ())

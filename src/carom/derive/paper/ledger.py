@@ -1,0 +1,156 @@
+"""The verdict on one printed equation, computed: what is printed against what follows.
+
+An `Entry` holds the relations as the paper prints them, and what has been derived (``facts``: values for the symbols
+that the printed relations use). `judge` puts the facts in and looks at what is left. Nothing here knows which
+equations are misprints.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import sympy as sp
+
+from carom.derive.linear import Expr, is_zero, tidy
+
+__all__ = ["Branch", "Entry", "Step", "Verdict", "judge"]
+
+
+@dataclass(frozen=True)
+class Step:
+    """One line of a derivation: a sentence, and the expression or relation it arrives at (or None)."""
+
+    text: str
+    result: Any = None
+
+
+@dataclass(frozen=True)
+class Branch:
+    """A case: its name, and the values that the symbols of the printed relations have in it."""
+
+    name: str
+    facts: Mapping[Expr, Expr] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Entry:
+    """One equation or sentence of the paper.
+
+    Attributes:
+        id: "1" to "41", a part as "41e", an unnumbered one as "s4-1".
+        title: what it is.
+        printed: its relations, as printed.
+        derived: what follows instead or likewise, in the same symbols.
+        branches: cases that the paper's words admit; the printed relations should hold in each.
+        cases: narrower cases, tried where a branch fails; a name says the condition.
+        attitude: Euler angles at which the paper uses the equation; a pole there makes it conditional.
+        steps: the derivation.
+        note: explanation; figures in it are computed where the entry is made.
+        because: sentence for the condition, where the branches' names do not say enough.
+    """
+
+    id: str
+    title: str
+    printed: tuple[Any, ...]
+    derived: tuple[Any, ...]
+    branches: tuple[Branch, ...]
+    cases: tuple[Branch, ...] = ()
+    attitude: Mapping[Expr, Expr] = field(default_factory=dict)
+    steps: tuple[Step, ...] = ()
+    note: str = ""
+    because: str = ""
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """Status ("holds", "conditional", "misprint"), the cases in which the printed form holds and fails, and what is
+    left."""
+
+    status: str
+    true_in: tuple[str, ...]
+    false_in: tuple[str, ...]
+    gap: str
+    sentence: str
+
+
+def _value(expr: Expr, facts: Mapping[Expr, Expr]) -> Expr:
+    return sp.sympify(expr).subs(list(facts.items()), simultaneous=True).doit()
+
+
+def shown(relation: Any) -> str:
+    if isinstance(relation, sp.Equality):
+        return f"{relation.lhs} = {relation.rhs}"
+    if isinstance(relation, sp.core.relational.Relational):
+        return f"{relation.lhs} {relation.rel_op} {relation.rhs}"
+    return str(relation)
+
+
+def true_of(relation: Any, facts: Mapping[Expr, Expr]) -> tuple[bool, str]:
+    """Whether a relation holds once the facts are put in, and what is left of it where it does not."""
+    left, right = _value(relation.lhs, facts), _value(relation.rhs, facts)
+    if isinstance(relation, sp.Equality):
+        if left == right or is_zero(left - right):
+            return True, ""
+        return False, f"left - right = {tidy(left - right)}"
+    if relation.rel_op == "!=":
+        same = is_zero(left - right)
+        return not same, "both sides are equal" if same else ""
+    margin = left - right if relation.rel_op in (">", ">=") else right - left
+    short = margin if margin.is_number else tidy(margin)
+    sign = short.is_positive if relation.rel_op in ("<", ">") else short.is_nonnegative
+    if sign is None:  # a sum of squares may hide its sign until it is expanded
+        spread = sp.expand(short)
+        sign = spread.is_positive if relation.rel_op in ("<", ">") else spread.is_nonnegative
+    return bool(sign), "" if sign else f"the margin {short} is not of one sign, or of the wrong one"
+
+
+def says_nothing(relation: Any) -> bool:
+    """Whether an equation is true whatever its symbols mean (x = x)."""
+    return isinstance(relation, sp.Equality) and (relation.lhs == relation.rhs or is_zero(relation.lhs - relation.rhs))
+
+
+def poles(relation: Any, facts: Mapping[Expr, Expr], attitude: Mapping[Expr, Expr]) -> list[str]:
+    """Sides of a relation that are infinite at ``attitude``, one angle after the other taken to its value."""
+    found = []
+    for side in (relation.lhs, relation.rhs):
+        value = side if any(sp.sympify(side).has(angle) for angle in attitude) else _value(side, facts)
+        for angle, where in attitude.items():
+            if value.has(angle):
+                value = sp.limit(value, angle, where)
+        if value.has(sp.oo, sp.zoo, sp.nan) or isinstance(value, sp.AccumBounds):
+            found.append(str(side))
+    return found
+
+
+def judge(entry: Entry) -> Verdict:
+    """Verdict on an entry, from its printed relations, its facts and its cases."""
+    true_in, false_in, gaps = [], [], []
+    for branch in entry.branches:
+        outcomes = [true_of(r, branch.facts) for r in entry.printed]
+        if all(ok for ok, _ in outcomes):
+            true_in.append(branch.name)
+        else:
+            false_in.append(branch.name)
+            gaps += [f"{shown(r)}: {gap}" for r, (ok, gap) in zip(entry.printed, outcomes, strict=True) if not ok]
+    idle = [shown(r) for r in entry.printed if says_nothing(r)]
+    wanted = [r for r in entry.derived if not says_nothing(r)]
+    if idle and len(idle) > len(entry.derived) - len(wanted):
+        return Verdict("misprint", (), tuple(false_in), "; ".join(idle), f"{'; '.join(idle)} says nothing")
+    if not false_in:
+        infinite = [s for r in entry.printed for s in poles(r, entry.branches[0].facts, entry.attitude)]
+        if infinite:
+            where = ", ".join(f"{k} = {v}" for k, v in entry.attitude.items())
+            return Verdict(
+                "conditional", tuple(true_in), (), "", f"holds away from {where}, where {infinite[0]} is infinite"
+            )
+        return Verdict("holds", tuple(true_in), (), "", "")
+    true_in += [c.name for c in entry.cases if all(true_of(r, c.facts)[0] for r in entry.printed)]
+    gap = "; ".join(gaps)
+    named_true, named_false = [n for n in true_in if n], [n for n in false_in if n]
+    if true_in:
+        sentence = f"holds {'; '.join(named_true)}" + (f"; not {'; '.join(named_false)}" if named_false else "")
+        return Verdict("conditional", tuple(true_in), tuple(false_in), gap, sentence)
+    right = "; ".join(shown(r) for r in entry.derived)
+    return Verdict("misprint", (), tuple(false_in), gap, f"right is {right}")

@@ -1,0 +1,173 @@
+"""The whole paper in order, as records for JSON and as a LaTeX document."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Iterator, Sequence
+from functools import cache
+from typing import Any
+
+import sympy as sp
+
+from carom.derive.paper import section2, section2_impact, section3, section3_floor, section4
+from carom.derive.paper.ledger import Entry, Verdict, judge, shown
+from carom.errors import CaromError
+
+__all__ = ["STAGES", "as_record", "as_tex", "derive_paper", "find_entries"]
+
+# What is derived in one go: its name for progress, how, the numbers and the section of the unnumbered statements it holds
+STAGES: tuple[tuple[str, Callable[[], list[Entry]], range, int], ...] = (
+    ("kinematics (1)-(4)", section2.kinematics, range(1, 5), 2),
+    ("integrals (5)-(11)", section2.integration, range(5, 12), 2),
+    ("virtual displacements (12)-(17)", section2_impact.momentum, range(12, 18), 2),
+    ("hypotheses (18)-(22)", section2_impact.closing, range(18, 23), 2),
+    ("slip at B (23)-(26)", section2_impact.slip, range(23, 27), 2),
+    ("first impact (27)-(31)", section3.wall, range(27, 32), 3),
+    ("energy (32)-(33)", section3.energies, range(32, 34), 3),
+    ("flight", section3.flight, range(0), 3),
+    ("second impact (34)-(39)", section3_floor.floor, range(34, 40), 3),
+    ("example (40)-(41)", section4.example, range(40, 42), 4),
+    ("angles", section4.angles, range(0), 4),
+    ("conclusions", section4.conclusions, range(0), 5),
+    ("introduction", section4.introduction, range(0), 1),
+)
+
+
+def order(name: str) -> tuple[int, int, str]:
+    """Numbers first, in order, each followed by its parts; then unnumbered statements by section and count."""
+    plain = re.fullmatch(r"(\d+)([a-z]?)", name)
+    if plain:
+        return 0, int(plain[1]), plain[2]
+    loose = re.fullmatch(r"s(\d+)-(\d+)", name)
+    if not loose:
+        raise CaromError(
+            f"equation: expected a number such as 31, a part such as 41e or a statement such as s4-1, got {name}"
+        )
+    return int(loose[1]), int(loose[2]), ""
+
+
+@cache
+def entries_of(stage: int) -> tuple[Entry, ...]:
+    """The entries of one stage, derived once."""
+    return tuple(STAGES[stage][1]())
+
+
+def derive_paper(progress: Callable[[str, int, int], None] | None = None) -> Iterator[tuple[Entry, Verdict]]:
+    """Every entry of the paper with its verdict, in the order derived; ``progress`` hears of each stage (name, done,
+    all)."""
+    for i, (name, _, _, _) in enumerate(STAGES):
+        if progress:
+            progress(name, i, len(STAGES))
+        for entry in entries_of(i):
+            yield entry, judge(entry)
+    if progress:
+        progress("done", len(STAGES), len(STAGES))
+
+
+def find_entries(wanted: str, progress: Callable[[str, int, int], None] | None = None) -> list[tuple[Entry, Verdict]]:
+    """One equation (with its parts) or one statement; derives only what it needs.
+
+    Raises CaromError for a name that the paper does not have.
+    """
+    first, second, _ = order(wanted)
+    for i, (name, _, numbers, section) in enumerate(STAGES):
+        if (second not in numbers) if first == 0 else (section != first):
+            continue
+        if progress:
+            progress(name, i, len(STAGES))
+        found = [
+            x for x in entries_of(i) if x.id == wanted or (wanted.isdigit() and re.fullmatch(rf"{wanted}[a-z]", x.id))
+        ]
+        if found:
+            return [(x, judge(x)) for x in found]
+    raise CaromError(
+        f"equation: the paper has no {wanted}; expected 1 to 41, a part such as 41e, or a statement such as s4-1"
+    )
+
+
+def as_record(entry: Entry, verdict: Verdict) -> dict[str, str]:
+    """An entry as `carom derive --json` gives it."""
+    said = [part for part in (verdict.sentence, entry.note) if part]
+    return {
+        "id": entry.id,
+        "status": verdict.status,
+        "printed": "; ".join(shown(r) for r in entry.printed),
+        "derived": "; ".join(shown(r) for r in entry.derived),
+        "title": entry.title,
+        "note": ". ".join(s.rstrip(".") for s in said) + ("." if said else ""),
+    }
+
+
+# -- LaTeX ------------------------------------------------------------------------------------------------------------
+
+_HEAD = r"""\documentclass[a4paper]{article}
+\usepackage[margin=2cm]{geometry}
+\usepackage{amsmath,amssymb,color,graphicx}
+\definecolor{holds}{rgb}{0,0.45,0}
+\definecolor{conditional}{rgb}{0.75,0.45,0}
+\definecolor{misprint}{rgb}{0.75,0,0}
+\allowdisplaybreaks
+\setlength{\parindent}{0pt}
+\begin{document}
+\title{Dynamics of a billiard-ball's collision with wall: each equation derived}
+\author{carom derive}\date{}
+\maketitle
+"""
+
+_TEXT = {
+    "\\": r"\textbackslash{}",
+    "&": r"\&",
+    "%": r"\%",
+    "$": r"\$",
+    "#": r"\#",
+    "_": r"\_",
+    "{": r"\{",
+    "}": r"\}",
+    "~": r"\textasciitilde{}",
+    "^": r"\textasciicircum{}",
+    "<": r"\textless{}",
+    ">": r"\textgreater{}",
+}
+
+
+def text(words: str) -> str:
+    """Words as LaTeX text."""
+    return "".join(_TEXT.get(letter, letter) for letter in words)
+
+
+def maths(thing: Any) -> str:
+    """An expression, relation or matrix as displayed LaTeX, small enough for a page."""
+    body = sp.latex(thing)
+    size = r"\footnotesize" if len(body) > 260 else r"\small" if len(body) > 160 else r"\normalsize"
+    wide = len(body) > 160
+    inner = (
+        rf"\resizebox{{\ifdim\width>\linewidth\linewidth\else\width\fi}}{{!}}{{$\displaystyle {body}$}}"
+        if wide
+        else body
+    )
+    if wide:
+        return "\\begin{center}" + size + " " + inner + "\\end{center}\n"
+    return "\\[" + inner + "\\]\n"
+
+
+def as_tex(rows: Sequence[tuple[Entry, Verdict]], steps: bool = True) -> str:
+    """A LaTeX document with the printed form, the derived form, the steps and the verdict of each entry."""
+    lines = [_HEAD]
+    for entry, verdict in sorted(rows, key=lambda row: order(row[0].id)):
+        label = f"({entry.id})" if entry.id[0].isdigit() else entry.id
+        lines.append(
+            f"\\subsection*{{{text(label)} {text(entry.title)} "
+            f"--- \\textcolor{{{verdict.status}}}{{{verdict.status}}}}}\n"
+        )
+        lines.append("Printed:\n" + "".join(maths(r) for r in entry.printed))
+        lines.append("Derived:\n" + "".join(maths(r) for r in entry.derived))
+        if steps and not re.fullmatch(r"\d+[a-z]", entry.id):
+            lines += [
+                text(step.text) + "\n" + (maths(step.result) if step.result is not None else "\n")
+                for step in entry.steps
+            ]
+        note = as_record(entry, verdict)["note"]
+        if note:
+            lines.append("\\emph{" + text(note) + "}\n\n")
+    lines.append("\\end{document}\n")
+    return "\n".join(lines)

@@ -1,0 +1,1 @@
+"""What happens in an instant: one law, one file, named for its source."""

@@ -1,0 +1,35 @@
+"""The no-slip law: the contact point's velocity is reversed, all of it, and the energy is conserved.
+
+Broomhead & Gutkin, Physica D 67, 188 (1993), for discs in the plane; Garwin, Am. J. Phys. 37, 88 (1969), for the
+superball; Cox & Feres, "No-slip billiards in dimension two" (2016), for why it and the mirror are the only two. It is one
+contact with e = 1, mu infinite, beta = 1; for a disc, v_z = 0 and omega along z stay as they are.
+"""
+
+from __future__ import annotations
+
+import math
+
+from carom.kernel import Vec, kernel
+from carom.laws.card import Card
+from carom.laws.contact import wall_contact
+
+__all__ = ["CARD", "no_slip_reflection"]
+
+CARD = Card(
+    name="no-slip",
+    summary="The velocity of the contact point is reversed, all of it, and the energy is conserved.",
+    assumptions=("e = 1", "tangential restitution beta = 1", "friction as large as it has to be"),
+    valid="No-slip billiards and gases of rough balls; superballs, nearly. A billiard ball's contact stops its slip rather"
+    " than returns it.",
+    equations="one contact with e = 1, mu = inf, beta = 1",
+    citation="D. S. Broomhead & E. Gutkin, The dynamics of billiards with no-slip collisions, Physica D 67, 188-197 (1993);"
+    " R. L. Garwin, Am. J. Phys. 37, 88-92 (1969).",
+    doi="10.1016/0167-2789(93)90205-F",
+)
+
+
+@kernel
+def no_slip_reflection(v: Vec, w: Vec, n: Vec, a: float, kappa: float) -> tuple[Vec, Vec, Vec, float]:
+    """Velocity, spin, impulse per mass, and the friction that the wall must have."""
+    v1, w1, j, required, _regime = wall_contact(v, w, n, a, kappa, 1, math.inf, 1)
+    return v1, w1, j, required

@@ -1,0 +1,24 @@
+"""Pictures, with Matplotlib (the extra [plot]): `compare`, `figures`, and `save` for any of them.
+
+Each picture function returns a Matplotlib Figure that belongs to no window; a notebook shows it, :func:`save` writes it.
+"""
+
+from __future__ import annotations
+
+from carom.plot.comparison import compare
+from carom.plot.paper import collision, figures, incidence_and_reflection, setting
+from carom.plot.path import Path, path_after_wall
+from carom.plot.save import require_matplotlib, require_writable, save
+
+__all__ = [
+    "Path",
+    "collision",
+    "compare",
+    "figures",
+    "incidence_and_reflection",
+    "path_after_wall",
+    "require_matplotlib",
+    "require_writable",
+    "save",
+    "setting",
+]

@@ -1,0 +1,79 @@
+"""What happens to a ball, in plain sentences: what a law's numbers say, but not at once."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from carom.law import Answer, Meeting
+from carom.state import State, slip
+from carom.units import length, of_time, share
+from carom.verbs import Settled, TwoStep
+
+__all__ = ["remarks_on"]
+
+
+def remarks_on(meeting: Meeting, answer: Answer, final: State | None) -> Iterator[str]:
+    """Sentences on one ball; ``final`` is None where it never rolls."""
+    steps = answer.steps
+    if isinstance(steps, TwoStep):
+        yield from _wall(meeting, steps)
+    if steps is not None:
+        yield from _floor(meeting, steps)
+    if final is None:
+        yield f"it never rolls again: {answer.why}"
+    else:
+        yield from _way(meeting, final)
+
+
+def _wall(meeting: Meeting, steps: TwoStep) -> Iterator[str]:
+    hit = steps.wall
+    mu = float(meeting.wall.friction)
+    if np.any(steps.floor_impulse != 0):
+        end = _ENDS[hit.regime]
+        yield f"the wall presses the ball on the floor: both act at once, and the wall's contact ends by {end}"
+    elif hit.regime == "slide":
+        needed = share(float(hit.required_friction))
+        yield f"the ball slides on the wall, whose friction {share(mu)} is below the {needed} that holding it needs"
+    elif hit.regime == "graze":
+        yield "the ball only grazes the wall: no impulse"
+
+
+_ENDS = {
+    "stick": "sticking", "slide": "sliding", "graze": "letting go", "jam": "jamming", "stall": "stalling",
+}  # fmt: skip
+
+
+def _floor(meeting: Meeting, steps: Settled) -> Iterator[str]:
+    flight = steps.flight
+    if math.isfinite(flight.duration) and flight.duration > 0:
+        yield (
+            f"it flies {length(flight.distance)} far and {length(flight.height)} high, for {of_time(flight.duration)}"
+            + (", bounces" if float(steps.after_floor.velocity[2]) > 0 else "")
+        )
+        if steps.floor.regime == "slide" and steps.rolls:
+            mu, needed = share(float(meeting.floor.friction)), share(float(steps.floor.required_friction))
+            yield f"it lands sliding: the floor's friction {mu} is below the {needed} that holding it needs"
+    elif flight.duration == 0 and steps.rolls:
+        left = slip(meeting.ball, steps.after_floor)
+        speed = float(np.abs(steps.after_floor.velocity).sum())
+        if float(np.abs(left).max()) > 1e-9 * speed:
+            yield "it stays on the floor and slides until it rolls"
+
+
+def _way(meeting: Meeting, final: State) -> Iterator[str]:
+    v0, v = meeting.state.velocity, final.velocity
+    size = float(np.abs(v0).sum() + meeting.ball.radius * np.abs(meeting.state.spin).sum())
+    if not float(np.abs(v[:2]).sum()) > 1e-12 * size:
+        yield "it stops at the wall"
+        return
+    n = meeting.normal
+    if float(n[0] * v[0] + n[1] * v[1]) < -1e-9 * size:
+        yield "its spin turns it round: it rolls back into the wall, and meets it again"
+    along0, along = (float(n[0] * u[1] - n[1] * u[0]) for u in (v0, v))
+    if along0 * along < 0 and abs(along) > 1e-12 * size:
+        yield "it goes back along the wall to the side it came from"
+    elif along0 == 0 and abs(along) > 1e-12 * size:
+        yield f"it turns to the {'left' if along > 0 else 'right'} of the wall's normal"

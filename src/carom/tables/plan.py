@@ -1,0 +1,334 @@
+"""From the headers of a table to a plan: which columns are read, what is assumed, which columns are added."""
+
+from __future__ import annotations
+
+import math
+from collections import defaultdict
+from dataclasses import dataclass, field
+from typing import Literal
+
+import numpy as np
+
+from carom.ball import Ball
+from carom.checks import nearest
+from carom.errors import CaromError
+from carom.law import Law, Meeting
+from carom.state import rolling
+from carom.tables.units import NAMES, UNITS, Heading, Unit, bare, heading, written
+
+__all__ = ["DEFAULTS", "PARAMETERS", "Added", "Plan", "Settings", "Source", "bad_numbers", "make_plan"]
+
+SpinRule = Literal["rolling", "none"]
+
+# The paper's ball and surfaces, where neither a column nor an option says otherwise.
+DEFAULTS: dict[str, float] = {
+    "radius": 0.02625, "mass": 0.1406, "kappa": 2 / 5,
+    "restitution": 1.0, "friction": math.inf, "tangential_restitution": 0.0,
+    "floor_restitution": 0.0, "floor_friction": math.inf, "floor_tangential_restitution": 0.0,
+    "height": 0.0,
+}  # fmt: skip
+PARAMETERS = tuple(DEFAULTS)
+FORMS = (
+    "velocity_x, velocity_y (velocity_z, spin_x, spin_y, spin_z)",
+    "v_n_in (v_t_in, and spin_in or spin_z_in)",
+    "speed, incidence_deg (spin_in or spin_z_in)",
+)
+
+
+@dataclass(frozen=True)
+class Settings:
+    """What the options say; ``given`` holds those numbers (SI) that were given, and they win over columns."""
+
+    law: Law
+    given: dict[str, float] = field(default_factory=dict)
+    normal: tuple[float, float, float] | None = None
+    contact_height: float = 1.0
+    """Where the wall touches the ball, in radii above the floor: 1 at the centre's height, 1.4 a snooker cushion."""
+    spin: SpinRule | None = None
+    gravity: float = 9.80665
+    floor_contact: Literal["with", "after"] = "with"
+    suffix: str | None = None
+
+
+@dataclass(frozen=True)
+class Source:
+    """A column that is read."""
+
+    index: int
+    header: str
+    unit: Unit
+
+
+@dataclass(frozen=True)
+class Added:
+    """A column that is added."""
+
+    header: str
+    unit: Unit
+
+
+@dataclass(frozen=True)
+class Plan:
+    """How to read a row, and what to add to it."""
+
+    settings: Settings
+    form: Literal["vector", "bounce", "angle"]
+    air: bool
+    """A planar bounce of a ball in flight, without a floor; else space, or a ball on a table."""
+    spin: Literal["given", "rolling", "none"]
+    sources: dict[str, Source]
+    constants: dict[str, float]
+    added: list[Added]
+    rolls: bool
+    """Whether the state once the ball rolls again is added too."""
+    note: str
+    """Header of the column that says why a row has no answer."""
+    notes: list[str]
+    """What was assumed, for people."""
+
+
+def make_plan(headers: list[str], settings: Settings) -> Plan:
+    """The plan for a table with these headers; CaromError, a line a fault, where it cannot be read."""
+    faults: list[str] = []
+    columns = _meanings(headers, settings, faults)
+    form = _form(headers, columns, settings, faults)
+    if faults:
+        raise CaromError(*faults)
+    wanted, missing = _wanted(form, columns, settings)
+    faults += [_missing(name, form, headers) for name in missing]
+    air = form != "vector" and _in_air(columns, settings)
+    if air and settings.contact_height != 1:
+        faults.append(
+            "--contact-height: expected a ball on a table, got one in flight (contact law, or a spin_in column)"
+        )
+    spin, remarks = _spin(form, air, columns, settings, faults)
+    sources, constants = _sources(wanted, columns, settings, faults)
+    if faults:
+        raise CaromError(*faults)
+    rolls = not air and _has_steps(settings.law)
+    added, note, renamed = _added(headers, form, air, rolls, columns, settings)
+    notes = [_reading(form, air, sources), *remarks, *_assumed(constants, settings, air), *renamed]
+    return Plan(settings, form, air, spin, sources, constants, added, rolls, note, [text for text in notes if text])
+
+
+Columns = dict[str, tuple[Source, Heading]]
+
+
+def _meanings(headers: list[str], settings: Settings, faults: list[str]) -> Columns:
+    """Quantity -> its column; two columns for one quantity, or a unit that is unknown, are faults."""
+    found: dict[str, list[tuple[Source, Heading]]] = defaultdict(list)
+    for index, header in enumerate(headers):
+        meaning = heading(header)
+        if meaning is None or meaning.quantity in settings.given:
+            continue
+        unit = meaning.unit or Unit("")
+        if meaning.unit is None:
+            example = written(meaning.alias, next(iter(UNITS[NAMES[meaning.quantity][0]].values())), "suffix")
+            faults.append(f"column {header!r}: expected a unit, one of {meaning.units}; write it in, as in {example!r}")
+        found[meaning.quantity].append((Source(index, header, unit), meaning))
+    for quantity, those in found.items():
+        if len(those) > 1:
+            names = " and ".join(f"{source.header!r} (column {source.index + 1})" for source, _ in those)
+            faults.append(f"columns {names}: expected one column for {quantity}, got {len(those)}; rename the others")
+    return {quantity: those[0] for quantity, those in found.items()}
+
+
+def _form(
+    headers: list[str], columns: Columns, settings: Settings, faults: list[str]
+) -> Literal["vector", "bounce", "angle"]:
+    if "velocity_x" in columns or "velocity_y" in columns:
+        return "vector"
+    if "v_n_in" in columns or "v_t_in" in columns:
+        return "bounce"
+    if "speed" in columns or "incidence" in columns:
+        return "angle"
+    if not faults:
+        near = [near for name in ("velocity_x", "v_n_in", "speed", "incidence_deg") if (near := _like(name, headers))]
+        faults.append(
+            f"columns: expected an incoming state, {'; or '.join(FORMS)}; got {', '.join(map(repr, headers))}"
+            + (f"; did you mean {near[0]!r}?" if near else "")
+        )
+    return "angle"
+
+
+def _like(name: str, headers: list[str]) -> str:
+    text = nearest(name, headers)
+    return text.removeprefix("did you mean ").rstrip("?").strip("'\"") if text.startswith("did you mean") else ""
+
+
+def _missing(name: str, form: str, headers: list[str]) -> str:
+    others = [header for header in headers if heading(header) is None]
+    near = _like(name, others)
+    return f"column {name!r}: expected it for the {form} form, got none" + (
+        f"; did you mean {near!r}?" if near else f"; the table has {', '.join(map(repr, headers))}"
+    )
+
+
+def _wanted(form: str, columns: Columns, settings: Settings) -> tuple[list[str], list[str]]:
+    """Which quantities are read, and which are missing that must be there."""
+    if form == "vector":
+        wanted = ["velocity_x", "velocity_y", "velocity_z", "spin_x", "spin_y", "spin_z"]
+        must = ["velocity_x", "velocity_y"]
+        normals = [name for name in ("normal_x", "normal_y", "normal_z") if name in columns]
+        if normals and settings.normal is None:
+            wanted += ["normal_x", "normal_y", "normal_z"]
+            must += ["normal_x", "normal_y"]
+    elif form == "bounce":
+        wanted, must = ["v_n_in", "v_t_in", "spin_in", "spin_z_in"], ["v_n_in"]
+    else:
+        wanted, must = ["speed", "incidence", "spin_in", "spin_z_in"], ["speed", "incidence"]
+    missing = [name for name in must if name not in columns and name not in settings.given]
+    label = {"incidence": "incidence_deg"}
+    return wanted, [label.get(name, name) for name in missing]
+
+
+def _in_air(columns: Columns, settings: Settings) -> bool:
+    if "spin_in" in columns:
+        return True
+    return settings.law.name == "contact" and "spin_z_in" not in columns and settings.spin != "rolling"
+
+
+def _spin(
+    form: str, air: bool, columns: Columns, settings: Settings, faults: list[str]
+) -> tuple[Literal["given", "rolling", "none"], list[str]]:
+    level = [name for name in ("spin_x", "spin_y") if name in columns] if form == "vector" else []
+    if len(level) == 1:
+        missing = "spin_y" if level == ["spin_x"] else "spin_x"
+        faults.append(
+            f"column {missing!r}: expected it beside {level[0]!r}, got none; give both, or neither and --spin"
+        )
+    if "spin_in" in columns and "spin_z_in" in columns and form != "vector":
+        faults.append("columns: expected spin_in (a planar bounce) or spin_z_in (a ball on a table), got both")
+    if level or (air and "spin_in" in columns):
+        if settings.spin is not None:
+            faults.append(f"--spin {settings.spin}: expected no such option, the table has the spin; leave it out")
+        return "given", []
+    rule = settings.spin or ("none" if settings.law.name == "contact" else "rolling")
+    about = " about level axes" if form != "vector" and not air else ""
+    meant = {
+        "rolling": f"no spin{about} in the table: taken to roll on the floor (--spin none: it does not spin)",
+        "none": f"no spin{about} in the table: taken as 0"
+        + ("" if air else " (--spin rolling: it rolls on the floor)"),
+    }
+    if rule == "rolling" and air:
+        faults.append("--spin rolling: expected a ball on a table, got one in flight; leave it out")
+    return rule, [meant[rule]]
+
+
+def _sources(
+    wanted: list[str], columns: Columns, settings: Settings, faults: list[str]
+) -> tuple[dict[str, Source], dict[str, float]]:
+    sources: dict[str, Source] = {}
+    constants: dict[str, float] = {}
+    for name in [*wanted, *PARAMETERS]:
+        if name in settings.given:
+            constants[name] = settings.given[name]
+        elif name in columns:
+            sources[name] = columns[name][0]
+        elif name in DEFAULTS:
+            constants[name] = DEFAULTS[name]
+        elif not (name.startswith("spin") or name == "incidence"):
+            constants[name] = 0.0
+    faults += bad_numbers(constants, settings.normal, settings.contact_height, settings.gravity)
+    return sources, constants
+
+
+def bad_numbers(
+    numbers: dict[str, float], normal: tuple[float, float, float] | None, contact_height: float, gravity: float
+) -> list[str]:
+    """What is wrong with the options' numbers (SI), a line each."""
+    from carom.tables.rows import CHECKS, FINITE
+
+    faults = []
+    for name, value in numbers.items():
+        holds, expected = CHECKS.get(name, FINITE)
+        if not holds(np.asarray(value)):
+            option = "inertia" if name == "kappa" else name.replace("_", "-")
+            faults.append(f"--{option}: expected {expected}, got {value!r}")
+    if normal is not None and not 0 < math.sqrt(sum(x * x for x in normal)) < math.inf:
+        faults.append(f"--normal: expected a vector from the wall to the ball, such as 1,0,0, got {normal}")
+    if not 0 < contact_height < 2:
+        faults.append(f"--contact-height: expected a height in radii, above 0 and below 2, got {contact_height!r}")
+    if not 0 <= gravity < math.inf:
+        faults.append(f"--gravity: expected a number >= 0 in m/s^2, got {gravity!r}")
+    return faults
+
+
+def _has_steps(law: Law) -> bool:
+    """Whether a law says what follows after the wall: asked of the paper's own ball."""
+    try:
+        return law.answer(Meeting(Ball(), rolling(Ball()))).steps is not None
+    except Exception:  # a law of the user's own that goes wrong says so at the first row
+        return False
+
+
+def _added(
+    headers: list[str], form: str, air: bool, rolls: bool, columns: Columns, settings: Settings
+) -> tuple[list[Added], str, list[str]]:
+    """The added columns in the manner of those that are there; ``_predicted`` where there is one already, measured."""
+    stem, spin_stem = "velocity_", "spin_"
+    if form == "vector":
+        first = columns["velocity_x"][1]
+        stem = first.alias[:-1]
+        spin_stem = columns["spin_x"][1].alias[:-1] if "spin_x" in columns else "spin_"
+    else:
+        first = columns.get("v_n_in", columns.get("speed", (None, None)))[1] or columns["incidence"][1]
+    speed_unit = first.unit if first.quantity != "incidence" and first.unit else UNITS["speed"]["m_s"]
+    spin = next((columns[name][1] for name in ("spin_in", "spin_z_in", "spin_x") if name in columns), None)
+    spin_unit = spin.unit if spin and spin.unit else UNITS["spin"]["rad_s"]
+    names: list[tuple[str, str, Unit]] = []  # before and after the stage's name, and the unit
+
+    def add(stage: str, speeds: list[str], spins: list[str]) -> None:
+        names.extend((name, stage, speed_unit) for name in speeds)
+        names.extend((name, stage, spin_unit) for name in spins)
+        if form == "angle":
+            names.append(("speed", stage, speed_unit))
+            names.append(("reflection", stage, columns["incidence"][1].unit or UNITS["angle"]["deg"]))
+
+    if form == "vector":
+        for stage in ("out", "rolling")[: 1 + rolls]:
+            add(stage, [stem + k for k in "xyz"], [spin_stem + k for k in "xyz"])
+    elif air:
+        add("out", ["v_n", "v_t"], [(spin.alias if spin else "spin_in").removesuffix("_in")])
+    else:
+        add("out", ["v_n", "v_t", "v_z"], ["spin_n", "spin_t", "spin_z"])
+        if rolls:
+            add("rolling", ["v_n", "v_t"], ["spin_z"])
+
+    there = {bare(header) for header in headers}
+    asked = None if settings.suffix is None else settings.suffix.strip("_")
+    tail, remarks = ("", []) if asked is None else ("_" + asked, [])
+    bases = [f"{name}_{stage}" for name, stage, _ in names] + ["note"]
+    if asked is None and any(base in there for base in bases):
+        tail = "_predicted"
+        clash = [base for base in bases if base in there]
+        remarks = [f"the table has {', '.join(clash)} already: what is added is named ..._predicted"]
+    again = [base + tail for base in bases if base + tail in there]
+    if again:
+        raise CaromError(
+            f"columns: expected no {', '.join(map(repr, again))} in the table, where the answer goes; name the"
+            " added ones with --suffix"
+        )
+    added = [Added(written(f"{name}_{stage}{tail}", unit, first.style), unit) for name, stage, unit in names]
+    return added, f"note{tail}", remarks
+
+
+def _reading(form: str, air: bool, sources: dict[str, Source]) -> str:
+    where = {"vector": "vectors", "bounce": "a ball on a table", "angle": "a ball on a table"}[form]
+    read = ", ".join(source.header for source in sources.values())
+    return f"read as {'a ball in flight, in the plane' if air else where}: {read}"
+
+
+def _assumed(constants: dict[str, float], settings: Settings, air: bool) -> list[str]:
+    units = {"radius": " m", "mass": " kg", "height": " m"}
+    skip: tuple[str, ...] = ("floor", "height") if air else ()
+    taken = [
+        f"{name} {value:g}{units.get(name, '')}"
+        for name, value in constants.items()
+        if name in DEFAULTS and name not in settings.given and not name.startswith(skip)
+    ]
+    zero = [name for name, value in constants.items() if name in ("v_t_in", "velocity_z") and value == 0]
+    return [
+        f"neither in the table nor given, so taken: {', '.join(taken)}" if taken else "",
+        f"no {', '.join(zero)} in the table: taken as 0" if zero else "",
+    ]

@@ -1,0 +1,204 @@
+"""What has no answer is refused with one clear line a fault: where, what was expected, what came."""
+
+import math
+
+import numpy as np
+import pytest
+
+import carom
+
+NAN, INF = math.nan, math.inf
+BALL = carom.Ball()
+STATE = carom.rolling(BALL, (-1.0, 1.0))
+
+
+def refused(make, *words):
+    """The error's lines, after looking that each is one clear line: where, expected, got."""
+    with pytest.raises(carom.CaromError) as caught:
+        make()
+    assert isinstance(caught.value, ValueError)
+    text = str(caught.value)
+    assert text.splitlines() == list(caught.value.faults)
+    for line in text.splitlines():
+        assert "expected" in line, line
+        assert "got" in line, line
+        assert line.index("expected") > 0, line  # where comes first
+    for word in words:
+        assert word in text, text
+    return text
+
+
+@pytest.mark.parametrize("value", [0.0, -1.0, NAN, INF, -INF, "a", None, [0.1, 0.0], [[0.1], [NAN]], 1e101, 1 + 2j])
+def test_radius_and_mass(value):
+    refused(lambda: carom.Ball(radius=value), "Ball: radius", "m, > 0")
+    refused(lambda: carom.Ball(mass=value), "Ball: mass", "kg, > 0")
+
+
+@pytest.mark.parametrize("value", [0.0, -0.4, 0.7, NAN, INF, None, [0.4, 0.9], "sold"])
+def test_kappa(value):
+    refused(lambda: carom.Ball(inertia=value), "Ball: inertia")
+
+
+def test_kappa_of_discs():
+    assert carom.Disc(inertia="ring").kappa == 1
+    assert carom.Ball(inertia=2 / 3).kappa == 2 / 3
+    refused(lambda: carom.Disc(inertia=1.01), "Disc: inertia")
+    refused(lambda: carom.Disc(inertia="solid"), "'disc', 'ring'")
+    # a remedy where there is one
+    refused(lambda: carom.Ball(inertia=1.0), "carom.Disc")
+
+
+def test_every_fault_at_once():
+    text = refused(lambda: carom.Ball(radius=0, mass=-1, inertia=5))
+    assert len(text.splitlines()) == 3
+    text = refused(lambda: carom.Surface(2, -1, 3))
+    assert len(text.splitlines()) == 3
+
+
+@pytest.mark.parametrize("value", [-0.1, 1.0001, NAN, INF, None, "x", [0.5, 2.0]])
+def test_restitution(value):
+    refused(lambda: carom.Surface(value), "Surface: restitution", "0 to 1")
+
+
+@pytest.mark.parametrize("value", [-0.1, -INF, NAN, None, "x", [0.5, -2.0]])
+def test_friction(value):
+    refused(lambda: carom.Surface(1, value), "Surface: friction", ">= 0")
+    assert carom.Surface(1, INF).friction == INF  # here infinity has a meaning
+
+
+@pytest.mark.parametrize("value", [-1.1, 1.1, NAN, INF, None])
+def test_tangential_restitution(value):
+    refused(lambda: carom.Surface(1, 1, value), "Surface: tangential_restitution", "-1 to 1")
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        (NAN, 0, 0),
+        (INF, 0, 0),
+        (1, 2),
+        3.0,
+        (1, 2, 3, 4),
+        "abc",
+        None,
+        [(1, 2, 3), (1, 2)],
+        [(0, 0, 0), (0, NAN, 0)],
+        (1e101, 0, 0),
+    ],
+)
+def test_states(value):
+    refused(lambda: carom.State(value), "State: velocity", "m/s")
+    refused(lambda: carom.State((0, 0, 0), value), "State: spin", "rad/s")
+    if value is not None:
+        refused(lambda: carom.State((0, 0, 0), (0, 0, 0), value), "State: position", "in m")
+
+
+def test_where_of_many():
+    v = np.zeros((4, 5, 3))
+    v[2, 3, 1] = NAN
+    v[3, 0, 1] = INF
+    refused(lambda: carom.State(v), "index (2, 3)", "2 in all")
+    refused(lambda: carom.Ball(radius=[0.1, 0.2, -0.3]), "index (2,)", "-0.3")
+
+
+def test_shapes_that_do_not_broadcast():
+    refused(lambda: carom.State(np.zeros((2, 3)), np.zeros((4, 3))), "(2, 3)", "(4, 3)")
+    many = carom.State(np.zeros((4, 3)) - [1, 0, 0])
+    refused(lambda: carom.impact(BALL, many, np.ones((3, 3)) * [1, 0, 0]), "broadcast")
+    refused(lambda: carom.impact(carom.Ball(radius=[1.0, 2.0, 3.0]), many), "broadcast")
+    refused(lambda: carom.impact(BALL, many, surface=carom.Surface([0.1, 0.2])), "broadcast")
+    refused(lambda: carom.two_step(BALL, many, height=[0, 1, 2]), "broadcast")
+    refused(lambda: carom.kinetic_energy(carom.Ball(mass=[1.0, 2.0, 3.0]), many), "broadcast")
+    refused(lambda: carom.slip(carom.Ball(radius=[1.0, 2.0, 3.0]), many), "broadcast")
+    refused(lambda: carom.rolling(carom.Ball(radius=[1.0, 2.0, 3.0]), [(1, 0), (2, 0)]), "broadcast")
+    refused(lambda: carom.rolling(BALL, [(1, 0), (2, 0)], [1, 2, 3]), "broadcast")
+    other = carom.State(np.zeros((3, 3)))
+    refused(lambda: carom.collide(BALL, many, BALL, other), "broadcast")
+    refused(
+        lambda: carom.collide(BALL, many, carom.Ball(mass=[1.0, 2.0]), carom.State((0, 0, 0)), (1, 0, 0)), "broadcast"
+    )
+    refused(
+        lambda: carom.domenech(BALL, carom.rolling(BALL, [(1, 0), (2, 0)]), impact_angle=[0.1, 0.2, 0.3]), "broadcast"
+    )
+
+
+@pytest.mark.parametrize(
+    "normal", [(0, 0, 0), (NAN, 0, 0), (INF, 0, 0), (1, 0), 1.0, "x", None, [(1, 0, 0), (0, 0, 0)], [(1, 0, 0), (1, 0)]]
+)
+@pytest.mark.parametrize(
+    "verb", [carom.impact, carom.two_step, carom.conventional, carom.mirror, carom.no_slip, carom.settle]
+)
+def test_normals(verb, normal):
+    if verb is carom.settle:
+        refused(lambda: verb(BALL, STATE, carom.Surface(0), normal), "normal")
+    else:
+        refused(lambda: verb(BALL, STATE, normal=normal), "normal")
+
+
+@pytest.mark.parametrize("verb", [carom.impact, carom.two_step, carom.conventional, carom.mirror, carom.no_slip])
+def test_a_ball_that_moves_away(verb):
+    away = carom.rolling(BALL, (0.25, 1.0))
+    refused(lambda: verb(BALL, away), "moves towards the wall", "0.25 m/s away", "the normal points")
+    states = carom.rolling(BALL, [(-1, 1), (-1, 0), (0.25, 1)])
+    refused(lambda: verb(BALL, states), "index (2,)")
+
+
+def test_along_the_wall_is_not_away():
+    state = carom.rolling(BALL, (0.0, 1.0))
+    assert carom.impact(BALL, state).regime == "graze"
+    assert carom.impact(BALL, state).after == state
+
+
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        ({"gravity": -1.0}, ("gravity",)),
+        ({"gravity": NAN}, ("gravity",)),
+        ({"gravity": INF}, ("gravity",)),
+        ({"gravity": "9.81"}, ("gravity",)),
+        ({"gravity": (0, 0, -9.81)}, ("gravity",)),
+        ({"height": -0.1}, ("height",)),
+        ({"height": NAN}, ("height",)),
+        ({"height": INF}, ("height",)),
+        ({"floor_contact": "before"}, ("floor_contact", "'with'", "'after'", "'before'")),
+        ({"gravity": -1.0, "height": -1.0}, ("gravity", "height")),
+    ],
+)
+def test_two_step_options(options, words):
+    refused(lambda: carom.two_step(BALL, STATE, **options), *words)
+    if "floor_contact" not in options:
+        refused(lambda: carom.settle(BALL, STATE, **options), *words)
+
+
+def test_pressed_with_tangential_restitution():
+    backspin = carom.State((-1, 0, 0), (0, 100, 0))
+    wall = carom.Surface(0.9, 0.3, 0.5)
+    refused(lambda: carom.two_step(BALL, backspin, wall), "tangential_restitution", "floor_contact='after'")
+    assert carom.two_step(BALL, backspin, wall, floor_contact="after").after_wall.velocity[2] < 0
+
+
+def test_discs():
+    disc = carom.Disc()
+    refused(lambda: carom.two_step(disc, carom.State((-1, 0, 0))), "disc", "carom.impact")
+    refused(lambda: carom.rolling(disc, (-1, 0)), "disc")
+    refused(lambda: carom.impact(disc, carom.State((-1, 0, 0.1))), "plane")
+    refused(lambda: carom.impact(disc, carom.State((-1, 0, 0), (1, 0, 0))), "plane")
+    refused(lambda: carom.impact(disc, carom.State((-1, 0, -1)), (1, 0, 1)), "plane")
+    refused(lambda: carom.conventional(disc, carom.State((-1, 0, 0))), "disc")
+
+
+def test_rolling():
+    refused(lambda: carom.rolling(BALL, (1, 0, 0.1)), "rolling: velocity", "v_z")
+    refused(lambda: carom.rolling(BALL, (1, 0, 0, 0)), "rolling: velocity")
+    refused(lambda: carom.rolling(BALL, 1.0), "rolling: velocity")
+    refused(lambda: carom.rolling(BALL, (NAN, 0)), "rolling: velocity")
+    refused(lambda: carom.rolling(BALL, (1, 0), NAN), "rolling: spin_z")
+    refused(lambda: carom.rolling(BALL, (1, 0), "x"), "rolling: spin_z")
+    refused(lambda: carom.rolling(BALL, None), "rolling: velocity")
+
+
+def test_unknown_law_names_the_nearest():
+    from carom.law import law_named
+
+    refused(lambda: law_named("twostep"), "two-step")
+    refused(lambda: law_named("nonsense"), "mirror")
