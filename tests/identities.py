@@ -38,8 +38,8 @@ def floor_invariants(v, w, a, kappa):
 
 
 def size(v, w, a):
-    """Scale of a state, for tolerances: |v| + a |w|."""
-    return np.sqrt((v * v).sum(axis=-1)) + a * np.sqrt((w * w).sum(axis=-1))
+    """Scale of a state, for tolerances: |v| + a |w|, by the largest parts (their squares would vanish below 1e-162)."""
+    return abs(v).max(axis=-1) + a * abs(w).max(axis=-1)
 
 
 def mirrored(v, w, m):
