@@ -1,0 +1,1 @@
+"""What lies between two events: flight, sliding, rolling, pivoting, rest; and when the next contact comes."""
