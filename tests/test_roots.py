@@ -131,7 +131,7 @@ def count(p, a, b):
 def relative_error(c, s):
     """How far s is from the root next to it: Newton in 80 digits."""
     with mpmath.workdps(80):
-        k = [mpmath.mpf(float(x)) for x in c[::-1]]
+        k = [mpmath.mpf(x if isinstance(x, int) else float(x)) for x in c[::-1]]
         x = mpmath.mpf(s)
         for _ in range(60):
             p, d = mpmath.polyval(k, x, derivative=True)
@@ -162,7 +162,7 @@ def judge(c, s, T):
     if c[0] <= 0 and count(g, 0, far) == 0 and sign_at(g, near) < 0:
         assert (sign_at(turn, near), sign_at(turn, far)) == (1, -1)
         assert count(turn, 0, near) == 0
-        return relative_error([i * float(k) for i, k in enumerate(c)][1:], s)
+        return relative_error(turn, s)
     assert sign_at(g, near) > 0
     assert count(g, 0, near) == odd
     if sign_at(g, far) >= 0:  # two roots nearer to each other than what is asked for: the first is there
@@ -253,6 +253,10 @@ def make(kind, degree, rng):  # noqa: PLR0912  (one branch a kind)
     elif kind == "from touch":
         c[:, 0] = rng.choice([0.0, 1e-17, -1e-17, -1e-3, -0.1], COUNT)
         c[:, 1] = abs(c[:, 1]) * 10.0 ** rng.uniform(-8, 0, COUNT)
+    elif kind == "turning below zero":  # two turns close by: the rounding of 3 c3 would count
+        roots[:, 1] = roots[:, 0] * (1 + gaps(rng, -10))
+        c[:, 1:] = expand(roots[:, :-1]) / np.arange(1, degree + 1)
+        c[:, 0] = -1e3 * abs(c).sum(axis=1) * 3**degree
     return c, T
 
 
@@ -270,6 +274,7 @@ KINDS = [
     "scales",
     "no leading coefficient",
     "from touch",
+    "turning below zero",
 ]
 
 
