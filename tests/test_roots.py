@@ -221,6 +221,11 @@ def make(kind, degree, rng):  # noqa: PLR0912  (one branch a kind)
         roots[:, : degree - 1] = roots[:, :1] + rng.normal(size=(COUNT, degree - 1)) * gaps(rng, -4)[:, None]
     elif kind == "near-double":
         roots[:, 1] = roots[:, 0] * (1 + gaps(rng, -14))
+    elif kind == "cut in a pair":
+        near = gaps(rng, -9)
+        roots[:, 0] = abs(roots[:, 0])
+        roots[:, 1] = roots[:, 0] * (1 + near)
+        T = roots[:, 0].real * (1 + near * rng.uniform(-0.5, 1.5, COUNT))
     elif kind == "almost a pair":
         z = roots[:, 0] * (1 + 1j * gaps(rng, -14))
         roots[:, 0], roots[:, 1] = z, z.conj()
@@ -274,6 +279,7 @@ KINDS = [
     "scales",
     "no leading coefficient",
     "from touch",
+    "cut in a pair",
     "turning below zero",
 ]
 
