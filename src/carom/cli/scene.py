@@ -1,0 +1,46 @@
+"""``carom scene``: a scene to begin with; all that is wrong with one."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+
+def register(app: typer.Typer) -> None:
+    """Add the verbs to the command."""
+    scene = typer.Typer(help="Scene files: write one to begin with, check one.", no_args_is_help=True)
+    scene.command("new")(new)
+    scene.command("check")(check)
+    app.add_typer(scene, name="scene")
+
+
+def new(
+    file: Annotated[Path | None, typer.Argument(metavar="[FILE]", help="Where to; left out: standard output.")] = None,
+    force: Annotated[bool, typer.Option("--force", help="Write over a file that is there.")] = False,
+) -> None:
+    """Write a commented scene that runs as it stands: one ball on a carom table."""
+    from carom.errors import CaromError
+    from carom.scene.toml import new_scene
+
+    text = new_scene()
+    if file is None:
+        sys.stdout.write(text)
+        return
+    try:
+        with file.open("w" if force else "x", encoding="utf-8") as out:
+            out.write(text)
+    except FileExistsError:
+        raise CaromError(f"{file}: expected a new file, got one that is there; --force writes over it") from None
+    except OSError as error:
+        raise CaromError(f"{file}: expected a place to write to, got: {error.strerror}") from None
+
+
+def check(file: Annotated[Path, typer.Argument(metavar="FILE", help="A scene, as TOML.")]) -> None:
+    """Say all that is wrong with a scene, at once; or what it is."""
+    from carom.scene.toml import load_scene
+
+    scene = load_scene(file)
+    sys.stdout.write(f"{file}: {scene.describe()}: ok\n")

@@ -1,0 +1,120 @@
+"""A ball of a scene: what it is, where it is, how it moves."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+import numpy as np
+from pydantic import AfterValidator, BeforeValidator, Field, model_validator
+
+from carom.ball import INERTIAS, Ball
+from carom.checks import nearest
+from carom.errors import CaromError
+from carom.scene.faults import Fault, Model, refuse
+from carom.scene.quantities import Components, Length, Mass, Number, Size, Speed, Spin, Vector
+from carom.state import State
+
+__all__ = ["SceneBall"]
+
+_KAPPA = Number("'solid', 'hollow', or kappa = I/(m a^2) in (0, 2/3]", least=0, most=2 / 3 * (1 + 1e-12), above=True)
+
+
+def _inertia(value: Any) -> str | float:
+    if not isinstance(value, str):
+        return _KAPPA(value)
+    if value not in INERTIAS:
+        raise Fault(_KAPPA.what, value, nearest(value, list(INERTIAS))).error()
+    return value
+
+
+def _three(value: tuple[float, ...]) -> Vector:
+    return (value[0], value[1], value[2] if len(value) == 3 else 0.0)
+
+
+class SceneBall(Model):
+    """A ball at the start.
+
+    Parameters
+    ----------
+    radius, mass : m and kg
+    inertia : "solid", "hollow", or kappa
+    position : centre, m; two numbers: on the floor (z = radius), or in the plane z = 0 of a scene without a floor
+    velocity : m/s, two or three numbers
+    rolling : it rolls on the floor: its spin follows from its velocity, but for ``spin_z``
+    spin : rad/s, for one that does not roll
+    spin_z : rad/s, the side of one that rolls
+    name : what tables call it
+    """
+
+    radius: Size
+    mass: Mass
+    inertia: Annotated[str | float, BeforeValidator(_inertia)] = "solid"
+    position: Annotated[
+        tuple[Length, ...], BeforeValidator(Components("2 or 3 lengths in m: x, y and z, of the centre", (2, 3)))
+    ]
+    velocity: Annotated[
+        tuple[Speed, ...],
+        BeforeValidator(Components("2 or 3 speeds in m/s: along x, y and z", (2, 3))),
+        AfterValidator(_three),
+    ] = (0.0, 0.0, 0.0)
+    rolling: bool = Field(default=False, strict=True)
+    spin: (
+        Annotated[tuple[Spin, Spin, Spin], BeforeValidator(Components("3 spins in rad/s: about x, y and z", (3,)))]
+        | None
+    ) = None
+    spin_z: Spin | None = None
+    name: str | None = None
+
+    @model_validator(mode="after")
+    def _one_spin(self) -> SceneBall:
+        faults = []
+        if self.rolling and self.spin is not None:
+            advice = "of a ball that rolls only spin_z is free; leave out rolling, or spin"
+            faults.append(Fault("no spin beside rolling = true", list(self.spin), advice, ("spin",)))
+        if self.rolling and self.velocity[2] != 0:
+            faults.append(Fault("no speed along z beside rolling = true", self.velocity[2], at=("velocity", 2)))
+        if not self.rolling and self.spin_z is not None:
+            faults.append(Fault("no spin_z without rolling = true", self.spin_z, "give spin = [x, y, z]", ("spin_z",)))
+        refuse(faults)
+        return self
+
+    @classmethod
+    def of(cls, ball: Ball, state: State, name: str | None = None) -> SceneBall:
+        """From a carom.Ball and a carom.State with a position. CaromError for arrays of states, and for discs."""
+        where = "SceneBall.of"
+        if ball.planar:
+            raise CaromError(f"{where}: ball: expected a ball, got a disc")
+        if state.position is None:
+            raise CaromError(f"{where}: state: expected one with a position, got None; State(velocity, spin, position)")
+        shape = np.broadcast_shapes(state.shape, state.position.shape[:-1], np.shape(ball.radius), np.shape(ball.mass))
+        if shape:
+            raise CaromError(f"{where}: state: expected one ball, got shape {shape}; make one SceneBall of each")
+        return cls(
+            radius=float(ball.radius),
+            mass=float(ball.mass),
+            inertia=float(ball.kappa),
+            position=tuple(state.position.tolist()),
+            velocity=tuple(state.velocity.tolist()),
+            spin=tuple(state.spin.tolist()),
+            name=name,
+        )
+
+    @property
+    def ball(self) -> Ball:
+        """The ball itself."""
+        return Ball(self.radius, self.mass, self.inertia)
+
+    @property
+    def center(self) -> Vector:
+        """Its centre, m; two numbers are completed by the floor's."""
+        x, y, *z = self.position
+        return (x, y, z[0] if z else self.radius)
+
+    @property
+    def state(self) -> State:
+        """Velocity, spin and position at the start."""
+        x, y, z = self.velocity
+        spin = self.spin or (0.0, 0.0, 0.0)
+        if self.rolling:  # (27)
+            spin = (-y / self.radius, x / self.radius, self.spin_z or 0.0)
+        return State(velocity=(x, y, z), spin=spin, position=self.center)

@@ -1,0 +1,134 @@
+"""What walls are made of: features, what :mod:`carom.scene.features` works on, and how to build them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.kernel import cross, dot
+from carom.scene.features import FACE, LINE, OVER, POINT
+from carom.scene.quantities import Vector
+
+__all__ = [
+    "Feature", "Flat", "across", "circle", "corner", "frame", "line", "minus", "plane", "post", "unit", "upright",
+]  # fmt: skip
+
+Array = NDArray[np.float64]
+Flat = tuple[float, float]
+UP: Vector = (0.0, 0.0, 1.0)
+
+
+class Feature(NamedTuple):
+    """A feature by itself; lengths in m. Its fields are told in :mod:`carom.scene.features`, whose kernels take it."""
+
+    kind: int
+    p: Vector
+    d: Vector = UP
+    R: float = 0.0
+    side: float = 1.0
+    u: Vector = (1.0, 0.0, 0.0)
+    lo1: float = -math.inf
+    hi1: float = math.inf
+    lo2: float = -math.inf
+    hi2: float = math.inf
+
+
+# --- vectors ------------------------------------------------------------------------------------------------------
+
+
+def unit(v: Sequence[float]) -> Vector:
+    """A vector of length 1 along v; no number of v is too large or too small for it."""
+    most = max(abs(x) for x in v)
+    x, y, z = (c / most for c in v)
+    size = math.sqrt(x * x + y * y + z * z)
+    return (x / size, y / size, z / size)
+
+
+def minus(p: Sequence[float], q: Sequence[float]) -> Vector:
+    """P - q."""
+    return (p[0] - q[0], p[1] - q[1], p[2] - q[2])
+
+
+def across(p: Vector, d: Vector) -> Vector:
+    """What of p is perpendicular to the unit vector d."""
+    c = dot(p, d)
+    return (p[0] - c * d[0], p[1] - c * d[1], p[2] - c * d[2])
+
+
+def frame(axis: Vector) -> tuple[Vector, Vector]:
+    """Two unit vectors u, v that make a right-handed frame (u, v, axis): u is the x axis, seen along the unit axis.
+
+    For an axis along x, the y axis takes its place.
+    """
+    u = unit(across((0.0, 1.0, 0.0) if abs(axis[0]) > 1 - 1e-9 else (1.0, 0.0, 0.0), axis))
+    return u, cross(axis, u)
+
+
+# --- features -----------------------------------------------------------------------------------------------------
+
+
+def plane(p: Vector, normal: Vector) -> Feature:
+    """A plane without end; balls on the side of its unit normal."""
+    return Feature(FACE, p, normal, u=frame(normal)[0])
+
+
+def line(
+    p: Vector, d: Vector, low: float = -math.inf, high: float = math.inf, R: float = 0.0, side: float = 1.0
+) -> Feature:
+    """A line along the unit vector d, or what is at a distance R from it: an edge, a post, a cylinder."""
+    return Feature(LINE, p, d, R, side, frame(d)[0], -1.0, 1.0, low, high)
+
+
+def post(at: Flat, low: float = -math.inf, high: float = math.inf) -> Feature:
+    """A vertical edge."""
+    return line((*at, 0.0), UP, low, high)
+
+
+def corner(p: Vector) -> Feature:
+    """A point."""
+    return Feature(POINT, p)
+
+
+def _standing(kind: int, start: Flat, end: Flat, low: float, high: float) -> Feature:
+    """An upright face, or a gate, from start to end; balls on the right of one who walks so."""
+    (tx, ty, _z), size = unit((end[0] - start[0], end[1] - start[1], 0.0)), math.dist(start, end)
+    return Feature(kind, (*start, 0.0), (ty, -tx, 0.0), u=(tx, ty, 0.0), lo1=0.0, hi1=size, lo2=low, hi2=high)
+
+
+def upright(points: Sequence[Flat], *, closed: bool, low: float, high: float, inside: bool = False) -> list[Feature]:
+    """An upright wall without thickness along a polyline, from z = low to high: faces, edges, corners, gates.
+
+    ``closed``: back to the first point, counterclockwise; what passes over it from the inside has left. ``inside``: the
+    outline is convex and its balls are all inside, so that its back and its posts are never met.
+    """
+    pairs = list(zip(points, [*points[1:], points[0]] if closed else points[1:], strict=False))
+    levels = [z for z in sorted({low, high}) if math.isfinite(z)]
+    found = []
+    for start, end in pairs:
+        if low < high:
+            found.append(_standing(FACE, end, start, low, high))
+            if not inside:
+                found.append(_standing(FACE, start, end, low, high))
+        t = unit((end[0] - start[0], end[1] - start[1], 0.0))
+        found += [line((*start, z), t, 0.0, math.dist(start, end)) for z in levels]
+    if not inside:
+        for at in points:
+            if low < high:
+                found.append(post(at, low, high))
+            found += [corner((*at, z)) for z in levels]
+    if math.isfinite(high):
+        for start, end in pairs:
+            found.append(_standing(OVER, end, start, high, math.inf))
+            if not closed:
+                found.append(_standing(OVER, start, end, high, math.inf))
+    return found
+
+
+def circle(center: Sequence[float], radius: float, first: float = 0.0, last: float = 2 * math.pi) -> Array:
+    """A circle, or a part of it, as a polyline (n, 2); angles in radians."""
+    angles = np.linspace(first, last, max(2, 1 + round(abs(last - first) / (2 * math.pi) * 96)))
+    return np.column_stack((center[0] + radius * np.cos(angles), center[1] + radius * np.sin(angles)))

@@ -1,0 +1,65 @@
+"""Scenes in TOML files: read one, all faults at once; a scene to begin with."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from pydantic import ValidationError
+
+from carom.errors import CaromError
+from carom.scene.faults import told
+from carom.scene.model import Scene
+
+__all__ = ["load_scene", "new_scene"]
+
+
+def load_scene(path: str | Path) -> Scene:
+    """The scene of a TOML file.
+
+    A law of the user's own, ``law = "file.py:name"``, is looked for beside the file. Raises CaromError with one line a
+    fault, all at once: where, what was expected, what came, what to do.
+    """
+    path = Path(path)
+    try:
+        text = path.read_bytes().decode()
+    except OSError as error:
+        remedy = f"; carom scene new {path} writes one" if isinstance(error, FileNotFoundError) else ""
+        raise CaromError(f"{path}: expected a scene file, got: {error.strerror}{remedy}") from None
+    except UnicodeDecodeError as error:
+        raise CaromError(f"{path}: expected text in UTF-8, got byte {error.object[error.start]:#04x}") from None
+    try:
+        table = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise CaromError(_syntax(path, text, str(error))) from None
+    _beside(table, path.parent)
+    try:
+        return Scene.model_validate(table)
+    except ValidationError as error:
+        raise CaromError(*told(str(path), error, Scene)) from None
+
+
+def _syntax(path: Path, text: str, message: str) -> str:
+    found = re.fullmatch(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", message, re.DOTALL)
+    if found is None:
+        return f"{path}: expected TOML, got: {message}"
+    lines = text.splitlines() or [""]
+    number = int(found[2]) if found[2] else len(lines)
+    return f"{path}: line {number}: expected TOML, got {lines[number - 1].strip()[:60]!r}; {found[1]}"
+
+
+def _beside(table: dict[str, Any], folder: Path) -> None:
+    """Make the laws' files relative to the scene's folder."""
+    walls = table.get("walls")
+    for part in [table.get("run"), *(walls if isinstance(walls, list) else [])]:
+        law = part.get("law") if isinstance(part, dict) else None
+        if isinstance(part, dict) and isinstance(law, str) and ".py:" in law:
+            part["law"] = str(folder / law)
+
+
+def new_scene() -> str:
+    """The text of a commented scene that runs as it stands: one ball on a carom table."""
+    return files("carom.scene").joinpath("new.toml").read_text(encoding="utf-8")
