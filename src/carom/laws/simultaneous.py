@@ -16,24 +16,23 @@ import math
 
 from carom.kernel import Vec, dot, hot_kernel, kernel
 from carom.laws.card import Card
-from carom.laws.contact import GRAZE, SLIDE, STICK, slip_velocity, wall_contact
+from carom.laws.contact import GRAZE, SLIDE, STICK, contact, slip_velocity, wall_contact
+from carom.laws.stepping import creep, stride
 from carom.laws.two_contacts import (
-    AT_REST,
+    ENDLESS,
+    FLOOR_JUMP,
     FLOOR_SLIP,
     FLOOR_STICK,
     LEVEL,
     OFF,
-    STARTING,
-    TINY,
-    UP,
-    Flow,
-    add,
+    Law,
+    Pair,
+    Slips,
     decide_mode,
     rates,
-    start_direction,
-    step,
-    unit,
+    size,
 )
+from carom.laws.wall_clock import gap_growth, remaining, touch_down
 
 __all__ = ["CARD", "JAM", "STALL", "pressed_down", "wall_and_floor"]
 
@@ -56,15 +55,17 @@ CARD = Card(
 )
 
 JAM, STALL = 3, 4
-# Stands for an infinite friction: the slip is gone within 1e-8 of the impulse. Where the equations are then too stiff (a
-# few pressed balls in a thousand, with infinite friction at the floor), the next smaller one.
-FIRM, FIRM_ENOUGH, LEAST_FIRM = 1e8, 1e5, 1e3
-ROUNDING = 4e-16  # of the speeds: where a velocity of approach has ended
-# The same for where a slip counts as ended: a slip that fades while its direction turns fast is as stiff.
-LOOSE, LOOSEST = 1e-7, 3e-6
+UP: Vec = (0.0, 0.0, 1.0)
+LEAST_FIRM = 1e3  # half of this: where a friction that was used can only have been an infinite one
+ROUNDING = 1e-15  # of the speeds: where a velocity of approach has ended
+TINY = 1e-12
+AT_REST = 1e-10  # of the speeds: a slip below this has ended
 STEP_ERROR = 1e-10  # of the speed of approach: error of one step
-NEARLY_AT_REST = 1e-7  # of the speeds: where a ball that both contacts can hold is held
-MOST_STEPS = 10_000
+NEARLY = 1e-5  # of the speeds: a slip that dies within so little is followed straight to its end
+# From here on friction turns a slip too fast for an explicit step: one of some size, and one that starts from nothing.
+STIFF, STARTS = 20, 4
+MOST_STEPS = 100_000
+HUMS = 10_000  # a ball that lands more often than that under one push is pressed on the floor
 
 
 @hot_kernel
@@ -84,250 +85,257 @@ def pressed_down(v: Vec, w: Vec, n: Vec, a: float, mu: float, h: float) -> bool:
 
 
 @kernel
-def _remaining(un: float, rate: float, stored: float, peak: float, compressing: bool) -> float:
-    """Impulse until the compression, or the restitution, ends at the present rate of u_n; infinite if it does not.
-
-    A restitution also ends where the ball comes in again and has given back to the wall all that it had returned
-    (``peak``): what follows is compression that the wall has not seen yet.
-    """
-    if compressing:
-        return -un / rate if rate > 0 else math.inf
-    if un < 0 and stored < peak:
-        left = un * un - 2 * rate * (peak - stored)
-        if left > 0:
-            return 2 * (peak - stored) / (math.sqrt(left) - un)
-    left = un * un + 2 * rate * stored
-    if left < 0:
-        return math.inf
-    left = un + math.sqrt(left)
-    return 2 * stored / left if left > 0 else math.inf
+def _speed_of_approach(y: Slips, vz: float, q: Law) -> float:
+    """Normal velocity u_n at the wall, from the slips: the two contact points are on one rigid body."""
+    return q[0] / (1 - q[1]) * (y[0] + y[2] - q[0] * vz) + q[1] * vz
 
 
 @kernel
-def _gap_growth(un: float, vz: float, c: float, stored: float, p: float, e: float, compressing: bool) -> float:
-    """How the gap under a lifted ball grows (v_z changes at the rate c) while the wall gives the impulse p."""
-    # The wall's spring in its own time: q' = -u_n/k, u_n' = q/k with q^2/2 the stored energy, k = 1 or, unloading, e;
-    # (u_n, q) turns on a circle. Differences of nearly equal numbers are written out: c may be as large as FIRM.
-    k = 1 + 0 * e if compressing else e
-    q0 = math.sqrt(2 * stored)
-    left = stored - un * p - p * p / 2
-    q1 = math.sqrt(2 * left) if left > 0 else 0 * e
-    if not q0 + q1 > 0:
-        return 0 * e
-    fall = p * (2 * un + p) / (q0 + q1)  # q0 - q1
-    turn = math.atan2(p * q0 + un * fall, q0 * q1 + un * (un + p))
-    return k * (vz * turn + c * (fall - un * turn))
+def _lands(y: Slips, vz: float, q: Law, kappa: float, ef: float, muf: float, betaf: float) -> tuple[Slips, float]:
+    """One blow from the floor: slips and vertical velocity after it."""
+    zero = 0 * vz
+    jn, g, _required, _regime = contact(vz, (y[2], y[3], zero), 1, kappa / (1 + kappa), ef, muf, betaf)
+    c, _m, _b, k, d, e, _drive, _muw, _muf, _heed = q
+    return (y[0] - e * g[0] + c * jn, y[1] + d * g[1], y[2] + k * g[0], y[3] + k * g[1], y[4]), vz + jn
 
 
 @kernel
-def _touch_down(
-    un: float, vz: float, c: float, stored: float, p: float, e: float, compressing: bool, gap: float
-) -> float:
-    """Impulse in (0, p] at which the gap closes: bisection between its largest value and p, where it is below zero."""
-    low = -vz / c if vz > 0 else 0 * p
-    high = p
-    for _ in range(200):
-        middle = (low + high) / 2
-        if middle in (low, high):
-            break
-        if gap + _gap_growth(un, vz, c, stored, middle, e, compressing) > 0:
-            low = middle
-        else:
-            high = middle
-    return high
+def _fading(ux: float, uy: float, rx: float, ry: float) -> tuple[float, float, float]:
+    """Of a slip u with rate r: its size, the rate at which it fades, and how fast it is turned, r across u."""
+    slip = size(ux, uy)
+    if slip > 0:
+        return slip, -(ux * rx + uy * ry) / slip, abs(ux * ry - uy * rx) / slip
+    return slip, -size(rx, ry), 0 * slip
 
 
 @kernel
-def _slip(y: Flow, n: Vec) -> float:
-    """Size of the slip at the contact with normal n."""
-    u = slip_velocity(y[0], y[1], n, 1)[1]
-    return math.sqrt(dot(u, u))
-
-
-@kernel
-def _until_event(y: Flow, k: Flow, n: Vec, wall: int, floor: int, peak: float, compressing: bool, tiny: float) -> float:
-    """Impulse until the compression, the restitution or a slip ends, if all goes on at the rates k."""
-    un, uw = slip_velocity(y[0], y[1], n, 1)
-    _vz, uf = slip_velocity(y[0], y[1], UP, 1)
-    h = _remaining(un, dot(k[0], n), y[3], peak, compressing)
-    size = math.sqrt(dot(uw, uw))
-    if wall == SLIDE and size > tiny:
-        fading = -dot(slip_velocity(k[0], k[1], n, 1)[1], uw)
-        if fading > 0:
-            h = min(h, size * size / fading)
-    size = math.sqrt(dot(uf, uf))
-    if floor == FLOOR_SLIP and size > tiny:
-        fading = -dot(slip_velocity(k[0], k[1], UP, 1)[1], uf)
-        if fading > 0:
-            h = min(h, size * size / fading)
-    return h
-
-
-@kernel
-def _shorter(
-    y: Flow, new: Flow, n: Vec, wall: int, floor: int, compressing: bool, tiny: float, speed: float, peak: float
-) -> float:
-    """A step that ran past an event is taken again, by this share of its length; 1 where it did not."""
-    un, uw = slip_velocity(y[0], y[1], n, 1)
-    _vz, uf = slip_velocity(y[0], y[1], UP, 1)
-    un1, uw1 = slip_velocity(new[0], new[1], n, 1)
-    _vz, uf1 = slip_velocity(new[0], new[1], UP, 1)
-    share = 1 + 0 * speed
-    size = math.sqrt(dot(uw, uw))
-    if wall == SLIDE and size > tiny and dot(uw1, uw) < -tiny * size:
-        share = 1 / 2 * share
-    size = math.sqrt(dot(uf, uf))
-    if floor == FLOOR_SLIP and size > tiny and dot(uf1, uf) < -tiny * size:
-        share = 1 / 2 * share
-    if compressing and un1 > 1e-9 * speed:
-        share = min(share, max(0.1, un / (un - un1)))
-    if not compressing and new[3] < -TINY * peak:
-        share = min(share, max(0.1, y[3] / (y[3] - new[3])))
-    return share
-
-
-@kernel
-def _ended(old: Flow, new: Flow, n: Vec, wall: int, floor: int, tiny: float) -> bool:
-    """Whether a sliding contact came to rest."""
-    for contact in (0, 1):
-        d = n if contact == 0 else UP
-        if (wall != SLIDE) if contact == 0 else (floor != FLOOR_SLIP):
-            continue
-        before = slip_velocity(old[0], old[1], d, 1)[1]
-        after = slip_velocity(new[0], new[1], d, 1)[1]
-        if dot(before, before) > tiny * tiny and dot(after, after) <= tiny * tiny:
-            return True
-    return False
-
-
-@kernel
-def _follow(  # noqa: PLR0912, PLR0915  (one loop over events; its parts stand above)
-    v: Vec,
-    w: Vec,
-    n: Vec,
-    a: float,
-    kappa: float,
-    e: float,
-    muw: float,
-    ef: float,
-    muf: float,
-    betaf: float,
-    firm: float,
-    rest: float,
-) -> tuple[Vec, Vec, Vec, Vec, int]:
-    """:func:`wall_and_floor` with ``firm`` for the largest friction, and slips below ``rest`` of the speeds ended."""
-    zero = 0 * a
-    v0 = v
-    s = (a * w[0], a * w[1], a * w[2])
-    j = (zero, zero, zero)
-    if v[2] < 0:  # a rigid floor answers first, and may send the ball away from the wall
-        v, s, j, _required, _regime = wall_contact(v, s, UP, 1, kappa, ef, muf, betaf)
-    if not dot(v, n) < 0:
-        return v, (s[0] / a, s[1] / a, s[2] / a), (zero, zero, zero), j, GRAZE
-    speed = -dot(v, n)
-    scale = math.sqrt(dot(v, v)) + math.sqrt(dot(s, s))
-    tiny = rest * scale
-    allowed = max(STEP_ERROR * speed, STEP_ERROR * scale / 1000)
-    muw, muf = min(muw, firm), min(muf, firm)
-    y = (v, s, (zero, zero, zero), zero)
-    dw = df = (zero, zero, zero)
-    compressing, touching, decide = True, v[2] <= tiny, True
-    wall, floor, regime = SLIDE, OFF, STALL
-    p, gap, pace, peak = zero, zero, math.inf, zero
-    starts_wall = starts_floor = False
-    for _ in range(MOST_STEPS):
-        if touching:
-            y = ((y[0][0], y[0][1], zero), y[1], y[2], y[3])
-        if decide:
-            wall, floor, dw, df = decide_mode(y, n, kappa, muw, muf, touching, dw, df, tiny)
-            decide, pace = False, math.inf
-            starts_wall = wall == SLIDE and _slip(y, n) <= tiny
-            starts_floor = floor == FLOOR_SLIP and _slip(y, UP) <= tiny
-        starts_wall = starts_wall and _slip(y, n) < STARTING * scale
-        starts_floor = starts_floor and _slip(y, UP) < STARTING * scale
-        # (a wide margin: within one step the direction must not switch from one rule to the other)
-        small = 10 * STARTING * scale if starts_wall or starts_floor else tiny
-        if not starts_wall:
-            dw, _size = unit(slip_velocity(y[0], y[1], n, 1)[1], dw, tiny)
-        if not starts_floor:
-            df, _size = unit(slip_velocity(y[0], y[1], UP, 1)[1], df, tiny)
-        if touching and max(abs(dot(y[0], n)), _slip(y, n), _slip(y, UP)) < max(NEARLY_AT_REST, 30 * rest) * scale:
-            _k, spare = rates(y, n, kappa, muw, muf, STICK, FLOOR_STICK, dw, df, math.inf)
-            if spare > 0:
-                regime = JAM  # at rest on both contacts, and both cones hold it there
-                break
-        k, spare = rates(y, n, kappa, muw, muf, wall, floor, dw, df, small)
-        if floor == FLOOR_STICK and wall == STICK and not dot(k[0], n) > TINY:
-            regime = JAM  # rolling on both contacts: the ball can only turn about the line through them
-            break
-        h = _until_event(y, k, n, wall, floor, peak, compressing, tiny)
-        hit = False
-        if floor == OFF:  # straight lines: any length will do, up to where the gap closes
-            un, vz, c = dot(y[0], n), y[0][2], k[0][2]
-            touching = touching and abs(c) <= LEVEL * (1 + math.sqrt(dot(k[2], k[2])))
-            c = zero if touching else c
-            grown = gap + _gap_growth(un, vz, c, y[3], h, e, compressing)
-            if grown <= 0 and vz + h * c < 0:
-                h, hit = _touch_down(un, vz, c, y[3], h, e, compressing, gap), True
-            gap = zero if hit else max(grown, zero)
-            v, s, f, stored = add(y, h, k)
-            new = (v, s, f, stored - h * h / 2)
-        else:
-            h = min(h, pace, 10 * speed)
-            if starts_wall or starts_floor:
-                # A slip that grows from nothing turns at once to where its rate points: the direction at mid-step.
-                h = min(h, speed / 2000)
-                new, error, spare1 = step(y, k, h / 2, n, kappa, muw, muf, wall, floor, dw, df, small)
-                if starts_wall:
-                    dw, _starts = start_direction(new, n, kappa, muw, muf, wall, floor, dw, df, True)
-                if starts_floor:
-                    df, _starts = start_direction(new, n, kappa, muw, muf, wall, floor, dw, df, False)
-                k, _spare = rates(y, n, kappa, muw, muf, wall, floor, dw, df, small)
-            new, error, spare1 = step(y, k, h, n, kappa, muw, muf, wall, floor, dw, df, small)
-            if error > allowed:
-                pace = h * max(0.2, 0.9 * (allowed / error) ** 0.2)
-                continue
-            share = _shorter(y, new, n, wall, floor, compressing, tiny, speed, peak)
-            if spare1 < 0 and spare > LEVEL:
-                share = min(share, 0.9, max(0.1, spare / (spare - spare1)))
-            elif spare1 < -LEVEL:
-                share = 1 / 2 * share
-            still = h * math.sqrt(dot(k[0], k[0]) + dot(k[1], k[1])) < 1e-13 * scale
+def _pressed_step(  # noqa: PLR0912, PLR0915  (one step and what may stop it)
+    y: Slips, q: Law, wall: int, floor: int, dw: Pair, df: Pair, rough: bool,
+    compressing: bool, peak: float, pace: float, speed: float, scale: float,
+) -> tuple[Slips, float, float, bool, bool]:  # fmt: skip
+    """A step of a pressed ball, its length, the next one's, whether the mode has come to its end, and whether it went."""
+    c, m, _b, _k, _d, _e, _drive, muw, muf, heed = q
+    zero = 0 * c
+    tiny, allowed = AT_REST * scale, max(STEP_ERROR * speed, STEP_ERROR * scale / 1000)
+    k1, spare = rates(y, q, wall, floor, dw, df, zero)
+    un, along = _speed_of_approach(y, zero, q), c / (1 - m) * (k1[0] + k1[2])
+    goal = math.inf
+    if heed > 0 and (floor != FLOOR_JUMP or compressing):
+        goal = remaining(un, along, y[4], peak, compressing)
+    slips_w, slips_f = wall == SLIDE and muw > 0, floor != FLOOR_STICK and muf > 0
+    uw, fading_w, turns_w = _fading(y[0], y[1], k1[0], k1[1])
+    uf, fading_f, turns_f = _fading(y[2], y[3], k1[2], k1[3])
+    dies_w = uw / fading_w if slips_w and floor != FLOOR_JUMP and uw > 0 and fading_w > 0 else math.inf
+    dies_f = uf / fading_f if slips_f and uf > 0 and fading_f > 0 else math.inf
+    dies = min(dies_w, dies_f)
+    if floor == FLOOR_JUMP:  # straight too where it does not turn the wall's slip: the floor's push stays as it is
+        straight = fading_w < 0 and turns_w <= 1e-9 * -fading_w
+    else:  # all in one plane
+        straight = y[1] == 0 and y[3] == 0 and k1[1] == 0 and k1[3] == 0
+    if straight:
+        if heed > 0:
+            goal = remaining(un, along, y[4], peak, compressing)
+        ends = dies <= goal
+    else:
+        ends = dies <= goal and dies * (size(k1[0], k1[1]) + size(k1[2], k1[3])) < NEARLY * scale
+        # what is left of the slip turns by too little to matter, and so does the other contact's
+        ends = ends and dies * (turns_w if dies_w <= dies_f else turns_f) <= allowed
+        other, turn = (uf, turns_f) if dies_w <= dies_f else (uw, turns_w)
+        ends = ends and dies * dies * turn * (muw + muf) <= allowed * other
+        if not ends:
+            goal = min(goal, 0.99 * dies)
+            far = min(goal, 10 * speed)  # what is stiff is not a step but the way
+            h = min(far, pace)
+            stiff = _creeps(y, q, wall, floor, dw, df, far, fading_w, fading_f)
+            if stiff:
+                new, error, goes = creep(y, h, q, wall, floor, dw, df, zero)
+                grow = 0.9 * (allowed / error) ** (1 / 6) if error > 0 else 4 + zero
+            else:
+                goes = True
+                new, error = stride(y, k1, h, q, wall, floor, dw, df, zero)
+                grow = 0.9 * (allowed / error) ** (1 / 8) if error > 0 else 4 + zero
+            if not (goes and error <= allowed):
+                return y, zero, h * (max(0.1, grow) if goes and error < math.inf else 0.25), False, False
+            _there, spare1 = rates(new, q, wall, floor, dw, df, zero)
+            share = 1 + zero
+            un1 = _speed_of_approach(new, zero, q)
+            if heed > 0 and compressing and un1 > max(1e-12 * speed, ROUNDING * scale):
+                share = max(0.02, un / (un - un1))
+            if heed > 0 and not compressing and new[4] < -TINY * peak:
+                share = max(0.02, y[4] / (y[4] - new[4]))
+            if spare1 < -LEVEL:
+                share = min(share, max(0.02, min(0.95, spare / (spare - spare1))))
+            if slips_w and uw > 0 and new[0] * y[0] + new[1] * y[1] < 0:
+                share = min(share, 0.5)
+            if slips_f and uf > 0 and new[2] * y[2] + new[3] * y[3] < 0:
+                share = min(share, 0.5)
+            # (a step too short to move anything: this mode has come to its end)
+            still = h * (size(k1[0], k1[1]) + size(k1[2], k1[3])) < 1e-13 * scale
             if share < 1 and not still:
-                pace = h * share
-                continue
-            decide = spare1 <= LEVEL or still  # a step too short to move anything: this mode has come to its end
-            pace = 4 * h if error < allowed / 1024 else h * 0.9 * (allowed / error) ** 0.2
-        decide = decide or hit or _ended(y, new, n, wall, floor, tiny)
-        y = new
-        p += h
+                return y, zero, h * share, False, False
+            over = still or spare1 < 0 or (slips_w and fading_w > 0 and size(new[0], new[1]) <= tiny)
+            over = over or (slips_f and fading_f > 0 and size(new[2], new[3]) <= tiny)
+            return new, h, h * min(4 + zero, grow), over, True
+    h = min(goal, dies)
+    work = y[4] - heed * h * (un + along * h / 2)
+    new = (y[0] + h * k1[0], y[1] + h * k1[1], y[2] + h * k1[2], y[3] + h * k1[3], work)
+    if ends and dies_w <= dies_f:
+        new = (zero, zero, new[2], new[3], work)
+    if ends and dies_f <= dies_w:
+        new = (new[0], new[1], zero, zero, work)
+    ends = ends or (fading_w > 0 and size(new[0], new[1]) <= tiny) or (fading_f > 0 and size(new[2], new[3]) <= tiny)
+    return new, h, math.inf, ends, h < math.inf
+
+
+@kernel
+def _taken(y: Slips, vz: float, q: Law, apart: bool, un: float) -> tuple[Slips, float, bool]:
+    """An infinitely rough wall takes the slip of a ball that the floor does not hold; whether it lands on the way.
+
+    Only a ball that is just leaving the floor (not ``apart``) can: no time passes. What little does counts: from the wall's
+    first touch on the impulse grows as the square of the time, and later in proportion to it.
+    """
+    c, _m, _b, k, d, e, _drive, _muw, _muf, heed = q
+    zero = 0 * c
+    slip = size(y[0], y[1])
+    f, down = slip / k, c * y[0] / slip
+    ends = y[4] / un if heed > 0 and un > 0 else math.inf
+    closes = math.inf
+    if down > 0 and not apart:
+        closes = 2 * vz / down
+        if heed > 0 and un != 0:  # (the wall's force q: gap = 0 is a square in it)
+            q0 = math.sqrt(2 * y[4])
+            square = 9 * q0 * q0 - 24 * un * vz / down
+            q1 = (math.sqrt(square) - q0) / 2 if square >= q0 * q0 else zero
+            closes = (q0 - q1) * (q0 + q1) / (2 * un)
+    hit = closes < min(f, ends)
+    over = ends <= f and not hit
+    f = closes if hit else min(f, ends)
+    ft, fy = -f * y[0] / slip, -f * y[1] / slip
+    work = y[4] - heed * un * f
+    if over:
+        work = zero
+    if hit or over:
+        return (y[0] + k * ft, y[1] + k * fy, y[2] - e * ft, y[3] + d * fy, work), vz + c * ft, hit
+    return (zero, zero, y[2] - e * ft, y[3] + d * fy, work), vz + c * ft, hit
+
+
+@kernel
+def _creeps(
+    y: Slips, q: Law, wall: int, floor: int, dw: Pair, df: Pair, far: float, fading_w: float, fading_f: float
+) -> bool:
+    """Whether friction turns a slip many times faster than the way to go, ``far``, is long."""
+    c, m, b, k, _d, e, drive, muw, muf, _heed = q
+    zero = 0 * c
+    if floor == FLOOR_JUMP:
+        return False
+    slip_w, slip_f = size(y[0], y[1]), size(y[2], y[3])
+    if wall == SLIDE:
+        turn = muw * k * (1 + (muf * c if floor == FLOOR_SLIP else zero))
+        if turn * far > STIFF * slip_w + STARTS * max(-fading_w, zero) * far:
+            return True
+        push = c * muw * (y[0] / slip_w if slip_w > 0 else dw[0]) - m * drive
+        turn = muf * push * k
+    else:
+        apart = b - e * muf * c * (y[2] / slip_f if slip_f > 0 else df[0])
+        turn = -muf * m * drive * k / apart * k * (1 + e * muf * c / apart)
+    return floor == FLOOR_SLIP and turn * far > STIFF * slip_f + STARTS * max(-fading_f, zero) * far
+
+
+@kernel
+def _course(  # noqa: PLR0912, PLR0915  (one loop over events; its parts stand above)
+    y: Slips, vz: float, q: Law, e: float, kappa: float, ef: float, muf: float, betaf: float, speed: float, scale: float
+) -> tuple[Slips, float, float, int]:
+    """Slips, vertical velocity, the wall's normal impulse and its regime when the wall lets go."""
+    c, m, b, k, d, ee, _drive, muw, _muf, _heed = q
+    zero = 0 * vz
+    rough_wall, rough_floor = muw >= ENDLESS, q[8] >= ENDLESS
+    tiny = AT_REST * scale
+    compressing, touching, decide = True, vz <= tiny, True
+    wall, floor, level, regime, grade, rank = SLIDE, OFF, 0, STALL, 0, 0
+    dw = df = (1 + zero, zero)
+    law = q
+    p, gap, pace, peak, landings = zero, zero, math.inf, zero, 0
+    for _ in range(MOST_STEPS):
+        if touching and vz != 0:
+            y, vz = (y[0] - c * vz, y[1], y[2], y[3], y[4]), zero
+        if decide:
+            if muw > 0 and size(y[0], y[1]) <= tiny:
+                y = (zero, zero, y[2], y[3], y[4])
+            if muf > 0 and size(y[2], y[3]) <= tiny:
+                y = (y[0], y[1], zero, zero, y[4])
+            wall, floor, level, dw, df = decide_mode(y, q, rough_wall, rough_floor, touching, tiny)
+            decide, pace = False, math.inf
+            if wall == STICK and floor == FLOOR_STICK:
+                regime = JAM
+                break
+            rank = level + (2 if floor == FLOOR_JUMP else 0)
+            if rank < grade:  # what was stored on a faster clock is nothing on this one
+                y, grade, compressing = (y[0], y[1], y[2], y[3], zero), rank, True
+            elif y[4] == 0 and compressing:
+                grade = rank
+            drive, mu, heed = 1 - level + zero, 1 + zero if level else muw, 1 + zero if rank == grade else zero
+            law = (c, m, b, k, d, ee, drive, mu, q[8], heed)
+        un = _speed_of_approach(y, vz, q)
+        if rank == grade:
+            if compressing and un >= -max(1e-12 * speed, ROUNDING * scale):
+                # Stronge: the wall gives back e^2 of what it took
+                compressing, peak = False, e * e * y[4]
+                y = (y[0], y[1], y[2], y[3], peak)
+            elif not compressing and e > 0 and un < -max(1e-12 * speed, ROUNDING * scale) and y[4] >= peak * (1 - TINY):
+                # Walton & Braun: back along the line of unloading, and from the greatest compression so far along the first
+                compressing = True
+                y = (y[0], y[1], y[2], y[3], y[4] / (e * e))
+            if not compressing and y[4] <= TINY * peak:
+                regime = STICK if size(y[0], y[1]) <= tiny else SLIDE
+                break
+        if floor == OFF and level == 1:  # an infinitely rough wall takes the slip, and may lift the ball with it
+            y, vz, hit = _taken(y, vz, law, touching or gap > 0, un)
+            touching, decide = touching and vz <= tiny, True
+            if hit:
+                y, vz = _lands(y, vz, q, kappa, ef, muf, betaf)
+                touching = vz <= 1e-9 * scale
+            continue
+        if floor != OFF:
+            y, h, pace, decide, went = _pressed_step(
+                y, law, wall, floor, dw, df, rough_wall, compressing, peak, pace, speed, scale
+            )
+            if level == 0 and floor != FLOOR_JUMP:
+                p += h
+            if not (went or pace > 0):
+                break
+            continue
+        # Straight lines: any length will do, up to where the gap closes.
+        slip = size(y[0], y[1])
+        ft, fy = zero, zero
+        h = remaining(un, 1, y[4], peak, compressing)
+        dies = False
+        if wall == SLIDE and muw > 0:
+            ft, fy = -muw * y[0] / slip, -muw * y[1] / slip
+            dies = slip <= h * k * muw
+            h = slip / (k * muw) if dies else h
+        rise = m + c * ft
+        touching = touching and abs(rise) <= 2 * LEVEL * (1 + (muw if wall == SLIDE else 0))
+        rise = zero if touching else rise
+        grown = gap + gap_growth(un, vz, rise, y[4], h, e, compressing)
+        hit = grown <= 0 and vz + h * rise < 0
         if hit:
-            v, s, _j, _required, _regime = wall_contact(y[0], y[1], UP, 1, kappa, ef, muf, betaf)
-            y = (v, s, y[2], y[3])
-            touching = v[2] <= 1e-9 * scale
-        if compressing and dot(y[0], n) >= -max(1e-13 * speed, ROUNDING * scale):
-            # Stronge: the wall gives back e^2 of what it took
-            compressing, peak = False, e * e * y[3]
-            y = (y[0], y[1], y[2], peak)
-            decide = True
-        elif not compressing and e > 0 and dot(y[0], n) < 0 and y[3] >= peak * (1 - TINY):
-            # Walton & Braun: back along the line of unloading, and from the greatest compression so far along the first
-            compressing = True
-            y = (y[0], y[1], y[2], y[3] / (e * e))
-        if not compressing and y[3] <= 1e-14 * peak:
-            uw = slip_velocity(y[0], y[1], n, 1)[1]
-            regime = STICK if dot(uw, uw) <= tiny * tiny else SLIDE
-            break
-    v, s, f, _stored = y
-    if touching:
-        v = (v[0], v[1], zero)
-    wall_impulse = (p * n[0] + f[0], p * n[1] + f[1], p * n[2] + f[2])
-    floor_impulse = (
-        v[0] - v0[0] - wall_impulse[0],
-        v[1] - v0[1] - wall_impulse[1],
-        v[2] - v0[2] - wall_impulse[2],
-    )
-    return v, (s[0] / a, s[1] / a, s[2] / a), wall_impulse, floor_impulse, regime
+            h, dies = touch_down(un, vz, rise, y[4], h, e, compressing, gap), False
+        gap = zero if hit else max(grown, zero)
+        y = (
+            y[0] + h * k * ft,
+            y[1] + h * k * fy,
+            y[2] + h * (c - ee * ft),
+            y[3] + h * d * fy,
+            y[4] - un * h - h * h / 2,
+        )
+        if dies:
+            y = (zero, zero, y[2], y[3], y[4])
+        vz, p, decide = vz + h * rise, p + h, True
+        if hit:
+            y, vz = _lands(y, vz, q, kappa, ef, muf, betaf)
+            landings += 1
+            touching = vz <= 1e-9 * scale or landings > HUMS
+    return y, zero if touching else vz, p, regime
 
 
 @kernel
@@ -335,11 +343,35 @@ def wall_and_floor(
     v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, muw: float, ef: float, muf: float, betaf: float
 ) -> tuple[Vec, Vec, Vec, Vec, int]:
     """Velocity, spin, impulse (per mass) of the wall, of the floor, regime of the wall contact (or JAM, STALL)."""
-    answer = _follow(v, w, n, a, kappa, e, muw, ef, muf, betaf, FIRM, AT_REST)
-    if answer[4] == STALL:
-        answer = _follow(v, w, n, a, kappa, e, muw, ef, muf, betaf, FIRM_ENOUGH, AT_REST)
-    if answer[4] == STALL:
-        answer = _follow(v, w, n, a, kappa, e, muw, ef, muf, betaf, FIRM_ENOUGH, LOOSE)
-    if answer[4] == STALL:
-        answer = _follow(v, w, n, a, kappa, e, muw, ef, muf, betaf, LEAST_FIRM, LOOSEST)
-    return answer
+    zero = 0 * a
+    s = (a * w[0], a * w[1], a * w[2])
+    v1, s1, j = v, s, (zero, zero, zero)
+    if v[2] < 0:  # a rigid floor answers first, and may send the ball away from the wall
+        v1, s1, j, _required, _regime = wall_contact(v, s, UP, 1, kappa, ef, muf, betaf)
+    if not dot(v1, n) < 0:
+        return v1, (s1[0] / a, s1[1] / a, s1[2] / a), (zero, zero, zero), j, GRAZE
+    speed = -dot(v1, n)
+    scale = math.sqrt(dot(v1, v1)) + math.sqrt(dot(s1, s1))
+    # the frame: x along the level part of the normal
+    m, c = n[2], size(n[0], n[1])
+    x, y = (n[0] / c, n[1] / c) if c > 0 else (1 + zero, zero)
+    vx, vy, vz = x * v1[0] + y * v1[1], x * v1[1] - y * v1[0], v1[2]
+    sx, sy, sz = x * s1[0] + y * s1[1], x * s1[1] - y * s1[0], s1[2]
+    i = 1 / kappa
+    q = (c, m, m * m + i, 1 + i, 1 + m * i, m + i, 1 + zero, min(muw, ENDLESS), min(muf, ENDLESS), 1 + zero)
+    before = (sy - m * vx + c * vz, vy - c * sz + m * sx, vx - sy, vy + sx, zero)
+    after, up, p, regime = _course(before, vz, q, e, kappa, ef, muf, betaf, speed, scale)
+    # Impulses, from what they changed: wall friction f along (t, y), floor friction g along (x, y).
+    c, m, b, k, d, ee, _drive, _muw, _muf, _heed = q
+    rise = up - vz
+    r1, r2 = after[0] - before[0] + m * c * p - c * rise, after[2] - before[2] - c * p
+    ft, gx = (k * r1 + ee * r2) / (b * k - ee * ee), (ee * r1 + b * r2) / (b * k - ee * ee)
+    r1, r2 = after[1] - before[1], after[3] - before[3]
+    fy, gy = (k * r1 - d * r2) / (k * k - d * d), (k * r2 - d * r1) / (k * k - d * d)
+    wx, wz = c * p - m * ft, m * p + c * ft
+    wall = (x * wx - y * fy, x * fy + y * wx, wz)
+    v2 = (v1[0] + wall[0] + x * gx - y * gy, v1[1] + wall[1] + x * gy + y * gx, up)
+    tx, ty = (m * fy + gy) * i, (ft - gx) * i
+    s2 = (s1[0] + x * tx - y * ty, s1[1] + x * ty + y * tx, s1[2] - c * fy * i)
+    floor = (v2[0] - v[0] - wall[0], v2[1] - v[1] - wall[1], v2[2] - v[2] - wall[2])
+    return v2, (s2[0] / a, s2[1] / a, s2[2] / a), wall, floor, regime
