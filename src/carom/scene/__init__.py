@@ -33,7 +33,8 @@ HOME = {
     **dict.fromkeys(("BallContact", "Floor", "Run", "Scene"), "model"),
     **dict.fromkeys(("load_scene", "new_scene"), "toml"),
     **dict.fromkeys(
-        ("Arc", "Box", "Cylinder", "Plane", "Polygon", "Segment", "Sphere", "Stadium", "Strip", "Table", "Wedge"), "walls"
+        ("Arc", "Box", "Cylinder", "Plane", "Polygon", "Segment", "Sphere", "Stadium", "Strip", "Table", "Wedge"),
+        "walls",
     ),
 }
 

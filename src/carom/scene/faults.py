@@ -98,7 +98,7 @@ def _resolve(location: tuple[int | str, ...], model: type[Model]) -> tuple[str, 
     """A location as people write it, the model it lies in, the field, and the models that the field may hold."""
     path, owner, field, inside = "", model, "", [model]
     for part in location:
-        tagged = {_tag(one): one for one in inside if one.tag}
+        tagged = {_tag(one): one for one in inside} if len(inside) > 1 else {}
         if isinstance(part, int):
             path += f"[{part}]"
         elif part in tagged:  # which of several models it is; not a field

@@ -69,8 +69,8 @@ LawChoice = Annotated[str | Law, BeforeValidator(_known_law), PlainSerializer(la
 
 
 def spelled(v: tuple[float, ...]) -> str:
-    """A point or a direction in words."""
-    return f"({', '.join(f'{x:.6g}' for x in v)})"
+    """A point or a direction in words; rounding's leftovers are zero."""
+    return f"({', '.join(f'{x if abs(x) > 1e-12 else 0:.6g}' for x in v)})"
 
 
 class Wall(Model):
