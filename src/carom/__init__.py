@@ -36,11 +36,25 @@ if TYPE_CHECKING:
     from carom.reflections import conventional as conventional
     from carom.reflections import mirror as mirror
     from carom.reflections import no_slip as no_slip
+    from carom.scene.balls import SceneBall as SceneBall
+    from carom.scene.model import BallContact as BallContact
+    from carom.scene.model import Floor as Floor
+    from carom.scene.model import Run as Run
+    from carom.scene.model import Scene as Scene
+    from carom.scene.toml import load_scene as load_scene
+    from carom.scene.toml import new_scene as new_scene
+    from carom.simulation import ManyRuns as ManyRuns
+    from carom.simulation import simulate as simulate
+    from carom.simulation import simulate_many as simulate_many
     from carom.state import State as State
     from carom.state import kinetic_energy as kinetic_energy
     from carom.state import rolling as rolling
     from carom.state import slip as slip
+    from carom.storage import load_trajectory as load_trajectory
     from carom.surface import Surface as Surface
+    from carom.trajectory import Event as Event
+    from carom.trajectory import Events as Events
+    from carom.trajectory import Trajectory as Trajectory
     from carom.verbs import (
         Flight as Flight,
     )
@@ -78,6 +92,10 @@ HOME = {
     "conventional": "reflections", "mirror": "reflections", "no_slip": "reflections",
     "Collision": "pairs", "Scattering": "pairs", "collide": "pairs", "domenech": "pairs",
     "Comparison": "comparison", "Verdict": "comparison", "compare": "comparison", "incoming": "comparison",
+    "SceneBall": "scene.balls", "BallContact": "scene.model", "Floor": "scene.model", "Run": "scene.model",
+    "Scene": "scene.model", "load_scene": "scene.toml", "new_scene": "scene.toml",
+    "ManyRuns": "simulation", "simulate": "simulation", "simulate_many": "simulation",
+    "Event": "trajectory", "Events": "trajectory", "Trajectory": "trajectory", "load_trajectory": "storage",
     "CARDS": "cards", "LAWS": "law", "Law": "law", "Meeting": "law", "wall_law": "law", "Card": "laws.card",
 }  # fmt: skip
 ROOMS = ("compiled", "datasets", "derive", "euler", "kernel", "laws", "plot", "predict")

@@ -19,7 +19,7 @@ from typing import Any
 
 from carom.kernel import HOT, KERNELS
 
-__all__ = ["cache_folder", "njit", "source_hash"]
+__all__ = ["cache_folder", "cfunc", "njit", "source_hash"]
 
 _registered: set[Callable[..., Any]] = set()
 
@@ -65,15 +65,31 @@ def register_kernels() -> None:
 
     for function in KERNELS:
         if function not in _registered:
-            register_jitable(error_model="numpy", forceinline=function in HOT)(function)
+            # called from compiled code only: the wrappers for Python would take a sixth of the compiling
+            register_jitable(
+                error_model="numpy", forceinline=function in HOT, no_cpython_wrapper=True, no_cfunc_wrapper=True
+            )(function)
             _registered.add(function)
 
 
-def njit(function: Callable[..., Any], **options: Any) -> Callable[..., Any]:
-    """Compile a loop over kernels; fastmath stays off, so that it gives the same bits as Python."""
+def njit(function: Callable[..., Any], signature: Any = None, **options: Any) -> Callable[..., Any]:
+    """Compile a loop over kernels; fastmath stays off, so that it gives the same bits as Python.
+
+    With a signature it is compiled, or loaded, at once and for nothing else.
+    """
     import numba
 
     register_kernels()
     options = {"error_model": "numpy", "cache": True, **options}
     with _numba_cache():
-        return numba.njit(**options)(function)  # type: ignore[no-any-return]
+        return numba.njit(signature, **options)(function)  # type: ignore[no-any-return]
+
+
+def cfunc(function: Callable[..., Any], numbers: int) -> Any:
+    """Compile a function of so many floats and of a place to write floats to, for calls by its address."""
+    import numba
+    from numba import types
+
+    register_kernels()
+    signature = types.void(*[types.float64] * numbers, types.CPointer(types.float64))
+    return numba.cfunc(signature, error_model="numpy")(function)

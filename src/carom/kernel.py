@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-__all__ = ["HOT", "KERNELS", "Vec", "cross", "dot", "hot_kernel", "kernel"]
+__all__ = ["HOT", "KERNELS", "Vec", "cross", "dot", "hot_kernel", "kernel", "vector"]
 
 Vec = tuple[float, float, float]
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -43,3 +43,9 @@ def dot(p: Vec, q: Vec) -> float:
 def cross(p: Vec, q: Vec) -> Vec:
     """Vector product."""
     return (p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0])
+
+
+@hot_kernel
+def vector(row: Any) -> Vec:
+    """Three numbers of an array as a 3-tuple."""
+    return (row[0], row[1], row[2])

@@ -14,10 +14,10 @@ from __future__ import annotations
 
 import math
 
-from carom.kernel import Vec, cross, dot, hot_kernel
+from carom.kernel import Vec, cross, dot, hot_kernel, kernel
 from carom.laws.card import Card
 
-__all__ = ["CARD", "GRAZE", "REGIMES", "SLIDE", "STICK", "contact", "slip_velocity", "wall_contact"]
+__all__ = ["CARD", "GRAZE", "REGIMES", "SLIDE", "STICK", "contact", "one_contact", "slip_velocity", "wall_contact"]
 
 CARD = Card(
     name="contact",
@@ -96,3 +96,11 @@ def wall_contact(
         required,
         regime,
     )
+
+
+@kernel
+def one_contact(
+    v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float
+) -> tuple[Vec, Vec, Vec, float, int]:
+    """:func:`wall_contact` compiled once and called, for code that would otherwise hold many copies of it."""
+    return wall_contact(v, w, n, a, kappa, e, mu, beta)

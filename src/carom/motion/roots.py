@@ -125,7 +125,7 @@ def _turn(c: Numbers, t: Numbers, x: float) -> tuple[float, float]:
 
 
 @kernel
-def _root(  # noqa: PLR0911, PLR0912  (one return a way to be done)
+def _root(  # noqa: PLR0911  (one return a way to be done)
     c: Numbers, t: Numbers, a: float, fa: float, b: float, fb: float
 ) -> float:
     """The root between a and b, 0 <= a <= b, where the values fa and fb have different signs; one root is there.
@@ -241,7 +241,7 @@ def _breaks(c: Numbers, t: Numbers, old: Numbers, start: float) -> Numbers:
 
 
 @kernel
-def _walk(  # noqa: PLR0911, PLR0912  (one return a fate)
+def _walk(  # noqa: PLR0911  (one return a fate)
     c: Numbers, zero: Numbers, d: Numbers, t: Numbers, breaks: Numbers, start: float, state: int
 ) -> float:
     """The hit after start; d + t are the coefficients of g', which is monotone between breaks (the last is where to stop).

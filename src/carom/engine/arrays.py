@@ -1,0 +1,82 @@
+"""What the event loop works on: arrays of records, which compiled code reads and writes as they are.
+
+A scene becomes one record of the world (W), an array of features (F,), and an array of balls (B,); a run writes a log (M,).
+The shapes of these records are all that the loop, the scene and the trajectory share.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+__all__ = [
+    "BALL", "BALLS", "CONVENTIONAL", "FLOOR", "HELD_EVENT", "KINDS", "LEFT_EVENT", "LOG", "MIRROR", "NOTHING", "NO_SLIP",
+    "PHASE", "SETTLED", "START", "TWO_STEP", "USER", "WALL", "WORLD",
+]  # fmt: skip
+
+# What can come next for a ball, and what a log says of it.
+START, WALL, FLOOR, BALL, PHASE, SETTLED, LEFT_EVENT, HELD_EVENT, NOTHING = range(9)
+# What people see; the end of a phase is called after the phase that begins.
+KINDS = ("start", "wall", "floor", "ball", "phase", "settled", "left", "held", "nothing")
+
+# What a wall does; from USER on, a function of the user's own.
+TWO_STEP, CONVENTIONAL, NO_SLIP, MIRROR, USER = range(5)
+
+_NUMBER, _WHOLE, _VECTOR = "f8", "i8", ("f8", (3,))
+
+# A surface: a form of restitution and its three numbers (carom.motion.restitution), friction, tangential restitution.
+_SURFACE = [("form", _WHOLE), ("p", *_VECTOR), ("mu", _NUMBER), ("beta", _NUMBER)]
+
+WORLD = np.dtype(
+    [
+        ("force", *_VECTOR),  # acceleration in flight
+        ("floor", _WHOLE),  # whether there is one
+        ("g", _NUMBER),  # how strongly it is pressed; 0 where nothing presses
+        *((f"floor_{name}", *kind) for name, *kind in _SURFACE),
+        ("resistance", _NUMBER),
+        ("spin_friction", _NUMBER),
+        *((f"pair_{name}", *kind) for name, *kind in _SURFACE),
+        ("together", _WHOLE),  # wall and floor act at once on a ball that the wall pushes down
+    ]
+)
+
+BALLS = np.dtype(
+    [
+        ("radius", _NUMBER),
+        ("mass", _NUMBER),
+        ("kappa", _NUMBER),
+        # position, velocity, spin and phase at the ball's own clock: the time of its last event
+        ("x", *_VECTOR),
+        ("v", *_VECTOR),
+        ("w", *_VECTOR),
+        ("phase", _WHOLE),
+        ("clock", _NUMBER),
+        ("acc", *_VECTOR),
+        ("turn", *_VECTOR),  # angular acceleration
+        ("lasts", _NUMBER),  # how long the phase lasts from the clock on
+        ("next_in", _NUMBER),  # time from the clock to the next event; the absolute time is next_at
+        ("next_at", _NUMBER),
+        ("next_kind", _WHOLE),
+        ("next_who", _WHOLE),  # the feature, or the other ball
+        ("repeats", _WHOLE),  # events in a row at one place
+    ]
+)
+
+LOG = np.dtype(
+    [
+        ("t", _NUMBER),
+        ("kind", _WHOLE),
+        ("ball", _WHOLE),
+        ("other", _WHOLE),  # wall or ball; -1 for none
+        ("x", *_VECTOR),
+        ("v_before", *_VECTOR),
+        ("w_before", *_VECTOR),
+        ("v", *_VECTOR),
+        ("w", *_VECTOR),
+        ("phase_before", _WHOLE),
+        ("phase", _WHOLE),
+        ("impulse", *_VECTOR),  # N s, on the ball
+        ("floor_impulse", *_VECTOR),  # N s: what the floor gave while the wall acted
+        ("required", _NUMBER),  # friction
+        ("regime", _WHOLE),
+    ]
+)

@@ -1,0 +1,110 @@
+"""Where contact does not end with the impact: hops without number, a push that goes on.
+
+A ball on the floor hops ever lower; the rest of the series is summed (carom.motion.bounces) once the hops are too low to
+see and nothing else can come near. A ball that a force presses on a wall, on an edge or on another ball comes to lie
+there: it is held, an event that ends its run, for a ball that slides along a wall under pressure is another problem.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from carom.engine.predict import pace_of, put
+from carom.kernel import Vec, dot, kernel, vector
+from carom.laws.contact import slip_velocity
+from carom.laws.landing import UP
+from carom.motion.bounces import bounces, series_lasts
+from carom.motion.phases import BOUNCING, HELD, SLIDING, grounded
+from carom.scene.features import OVER, distance, feature_normal, way_in
+
+__all__ = ["hold_on_ball", "hold_on_wall", "hop"]
+
+# Hops lower than this share of the radius are no longer events of their own where they can be summed ...
+SUMMED = 1e-6
+# ... and where they cannot (the ball moves in touch with a wall, say), those below this are not made any more: it lies.
+NO_HOP = 1e-12
+# A ball that a force presses on a wall or a ball, and that hops lower than this share of the radius, is held there.
+HOLDS = 1e-9
+# A push that the floor's friction ends within this share of the radius is none: the ball goes on along the wall.
+SHORT_PUSH = 1e-7
+
+
+@kernel
+def _free_for(features: Any, balls: Any, i: int, time: float) -> bool:
+    """Whether ball i can touch nothing but the floor for a time, wherever its bounces send it."""
+    ball = balls[i]
+    a, x, v, w = ball.radius, vector(ball.x), vector(ball.v), vector(ball.w)
+    # a rubbing floor cannot make it faster than this
+    reach = (math.sqrt(dot(v, v)) + a * math.sqrt(dot(w, w))) * time
+    for f in range(features.shape[0]):
+        if features[f].kind != OVER and distance(features[f], a, x) <= reach:
+            return False
+    for k in range(balls.shape[0]):
+        other = balls[k]
+        if k != i and other.phase < HELD:
+            s = ball.clock - other.clock + time
+            u, b, w = vector(other.v), vector(other.acc), vector(other.w)
+            # how far it has come since its own clock, and can come while this one bounces
+            far = (math.sqrt(dot(u, u)) + other.radius * math.sqrt(dot(w, w))) * s + math.sqrt(dot(b, b)) * s * s / 2
+            r = (x[0] - other.x[0], x[1] - other.x[1], x[2] - other.x[2])
+            if math.sqrt(dot(r, r)) - a - other.radius <= reach + far:
+                return False
+    return True
+
+
+@kernel
+def hop(world: Any, features: Any, balls: Any, i: int) -> bool:
+    """Sum the hops of a ball that has just left the floor, where they are low; True where it is simply to lie there."""
+    ball = balls[i]
+    height = ball.v[2] * ball.v[2] / (2 * world.g)
+    if height >= SUMMED * ball.radius:
+        return False
+    time = series_lasts(ball.v[2], world.g, world.floor_form, vector(world.floor_p))
+    if time < math.inf and _free_for(features, balls, i, time):
+        _x, _v, _w, ball.lasts = bounces(
+            vector(ball.x), vector(ball.v), vector(ball.w), ball.radius, ball.kappa, world.g,
+            world.floor_form, vector(world.floor_p), world.floor_mu, world.floor_beta, math.inf,
+        )  # fmt: skip
+        ball.phase = BOUNCING
+        return False
+    return bool(height < NO_HOP * ball.radius)
+
+
+@kernel
+def hold_on_wall(world: Any, f: Any, ball: Any, approach: float) -> None:
+    """Hold a ball that a force presses on feature f; let it go along where the push is all but over."""
+    acc, _turn, _lasts = pace_of(world, ball)
+    x, v, w, a = vector(ball.x), vector(ball.v), vector(ball.w), ball.radius
+    rate, bend = way_in(f, x, v, acc)
+    # (one that comes back with all its speed goes on hopping, however low)
+    if not (bend < 0 and rate * rate <= -2 * bend * HOLDS * a and rate < 0.999999 * approach):
+        return
+    n = feature_normal(f, x)
+    if ball.phase == SLIDING and n[2] == 0:
+        _un, u = slip_velocity(v, w, UP, a)
+        push = dot(u, n)
+        if push * push < 2 * world.floor_mu * world.g * (1 + 1 / ball.kappa) * SHORT_PUSH * a:
+            t = (-n[1], n[0], 0.0)  # w . t makes the slip along n
+            c = dot(w, t)
+            v = (v[0] - rate * n[0], v[1] - rate * n[1], v[2])
+            w = (w[0] - c * t[0], w[1] - c * t[1], w[2])
+            ball.phase, v, w = grounded(v, w, a, ball.kappa, world.g, world.floor_mu)
+            put(ball.v, v)
+            put(ball.w, w)
+            return
+    ball.phase = HELD
+
+
+@kernel
+def hold_on_ball(world: Any, ball: Any, other: Any, n: Vec, approach: float) -> None:
+    """Hold two balls that a force presses on each other."""
+    b, _turn, _lasts = pace_of(world, ball)
+    c, _turn, _lasts = pace_of(world, other)
+    v = (ball.v[0] - other.v[0], ball.v[1] - other.v[1], ball.v[2] - other.v[2])
+    rate = dot(v, n)
+    t = (v[0] - rate * n[0], v[1] - rate * n[1], v[2] - rate * n[2])
+    bend = dot((b[0] - c[0], b[1] - c[1], b[2] - c[2]), n) + dot(t, t) / (ball.radius + other.radius)
+    low = HOLDS * min(ball.radius, other.radius)
+    if bend < 0 and rate * rate <= -2 * bend * low and rate < 0.999999 * approach:
+        ball.phase = other.phase = HELD

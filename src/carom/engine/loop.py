@@ -1,0 +1,229 @@
+"""The event loop: take the earliest event, let it happen, look at what comes next. There is no time step anywhere.
+
+Each ball has its own clock, the time of its last event, and one event to come. A ball whose event was overtaken (the other
+ball of the pair met something first) is looked at again. Of events at one instant the ball with the lower number comes
+first, so that the same input gives the same bits on every run.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from carom.engine.arrays import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, NOTHING, PHASE, SETTLED, WALL
+from carom.engine.predict import begin, predict, put, state_at
+from carom.engine.resolve import DONE, meet_ball, meet_floor, meet_wall
+from carom.kernel import Vec, dot, kernel, vector
+from carom.motion.bounces import bounces
+from carom.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, grounded, next_phase
+from carom.scene.features import OVER
+
+__all__ = ["ALL", "FULL", "LIMIT", "PHASES_FROM", "ROWS", "finish", "move_by", "run", "start"]
+
+# How a call of ``run`` ends, beside resolve's refusals: DONE (nothing more happens, or not before the end), the log is
+# full (call again), or so many events have happened.
+FULL, LIMIT = 10, 11
+# A ball with so many events at one place is pinned between things that send it to and fro without end.
+PINNED = 1000
+STILL = 1e-12  # of the radius: a ball that moved by less is where it was
+# Below this share of the speeds a ball in touch is not coming in. It is far above rounding and moves nothing in a lifetime.
+SLOW = 1e-14
+# Rows that one event can write: both balls, and that both are held.
+ROWS = 4
+# Which events are logged: bit ``kind``; for the end of a phase, bit PHASES_FROM + the phase that begins.
+ALL, PHASES_FROM = -1, 16
+
+
+@kernel
+def start(world: Any, features: Any, balls: Any) -> float:
+    """Set phases, clocks and first events; the speed below which a ball in touch is not coming in."""
+    force = vector(world.force)
+    pull = math.sqrt(dot(force, force))
+    fastest = 0.0
+    for i in range(balls.shape[0]):
+        ball = balls[i]
+        v, w, a = vector(ball.v), vector(ball.w), ball.radius
+        speed = math.sqrt(dot(v, v)) + a * math.sqrt(dot(w, w)) + math.sqrt(pull * a)
+        fastest = max(fastest, speed)
+        phase = FLIGHT
+        if world.floor != 0 and abs(ball.x[2] - a) <= 1e-9 * a:
+            ball.x[2] = a
+            if abs(v[2]) <= 1e-12 * speed:
+                phase, v, w = grounded(v, w, a, ball.kappa, world.g, world.floor_mu)
+        ball.phase = phase
+        put(ball.v, v)
+        put(ball.w, w)
+        ball.clock, ball.repeats = 0.0, 0
+        begin(world, ball)
+        ball.next_at = ball.next_in = ball.lasts
+        ball.next_kind, ball.next_who = NOTHING, -1
+    for i in range(balls.shape[0]):
+        predict(world, features, balls, i, SLOW * fastest)
+    return SLOW * fastest
+
+
+@kernel
+def move_by(world: Any, ball: Any, s: float, t: float) -> None:
+    """Bring a ball forward by s, to the time t."""
+    v = vector(ball.v)
+    if ball.phase == BOUNCING:
+        x, v1, w, _time = bounces(
+            vector(ball.x), v, vector(ball.w), ball.radius, ball.kappa,
+            world.g, world.floor_form, vector(world.floor_p), world.floor_mu, world.floor_beta, s,
+        )  # fmt: skip
+    else:
+        x, v1, w = state_at(ball, s)
+    put(ball.x, x)
+    put(ball.v, v1)
+    put(ball.w, w)
+    ball.repeats = ball.repeats + 1 if s * math.sqrt(dot(v, v)) <= STILL * ball.radius else 0
+    ball.clock = t
+
+
+@kernel
+def _note(log: Any, ball: Any, kind: int, i: int, other: int, v: Vec, w: Vec, phase: int) -> None:
+    """Write a row of the log: ball i as it is now, and (v, w) and its phase before."""
+    log.t, log.kind, log.ball, log.other = ball.clock, kind, i, other
+    put(log.x, vector(ball.x))
+    put(log.v_before, v)
+    put(log.w_before, w)
+    put(log.v, vector(ball.v))
+    put(log.w, vector(ball.w))
+    log.phase_before, log.phase = phase, ball.phase
+    none = (0.0, 0.0, 0.0)
+    put(log.impulse, none)
+    put(log.floor_impulse, none)
+    log.required, log.regime = 0.0, 0
+
+
+@kernel
+def _note_impulse(log: Any, j: Vec, jf: Vec, required: float, regime: int) -> None:
+    put(log.impulse, j)
+    put(log.floor_impulse, jf)
+    log.required, log.regime = required, regime
+
+
+@kernel
+def _overtaken(balls: Any, i: int) -> bool:
+    """Whether ball i was to meet a ball that now meets something else first."""
+    ball = balls[i]
+    if ball.next_kind != BALL:
+        return False
+    other = balls[ball.next_who]
+    return bool(other.next_kind != BALL or other.next_who != i or other.next_at != ball.next_at)
+
+
+@kernel
+def _earliest(balls: Any) -> int:
+    """The ball whose event comes next; of several, the one with the lowest number."""
+    i = 0
+    for k in range(1, balls.shape[0]):
+        if balls[k].next_at < balls[i].next_at:
+            i = k
+    return i
+
+
+@kernel
+def _happen(world: Any, features: Any, balls: Any, i: int, users: Any) -> tuple[int, int, Vec, Vec, float, int, int]:
+    """Let the event of ball i happen, which stands where it does: what it was and with whom, impulses, refusal."""
+    ball = balls[i]
+    kind, who = ball.next_kind, ball.next_who
+    none = (0.0, 0.0, 0.0)
+    j, jf, required, regime, refusal = none, none, 0.0, 0, DONE
+    if ball.repeats > PINNED:
+        kind, ball.phase = HELD_EVENT, HELD
+    elif kind == WALL:
+        f = features[who]
+        who = f.wall
+        if f.kind != OVER:
+            j, jf, required, regime, refusal = meet_wall(world, f, ball, users)
+        else:
+            kind = LEFT_EVENT
+            if f.ends != 0:
+                ball.phase = LEFT
+    elif kind == FLOOR:
+        j, required, regime = meet_floor(world, features, balls, i)
+    elif kind == BALL:
+        j, required, regime = meet_ball(world, ball, balls[who])
+    else:
+        v, w = vector(ball.v), vector(ball.w)
+        if kind == SETTLED:
+            ball.phase, v, w = grounded(v, w, ball.radius, ball.kappa, world.g, world.floor_mu)
+        else:
+            ball.phase, v, w = next_phase(ball.phase, v, w, ball.radius, ball.kappa)
+        put(ball.v, v)
+        put(ball.w, w)
+    return kind, who, j, jf, required, regime, refusal
+
+
+@kernel
+def run(
+    world: Any, features: Any, balls: Any, log: Any, slow: float, until: float, most: int, users: Any, keep: int
+) -> tuple[int, int, int, int]:
+    """Let events happen: until the time ``until``, or ``most`` of them, or the log is full, or nothing more comes.
+
+    With ``keep`` = ALL everything is logged; else only what it has bits for, and a full log stops nothing.
+
+    How it ended, how many events happened, how many rows were written, and the ball that a law had no answer for.
+    """
+    events = rows = 0
+    while True:
+        i = _earliest(balls)
+        ball = balls[i]
+        t = ball.next_at
+        if not t <= until or t == math.inf:
+            return DONE, events, rows, -1
+        if _overtaken(balls, i):
+            predict(world, features, balls, i, slow)
+            continue
+        if events >= most:
+            return LIMIT, events, rows, -1
+        room = rows + ROWS <= log.shape[0]
+        if keep == ALL and not room:
+            return FULL, events, rows, -1
+        events += 1
+        k = ball.next_who if ball.next_kind == BALL else i
+        other = balls[k]
+        before, before_k = ball.phase, other.phase
+        move_by(world, ball, ball.next_in, t)
+        if k != i:
+            move_by(world, other, t - other.clock, t)
+        v, w, vk, wk = vector(ball.v), vector(ball.w), vector(other.v), vector(other.w)
+        kind, who, j, jf, required, regime, refusal = _happen(world, features, balls, i, users)
+        if refusal != DONE:
+            return refusal, events, rows, i
+        bit = PHASES_FROM + ball.phase if kind == PHASE else kind
+        if room and (keep >> bit) & 1 != 0:
+            _note(log[rows], ball, kind, i, who, v, w, before)
+            _note_impulse(log[rows], j, jf, required, regime)
+            rows += 1
+            if kind == BALL:
+                _note(log[rows], other, kind, k, i, vk, wk, before_k)
+                _note_impulse(log[rows], (-j[0], -j[1], -j[2]), jf, required, regime)
+                rows += 1
+        if kind != HELD_EVENT and room and (keep >> HELD_EVENT) & 1 != 0:  # what is held now is held by what it met
+            if ball.phase == HELD:
+                _note(log[rows], ball, HELD_EVENT, i, who, vector(ball.v), vector(ball.w), before)
+                rows += 1
+            if k != i and other.phase == HELD:
+                _note(log[rows], other, HELD_EVENT, k, i, vector(other.v), vector(other.w), before_k)
+                rows += 1
+        begin(world, ball)
+        if k != i:
+            begin(world, other)
+            other.next_at = math.inf  # it has no event yet, and its path is good for ever
+            predict(world, features, balls, i, slow)
+            predict(world, features, balls, k, slow)
+        else:
+            predict(world, features, balls, i, slow)
+        for m in range(balls.shape[0]):
+            if _overtaken(balls, m):
+                predict(world, features, balls, m, slow)
+
+
+@kernel
+def finish(world: Any, balls: Any, t: float) -> None:
+    """Bring every ball that is still followed to the time t."""
+    for i in range(balls.shape[0]):
+        if balls[i].phase < HELD and t > balls[i].clock:
+            move_by(world, balls[i], t - balls[i].clock, t)

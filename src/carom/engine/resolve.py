@@ -1,0 +1,133 @@
+"""What an event does to a ball: the laws at a wall, at the floor, between balls.
+
+Each function changes the ball, its phase too, and returns what the log wants to know.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from carom.engine.arrays import CONVENTIONAL, MIRROR, NO_SLIP, TWO_STEP, USER
+from carom.engine.linger import hold_on_ball, hold_on_wall, hop
+from carom.engine.predict import put
+from carom.engine.users import call_user
+from carom.kernel import Vec, dot, kernel, vector
+from carom.laws.contact import one_contact, slip_velocity
+from carom.laws.conventional import conventional_reflection
+from carom.laws.landing import UP
+from carom.laws.mirror import mirror_reflection
+from carom.laws.no_slip import no_slip_reflection
+from carom.laws.pair import pair_contact
+from carom.laws.simultaneous import STALL
+from carom.laws.two_step import UNDEFINED, first_impact
+from carom.motion.phases import FLIGHT, REST, ROUNDING, SLIDING, grounded
+from carom.motion.restitution import restitution
+from carom.scene.features import feature_normal
+
+__all__ = ["DONE", "REFUSED_ROLLING", "REFUSED_STALL", "REFUSED_UNDEFINED", "meet_ball", "meet_floor", "meet_wall"]
+
+# What a run may end with: DONE, or an event for which the law has no answer.
+DONE, REFUSED_ROLLING, REFUSED_UNDEFINED, REFUSED_STALL = 0, 1, 2, 3
+
+Impulse = tuple[Vec, Vec, float, int, int]
+
+
+@kernel
+def leave(world: Any, ball: Any, v: Vec, w: Vec, from_floor: bool) -> None:
+    """Note velocity and spin after an impact, and the phase that follows: on the floor, or in flight."""
+    phase = FLIGHT
+    if from_floor:
+        speed = math.sqrt(dot(v, v)) + ball.radius * math.sqrt(dot(w, w))
+        if abs(v[2]) <= ROUNDING * speed:
+            ball.x[2] = ball.radius
+            phase, v, w = grounded(v, w, ball.radius, ball.kappa, world.g, world.floor_mu)
+    ball.phase = phase
+    put(ball.v, v)
+    put(ball.w, w)
+
+
+@kernel
+def _lies(world: Any, ball: Any) -> bool:
+    """Whether a ball is on the floor: by its phase, or, where nothing presses it, by its place and velocity."""
+    if ball.phase == FLIGHT:
+        return bool(world.floor != 0 and not world.g > 0 and ball.v[2] == 0 and ball.x[2] == ball.radius)
+    return bool(SLIDING <= ball.phase <= REST)
+
+
+@kernel
+def meet_wall(world: Any, f: Any, ball: Any, users: Any) -> Impulse:
+    """A ball meets feature f: impulse of the wall and of the floor, required friction, regime, refusal."""
+    a, kappa = ball.radius, ball.kappa
+    v, w = vector(ball.v), vector(ball.w)
+    n = feature_normal(f, vector(ball.x))
+    e = restitution(f.form, vector(f.e), max(-dot(v, n), 0.0))
+    mu, beta, law = f.mu, f.beta, f.law
+    on_floor = _lies(world, ball)
+    none = (0.0, 0.0, 0.0)
+    jf, required, regime, refusal = none, 0.0, 0, DONE
+    if law == TWO_STEP and on_floor:
+        ef = restitution(world.floor_form, vector(world.floor_p), 0.0)
+        v1, w1, j, jf, required, regime = first_impact(
+            v, w, n, a, kappa, e, mu, beta, ef, world.floor_mu, world.floor_beta, 0.0, world.together != 0
+        )
+        if regime == STALL:
+            refusal = REFUSED_STALL
+        elif regime == UNDEFINED:
+            refusal = REFUSED_UNDEFINED
+    elif law == TWO_STEP:
+        v1, w1, j, required, regime = one_contact(v, w, n, a, kappa, e, mu, beta)
+    elif law == CONVENTIONAL:
+        _un, u = slip_velocity(v, w, UP, a)
+        speed = math.sqrt(dot(v, v)) + a * math.sqrt(dot(w, w))
+        if not on_floor or abs(n[2]) > ROUNDING or math.sqrt(dot(u, u)) > 1e-9 * speed:
+            refusal = REFUSED_ROLLING
+        v1, w1 = conventional_reflection(v, w, n, a, kappa)
+        j = (v1[0] - v[0], v1[1] - v[1], v1[2] - v[2])
+    elif law == NO_SLIP:
+        v1, w1, j, required = no_slip_reflection(v, w, n, a, kappa)
+    elif law == MIRROR:
+        v1, w1, j = mirror_reflection(v, w, n, a, e)
+    else:
+        v1, w1 = call_user(users[law - USER], v, w, n, a, kappa, e, mu, beta)
+        j = (v1[0] - v[0], v1[1] - v[1], v1[2] - v[2])
+    if refusal == DONE:
+        leave(world, ball, v1, w1, on_floor)
+        hold_on_wall(world, f, ball, -dot(v, n))
+    m = ball.mass
+    return (m * j[0], m * j[1], m * j[2]), (m * jf[0], m * jf[1], m * jf[2]), required, regime, refusal
+
+
+@kernel
+def meet_floor(world: Any, features: Any, balls: Any, i: int) -> tuple[Vec, float, int]:
+    """Ball i lands: impulse, required friction, regime; then it flies, lies, or bounces to the end."""
+    ball = balls[i]
+    v, w = vector(ball.v), vector(ball.w)
+    e = restitution(world.floor_form, vector(world.floor_p), max(-v[2], 0.0))
+    v1, w1, j, required, regime = one_contact(v, w, UP, ball.radius, ball.kappa, e, world.floor_mu, world.floor_beta)
+    ball.x[2] = ball.radius
+    leave(world, ball, v1, w1, True)
+    if ball.phase == FLIGHT and world.g > 0 and e < 1 and hop(world, features, balls, i):
+        leave(world, ball, (v1[0], v1[1], 0.0), w1, True)
+    m = ball.mass
+    return (m * j[0], m * j[1], m * j[2]), required, regime
+
+
+@kernel
+def meet_ball(world: Any, ball: Any, other: Any) -> tuple[Vec, float, int]:
+    """Two balls touch: impulse on the first, required friction, regime."""
+    x, y = vector(ball.x), vector(other.x)
+    r = (x[0] - y[0], x[1] - y[1], x[2] - y[2])
+    far = math.sqrt(dot(r, r))
+    n = (r[0] / far, r[1] / far, r[2] / far)
+    v, w, v2, w2 = vector(ball.v), vector(ball.w), vector(other.v), vector(other.w)
+    approach = dot((v2[0] - v[0], v2[1] - v[1], v2[2] - v[2]), n)
+    e = restitution(world.pair_form, vector(world.pair_p), max(approach, 0.0))
+    v, w, v2, w2, j, required, regime = pair_contact(
+        v, w, v2, w2, n, ball.radius, ball.mass, ball.kappa, other.radius, other.mass, other.kappa,
+        e, world.pair_mu, world.pair_beta,
+    )  # fmt: skip
+    leave(world, ball, v, w, _lies(world, ball))
+    leave(world, other, v2, w2, _lies(world, other))
+    hold_on_ball(world, ball, other, n, approach)
+    return j, required, regime

@@ -1,0 +1,52 @@
+"""From a scene to what the event loop works on."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.engine.arrays import BALLS, WORLD
+from carom.engine.users import user_address
+from carom.scene.model import Scene
+
+__all__ = ["Setup", "set_up"]
+
+
+class Setup(NamedTuple):
+    """A scene as arrays."""
+
+    world: NDArray[np.void]
+    """(1,) of WORLD."""
+    features: NDArray[np.void]
+    """(F,) of FEATURES."""
+    balls: NDArray[np.void]
+    """(B,) of BALLS, at the start."""
+    users: NDArray[np.int64]
+    """Addresses of the laws of a user's own, in the order of ``scene.own_laws``."""
+
+
+def set_up(scene: Scene) -> Setup:
+    """The arrays of a scene, made anew: a run changes them."""
+    world = np.zeros(1, WORLD)
+    world["force"] = scene.gravity
+    floor = scene.floor
+    if floor is not None:
+        world["floor"], world["g"] = 1, -scene.gravity[2]
+        _surface(world, "floor", floor.contact)
+        world["resistance"], world["spin_friction"] = floor.rolling_resistance, floor.spin_friction
+    _surface(world, "pair", scene.ball_contact.contact)
+    world["together"] = scene.run.floor_contact == "with"
+    balls = np.zeros(len(scene.balls), BALLS)
+    for row, ball in zip(balls, scene.balls, strict=True):
+        state = ball.state
+        row["radius"], row["mass"], row["kappa"] = ball.radius, ball.mass, ball.ball.kappa
+        row["x"], row["v"], row["w"] = ball.center, state.velocity, state.spin
+    users = [user_address(law.kernel) for law in scene.own_laws if law.kernel is not None]
+    return Setup(world, scene.features(), balls, np.array(users, dtype=np.int64))
+
+
+def _surface(world: Any, name: str, contact: Any) -> None:
+    for field, value in zip(("form", "p", "mu", "beta"), contact, strict=True):
+        world[f"{name}_{field}"] = value

@@ -1,0 +1,202 @@
+"""What a ball can touch, as numbers: faces, lines and points, each with the polynomial of its gap.
+
+Every wall is made of features. A feature is a core (a plane, a line, a point) and a distance R from it: a box has faces
+(planes), edges (lines, R = 0) and corners (points, R = 0); a cylinder is a line with R > 0, a sphere a point with R > 0,
+and a ball may be outside (side +1) or inside (side -1). A ball of radius a touches where its centre is R + side a from
+the core. Between events its centre moves on x + v s + acc s^2/2, so the gap is a polynomial in s: of degree 2 for a plane,
+and, as the square of the distance, of degree 4 for lines and points.
+
+A thin wall is two faces back to back. The faces of a wall end at its edges, which are features of their own: the centre of
+a ball comes in over exactly one of them, and over both, with one normal, where they join.
+
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from carom.kernel import Vec, cross, dot, hot_kernel, kernel, vector
+from carom.motion.roots import hit2, hit4, next_hit4
+
+__all__ = ["FACE", "FEATURES", "LINE", "OVER", "POINT", "distance", "feature_hit", "feature_normal", "way_in"]
+
+# Kinds. OVER is no wall: it is the upward continuation of a low one, and a ball whose centre passes it has cleared it.
+# Faces come before what is round, so that one comparison tells them apart.
+FACE, OVER, LINE, POINT = range(4)
+
+FEATURES = np.dtype(
+    [
+        ("kind", "i8"),
+        ("p", "f8", (3,)),  # a point of the core
+        ("d", "f8", (3,)),  # the unit normal of a face (towards its balls), the unit direction of a line
+        ("R", "f8"),
+        ("side", "f8"),  # +1 outside, -1 inside (faces: +1)
+        ("u", "f8", (3,)),  # unit, perpendicular to d: the first direction along a face; the middle of an arc
+        ("lo1", "f8"),  # extent of a face along u; of an arc, lo1 is the cosine of half its angle (-1: all round)
+        ("hi1", "f8"),
+        ("lo2", "f8"),  # extent of a face along d x u, of a line along d
+        ("hi2", "f8"),
+        # the wall it belongs to, with its surface and its law (carom.engine.arrays)
+        ("wall", "i8"),
+        ("form", "i8"),
+        ("e", "f8", (3,)),
+        ("mu", "f8"),
+        ("beta", "f8"),
+        ("law", "i8"),
+        ("ends", "i8"),  # whether a ball that clears the wall is followed no further
+    ]
+)
+# Seams: a feature reaches this share of the ball's radius over its ends, so that no ball slips in between two.
+SEAM = 1e-9
+# A gap more negative than this share of the radius is none: the ball is behind a face, or past the end of a line.
+BEHIND = 1e-3
+
+
+@kernel
+def _within(f: Any, x: Vec, a: float) -> bool:
+    """Whether the contact of a ball centred at x lies on the feature and not beyond its ends."""
+    if f.kind == POINT:
+        return True
+    p, d, u = vector(f.p), vector(f.d), vector(f.u)
+    r = (x[0] - p[0], x[1] - p[1], x[2] - p[2])
+    seam = SEAM * a
+    along = dot(r, d)
+    if f.kind == LINE:
+        if not f.lo2 - seam <= along <= f.hi2 + seam:
+            return False
+        cosine = f.lo1
+        if cosine <= -1:
+            return True
+        across = (r[0] - along * d[0], r[1] - along * d[1], r[2] - along * d[2])
+        return bool(dot(across, u) >= (cosine - SEAM) * math.sqrt(dot(across, across)))
+    first, second = dot(r, u), dot(r, cross(d, u))
+    return bool(f.lo1 - seam <= first <= f.hi1 + seam and f.lo2 - seam <= second <= f.hi2 + seam)
+
+
+@hot_kernel
+def _along(x: Vec, v: Vec, acc: Vec, s: float) -> Vec:
+    h = s * s / 2
+    return (x[0] + v[0] * s + acc[0] * h, x[1] + v[1] * s + acc[1] * h, x[2] + v[2] * s + acc[2] * h)
+
+
+@kernel
+def _face_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: float) -> float:
+    p, d = vector(f.p), vector(f.d)
+    reach = a if f.kind == FACE else 0 * a  # what has been cleared is cleared by the centre
+    c0 = d[0] * (x[0] - p[0]) + d[1] * (x[1] - p[1]) + d[2] * (x[2] - p[2]) - reach
+    c1, c2 = dot(d, v), dot(d, acc) / 2
+    if c0 < -BEHIND * a and not c1 > 0:
+        return math.inf
+    s = hit2(c0, c1, c2, until, slow)
+    if not s <= until or c0 + (c1 + c2 * s) * s < -BEHIND * a:
+        return math.inf
+    if f.kind == OVER and s == 0:  # it stands in the gate, having just come through
+        return math.inf
+    return s if _within(f, _along(x, v, acc, s), a) else math.inf
+
+
+@kernel
+def _round_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: float) -> float:
+    p, side = vector(f.p), f.side
+    r = (x[0] - p[0], x[1] - p[1], x[2] - p[2])
+    if f.kind == LINE:  # only what is across the line counts
+        d = vector(f.d)
+        c = dot(r, d)
+        r = (r[0] - c * d[0], r[1] - c * d[1], r[2] - c * d[2])
+        c = dot(v, d)
+        v1 = (v[0] - c * d[0], v[1] - c * d[1], v[2] - c * d[2])
+        c = dot(acc, d)
+        b = (acc[0] - c * d[0], acc[1] - c * d[1], acc[2] - c * d[2])
+    else:
+        v1, b = v, acc
+    reach = f.R + side * a
+    far = math.sqrt(dot(r, r))
+    # |r + v s + b s^2/2|^2 - reach^2, outside; the other way round inside
+    c0, c1 = side * (far - reach) * (far + reach), side * 2 * dot(r, v1)
+    c2, c3, c4 = side * (dot(v1, v1) + dot(r, b)), side * dot(v1, b), side * dot(b, b) / 4
+    deep = -BEHIND * a * 2 * reach
+    if c0 < deep and c1 <= 0:  # noqa: SIM108  (two long calls)
+        s = next_hit4(c0, c1, c2, c3, c4, 0 * a, until)
+    else:
+        s = hit4(c0, c1, c2, c3, c4, until, 2 * reach * slow)
+    for _ in range(2):
+        if not s <= until:
+            break
+        on = c0 + (c1 + (c2 + (c3 + c4 * s) * s) * s) * s >= deep
+        if on and _within(f, _along(x, v, acc, s), a):
+            return s
+        s = next_hit4(c0, c1, c2, c3, c4, s, until)
+    return math.inf
+
+
+@hot_kernel
+def feature_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: float) -> float:
+    """Time in [0, until] at which a ball touches feature f, or infinity.
+
+    ``slow`` is the speed of approach below which a ball in touch is not coming in: the rounding of one that moves along.
+    """
+    kind = f.kind
+    if kind >= LINE:
+        return _round_hit(f, a, x, v, acc, until, slow)
+    return _face_hit(f, a, x, v, acc, until, slow)
+
+
+@kernel
+def feature_normal(f: Any, x: Vec) -> Vec:
+    """Unit normal of feature f, towards the ball, where one centred at x touches it."""
+    kind = f.kind
+    d = vector(f.d)
+    if kind < LINE:
+        return d
+    p, side = vector(f.p), f.side
+    r = (x[0] - p[0], x[1] - p[1], x[2] - p[2])
+    if kind == LINE:
+        c = dot(r, d)
+        r = (r[0] - c * d[0], r[1] - c * d[1], r[2] - c * d[2])
+    size = math.sqrt(dot(r, r))
+    if not size > 0:
+        return vector(f.u)
+    c = side / size
+    return (c * r[0], c * r[1], c * r[2])
+
+
+@kernel
+def distance(f: Any, a: float, x: Vec) -> float:
+    """Gap between feature f and a ball at x; negative where it overlaps, infinite where it is behind or past the ends."""
+    kind = f.kind
+    p, d, side = vector(f.p), vector(f.d), f.side
+    r = (x[0] - p[0], x[1] - p[1], x[2] - p[2])
+    if kind == OVER:
+        return math.inf
+    if kind == FACE:
+        gap = dot(r, d) - a
+    else:
+        if kind == LINE:
+            c = dot(r, d)
+            r = (r[0] - c * d[0], r[1] - c * d[1], r[2] - c * d[2])
+        gap = side * (math.sqrt(dot(r, r)) - f.R) - a
+    return gap if _within(f, x, a) else math.inf
+
+
+@kernel
+def way_in(f: Any, x: Vec, v: Vec, acc: Vec) -> tuple[float, float]:
+    """First and second derivative of the gap of a ball in touch with feature f."""
+    n = feature_normal(f, x)
+    speed = dot(v, n)
+    bend = dot(acc, n)
+    kind = f.kind
+    if kind >= LINE:
+        p, side = vector(f.p), f.side
+        r = (x[0] - p[0], x[1] - p[1], x[2] - p[2])
+        t = (v[0] - speed * n[0], v[1] - speed * n[1], v[2] - speed * n[2])
+        if kind == LINE:
+            d = vector(f.d)
+            c = dot(r, d)
+            r = (r[0] - c * d[0], r[1] - c * d[1], r[2] - c * d[2])
+            c = dot(t, d)
+            t = (t[0] - c * d[0], t[1] - c * d[1], t[2] - c * d[2])
+        bend += side * dot(t, t) / math.sqrt(dot(r, r))
+    return speed, bend

@@ -1,0 +1,247 @@
+"""Run a scene: one run with all its events, or many on all cores."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom.checks import Faults, expect
+from carom.engine.arrays import KINDS, LOG, START
+from carom.engine.loop import ALL, FULL, LIMIT, PHASES_FROM, ROWS
+from carom.engine.resolve import DONE, REFUSED_ROLLING, REFUSED_STALL, REFUSED_UNDEFINED
+from carom.engine.run import compiled_engine
+from carom.engine.setup import set_up
+from carom.errors import CaromError
+from carom.motion.phases import PHASES
+from carom.scene.model import Scene
+from carom.state import State, vectors
+from carom.trajectory import Trajectory
+
+__all__ = ["MOST_EVENTS", "ManyRuns", "simulate", "simulate_many"]
+
+Array = NDArray[np.float64]
+# Where a scene names no end: a ball between elastic walls would never stop.
+MOST_EVENTS = 100_000
+# Rows of the log that the loop fills before it is called again.
+FIRST_ROWS, MOST_ROWS = 1024, 65_536
+
+REFUSALS = {
+    REFUSED_ROLLING: "the law conventional is for a ball that rolls into a vertical wall; this one slides or flies there;"
+    " the law two-step does any ball",
+    REFUSED_UNDEFINED: "a wall with tangential restitution presses the ball on the floor, which has no law; take"
+    " tangential_restitution = 0, or floor_contact = 'after'",
+    REFUSED_STALL: "wall and floor lock the ball between them, which is not followed to its end; take a smaller friction,"
+    " or floor_contact = 'after'",
+}
+
+
+def _refusal(code: int, scene: Scene, ball: Any, i: int) -> CaromError:
+    return CaromError(
+        f"simulate: {scene.ball_names[i]}: expected an event that its law has an answer for, got one at"
+        f" t = {float(ball['clock']):.6g} s, x = ({', '.join(f'{x:.4g}' for x in ball['x'])}): {REFUSALS[code]}"
+    )
+
+
+def _limits(scene: Scene) -> tuple[float, int]:
+    run = scene.run
+    most = run.max_events if run.max_events is not None else MOST_EVENTS if run.duration is None else 2**62
+    return math.inf if run.duration is None else run.duration, most
+
+
+def simulate(scene: Scene, progress: Callable[[int, float], None] | None = None) -> Trajectory:
+    """Follow all balls of a scene from event to event.
+
+    Parameters
+    ----------
+    scene : Scene
+        It ends after ``scene.run.duration``, after ``scene.run.max_events``, or when nothing more happens; with neither
+        given, after 100,000 events.
+    progress : function of (events so far, simulated time), optional
+        Called from time to time on long runs.
+
+    Returns
+    -------
+    Trajectory
+
+    Raises CaromError where a law has no answer for what happens.
+    """
+    expect("simulate", "scene", scene, Scene)
+    engine = compiled_engine()
+    setup = set_up(scene)
+    world, features, balls, users = setup
+    until, most = _limits(scene)
+    slow = engine.start(world[0], features, balls)
+    starts = np.zeros(len(balls), LOG)
+    for field in ("x", "v", "w", "phase"):
+        starts[field] = balls[field]
+    starts["v_before"], starts["w_before"], starts["phase_before"] = balls["v"], balls["w"], balls["phase"]
+    starts["kind"], starts["ball"], starts["other"] = START, np.arange(len(balls)), -1
+    parts, events, rows, status = [starts], 0, FIRST_ROWS, FULL
+    while status == FULL:
+        log = np.empty(rows, LOG)
+        status, more, written, at_fault = engine.run(
+            world[0], features, balls, log, slow, until, most - events, users, ALL
+        )
+        parts.append(log[:written])
+        events += more
+        rows = min(2 * rows, MOST_ROWS)
+        if progress is not None and status == FULL:
+            progress(events, float(balls["clock"].max()))
+    if status not in (DONE, LIMIT):
+        raise _refusal(status, scene, balls[at_fault], at_fault)
+    last = float(balls["clock"].max())
+    moving = bool(np.isfinite(balls["next_at"]).any())
+    if status == LIMIT:
+        end, ended = last, "max_events"
+    elif until < math.inf:
+        end, ended = (until, "duration") if moving or _goes_on(balls) else (last, "nothing more happens")
+    else:
+        end, ended = last, "nothing more happens"
+    return Trajectory(scene, np.concatenate(parts), end, ended)
+
+
+def _goes_on(balls: NDArray[np.void]) -> bool:
+    """Whether a ball is still on its way, though it will meet nothing."""
+    followed = balls["phase"] < PHASES.index("held")
+    return bool(((balls["v"] != 0).any(axis=1) & followed).any())
+
+
+@dataclass(frozen=True, eq=False)
+class ManyRuns:
+    """The ends of many runs (N) of B balls; and chosen events, at most M a run."""
+
+    final: State
+    """(N, B, 3)."""
+    code: NDArray[np.int64]
+    """(N, B): phases at the end, as numbers; ``phase`` has their names."""
+    end: Array
+    """(N,): s, how far each was followed."""
+    count: NDArray[np.int64]
+    """(N,): events that happened."""
+    why: NDArray[np.str_]
+    """(N,): empty; or why a run ended at an event for which a law has no answer."""
+    events: NDArray[np.void]
+    """(N, M) rows of the log: the chosen events of each run, the first M; kind START (0) where there are fewer."""
+
+    @property
+    def phase(self) -> NDArray[np.str_]:
+        """(N, B): flight, sliding, rolling, pivoting, rest, bouncing, held, left."""
+        return np.array(PHASES)[self.code]
+
+
+def simulate_many(
+    scene: Scene,
+    velocity: ArrayLike | None = None,
+    spin: ArrayLike | None = None,
+    position: ArrayLike | None = None,
+    *,
+    events: int = 0,
+    kinds: tuple[str, ...] = (),
+    progress: Callable[[int, int], None] | None = None,
+) -> ManyRuns:
+    """Run a scene from many initial states, on all cores, each run by itself.
+
+    Parameters
+    ----------
+    scene : Scene
+    velocity, spin, position : array (N, B, 3), or (N, 3) for a scene of one ball, optional
+        Initial states in place of the scene's; what is left out is the scene's. They broadcast.
+    events : int
+        Keep the first so many events of each run; memory does not grow with what is not kept.
+    kinds : of which kinds; all, if left out.
+    progress : function of (runs done, runs in all), optional
+
+    Returns
+    -------
+    ManyRuns. The same bits whatever the number of cores. Raises CaromError for states that the scene cannot begin with.
+    """
+    expect("simulate_many", "scene", scene, Scene)
+    faults = Faults("simulate_many")
+    if not isinstance(events, int) or events < 0:
+        faults.add("events", "a whole number >= 0", repr(events))
+    names = [*KINDS, *PHASES]
+    for kind in kinds:
+        if kind not in names:
+            faults.add(
+                "kinds",
+                f"kinds of events ({', '.join(sorted(set(names) - {'start', 'phase', 'nothing'}))})",
+                repr(kind),
+            )
+    given = {}
+    for field, unit, value in (("v", "m/s", velocity), ("w", "rad/s", spin), ("x", "m", position)):
+        if value is not None:
+            given[field] = vectors(faults, {"v": "velocity", "w": "spin", "x": "position"}[field], value, unit)
+    faults.done()
+    setup = set_up(scene)
+    count = len(setup.balls)
+    shape: tuple[int, ...] = (1, count)
+    if count == 1:
+        given = {field: array[:, None, :] if array.ndim == 2 else array for field, array in given.items()}
+    for array in given.values():
+        try:
+            shape = np.broadcast_shapes(shape, array.shape[:-1])
+        except ValueError:
+            shape = ()
+        if len(shape) != 2 or shape[1] != count:
+            raise CaromError(f"simulate_many: expected states (N, {count}, 3), got shape {array.shape}")
+    balls = np.empty(shape, setup.balls.dtype)
+    balls[:] = setup.balls
+    for field, array in given.items():
+        balls[field] = array
+    _check_starts(scene, balls, given)
+    until, most = _limits(scene)
+    return _run_many(setup, balls, until, most, events, kinds, progress)
+
+
+def _check_starts(scene: Scene, balls: NDArray[np.void], given: dict[str, Array]) -> None:
+    """Starts that overlap something: the first of them, with what a single scene would say."""
+    if "x" not in given:
+        return
+    from carom.engine.starts import overlapping
+
+    bad = overlapping(set_up(scene), balls)
+    if bad.any():
+        n = int(np.flatnonzero(bad)[0])
+        raise CaromError(
+            f"simulate_many: position: expected places where the balls touch nothing, got {balls['x'][n].tolist()}"
+            f" at index {n} ({int(bad.sum())} in all)"
+        )
+
+
+# Runs that are done in one go: enough to keep all cores busy, few enough that memory stays small.
+BLOCK = 16_384
+
+
+def _bits(kinds: tuple[str, ...]) -> int:
+    """The loop's ``keep`` for kinds of events by name."""
+    bits = 0
+    for kind in kinds or tuple(KINDS[1:]) + PHASES:
+        bits |= 1 << (KINDS.index(kind) if kind in KINDS else PHASES_FROM + PHASES.index(kind))
+    return bits
+
+
+def _run_many(
+    setup: Any, balls: NDArray[np.void], until: float, most: int, events: int, kinds: tuple[str, ...], progress: Any
+) -> ManyRuns:
+    engine = compiled_engine()
+    total = len(balls)
+    ended = np.zeros((total, 3), np.int64)
+    kept = np.zeros((total, events), LOG)
+    room = events + ROWS - 1 if events else 0
+    for first in range(0, total, BLOCK):
+        block = slice(first, min(first + BLOCK, total))
+        logs = np.zeros((block.stop - block.start, room), LOG)
+        engine.many(
+            setup.world, setup.features, balls[block], logs, until, most, setup.users, _bits(kinds), ended[block]
+        )
+        kept[block] = logs[:, :events]
+        if progress is not None:
+            progress(block.stop, total)
+    why = np.array([REFUSALS.get(int(code), "") for code in ended[:, 0]])
+    final = State.of(np.array(balls["v"]), np.array(balls["w"]), np.array(balls["x"]))
+    return ManyRuns(final, np.array(balls["phase"]), balls["clock"].max(axis=1), ended[:, 1].copy(), why, kept)
