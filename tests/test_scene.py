@@ -362,6 +362,11 @@ WRONG = {
         SOUND.replace("mass = 0.2", "mass = { kg = 1 }"), "balls[0].mass: expected a mass in kg, > 0, got {'kg': 1}",
     ),
     "one for true": (SOUND + "rolling = 1\n", "balls[0].rolling: expected true or false, got 1"),
+    "text for true": (
+        SOUND.replace("shape = 'plane'\npoint = [0, 0, 0]\nnormal = [1, 0, 0]", "shape = 'sphere'\ncenter = [0, 0, 0]\n"
+                      "radius = 3\ninside = 'yes'"),
+        "walls[0].inside: expected true or false, got 'yes'",
+    ),
     "wrong unit": (
         SOUND.replace("radius = 0.03", "radius = '30 kg'"),
         "balls[0].radius: expected a length in m, > 0, got '30 kg'; 'kg' is a unit of something else",

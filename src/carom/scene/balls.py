@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import Annotated, Any
 
 import numpy as np
-from pydantic import AfterValidator, BeforeValidator, Field, model_validator
+from pydantic import AfterValidator, BeforeValidator, model_validator
 
 from carom.ball import INERTIAS, Ball
 from carom.checks import nearest
 from carom.errors import CaromError
 from carom.scene.faults import Fault, Model, refuse
-from carom.scene.quantities import Components, Length, Mass, Number, Size, Speed, Spin, Vector
+from carom.scene.quantities import Components, Flag, Length, Mass, Number, Size, Speed, Spin, Vector
 from carom.state import State
 
 __all__ = ["SceneBall"]
@@ -57,7 +57,7 @@ class SceneBall(Model):
         BeforeValidator(Components("2 or 3 speeds in m/s: along x, y and z", (2, 3))),
         AfterValidator(_three),
     ] = (0.0, 0.0, 0.0)
-    rolling: bool = Field(default=False, strict=True)
+    rolling: Flag = False
     spin: (
         Annotated[tuple[Spin, Spin, Spin], BeforeValidator(Components("3 spins in rad/s: about x, y and z", (3,)))]
         | None

@@ -13,7 +13,7 @@ from carom.kernel import cross, dot
 from carom.scene.faults import Fault, Words, refuse
 from carom.scene.features import FACE
 from carom.scene.parts import UP, Feature, corner, frame, line, minus, plane, unit
-from carom.scene.quantities import Angle, Direction, Point, Size, Sizes, Vector
+from carom.scene.quantities import Angle, Direction, Flag, Point, Size, Sizes, Vector
 from carom.scene.wall import Outline, Wall, spelled
 from carom.units import length
 
@@ -190,7 +190,7 @@ class Box(Wall):
     center: Point | None = None
     corner: Point | None = None
     size: Sizes
-    inside: bool = False
+    inside: Flag = False
 
     @model_validator(mode="after")
     def _placed(self) -> Box:

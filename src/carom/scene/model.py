@@ -90,8 +90,8 @@ _VECTOR = Components(_GRAVITY.what, (3,))
 
 
 def _gravity(value: Any) -> tuple[Any, ...]:
-    number = isinstance(value, str) or np.ndim(value) == 0
-    return (0.0, 0.0, -_GRAVITY(value)) if number else _VECTOR(value)
+    several = isinstance(value, (list, tuple)) or (isinstance(value, np.ndarray) and value.ndim > 0)
+    return _VECTOR(value) if several else (0.0, 0.0, -_GRAVITY(value))
 
 
 class Scene(Model):

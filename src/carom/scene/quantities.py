@@ -12,14 +12,15 @@ from numbers import Real
 from typing import Annotated, Any
 
 import numpy as np
-from pydantic import AfterValidator, BeforeValidator
+from pydantic import AfterValidator, BeforeValidator, Strict
 
 from carom.checks import LARGEST
 from carom.scene.faults import Fault
 
 __all__ = [
-    "Acceleration", "Angle", "Coefficient", "Components", "Direction", "Extent", "Friction", "Length", "Mass", "NotNegative",
-    "Number", "Place", "Point", "PositiveNumber", "Share", "Size", "Sizes", "Speed", "Spin", "Spring", "Time", "Vector",
+    "Acceleration", "Angle", "Coefficient", "Components", "Direction", "Extent", "Flag", "Friction", "Length", "Mass",
+    "NotNegative", "Number", "Place", "Point", "PositiveNumber", "Share", "Size", "Sizes", "Speed", "Spin", "Spring",
+    "Time", "Vector",
 ]  # fmt: skip
 
 Vector = tuple[float, float, float]
@@ -118,6 +119,7 @@ def _not_zero(value: Vector) -> Vector:
     return value
 
 
+Flag = Annotated[bool, Strict()]
 Coefficient = Annotated[float, BeforeValidator(Number("a number"))]
 PositiveNumber = Annotated[float, BeforeValidator(Number("a number > 0", least=0, above=True))]
 NotNegative = Annotated[float, BeforeValidator(Number("a number >= 0", least=0))]

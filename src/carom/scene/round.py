@@ -13,7 +13,7 @@ from carom.scene.faults import Fault, Words, refuse
 from carom.scene.features import FACE, LINE, POINT
 from carom.scene.flat import FAR, LEVEL
 from carom.scene.parts import UP, Feature, Flat, across, circle, line, minus, post, unit
-from carom.scene.quantities import Angle, Direction, Extent, Place, Point, Size, Vector
+from carom.scene.quantities import Angle, Direction, Extent, Flag, Place, Point, Size, Vector
 from carom.scene.wall import Outline, Wall, spelled
 from carom.units import length
 
@@ -36,7 +36,7 @@ class Cylinder(Wall):
     point: Point
     axis: Direction = UP
     radius: Size
-    inside: bool = False
+    inside: Flag = False
     length: Annotated[Extent, AfterValidator(_endless)] = math.inf
 
     @property
@@ -82,7 +82,7 @@ class Sphere(Wall):
     shape: Literal["sphere"] = "sphere"
     center: Point
     radius: Size
-    inside: bool = False
+    inside: Flag = False
 
     @property
     def room(self) -> float:

@@ -11,7 +11,7 @@ from pydantic import BeforeValidator, model_validator
 
 from carom.scene.faults import Fault, Words, refuse
 from carom.scene.parts import Feature, Flat, upright
-from carom.scene.quantities import Components, Extent, Place, Size, Vector
+from carom.scene.quantities import Components, Extent, Flag, Place, Size, Vector
 from carom.scene.wall import Outline, Wall, spelled
 from carom.units import length
 
@@ -70,7 +70,7 @@ class Polygon(_Standing):
 
     shape: Literal["polygon"] = "polygon"
     points: Annotated[tuple[Place, ...], BeforeValidator(Components("at least 3 points [x, y]", range(3, 1_000_000)))]
-    closed: bool = True
+    closed: Flag = True
 
     @model_validator(mode="after")
     def _simple(self) -> Polygon:
@@ -159,10 +159,9 @@ class Table(Wall):
 
 
 def _turn(p: Array, q: Array, r: Array) -> Array:
-    """Twice the area of the triangles p, q, r: positive counterclockwise."""
-    return np.asarray(
-        (q[..., 0] - p[..., 0]) * (r[..., 1] - p[..., 1]) - (q[..., 1] - p[..., 1]) * (r[..., 0] - p[..., 0])
-    )
+    """Which way the triangles p, q, r turn: 1 counterclockwise, -1 clockwise, 0 in a line."""
+    (ax, ay), (bx, by) = np.moveaxis(q - p, -1, 0), np.moveaxis(r - p, -1, 0)
+    return np.asarray(np.sign(ax * by - ay * bx))
 
 
 def _on(p: Array, q: Array, r: Array) -> NDArray[np.bool_]:
