@@ -296,6 +296,30 @@ WRONG = {
         lambda: Polygon(points=[(0, 0), (2, 0), (2, 1), (1, 0), (0, 1)]),
         "Polygon: points: expected an outline that does not meet itself, got sides 0 and 2 that meet; give the points in order",
     ),
+    "back on itself": (
+        lambda: Polygon(points=[(0, 0), (1, 0), (-1, 0), (0, 1)]),
+        "Polygon: points: expected an outline that does not meet itself, got sides 0 and 1 that meet; give the points in order",
+    ),
+    "spike at the first": (
+        lambda: Polygon(points=[(0, 0), (2, 0), (2, 2), (1, 0)]),
+        "Polygon: points: expected an outline that does not meet itself, got sides 0 and 2 that meet; give the points in order",
+    ),
+    "flat": (
+        lambda: Polygon(points=[(0, 0), (2, 0), (1, 0)]),
+        "Polygon: points: expected an outline that does not meet itself, got sides 0 and 1 that meet; give the points in order",
+    ),
+    "open, begins on a side": (
+        lambda: Polygon(points=[(1, 0), (0, 1), (0, 0), (2, 0)], closed=False),
+        "Polygon: points: expected an outline that does not meet itself, got sides 0 and 2 that meet; give the points in order",
+    ),
+    "open, ends on a side": (
+        lambda: Polygon(points=[(0, 0), (2, 0), (2, 1), (1, 0)], closed=False),
+        "Polygon: points: expected an outline that does not meet itself, got sides 0 and 2 that meet; give the points in order",
+    ),
+    "open, ends where it begins": (
+        lambda: Polygon(points=[(0, 0), (2, 0), (2, 1), (0, 0)], closed=False),
+        "Polygon: points: expected an outline that does not meet itself, got sides 0 and 2 that meet; give the points in order",
+    ),
     "twice": (
         lambda: Polygon(points=[(0, 0), (1, 0), (1, 0), (1, 1)]),
         "Polygon: points[2]: expected another point than the one before, got [1.0, 0.0]",
@@ -335,7 +359,7 @@ WRONG = {
         lambda: Cylinder(point=(0, 0, 0), axis=(0, 0, 0), radius=1),
         "Cylinder: axis: expected a direction, not all zero, got [0.0, 0.0, 0.0]",
     ),
-    "flat": (lambda: Strip(point=(0, 0, 0), normal=(1, 0, 0), width=0), "Strip: width: expected a length in m, > 0, got 0"),
+    "no width": (lambda: Strip(point=(0, 0, 0), normal=(1, 0, 0), width=0), "Strip: width: expected a length in m, > 0, got 0"),
 }  # fmt: skip
 
 

@@ -182,10 +182,9 @@ def _crossings(points: Array, closed: bool) -> list[Fault]:
     for i in range(n - 1):
         p, q, r, s = start[i], end[i], start[i + 1 :], end[i + 1 :]
         crossed = (_turn(p, q, r) * _turn(p, q, s) < 0) & (_turn(r, s, p) * _turn(r, s, q) < 0)
-        # neighbours share a point, which is no meeting; their other ends must not lie on each other
-        first_shared, last_shared = np.arange(i + 1, n) == i + 1, closed & (i == 0) & (np.arange(i + 1, n) == n - 1)
-        meets = crossed | (_on(p, q, r) & ~first_shared) | (_on(p, q, s) & ~last_shared)
-        meets |= (_on(r, s, p) & ~last_shared) | (_on(r, s, q) & ~first_shared)
+        # each side is asked for its start and its end; where the last one ends, the first one starts
+        joined = closed & (i == 0) & (np.arange(i + 1, n) == n - 1)
+        meets = crossed | ((_on(p, q, s) | _on(r, s, p)) & ~joined)
         if meets.any():
             got = Words(f"sides {i} and {i + 1 + int(np.argmax(meets))} that meet")
             return [Fault("an outline that does not meet itself", got, "give the points in order", ("points",))]
