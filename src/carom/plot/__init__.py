@@ -1,4 +1,4 @@
-"""Pictures, with Matplotlib (the extra [plot]): `compare`, `figures`, and `save` for any of them.
+"""Pictures, with Matplotlib (the extra [plot]): `compare`, `figures`, `plot_trajectory`, and `save` for any of them.
 
 Each picture function returns a Matplotlib Figure that belongs to no window; a notebook shows it, :func:`save` writes it.
 """
@@ -9,6 +9,7 @@ from carom.plot.comparison import compare
 from carom.plot.paper import collision, figures, incidence_and_reflection, setting
 from carom.plot.path import Path, path_after_wall
 from carom.plot.save import require_matplotlib, require_writable, save
+from carom.plot.trajectory import plot_trajectory
 
 __all__ = [
     "Path",
@@ -17,6 +18,7 @@ __all__ = [
     "figures",
     "incidence_and_reflection",
     "path_after_wall",
+    "plot_trajectory",
     "require_matplotlib",
     "require_writable",
     "save",

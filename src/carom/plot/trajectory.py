@@ -1,0 +1,297 @@
+"""A run drawn: from above, how high the balls are, and the energy over time."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.checks import nearest
+from carom.engine.arrays import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, WALL
+from carom.errors import CaromError
+from carom.motion.phases import BOUNCING, FLIGHT, REST, ROLLING, SLIDING
+from carom.plot.drawing import GREY, INK, PALE, sheet, spread
+from carom.plot.save import require_writable, save, style
+from carom.plot.seen import SEEN, View, colour, last_time, steps, view, walls_in, way
+from carom.trajectory import Trajectory
+from carom.units import of_time
+
+__all__ = ["plot_trajectory"]
+
+Array = NDArray[np.float64]
+FELT, SOLID, CUSHION = "#f4f2ec", "#d9d5ca", "#55504a"
+AIR, SLIDES, ROLLS = "in the air", "slides", "rolls"
+STYLES: dict[str, Any] = {ROLLS: "solid", SLIDES: (0, (4.5, 1.8)), AIR: (0, (0.6, 1.5))}
+MOTION = {FLIGHT: AIR, BOUNCING: AIR, SLIDING: SLIDES, ROLLING: ROLLS}
+# Above these numbers of events marks would hide the paths, and numbers each other.
+MOST_MARKS, MOST_NUMBERS = 400, 24
+
+
+def plot_trajectory(
+    run: Trajectory,
+    file: str | os.PathLike[str] | None = None,
+    *,
+    ball: int | str | Sequence[int | str] | None = None,
+    title: str | None = None,
+) -> Any:
+    """Draw a run: its paths from above, how high the balls are, if they leave the floor, and the energy over time.
+
+    Parameters
+    ----------
+    run : Trajectory
+    file : name of a file to write, .svg, .pdf or .png, optional
+    ball : number or name of the ball to draw, or several; left out: all
+    title : str, optional
+        Left out: the scene in words.
+
+    Returns
+    -------
+    matplotlib.figure.Figure. Raises CaromError for a ball that is not there, a file that cannot be written, or where
+    Matplotlib is missing.
+    """
+    if file is not None:
+        require_writable(file)
+    balls = _chosen(run, ball)
+    with style():
+        figure = _draw(run, balls, title)
+    if file is not None:
+        save(figure, file)
+    return figure
+
+
+def _chosen(run: Trajectory, ball: Any) -> list[int]:
+    names = run.scene.ball_names
+    if ball is None:
+        return list(range(len(names)))
+    found = []
+    for one in [ball] if isinstance(ball, (int, str)) else ball:
+        if isinstance(one, (int, np.integer)) and not isinstance(one, bool) and 0 <= one < len(names):
+            found.append(int(one))
+        elif one in names:
+            found.append(names.index(one))
+        else:
+            hint = nearest(one, list(names)) if isinstance(one, str) else f"the names are {', '.join(names)}"
+            raise CaromError(
+                f"plot: ball: expected a ball's name or its number from 0 to {len(names) - 1}, got {one!r}; {hint}"
+            )
+    return found
+
+
+def _draw(run: Trajectory, balls: list[int], title: str | None) -> Any:
+    until = last_time(run)
+    ways = {i: way(run, i, until) for i in balls}
+    all_points = [x for i in balls for _phase, _t, x in ways[i]] + [np.array(run.start.position)[balls]]
+    shown = view(run, np.concatenate(all_points))
+    high = _hops(run, ways)
+    tall = shown.size[1] / shown.size[0]
+    # inches; what is tall stands beside its curves, what is wide above them
+    lanes = 2 if high else 1
+    beside = tall > 0.72
+    w = 4.4 if beside else 6.4
+    w, h = (w, w * tall) if w * tall < 5.2 else (5.2 / tall, 5.2)
+    lane, gap, left, top = 1.25, 0.55, 0.62, 0.78
+    if beside:
+        h = max(h, lanes * 1.1 + (lanes - 1) * gap)
+        lane = (h - (lanes - 1) * gap) / lanes
+        width, height = left + w + 0.85 + 3.1 + 0.2, h + top + 0.5
+        places = [(left + w + 0.85, height - top - k * (lane + gap) - lane, 3.1, lane) for k in range(lanes)]
+    else:
+        width = left + max(w, 5.4) + 0.25
+        height = top + h + lanes * (lane + gap) + 0.55
+        places = [
+            (left, height - top - h - 0.1 - (k + 1) * (lane + gap), width - left - 0.25, lane) for k in range(lanes)
+        ]
+    figure = sheet(width, height)
+
+    def panel(x: float, y: float, across: float, up: float) -> Any:
+        return figure.add_axes((x / width, y / height, across / width, up / height))
+
+    above = panel(left if beside else left + (width - left - 0.25 - w) / 2, height - top - h, w, h)
+    _above(above, run, shown, ways, balls)
+    panels = [panel(*place) for place in places]
+    if high:
+        _height(panels[0], run, ways)
+        # a few short hops in a long run are looked at closely
+        air = 0.15 * (high[1] - high[0])
+        panels[0].set_xlim((high[0] - air, high[1] + air) if high[1] - high[0] < 0.3 * until else (0, until))
+    _energy(panels[-1], run, balls, until)
+    panels[-1].set_xlim(0, until)
+    numbers = _numbers(run, balls)
+    for axes in panels:
+        axes.set_xlabel("time, s", labelpad=1.5)
+        low, high = axes.get_xlim()
+        inside = [(float(row["t"]), number) for row, number in numbers if low < row["t"] < high]
+        labels = spread([t for t, _number in inside], 0.012 * (high - low) * 6.4 / (width - left), low, high)
+        for (t, number), x in zip(inside, labels, strict=True):
+            axes.axvline(t, color=GREY, lw=0.4, ls=(0, (1, 2)), zorder=0)
+            axes.text(
+                x, 1.01, str(number), transform=axes.get_xaxis_transform(), fontsize=6.5, ha="center", va="bottom",
+                color=GREY,
+            )  # fmt: skip
+    said = f"{run.scene.describe()}; {len(run.events)} events in {of_time(run.end)}" if title is None else title
+    figure.text(left / width, 1 - 0.16 / height, said[:1].upper() + said[1:], va="top", fontsize=9.5)
+    _legend(figure, run, ways, balls, (left / width, 1 - 0.34 / height))
+    return figure
+
+
+def _above(axes: Any, run: Trajectory, shown: View, ways: dict[int, list[Any]], balls: list[int]) -> None:
+    from matplotlib.patches import Circle
+
+    for line, what in walls_in(run, shown):
+        if what == "line":
+            axes.plot(*line.T, color=CUSHION, lw=1.8, zorder=2, solid_joinstyle="miter", solid_capstyle="butt")
+        else:
+            axes.fill(*line.T, color=FELT if what == "felt" else SOLID, lw=0, zorder=0 if what == "felt" else 1)
+    one = len({MOTION.get(phase) for i in balls for phase, _t, _x in ways[i]} - {None}) < 2
+    thin = 1.4 if len(run.log) < 50 else 0.8 if len(run.log) < 1500 else 0.3
+    last = run.final.position
+    assert last is not None
+    start = np.array(run.start.position)
+    for i in balls:
+        a, ink = run.scene.balls[i].radius, colour(i)
+        for phase, _t, x in ways[i]:
+            if phase in MOTION:
+                dashes = "solid" if one else STYLES[MOTION[phase]]
+                axes.plot(x[:, 0], x[:, 1], color=ink, ls=dashes, lw=thin, zorder=4, solid_joinstyle="round")
+        end = ways[i][-1][2][-1] if ways[i] else last[i]
+        axes.add_patch(Circle((start[i, 0], start[i, 1]), a, fc="white", ec=ink, lw=0.9, zorder=5))
+        axes.add_patch(Circle((end[0], end[1]), a, fc=ink, ec="white", lw=0.6, zorder=7, alpha=0.9))
+    _marks(axes, run, balls)
+    axes.set(xlim=shown.x, ylim=shown.y, aspect="equal")
+    axes.set_xlabel("x, m", labelpad=1.5)
+    axes.set_ylabel("y, m", labelpad=1.5)
+    axes.tick_params(length=2)
+    for spine in axes.spines.values():
+        spine.set_visible(False)
+
+
+MARKS: dict[int, tuple[str, str, float]] = {
+    WALL: ("meets a wall", "o", 3.6),
+    BALL: ("meets a ball", "*", 6.5),
+    FLOOR: ("lands", "v", 3.4),
+    LEFT_EVENT: ("leaves the table", "x", 5.0),
+    HELD_EVENT: ("is held", "s", 3.6),
+}
+
+
+def _marked(run: Trajectory, balls: list[int]) -> Any:
+    """Rows of the log that get a mark."""
+    rows = run.log[np.isin(run.log["kind"], list(MARKS)) & np.isin(run.log["ball"], balls)]
+    return rows if len(rows) <= MOST_MARKS else rows[:0]
+
+
+def _marks(axes: Any, run: Trajectory, balls: list[int]) -> None:
+    rows = _marked(run, balls)
+    for kind, (_label, mark, size) in MARKS.items():
+        for i in balls:
+            x = rows["x"][(rows["kind"] == kind) & (rows["ball"] == i)]
+            face = "white" if kind == FLOOR else colour(i)
+            axes.plot(
+                x[:, 0],
+                x[:, 1],
+                mark,
+                ms=size * min(1.0, max(0.6, 30 / max(len(rows), 1))),
+                mfc=face,
+                mec=colour(i),
+                mew=0.7,
+                zorder=6,
+                ls="none",
+            )
+    for hit, number in _numbers(run, balls):
+        size = math.hypot(hit["impulse"][0], hit["impulse"][1]) or 1.0
+        away = (8 * hit["impulse"][0] / size, 8 * hit["impulse"][1] / size)
+        axes.annotate(
+            str(number), hit["x"][:2], away, textcoords="offset points", fontsize=6.5, color=INK, ha="center", va="center",
+            zorder=8, bbox={"boxstyle": "circle,pad=0.12", "fc": "white", "ec": "none", "alpha": 0.75},
+        )  # fmt: skip
+
+
+def _numbers(run: Trajectory, balls: list[int]) -> list[tuple[Any, int]]:
+    """Rows of the log of walls and balls that are met, and their numbers in the picture; none where there are too many."""
+    rows = run.log[np.isin(run.log["kind"], (WALL, BALL)) & np.isin(run.log["ball"], balls)]
+    # a meeting of two balls has two rows and one number
+    told = [r for r in rows if not (r["kind"] == BALL and r["other"] < r["ball"] and r["other"] in balls)]
+    return [(row, k) for k, row in enumerate(told, 1)] if len(told) <= MOST_NUMBERS else []
+
+
+def _hops(run: Trajectory, ways: dict[int, list[Any]]) -> tuple[float, float] | None:
+    """From when to when balls change their heights so much that it can be seen, s; None where they do not."""
+    times: list[float] = []
+    for i, pieces in ways.items():
+        for _phase, t, x in pieces:
+            if np.ptp(x[:, 2]) > SEEN * run.scene.balls[i].radius:
+                times += [t[0], t[-1]]
+    return (min(times), max(times)) if times else None
+
+
+def _scaled(most: float, unit: str) -> tuple[float, str]:
+    """By what to multiply a quantity so that its axis has short numbers, and what it is then called."""
+    for size, prefix in ((1.0, ""), (1e-3, "m"), (1e-6, "µ")):
+        if most >= size:
+            return 1 / size, prefix + unit
+    return 1e9, "n" + unit
+
+
+def _height(axes: Any, run: Trajectory, ways: dict[int, list[Any]]) -> None:
+    floor = run.scene.floor is not None
+    base = {i: run.scene.balls[i].radius if floor else 0.0 for i in ways}
+    lifts = {i: [(t, x[:, 2] - base[i]) for _phase, t, x in pieces] for i, pieces in ways.items()}
+    most = max(float(np.abs(z).max()) for pieces in lifts.values() for _t, z in pieces)
+    factor, unit = _scaled(most, "m")
+    for i, pieces in lifts.items():
+        axes.plot(
+            np.concatenate([t for t, _z in pieces]), factor * np.concatenate([z for _t, z in pieces]),
+            color=colour(i), lw=1.0,
+        )  # fmt: skip
+    axes.set_ylabel(f"{'height above the floor' if floor else 'height z'}, {unit}")
+    if floor:
+        axes.set_ylim(0, 1.12 * factor * most)
+
+
+def _energy(axes: Any, run: Trajectory, balls: list[int], until: float) -> None:
+    t = steps(run, until)
+    each = run.energy(t, each=True)[:, balls]
+    total = np.nansum(each, axis=1)
+    factor, unit = _scaled(float(np.abs(total).max()), "J")
+    if len(balls) > 1:
+        for k, i in enumerate(balls):
+            axes.plot(t, factor * each[:, k], color=colour(i), lw=1.0, zorder=3)
+    axes.plot(t, factor * total, color=INK, lw=1.3, zorder=4)
+    axes.fill_between(t, factor * total, color=PALE, lw=0, zorder=-1)
+    low, high = min(0.0, float(total.min())), max(0.0, float(total.max()))
+    if high > low:
+        axes.set_ylim(1.1 * factor * low, 1.1 * factor * high)
+    axes.set_ylabel(f"energy, {unit}")
+
+
+def _legend(
+    figure: Any, run: Trajectory, ways: dict[int, list[Any]], balls: list[int], at: tuple[float, float]
+) -> None:
+    from matplotlib.lines import Line2D
+
+    entries: list[Any] = []
+    if 1 < len(balls) <= 6:
+        names = run.scene.ball_names
+        entries += [Line2D([], [], color=colour(i), marker="o", ms=5, lw=1.5, label=names[i]) for i in balls]
+    moved = {MOTION[phase] for pieces in ways.values() for phase, _t, _x in pieces if phase in MOTION}
+    if len(moved) > 1:
+        entries += [Line2D([], [], color=INK, ls=STYLES[m], lw=1.4, label=m) for m in STYLES if m in moved]
+    rows = _marked(run, balls)
+    for kind, (label, mark, size) in MARKS.items():
+        if (rows["kind"] == kind).any():
+            face = "white" if kind == FLOOR else INK
+            entries.append(Line2D([], [], ls="none", marker=mark, ms=size, mfc=face, mec=INK, mew=0.7, label=label))
+    ends = run.log["phase"][np.isin(run.log["ball"], balls)]
+    entries.append(Line2D([], [], ls="none", marker="o", ms=5.5, mfc="white", mec=INK, mew=0.9, label="start"))
+    label = "comes to rest" if (ends == REST).any() and set(run.final_phase) <= {"rest"} else "end"
+    entries.append(Line2D([], [], ls="none", marker="o", ms=5.5, mfc=INK, mec=INK, label=label))
+    if len(balls) > 1:
+        entries.append(Line2D([], [], color=INK, lw=1.3, label="energy of all"))
+    figure.legend(
+        handles=entries, loc="upper left", bbox_to_anchor=at, ncols=min(len(entries), 9), frameon=False, fontsize=7.5,
+        handlelength=1.9, columnspacing=1.2, handletextpad=0.5, borderaxespad=0.0,
+    )  # fmt: skip
