@@ -18,6 +18,7 @@ from carom.errors import CaromError
 
 __all__ = [
     "angular_velocity",
+    "euler_angles",
     "euler_rates",
     "kinetic_energy_rolling",
     "phi_integral",
@@ -52,6 +53,28 @@ def angular_velocity(angles: ArrayLike, rates: ArrayLike) -> Array:
         ],
         axis=-1,
     )
+
+
+def euler_angles(orientation: ArrayLike) -> Array:
+    """The paper's angles (..., 3) = (theta, phi, psi), rad, of orientations (..., 4): unit quaternions (w, x, y, z).
+
+    The turn is R = R_z(psi) R_x(theta) R_z(phi), 0 <= theta <= pi, so that (1) holds for its rates. Where sin theta = 0 only
+    the sum (theta = 0) or the difference (theta = pi) of phi and psi is known, and psi is set to zero.
+    """
+    q = np.asarray(orientation, dtype=float)
+    if q.ndim == 0 or q.shape[-1] != 4:
+        raise CaromError(f"euler_angles: orientation: expected quaternions (..., 4), got shape {q.shape}")
+    w, x, y, z = np.moveaxis(q, -1, 0)
+    if not np.all(np.abs(w * w + x * x + y * y + z * z - 1) < 1e-6):
+        raise CaromError("euler_angles: orientation: expected unit quaternions (w, x, y, z), got one of another length")
+    # q = (cos t/2 cos s, sin t/2 cos d, sin t/2 sin d, cos t/2 sin s) with s = (psi + phi)/2, d = (psi - phi)/2
+    across, along = np.hypot(x, y), np.hypot(w, z)
+    s, d = np.arctan2(z, w), np.arctan2(y, x)
+    d = np.where(across < 1e-12, -s, d)
+    s = np.where(along < 1e-12, -d, s)
+    theta = 2 * np.arctan2(across, along)
+    wrapped = [(angle + np.pi) % (2 * np.pi) - np.pi for angle in (s - d, s + d)]
+    return np.stack([theta, *wrapped], axis=-1)
 
 
 def euler_rates(angles: ArrayLike, spin: ArrayLike) -> Array:

@@ -28,7 +28,15 @@ class Setup(NamedTuple):
 
 
 def set_up(scene: Scene) -> Setup:
-    """The arrays of a scene, made anew: a run changes them."""
+    """The arrays of a scene; those of the balls are made anew, for a run changes them."""
+    # kept with the scene, as functools.cached_property does (the scene's room knows nothing of this one)
+    kept: Setup | None = scene.__dict__.get("_set_up")
+    if kept is None:
+        kept = scene.__dict__["_set_up"] = _set_up(scene)
+    return kept._replace(balls=kept.balls.copy())
+
+
+def _set_up(scene: Scene) -> Setup:
     world = np.zeros(1, WORLD)
     world["force"] = scene.gravity
     floor = scene.floor
