@@ -15,8 +15,9 @@ import time
 from collections.abc import Callable
 from typing import Any
 
-import carom
 import numpy as np
+
+import carom
 from carom.scene.walls import Plane, Table
 
 RADIUS, MASS, GRAVITY = 0.03075, 0.21, 9.81
@@ -188,15 +189,22 @@ def mujoco_steps() -> None:
     for step in (1e-2, 1e-3, 1e-4, 1e-5):
         # the stiffest contacts that the step allows; an elastic wall is one without damping
         floor, wall = f"{2 * step} 1", f"{-1 / (4 * step * step)} 0"
+        rough = 'friction="1000 0 0" condim="3"'
+        pair = 'friction="1000 1000 0 0 0" condim="3"'
+        body = f'<geom name="ball" type="sphere" size="{A}" mass="{M}" {rough}/>'
         model = mujoco.MjModel.from_xml_string(f"""
-        <mujoco><option timestep="{step}" gravity="0 0 -9.80665" cone="elliptic" impratio="100"/>
-        <worldbody>
-          <geom name="floor" type="plane" size="5 5 .1" friction="1000 0 0" solref="{floor}" solimp="0.99 0.9999 0.0001" condim="3"/>
-          <geom name="wall" type="box" pos="-0.5 0 0" size="0.5 5 1" friction="1000 0 0" solref="{wall}" solimp="0.99 0.9999 0.0001" condim="3"/>
-          <body pos="0.3 0 {A}"><freejoint/><geom name="ball" type="sphere" size="{A}" mass="{M}" friction="1000 0 0" condim="3"/></body>
-        </worldbody>
-        <contact><pair geom1="ball" geom2="floor" solref="{floor}" condim="3" friction="1000 1000 0 0 0"/>
-        <pair geom1="ball" geom2="wall" solref="{wall}" condim="3" friction="1000 1000 0 0 0"/></contact></mujoco>""")
+        <mujoco>
+          <option timestep="{step}" gravity="0 0 -9.80665" cone="elliptic" impratio="100"/>
+          <worldbody>
+            <geom name="floor" type="plane" size="5 5 .1" solref="{floor}" {rough}/>
+            <geom name="wall" type="box" pos="-0.5 0 0" size="0.5 5 1" solref="{wall}" {rough}/>
+            <body pos="0.3 0 {A}"><freejoint/>{body}</body>
+          </worldbody>
+          <contact>
+            <pair geom1="ball" geom2="floor" solref="{floor}" {pair}/>
+            <pair geom1="ball" geom2="wall" solref="{wall}" {pair}/>
+          </contact>
+        </mujoco>""")
         data = mujoco.MjData(model)
         data.qvel[:] = [-1, 1, 0, -1 / A, -1 / A, 0]
         begin = time.perf_counter()
