@@ -17,7 +17,7 @@ import math
 from carom.kernel import Vec, dot, hot_kernel, kernel
 from carom.laws.card import Card
 from carom.laws.contact import GRAZE, SLIDE, STICK, contact, slip_velocity, wall_contact
-from carom.laws.stepping import creep, stride
+from carom.laws.stepping import creep, hop, stride
 from carom.laws.two_contacts import (
     ENDLESS,
     FLOOR_JUMP,
@@ -61,9 +61,10 @@ ROUNDING = 1e-15  # of the speeds: where a velocity of approach has ended
 TINY = 1e-12
 AT_REST = 1e-10  # of the speeds: a slip below this has ended
 STEP_ERROR = 1e-10  # of the speed of approach: error of one step
+ESTIMATE = 30  # by so much, and more, an explicit step is better than the estimate of its error
 NEARLY = 1e-5  # of the speeds: a slip that dies within so little is followed straight to its end
 # From here on friction turns a slip too fast for an explicit step: one of some size, and one that starts from nothing.
-STIFF, STARTS = 20, 4
+STIFF, STARTS = 60, 4
 MOST_STEPS = 100_000
 HUMS = 10_000  # a ball that lands more often than that under one push is pressed on the floor
 
@@ -109,14 +110,14 @@ def _fading(ux: float, uy: float, rx: float, ry: float) -> tuple[float, float, f
 
 
 @kernel
-def _pressed_step(  # noqa: PLR0912, PLR0915  (one step and what may stop it)
+def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
     y: Slips, q: Law, wall: int, floor: int, dw: Pair, df: Pair, rough: bool,
     compressing: bool, peak: float, pace: float, speed: float, scale: float,
 ) -> tuple[Slips, float, float, bool, bool]:  # fmt: skip
     """A step of a pressed ball, its length, the next one's, whether the mode has come to its end, and whether it went."""
     c, m, _b, _k, _d, _e, _drive, muw, muf, heed = q
     zero = 0 * c
-    tiny, allowed = AT_REST * scale, max(STEP_ERROR * speed, STEP_ERROR * scale / 1000)
+    tiny, allowed = AT_REST * scale, max(STEP_ERROR * speed, STEP_ERROR * scale / 100)
     k1, spare = rates(y, q, wall, floor, dw, df, zero)
     un, along = _speed_of_approach(y, zero, q), c / (1 - m) * (k1[0] + k1[2])
     goal = math.inf
@@ -145,15 +146,27 @@ def _pressed_step(  # noqa: PLR0912, PLR0915  (one step and what may stop it)
         if not ends:
             goal = min(goal, 0.99 * dies)
             far = min(goal, 10 * speed)  # what is stiff is not a step but the way
-            h = min(far, pace)
-            stiff = _creeps(y, q, wall, floor, dw, df, far, fading_w, fading_f)
-            if stiff:
+            turn = math.inf  # the way on which a slip turns by 1, or fades
+            if slips_w:
+                turn = uw / size(k1[0], k1[1])
+            if slips_f:
+                turn = min(turn, uf / size(k1[2], k1[3]))
+            goes, order = True, 8
+            if _creeps(y, q, wall, floor, dw, df, far, fading_w, fading_f):
+                order = 6
+                h = min(far, pace)
                 new, error, goes = creep(y, h, q, wall, floor, dw, df, zero)
-                grow = 0.9 * (allowed / error) ** (1 / 6) if error > 0 else 4 + zero
             else:
-                goes = True
-                new, error = stride(y, k1, h, q, wall, floor, dw, df, zero)
-                grow = 0.9 * (allowed / error) ** (1 / 8) if error > 0 else 4 + zero
+                h = min(far, pace, turn / 4) if pace == math.inf and turn > 0 else min(far, pace)
+                if h < turn / 100:
+                    new, error = hop(y, k1, h, q, wall, floor, dw, df, zero), zero
+                else:
+                    new, error = stride(y, k1, h, q, wall, floor, dw, df, zero)
+                    # (and of a small slip the direction has to be right)
+                    slip = size(new[0], new[1]) if slips_w else math.inf
+                    slip = min(slip, size(new[2], new[3])) if slips_f else slip
+                    error = max(error / ESTIMATE, error * 30 * allowed / slip) if slip > 0 else math.inf
+            grow = 0.85 * (allowed / error) ** (1 / order) if error > 0 else 4 + zero
             if not (goes and error <= allowed):
                 return y, zero, h * (max(0.1, grow) if goes and error < math.inf else 0.25), False, False
             _there, spare1 = rates(new, q, wall, floor, dw, df, zero)
@@ -175,7 +188,13 @@ def _pressed_step(  # noqa: PLR0912, PLR0915  (one step and what may stop it)
                 return y, zero, h * share, False, False
             over = still or spare1 < 0 or (slips_w and fading_w > 0 and size(new[0], new[1]) <= tiny)
             over = over or (slips_f and fading_f > 0 and size(new[2], new[3]) <= tiny)
-            return new, h, h * min(4 + zero, grow), over, True
+            # (a slip that fades leaves so much less room for the next step)
+            if slips_w and uw > 0:
+                grow = min(grow, grow * size(new[0], new[1]) / uw)
+            if slips_f and uf > 0:
+                grow = min(grow, grow * size(new[2], new[3]) / uf)
+            grow = h * min(grow, 4 + zero)
+            return new, h, max(grow, pace) if h < pace < math.inf else grow, over, True
     h = min(goal, dies)
     work = y[4] - heed * h * (un + along * h / 2)
     new = (y[0] + h * k1[0], y[1] + h * k1[1], y[2] + h * k1[2], y[3] + h * k1[3], work)
@@ -242,7 +261,7 @@ def _creeps(
 
 
 @kernel
-def _course(  # noqa: PLR0912, PLR0915  (one loop over events; its parts stand above)
+def _course(  # noqa: PLR0915  (one loop over events; its parts stand above)
     y: Slips, vz: float, q: Law, e: float, kappa: float, ef: float, muf: float, betaf: float, speed: float, scale: float
 ) -> tuple[Slips, float, float, int]:
     """Slips, vertical velocity, the wall's normal impulse and its regime when the wall lets go."""
@@ -293,7 +312,8 @@ def _course(  # noqa: PLR0912, PLR0915  (one loop over events; its parts stand a
             touching, decide = touching and vz <= tiny, True
             if hit:
                 y, vz = _lands(y, vz, q, kappa, ef, muf, betaf)
-                touching = vz <= 1e-9 * scale
+                landings += 1
+                touching = vz <= 1e-9 * scale or landings > HUMS
             continue
         if floor != OFF:
             y, h, pace, decide, went = _pressed_step(

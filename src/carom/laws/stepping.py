@@ -13,7 +13,7 @@ from carom.kernel import hot_kernel, kernel
 from carom.laws.contact import SLIDE, STICK
 from carom.laws.two_contacts import FLOOR_SLIP, Law, Pair, Slips, rates, size
 
-__all__ = ["creep", "mix", "stride"]
+__all__ = ["creep", "hop", "mix", "stride"]
 
 ORDER = 6  # of the extrapolation in `creep`
 
@@ -28,6 +28,15 @@ def mix(y: Slips, h: float, a: float, p: Slips, b: float, q: Slips, c: float, r:
         y[3] + h * (a * p[3] + b * q[3] + c * r[3]),
         y[4] + h * (a * p[4] + b * q[4] + c * r[4]),
     )
+
+
+@kernel
+def hop(y: Slips, k1: Slips, h: float, q: Law, wall: int, floor: int, dw: Pair, df: Pair, tiny: float) -> Slips:
+    """A short step, by the classical method of order 4."""
+    k2, _spare = rates(mix(y, h, 1 / 2, k1, 0, k1, 0, k1), q, wall, floor, dw, df, tiny)
+    k3, _spare = rates(mix(y, h, 1 / 2, k2, 0, k1, 0, k1), q, wall, floor, dw, df, tiny)
+    k4, _spare = rates(mix(y, h, 1, k3, 0, k1, 0, k1), q, wall, floor, dw, df, tiny)
+    return mix(mix(y, h, 1 / 6, k1, 1 / 3, k2, 1 / 3, k3), h, 1 / 6, k4, 0, k1, 0, k1)
 
 
 @kernel

@@ -150,7 +150,7 @@ def _start_at_wall(q: Law, df: Pair) -> Pair:
 
 
 @kernel
-def decide_mode(  # noqa: PLR0911, PLR0912  (one return a mode)
+def decide_mode(  # noqa: PLR0911  (one return a mode)
     y: Slips, q: Law, rough_wall: bool, rough_floor: bool, touching: bool, tiny: float
 ) -> tuple[int, int, int, Pair, Pair]:
     """How each contact goes on: wall, floor, level (1: an infinitely rough wall takes its slip away), directions.
