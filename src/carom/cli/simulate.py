@@ -1,0 +1,292 @@
+"""``carom simulate``: a scene's run in words, as a table, as JSON; as a picture, an animation, a file."""
+
+from __future__ import annotations
+
+import contextlib
+import csv
+import math
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from carom.errors import CaromError
+
+if TYPE_CHECKING:
+    from carom.scene.model import Scene
+    from carom.trajectory import Trajectory
+
+RUN, SHOWN, FILES = "The run", "What is shown", "Files"
+ANIMATIONS, TABLES = (".mp4", ".gif", ".html"), (".csv", ".parquet")
+
+
+def register(app: typer.Typer) -> None:
+    """Add the verb to the command."""
+    app.command()(simulate)
+
+
+def simulate(
+    scene: Annotated[Path, typer.Argument(metavar="SCENE.toml", help="A scene; carom scene new FILE writes one.")],
+    law: Annotated[
+        str | None,
+        typer.Option(metavar="NAME", help="In place of the scene's; or my_law.py:law.", rich_help_panel=RUN),
+    ] = None,
+    duration: Annotated[
+        str | None, typer.Option(metavar="S", help='In place of the scene\'s; s, or "500 ms".', rich_help_panel=RUN)
+    ] = None,
+    max_events: Annotated[
+        int | None, typer.Option(metavar="N", help="In place of the scene's.", rich_help_panel=RUN)
+    ] = None,
+    at: Annotated[
+        list[str] | None,
+        typer.Option(metavar="T", help="States at this time, s; repeated, or 0.5,1,2.", rich_help_panel=SHOWN),
+    ] = None,
+    events: Annotated[
+        str | None, typer.Option(metavar="all|N", help="Rows of the table of events.", rich_help_panel=SHOWN)
+    ] = None,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="JSON on standard output, nothing else.", rich_help_panel=SHOWN)
+    ] = False,
+    quiet: Annotated[
+        bool, typer.Option("--quiet", help="Nothing on the screen but errors.", rich_help_panel=SHOWN)
+    ] = False,
+    plot: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Draw it: .svg, .pdf or .png.", rich_help_panel=FILES)
+    ] = None,
+    animate: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Film it: .mp4, .gif or .html.", rich_help_panel=FILES)
+    ] = None,
+    save: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="The run, for carom.load_trajectory: .parquet, .nc.", rich_help_panel=FILES),
+    ] = None,
+    table: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="All events: .csv or .parquet.", rich_help_panel=FILES)
+    ] = None,
+) -> None:
+    """Follow the balls of a scene from event to event: the run in words, its events, where it ends."""
+    try:
+        found: list[str] = []
+        most, times = _try(found, _most, events), _try(found, _times, at)
+        _places(found, plot, animate, save, table)
+        given = _try(found, _scene, scene, {"law": law, "duration": duration, "max_events": max_events})
+        if found:
+            raise CaromError(*found)
+        run = _run(given, quiet)
+        _reached(run, times)
+        written = _write(run, quiet, plot, animate, save, table)
+        _tell(run, times, most, as_json, quiet)
+        for path in () if quiet else written:
+            sys.stderr.write(f"written: {path}\n")
+    except KeyboardInterrupt:
+        sys.stderr.write("carom: interrupted; nothing was written\n")
+        raise typer.Exit(130) from None
+
+
+# --- what is asked for ---------------------------------------------------------------------------------------------
+
+
+def _try(found: list[str], action: Callable[..., Any], *args: Any) -> Any:
+    """What the action gives; its faults, where it has any, go to ``found``."""
+    try:
+        return action(*args)
+    except CaromError as error:
+        found += error.faults
+        return None
+
+
+def _most(text: str | None) -> int | None:
+    """Rows of the table of events; None for all."""
+    from carom.cli.trajectory_tables import MOST_ROWS
+
+    if text is None:
+        return MOST_ROWS
+    if text == "all":
+        return None
+    if not text.isdecimal():
+        raise CaromError(f"--events: expected 'all' or a whole number >= 0, got {text!r}")
+    return int(text)
+
+
+def _times(texts: list[str] | None) -> list[float]:
+    """Times asked for, in order."""
+    found = []
+    for text in ",".join(texts or []).replace(",", " ").split():
+        try:
+            t = float(text)
+        except ValueError:
+            t = math.nan
+        if not 0 <= t < math.inf:
+            raise CaromError(f"--at: expected times >= 0 in s, such as 0.5 or 0.5,1,2, got {text!r}")
+        found.append(t)
+    return sorted(found)
+
+
+def _places(found: list[str], plot: Path | None, animate: Path | None, save: Path | None, table: Path | None) -> None:
+    """Faults of the files that are to be written."""
+    from carom.storage import KINDS_OF_FILE, require_place
+
+    named = {"--plot": plot, "--animate": animate, "--save": save, "--table": table}
+    kinds = {"--animate": ANIMATIONS, "--save": KINDS_OF_FILE, "--table": TABLES}
+    seen: dict[Path, str] = {}
+    for option, path in named.items():
+        if path is None:
+            continue
+        if option == "--plot":
+            _try(found, _require_drawable, path)
+        else:
+            faults: list[str] = []
+            _try(faults, require_place, path, kinds[option])
+            found += [f"{option} {fault}" for fault in faults]
+        if (other := seen.setdefault(path.absolute(), option)) != option:
+            found.append(f"{option} {path}: expected another file than {other}'s, got the same; name a new one")
+
+
+def _require_drawable(path: Path) -> None:
+    from carom.plot.save import require_matplotlib, require_writable
+
+    require_writable(path)
+    require_matplotlib()
+
+
+def _scene(path: Path, changes: dict[str, Any]) -> Scene:
+    """The scene of a file, with what the options say in place of its [run]."""
+    from carom.scene.model import Run, Scene
+    from carom.scene.toml import load_scene
+
+    scene = load_scene(path)
+    changes = {name: value for name, value in changes.items() if value is not None}
+    if not changes:
+        return scene
+    with contextlib.suppress(KeyError, ValueError):
+        changes["duration"] = float(changes["duration"])
+    try:
+        run = Run(**{name: getattr(scene.run, name) for name in Run.model_fields} | changes)
+    except CaromError as error:
+        options = {f"Run: {name}:": f"--{name.replace('_', '-')}:" for name in changes}
+        raise CaromError(*(_renamed(fault, options) for fault in error.faults)) from None
+    try:  # checked anew as a whole: another law may need what the walls have not
+        return Scene(**{name: getattr(scene, name) for name in Scene.model_fields} | {"run": run})
+    except CaromError as error:
+        raise CaromError(*(_renamed(fault, {"Scene:": f"{path}:"}) for fault in error.faults)) from None
+
+
+def _renamed(fault: str, names: dict[str, str]) -> str:
+    for old, new in names.items():
+        if fault.startswith(old):
+            return new + fault.removeprefix(old)
+    return fault
+
+
+# --- the run -------------------------------------------------------------------------------------------------------
+
+
+def _run(scene: Scene, quiet: bool) -> Trajectory:
+    from carom.engine.run import compiled_engine
+    from carom.simulation import simulate as follow
+
+    with _busy(quiet) as say:
+        if not quiet and not _compiled_before():
+            say("compiling the engine, once", True)
+        compiled_engine()
+        return follow(scene, lambda events, t: say(f"simulating: {events:,} events, {t:.4g} s", False))
+
+
+def _compiled_before() -> bool:
+    """Whether the engine lies compiled in the cache: what it compiles last is there."""
+    from carom.compiled import cache_folder
+
+    return any(cache_folder().glob("*/run._many-*.nbi"))
+
+
+@contextlib.contextmanager
+def _busy(quiet: bool) -> Iterator[Callable[[str, bool], None]]:
+    """A function that says on standard error what goes on: in place on a terminal; elsewhere only what is important."""
+    from rich.console import Console
+
+    console = Console(stderr=True, highlight=False)
+    with contextlib.ExitStack() as stack:
+        status: Any = None
+
+        def say(text: str, important: bool) -> None:
+            nonlocal status
+            if console.is_terminal and not quiet:
+                if status is None:
+                    status = stack.enter_context(console.status(text))
+                status.update(text)
+            elif important:
+                console.print(text, soft_wrap=True)
+
+        yield say
+
+
+def _reached(run: Trajectory, times: list[float]) -> None:
+    """CaromError for times that the run did not reach."""
+    if run.ended != "nothing more happens" and times and times[-1] > run.end:
+        raise CaromError(
+            f"--at: expected times from 0 to {run.end:.9g} s, where the run ends, got {times[-1]:g}; a longer --duration"
+            " or more --max-events goes on"
+        )
+
+
+# --- what comes of it ----------------------------------------------------------------------------------------------
+
+
+def _write(
+    run: Trajectory, quiet: bool, plot: Path | None, animate: Path | None, save: Path | None, table: Path | None
+) -> list[Path]:
+    """Write the files, all of them or none."""
+    from carom.storage import whole
+
+    makers: list[tuple[Path | None, Callable[[Path], Any]]] = [
+        (plot, run.plot),
+        (save, run.save),
+        (table, lambda part: _table(run, part)),
+        (animate, lambda part: _animate(run, part, quiet)),
+    ]
+    asked = [(path, make) for path, make in makers if path is not None]
+    with contextlib.ExitStack() as stack:
+        for path, make in asked:
+            part = stack.enter_context(whole(path))
+            try:
+                make(part)
+            except CaromError as error:  # with the name that was given
+                raise CaromError(*(fault.replace(str(part), str(path)) for fault in error.faults)) from None
+    return [path for path, _make in asked]
+
+
+def _table(run: Trajectory, path: Path) -> None:
+    """All events as CSV or Parquet, every number in full."""
+    from carom.tidy import event_columns
+
+    columns = event_columns(run, run.events.rows)
+    if path.suffix.lower() == ".csv":
+        with path.open("w", encoding="utf-8", newline="") as file:
+            writer = csv.writer(file, lineterminator="\n")
+            writer.writerow(columns)
+            writer.writerows(zip(*(values.tolist() for values in columns.values()), strict=True))
+        return
+    from carom.storage import write_parquet
+
+    write_parquet(columns, {}, path)
+
+
+def _animate(run: Trajectory, path: Path, quiet: bool) -> None:
+    from rich.console import Console
+    from rich.progress import Progress
+
+    console = Console(stderr=True, highlight=False)
+    with Progress(console=console, transient=True, disable=quiet or not console.is_terminal) as bar:
+        task = bar.add_task("filming", total=None)
+        run.animate(path, progress=lambda done, total: bar.update(task, completed=done, total=total))
+
+
+def _tell(run: Trajectory, times: list[float], most: int | None, as_json: bool, quiet: bool) -> None:
+    from carom.cli import trajectory_tables as tables
+
+    if as_json:
+        sys.stdout.write(tables.as_json(run, times))
+    elif not quiet:
+        tables.show(run, times, most)

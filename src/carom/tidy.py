@@ -1,0 +1,145 @@
+"""A run as tidy tables: one event a row, one ball at one time a row; or its states with labels (pandas, xarray).
+
+All numbers are in SI units; ``table.attrs["units"]``, and in a Dataset every variable's own ``units``, say which.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.engine.arrays import BALL, LEFT_EVENT, WALL
+from carom.errors import CaromError
+from carom.laws.contact import REGIMES
+from carom.motion.phases import PHASES
+from carom.trajectory import Trajectory, kind_names
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+__all__ = ["UNITS", "event_columns", "events_table", "states_dataset", "states_table"]
+
+Columns = dict[str, NDArray[Any]]
+AXES = ("x", "y", "z")
+UNITS = {
+    "t": "s", **dict.fromkeys(AXES, "m"),
+    **{f"{of}{axis}{when}": unit for of, unit in (("v", "m/s"), ("w", "rad/s")) for axis in AXES for when in ("", "_before")},
+    **{f"{of}_{axis}": "N s" for of in ("impulse", "floor_impulse") for axis in AXES},
+    "energy_lost": "J", "energy": "J",
+}  # fmt: skip
+
+
+def _library(name: str, extra: str, what: str) -> Any:
+    """A library that the base install does not have."""
+    import importlib
+
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        raise CaromError(f"{what}: needs {name}, which is not installed; run: pip install 'carom[{extra}]'") from None
+
+
+def _parts(columns: Columns, name: str, vectors: NDArray[np.float64], after: str = "") -> None:
+    for k, axis in enumerate(AXES):
+        columns[f"{name}{axis}{after}"] = np.ascontiguousarray(vectors[:, k])
+
+
+def _names(names: tuple[str, ...], which: NDArray[Any]) -> NDArray[Any]:
+    found: NDArray[Any] = np.array([*names, ""], dtype=object)[which]
+    return found
+
+
+def event_columns(run: Trajectory, rows: NDArray[np.void]) -> Columns:
+    """Rows of a run's log as named columns.
+
+    ``vx`` ... ``wz`` are those just after the event, ``vx_before`` ... those just before; ``other`` is the number of the
+    wall or of the other ball, -1 for none, ``name`` its name; ``energy_lost`` is the ball's own.
+    """
+    kinds = rows["kind"]
+    wall = np.where(np.isin(kinds, (WALL, LEFT_EVENT)), rows["other"], -1)
+    ball = np.where(kinds == BALL, rows["other"], -1)
+    columns: Columns = {
+        "t": np.array(rows["t"]),
+        "kind": kind_names(rows),
+        "ball": np.array(rows["ball"]),
+        "other": np.array(rows["other"]),
+        "name": _names(run.scene.wall_names, wall) + _names(run.scene.ball_names, ball),
+        "phase_before": np.array(PHASES, dtype=object)[rows["phase_before"]],
+        "phase": np.array(PHASES, dtype=object)[rows["phase"]],
+    }
+    _parts(columns, "", rows["x"])
+    _parts(columns, "v", rows["v_before"], "_before")
+    _parts(columns, "w", rows["w_before"], "_before")
+    _parts(columns, "v", rows["v"])
+    _parts(columns, "w", rows["w"])
+    _parts(columns, "impulse_", rows["impulse"])
+    _parts(columns, "floor_impulse_", rows["floor_impulse"])
+    columns["required_friction"] = np.array(rows["required"])
+    met = (rows["impulse"] != 0).any(axis=1) & (rows["regime"] < len(REGIMES))
+    columns["regime"] = np.array([*REGIMES, ""], dtype=object)[np.where(met, rows["regime"], -1)]
+    of = rows["ball"]
+    columns["energy_lost"] = run._kinetic(of, rows["v_before"], rows["w_before"]) - run._kinetic(
+        of, rows["v"], rows["w"]
+    )
+    return columns
+
+
+def _frame(columns: Columns, what: str) -> pandas.DataFrame:
+    pandas = _library("pandas", "pandas", what)
+    frame = pandas.DataFrame(columns)
+    frame.attrs["units"] = {name: UNITS[name] for name in columns if name in UNITS}
+    return frame  # type: ignore[no-any-return]
+
+
+def events_table(run: Trajectory, rows: NDArray[np.void]) -> pandas.DataFrame:
+    """One event a row (:func:`event_columns`). Raises CaromError without pandas."""
+    return _frame(event_columns(run, rows), "Events.table")
+
+
+def states_table(run: Trajectory, times: NDArray[np.float64]) -> pandas.DataFrame:
+    """All balls at the given times, one ball at one time a row. Raises CaromError without pandas."""
+    state, count = run.at(times), len(run.scene.balls)
+    assert state.position is not None
+    columns: Columns = {
+        "t": np.repeat(times.ravel(), count),
+        "ball": np.tile(np.arange(count), times.size),
+        "name": np.array(run.scene.ball_names * times.size, dtype=object),
+        "phase": run.phase(times).astype(object).ravel(),
+    }
+    for name, vectors in (("", state.position), ("v", state.velocity), ("w", state.spin)):
+        _parts(columns, name, vectors.reshape(-1, 3))
+    columns["energy"] = np.ravel(run.energy(times, each=True))
+    return _frame(columns, "Trajectory.table")
+
+
+def states_dataset(run: Trajectory, times: NDArray[np.float64]) -> xarray.Dataset:
+    """The states at the given times, with the dimensions time, ball, axis. Raises CaromError without xarray.
+
+    ``orientation`` is a unit quaternion (w, x, y, z) from the body's frame.
+    """
+    library = _library("xarray", "xarray", "Trajectory.to_xarray")
+    times = times.ravel()
+    state = run.at(times)
+    vector = ("time", "ball", "axis")
+    dataset: xarray.Dataset = library.Dataset(
+        {
+            "position": (vector, state.position, {"units": "m"}),
+            "velocity": (vector, state.velocity, {"units": "m/s"}),
+            "spin": (vector, state.spin, {"units": "rad/s"}),
+            "orientation": (("time", "ball", "part"), run.orientation(times), {"units": "1"}),
+            "energy": (("time", "ball"), run.energy(times, each=True), {"units": "J"}),
+            "phase": (("time", "ball"), run.phase(times)),
+        },
+        coords={
+            "time": ("time", times, {"units": "s"}),
+            "ball": np.arange(len(run.scene.balls)),
+            "name": ("ball", np.array(run.scene.ball_names)),
+            "axis": list(AXES),
+            "part": ["w", *AXES],
+        },
+        attrs={"scene": run.scene.describe()},
+    )
+    return dataset
