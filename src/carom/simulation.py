@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.checks import Faults, expect
-from carom.engine.arrays import KINDS, LOG, START
+from carom.engine.arrays import KINDS, LOG
 from carom.engine.loop import ALL, FULL, LIMIT, PHASES_FROM, ROWS
 from carom.engine.resolve import DONE, REFUSED_ROLLING, REFUSED_STALL, REFUSED_UNDEFINED
-from carom.engine.run import compiled_engine
+from carom.engine.run import compiled_engine, compiled_many
 from carom.engine.setup import set_up
 from carom.errors import CaromError
-from carom.motion.phases import PHASES
+from carom.motion.phases import HELD, PHASES
 from carom.scene.model import Scene
 from carom.state import State, vectors
 from carom.trajectory import Trajectory
@@ -75,40 +75,41 @@ def simulate(scene: Scene, progress: Callable[[int, float], None] | None = None)
     setup = set_up(scene)
     world, features, balls, users = setup
     until, most = _limits(scene)
-    slow = engine.start(world[0], features, balls)
-    starts = np.zeros(len(balls), LOG)
-    for field in ("x", "v", "w", "phase"):
-        starts[field] = balls[field]
-    starts["v_before"], starts["w_before"], starts["phase_before"] = balls["v"], balls["w"], balls["phase"]
-    starts["kind"], starts["ball"], starts["other"] = START, np.arange(len(balls)), -1
-    parts, events, rows, status = [starts], 0, FIRST_ROWS, FULL
+    log = np.empty(FIRST_ROWS + len(balls), LOG)
+    slow = engine.start(world[0], features, balls, log)
+    first, parts, events, status = len(balls), [], 0, FULL
     while status == FULL:
-        log = np.empty(rows, LOG)
         status, more, written, at_fault = engine.run(
-            world[0], features, balls, log, slow, until, most - events, users, ALL
+            world[0], features, balls, log[first:], slow, until, most - events, users, ALL
         )
-        parts.append(log[:written])
+        parts.append(log[: first + written])
         events += more
-        rows = min(2 * rows, MOST_ROWS)
-        if progress is not None and status == FULL:
-            progress(events, float(balls["clock"].max()))
+        if status == FULL:
+            first, log = 0, np.empty(min(2 * len(log), MOST_ROWS), LOG)
+            if progress is not None:
+                progress(events, float(balls["clock"].max()))
     if status not in (DONE, LIMIT):
         raise _refusal(status, scene, balls[at_fault], at_fault)
     last = float(balls["clock"].max())
-    moving = bool(np.isfinite(balls["next_at"]).any())
     if status == LIMIT:
         end, ended = last, "max_events"
     elif until < math.inf:
-        end, ended = (until, "duration") if moving or _goes_on(balls) else (last, "nothing more happens")
+        end, ended = (until, "duration") if _goes_on(balls) else (last, "nothing more happens")
     else:
         end, ended = last, "nothing more happens"
-    return Trajectory(scene, np.concatenate(parts), end, ended)
+    return Trajectory(scene, _joined(parts), end, ended)
+
+
+def _joined(parts: list[NDArray[np.void]]) -> NDArray[np.void]:
+    """Parts of a log as one (records as bytes: NumPy compares the fields of records one by one, which takes a while)."""
+    if len(parts) == 1:
+        return parts[0].copy()
+    return np.concatenate([part.view(np.uint8) for part in parts]).view(LOG)
 
 
 def _goes_on(balls: NDArray[np.void]) -> bool:
-    """Whether a ball is still on its way, though it will meet nothing."""
-    followed = balls["phase"] < PHASES.index("held")
-    return bool(((balls["v"] != 0).any(axis=1) & followed).any())
+    """Whether something will still happen, or a ball is on its way though it will meet nothing."""
+    return bool(np.isfinite(balls["next_at"]).any() or ((balls["v"] != 0).any(axis=1) & (balls["phase"] < HELD)).any())
 
 
 @dataclass(frozen=True, eq=False)
@@ -228,7 +229,7 @@ def _bits(kinds: tuple[str, ...]) -> int:
 def _run_many(
     setup: Any, balls: NDArray[np.void], until: float, most: int, events: int, kinds: tuple[str, ...], progress: Any
 ) -> ManyRuns:
-    engine = compiled_engine()
+    many = compiled_many()
     total = len(balls)
     ended = np.zeros((total, 3), np.int64)
     kept = np.zeros((total, events), LOG)
@@ -236,9 +237,7 @@ def _run_many(
     for first in range(0, total, BLOCK):
         block = slice(first, min(first + BLOCK, total))
         logs = np.zeros((block.stop - block.start, room), LOG)
-        engine.many(
-            setup.world, setup.features, balls[block], logs, until, most, setup.users, _bits(kinds), ended[block]
-        )
+        many(setup.world, setup.features, balls[block], logs, until, most, setup.users, _bits(kinds), ended[block])
         kept[block] = logs[:, :events]
         if progress is not None:
             progress(block.stop, total)

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.engine.arrays import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, NOTHING, PHASE, SETTLED, WALL
+from carom.engine.arrays import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, NOTHING, PHASE, SETTLED, START, WALL
 from carom.engine.predict import begin, predict, put, state_at
 from carom.engine.resolve import DONE, meet_ball, meet_floor, meet_wall
 from carom.kernel import Vec, dot, kernel, vector
@@ -35,8 +35,11 @@ ALL, PHASES_FROM = -1, 16
 
 
 @kernel
-def start(world: Any, features: Any, balls: Any) -> float:
-    """Set phases, clocks and first events; the speed below which a ball in touch is not coming in."""
+def start(world: Any, features: Any, balls: Any, log: Any) -> float:
+    """Set phases, clocks and first events; the speed below which a ball in touch is not coming in.
+
+    The first rows of a log that has room are the starts.
+    """
     force = vector(world.force)
     pull = math.sqrt(dot(force, force))
     fastest = 0.0
@@ -57,6 +60,8 @@ def start(world: Any, features: Any, balls: Any) -> float:
         begin(world, ball)
         ball.next_at = ball.next_in = ball.lasts
         ball.next_kind, ball.next_who = NOTHING, -1
+        if i < log.shape[0]:
+            _note(log[i], ball, START, i, -1, v, w, phase)
     for i in range(balls.shape[0]):
         predict(world, features, balls, i, SLOW * fastest)
     return SLOW * fastest

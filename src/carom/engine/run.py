@@ -13,7 +13,7 @@ from carom.engine.resolve import DONE
 from carom.engine.users import register_calls
 from carom.scene.features import FEATURES
 
-__all__ = ["Engine", "compiled_engine"]
+__all__ = ["Engine", "compiled_engine", "compiled_many"]
 
 
 class Engine(NamedTuple):
@@ -22,36 +22,51 @@ class Engine(NamedTuple):
     start: Callable[..., Any]
     run: Callable[..., Any]
     finish: Callable[..., Any]
-    many: Callable[..., Any]
+
+
+def _types() -> tuple[Any, ...]:
+    """What the compiler calls a world, features, balls, a log; a float, a whole number, a list of those."""
+    from numba import from_dtype, types
+
+    world, feature, ball, log = (from_dtype(kind) for kind in (WORLD, FEATURES, BALLS, LOG))
+    return world, types.Array(feature, 1, "C"), ball, log, types.float64, types.int64, types.Array(types.int64, 1, "C")
 
 
 @functools.cache
 def compiled_engine() -> Engine:
     """The event loop compiled; from the second time on, loaded."""
-    import numba
-    from numba import from_dtype, types
+    from numba import types
 
     from carom.compiled import njit
 
-    world, feature, ball, log = (from_dtype(kind) for kind in (WORLD, FEATURES, BALLS, LOG))
-    features, balls, rows = (types.Array(kind, 1, "C") for kind in (feature, ball, log))
-    number, whole = types.float64, types.int64
-    users = types.Array(whole, 1, "C")
     register_calls()
+    world, features, ball, log, number, whole, users = _types()
+    balls, rows = types.Array(ball, 1, "C"), types.Array(log, 1, "C")
     answer = types.UniTuple(whole, 4)
-    global _start, _run, _finish, _prange  # noqa: PLW0603
-    _start = njit(start, signature=number(world, features, balls))
-    _run = njit(run, signature=answer(world, features, balls, rows, number, number, whole, users, whole))
-    _finish = njit(finish, signature=types.none(world, balls, number))
-    _prange = numba.prange
-    worlds, many_balls, logs = types.Array(world, 1, "C"), types.Array(ball, 2, "C"), types.Array(log, 2, "C")
-    ended = types.Array(whole, 2, "C")
-    many = njit(
-        _many,
-        signature=types.none(worlds, features, many_balls, logs, number, whole, users, whole, ended),
-        parallel=True,
+    return Engine(
+        njit(start, signature=number(world, features, balls, rows)),
+        njit(run, signature=answer(world, features, balls, rows, number, number, whole, users, whole)),
+        njit(finish, signature=types.none(world, balls, number)),
     )
-    return Engine(_start, _run, _finish, many)
+
+
+@functools.cache
+def compiled_many() -> Callable[..., Any]:
+    """The loop over many runs, on all cores; compiled for those who ask for it."""
+    import numba
+    from numba import types
+
+    from carom.compiled import njit
+
+    global _start, _run, _finish, _prange  # noqa: PLW0603
+    _start, _run, _finish = compiled_engine()
+    _prange = numba.prange
+    world, features, ball, log, number, whole, users = _types()
+    worlds, balls, logs, ended = (
+        types.Array(kind, d, "C") for kind, d in ((world, 1), (ball, 2), (log, 2), (whole, 2))
+    )
+    signature = types.none(worlds, features, balls, logs, number, whole, users, whole, ended)
+    return njit(_many, signature=signature, parallel=True)
 
 
 # What ``_many`` calls: the compiled functions, once there are any (a closure over them would not be cached).
@@ -68,7 +83,7 @@ def _many(
     """
     for n in _prange(balls.shape[0]):
         world = worlds[0]
-        slow = _start(world, features, balls[n])
+        slow = _start(world, features, balls[n], logs[n, :0])
         status, events, rows, ball = _run(world, features, balls[n], logs[n], slow, until, most, users, keep)
         ended[n, 0], ended[n, 1], ended[n, 2] = status, events, rows if ball < 0 else ball
         last = until
