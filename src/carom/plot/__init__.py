@@ -1,10 +1,12 @@
-"""Pictures, with Matplotlib (the extra [plot]): `compare`, `figures`, `plot_trajectory`, and `save` for any of them.
+"""Pictures, with Matplotlib (the extra [plot]): `compare`, `figures`, `plot_trajectory`, and `save` for any of
+them; `animate` makes films, and pages that need no Matplotlib.
 
 Each picture function returns a Matplotlib Figure that belongs to no window; a notebook shows it, :func:`save` writes it.
 """
 
 from __future__ import annotations
 
+from carom.plot.animation import animate
 from carom.plot.comparison import compare
 from carom.plot.paper import collision, figures, incidence_and_reflection, setting
 from carom.plot.path import Path, path_after_wall
@@ -13,6 +15,7 @@ from carom.plot.trajectory import plot_trajectory
 
 __all__ = [
     "Path",
+    "animate",
     "collision",
     "compare",
     "figures",

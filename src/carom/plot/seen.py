@@ -37,8 +37,8 @@ def last_time(run: Trajectory) -> float:
     goes_on = run.ended == "nothing more happens" and any(
         s > 0 and phase in ("flight", "sliding", "rolling") for s, phase in zip(speed, run.final_phase, strict=True)
     )
-    if not goes_on:
-        return run.end
+    if not goes_on:  # of balls that lie still from the start, a second
+        return run.end if run.end > 0 or run.ended != "nothing more happens" else 1.0
     return 1.15 * run.end if run.end > 0 else 20 * max(ball.radius for ball in run.scene.balls) / float(speed.max())
 
 

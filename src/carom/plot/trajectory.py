@@ -117,9 +117,9 @@ def _draw(run: Trajectory, balls: list[int], title: str | None) -> Any:
         _height(panels[0], run, ways)
         # a few short hops in a long run are looked at closely
         air = 0.15 * (high[1] - high[0])
-        panels[0].set_xlim((high[0] - air, high[1] + air) if high[1] - high[0] < 0.3 * until else (0, until))
+        panels[0].set_xlim((high[0] - air, high[1] + air) if high[1] - high[0] < 0.3 * until else (0, until or 1.0))
     _energy(panels[-1], run, balls, until)
-    panels[-1].set_xlim(0, until)
+    panels[-1].set_xlim(0, until or 1.0)
     numbers = _numbers(run, balls)
     for axes in panels:
         axes.set_xlabel("time, s", labelpad=1.5)

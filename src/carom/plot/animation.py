@@ -1,0 +1,198 @@
+"""A run as a film (.mp4, .gif) or as a page that plays it (.html). Balls are marked with spots, so that their spin is seen."""
+
+from __future__ import annotations
+
+import importlib
+import math
+import os
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from carom.checks import Faults, nearest
+from carom.errors import CaromError
+from carom.plot.film import Film
+from carom.plot.page import page
+from carom.plot.save import require_matplotlib, style
+from carom.plot.seen import last_time
+from carom.trajectory import Trajectory
+
+__all__ = ["animate"]
+
+Progress = Callable[[int, int], None]
+KINDS = (".mp4", ".gif", ".html")
+# Pixels across. A GIF holds every pixel that changes; a film does not mind.
+WIDE = {".mp4": 1280, ".gif": 800}
+# Browsers play no GIF faster.
+FASTEST_GIF = 50
+MOST_FRAMES = 100_000
+
+
+def animate(
+    run: Trajectory,
+    path: str | os.PathLike[str],
+    *,
+    fps: float = 30,
+    speed: float = 1.0,
+    start: float = 0.0,
+    end: float | None = None,
+    progress: Progress | None = None,
+) -> Path:
+    """Write an animation of a run, by the name's ending: a film (.mp4, .gif), or a self-contained page (.html).
+
+    Parameters
+    ----------
+    run : Trajectory
+    path : file to write; it appears whole or not at all
+    fps : frames a second of a film; the page draws as fast as the screen does
+    speed : 0.1 is ten times slower than it was; a page can be told otherwise while it plays
+    start, end : s; left out: all of the run
+    progress : function of (frames done, frames in all), optional
+
+    Returns
+    -------
+    The file's path. Raises CaromError for times outside the run, for a name with another ending, where a film needs what is
+    not installed (Matplotlib; for .mp4 also ffmpeg), or where the file cannot be written.
+    """
+    path = Path(path)
+    _require_place(path)
+    kind = path.suffix.lower()
+    span = _checked(run, kind, fps, speed, start, end)
+    tell = progress or (lambda _done, _total: None)
+    if kind == ".html":
+        tell(0, 1)
+        text = page(run, *span, float(speed))
+        _whole(path, lambda temporary: temporary.write_text(text, encoding="utf-8"))
+        tell(1, 1)
+        return path
+    require_matplotlib()
+    count = max(2, 1 + math.floor((span[1] - span[0]) * fps / speed + 1e-9))
+    if count > MOST_FRAMES:
+        raise CaromError(
+            f"animate: expected at most {MOST_FRAMES} frames, got {count}; take a shorter time, or a greater speed"
+        )
+    program = _ffmpeg() if kind == ".mp4" else ""
+    times = np.minimum(span[0] + np.arange(count) * speed / fps, span[1])
+    with style():
+        film = Film(run, times, span, WIDE[kind])
+        if kind == ".mp4":
+            _whole(path, lambda temporary: _mp4(film, temporary, program, fps, tell))
+        else:
+            _whole(path, lambda temporary: _gif(film, temporary, fps, tell))
+    return path
+
+
+def _require_place(path: Path) -> None:
+    kind = path.suffix.lower()
+    if kind not in KINDS:
+        raise CaromError(
+            f"animate: {path}: expected a name that ends with one of {', '.join(KINDS)}, got {path.suffix or 'none'!r};"
+            f" {nearest(kind, list(KINDS))}"
+        )
+    folder = path.absolute().parent
+    if not folder.is_dir():
+        raise CaromError(f"animate: {path}: expected a folder that exists, got {str(path.parent)!r}; make it first")
+    if path.is_dir():
+        raise CaromError(f"animate: {path}: expected a file to write, got a folder; add a file's name")
+    if not os.access(folder, os.W_OK) or (path.exists() and not os.access(path, os.W_OK)):
+        raise CaromError(f"animate: {path}: expected leave to write there, got none; choose another place")
+
+
+def _checked(run: Trajectory, kind: str, fps: Any, speed: Any, start: Any, end: Any) -> tuple[float, float]:
+    """Start and end; CaromError with all that is wrong."""
+    faults, last = Faults("animate"), last_time(run)
+    fastest = FASTEST_GIF if kind == ".gif" else 1000
+    if not (_is_number(fps) and 0 < fps <= fastest):
+        faults.add("fps", f"a number above 0, at most {fastest}", repr(fps))
+    if not (_is_number(speed) and 0 < speed < math.inf):
+        faults.add("speed", "a number above 0", repr(speed))
+    end = last if end is None else end
+    if not (_is_number(start) and 0 <= start < last):
+        faults.add("start", f"a time from 0 to before {last:.9g} s, the end of the run", repr(start))
+    elif not (_is_number(end) and start < end <= max(last, run.end)):
+        faults.add("end", f"a time after {start:.9g} s, at most {last:.9g} s, the end of the run", repr(end))
+    faults.done()
+    return float(start), float(end)
+
+
+def _is_number(x: Any) -> bool:
+    return isinstance(x, (int, float, np.integer, np.floating)) and not isinstance(x, bool)
+
+
+def _ffmpeg() -> str:
+    """The program that writes .mp4: the system's, or the one that the package imageio-ffmpeg brings."""
+    found = shutil.which("ffmpeg")
+    if found is None:
+        try:
+            found = str(importlib.import_module("imageio_ffmpeg").get_ffmpeg_exe())
+        except (ImportError, RuntimeError):
+            raise CaromError(
+                "animate: .mp4: expected the program ffmpeg, found none; run: pip install imageio-ffmpeg, or write .gif or .html"
+            ) from None
+    return found
+
+
+def _whole(path: Path, write: Callable[[Path], Any]) -> None:
+    """Write beside the file and rename, so that nobody ever sees half of it."""
+    handle, name = tempfile.mkstemp(dir=path.absolute().parent, prefix=f".{path.stem}-", suffix=path.suffix.lower())
+    os.close(handle)
+    temporary = Path(name)
+    try:
+        write(temporary)
+        mask = os.umask(0)
+        os.umask(mask)
+        temporary.chmod(0o666 & ~mask)
+        temporary.replace(path)
+    except OSError as error:
+        raise CaromError(f"animate: {path}: cannot be written ({error.strerror}); choose another place") from error
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def _mp4(film: Film, path: Path, program: str, fps: float, tell: Progress) -> None:
+    wide, high = film.size
+    # frames through a pipe: Matplotlib's own writer would draw the whole figure for each of them
+    command = [
+        program, "-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgba", "-s", f"{wide}x{high}", "-r", f"{fps:.9g}",
+        "-i", "-", "-an", "-pix_fmt", "yuv420p", "-movflags", "+faststart", str(path),
+    ]  # fmt: skip
+    with tempfile.TemporaryFile() as said, subprocess.Popen(command, stdin=subprocess.PIPE, stderr=said) as process:
+        assert process.stdin is not None
+        try:
+            for frame in film.frames(tell):
+                process.stdin.write(frame.tobytes())
+            process.stdin.close()
+            code = process.wait()
+        except BrokenPipeError:
+            code = process.wait() or 1
+        except BaseException:
+            process.kill()
+            raise
+        if code:
+            said.seek(0)
+            words = " ".join(said.read().decode(errors="replace").split())
+            raise CaromError(
+                f"animate: .mp4: expected ffmpeg to write the film, got: {words[-300:]}; write .gif or .html instead"
+            )
+
+
+def _gif(film: Film, path: Path, fps: float, tell: Progress) -> None:
+    from PIL import Image
+
+    # one palette for all frames, so that colours do not flicker: from a frame in the middle, which has all of them
+    palette = Image.fromarray(film.frame(len(film.times) // 2)).convert("RGB").quantize(96)
+
+    def pictures() -> Iterator[Any]:
+        for frame in film.frames(tell):
+            yield Image.fromarray(frame).convert("RGB").quantize(palette=palette, dither=Image.Dither.NONE)
+
+    # a GIF counts hundredths of a second: each frame ends at the nearest one, so that the film keeps its pace
+    ends = np.round(np.arange(1, len(film.times) + 1) * 100 / fps).astype(int)
+    durations = (10 * np.diff(ends, prepend=0)).tolist()
+    images = pictures()
+    next(images).save(path, format="GIF", save_all=True, append_images=images, duration=durations, loop=0, disposal=1)
