@@ -46,8 +46,8 @@ CARD = Card(
         "the floor's restitution matters only if the ball is lifted and lands again while the wall acts",
     ),
     valid="Backspin, sliding, every cushion that touches above the centre. It is the first step of two-step, by default;"
-    " floor_contact='after' is the other limit, a floor softer than the wall. Frictions of 10 and more can lock the ball"
-    " in ways that are not followed to their end: the answer then says so.",
+    " floor_contact='after' is the other limit, a floor softer than the wall. Any friction, infinite ones too; where large"
+    " frictions lock the ball between wall and floor the answer says so.",
     equations="carom.laws.simultaneous",
     citation="J. B. Keller, J. Appl. Mech. 53, 1-4 (1986); W. J. Stronge, Proc. R. Soc. A 431, 169-181 (1990);"
     " G. Darboux, Bull. Sci. Math. 4, 126-160 (1880).",
@@ -65,6 +65,7 @@ ESTIMATE = 30  # by so much, and more, an explicit step is better than the estim
 NEARLY = 1e-5  # of the speeds: a slip that dies within so little is followed straight to its end
 # From here on friction turns a slip too fast for an explicit step: one of some size, and one that starts from nothing.
 STIFF, STARTS = 60, 4
+LONG = 500  # steps: a course that takes more is stiff somewhere, and creeps from then on
 MOST_STEPS = 100_000
 HUMS = 10_000  # a ball that lands more often than that under one push is pressed on the floor
 
@@ -111,7 +112,7 @@ def _fading(ux: float, uy: float, rx: float, ry: float) -> tuple[float, float, f
 
 @kernel
 def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
-    y: Slips, q: Law, wall: int, floor: int, dw: Pair, df: Pair, rough: bool,
+    y: Slips, q: Law, wall: int, floor: int, dw: Pair, df: Pair, patience: int,
     compressing: bool, peak: float, pace: float, speed: float, scale: float,
 ) -> tuple[Slips, float, float, bool, bool]:  # fmt: skip
     """A step of a pressed ball, its length, the next one's, whether the mode has come to its end, and whether it went."""
@@ -152,7 +153,7 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
             if slips_f:
                 turn = min(turn, uf / size(k1[2], k1[3]))
             goes, order = True, 8
-            if _creeps(y, q, wall, floor, dw, df, far, fading_w, fading_f):
+            if _creeps(y, q, wall, floor, dw, df, far, fading_w, fading_f, patience):
                 order = 6
                 h = min(far, pace)
                 new, error, goes = creep(y, h, q, wall, floor, dw, df, zero)
@@ -240,8 +241,9 @@ def _taken(y: Slips, vz: float, q: Law, apart: bool, un: float) -> tuple[Slips, 
 
 @kernel
 def _creeps(
-    y: Slips, q: Law, wall: int, floor: int, dw: Pair, df: Pair, far: float, fading_w: float, fading_f: float
-) -> bool:
+    y: Slips, q: Law, wall: int, floor: int, dw: Pair, df: Pair, far: float, fading_w: float, fading_f: float,
+    patience: int,
+) -> bool:  # fmt: skip
     """Whether friction turns a slip many times faster than the way to go, ``far``, is long."""
     c, m, b, k, _d, e, drive, muw, muf, _heed = q
     zero = 0 * c
@@ -250,14 +252,14 @@ def _creeps(
     slip_w, slip_f = size(y[0], y[1]), size(y[2], y[3])
     if wall == SLIDE:
         turn = muw * k * (1 + (muf * c if floor == FLOOR_SLIP else zero))
-        if turn * far > STIFF * slip_w + STARTS * max(-fading_w, zero) * far:
+        if turn * far > patience * slip_w + STARTS * max(-fading_w, zero) * far:
             return True
         push = c * muw * (y[0] / slip_w if slip_w > 0 else dw[0]) - m * drive
         turn = muf * push * k
     else:
         apart = b - e * muf * c * (y[2] / slip_f if slip_f > 0 else df[0])
         turn = -muf * m * drive * k / apart * k * (1 + e * muf * c / apart)
-    return floor == FLOOR_SLIP and turn * far > STIFF * slip_f + STARTS * max(-fading_f, zero) * far
+    return floor == FLOOR_SLIP and turn * far > patience * slip_f + STARTS * max(-fading_f, zero) * far
 
 
 @kernel
@@ -274,7 +276,7 @@ def _course(  # noqa: PLR0915  (one loop over events; its parts stand above)
     dw = df = (1 + zero, zero)
     law = q
     p, gap, pace, peak, landings = zero, zero, math.inf, zero, 0
-    for _ in range(MOST_STEPS):
+    for i in range(MOST_STEPS):
         if touching and vz != 0:
             y, vz = (y[0] - c * vz, y[1], y[2], y[3], y[4]), zero
         if decide:
@@ -317,7 +319,7 @@ def _course(  # noqa: PLR0915  (one loop over events; its parts stand above)
             continue
         if floor != OFF:
             y, h, pace, decide, went = _pressed_step(
-                y, law, wall, floor, dw, df, rough_wall, compressing, peak, pace, speed, scale
+                y, law, wall, floor, dw, df, STIFF if i < LONG else STARTS, compressing, peak, pace, speed, scale
             )
             if level == 0 and floor != FLOOR_JUMP:
                 p += h

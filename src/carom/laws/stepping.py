@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 
-from carom.kernel import hot_kernel, kernel
+from carom.kernel import kernel
 from carom.laws.contact import SLIDE, STICK
 from carom.laws.two_contacts import FLOOR_SLIP, Law, Pair, Slips, rates, size
 
@@ -18,7 +18,7 @@ __all__ = ["creep", "hop", "mix", "stride"]
 ORDER = 6  # of the extrapolation in `creep`
 
 
-@hot_kernel
+@kernel
 def mix(y: Slips, h: float, a: float, p: Slips, b: float, q: Slips, c: float, r: Slips) -> Slips:
     """y + h (a p + b q + c r)."""
     return (
@@ -115,7 +115,7 @@ def _turned(q: Law, wall: int, floor: int, push: float, dw: Pair, df: Pair, at_w
 @kernel
 def _implicit(y: Slips, h: float, q: Law, wall: int, floor: int, dw: Pair, df: Pair) -> tuple[Slips, Pair, Pair, bool]:
     """Euler's implicit step: slips whose rates, taken at their own directions, lead there from y. Newton in the angles."""
-    c, m, b, k, _d, e, drive, muw, muf, _heed = q
+    c, m, b, k, _d, e, drive, muw, muf, heed = q
     one = 1 + 0 * h
     new, found = y, False
     for _ in range(20):
@@ -149,8 +149,7 @@ def _implicit(y: Slips, h: float, q: Law, wall: int, floor: int, dw: Pair, df: P
         df = ((df[0] - t2 * df[1]) / long, (df[1] + t2 * df[0]) / long)
         found = abs(t1) + abs(t2) < 1e-14
     # the energy goes with u_n at the end
-    now, _spare = rates(new, q, wall, floor, dw, df, math.inf)
-    new = (new[0], new[1], new[2], new[3], y[4] + h * now[4])
+    new = (new[0], new[1], new[2], new[3], y[4] - h * heed * c / (1 - m) * (new[0] + new[2]))
     ahead = (wall != SLIDE or dw[0] * new[0] + dw[1] * new[1] > 0) and (
         floor != FLOOR_SLIP or df[0] * new[2] + df[1] * new[3] > 0
     )
