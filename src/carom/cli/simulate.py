@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import _thread
 import contextlib
 import csv
 import math
+import signal
 import sys
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -190,15 +192,42 @@ def _run(scene: Scene, quiet: bool) -> Trajectory:
     with _busy(quiet) as say:
         if not quiet and not _compiled_before():
             say("compiling the engine, once", True)
-        compiled_engine()
+        with _interruptible():
+            compiled_engine()
         return follow(scene, lambda events, t: say(f"simulating: {events:,} events, {t:.4g} s", False))
+
+
+@contextlib.contextmanager
+def _interruptible() -> Iterator[None]:
+    """Ctrl-C ends the compiling too; where it comes inside a callback of LLVM, which swallows it, it comes again."""
+    asked = []
+
+    def note(_signal: int, _frame: Any) -> None:
+        asked.append(True)
+        raise KeyboardInterrupt
+
+    def again(fault: Any) -> None:
+        if issubclass(fault.exc_type, KeyboardInterrupt):
+            _thread.interrupt_main()
+        else:
+            hook(fault)
+
+    hook, sys.unraisablehook = sys.unraisablehook, again
+    before = signal.signal(signal.SIGINT, note)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGINT, before)
+        sys.unraisablehook = hook
+    if asked:  # something else swallowed it
+        raise KeyboardInterrupt
 
 
 def _compiled_before() -> bool:
     """Whether the engine lies compiled in the cache: what it compiles last is there."""
     from carom.compiled import cache_folder
 
-    return any(cache_folder().glob("*/run._many-*.nbi"))
+    return any(cache_folder().glob("*/loop.finish-*.nbi"))
 
 
 @contextlib.contextmanager

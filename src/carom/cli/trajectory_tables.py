@@ -72,6 +72,11 @@ def _triple(values: Any, count: int = 3) -> str:
     return ", ".join(number(0.0 if abs(x) < ROUNDING else x) for x in map(float, values[:count]))
 
 
+def _time(t: float) -> str:
+    """A time with its decimals: of a long run, too, events are told apart."""
+    return f"{t:.4f}" if t >= 0.01 or t == 0 else number(t, 4)
+
+
 def _axes(run: Trajectory) -> int:
     """How many axes the tables show: two, if all balls stay on the floor."""
     z = run.log["x"][:, 2] - np.array([ball.radius for ball in run.scene.balls])[run.log["ball"]]
@@ -94,7 +99,7 @@ def _events(run: Trajectory, most: int | None, wide: bool) -> Table:
             table.add_row("...")
         for event in part:
             name = f" {event.name}" if event.name else ""
-            row = [number(event.t, 4), *([run.scene.ball_names[event.ball]] if several else []), f"{event.kind}{name}"]
+            row = [_time(event.t), *([run.scene.ball_names[event.ball]] if several else []), f"{event.kind}{name}"]
             row += [_triple(event.after.position, axes), _triple(event.after.velocity, axes)]
             row += [_triple(event.after.spin)] if wide else []
             # where nothing is met, nothing is lost at once
@@ -111,8 +116,8 @@ def _states(run: Trajectory, times: list[float], wide: bool) -> Table:
     heads = [("at t, s", True), ("ball", True), ("phase", True), (f"place\n{names}, m", False)]
     heads += [(f"velocity\n{names}, m/s", False), ("spin\nx, y, z, rad/s", False)]
     table = _new(heads if wide else heads[:5])
-    asked = [(number(t, 4), run.at(t), list(run.phase(t))) for t in times]
-    for when, state, phases in [*asked, (f"end: {number(run.end, 4)}", run.final, run.final_phase)]:
+    asked = [(_time(t), run.at(t), list(run.phase(t))) for t in times]
+    for when, state, phases in [*asked, (f"end: {_time(run.end)}", run.final, run.final_phase)]:
         assert state.position is not None
         for i, name in enumerate(run.scene.ball_names):
             row = [_triple(state.position[i], axes), _triple(state.velocity[i], axes), _triple(state.spin[i])]
@@ -122,19 +127,15 @@ def _states(run: Trajectory, times: list[float], wide: bool) -> Table:
 
 def _energy(run: Trajectory) -> str:
     found = budget(run)
-    scale = max(abs(found.start), abs(found.end))
+    rounding = ROUNDING * max(abs(found.start), abs(found.end)) * (1 + len(run.events))
     places = (
         ("at walls", found.walls),
         ("at the floor", found.floor),
         ("between balls", found.balls),
         ("on the way", found.way),
     )
-    told = [
-        f"{number(abs(x))} J {'lost' if x > 0 else 'gained'} {where}"
-        for where, x in places
-        if abs(x) > ROUNDING * scale
-    ]
-    left = number(0.0 if abs(found.end) < ROUNDING * scale else found.end)
+    told = [f"{number(abs(x))} J {'lost' if x > 0 else 'gained'} {where}" for where, x in places if abs(x) > rounding]
+    left = number(0.0 if abs(found.end) < rounding else found.end)
     return f"Energy: {number(found.start)} J at the start; {''.join(f'{part}, ' for part in told)}{left} J left."
 
 
