@@ -195,4 +195,7 @@ def _gif(film: Film, path: Path, fps: float, tell: Progress) -> None:
     ends = np.round(np.arange(1, len(film.times) + 1) * 100 / fps).astype(int)
     durations = (10 * np.diff(ends, prepend=0)).tolist()
     images = pictures()
-    next(images).save(path, format="GIF", save_all=True, append_images=images, duration=durations, loop=0, disposal=1)
+    with path.open("wb") as file:
+        next(images).save(
+            file, format="GIF", save_all=True, append_images=images, duration=durations, loop=0, disposal=1
+        )

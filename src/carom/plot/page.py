@@ -46,7 +46,7 @@ def page(run: Trajectory, start: float, end: float, speed: float) -> str:
 
 
 def page_data(run: Trajectory, start: float, end: float, speed: float) -> dict[str, Any]:
-    """What the page knows of a run, from ``start`` to ``end``, numbers to nine digits.
+    """What the page knows of a run, from ``start`` to ``end``, numbers to nine digits, times to twelve.
 
     ``balls``: ``pieces`` are rows t, x, y, z, velocity, acceleration, number of the phase: between two rows the centre is
     on that parabola; ``turns`` are rows t and a quaternion (w, x, y, z).
@@ -85,7 +85,10 @@ def page_data(run: Trajectory, start: float, end: float, speed: float) -> dict[s
         "lowest": lowest,
         "highest": float(points[:, 2].max()) - lowest,
         "view": [*shown.x, *shown.y],
-        "walls": [[what, _rows(line, 6)] for line, what in walls_in(run, shown)],
+        "walls": [
+            [what, [[float(f"{x:.6g}") for x in point] for point in line.tolist()]]
+            for line, what in walls_in(run, shown)
+        ],
         "phases": list(PHASES),
         "words": WORDS,
         "balls": balls,
@@ -99,8 +102,8 @@ def _title(said: str) -> str:
 
 
 def _rows(array: Array, digits: int = 9) -> list[list[Any]]:
-    """Rows of numbers with so many significant digits; times, which stand first, keep nine."""
-    return [[float(f"{x:.{9 if k == 0 else digits}g}") for k, x in enumerate(row)] for row in array.tolist()]
+    """Rows of numbers with so many significant digits; times, which stand first, keep twelve."""
+    return [[float(f"{x:.{12 if k == 0 else digits}g}") for k, x in enumerate(row)] for row in array.tolist()]
 
 
 def _spans(run: Trajectory, ball: int, start: float, end: float) -> tuple[Any, Array]:
@@ -185,5 +188,5 @@ def _events(run: Trajectory, start: float, end: float) -> list[list[Any]]:
         )
         said = f"{names[row['ball']]} {HAPPENS.get(kind, kind).format(other)}"
         x, y = (float(f"{value:.6g}") for value in row["x"][:2])
-        found.append([float(f"{row['t']:.9g}"), said.rstrip(), int(row["ball"]), x, y, int(met)])
+        found.append([float(f"{row['t']:.12g}"), said.rstrip(), int(row["ball"]), x, y, int(met)])
     return found
