@@ -60,7 +60,7 @@ def story(run: Trajectory) -> list[str]:
     if run.ended == "duration":
         found.append(f"The run ends after its duration, {of_time(run.end)}, and {counted(len(run.events), 'event')}.")
     elif run.ended == "max_events":
-        found.append(f"The run ends at its greatest number of events, {_most(run)}, after {of_time(run.end)}.")
+        found.append(f"The run ends at its greatest number of events, {_most(run)}, after {_when(run.end)}.")
     return found
 
 
@@ -106,7 +106,7 @@ def _ball(run: Trajectory, features: Any, rows: Rows) -> str:
 
 def _skipped(parts: list[Rows]) -> str:
     """What is not told one by one."""
-    return f"Then come {_met([part[0] for part in parts], 'more ')}, up to {number(float(parts[-1]['t'][0]))} s."
+    return f"Then come {_met([part[0] for part in parts], 'more ')}, up to {_when(parts[-1]['t'][0])}."
 
 
 def _met(firsts: list[Any], more: str = "") -> str:
@@ -140,7 +140,12 @@ def _sentence(run: Trajectory, features: Any, part: Rows, end: float) -> str:
 
 
 def _at(row: Any) -> str:
-    return f"At {number(float(row['t']))} s"
+    return f"At {_when(row['t'])}"
+
+
+def _when(t: Any) -> str:
+    """A moment; late ones are told with all digits before the point."""
+    return f"{number(float(t))} s" if t < 1000 else f"{float(t):,.1f} s"
 
 
 def _speed(v: Any) -> float:
@@ -250,7 +255,7 @@ def _then(run: Trajectory, part: Rows, end: float) -> list[str]:
         elif phase == ROLLING and (k > 0 or part["kind"][0] != START):
             said.append("rolls on" if k == 0 else "rolls")
     if phases[-1] == REST and len(part) > 1 and run.end > end:
-        said.append(f"comes to rest at {_place(part[-1])} at {number(times[-2])} s")
+        said.append(f"comes to rest at {_place(part[-1])} at {_when(times[-2])}")
     return said
 
 
@@ -273,11 +278,11 @@ def _hop(run: Trajectory, part: Rows, lands: list[int], end: float) -> list[str]
         said.append(f"flies {length(far)}" if row["kind"] != START else f"comes down {length(far)} further on")
     bounces = [k for k in lands if part["phase"][k] in (FLIGHT, BOUNCING)]
     if not bounces:
-        return [*said, f"lands at {number(float(first['t']))} s"]
+        return [*said, f"lands at {_when(first['t'])}"]
     last = bounces[-1]
     ever = part["phase"][last] == BOUNCING
     more = f", the last time in infinitely many hops within {of_time(_settles(part, last, end))}" if ever else ""
-    return [*said, f"bounces {_times(len(bounces))} from {number(float(first['t']))} s on{more}"]
+    return [*said, f"bounces {_times(len(bounces))} from {_when(first['t'])} on{more}"]
 
 
 def _times(count: int) -> str:
@@ -303,16 +308,17 @@ def _outcome(run: Trajectory, rows: Rows) -> str:
     met = _met(list(rows[1:]))
     after = "" if met == "nothing" else f" and {met}" if " and " not in met else f", {met}"
     if phase == REST:
-        return f"It comes to rest at {_place(last)} after {number(float(last['t']))} s{after}."
+        return f"It comes to rest at {_place(last)} after {_when(last['t'])}{after}."
     final = run.final
     assert final.position is not None
     v = final.velocity[ball]
-    how = f"{DOING[phase]} at {number(_speed(v))} m/s" if phase != PIVOTING else DOING[phase]
+    how = f"{DOING[phase]} at {number(_speed(v))} m/s" if phase != PIVOTING and _speed(v) > 0 else DOING[phase]
     if run.ended == "nothing more happens":
-        on = "goes on spinning on the spot" if phase == PIVOTING else how.replace(" ", " on ", 1)
+        verb = DOING[phase]
+        on = "goes on spinning on the spot" if phase == PIVOTING else how.replace(verb, f"{verb} on", 1)
         return f"Then it meets nothing more, and {on}{_direction(v) if _speed(v) else ''}."
     x, y, _z = (number(float(c)) for c in final.position[ball])
-    return f"At the end, after {number(run.end)} s{after}, it {how} at ({x}, {y}) m."
+    return f"At the end, after {_when(run.end)}{after}, it {how} at ({x}, {y}) m."
 
 
 def _others(run: Trajectory, balls: list[Rows]) -> str:
