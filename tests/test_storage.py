@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -157,6 +158,18 @@ def test_where_it_cannot_be_saved(runs: dict[str, carom.Trajectory], name: str, 
         runs["nothing"].save(tmp_path / name)
     assert len(caught.value.faults) == 1
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(("library", "name"), [("pyarrow", "run.parquet"), ("h5py", "run.nc"), ("xarray", "run.nc")])
+def test_a_missing_library_is_named(
+    runs: dict[str, carom.Trajectory], library: str, name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = runs["nothing"].save(tmp_path / name)
+    monkeypatch.setitem(sys.modules, library, None)
+    with pytest.raises(carom.CaromError, match=f"{name}: needs {library}, .*pip install {library}"):
+        runs["nothing"].save(path)
+    with pytest.raises(carom.CaromError, match=f"{name}: needs {library}, .*pip install {library}"):
+        carom.load_trajectory(path)
 
 
 def test_a_file_that_is_there_stays_if_saving_fails(runs: dict[str, carom.Trajectory], tmp_path: Path) -> None:

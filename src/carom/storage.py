@@ -6,7 +6,6 @@ events and phases are kept by name, so that a later carom may number them otherw
 
 from __future__ import annotations
 
-import importlib
 import json
 import os
 import tempfile
@@ -25,7 +24,7 @@ from carom.law import Law
 from carom.motion.phases import PHASES
 from carom.scene.faults import told
 from carom.scene.model import Scene
-from carom.tidy import UNITS
+from carom.tidy import UNITS, library
 from carom.trajectory import Trajectory
 
 __all__ = ["FORMAT", "KINDS_OF_FILE", "load_trajectory", "require_place", "save", "whole", "write_parquet"]
@@ -76,16 +75,6 @@ def whole(path: Path) -> Iterator[Path]:
         raise CaromError(f"{path}: expected a place to write to, got: {error.strerror or error}") from None
 
 
-def _library(path: Path, name: str, extra: str) -> Any:
-    """A library that the base install does not have."""
-    try:
-        return importlib.import_module(name)
-    except ImportError:
-        raise CaromError(
-            f"{path.name}: needs {name}, which is not installed; run: pip install 'carom[{extra}]'"
-        ) from None
-
-
 # --- saving --------------------------------------------------------------------------------------------------------
 
 
@@ -129,8 +118,8 @@ def _scene_text(scene: Scene) -> str:
 
 def write_parquet(columns: dict[str, Array], metadata: dict[str, str], path: Path) -> None:
     """Columns as a Parquet file, each with its unit."""
-    pa = _library(path, "pyarrow", "parquet")
-    pq = _library(path, "pyarrow.parquet", "parquet")
+    pa = library("pyarrow", "parquet", path.name)
+    pq = library("pyarrow.parquet", "parquet", path.name)
     arrays = {name: pa.array(values) for name, values in columns.items()}
     fields = [
         pa.field(name, array.type, nullable=False, metadata={"unit": UNITS[name]} if name in UNITS else None)
@@ -154,8 +143,9 @@ def _columns(log: Array) -> dict[str, Array]:
 
 
 def _to_netcdf(log: Array, about: dict[str, Any], path: Path) -> None:
-    xarray = _library(path, "xarray", "xarray")
-    _library(path, "h5netcdf", "xarray")
+    xarray = library("xarray", "xarray", path.name)
+    for name in ("h5netcdf", "h5py"):
+        library(name, "xarray", path.name)
     variables = {}
     for field in LOG.names or ():
         note: dict[str, Any] = {"units": UNIT_OF[field]} if field in UNIT_OF else {}
@@ -213,8 +203,8 @@ def _known_format(path: Path, about: dict[str, Any]) -> None:
 
 
 def _from_parquet(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
-    pa = _library(path, "pyarrow", "parquet")
-    pq = _library(path, "pyarrow.parquet", "parquet")
+    pa = library("pyarrow", "parquet", path.name)
+    pq = library("pyarrow.parquet", "parquet", path.name)
     try:
         with pq.ParquetFile(path) as file:
             text = (file.schema_arrow.metadata or {}).get(b"carom")
@@ -251,8 +241,9 @@ def _numbers(path: Path, table: Any, name: str) -> Array:
 
 
 def _from_netcdf(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
-    xarray = _library(path, "xarray", "xarray")
-    _library(path, "h5netcdf", "xarray")
+    xarray = library("xarray", "xarray", path.name)
+    for name in ("h5netcdf", "h5py"):
+        library(name, "xarray", path.name)
     try:
         # nothing decoded: neither times nor missing numbers
         with xarray.open_dataset(path, engine="h5netcdf", decode_cf=False) as dataset:

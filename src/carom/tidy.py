@@ -5,6 +5,7 @@ All numbers are in SI units; ``table.attrs["units"]``, and in a Dataset every va
 
 from __future__ import annotations
 
+import importlib
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     import pandas
     import xarray
 
-__all__ = ["UNITS", "event_columns", "events_table", "states_dataset", "states_table"]
+__all__ = ["UNITS", "event_columns", "events_table", "library", "states_dataset", "states_table"]
 
 Columns = dict[str, NDArray[Any]]
 AXES = ("x", "y", "z")
@@ -32,14 +33,14 @@ UNITS = {
 }  # fmt: skip
 
 
-def _library(name: str, extra: str, what: str) -> Any:
+def library(name: str, extra: str, what: str) -> Any:
     """A library that the base install does not have."""
-    import importlib
-
     try:
         return importlib.import_module(name)
     except ImportError:
-        raise CaromError(f"{what}: needs {name}, which is not installed; run: pip install 'carom[{extra}]'") from None
+        raise CaromError(
+            f"{what}: needs {name}, which is not installed; run: pip install {name} (or install carom's extra {extra!r})"
+        ) from None
 
 
 def _parts(columns: Columns, name: str, vectors: NDArray[np.float64], after: str = "") -> None:
@@ -88,7 +89,7 @@ def event_columns(run: Trajectory, rows: NDArray[np.void]) -> Columns:
 
 
 def _frame(columns: Columns, what: str) -> pandas.DataFrame:
-    pandas = _library("pandas", "pandas", what)
+    pandas = library("pandas", "pandas", what)
     frame = pandas.DataFrame(columns)
     frame.attrs["units"] = {name: UNITS[name] for name in columns if name in UNITS}
     return frame  # type: ignore[no-any-return]
@@ -120,11 +121,11 @@ def states_dataset(run: Trajectory, times: NDArray[np.float64]) -> xarray.Datase
 
     ``orientation`` is a unit quaternion (w, x, y, z) from the body's frame.
     """
-    library = _library("xarray", "xarray", "Trajectory.to_xarray")
+    labelled = library("xarray", "xarray", "Trajectory.to_xarray")
     times = times.ravel()
     state = run.at(times)
     vector = ("time", "ball", "axis")
-    dataset: xarray.Dataset = library.Dataset(
+    dataset: xarray.Dataset = labelled.Dataset(
         {
             "position": (vector, state.position, {"units": "m"}),
             "velocity": (vector, state.velocity, {"units": "m/s"}),
