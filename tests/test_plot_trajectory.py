@@ -152,15 +152,16 @@ def test_marks_stand_where_things_happen() -> None:
 
 def test_only_the_chosen_balls() -> None:
     run = carom.simulate(three())
+    assert len({colour(run, i) for i in range(3)}) == 3
     axes = run.plot(ball="red").axes[0]
     inks = {
         line.get_color()
         for line in axes.lines
-        if len(line.get_xdata()) > 1 and line.get_color() in map(colour, range(3))
+        if len(line.get_xdata()) > 1 and line.get_color() in [colour(run, i) for i in range(3)]
     }
-    assert inks == {colour(2)}
+    assert inks == {colour(run, 2)}
     both = run.plot(ball=[0, "red"]).axes[0]
-    assert {line.get_color() for line in both.lines if line.get_marker() == "None"} >= {colour(0), colour(2)}
+    assert {line.get_color() for line in both.lines if line.get_marker() == "None"} >= {colour(run, 0), colour(run, 2)}
 
 
 @pytest.mark.parametrize("kind", ["svg", "pdf", "png"])

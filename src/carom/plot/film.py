@@ -163,7 +163,7 @@ class Film:
             line = np.append(points[first:past], places[i][None], axis=0)
             faint.append(self._place(line))
             strong.append(self._place(line[max(0, int(np.searchsorted(times[first:past], t - TRAIL)) - 1) :]))
-            inks.append(colour(int(i)))
+            inks.append(colour(self.run, int(i)))
         self.faint.set(segments=faint, color=inks)
         self.strong.set(segments=strong, color=inks)
         shapes, faces = self._shapes(n, there)
@@ -192,14 +192,14 @@ class Film:
             from matplotlib.colors import to_rgba
 
             shapes.append(at + r * DISC)
-            faces.append(to_rgba(colour(i)))
+            faces.append(to_rgba(colour(self.run, i)))
             for k, rim in enumerate(_spots(self.turned[n, i], side)):
                 if (rim[:, 2] > 0).any():
                     shapes.append(at + r * rim[:, :2])
                     faces.append((1, 1, 1, 0.95 if k < 4 else 0.55))
             # a rim, which a spot at the edge does not bite into; and a light from the upper left
             shapes.append(at + r * np.concatenate((DISC, 0.93 * DISC[::-1])))
-            faces.append(to_rgba(colour(i)))
+            faces.append(to_rgba(colour(self.run, i)))
             for size in (0.55, 0.36):
                 shapes.append(at + r * np.array([-0.3, 0.3]) + size * r * DISC)
                 faces.append((1, 1, 1, 0.09))

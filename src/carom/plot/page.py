@@ -64,7 +64,7 @@ def page_data(run: Trajectory, start: float, end: float, speed: float) -> dict[s
         balls.append(
             {
                 "name": names[i],
-                "colour": colour(i),
+                "colour": colour(run, i),
                 "radius": ball.radius,
                 "pieces": _rows(pieces),
                 "turns": _rows(turns, 7),

@@ -20,15 +20,20 @@ __all__ = ["SEEN", "View", "colour", "last_time", "steps", "view", "walls_in", "
 Array = NDArray[np.float64]
 # Okabe & Ito's colours, which colour-blind people tell apart.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+# A white ball is drawn grey, so that it is seen on paper.
+CALLED = {
+    "white": "#8f887c", "yellow": "#dba800", "red": "#c23616", "blue": "#0072B2", "green": "#009E73", "black": "#222222",
+    "orange": "#D55E00", "brown": "#8c5a2b", "pink": "#CC79A7",
+}  # fmt: skip
 # A hop of less than this part of the radius cannot be seen.
 SEEN = 1e-3
 # Above this number of events paths are drawn with fewer points.
 MANY = 4000
 
 
-def colour(ball: int) -> str:
-    """The colour of a ball, by its number."""
-    return COLOURS[ball % len(COLOURS)]
+def colour(run: Trajectory, ball: int) -> str:
+    """The colour of a ball: the one that it is called after, or else by its number."""
+    return CALLED.get(run.scene.ball_names[ball].lower(), COLOURS[ball % len(COLOURS)])
 
 
 def last_time(run: Trajectory) -> float:

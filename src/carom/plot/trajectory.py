@@ -152,7 +152,7 @@ def _above(axes: Any, run: Trajectory, shown: View, ways: dict[int, list[Any]], 
     assert last is not None
     start = np.array(run.start.position)
     for i in balls:
-        a, ink = run.scene.balls[i].radius, colour(i)
+        a, ink = run.scene.balls[i].radius, colour(run, i)
         for phase, _t, x in ways[i]:
             if phase in MOTION:
                 dashes = "solid" if one else STYLES[MOTION[phase]]
@@ -189,14 +189,14 @@ def _marks(axes: Any, run: Trajectory, balls: list[int]) -> None:
     for kind, (_label, mark, size) in MARKS.items():
         for i in balls:
             x = rows["x"][(rows["kind"] == kind) & (rows["ball"] == i)]
-            face = "white" if kind == FLOOR else colour(i)
+            face = "white" if kind == FLOOR else colour(run, i)
             axes.plot(
                 x[:, 0],
                 x[:, 1],
                 mark,
                 ms=size * min(1.0, max(0.6, 30 / max(len(rows), 1))),
                 mfc=face,
-                mec=colour(i),
+                mec=colour(run, i),
                 mew=0.7,
                 zorder=6,
                 ls="none",
@@ -245,7 +245,7 @@ def _height(axes: Any, run: Trajectory, ways: dict[int, list[Any]]) -> None:
     for i, pieces in lifts.items():
         axes.plot(
             np.concatenate([t for t, _z in pieces]), factor * np.concatenate([z for _t, z in pieces]),
-            color=colour(i), lw=1.0,
+            color=colour(run, i), lw=1.0,
         )  # fmt: skip
     axes.set_ylabel(f"{'height above the floor' if floor else 'height z'}, {unit}")
     if floor:
@@ -259,7 +259,7 @@ def _energy(axes: Any, run: Trajectory, balls: list[int], until: float) -> None:
     factor, unit = _scaled(float(np.abs(total).max()), "J")
     if len(balls) > 1:
         for k, i in enumerate(balls):
-            axes.plot(t, factor * each[:, k], color=colour(i), lw=1.0, zorder=3)
+            axes.plot(t, factor * each[:, k], color=colour(run, i), lw=1.0, zorder=3)
     axes.plot(t, factor * total, color=INK, lw=1.3, zorder=4)
     axes.fill_between(t, factor * total, color=PALE, lw=0, zorder=-1)
     low, high = min(0.0, float(total.min())), max(0.0, float(total.max()))
@@ -276,7 +276,7 @@ def _legend(
     entries: list[Any] = []
     if 1 < len(balls) <= 6:
         names = run.scene.ball_names
-        entries += [Line2D([], [], color=colour(i), marker="o", ms=5, lw=1.5, label=names[i]) for i in balls]
+        entries += [Line2D([], [], color=colour(run, i), marker="o", ms=5, lw=1.5, label=names[i]) for i in balls]
     moved = {MOTION[phase] for pieces in ways.values() for phase, _t, _x in pieces if phase in MOTION}
     if len(moved) > 1:
         entries += [Line2D([], [], color=INK, ls=STYLES[m], lw=1.4, label=m) for m in STYLES if m in moved]
@@ -292,6 +292,6 @@ def _legend(
     if len(balls) > 1:
         entries.append(Line2D([], [], color=INK, lw=1.3, label="energy of all"))
     figure.legend(
-        handles=entries, loc="upper left", bbox_to_anchor=at, ncols=min(len(entries), 9), frameon=False, fontsize=7.5,
+        handles=entries, loc="upper left", bbox_to_anchor=at, ncols=min(len(entries), 7), frameon=False, fontsize=7.5,
         handlelength=1.9, columnspacing=1.2, handletextpad=0.5, borderaxespad=0.0,
     )  # fmt: skip
