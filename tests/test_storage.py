@@ -111,6 +111,16 @@ def test_the_same_bits_come_back(runs: dict[str, carom.Trajectory], name: str, k
     assert back.events.kinds == run.events.kinds
 
 
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_long_description(kind: str, tmp_path: Path) -> None:
+    """HDF5 has a limit of 64 kB for some attributes."""
+    balls = [BALL | {"position": (i, 0), "name": f"ball number {i}"} for i in range(1000)]
+    run = carom.simulate(carom.Scene(balls=balls, floor={"friction": 0.2}))
+    assert len(run.scene.model_dump_json()) > 100_000
+    back = carom.load_trajectory(run.save(tmp_path / f"run{kind}"))
+    assert back.scene.model_dump() == run.scene.model_dump()
+
+
 def test_the_runs_are_worth_saving(runs: dict[str, carom.Trajectory]) -> None:
     kinds = set(runs["bounces"].events.kinds)
     assert {"wall", "floor", "ball"} <= kinds
@@ -168,6 +178,9 @@ def test_a_missing_library_is_named(
     monkeypatch.setitem(sys.modules, library, None)
     with pytest.raises(carom.CaromError, match=f"{name}: needs {library}, .*pip install {library}"):
         runs["nothing"].save(path)
+    if library == "xarray":  # needed for writing only
+        carom.load_trajectory(path)
+        return
     with pytest.raises(carom.CaromError, match=f"{name}: needs {library}, .*pip install {library}"):
         carom.load_trajectory(path)
 
@@ -202,6 +215,18 @@ def test_damaged_files(runs: dict[str, carom.Trajectory], kind: str, tmp_path: P
         assert "expected" in one_line(path)
 
 
+@pytest.mark.parametrize("kind", KINDS)
+def test_one_changed_bit_is_seen(runs: dict[str, carom.Trajectory], kind: str, tmp_path: Path) -> None:
+    run = runs["bounces"]
+    path = run.save(tmp_path / f"run{kind}")
+    number = run.log["v"][-1, 0].tobytes()
+    whole = path.read_bytes()
+    assert number in whole
+    at = whole.rindex(number)
+    path.write_bytes(whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1 :])
+    assert "changed since" in one_line(path)
+
+
 def test_foreign_files(tmp_path: Path) -> None:
     pq.write_table(pa.table({"t": [1.0]}), tmp_path / "other.parquet")
     xarray.Dataset({"t": ("row", [1.0])}).to_netcdf(tmp_path / "other.nc", engine="h5netcdf")
@@ -220,14 +245,14 @@ def test_a_file_of_a_later_carom(runs: dict[str, carom.Trajectory], tmp_path: Pa
     assert f"format {storage.FORMAT + 1}" in one_line(tmp_path / "later.nc")
 
 
-def test_a_log_and_a_scene_that_do_not_go_together(runs: dict[str, carom.Trajectory], tmp_path: Path) -> None:
+def test_another_description_or_other_columns(runs: dict[str, carom.Trajectory], tmp_path: Path) -> None:
     path = runs["bounces"].save(tmp_path / "run.parquet")
     other = runs["nothing"].scene.model_dump_json()
-    assert "does not go with its scene" in one_line(changed(path, tmp_path, scene=other))
-    one_line(changed(path, tmp_path, scene="{"))
+    for field, value in (("scene", other), ("end", 1.0), ("ended", "max_events")):
+        assert "changed since" in one_line(changed(path, tmp_path, **{field: value}))
     one_line(changed(path, tmp_path, end="soon"))
-    one_line(changed(path, tmp_path, carom_format="1"))
-    assert "balls" in one_line(changed(path, tmp_path, scene="{}"))
+    one_line(changed(path, tmp_path, scene=None))
+    assert "no number of its format" in one_line(changed(path, tmp_path, carom_format="1"))
     table = pq.read_table(path)
     pq.write_table(table.drop_columns(["vx"]), tmp_path / "less.parquet")
     assert "vx" in one_line(tmp_path / "less.parquet")

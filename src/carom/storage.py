@@ -6,6 +6,7 @@ events and phases are kept by name, so that a later carom may number them otherw
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import tempfile
@@ -18,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import ValidationError
 
-from carom.engine.arrays import KINDS, LOG, START
+from carom.engine.arrays import KINDS, LOG
 from carom.errors import CaromError
 from carom.law import Law
 from carom.motion.phases import PHASES
@@ -91,12 +92,21 @@ def save(run: Trajectory, path: Path) -> Path:
         "end": run.end,
         "ended": run.ended,
     }
+    about["sha256"] = _digest(run.log, about)
     with whole(path) as part:
         if path.suffix.lower() == ".nc":
             _to_netcdf(run.log, about, part)
         else:
             write_parquet(_columns(run.log), {"carom": json.dumps(about)}, part)
     return path
+
+
+def _digest(log: Array, about: dict[str, Any]) -> str:
+    """A checksum over all that the file holds: a file in which one bit has changed is no longer the run."""
+    digest = hashlib.sha256(f"{about['scene']} {float(about['end'])!r} {about['ended']}".encode())
+    for values in _columns(log).values():
+        digest.update(" ".join(values).encode() if values.dtype == object else values.tobytes())
+    return digest.hexdigest()
 
 
 def _version() -> str:
@@ -173,13 +183,24 @@ def load_trajectory(path: str | Path) -> Trajectory:
             pass
     except OSError as error:
         raise CaromError(f"{path}: expected a run that carom saved, got: {error.strerror}") from None
-    about, fields = _from_netcdf(path) if path.suffix.lower() == ".nc" else _from_parquet(path)
-    scene, end = _scene(path, about)
+    try:
+        about, fields = _from_netcdf(path) if path.suffix.lower() == ".nc" else _from_parquet(path)
+    except UnicodeDecodeError:
+        raise _damaged(path, "one with letters that are none") from None
     log = np.zeros(len(fields["t"]), LOG)
     for field, values in fields.items():
         log[field] = _codes(path, field, values) if field in NAMED else values
-    _check(path, log, scene)
-    return Trajectory(scene, log, end, str(about["ended"]))
+    try:
+        whole_as_saved = about["sha256"] == _digest(log, about)
+    except (KeyError, TypeError, ValueError):
+        raise _damaged(path, "one whose description cannot be read") from None
+    if not whole_as_saved:
+        raise _damaged(path, "one that was changed since")
+    try:
+        scene = Scene.model_validate(json.loads(about["scene"]))
+    except ValidationError as error:
+        raise CaromError(*told(f"{path}: scene", error, Scene)) from None
+    return Trajectory(scene, log, float(about["end"]), str(about["ended"]))
 
 
 def _damaged(path: Path, what: str) -> CaromError:
@@ -193,7 +214,7 @@ def _foreign(path: Path, kind: str) -> CaromError:
 def _known_format(path: Path, about: dict[str, Any]) -> None:
     """CaromError for a file of a later carom. First of all: its columns may be others."""
     number = about.get("carom_format")
-    if not isinstance(number, (int, np.integer)):
+    if not isinstance(number, int):
         raise _damaged(path, "no number of its format")
     if number > FORMAT:
         raise CaromError(
@@ -215,7 +236,7 @@ def _from_parquet(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
             table = file.read()
     except (pa.ArrowException, OSError) as error:
         raise CaromError(f"{path}: expected a whole Parquet file, got: {str(error).splitlines()[0]}") from None
-    except (json.JSONDecodeError, UnicodeDecodeError, AttributeError):
+    except (json.JSONDecodeError, AttributeError):
         raise _damaged(path, "one whose description cannot be read") from None
     names = list(_columns(np.zeros(0, LOG)))
     if missing := [name for name in names if name not in table.column_names]:
@@ -241,17 +262,15 @@ def _numbers(path: Path, table: Any, name: str) -> Array:
 
 
 def _from_netcdf(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
-    xarray = library("xarray", "xarray", path.name)
-    for name in ("h5netcdf", "h5py"):
-        library(name, "xarray", path.name)
+    h5py = library("h5py", "xarray", path.name)
     try:
-        # nothing decoded: neither times nor missing numbers
-        with xarray.open_dataset(path, engine="h5netcdf", decode_cf=False) as dataset:
-            about = dict(dataset.attrs)
+        # as HDF5, which NetCDF is: nothing is decoded, neither times nor missing numbers
+        with h5py.File(path) as file:
+            about = {name: _plain(value) for name, value in file.attrs.items()}
             if "carom_format" not in about:
                 raise _foreign(path, "a NetCDF file")
             _known_format(path, about)
-            found = {name: (np.array(v), v.attrs.get("flag_meanings")) for name, v in dataset.variables.items()}
+            found = {name: (file[name][()], file[name].attrs.get("flag_meanings")) for name in file}
     except CaromError:
         raise
     except Exception as error:  # HDF5 tells of damage in many classes
@@ -272,15 +291,9 @@ def _from_netcdf(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
     return about, fields
 
 
-def _scene(path: Path, about: dict[str, Any]) -> tuple[Scene, float]:
-    try:
-        table, end, _ended = json.loads(about["scene"]), float(about["end"]), about["ended"]
-    except (KeyError, TypeError, ValueError):
-        raise _damaged(path, "one whose description cannot be read") from None
-    try:
-        return Scene.model_validate(table), end
-    except ValidationError as error:
-        raise CaromError(*told(f"{path}: scene", error, Scene)) from None
+def _plain(value: Any) -> Any:
+    """An attribute as Python has it."""
+    return np.ravel(value)[0].item() if isinstance(value, (np.ndarray, np.generic)) and np.size(value) == 1 else value
 
 
 def _codes(path: Path, field: str, names: list[Any]) -> list[int]:
@@ -289,18 +302,3 @@ def _codes(path: Path, field: str, names: list[Any]) -> list[int]:
         return [known[name] for name in names]
     unknown = next(name for name in names if name not in known)
     raise _damaged(path, f"a {field} {unknown!r}")
-
-
-def _check(path: Path, log: Array, scene: Scene) -> None:
-    """The log begins with the balls' starts and speaks of nothing that the scene has not."""
-    balls = len(scene.balls)
-    starts = log[:balls]
-    if (
-        len(starts) < balls
-        or (starts["ball"] != np.arange(balls)).any()
-        or (starts["kind"] != START).any()
-        or (log["ball"] < 0).any()
-        or (log["ball"] >= balls).any()
-        or (np.diff(log["t"]) < 0).any()
-    ):
-        raise _damaged(path, "a log that does not go with its scene")
