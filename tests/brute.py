@@ -30,7 +30,7 @@ def bounce(v, w, a, kappa, e, mu, beta):
 
 
 @numba.njit(cache=False)
-def follow(v, w, n, a, kappa, e, mu, beta, g, h, longest):  # noqa: PLR0912
+def follow(v, w, n, a, kappa, e, mu, beta, g, h, longest):
     """Whether it rolls within `longest`; the deepest place behind the wall before that, and before it first lands; the
 
     nearest approach to the wall once it has been 1e-5 m away. Velocity and spin in the end are left in v and w.

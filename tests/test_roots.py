@@ -208,7 +208,7 @@ def pair(rng, roots, i=0):
     return roots
 
 
-def make(kind, degree, rng):  # noqa: PLR0912  (one branch a kind)
+def make(kind, degree, rng):
     T = np.full(COUNT, 3.0)
     roots = rng.uniform(-0.5, 2.5, (COUNT, degree)).astype(complex)
     if kind == "random coefficients":
