@@ -38,7 +38,7 @@ WHY = (
     "it meets the wall again before it rolls: its spin turns it round",
     "undecided after a million bounces",
     "wall and floor at once have no law with tangential restitution",
-    "wall and floor lock each other: not followed to its end (frictions of 10 and more)",
+    "wall and floor lock each other: not followed to its end",
     "its spin turns it round: it rolls back into the wall and meets it again",
 )
 
