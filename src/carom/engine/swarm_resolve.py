@@ -1,0 +1,96 @@
+"""Many balls: what a collision does. The one contact kernel, with the measures that it feeds."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from carom.engine.queue import S, U
+from carom.kernel import Vec, hot_kernel, kernel, vector
+from carom.laws.contact import contact, one_contact
+from carom.laws.pair import pair_contact
+
+__all__ = ["meet", "meet_wall", "put_velocity"]
+
+
+@hot_kernel
+def put_velocity(ball: Any, v: Vec) -> None:
+    """Write a velocity."""
+    ball.vx, ball.vy, ball.vz = v[0], v[1], v[2]
+
+
+@hot_kernel
+def _nearest(x: float, side: float) -> float:
+    """A difference along a periodic axis, of the images that are nearest; side 0: not periodic."""
+    if x > side / 2:
+        return x - side
+    return x + side if x < -side / 2 else x
+
+
+@hot_kernel
+def meet(swarm: Any, motions: Any, bodies: Any, species: Any, pairs: Any, i: int, j: int, now: float) -> float:
+    """Balls i and j touch: new velocities and spins; the impulse along the line of centres times their distance."""
+    a, b = motions[U(i)], motions[U(j)]
+    kind1, kind2 = S(a.kind), S(b.kind)
+    pair = pairs[U(kind1 * swarm.kinds + kind2)]
+    one, two = species[U(kind1)], species[U(kind2)]
+    rx, ry, rz = a.x - b.x, a.y - b.y, a.z - b.z
+    if swarm.periodic[0]:
+        rx = _nearest(rx, swarm.side[0])
+    if swarm.periodic[1]:
+        ry = _nearest(ry, swarm.side[1])
+    if swarm.periodic[2]:
+        rz = _nearest(rz, swarm.side[2])
+    far = math.sqrt(rx * rx + ry * ry + rz * rz)
+    n = (rx / far, ry / far, rz / far)
+    e = pair.e
+    if swarm.soft > 0:
+        first, second = bodies[U(i)], bodies[U(j)]
+        if now - max(first.met, second.met) < swarm.soft:
+            e = 1.0
+        first.met = second.met = now
+    if pair.smooth:
+        un = (a.vx - b.vx) * n[0] + (a.vy - b.vy) * n[1] + (a.vz - b.vz) * n[2]
+        m1, m2 = one.mass, two.mass
+        pn, _f, _required, _regime = contact(un, (0.0, 0.0, 0.0), m1 * m2 / (m1 + m2), 1.0, e, 0.0, 0.0)
+        c = pn / m1
+        put_velocity(a, (a.vx + c * n[0], a.vy + c * n[1], a.vz + c * n[2]))
+        c = pn / m2
+        put_velocity(b, (b.vx - c * n[0], b.vy - c * n[1], b.vz - c * n[2]))
+    else:
+        first, second = bodies[U(i)], bodies[U(j)]
+        v1, w1, v2, w2, p, _required, _regime = pair_contact(
+            (a.vx, a.vy, a.vz), vector(first.w), (b.vx, b.vy, b.vz), vector(second.w), n,
+            one.radius, one.mass, one.kappa, two.radius, two.mass, two.kappa, e, pair.mu, pair.beta,
+        )  # fmt: skip
+        pn = p[0] * n[0] + p[1] * n[1] + p[2] * n[2]
+        put_velocity(a, v1)
+        put_velocity(b, v2)
+        first.w[0], first.w[1], first.w[2] = w1[0], w1[1], w1[2]
+        second.w[0], second.w[1], second.w[2] = w2[0], w2[1], w2[2]
+    swarm.overlap = max(swarm.overlap, (pair.reach - far) / pair.reach)
+    a.count += 1
+    b.count += 1
+    return pn * far
+
+
+@kernel
+def meet_wall(swarm: Any, ball: Any, body: Any, one: Any, walls: Any, which: int, now: float) -> None:
+    """A ball meets wall ``which`` (2 axis + (1: the upper one)) of the box."""
+    wall = walls[which * swarm.kinds + S(ball.kind)]
+    side = -1.0 if which & 1 else 1.0
+    axis = which >> 1
+    n = (side if axis == 0 else 0.0, side if axis == 1 else 0.0, side if axis == 2 else 0.0)
+    e = wall.e
+    if swarm.soft > 0:
+        if now - body.met < swarm.soft:
+            e = 1.0
+        body.met = now
+    v, w, j, _required, _regime = one_contact(
+        (ball.vx, ball.vy, ball.vz), vector(body.w), n, one.radius, one.kappa, e, wall.mu, wall.beta
+    )
+    put_velocity(ball, v)
+    body.w[0], body.w[1], body.w[2] = w[0], w[1], w[2]
+    swarm.push[which] += one.mass * side * j[axis]
+    swarm.wall_hits += 1
+    ball.count += 1

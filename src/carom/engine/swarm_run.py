@@ -1,0 +1,143 @@
+"""The loop of many balls compiled, and its arrays made: from plain arrays of numbers to records, and on from there."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.engine import swarm
+from carom.engine.cells import tables
+from carom.engine.swarm_arrays import BODY, DONE, FULL, MOTION, PLAN, ROOM
+
+__all__ = ["Arrays", "advance", "balls_at", "make", "restore"]
+
+SLOTS = 8  # of a cell at first: its count, and room for 7 balls
+BINS = 8  # of the calendar, a ball
+LINE = 64  # bytes of a cache line
+
+
+class Arrays(NamedTuple):
+    """All of a swarm. The first eight are its state, to be saved; the rest follows from them."""
+
+    swarm: NDArray[np.void]
+    motions: NDArray[np.void]
+    plans: NDArray[np.void]
+    bodies: NDArray[np.void]
+    species: NDArray[np.void]
+    pairs: NDArray[np.void]
+    walls: NDArray[np.void]
+    heads: NDArray[np.uint32]
+    cells: NDArray[np.uint32]
+    offsets: NDArray[np.int64]
+    shifts: NDArray[np.float64]
+    found: NDArray[np.uint32]
+    times: NDArray[np.float64]
+    near: NDArray[np.float64]
+
+
+class _Compiled(NamedTuple):
+    place: Callable[..., Any]
+    refill: Callable[..., Any]
+    start: Callable[..., Any]
+    run: Callable[..., Any]
+    bring_to_now: Callable[..., Any]
+
+
+@functools.cache
+def _compiled() -> _Compiled:
+    from carom.compiled import njit
+
+    return _Compiled(*(njit(getattr(swarm, name)) for name in _Compiled._fields))
+
+
+def _aligned(count: int, kind: np.dtype[Any]) -> NDArray[Any]:
+    """Zeros that begin on a cache line, so that no record of 64 bytes lies on two."""
+    raw = np.zeros(count * kind.itemsize + LINE, np.uint8)
+    skip = -raw.ctypes.data % LINE
+    return raw[skip : skip + count * kind.itemsize].view(kind)
+
+
+def _cells(world: NDArray[np.void], slots: int) -> tuple[Any, ...]:
+    """The cells, empty, with so many slots each, and what is looked up and written while they are searched."""
+    one = world[0]
+    # beyond a wall lies a layer of cells without balls
+    shape = [int(n) + (0 if periodic else 1) for n, periodic in zip(one["cells"], one["periodic"], strict=True)]
+    one["stride"] = (slots, slots * shape[0], slots * shape[0] * shape[1])
+    offsets, shifts = tables(one)
+    cells = _aligned(slots * math.prod(shape), np.dtype("u4"))
+    room = 27 * max(slots, ROOM) + ROOM
+    return cells, offsets, shifts, np.zeros(room, np.uint32), np.zeros(room), np.zeros(12)
+
+
+def _fill(state: tuple[Any, ...], bodies: Any, fill: Callable[[Any], Any], slots: int) -> Arrays:
+    while True:
+        arrays = Arrays(*state, *_cells(state[0], slots))
+        if fill(arrays) == DONE:
+            return arrays
+        slots *= 2
+
+
+def make(world: Any, species: Any, pairs: Any, walls: Any, kinds: Any, x: Any, v: Any, w: Any) -> Arrays:
+    """A swarm at its start: everything has its first event. Positions are brought into a periodic box."""
+    count = len(x)
+    world["count"], world["kinds"], world["bins"] = count, len(species), BINS * count
+    motions, plans, bodies = _aligned(count, MOTION), _aligned(count, PLAN), _aligned(count, BODY)
+    turns = np.where(world["periodic"][0] == 1, np.floor(x / world["side"][0]), 0)
+    x = x - turns * world["side"][0]
+    for k, axis in enumerate("xyz"):
+        motions[axis], motions["v" + axis] = x[:, k], v[:, k]
+    motions["kind"] = kinds
+    bodies["w"], bodies["met"], bodies["image"] = w, -math.inf, turns
+    heads = np.zeros(BINS * count + 1, np.uint32)
+    state = (world, motions, plans, bodies, species, pairs, walls, heads)
+    run = _compiled()
+    arrays = _fill(state, bodies, lambda a: run.place(a.swarm[0], a.motions, a.bodies, a.cells), SLOTS)
+    run.start(
+        arrays.swarm[0], motions, plans, bodies, species, pairs, arrays.cells, arrays.offsets, arrays.shifts, heads,
+        arrays.found, arrays.times, arrays.near,
+    )  # fmt: skip
+    return arrays
+
+
+def restore(state: tuple[Any, ...]) -> Arrays:
+    """A swarm from its saved state (the first eight arrays): it goes on with the same bits."""
+    slots = max(int(state[0]["stride"][0, 0]), SLOTS)
+    copies = []
+    for array in state:
+        copies.append(_aligned(len(array), array.dtype))
+        copies[-1][:] = array
+    return _fill(tuple(copies), copies[3], lambda a: _compiled().refill(a.swarm[0], a.bodies, a.cells), slots)
+
+
+def advance(arrays: Arrays, until: float, most: int) -> Arrays:
+    """Go on to a time, or by so many collisions; ``swarm["status"]`` says which. The arrays, new ones if cells grew."""
+    target = int(arrays.swarm[0]["pair_hits"] + arrays.swarm[0]["wall_hits"]) + most
+    while True:
+        one = arrays.swarm[0]
+        # (it may be so from an interrupted call)
+        if one["status"] == FULL:
+            slots = 2 * int(one["stride"][0])
+            arrays = _fill(
+                arrays[:8], arrays.bodies, lambda a: _compiled().refill(a.swarm[0], a.bodies, a.cells), slots
+            )
+            one = arrays.swarm[0]
+            one["status"] = DONE
+        left = target - int(one["pair_hits"] + one["wall_hits"])
+        if (
+            left <= 0
+            or _compiled().run(one, *arrays[1:7], *arrays[8:11], arrays.heads, *arrays[11:], until, left) != FULL
+        ):
+            return arrays
+
+
+def balls_at(arrays: Arrays, time: float) -> tuple[NDArray[np.void], NDArray[np.void]]:
+    """Copies of motions and bodies, brought to a time not before the last event."""
+    world, motions = arrays.swarm.copy(), arrays.motions.copy()
+    world["now"] = max(world[0]["now"], (time - world[0]["base"]) - world[0]["rest"])
+    _compiled().bring_to_now(world[0], motions)
+    return motions, arrays.bodies.copy()

@@ -1,0 +1,299 @@
+"""A gas of rough or smooth balls, run event by event."""
+
+from __future__ import annotations
+
+import math
+import time as clocks
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom.checks import Faults
+from carom.engine.swarm_arrays import DONE
+from carom.engine.swarm_run import Arrays, advance, balls_at, make, restore
+from carom.gas.setup import Contacts, Species, world_records
+from carom.gas.start import lattice, thermal
+
+__all__ = ["Gas", "GasBalls", "GasRun", "simulate_gas"]
+
+Array = NDArray[np.float64]
+CHUNK = 200_000  # collisions between two looks at the outside world: some tenths of a second
+TOUCH = 1e-9  # of a radius: what overlaps by less touches
+
+
+@dataclass(frozen=True, eq=False)
+class GasBalls:
+    """All balls at one time. Shapes (N, 3); positions are in the box, ``images`` says how often a ball went round it."""
+
+    time: float
+    position: Array
+    velocity: Array
+    spin: Array
+    species: NDArray[np.uint32]
+    images: NDArray[np.int32]
+
+
+@dataclass(frozen=True)
+class GasRun:
+    """What was measured in a run."""
+
+    pair_collisions: int
+    wall_collisions: int
+    simulated_time: float
+    cpu_seconds: float
+    """Of the event loop alone."""
+    mean_free_time: float
+    """Of a ball, between collisions with others: N t / (2 pair collisions)."""
+    pressure: float
+    """By the virial: (2 K + sum of impulse times distance / t) / (axes volume)."""
+    wall_pressure: tuple[float, ...]
+    """Impulse on each wall per area and time, in the order of :data:`carom.gas.WALLS`; 0 where there is none."""
+    energy_drift: float
+    """Relative change of the energy, with its height if there is gravity."""
+    temperature_translational: float
+    """Mean over the run of m v^2 along an axis."""
+    temperature_rotational: float
+    """Mean over the run of I w^2 about an axis of spin."""
+    max_overlap: float
+    """Largest overlap at a contact by rounding, in units of the distance of the centres."""
+    crossings: int = field(repr=False)
+    """Events in which a ball only went to the next cell."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """As plain numbers."""
+        return asdict(self)
+
+
+class Gas:
+    """Many balls or discs that fly, in a periodic box or between walls.
+
+    Parameters
+    ----------
+    species : sequence of Species
+    side : two (discs) or three lengths
+        The box is [0, side]; walls bound the balls' surfaces.
+    periodic : bool, or one for each axis
+    contacts : Surface, or a mapping of pairs of names to Surfaces
+        Names of species; ``"wall"`` for all walls, or one of :data:`carom.gas.WALLS`.
+    gravity : vector
+    contact_time : float
+        The TC model: a contact that follows a ball's last one within this time gives all normal velocity back, which ends
+        inelastic collapse (Luding & McNamara, Granular Matter 1, 113 (1998)). 0: off.
+    position, velocity, spin : (N, 3) or (N, 2) arrays, spin of discs (N,)
+        Left out: a lattice, and random velocities of the species' temperatures without momentum.
+    seed : int
+
+    Raises CaromError with one line a fault.
+    """
+
+    def __init__(
+        self,
+        species: Sequence[Species],
+        side: Sequence[float],
+        *,
+        periodic: bool | Sequence[bool] = True,
+        contacts: Contacts,
+        gravity: Sequence[float] = (0.0, 0.0, 0.0),
+        contact_time: float = 0.0,
+        position: ArrayLike | None = None,
+        velocity: ArrayLike | None = None,
+        spin: ArrayLike | None = None,
+        seed: int = 0,
+    ) -> None:
+        world, kinds, pairs, walls = world_records(species, side, periodic, contacts, gravity, contact_time)
+        axes = len(side)
+        which = np.repeat(np.arange(len(species)), [one.count for one in species])
+        faults = Faults("Gas")
+        rng = np.random.default_rng(seed)
+        if position is None:
+            margin = 0.0 if world[0]["periodic"].all() else float(kinds["radius"].max())
+            x = lattice(len(which), tuple(side), margin)
+            which = rng.permutation(which)
+        else:
+            x = _rows(faults, "position", position, len(which), axes)
+        mass, moment = kinds["mass"][which], (kinds["kappa"] * kinds["mass"] * kinds["radius"] ** 2)[which]
+        v = _rows(faults, "velocity", velocity, len(which), axes)
+        w = _rows(faults, "spin", spin, len(which), 3 if axes == 3 else 1)
+        faults.done()
+        for k, one in enumerate(species):
+            those = which == k
+            rotational = one.temperature if one.temperature_rotational is None else one.temperature_rotational
+            if velocity is None:
+                v[those] = thermal(mass[those], tuple(range(axes)), one.temperature, rng)
+            if spin is None:
+                about = (0, 1, 2) if axes == 3 else (2,)
+                w[those] = thermal(moment[those], about, rotational, rng)
+        _refuse_overlap(world[0], kinds["radius"][which], x)
+        self._begin(make(world, kinds, pairs, walls, which, x, v, w))
+
+    @classmethod
+    def restore(cls, state: dict[str, NDArray[Any]]) -> Gas:
+        """The gas of :meth:`state`: it goes on with the same bits."""
+        gas = object.__new__(cls)
+        gas._begin(restore(tuple(state[name] for name in Arrays._fields[:8])))
+        return gas
+
+    def state(self) -> dict[str, NDArray[Any]]:
+        """Everything that a later run needs to go on with the same bits: a few arrays, copied."""
+        return {name: array.copy() for name, array in zip(Arrays._fields[:8], self._arrays, strict=False)}
+
+    def _begin(self, arrays: Arrays) -> None:
+        self._arrays = arrays
+        self._time = self._last_event()
+
+    def _last_event(self) -> float:
+        one = self._arrays.swarm[0]
+        return float(one["base"] + (one["rest"] + one["now"]))
+
+    @property
+    def time(self) -> float:
+        """Time so far."""
+        return self._time
+
+    def balls(self) -> GasBalls:
+        """All balls now."""
+        motions, bodies = balls_at(self._arrays, self._time)
+        return GasBalls(
+            time=self._time,
+            position=np.stack([motions[name] for name in ("x", "y", "z")], axis=1),
+            velocity=np.stack([motions[name] for name in ("vx", "vy", "vz")], axis=1),
+            spin=bodies["w"].copy(),
+            species=motions["kind"].copy(),
+            images=bodies["image"].copy(),
+        )
+
+    def energy(self) -> tuple[float, float, float]:
+        """Translational, rotational, and of height, now (J)."""
+        balls = self.balls()
+        kinds, one = self._arrays.species[balls.species], self._arrays.swarm[0]
+        moment = kinds["kappa"] * kinds["mass"] * kinds["radius"] ** 2
+        return (
+            float((kinds["mass"] * (balls.velocity**2).sum(axis=1)).sum() / 2),
+            float((moment * (balls.spin**2).sum(axis=1)).sum() / 2),
+            -float((kinds["mass"] * (balls.position @ one["pull"])).sum()),
+        )
+
+    @property
+    def bytes_per_ball(self) -> float:
+        """Memory of all arrays, a ball."""
+        return sum(array.nbytes for array in self._arrays) / len(self._arrays.motions)
+
+    def run(
+        self,
+        collisions: int | None = None,
+        until: float = math.inf,
+        *,
+        progress: Callable[[Gas, int], None] | None = None,
+        chunk: int = CHUNK,
+    ) -> GasRun:
+        """Go on, by so many collisions (walls' included) or to a time, whichever comes first; what was measured meanwhile.
+
+        ``progress`` is called after every ``chunk`` collisions with the gas and the collisions so far. An interrupt ends
+        the run between chunks; the gas can go on from there.
+        """
+        if collisions is None and until == math.inf:
+            Faults.add(faults := Faults("Gas.run"), "until", "a number of collisions or a time", "neither")
+            faults.done()
+        most = 1 << 62 if collisions is None else int(collisions)
+        before: Any = self._arrays.swarm.copy()[0]
+        energy0, time0 = self.energy(), self._time
+        self._arrays.swarm[0]["overlap"] = -math.inf
+        done, cpu = 0, 0.0
+        while done < most:
+            begin = clocks.process_time()
+            self._arrays = advance(self._arrays, until, min(chunk, most - done))
+            cpu += clocks.process_time() - begin
+            one = self._arrays.swarm[0]
+            self._time = self._last_event()
+            done = int(one["pair_hits"] + one["wall_hits"] - before["pair_hits"] - before["wall_hits"])
+            if progress is not None:
+                progress(self, done)
+            if one["status"] == DONE:
+                self._time = max(self._time, until if until < math.inf else self._time)
+                break
+        return self._measured(before, energy0, time0, cpu)
+
+    def _measured(self, before: Any, energy0: Any, time0: float, cpu: float) -> GasRun:
+        one = self._arrays.swarm[0]
+        count, axes, t = int(one["count"]), int(one["axes"]), self._time - time0
+        about = 3 if axes == 3 else 1
+        volume = float(one["side"][:axes].prod())
+        energy = self.energy()
+        pairs, samples = int(one["pair_hits"] - before["pair_hits"]), int(one["samples"] - before["samples"])
+        means = [
+            float(one[name] - before[name]) / samples if samples > 0 else energy0[k] + energy[k]
+            for k, name in enumerate(("translational", "rotational"))
+        ]
+        area = np.repeat(volume / one["side"][:axes], 2)
+        push = (one["push"] - before["push"])[: 2 * axes]
+        return GasRun(
+            pair_collisions=pairs,
+            wall_collisions=int(one["wall_hits"] - before["wall_hits"]),
+            simulated_time=t,
+            cpu_seconds=cpu,
+            mean_free_time=count * t / (2 * pairs) if pairs else math.inf,
+            pressure=(means[0] + float(one["virial"] - before["virial"]) / t) / (axes * volume) if t > 0 else math.nan,
+            wall_pressure=tuple(float(p) for p in push / (area * t)) if t > 0 else (math.nan,) * (2 * axes),
+            energy_drift=sum(energy) / sum(energy0) - 1 if sum(energy0) != 0 else 0.0,
+            temperature_translational=means[0] / (axes * count),
+            temperature_rotational=means[1] / (about * count),
+            max_overlap=max(float(one["overlap"]), 0.0),
+            crossings=int(one["crossings"] - before["crossings"]),
+        )
+
+
+def _rows(faults: Faults, name: str, given: Any, count: int, axes: int) -> Array:
+    """Rows of three numbers of what was given; two are along x and y, one is about z. Zeros if nothing was."""
+    rows = np.zeros((count, 3))
+    if given is None:
+        return rows
+    array = np.array(given, dtype=float)
+    if axes == 1 and array.shape == (count,):
+        array = np.column_stack((np.zeros((count, 2)), array))
+    if array.shape not in {(count, 3), (count, axes)} or not np.isfinite(array).all():
+        faults.add(name, f"finite numbers of shape ({count}, {axes})", f"shape {array.shape}")
+        return rows
+    rows[:, : array.shape[1]] = array
+    if (axes == 2 and rows[:, 2].any()) or (axes == 1 and rows[:, :2].any()):
+        faults.add(name, "discs that stay in their plane", "numbers out of it")
+    return rows
+
+
+def _refuse_overlap(one: Any, radius: Array, x: Array) -> None:
+    """CaromError where balls overlap each other, or a wall, by more than rounding."""
+    from carom.gas.overlap import first_overlap
+
+    faults = Faults("Gas")
+    walled = one["periodic"][None, :] == 0
+    out = walled & ((x < radius[:, None] * (1 - TOUCH)) | (x > one["side"] - radius[:, None] * (1 - TOUCH)))
+    if out.any():
+        i = int(np.argmax(out.any(axis=1)))
+        faults.add(
+            "position", "balls inside the box", f"ball {i} at {x[i]} overlaps a wall ({out.any(axis=1).sum()} do)"
+        )
+    faults.done()
+    pair = first_overlap(one, radius, x, TOUCH)
+    if pair is not None:
+        i, j = pair
+        faults.add("position", "balls that do not overlap", f"balls {i} and {j}, at {x[i]} and {x[j]}")
+    faults.done()
+
+
+def simulate_gas(
+    species: Sequence[Species],
+    side: Sequence[float],
+    *,
+    collisions: int,
+    equilibrate: int | None = None,
+    **options: Any,
+) -> tuple[Gas, GasRun]:
+    """Make a gas (:class:`Gas` has the options), let ``equilibrate`` collisions pass (left out: 40 a ball), measure the next.
+
+    Returns the gas at its end, and what was measured.
+    """
+    gas = Gas(species, side, **options)
+    gas.run(40 * sum(one.count for one in species) if equilibrate is None else equilibrate)
+    return gas, gas.run(collisions)
