@@ -17,7 +17,7 @@ from carom.engine.resolve import DONE, REFUSED_ROLLING, REFUSED_STALL, REFUSED_U
 from carom.engine.run import compiled_engine, compiled_many
 from carom.engine.setup import set_up
 from carom.errors import CaromError
-from carom.motion.phases import HELD, PHASES
+from carom.motion.phases import HELD, PHASES, PIVOTING
 from carom.scene.model import Scene
 from carom.state import State, vectors
 from carom.trajectory import Trajectory
@@ -109,7 +109,8 @@ def _joined(parts: list[NDArray[np.void]]) -> NDArray[np.void]:
 
 def _goes_on(balls: NDArray[np.void]) -> bool:
     """Whether something will still happen, or a ball is on its way though it will meet nothing."""
-    return bool(np.isfinite(balls["next_at"]).any() or ((balls["v"] != 0).any(axis=1) & (balls["phase"] < HELD)).any())
+    moves = (balls["v"] != 0).any(axis=1) | (balls["acc"] != 0).any(axis=1) | (balls["phase"] == PIVOTING)
+    return bool((np.isfinite(balls["next_at"]) | (moves & (balls["phase"] < HELD))).any())
 
 
 @dataclass(frozen=True, eq=False)
@@ -200,12 +201,15 @@ def simulate_many(
 
 
 def _check_starts(scene: Scene, balls: NDArray[np.void], given: dict[str, Array]) -> None:
-    """Starts that overlap something: the first of them, with what a single scene would say."""
+    """Starts that overlap something, or lie where no ball can be: the first of them."""
     if "x" not in given:
         return
     from carom.engine.starts import overlapping
 
     bad = overlapping(set_up(scene), balls)
+    places, which = np.unique(balls["x"].reshape(-1, 3), axis=0, return_inverse=True)
+    blocked = np.array([any(wall.blocked(tuple(x)) for wall in scene.walls) for x in places.tolist()])
+    bad |= blocked[which.reshape(balls.shape)].any(axis=1)
     if bad.any():
         n = int(np.flatnonzero(bad)[0])
         raise CaromError(

@@ -32,7 +32,7 @@ __all__ = ["FORMAT", "KINDS_OF_FILE", "load_trajectory", "require_place", "save"
 
 FORMAT = 1
 KINDS_OF_FILE = (".parquet", ".nc")
-NAMED = {"kind": KINDS, "phase_before": PHASES, "phase": PHASES}
+NAMED = {"kind": KINDS, "met": KINDS, "phase_before": PHASES, "phase": PHASES}
 AXES = ("x", "y", "z")
 # The log's vectors, by what their columns are called.
 VECTORS = {

@@ -11,11 +11,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.engine.arrays import BALL, LEFT_EVENT, WALL
+from carom.engine.arrays import BALL, WALL
 from carom.errors import CaromError
-from carom.laws.contact import REGIMES
 from carom.motion.phases import PHASES
 from carom.trajectory import Trajectory, kind_names
+from carom.verbs import NAMES
 
 if TYPE_CHECKING:
     import pandas
@@ -59,9 +59,8 @@ def event_columns(run: Trajectory, rows: NDArray[np.void]) -> Columns:
     ``vx`` ... ``wz`` are those just after the event, ``vx_before`` ... those just before; ``other`` is the number of the
     wall or of the other ball, -1 for none, ``name`` its name; ``energy_lost`` is the ball's own.
     """
-    kinds = rows["kind"]
-    wall = np.where(np.isin(kinds, (WALL, LEFT_EVENT)), rows["other"], -1)
-    ball = np.where(kinds == BALL, rows["other"], -1)
+    wall = np.where(rows["met"] == WALL, rows["other"], -1)
+    ball = np.where(rows["met"] == BALL, rows["other"], -1)
     columns: Columns = {
         "t": np.array(rows["t"]),
         "kind": kind_names(rows),
@@ -79,8 +78,7 @@ def event_columns(run: Trajectory, rows: NDArray[np.void]) -> Columns:
     _parts(columns, "impulse_", rows["impulse"])
     _parts(columns, "floor_impulse_", rows["floor_impulse"])
     columns["required_friction"] = np.array(rows["required"])
-    met = (rows["impulse"] != 0).any(axis=1) & (rows["regime"] < len(REGIMES))
-    columns["regime"] = np.array([*REGIMES, ""], dtype=object)[np.where(met, rows["regime"], -1)]
+    columns["regime"] = np.array([*NAMES, ""], dtype=object)[rows["regime"]]
     of = rows["ball"]
     columns["energy_lost"] = run._kinetic(of, rows["v_before"], rows["w_before"]) - run._kinetic(
         of, rows["v"], rows["w"]
@@ -92,7 +90,7 @@ def _frame(columns: Columns, what: str) -> pandas.DataFrame:
     pandas = library("pandas", "pandas", what)
     frame = pandas.DataFrame(columns)
     frame.attrs["units"] = {name: UNITS[name] for name in columns if name in UNITS}
-    return frame  # type: ignore[no-any-return]
+    return frame
 
 
 def events_table(run: Trajectory, rows: NDArray[np.void]) -> pandas.DataFrame:

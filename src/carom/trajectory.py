@@ -11,14 +11,14 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.engine.arrays import BALL, KINDS, LEFT_EVENT, PHASE, START, WALL
+from carom.engine.arrays import BALL, KINDS, PHASE, START, WALL
 from carom.engine.setup import set_up
 from carom.errors import CaromError
-from carom.laws.contact import REGIMES
 from carom.motion.phases import PHASES
 from carom.path import orientations, states
 from carom.scene.model import Scene
 from carom.state import State
+from carom.verbs import NAMES
 
 if TYPE_CHECKING:
     import pandas
@@ -148,25 +148,24 @@ class Trajectory:
         return Events(self, self.log[self.log["kind"] != START])
 
     def _event(self, row: Any) -> Event:
-        i, kind, other = int(row["ball"]), int(row["kind"]), int(row["other"])
+        i, met, other = int(row["ball"]), int(row["met"]), int(row["other"])
         x = np.array(row["x"])
         before = State.of(np.array(row["v_before"]), np.array(row["w_before"]), x)
         after = State.of(np.array(row["v"]), np.array(row["w"]), x)
-        met = kind in (WALL, LEFT_EVENT) or kind == BALL
-        names = self.scene.ball_names if kind == BALL else self.scene.wall_names
+        names = {WALL: self.scene.wall_names, BALL: self.scene.ball_names}.get(met)
         return Event(
             t=float(row["t"]),
             kind=str(kind_names(row)),
             ball=i,
             other=other,
-            name=names[other] if met else "",
+            name=names[other] if names else "",
             phase=PHASES[row["phase"]],
             before=before,
             after=after,
             impulse=np.array(row["impulse"]),
             floor_impulse=np.array(row["floor_impulse"]),
             required_friction=float(row["required"]),
-            regime=REGIMES[row["regime"]] if np.any(row["impulse"] != 0) and row["regime"] < len(REGIMES) else "",
+            regime="" if row["regime"] < 0 else str(NAMES[row["regime"]]),
             energy_lost=float(
                 self._kinetic(i, before.velocity, before.spin) - self._kinetic(i, after.velocity, after.spin)
             ),

@@ -9,14 +9,16 @@ from __future__ import annotations
 import numpy as np
 
 __all__ = [
-    "BALL", "BALLS", "CONVENTIONAL", "FLOOR", "HELD_EVENT", "KINDS", "LEFT_EVENT", "LOG", "MIRROR", "NOTHING", "NO_SLIP",
-    "PHASE", "SETTLED", "START", "TWO_STEP", "USER", "WALL", "WORLD",
+    "BALL", "BALLS", "CONVENTIONAL", "FLOOR", "HELD_EVENT", "KINDS", "LEFT_EVENT", "LOG", "MIRROR", "NOTHING", "NO_REGIME",
+    "NO_SLIP", "PHASE", "SETTLED", "START", "TWO_STEP", "USER", "WALL", "WORLD",
 ]  # fmt: skip
 
 # What can come next for a ball, and what a log says of it.
 START, WALL, FLOOR, BALL, PHASE, SETTLED, LEFT_EVENT, HELD_EVENT, NOTHING = range(9)
 # What people see; the end of a phase is called after the phase that begins.
 KINDS = ("start", "wall", "floor", "ball", "phase", "settled", "left", "held", "nothing")
+
+NO_REGIME = -1
 
 # What a wall does; from USER on, a function of the user's own.
 TWO_STEP, CONVENTIONAL, NO_SLIP, MIRROR, USER = range(5)
@@ -66,7 +68,8 @@ LOG = np.dtype(
         ("t", _NUMBER),
         ("kind", _WHOLE),
         ("ball", _WHOLE),
-        ("other", _WHOLE),  # wall or ball; -1 for none
+        ("met", _WHOLE),  # WALL, BALL, or NOTHING: what ``other`` is the number of
+        ("other", _WHOLE),  # -1 for none
         ("x", *_VECTOR),
         ("v_before", *_VECTOR),
         ("w_before", *_VECTOR),
@@ -77,6 +80,6 @@ LOG = np.dtype(
         ("impulse", *_VECTOR),  # N s, on the ball
         ("floor_impulse", *_VECTOR),  # N s: what the floor gave while the wall acted
         ("required", _NUMBER),  # friction
-        ("regime", _WHOLE),
+        ("regime", _WHOLE),  # what the contact did (carom.laws.contact.REGIMES); NO_REGIME where a law does not say
     ]
 )

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.engine.arrays import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, NOTHING, PHASE, SETTLED, START, WALL
+from carom.engine.arrays import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, NO_REGIME, NOTHING, PHASE, SETTLED, START, WALL
 from carom.engine.predict import begin, predict, put, state_at
 from carom.engine.resolve import DONE, meet_ball, meet_floor, meet_wall
 from carom.kernel import Vec, dot, kernel, vector
@@ -61,7 +61,7 @@ def start(world: Any, features: Any, balls: Any, log: Any) -> float:
         ball.next_at = ball.next_in = ball.lasts
         ball.next_kind, ball.next_who = NOTHING, -1
         if i < log.shape[0]:
-            _note(log[i], ball, START, i, -1, v, w, phase)
+            _note(log[i], ball, START, i, NOTHING, -1, v, w, phase)
     for i in range(balls.shape[0]):
         predict(world, features, balls, i, SLOW * fastest)
     return SLOW * fastest
@@ -86,9 +86,9 @@ def move_by(world: Any, ball: Any, s: float, t: float) -> None:
 
 
 @kernel
-def _note(log: Any, ball: Any, kind: int, i: int, other: int, v: Vec, w: Vec, phase: int) -> None:
+def _note(log: Any, ball: Any, kind: int, i: int, met: int, other: int, v: Vec, w: Vec, phase: int) -> None:
     """Write a row of the log: ball i as it is now, and (v, w) and its phase before."""
-    log.t, log.kind, log.ball, log.other = ball.clock, kind, i, other
+    log.t, log.kind, log.ball, log.met, log.other = ball.clock, kind, i, met, other
     put(log.x, vector(ball.x))
     put(log.v_before, v)
     put(log.w_before, w)
@@ -98,7 +98,7 @@ def _note(log: Any, ball: Any, kind: int, i: int, other: int, v: Vec, w: Vec, ph
     none = (0.0, 0.0, 0.0)
     put(log.impulse, none)
     put(log.floor_impulse, none)
-    log.required, log.regime = 0.0, 0
+    log.required, log.regime = 0.0, NO_REGIME
 
 
 @kernel
@@ -134,8 +134,9 @@ def _happen(world: Any, features: Any, balls: Any, i: int, users: Any) -> tuple[
     ball = balls[i]
     kind, who = ball.next_kind, ball.next_who
     none = (0.0, 0.0, 0.0)
-    j, jf, required, regime, refusal = none, none, 0.0, 0, DONE
+    j, jf, required, regime, refusal = none, none, 0.0, NO_REGIME, DONE
     if ball.repeats > PINNED:
+        who = features[who].wall if kind == WALL else who
         kind, ball.phase = HELD_EVENT, HELD
     elif kind == WALL:
         f = features[who]
@@ -190,6 +191,7 @@ def run(
         k = ball.next_who if ball.next_kind == BALL else i
         other = balls[k]
         before, before_k = ball.phase, other.phase
+        met = ball.next_kind if ball.next_kind in (WALL, BALL) else NOTHING
         move_by(world, ball, ball.next_in, t)
         if k != i:
             move_by(world, other, t - other.clock, t)
@@ -199,19 +201,19 @@ def run(
             return refusal, events, rows, i
         bit = PHASES_FROM + ball.phase if kind == PHASE else kind
         if room and (keep >> bit) & 1 != 0:
-            _note(log[rows], ball, kind, i, who, v, w, before)
+            _note(log[rows], ball, kind, i, met, who, v, w, before)
             _note_impulse(log[rows], j, jf, required, regime)
             rows += 1
             if kind == BALL:
-                _note(log[rows], other, kind, k, i, vk, wk, before_k)
+                _note(log[rows], other, kind, k, met, i, vk, wk, before_k)
                 _note_impulse(log[rows], (-j[0], -j[1], -j[2]), jf, required, regime)
                 rows += 1
         if kind != HELD_EVENT and room and (keep >> HELD_EVENT) & 1 != 0:  # what is held now is held by what it met
             if ball.phase == HELD:
-                _note(log[rows], ball, HELD_EVENT, i, who, vector(ball.v), vector(ball.w), before)
+                _note(log[rows], ball, HELD_EVENT, i, met, who, vector(ball.v), vector(ball.w), before)
                 rows += 1
             if k != i and other.phase == HELD:
-                _note(log[rows], other, HELD_EVENT, k, i, vector(other.v), vector(other.w), before_k)
+                _note(log[rows], other, HELD_EVENT, k, met, i, vector(other.v), vector(other.w), before_k)
                 rows += 1
         begin(world, ball)
         if k != i:

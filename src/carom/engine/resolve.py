@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.engine.arrays import CONVENTIONAL, MIRROR, NO_SLIP, TWO_STEP, USER
+from carom.engine.arrays import CONVENTIONAL, MIRROR, NO_REGIME, NO_SLIP, TWO_STEP, USER
 from carom.engine.linger import hold_on_ball, hold_on_wall, hop
 from carom.engine.predict import put
 from carom.engine.users import call_user
@@ -16,8 +16,6 @@ from carom.kernel import Vec, dot, kernel, vector
 from carom.laws.contact import one_contact, slip_velocity
 from carom.laws.conventional import conventional_reflection
 from carom.laws.landing import UP
-from carom.laws.mirror import mirror_reflection
-from carom.laws.no_slip import no_slip_reflection
 from carom.laws.pair import pair_contact
 from carom.laws.simultaneous import STALL
 from carom.laws.two_step import UNDEFINED, first_impact
@@ -65,7 +63,7 @@ def meet_wall(world: Any, f: Any, ball: Any, users: Any) -> Impulse:
     mu, beta, law = f.mu, f.beta, f.law
     on_floor = _lies(world, ball)
     none = (0.0, 0.0, 0.0)
-    jf, required, regime, refusal = none, 0.0, 0, DONE
+    jf, required, regime, refusal = none, 0.0, NO_REGIME, DONE
     if law == TWO_STEP and on_floor:
         ef = restitution(world.floor_form, vector(world.floor_p), 0.0)
         v1, w1, j, jf, required, regime = first_impact(
@@ -85,9 +83,10 @@ def meet_wall(world: Any, f: Any, ball: Any, users: Any) -> Impulse:
         v1, w1 = conventional_reflection(v, w, n, a, kappa)
         j = (v1[0] - v[0], v1[1] - v[1], v1[2] - v[2])
     elif law == NO_SLIP:
-        v1, w1, j, required = no_slip_reflection(v, w, n, a, kappa)
+        # as carom.laws.no_slip and carom.laws.mirror have them: members of the one contact's family
+        v1, w1, j, required, _regime = one_contact(v, w, n, a, kappa, 1.0, math.inf, 1.0)
     elif law == MIRROR:
-        v1, w1, j = mirror_reflection(v, w, n, a, e)
+        v1, w1, j, _required, _regime = one_contact(v, w, n, a, kappa, e, 0.0, 0.0)
     else:
         v1, w1 = call_user(users[law - USER], v, w, n, a, kappa, e, mu, beta)
         j = (v1[0] - v[0], v1[1] - v[1], v1[2] - v[2])

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import weakref
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -27,13 +28,18 @@ class Setup(NamedTuple):
     """Addresses of the laws of a user's own, in the order of ``scene.own_laws``."""
 
 
+# The arrays of scenes that are alive: a run of a shot takes less time than making them. (Not kept in the scene itself, whose
+# copies with other walls would take them along.)
+_kept: dict[int, tuple[weakref.ref[Scene], Setup]] = {}
+
+
 def set_up(scene: Scene) -> Setup:
     """The arrays of a scene; those of the balls are made anew, for a run changes them."""
-    # kept with the scene, as functools.cached_property does (the scene's room knows nothing of this one)
-    kept: Setup | None = scene.__dict__.get("_set_up")
-    if kept is None:
-        kept = scene.__dict__["_set_up"] = _set_up(scene)
-    return kept._replace(balls=kept.balls.copy())
+    key = id(scene)
+    found = _kept.get(key)
+    if found is None or found[0]() is not scene:
+        found = _kept[key] = weakref.ref(scene, lambda _gone: _kept.pop(key, None)), _set_up(scene)
+    return found[1]._replace(balls=found[1].balls.copy())
 
 
 def _set_up(scene: Scene) -> Setup:
