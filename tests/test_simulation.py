@@ -157,3 +157,20 @@ def test_what_holds_a_ball_is_named():
     assert (last.kind, last.name, last.phase, held.final_phase) == ("held", "slope", "held", ["held"])
     assert np.isnan(held.at(held.end + 0.1).velocity).all()
     assert np.isfinite(held.final.velocity).all()
+
+
+def test_a_wall_far_away_does_not_keep_bounces_from_being_summed():
+    """A ball is behind one of the two faces of a thin wall, wherever it is."""
+
+    def run(walls):
+        return carom.simulate(
+            carom.Scene(
+                floor=carom.Floor(friction=0.2, restitution=0.5), walls=walls, balls=[ball((0, 0), (1, 0, 1))],
+                run=carom.Run(duration=2.0),
+            )
+        )  # fmt: skip
+
+    alone = run([])
+    assert alone.events.of("settled")
+    beside = run([Segment(start=(50, 0), end=(51, 0), restitution=0.5, friction=0.1)])
+    assert beside.log.tobytes() == alone.log.tobytes()

@@ -38,7 +38,8 @@ def _free_for(features: Any, balls: Any, i: int, time: float) -> bool:
     # a rubbing floor cannot make it faster than this
     reach = (math.sqrt(dot(v, v)) + a * math.sqrt(dot(w, w))) * time
     for f in range(features.shape[0]):
-        if features[f].kind != OVER and distance(features[f], a, x) <= reach:
+        # (a gap below -a: the ball is behind a face, or outside of a hollow, and comes in over another feature)
+        if features[f].kind != OVER and -a <= distance(features[f], a, x) <= reach:
             return False
     for k in range(balls.shape[0]):
         other = balls[k]

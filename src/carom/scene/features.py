@@ -165,7 +165,10 @@ def feature_normal(f: Any, x: Vec) -> Vec:
 
 @kernel
 def distance(f: Any, a: float, x: Vec) -> float:
-    """Gap between feature f and a ball at x; negative where it overlaps, infinite where it is behind or past the ends."""
+    """Gap between feature f and a ball at x; negative where it overlaps, infinite where it is past the ends.
+
+    Below -a it is behind a face, or outside of a hollow: what it would touch there is another feature.
+    """
     kind = f.kind
     p, d, side = vector(f.p), vector(f.d), f.side
     r = (x[0] - p[0], x[1] - p[1], x[2] - p[2])

@@ -181,5 +181,5 @@ class Scene(Model):
         laws = dict.fromkeys(map(law_name, self.wall_laws)) or {law_name(self.run.law): None}
         law = f"law{'s' if len(laws) > 1 else ''} {' and '.join(laws)}"
         run = [] if self.run.duration is None else [of_time(self.run.duration)]
-        run += [] if self.run.max_events is None else [f"at most {self.run.max_events} events"]
+        run += [] if self.run.max_events is None else [f"at most {self.run.max_events:,} events"]
         return ", ".join([*floor, *shown, balls, law, *run])
