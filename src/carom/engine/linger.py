@@ -18,7 +18,7 @@ from carom.motion.bounces import bounces, series_lasts
 from carom.motion.phases import BOUNCING, HELD, SLIDING, grounded
 from carom.scene.features import OVER, distance, feature_normal, way_in
 
-__all__ = ["hold_on_ball", "hold_on_wall", "hop"]
+__all__ = ["free_for", "hold_on_ball", "hold_on_wall", "hop"]
 
 # Hops lower than this share of the radius are no longer events of their own where they can be summed ...
 SUMMED = 1e-6
@@ -31,7 +31,7 @@ SHORT_PUSH = 1e-7
 
 
 @kernel
-def _free_for(features: Any, balls: Any, i: int, time: float) -> bool:
+def free_for(features: Any, balls: Any, i: int, time: float) -> bool:
     """Whether ball i can touch nothing but the floor for a time, wherever its bounces send it."""
     ball = balls[i]
     a, x, v, w = ball.radius, vector(ball.x), vector(ball.v), vector(ball.w)
@@ -62,7 +62,7 @@ def hop(world: Any, features: Any, balls: Any, i: int) -> bool:
     if height >= SUMMED * ball.radius:
         return False
     time = series_lasts(ball.v[2], world.g, world.floor_form, vector(world.floor_p))
-    if time < math.inf and _free_for(features, balls, i, time):
+    if time < math.inf and free_for(features, balls, i, time):
         _x, _v, _w, ball.lasts = bounces(
             vector(ball.x), vector(ball.v), vector(ball.w), ball.radius, ball.kappa, world.g,
             world.floor_form, vector(world.floor_p), world.floor_mu, world.floor_beta, math.inf,
@@ -78,8 +78,8 @@ def hold_on_wall(world: Any, f: Any, ball: Any, approach: float) -> None:
     acc, _turn, _lasts = pace_of(world, ball)
     x, v, w, a = vector(ball.x), vector(ball.v), vector(ball.w), ball.radius
     rate, bend = way_in(f, x, v, acc)
-    # (one that comes back with all its speed goes on hopping, however low)
-    if not (bend < 0 and rate * rate <= -2 * bend * HOLDS * a and rate < 0.999999 * approach):
+    # (one that comes back with all its speed goes on hopping, however low; one that does not come in lies there)
+    if not (bend < 0 and rate * rate <= -2 * bend * HOLDS * a and rate <= 0.999999 * approach):
         return
     n = feature_normal(f, x)
     if ball.phase == SLIDING and n[2] == 0:
@@ -98,14 +98,23 @@ def hold_on_wall(world: Any, f: Any, ball: Any, approach: float) -> None:
 
 
 @kernel
+def _borne(world: Any, ball: Any) -> tuple[Vec, Vec]:
+    """Velocity and acceleration of a ball; of one that is pressed on the floor, what the floor leaves of them."""
+    v, (b, _turn, _lasts) = vector(ball.v), pace_of(world, ball)
+    if world.floor != 0 and ball.x[2] <= ball.radius and v[2] <= 0:
+        return (v[0], v[1], 0 * v[2]), (b[0], b[1], 0 * b[2])
+    return v, b
+
+
+@kernel
 def hold_on_ball(world: Any, ball: Any, other: Any, n: Vec, approach: float) -> None:
     """Hold two balls that a force presses on each other."""
-    b, _turn, _lasts = pace_of(world, ball)
-    c, _turn, _lasts = pace_of(world, other)
-    v = (ball.v[0] - other.v[0], ball.v[1] - other.v[1], ball.v[2] - other.v[2])
+    v, b = _borne(world, ball)
+    u, c = _borne(world, other)
+    v = (v[0] - u[0], v[1] - u[1], v[2] - u[2])
     rate = dot(v, n)
     t = (v[0] - rate * n[0], v[1] - rate * n[1], v[2] - rate * n[2])
     bend = dot((b[0] - c[0], b[1] - c[1], b[2] - c[2]), n) + dot(t, t) / (ball.radius + other.radius)
     low = HOLDS * min(ball.radius, other.radius)
-    if bend < 0 and rate * rate <= -2 * bend * low and rate < 0.999999 * approach:
+    if bend < 0 and rate * rate <= -2 * bend * low and rate <= 0.999999 * approach:
         ball.phase = other.phase = HELD

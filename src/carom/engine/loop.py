@@ -1,8 +1,8 @@
 """The event loop: take the earliest event, let it happen, look at what comes next. There is no time step anywhere.
 
 Each ball has its own clock, the time of its last event, and one event to come. A ball whose event was overtaken (the other
-ball of the pair met something first) is looked at again. Of events at one instant the ball with the lower number comes
-first, so that the same input gives the same bits on every run.
+ball of the pair met something first) is looked at again. Of events at one instant the ball that has had the fewest at its
+place comes first, then the one with the lower number, so that the same input gives the same bits on every run.
 """
 
 from __future__ import annotations
@@ -11,6 +11,7 @@ import math
 from typing import Any
 
 from carom.engine.arrays import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, NO_REGIME, NOTHING, PHASE, SETTLED, START, WALL
+from carom.engine.linger import free_for
 from carom.engine.predict import begin, predict, put, state_at
 from carom.engine.resolve import DONE, meet_ball, meet_floor, meet_wall
 from carom.kernel import Vec, dot, kernel, vector
@@ -24,7 +25,7 @@ __all__ = ["ALL", "FULL", "LIMIT", "PHASES_FROM", "ROWS", "finish", "move_by", "
 # full (call again), or so many events have happened.
 FULL, LIMIT = 10, 11
 # A ball with so many events at one place is pinned between things that send it to and fro without end.
-PINNED = 1000
+PINNED = 10_000
 STILL = 1e-12  # of the radius: a ball that moved by less is where it was
 # Below this share of the speeds a ball in touch is not coming in. It is far above rounding and moves nothing in a lifetime.
 SLOW = 1e-14
@@ -120,10 +121,14 @@ def _overtaken(balls: Any, i: int) -> bool:
 
 @kernel
 def _earliest(balls: Any) -> int:
-    """The ball whose event comes next; of several, the one with the lowest number."""
+    """The ball whose event comes next; of several, the one with the fewest events where it is, then the lowest number.
+
+    So all contacts of a cluster take turns: by number alone the first few would settle, over and over, before the next.
+    """
     i = 0
     for k in range(1, balls.shape[0]):
-        if balls[k].next_at < balls[i].next_at:
+        soon, sooner = balls[k].next_at, balls[i].next_at
+        if soon < sooner or (soon == sooner and balls[k].repeats < balls[i].repeats):
             i = k
     return i
 
@@ -136,6 +141,8 @@ def _happen(world: Any, features: Any, balls: Any, i: int, users: Any) -> tuple[
     none = (0.0, 0.0, 0.0)
     j, jf, required, regime, refusal = none, none, 0.0, NO_REGIME, DONE
     if ball.repeats > PINNED:
+        if kind == BALL and balls[who].repeats > 0:  # the other one has not moved either
+            balls[who].phase = HELD
         who = features[who].wall if kind == WALL else who
         kind, ball.phase = HELD_EVENT, HELD
     elif kind == WALL:
@@ -208,14 +215,21 @@ def run(
                 _note(log[rows], other, kind, k, met, i, vk, wk, before_k)
                 _note_impulse(log[rows], (-j[0], -j[1], -j[2]), jf, required, regime)
                 rows += 1
-        if kind != HELD_EVENT and room and (keep >> HELD_EVENT) & 1 != 0:  # what is held now is held by what it met
-            if ball.phase == HELD:
+        if room and (keep >> HELD_EVENT) & 1 != 0:  # what is held now is held by what it met
+            if ball.phase == HELD and kind != HELD_EVENT:
                 _note(log[rows], ball, HELD_EVENT, i, met, who, vector(ball.v), vector(ball.w), before)
                 rows += 1
             if k != i and other.phase == HELD:
                 _note(log[rows], other, HELD_EVENT, k, met, i, vector(other.v), vector(other.w), before_k)
                 rows += 1
         begin(world, ball)
+        for m in range(balls.shape[0]):
+            if balls[m].phase == BOUNCING and m not in (i, k) and not free_for(features, balls, m, balls[m].lasts):
+                # what now comes its way meets it between two hops, which are followed one by one from here on
+                move_by(world, balls[m], t - balls[m].clock, t)
+                balls[m].phase = FLIGHT
+                begin(world, balls[m])
+                predict(world, features, balls, m, slow)
         if k != i:
             begin(world, other)
             other.next_at = math.inf  # it has no event yet, and its path is good for ever

@@ -12,7 +12,7 @@ from carom.engine.arrays import BALL, FLOOR, NOTHING, PHASE, SETTLED, WALL
 from carom.kernel import Vec, dot, hot_kernel, kernel, vector
 from carom.motion.phases import BOUNCING, FLIGHT, HELD, REST, advance, pace
 from carom.motion.roots import hit2, hit4
-from carom.scene.features import feature_hit
+from carom.scene.features import SEAM, feature_hit, stays
 
 __all__ = ["begin", "pace_of", "predict", "put", "state_at"]
 
@@ -59,10 +59,11 @@ def _pair_hit(ball: Any, other: Any, now: float, until: float, slow: float) -> f
     reach = ball.radius + other.radius
     far = math.sqrt(dot(r, r))
     # |r + v s + b s^2/2|^2 - reach^2
-    return hit4(
-        (far - reach) * (far + reach), 2 * dot(r, v), dot(v, v) + dot(r, b), dot(v, b), dot(b, b) / 4,
-        until, 2 * reach * slow,
-    )  # fmt: skip
+    c0, c1, tol = (far - reach) * (far + reach), 2 * dot(r, v), 2 * reach * slow
+    c2, c3, c4 = dot(v, v) + dot(r, b), dot(v, b), dot(b, b) / 4
+    if c0 <= 2 * reach * SEAM * min(ball.radius, other.radius) and stays(c1, c2, c3, c4, until, tol):
+        return math.inf
+    return hit4(c0, c1, c2, c3, c4, until, tol)
 
 
 @kernel
@@ -88,6 +89,8 @@ def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
             other = balls[k]
             if k == i or other.phase >= HELD or (phase == REST and other.phase == REST):
                 continue
+            if phase == BOUNCING or other.phase == BOUNCING:  # free of each other, or it would not be (linger)
+                continue
             # the other ball keeps to its path up to its next event, after which the pair is looked at again
             now = max(ball.clock, other.clock)
             until = min(best - (now - ball.clock), other.next_at - now)
@@ -100,5 +103,6 @@ def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
     ball.next_in, ball.next_at, ball.next_kind, ball.next_who = best, ball.clock + best, kind, who
     if kind == BALL:
         other = balls[who]
+        ball.next_at = max(ball.next_at, other.clock)  # not before the other's last event, by rounding
         other.next_kind, other.next_who, other.next_at = BALL, i, ball.next_at
         other.next_in = ball.next_at - other.clock

@@ -21,7 +21,7 @@ import numpy as np
 from carom.kernel import Vec, cross, dot, hot_kernel, kernel, vector
 from carom.motion.roots import hit2, hit4, next_hit4
 
-__all__ = ["FACE", "FEATURES", "LINE", "OVER", "POINT", "distance", "feature_hit", "feature_normal", "way_in"]
+__all__ = ["FACE", "FEATURES", "LINE", "OVER", "POINT", "distance", "feature_hit", "feature_normal", "stays", "way_in"]
 
 # Kinds. OVER is no wall: it is the upward continuation of a low one, and a ball whose centre passes it has cleared it.
 # Faces come before what is round, so that one comparison tells them apart.
@@ -53,6 +53,11 @@ FEATURES = np.dtype(
 SEAM = 1e-9
 # A gap more negative than this share of the radius is none: the ball is behind a face, or past the end of a line.
 BEHIND = 1e-3
+# An edge or a corner ends a face, and a ball that moves along the face passes it without touching it; what rounding makes
+# of that is a graze, no deeper than this share of the radius.
+GRAZE = 1e-12
+# Below this share of its size an acceleration along a wall is the rounding of one that only moves along it.
+LEVEL = 1e-15
 
 
 @kernel
@@ -77,6 +82,22 @@ def _within(f: Any, x: Vec, a: float) -> bool:
 
 
 @hot_kernel
+def _component(d: Vec, acc: Vec) -> float:
+    """d . acc, without what is only rounding: the sign of that must not press a ball on a wall that it rolls along."""
+    c = dot(d, acc)
+    return c if c * c > LEVEL * LEVEL * (dot(acc, acc) * dot(d, d)) else 0 * c
+
+
+@hot_kernel
+def stays(c1: float, c2: float, c3: float, c4: float, until: float, tol: float) -> bool:
+    """Whether the gap c1 s + ... + c4 s^4 never closes faster than tol up to s = until: of one in touch, no approach."""
+    s = until
+    least = c1 + (2 * c2 * s if c2 < 0 else 0 * c1)
+    least += (3 * c3 * s * s if c3 < 0 else 0 * c1) + (4 * c4 * s * s * s if c4 < 0 else 0 * c1)
+    return bool(least >= -tol)
+
+
+@hot_kernel
 def _along(x: Vec, v: Vec, acc: Vec, s: float) -> Vec:
     h = s * s / 2
     return (x[0] + v[0] * s + acc[0] * h, x[1] + v[1] * s + acc[1] * h, x[2] + v[2] * s + acc[2] * h)
@@ -87,7 +108,9 @@ def _face_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: fl
     p, d = vector(f.p), vector(f.d)
     reach = a if f.kind == FACE else 0 * a  # what has been cleared is cleared by the centre
     c0 = d[0] * (x[0] - p[0]) + d[1] * (x[1] - p[1]) + d[2] * (x[2] - p[2]) - reach
-    c1, c2 = dot(d, v), dot(d, acc) / 2
+    c1, c2 = dot(d, v), _component(d, acc) / 2
+    if c0 <= SEAM * a and stays(c1, c2, 0 * a, 0 * a, until, slow):
+        return math.inf
     if c0 < -BEHIND * a and not c1 > 0:
         return math.inf
     s = hit2(c0, c1, c2, until, slow)
@@ -116,8 +139,10 @@ def _round_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: f
     far = math.sqrt(dot(r, r))
     # |r + v s + b s^2/2|^2 - reach^2, outside; the other way round inside
     c0, c1 = side * (far - reach) * (far + reach), side * 2 * dot(r, v1)
-    c2, c3, c4 = side * (dot(v1, v1) + dot(r, b)), side * dot(v1, b), side * dot(b, b) / 4
+    c2, c3, c4 = side * (dot(v1, v1) + _component(r, b)), side * dot(v1, b), side * dot(b, b) / 4
     deep = -BEHIND * a * 2 * reach
+    if c0 <= 2 * reach * SEAM * a and stays(c1, c2, c3, c4, until, 2 * reach * slow):
+        return math.inf
     if c0 < deep and c1 <= 0:  # noqa: SIM108  (two long calls)
         s = next_hit4(c0, c1, c2, c3, c4, 0 * a, until)
     else:
@@ -127,7 +152,11 @@ def _round_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: f
             break
         on = c0 + (c1 + (c2 + (c3 + c4 * s) * s) * s) * s >= deep
         if on and _within(f, _along(x, v, acc, s), a):
-            return s
+            # the gap falls at the rate u, and what is across turns it round: how deep it would come
+            u = c1 + (2 * c2 + (3 * c3 + 4 * c4 * s) * s) * s
+            bend = 2 * c2 + (6 * c3 + 12 * c4 * s) * s
+            if f.R > 0 or not u * u <= 2 * bend * (2 * reach * GRAZE * a):
+                return s
         s = next_hit4(c0, c1, c2, c3, c4, s, until)
     return math.inf
 
@@ -189,7 +218,7 @@ def way_in(f: Any, x: Vec, v: Vec, acc: Vec) -> tuple[float, float]:
     """First and second derivative of the gap of a ball in touch with feature f."""
     n = feature_normal(f, x)
     speed = dot(v, n)
-    bend = dot(acc, n)
+    bend = _component(n, acc)
     kind = f.kind
     if kind >= LINE:
         p, side = vector(f.p), f.side
