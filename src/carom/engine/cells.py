@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from carom.engine.queue import S, U
-from carom.engine.swarm_arrays import CODES, ROOM
+from carom.engine.swarm_arrays import CODES, ROOM, SIZE, STRIDE
 from carom.kernel import hot_kernel, kernel
 
 __all__ = ["around", "cell_of", "gather", "leave_cell", "put_in_cell", "tables"]
@@ -40,18 +40,18 @@ def tables(swarm: Any) -> Any:
 
 
 @hot_kernel
-def cell_of(swarm: Any, axis: int, x: float) -> int:
+def cell_of(box: Any, grid: Any, axis: int, x: float) -> Any:
     """The cell that holds x along an axis."""
-    return S(max(0, min(S(x / swarm.size[axis]), swarm.cells[axis] - 1)))  # type: ignore[no-any-return]
+    return max(S(0), min(S(x / box[U(SIZE + axis)]), grid[U(axis)] - 1))
 
 
 @kernel
-def put_in_cell(swarm: Any, cells: Any, body: Any, i: int) -> bool:
+def put_in_cell(grid: Any, cells: Any, plan: Any, i: int) -> bool:
     """Ball i enters its cell; False if the cell is full."""
-    cell, stride = body.cell, swarm.stride
-    first = cell[0] * stride[0] + cell[1] * stride[1] + cell[2] * stride[2]
+    slots = grid[U(STRIDE)]
+    first = plan.cx * slots + plan.cy * grid[U(STRIDE + 1)] + plan.cz * grid[U(STRIDE + 2)]
     count = S(cells[U(first)])
-    if count + 1 >= stride[0]:
+    if count + 1 >= slots:
         return False
     cells[U(first + count + 1)] = i
     cells[U(first)] = count + 1
@@ -59,16 +59,36 @@ def put_in_cell(swarm: Any, cells: Any, body: Any, i: int) -> bool:
 
 
 @kernel
-def leave_cell(swarm: Any, cells: Any, body: Any, i: int) -> None:
+def leave_cell(grid: Any, cells: Any, plan: Any, i: int) -> None:
     """Ball i leaves its cell; the last one takes its slot."""
-    cell, stride = body.cell, swarm.stride
-    first = cell[0] * stride[0] + cell[1] * stride[1] + cell[2] * stride[2]
+    first = plan.cx * grid[U(STRIDE)] + plan.cy * grid[U(STRIDE + 1)] + plan.cz * grid[U(STRIDE + 2)]
     count = S(cells[U(first)])
     last = cells[U(first + count)]
     for k in range(1, count):
         if cells[U(first + k)] == i:
             cells[U(first + k)] = last
     cells[U(first)] = count - 1
+
+
+@kernel
+def _rest(cells: Any, found: Any, first: int, n: int, count: int, code: Any) -> None:
+    """The balls of a cell after the first few; seldom there are any."""
+    for k in range(ROOM, count):
+        found[U(n + k)] = cells[U(first + 1 + k)] | code
+
+
+@hot_kernel
+def _copy(cells: Any, found: Any, first: int, n: int, code: int) -> int:
+    """Add the balls of a cell to those found; how many there are now."""
+    image = np.uint32(code << CODES)
+    count = S(cells[U(first)])
+    # (ROOM of them, all read before the first is written, so that they are one load and one store)
+    p, q = cells[U(first + 1)] | image, cells[U(first + 2)] | image
+    r, s = cells[U(first + 3)] | image, cells[U(first + 4)] | image
+    found[U(n)], found[U(n + 1)], found[U(n + 2)], found[U(n + 3)] = p, q, r, s
+    if count > ROOM:
+        _rest(cells, found, first, n, count, image)
+    return n + count  # type: ignore[no-any-return]
 
 
 @hot_kernel
@@ -88,19 +108,19 @@ def gather(
 ) -> int:
     """Numbers of the balls in the cells around (cx, cy, cz), with the code of their image: how many."""
     n = 0
+    left, middle, right = offsets[U(0), U(cx), U(0)], offsets[U(0), U(cx), U(1)], offsets[U(0), U(cx), U(2)]
+    ahead = right if x0 == 2 else left
     for c in range(z0, z1):
         third = offsets[U(2), U(cz), U(c)]
         for b in range(y0, y1):
-            second = third + offsets[U(1), U(cy), U(b)]
-            for a in range(x0, x1):
-                first = second + offsets[U(0), U(cx), U(a)]
-                code = np.uint32((a | (b << 2) | (c << 4)) << CODES)
-                count = S(cells[U(first)])
-                for k in range(ROOM):
-                    found[U(n + k)] = cells[U(first + 1 + k)] | code
-                for k in range(ROOM, count):
-                    found[U(n + k)] = cells[U(first + 1 + k)] | code
-                n += count
+            first = third + offsets[U(1), U(cy), U(b)]
+            code = (b << 2) | (c << 4)
+            if x1 - x0 == 3:
+                n = _copy(cells, found, first + left, n, code)
+                n = _copy(cells, found, first + middle, n, code | 1)
+                n = _copy(cells, found, first + right, n, code | 2)
+            else:
+                n = _copy(cells, found, first + ahead, n, code | x0)
     return n
 
 

@@ -1,7 +1,8 @@
 """What the loop of many balls works on: arrays of records, which can be saved and restored bit by bit.
 
-A ball is split over three records by how often it is looked at: MOTION (one cache line: every neighbour's prediction reads
-it), PLAN (what comes next, and the ball's place in the queue), BODY (the rest).
+A ball is split over three records by how often it is looked at: MOTION (every neighbour's prediction reads it), PLAN (what
+comes next, its place in the queue and among the cells), BODY (the rest). The first two are a cache line each. What the
+loop reads of them at every event are plain numbers: an array within a record costs a call each time (twice as long a run).
 """
 
 from __future__ import annotations
@@ -9,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 
 __all__ = [
-    "BODY", "CODES", "DONE", "FULL", "LIMIT", "MOST_BALLS", "MOTION", "NOBODY", "PAIR", "PLAN", "ROOM", "SPECIES", "SWARM",
-    "WALL",
+    "BODY", "CODES", "DONE", "FULL", "LIMIT", "MOST_BALLS", "MOTION", "NOBODY", "PAIR", "PERIODIC", "PLAN", "PULL", "ROOM",
+    "SIZE", "SPECIES", "STRIDE", "SWARM", "WALL",
 ]  # fmt: skip
 
 # How a call of the loop ends: at its time, after its collisions or steps, or because a cell has no room for one more ball
@@ -20,6 +21,9 @@ NOBODY = 0xFFFFFFFF  # no ball: the end of a list, no collision in sight
 ROOM = 4  # slots of a cell that are read without looking whether they are filled
 # In the list of neighbours a ball's number has 26 bits, the image that is near the other 6.
 CODES = 26
+# What the loop is told of the box, as plain arrays: lengths (9,), three each of the sides, a cell's sizes (from SIZE) and
+# gravity (PULL); whole numbers (9,): cells, strides between them in slots (STRIDE), and whether periodic (PERIODIC).
+SIZE, PULL = STRIDE, PERIODIC = 3, 6
 MOST_BALLS = (1 << CODES) - 1
 
 _NUMBER, _INDEX, _VECTOR = "f8", "u4", ("f8", (3,))
@@ -45,15 +49,15 @@ PLAN = np.dtype(
         ("bin", _INDEX),
         ("next", _INDEX),
         ("previous", _INDEX),
+        *((name, "i4") for name in ("cx", "cy", "cz")),  # the cell
+        ("image", "i4", (3,)),  # how often the ball has gone round a periodic box
     ]
 )
 
 BODY = np.dtype(
     [
-        ("w", *_VECTOR),  # spin
+        *((name, _NUMBER) for name in ("wx", "wy", "wz")),  # spin
         ("met", _NUMBER),  # time of the last contact
-        ("cell", "i4", (3,)),
-        ("image", "i4", (3,)),  # how often the ball has gone round a periodic box
     ]
 )
 
@@ -85,7 +89,6 @@ SWARM = np.dtype(
         ("stride", "i8", (3,)),  # from a cell to the next along an axis, in slots
         ("axes", "i8"),  # 3, or 2: discs
         ("pull", *_VECTOR),  # gravity
-        ("pulled", "i8"),  # whether there is any
         ("soft", _NUMBER),  # TC: a contact within this time after a ball's last one gives all back
         # The clock: time is base + rest + now, where now starts anew with every turn of the calendar.
         ("base", _NUMBER),
@@ -95,7 +98,9 @@ SWARM = np.dtype(
         ("bins", "i8"),
         ("bin", "i8"),  # the current one
         ("popped", "i8"),  # events of this turn so far
+        ("planned", "i8"),  # balls that have their first event
         ("status", "i8"),  # how the last call ended
+        ("slow", _NUMBER),  # below this speed of approach times distance, balls in touch are not coming in
         # measures
         ("pair_hits", "i8"),
         ("wall_hits", "i8"),

@@ -6,7 +6,8 @@ import math
 from typing import Any
 
 from carom.engine.queue import S, U
-from carom.kernel import Vec, hot_kernel, kernel, vector
+from carom.engine.swarm_arrays import PERIODIC
+from carom.kernel import Vec, hot_kernel, kernel
 from carom.laws.contact import contact, one_contact
 from carom.laws.pair import pair_contact
 
@@ -20,27 +21,27 @@ def put_velocity(ball: Any, v: Vec) -> None:
 
 
 @hot_kernel
-def _nearest(x: float, side: float) -> float:
-    """A difference along a periodic axis, of the images that are nearest; side 0: not periodic."""
+def _nearest(x: float, side: float, periodic: int) -> float:
+    """A difference along an axis, of the nearest images if it is periodic."""
+    if periodic == 0:
+        return x
     if x > side / 2:
         return x - side
     return x + side if x < -side / 2 else x
 
 
 @hot_kernel
-def meet(swarm: Any, motions: Any, bodies: Any, species: Any, pairs: Any, i: int, j: int, now: float) -> float:
+def meet(
+    swarm: Any, box: Any, grid: Any, motions: Any, bodies: Any, species: Any, pairs: Any, i: int, j: int, now: float
+) -> float:
     """Balls i and j touch: new velocities and spins; the impulse along the line of centres times their distance."""
     a, b = motions[U(i)], motions[U(j)]
     kind1, kind2 = S(a.kind), S(b.kind)
     pair = pairs[U(kind1 * swarm.kinds + kind2)]
     one, two = species[U(kind1)], species[U(kind2)]
-    rx, ry, rz = a.x - b.x, a.y - b.y, a.z - b.z
-    if swarm.periodic[0]:
-        rx = _nearest(rx, swarm.side[0])
-    if swarm.periodic[1]:
-        ry = _nearest(ry, swarm.side[1])
-    if swarm.periodic[2]:
-        rz = _nearest(rz, swarm.side[2])
+    rx = _nearest(a.x - b.x, box[U(0)], grid[U(PERIODIC)])
+    ry = _nearest(a.y - b.y, box[U(1)], grid[U(PERIODIC + 1)])
+    rz = _nearest(a.z - b.z, box[U(2)], grid[U(PERIODIC + 2)])
     far = math.sqrt(rx * rx + ry * ry + rz * rz)
     n = (rx / far, ry / far, rz / far)
     e = pair.e
@@ -60,14 +61,14 @@ def meet(swarm: Any, motions: Any, bodies: Any, species: Any, pairs: Any, i: int
     else:
         first, second = bodies[U(i)], bodies[U(j)]
         v1, w1, v2, w2, p, _required, _regime = pair_contact(
-            (a.vx, a.vy, a.vz), vector(first.w), (b.vx, b.vy, b.vz), vector(second.w), n,
+            (a.vx, a.vy, a.vz), (first.wx, first.wy, first.wz), (b.vx, b.vy, b.vz), (second.wx, second.wy, second.wz), n,
             one.radius, one.mass, one.kappa, two.radius, two.mass, two.kappa, e, pair.mu, pair.beta,
         )  # fmt: skip
         pn = p[0] * n[0] + p[1] * n[1] + p[2] * n[2]
         put_velocity(a, v1)
         put_velocity(b, v2)
-        first.w[0], first.w[1], first.w[2] = w1[0], w1[1], w1[2]
-        second.w[0], second.w[1], second.w[2] = w2[0], w2[1], w2[2]
+        first.wx, first.wy, first.wz = w1[0], w1[1], w1[2]
+        second.wx, second.wy, second.wz = w2[0], w2[1], w2[2]
     swarm.overlap = max(swarm.overlap, (pair.reach - far) / pair.reach)
     a.count += 1
     b.count += 1
@@ -87,10 +88,10 @@ def meet_wall(swarm: Any, ball: Any, body: Any, one: Any, walls: Any, which: int
             e = 1.0
         body.met = now
     v, w, j, _required, _regime = one_contact(
-        (ball.vx, ball.vy, ball.vz), vector(body.w), n, one.radius, one.kappa, e, wall.mu, wall.beta
+        (ball.vx, ball.vy, ball.vz), (body.wx, body.wy, body.wz), n, one.radius, one.kappa, e, wall.mu, wall.beta
     )
     put_velocity(ball, v)
-    body.w[0], body.w[1], body.w[2] = w[0], w[1], w[2]
+    body.wx, body.wy, body.wz = w[0], w[1], w[2]
     swarm.push[which] += one.mass * side * j[axis]
     swarm.wall_hits += 1
     ball.count += 1

@@ -13,11 +13,12 @@ from numpy.typing import NDArray
 from carom.engine import swarm
 from carom.engine.cells import tables
 from carom.engine.swarm_arrays import BODY, DONE, FULL, MOTION, PLAN, ROOM
+from carom.engine.swarm_prefetch import register_prefetch
 
 __all__ = ["Arrays", "advance", "balls_at", "make", "restore"]
 
 SLOTS = 8  # of a cell at first: its count, and room for 7 balls
-BINS = 8  # of the calendar, a ball
+BINS = 4  # of the calendar, a ball
 LINE = 64  # bytes of a cache line
 
 
@@ -32,18 +33,20 @@ class Arrays(NamedTuple):
     pairs: NDArray[np.void]
     walls: NDArray[np.void]
     heads: NDArray[np.uint32]
+    box: NDArray[np.float64]
+    grid: NDArray[np.int64]
     cells: NDArray[np.uint32]
     offsets: NDArray[np.int64]
     shifts: NDArray[np.float64]
     found: NDArray[np.uint32]
-    times: NDArray[np.float64]
     near: NDArray[np.float64]
+    work: NDArray[np.float64]
+    whole: NDArray[np.int64]
 
 
 class _Compiled(NamedTuple):
     place: Callable[..., Any]
     refill: Callable[..., Any]
-    start: Callable[..., Any]
     run: Callable[..., Any]
     bring_to_now: Callable[..., Any]
 
@@ -52,7 +55,10 @@ class _Compiled(NamedTuple):
 def _compiled() -> _Compiled:
     from carom.compiled import njit
 
-    return _Compiled(*(njit(getattr(swarm, name)) for name in _Compiled._fields))
+    register_prefetch()
+    # Without counting who holds an array: nothing is made in the loop, and the counters were half of its time.
+
+    return _Compiled(*(njit(getattr(swarm, name), _nrt=False) for name in _Compiled._fields))
 
 
 def _aligned(count: int, kind: np.dtype[Any]) -> NDArray[Any]:
@@ -70,11 +76,14 @@ def _cells(world: NDArray[np.void], slots: int) -> tuple[Any, ...]:
     one["stride"] = (slots, slots * shape[0], slots * shape[0] * shape[1])
     offsets, shifts = tables(one)
     cells = _aligned(slots * math.prod(shape), np.dtype("u4"))
-    room = 27 * max(slots, ROOM) + ROOM
-    return cells, offsets, shifts, np.zeros(room, np.uint32), np.zeros(room), np.zeros(12)
+    room = 27 * max(slots, ROOM) + 8 & -8
+    work = _aligned(4 * room, np.dtype("f8")).reshape(4, room)
+    box = np.concatenate([one["side"], one["size"], one["pull"]])
+    grid = np.concatenate([one["cells"], one["stride"], one["periodic"]])
+    return box, grid, cells, offsets, shifts, np.zeros(room, np.uint32), np.zeros(12), work, work.view(np.int64)
 
 
-def _fill(state: tuple[Any, ...], bodies: Any, fill: Callable[[Any], Any], slots: int) -> Arrays:
+def _fill(state: tuple[Any, ...], fill: Callable[[Any], Any], slots: int) -> Arrays:
     while True:
         arrays = Arrays(*state, *_cells(state[0], slots))
         if fill(arrays) == DONE:
@@ -83,25 +92,21 @@ def _fill(state: tuple[Any, ...], bodies: Any, fill: Callable[[Any], Any], slots
 
 
 def make(world: Any, species: Any, pairs: Any, walls: Any, kinds: Any, x: Any, v: Any, w: Any) -> Arrays:
-    """A swarm at its start: everything has its first event. Positions are brought into a periodic box."""
+    """A swarm at its start. Positions are brought into a periodic box."""
     count = len(x)
     world["count"], world["kinds"], world["bins"] = count, len(species), BINS * count
     motions, plans, bodies = _aligned(count, MOTION), _aligned(count, PLAN), _aligned(count, BODY)
     turns = np.where(world["periodic"][0] == 1, np.floor(x / world["side"][0]), 0)
     x = x - turns * world["side"][0]
     for k, axis in enumerate("xyz"):
-        motions[axis], motions["v" + axis] = x[:, k], v[:, k]
+        motions[axis], motions["v" + axis], bodies["w" + axis] = x[:, k], v[:, k], w[:, k]
     motions["kind"] = kinds
-    bodies["w"], bodies["met"], bodies["image"] = w, -math.inf, turns
-    heads = np.zeros(BINS * count + 1, np.uint32)
+    bodies["met"], plans["image"] = -math.inf, turns
+    heads = _aligned(BINS * count + 1, np.dtype("u4"))
     state = (world, motions, plans, bodies, species, pairs, walls, heads)
-    run = _compiled()
-    arrays = _fill(state, bodies, lambda a: run.place(a.swarm[0], a.motions, a.bodies, a.cells), SLOTS)
-    run.start(
-        arrays.swarm[0], motions, plans, bodies, species, pairs, arrays.cells, arrays.offsets, arrays.shifts, heads,
-        arrays.found, arrays.times, arrays.near,
-    )  # fmt: skip
-    return arrays
+    return _fill(
+        state, lambda a: _compiled().place(a.swarm[0], a.box, a.grid, a.motions, a.plans, a.species, a.cells), SLOTS
+    )
 
 
 def restore(state: tuple[Any, ...]) -> Arrays:
@@ -111,7 +116,7 @@ def restore(state: tuple[Any, ...]) -> Arrays:
     for array in state:
         copies.append(_aligned(len(array), array.dtype))
         copies[-1][:] = array
-    return _fill(tuple(copies), copies[3], lambda a: _compiled().refill(a.swarm[0], a.bodies, a.cells), slots)
+    return _fill(tuple(copies), lambda a: _compiled().refill(a.grid, a.plans, a.cells), slots)
 
 
 def advance(arrays: Arrays, until: float, most: int) -> Arrays:
@@ -122,15 +127,13 @@ def advance(arrays: Arrays, until: float, most: int) -> Arrays:
         # (it may be so from an interrupted call)
         if one["status"] == FULL:
             slots = 2 * int(one["stride"][0])
-            arrays = _fill(
-                arrays[:8], arrays.bodies, lambda a: _compiled().refill(a.swarm[0], a.bodies, a.cells), slots
-            )
+            arrays = _fill(arrays[:8], lambda a: _compiled().refill(a.grid, a.plans, a.cells), slots)
             one = arrays.swarm[0]
             one["status"] = DONE
         left = target - int(one["pair_hits"] + one["wall_hits"])
         if (
             left <= 0
-            or _compiled().run(one, *arrays[1:7], *arrays[8:11], arrays.heads, *arrays[11:], until, left) != FULL
+            or _compiled().run(one, *arrays[1:7], *arrays[8:13], arrays.heads, *arrays[13:], until, left) != FULL
         ):
             return arrays
 
@@ -139,5 +142,5 @@ def balls_at(arrays: Arrays, time: float) -> tuple[NDArray[np.void], NDArray[np.
     """Copies of motions and bodies, brought to a time not before the last event."""
     world, motions = arrays.swarm.copy(), arrays.motions.copy()
     world["now"] = max(world[0]["now"], (time - world[0]["base"]) - world[0]["rest"])
-    _compiled().bring_to_now(world[0], motions)
+    _compiled().bring_to_now(world[0], arrays.box, motions)
     return motions, arrays.bodies.copy()

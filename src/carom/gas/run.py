@@ -160,9 +160,9 @@ class Gas:
             time=self._time,
             position=np.stack([motions[name] for name in ("x", "y", "z")], axis=1),
             velocity=np.stack([motions[name] for name in ("vx", "vy", "vz")], axis=1),
-            spin=bodies["w"].copy(),
+            spin=np.stack([bodies[name] for name in ("wx", "wy", "wz")], axis=1),
             species=motions["kind"].copy(),
-            images=bodies["image"].copy(),
+            images=self._arrays.plans["image"].copy(),
         )
 
     def energy(self) -> tuple[float, float, float]:

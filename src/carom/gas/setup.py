@@ -89,7 +89,7 @@ def world_records(
     one["axes"], one["side"], one["periodic"], one["cells"], one["size"] = axes, 1.0, 1, 1, 1.0
     one["side"][:axes], one["periodic"][:axes] = size, closed
     one["pull"][: len(pull)] = pull
-    one["pulled"], one["soft"] = bool(pull.any()), contact_time
+    one["soft"] = contact_time
     if axes == 2 and one["pull"][2] != 0:
         faults.add("gravity", "nothing along z for discs", f"{gravity!r}")
     widest = 2 * max(float(one.ball.radius) for one in species)
