@@ -60,6 +60,7 @@ BALLS = np.dtype(
         ("next_kind", _WHOLE),
         ("next_who", _WHOLE),  # the feature, or the other ball
         ("repeats", _WHOLE),  # events in a row at one place
+        ("energy", _NUMBER),  # a unit of mass, since nothing takes any: what rounding must not change; else NaN
     ]
 )
 

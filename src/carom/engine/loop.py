@@ -57,7 +57,7 @@ def start(world: Any, features: Any, balls: Any, log: Any) -> float:
         ball.phase = phase
         put(ball.v, v)
         put(ball.w, w)
-        ball.clock, ball.repeats = 0.0, 0
+        ball.clock, ball.repeats, ball.energy = 0.0, 0, math.nan
         begin(world, ball)
         ball.next_at = ball.next_in = ball.lasts
         ball.next_kind, ball.next_who = NOTHING, -1
@@ -139,6 +139,8 @@ def _happen(world: Any, features: Any, balls: Any, i: int, users: Any) -> tuple[
     ball = balls[i]
     kind, who = ball.next_kind, ball.next_who
     none = (0.0, 0.0, 0.0)
+    if kind != WALL:
+        ball.energy = balls[who if kind == BALL else i].energy = math.nan
     j, jf, required, regime, refusal = none, none, 0.0, NO_REGIME, DONE
     if ball.repeats > PINNED:
         if kind == BALL and balls[who].repeats > 0:  # the other one has not moved either
@@ -167,6 +169,29 @@ def _happen(world: Any, features: Any, balls: Any, i: int, users: Any) -> tuple[
         put(ball.v, v)
         put(ball.w, w)
     return kind, who, j, jf, required, regime, refusal
+
+
+@kernel
+def _look_ahead(world: Any, features: Any, balls: Any, i: int, k: int, t: float, slow: float) -> None:
+    """Find what comes next, balls i and k (one and the same, or a pair) having come into new phases at time t."""
+    begin(world, balls[i])
+    if k != i:
+        begin(world, balls[k])
+        balls[k].next_at = math.inf  # it has no event yet, and its path is good for ever
+    for m in range(balls.shape[0]):
+        ball = balls[m]
+        if ball.phase == BOUNCING and m not in (i, k) and not free_for(features, balls, m, ball.lasts):
+            # something may now come its way before its hops end, which are followed one by one from here on
+            move_by(world, ball, t - ball.clock, t)
+            ball.phase = FLIGHT
+            begin(world, ball)
+            predict(world, features, balls, m, slow)
+    predict(world, features, balls, i, slow)
+    if k != i:
+        predict(world, features, balls, k, slow)
+    for m in range(balls.shape[0]):
+        if _overtaken(balls, m):
+            predict(world, features, balls, m, slow)
 
 
 @kernel
@@ -222,24 +247,7 @@ def run(
             if k != i and other.phase == HELD:
                 _note(log[rows], other, HELD_EVENT, k, met, i, vector(other.v), vector(other.w), before_k)
                 rows += 1
-        begin(world, ball)
-        for m in range(balls.shape[0]):
-            if balls[m].phase == BOUNCING and m not in (i, k) and not free_for(features, balls, m, balls[m].lasts):
-                # what now comes its way meets it between two hops, which are followed one by one from here on
-                move_by(world, balls[m], t - balls[m].clock, t)
-                balls[m].phase = FLIGHT
-                begin(world, balls[m])
-                predict(world, features, balls, m, slow)
-        if k != i:
-            begin(world, other)
-            other.next_at = math.inf  # it has no event yet, and its path is good for ever
-            predict(world, features, balls, i, slow)
-            predict(world, features, balls, k, slow)
-        else:
-            predict(world, features, balls, i, slow)
-        for m in range(balls.shape[0]):
-            if _overtaken(balls, m):
-                predict(world, features, balls, m, slow)
+        _look_ahead(world, features, balls, i, k, t, slow)
 
 
 @kernel

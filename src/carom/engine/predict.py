@@ -89,7 +89,7 @@ def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
             other = balls[k]
             if k == i or other.phase >= HELD or (phase == REST and other.phase == REST):
                 continue
-            if phase == BOUNCING or other.phase == BOUNCING:  # free of each other, or it would not be (linger)
+            if BOUNCING in (phase, other.phase):  # free of each other, or it would not be (linger)
                 continue
             # the other ball keeps to its path up to its next event, after which the pair is looked at again
             now = max(ball.clock, other.clock)

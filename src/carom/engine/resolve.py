@@ -13,13 +13,13 @@ from carom.engine.linger import hold_on_ball, hold_on_wall, hop
 from carom.engine.predict import put
 from carom.engine.users import call_user
 from carom.kernel import Vec, dot, kernel, vector
-from carom.laws.contact import one_contact, slip_velocity
+from carom.laws.contact import STICK, one_contact, slip_velocity
 from carom.laws.conventional import conventional_reflection
 from carom.laws.landing import UP
 from carom.laws.pair import pair_contact
 from carom.laws.simultaneous import STALL
 from carom.laws.two_step import UNDEFINED, first_impact
-from carom.motion.phases import FLIGHT, REST, ROUNDING, SLIDING, grounded
+from carom.motion.phases import FLIGHT, REST, ROLLING, ROUNDING, SLIDING, grounded
 from carom.motion.restitution import restitution
 from carom.scene.features import feature_normal
 
@@ -27,6 +27,9 @@ __all__ = ["DONE", "REFUSED_ROLLING", "REFUSED_STALL", "REFUSED_UNDEFINED", "mee
 
 # What a run may end with: DONE, or an event for which the law has no answer.
 DONE, REFUSED_ROLLING, REFUSED_UNDEFINED, REFUSED_STALL = 0, 1, 2, 3
+
+# Relative errors of a speed that are rounding: below the first it has no digits left, above the second it is not rounding.
+LEAST_ROUNDING, MOST_ROUNDING = 3e-16, 1e-11
 
 Impulse = tuple[Vec, Vec, float, int, int]
 
@@ -46,6 +49,37 @@ def leave(world: Any, ball: Any, v: Vec, w: Vec, from_floor: bool) -> None:
 
 
 @kernel
+def _kinetic(ball: Any) -> float:
+    """Of a unit of mass, twice: v^2 + kappa a^2 w^2."""
+    v, w, a = vector(ball.v), vector(ball.w), ball.radius
+    return float(dot(v, v) + ball.kappa * (a * a) * dot(w, w))
+
+
+@kernel
+def keeps_energy(world: Any, ball: Any) -> bool:
+    """Whether a ball goes on its way without a loss: in flight, or rolling where nothing resists."""
+    rolls = ball.phase == ROLLING and not world.resistance > 0 and not world.spin_friction > 0
+    return bool(ball.phase == FLIGHT or rolls)
+
+
+@kernel
+def _restore(world: Any, ball: Any, energy: float) -> None:
+    """Give a ball that has lost nothing the energy back that rounding took, or gave: else it adds up, blow by blow.
+
+    ``energy`` is what it has had since its last loss, kinetic and potential, twice and of a unit of mass.
+    """
+    now = _kinetic(ball)
+    rest = energy + 2 * dot(vector(world.force), vector(ball.x))
+    ball.energy = energy
+    c = (rest - now) / (2 * now) if now > 0 else 0 * now
+    # (more is not rounding)
+    if LEAST_ROUNDING < abs(c) < MOST_ROUNDING:
+        v, w = vector(ball.v), vector(ball.w)
+        put(ball.v, (v[0] + c * v[0], v[1] + c * v[1], v[2] + c * v[2]))
+        put(ball.w, (w[0] + c * w[0], w[1] + c * w[1], w[2] + c * w[2]))
+
+
+@kernel
 def _lies(world: Any, ball: Any) -> bool:
     """Whether a ball is on the floor: by its phase, or, where nothing presses it, by its place and velocity."""
     if ball.phase == FLIGHT:
@@ -62,6 +96,10 @@ def meet_wall(world: Any, f: Any, ball: Any, users: Any) -> Impulse:
     e = restitution(f.form, vector(f.e), max(-dot(v, n), 0.0))
     mu, beta, law = f.mu, f.beta, f.law
     on_floor = _lies(world, ball)
+    energy = ball.energy
+    if math.isnan(energy) or not keeps_energy(world, ball):
+        energy = _kinetic(ball) - 2 * dot(vector(world.force), vector(ball.x))
+    ball.energy = math.nan
     none = (0.0, 0.0, 0.0)
     jf, required, regime, refusal = none, 0.0, NO_REGIME, DONE
     if law == TWO_STEP and on_floor:
@@ -93,6 +131,11 @@ def meet_wall(world: Any, f: Any, ball: Any, users: Any) -> Impulse:
     if refusal == DONE:
         leave(world, ball, v1, w1, on_floor)
         hold_on_wall(world, f, ball, -dot(v, n))
+        # two-step keeps it where friction does not act, or turns all of the slip round
+        elastic = e == 1 and (law == MIRROR or (law == TWO_STEP and not on_floor and (mu == 0 or beta == -1)))
+        rough = law == TWO_STEP and not on_floor and e == 1 and beta == 1 and regime == STICK
+        if (elastic or rough or law in (NO_SLIP, CONVENTIONAL)) and keeps_energy(world, ball):
+            _restore(world, ball, energy)
     m = ball.mass
     return (m * j[0], m * j[1], m * j[2]), (m * jf[0], m * jf[1], m * jf[2]), required, regime, refusal
 

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.kernel import cross, dot
+from carom.motion.roots import two_prod
 from carom.scene.features import FACE, LINE, OVER, POINT
 from carom.scene.quantities import Vector
 
@@ -20,6 +21,8 @@ __all__ = [
 Array = NDArray[np.float64]
 Flat = tuple[float, float]
 UP: Vector = (0.0, 0.0, 1.0)
+# How far a unit vector is moved to make its length 1: its least number above COARSE by no more than NEAR.
+FEW_DIGITS, NEAR, COARSE = 8, 4e-15, 0.01
 
 
 class Feature(NamedTuple):
@@ -40,12 +43,37 @@ class Feature(NamedTuple):
 # --- vectors ------------------------------------------------------------------------------------------------------
 
 
-def unit(v: Sequence[float]) -> Vector:
-    """A vector of length 1 along v; no number of v is too large or too small for it."""
+def _scaled(v: Sequence[float]) -> Vector:
     most = max(abs(x) for x in v)
     x, y, z = (c / most for c in v)
     size = math.sqrt(x * x + y * y + z * z)
     return (x / size, y / size, z / size)
+
+
+def unit(v: Sequence[float]) -> Vector:
+    """A vector of length 1 along v; no number of v is too large or too small for it.
+
+    Of those within a few last digits it is one whose length is nearest to 1: a reflection at a normal that is too long by
+    1e-16 bends the path, always the same way, and ten thousand of them bend it by 1e-12.
+    """
+    best = n = _scaled(v)
+    if _too_long(n) == 0:
+        return n
+    k = min((abs(c), i) for i, c in enumerate(n) if abs(c) > COARSE)[1]  # the finer its last digit, the better
+    for i in range(3):
+        for digits in range(-FEW_DIGITS, FEW_DIGITS + 1):
+            if i != k and n[i] != 0:
+                tried = [*n]
+                tried[i] += digits * math.ulp(n[i])
+                tried[k] -= _too_long(tried) / (2 * n[k])
+                if abs(tried[k] - n[k]) <= NEAR and abs(_too_long(tried)) < abs(_too_long(best)):
+                    best = (tried[0], tried[1], tried[2])
+    return best
+
+
+def _too_long(n: Sequence[float]) -> float:
+    """|n|^2 - 1, without rounding."""
+    return math.fsum((-1.0, *(part for c in n for part in two_prod(c, c))))
 
 
 def minus(p: Sequence[float], q: Sequence[float]) -> Vector:
@@ -64,7 +92,7 @@ def frame(axis: Vector) -> tuple[Vector, Vector]:
 
     For an axis along x, the y axis takes its place.
     """
-    u = unit(across((0.0, 1.0, 0.0) if abs(axis[0]) > 1 - 1e-9 else (1.0, 0.0, 0.0), axis))
+    u = _scaled(across((0.0, 1.0, 0.0) if abs(axis[0]) > 1 - 1e-9 else (1.0, 0.0, 0.0), axis))
     return u, cross(axis, u)
 
 
