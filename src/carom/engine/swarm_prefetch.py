@@ -12,7 +12,7 @@ from carom.kernel import hot_kernel
 __all__ = ["look_ahead", "prefetch", "register_prefetch"]
 
 # So many bins, of one event each, before their time the balls are asked for, then the cells around them, then who is there.
-FAR, MIDDLE, NEAR = 12, 8, 4
+FAR, MIDDLE, NEAR = 16, 11, 6
 LINE = 16  # numbers of a cell's slots in a cache line
 
 

@@ -2,6 +2,6 @@
 
 from carom.gas.run import Gas, GasBalls, GasRun, simulate_gas
 from carom.gas.setup import WALLS, Species
-from carom.gas.start import lattice, thermal
+from carom.gas.start import lattice, scattered, thermal
 
-__all__ = ["WALLS", "Gas", "GasBalls", "GasRun", "Species", "lattice", "simulate_gas", "thermal"]
+__all__ = ["WALLS", "Gas", "GasBalls", "GasRun", "Species", "lattice", "scattered", "simulate_gas", "thermal"]

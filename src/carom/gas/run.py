@@ -138,7 +138,7 @@ class Gas:
 
     def state(self) -> dict[str, NDArray[Any]]:
         """Everything that a later run needs to go on with the same bits: a few arrays, copied."""
-        return {name: array.copy() for name, array in zip(Arrays._fields[:8], self._arrays, strict=False)}
+        return {name: getattr(self._arrays, name).copy() for name in Arrays._fields[:8]}
 
     def _begin(self, arrays: Arrays) -> None:
         self._arrays = arrays

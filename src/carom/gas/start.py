@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+import functools
 import math
+from collections.abc import Callable
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["lattice", "thermal"]
+from carom.errors import CaromError
+
+__all__ = ["lattice", "scattered", "thermal"]
 
 Array = NDArray[np.float64]
+PROPOSALS = 300  # a ball, after which a density counts as too high to be reached by chance
 
 
 def lattice(count: int, side: tuple[float, ...], margin: float = 0.0) -> Array:
@@ -42,3 +48,83 @@ def thermal(mass: Array, axes: tuple[int, ...], temperature: float, rng: np.rand
         v -= (mass[:, None] * v).sum(axis=0) / mass.sum()
     found[:, axes] = v * math.sqrt(temperature * len(mass) * len(axes) / (mass[:, None] * v * v).sum())
     return found
+
+
+def scattered(radius: ArrayLike, side: tuple[float, ...], periodic: Any, rng: np.random.Generator) -> Array:
+    """Centres (N, 3) at random, none overlapping: one ball after the other is put where it has room, the largest first.
+
+    Random sequential addition: it reaches 38 % of the volume (55 % of the area), and slows down well before. Walls bound the
+    balls' surfaces. CaromError where there is no room.
+    """
+    size = np.ones(3)
+    size[: len(side)] = side
+    around = np.ones(3, bool)
+    around[: len(side)] = periodic
+    radii = np.array(radius, dtype=float)
+    order = np.argsort(-radii, kind="stable")
+    cells = np.maximum((size / (2 * radii.max())).astype(np.int64), 1)
+    cells[len(side) :] = 1
+    first, after = np.full(cells.prod(), -1, np.int64), np.full(len(radii), -1, np.int64)
+    x, placed, tried = np.zeros((len(radii), 3)), 0, 0
+    while placed < len(radii):
+        if tried > PROPOSALS * len(radii):
+            raise CaromError(
+                f"scattered: expected a density that chance can reach, got {placed} of {len(radii)} balls in; start from a lattice"
+            )
+        batch = rng.random((2 * (len(radii) - placed) + 100, 3))
+        tried += len(batch)
+        batch[:, len(side) :] = 0
+        placed = _compiled()(x, radii[order], placed, batch, size, around, cells, first, after, len(side))
+    found = np.zeros_like(x)
+    found[order] = x
+    return found
+
+
+@functools.cache
+def _compiled() -> Callable[..., int]:
+    from carom.compiled import njit
+
+    return njit(_scatter)
+
+
+def _scatter(
+    x: Any, radii: Any, placed: int, batch: Any, size: Any, around: Any, cells: Any, first: Any, after: Any, axes: int
+) -> int:
+    """Put in as many balls as a batch of proposals (each three numbers from 0 to 1) has room for; how many are in."""
+    place, there = np.zeros(3, np.int64), np.zeros(3, np.int64)
+    for k in range(batch.shape[0]):
+        if placed == x.shape[0]:
+            break
+        a = radii[placed]
+        for axis in range(3):
+            margin = 0.0 if around[axis] else a
+            x[placed, axis] = margin + batch[k, axis] * (size[axis] - 2 * margin)
+            place[axis] = min(int(x[placed, axis] / size[axis] * cells[axis]), cells[axis] - 1)
+        free = True
+        for step in range(27 if axes == 3 else 9):
+            rest, inside = step, True
+            for axis in range(3):
+                there[axis] = place[axis] + (rest % 3 - 1 if axis < axes else 0)
+                rest //= 3
+                if around[axis]:
+                    there[axis] %= cells[axis]
+                elif there[axis] < 0 or there[axis] >= cells[axis]:
+                    inside = False
+            if not inside:
+                continue
+            other = first[(there[2] * cells[1] + there[1]) * cells[0] + there[0]]
+            while other >= 0:
+                square = 0.0
+                for axis in range(axes):
+                    r = abs(x[placed, axis] - x[other, axis])
+                    r = min(r, size[axis] - r) if around[axis] else r
+                    square += r * r
+                if square < (a + radii[other]) * (a + radii[other]):
+                    free = False
+                other = after[other]
+        if free:
+            cell = (place[2] * cells[1] + place[1]) * cells[0] + place[0]
+            after[placed] = first[cell]
+            first[cell] = placed
+            placed += 1
+    return placed
