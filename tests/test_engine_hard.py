@@ -172,3 +172,263 @@ def test_newtons_cradle(gap: float) -> None:
     found = run(ball(-0.5, 0, 0, velocity=[1.0, 0.0, 0.0]), *row, gravity=0.0, run={"duration": 5.0})
     assert found.events.kinds == ["ball"] * 10
     assert found.final.velocity[:, 0] == pytest.approx([0, 0, 0, 0, 0, 1], abs=1e-15)
+
+
+# --- the series of bounces against a sum of its own ----------------------------------------------------------------------
+
+
+def series(x: Any, v: Any, w: Any, g: float, e: Any, mu: float, beta: float) -> tuple[Any, Any, Any, float, list[Any]]:
+    """A drop from x and all its bounces in 50 digits: place, velocity, spin and time when it lies; its landings."""
+    from mpmath import mp, mpf
+
+    mp.dps = 50
+    a, k = mpf(A), mpf(2) / 5
+    x, v, w = [[mpf(float(c)) for c in vector] for vector in (x, v, w)]
+    g, t, landings = mpf(g), mpf(0), []
+    fall = (v[2] + mp.sqrt(v[2] ** 2 + 2 * g * (x[2] - a))) / g
+    while True:
+        t += fall
+        x = [x[0] + v[0] * fall, x[1] + v[1] * fall, a]
+        down = -(v[2] - g * fall)
+        q = mpf(float(e(float(down))) if callable(e) else e)
+        u = (v[0] - a * w[1], v[1] + a * w[0])
+        slip = mp.sqrt(u[0] ** 2 + u[1] ** 2)
+        p = (1 + q) * down
+        hold = (1 + mpf(beta)) * k / (1 + k) * slip
+        f = hold if mu == math.inf or hold <= mpf(mu) * p else mpf(mu) * p
+        if slip > 0:
+            fx, fy = -f * u[0] / slip, -f * u[1] / slip
+            v[0], v[1] = v[0] + fx, v[1] + fy
+            w[0], w[1] = w[0] + fy / (k * a), w[1] - fx / (k * a)
+        v[2] = q * down
+        landings.append((t, list(x), list(v), list(w)))
+        fall = 2 * v[2] / g
+        if fall < mpf(10) ** -30:
+            return x, v, w, t, landings
+
+
+@pytest.mark.parametrize("beta", [0.0, 0.6, -0.4])
+@pytest.mark.parametrize("mu", [0.05, 0.3, math.inf])
+@pytest.mark.parametrize("e", [0.0, 0.5, 0.9, 0.99])
+def test_all_bounces_are_summed(e: float, mu: float, beta: float) -> None:
+    start = ([0.1, -0.2, 3 * A], [1.0, 0.3, 0.4], [5.0, -30.0, 7.0])
+    floor = {"restitution": e, "friction": mu, "tangential_restitution": beta}
+    found = run(ball(*start[0], velocity=start[1], spin=start[2]), floor=floor, gravity=9.8, run={"duration": 60.0})
+    x, v, w, t, landings = series(*start, 9.8, e, mu, beta)
+    last = found.events.of("settled" if e > 0 else "floor")[0]
+    assert last.t == pytest.approx(float(t), rel=1e-12)
+    assert last.before.position == pytest.approx([float(c) for c in x], abs=1e-12)
+    assert [*last.after.velocity[:2], 0] == pytest.approx([float(v[0]), float(v[1]), 0], abs=1e-12)
+    assert A * last.after.spin == pytest.approx([A * float(c) for c in w], abs=1e-12)
+    # in the midst of it: between two landings of which the run logs none
+    for k in {0, len(landings) // 3, len(landings) // 2, 3 * len(landings) // 4} - {len(landings) - 1}:
+        (t0, x0, v0, w0), (t1, *_rest) = landings[k], landings[k + 1]
+        when = float((t0 + t1) / 2)
+        s = when - t0
+        if (t1 - t0) < 1e-9:
+            continue
+        state = found.at(when)
+        assert state.position is not None
+        assert state.position[0] == pytest.approx(
+            [float(x0[0] + v0[0] * s), float(x0[1] + v0[1] * s), float(x0[2] + v0[2] * s - 9.8 * s * s / 2)], abs=1e-12
+        )
+        assert state.velocity[0][:2] == pytest.approx([float(v0[0]), float(v0[1])], abs=1e-12)
+        assert A * state.spin[0] == pytest.approx([A * float(c) for c in w0], abs=1e-12)
+
+
+FORMS = [
+    {"form": "han-2005"},
+    {"form": "power", "at_rest": 0.9, "speed": 0.1},
+    {"form": "exponential", "at_rest": 0.95, "at_speed": 0.5, "speed": 1.0},
+    {"form": "polynomial", "coefficients": [0.5, 0.2, 0.0]},
+]
+
+
+@pytest.mark.parametrize("form", FORMS, ids=[str(form["form"]) for form in FORMS])
+def test_all_bounces_are_summed_where_restitution_follows_the_speed(form: dict[str, Any]) -> None:
+    start = ([0.0, 0.0, 5 * A], [0.5, 0.0, 0.0], [0.0, -30.0, 7.0])
+    floor = {"restitution": form, "friction": 0.1}
+    found = run(ball(*start[0], velocity=start[1], spin=start[2]), floor=floor, gravity=9.8, run={"duration": 60.0})
+    restitution = found.scene.floor.restitution  # type: ignore[union-attr]
+    x, _v, w, t, _landings = series(*start, 9.8, restitution.at, 0.1, 0.0)
+    last = found.events.of("settled")[0]
+    assert last.t == pytest.approx(float(t), rel=1e-12)
+    assert last.before.position == pytest.approx([float(c) for c in x], abs=1e-12)
+    assert A * last.after.spin == pytest.approx([A * float(c) for c in w], abs=1e-12)
+
+
+# --- corners, gaps, and walls that end ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("law", ["mirror", "two-step"])
+def test_a_corner_is_the_same_whichever_wall_comes_first_where_the_law_commutes(law: str) -> None:
+    # (without friction the blows of two square walls commute; with it the wall that is listed first comes first)
+    normals = [(1, 0, 0), (0, 1, 0), (0, 0, 1)]
+    ends = []
+    for order in ([0, 1, 2], [2, 1, 0], [1, 0, 2]):
+        walls = [plane(*normals[k], friction=0.0) for k in order]
+        found = run(
+            ball(0.1, 0.1, 0.1, velocity=[-1.0] * 3, spin=[1.0, 2.0, 3.0]),
+            walls=walls,
+            gravity=0.0,
+            run={"law": law, "duration": 1.0},
+        )
+        assert found.events.kinds == ["wall"] * 3
+        assert found.events.rows["other"].tolist() == [0, 1, 2]
+        assert len(set(found.events.t.tolist())) == 1
+        ends.append(found.final.velocity[0].tolist())
+    assert ends[0] == ends[1] == ends[2] == [0.5, 0.5, 0.5]
+
+
+@pytest.mark.parametrize("gap", [0.0, 1e-13, 1e-9])
+def test_a_ball_between_two_walls_as_wide_as_itself(gap: float) -> None:
+    strip = {"shape": "strip", "point": [0, 0, 0], "normal": [1, 0, 0], "width": 2 * A + gap, **SURFACE}
+    along = run(ball(A, 0, velocity=[0.0, 1.0], rolling=True), floor=FLOOR, walls=[strip], run={"duration": 5.0})
+    assert along.events.kinds == []
+    to_and_fro = run(ball(A, 0, 0, velocity=[1e-3, 1.0, 0.0]), walls=[strip], gravity=0.0, run={"duration": 5.0})
+    assert set(to_and_fro.events.kinds) == {"wall"}
+    assert len(to_and_fro.events) < 60
+    x = to_and_fro.at(np.linspace(0, 5, 2000)).position
+    assert x is not None
+    assert x[:, 0, 0].min() >= A - 1e-9 * A
+    assert x[:, 0, 0].max() <= A + gap + 1e-9 * A
+
+
+def test_a_ball_pinned_for_ever_is_held() -> None:
+    strip = {
+        "shape": "strip",
+        "point": [0, 0, 0],
+        "normal": [1, 0, 0],
+        "width": 2 * A,
+        "restitution": 1.0,
+        "friction": 0.0,
+    }
+    found = run(ball(A, 0, 0, velocity=[1e-3, 0.0, 0.0]), walls=[strip], gravity=0.0)
+    assert found.events.kinds[-1] == "held"
+    assert found.end == 0.0
+
+
+BAR = {"shape": "segment", "start": [0, -1], "end": [0, 1], **SURFACE}
+
+
+def test_a_ball_that_hops_clears_a_low_cushion() -> None:
+    # its centre is over the wall at t = 0.5 / 2 s, 12.6 cm above where it was
+    found = run(
+        ball(0.5, 0, velocity=[-2.0, 0.0, 1.6]), floor=FLOOR, walls=[{**BAR, "height": 0.05}], run={"duration": 0.3}
+    )
+    assert found.events.kinds == ["left"]
+    assert found.events[0].t == pytest.approx(0.25, rel=1e-14)
+    assert found.final_phase == ["flight"]
+    # a wall all around: it has left for good
+    table = {"shape": "table", "length": 2.0, "width": 1.0, "height": 0.04, **SURFACE}
+    gone = run(ball(0.5, 0, velocity=[3.0, 0.0, 1.5]), floor=FLOOR, walls=[table])
+    assert gone.events.kinds == ["left"]
+    assert gone.final_phase == ["left"]
+    assert gone.end == gone.events[0].t
+
+
+def test_a_ball_that_does_not_clear_it_strikes_the_edge() -> None:
+    def thrown(z: float) -> carom.Trajectory:
+        return run(ball(0.2, 0, z, velocity=[-2.0, 0.0, 0.0]), walls=[{**BAR, "height": 0.05}], gravity=0.0)
+
+    assert thrown(0.05 + 1.001 * A).events.kinds == ["left"]
+    for above in (0.9, 0.5, 0.01):
+        hit = thrown(0.05 + above * A).events[0]
+        assert hit.kind == "wall"
+        assert hit.before.position == pytest.approx([A * math.sqrt(1 - above**2), 0.0, 0.05 + above * A], abs=1e-14)
+        assert hit.impulse[2] / hit.impulse[0] > 0
+    face = thrown(0.049).events[0]
+    assert face.before.position == pytest.approx([A, 0.0, 0.049], abs=1e-15)
+    assert face.after.velocity[0] == pytest.approx(1.0)
+
+
+def test_a_ball_rolls_under_a_raised_bar_and_strikes_one_that_is_too_low() -> None:
+    under = run(
+        ball(0.2, 0, velocity=[-2.0, 0.0], rolling=True),
+        floor=FLOOR,
+        walls=[{**BAR, "low": 0.0601}],
+        run={"duration": 1.0},
+    )
+    assert under.events.kinds == []
+    assert under.final.position is not None
+    assert under.final.position[0, 0] == pytest.approx(-1.8)
+    struck = run(
+        ball(0.2, 0, velocity=[-2.0, 0.0], rolling=True),
+        floor=FLOOR,
+        walls=[{**BAR, "low": 0.05}],
+        run={"duration": 1.0},
+    )
+    assert struck.events[0].kind == "wall"
+    assert struck.events[0].before.position[0] == pytest.approx(math.sqrt(A**2 - 0.02**2), abs=1e-14)  # type: ignore[index]
+
+
+@pytest.mark.parametrize("e", [0.0, 0.3])
+def test_topspin_into_a_cushion_ends(e: float) -> None:
+    # it climbs, falls, and is pressed again by its own spin, until that is gone or it is held
+    found = run(
+        ball(0.1, 0, velocity=[-1.0, 0.2, 0.0], spin=[0.0, -200.0, 0.0]),
+        floor=FLOOR,
+        walls=[plane(1, 0, 0, restitution=e)],
+    )
+    assert found.ended != "max_events"
+    assert len(found.events) < 1000
+    x = found.at(np.linspace(0, found.end, 20_000)).position
+    assert x is not None
+    assert np.nanmin(x[:, 0, 0]) >= A - 1e-9 * A
+    assert np.nanmin(x[:, 0, 2]) >= A - 1e-9 * A
+
+
+@pytest.mark.parametrize("count", range(1, 8))
+def test_a_run_may_end_amid_events_of_one_instant(count: int) -> None:
+    row = [ball(2 * A * k, 0, 0) for k in range(5)]
+    whole, cut = (
+        run(ball(-0.5, 0, 0, velocity=[1.0, 0.0, 0.0]), *row, gravity=0.0, run={"max_events": n, "duration": 5.0})
+        for n in (100, count)
+    )
+    rows = min(2 * count, 10)
+    assert cut.events.rows.tobytes() == whole.events.rows[:rows].tobytes()
+    assert cut.ended == ("max_events" if count < 5 else "duration")
+
+
+@pytest.mark.parametrize("mu", [0.0, math.inf])
+def test_a_floor_without_friction_and_one_with_all(mu: float) -> None:
+    found = run(
+        ball(0.5, 0.5, velocity=[-1.0, -0.7, 0.0], spin=[0.0, 50.0, 3.0]),
+        floor={**FLOOR, "friction": mu},
+        walls=[plane(1, 0, 0)],
+        run={"duration": 3.0},
+    )
+    if mu == 0:
+        assert found.phase(0.2).tolist() == ["sliding"]
+        assert found.events[0].before.velocity == pytest.approx([-1.0, -0.7, 0.0])
+    else:
+        assert found.events[0].kind == "rolling"
+        assert found.events[0].t == 0
+        assert found.events[0].after.velocity == pytest.approx(
+            [5 / 7 * -1.0 + 2 / 7 * 50 * A, 5 / 7 * -0.7, 0.0], abs=1e-15
+        )
+
+
+@pytest.mark.parametrize("friction", [0.0, 0.05])
+@pytest.mark.parametrize("e", [0.95, 0.8])
+def test_the_break_of_a_frozen_rack(e: float, friction: float) -> None:
+    rack = [ball(i * A * math.sqrt(3) * (1 + 1e-15), (2 * j - i) * A) for i in range(5) for j in range(i + 1)]
+    cloth = {**FLOOR, "rolling_resistance": 0.01, "spin_friction": 0.01}
+    found = run(
+        ball(-0.5, 0, velocity=[5.0, 0.0], rolling=True),
+        *rack,
+        floor=cloth,
+        ball_contact={"restitution": e, "friction": friction},
+        run={"duration": 60.0},
+    )
+    assert found.ended == "nothing more happens"
+    assert set(found.final_phase) == {"rest"}
+    blows = found.events.of("ball")
+    first = blows.rows[blows.t < blows.t[0] + 1e-9]
+    assert len(first) >= 30
+    # at the first instant: what the first ball brought is what all have (the floor takes part where friction lifts a ball)
+    v = found.at(blows.t[0] + 1e-9).velocity
+    assert v[:, 1].sum() == pytest.approx(0, abs=1e-2 if friction else 1e-8)
+    assert v[:, 0].sum() == pytest.approx(blows[0].before.velocity[0], abs=0.1 if friction else 1e-7)
+    assert gaps(found, np.linspace(0, found.end, 20_000)).min() >= -1e-9 * A
+    assert gaps(found, blows.t).min() >= -1e-9 * A
