@@ -155,7 +155,7 @@ def run(  # noqa: PLR0915  (the loop)
             while current < bins and heads[U(current)] == NOBODY:
                 current += 1
                 if far:
-                    look_ahead(swarm, motions, plans, cells, offsets, heads, current)
+                    look_ahead(plans, motions, bodies, cells, offsets, heads, current, bins)
             if current == bins:
                 if width * bins > end:
                     status = DONE

@@ -12,8 +12,7 @@ from carom.kernel import hot_kernel
 __all__ = ["look_ahead", "prefetch", "register_prefetch"]
 
 # So many bins, of one event each, before their time the balls are asked for, then the cells around them, then who is there.
-FAR, MIDDLE, NEAR = 16, 11, 6
-LINE = 16  # numbers of a cell's slots in a cache line
+FAR, MIDDLE, NEAR = 20, 12, 6
 
 
 def prefetch(array: Any, index: int) -> None:
@@ -57,29 +56,35 @@ def register_prefetch() -> None:
 
 
 @hot_kernel
-def look_ahead(swarm: Any, motions: Any, plans: Any, cells: Any, offsets: Any, heads: Any, bin_: int) -> None:
-    """Ask for what the first ball of the bins ahead of bin_ will need."""
-    bins = swarm.bins
-    i = heads[U(min(bin_ + FAR, bins))]
+def look_ahead(
+    plans: Any, motions: Any, bodies: Any, cells: Any, offsets: Any, heads: Any, bin_: int, bins: int
+) -> None:
+    """Ask for what the balls of the bins ahead of bin_ will need: the first of each bin, and the next ones as they show."""
+    i = heads[U(min(bin_ + FAR, bins - 1))]
     if i != NOBODY:
         prefetch(plans, U(i))
         prefetch(motions, U(i))
-    i = heads[U(min(bin_ + MIDDLE, bins))]
-    if i != NOBODY:
+    i = heads[U(min(bin_ + MIDDLE, bins - 1))]
+    while i != NOBODY:
         plan = plans[U(i)]
         if plan.hit_at == plan.at:
             j = plan.hit_who
             prefetch(plans, U(j))
             prefetch(motions, U(j))
+            prefetch(bodies, U(i))
+            prefetch(bodies, U(j))
+        middle = offsets[U(0), U(plan.cx), U(1)]
         for c in range(3):
-            third = offsets[U(2), U(plan.cz), U(c)] + offsets[U(0), U(plan.cx), U(1)]
+            third = offsets[U(2), U(plan.cz), U(c)] + middle
             for b in range(3):
                 first = third + offsets[U(1), U(plan.cy), U(b)]
-                prefetch(cells, U(first))
                 prefetch(cells, U(first - 8))
                 prefetch(cells, U(first + 8))
-    i = heads[U(min(bin_ + NEAR, bins))]
-    if i != NOBODY:
+        i = plan.next
+        if i != NOBODY:
+            prefetch(motions, U(i))
+    i = heads[U(min(bin_ + NEAR, bins - 1))]
+    while i != NOBODY:
         plan = plans[U(i)]
         for c in range(3):
             third = offsets[U(2), U(plan.cz), U(c)]
@@ -88,5 +93,5 @@ def look_ahead(swarm: Any, motions: Any, plans: Any, cells: Any, offsets: Any, h
                 for a in range(3):
                     first = second + offsets[U(0), U(plan.cx), U(a)]
                     prefetch(motions, U(cells[U(first + 1)]))
-                    if cells[U(first)] > 1:
-                        prefetch(motions, U(cells[U(first + 2)]))
+                    prefetch(motions, U(cells[U(first + 2)]))
+        i = plan.next
