@@ -87,8 +87,8 @@ def test_a_ball_that_rolls_along_a_wall_for_100_m(approach: float, e: float) -> 
     v = [2.1 - approach, -3.0]
     found = run(
         ball(*(A * n), velocity=v, rolling=True),
-        floor=FLOOR,
-        walls=[plane(*n, 0.0, restitution=e)],
+        floor={"friction": 0.2},
+        walls=[plane(1.0, 0.7, 0.0, restitution=e)],
         run={"duration": 40.0},
     )
     assert len(found.events) <= 3
