@@ -84,7 +84,7 @@ def test_a_ball_that_drops_on_a_ball_comes_to_lie_on_it(e: float, floor: float) 
 @pytest.mark.parametrize("e", [0.0, 0.5, 1.0])
 def test_a_ball_that_rolls_along_a_wall_for_100_m(approach: float, e: float) -> None:
     n = np.array([1.0, 0.7]) / math.hypot(1.0, 0.7)
-    v = [2.1 - approach, -3.0]
+    v = [0.7 * 3.0 - approach, -3.0]
     found = run(
         ball(*(A * n), velocity=v, rolling=True),
         floor={"friction": 0.2},
