@@ -410,7 +410,7 @@ def test_a_floor_without_friction_and_one_with_all(mu: float) -> None:
 
 
 @pytest.mark.parametrize("friction", [0.0, 0.05])
-@pytest.mark.parametrize("e", [0.95, 0.8])
+@pytest.mark.parametrize("e", [0.99, 0.98, 0.95, 0.8])
 def test_the_break_of_a_frozen_rack(e: float, friction: float) -> None:
     rack = [ball(i * A * math.sqrt(3) * (1 + 1e-15), (2 * j - i) * A) for i in range(5) for j in range(i + 1)]
     cloth = {**FLOOR, "rolling_resistance": 0.01, "spin_friction": 0.01}
