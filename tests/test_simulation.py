@@ -174,3 +174,17 @@ def test_a_wall_far_away_does_not_keep_bounces_from_being_summed():
     assert alone.events.of("settled")
     beside = run([Segment(start=(50, 0), end=(51, 0), restitution=0.5, friction=0.1)])
     assert beside.log.tobytes() == alone.log.tobytes()
+
+
+def test_a_users_law_may_make_arrays():
+    """carom's own kernels make none, and are compiled without what that takes; a user's may."""
+
+    def rotated(v, w, n, a, kappa, e, mu, beta):
+        u = np.array(v) - 2 * np.dot(np.array(v), np.array(n)) * np.array(n)
+        return (u[0], u[1], u[2]), w
+
+    law = carom.wall_law(carom.Card("rotated", "", (), "", "", ""), rotated)
+    scene = carom.Scene(
+        gravity=0, walls=[wall(law)], balls=[ball((1, 0, 0), (-1, 0.25, 0))], run=carom.Run(max_events=1)
+    )
+    np.testing.assert_allclose(carom.simulate(scene).final.velocity[0], (1, 0.25, 0))

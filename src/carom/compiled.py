@@ -65,9 +65,14 @@ def register_kernels() -> None:
 
     for function in KERNELS:
         if function not in _registered:
-            # called from compiled code only: the wrappers for Python would take a sixth of the compiling
+            # Called from compiled code only: the wrappers for Python would take a sixth of the compiling. And no kernel
+            # of ours makes an array: counting who holds those that it is handed (_nrt, a private option of Numba's) takes time.
             register_jitable(
-                error_model="numpy", forceinline=function in HOT, no_cpython_wrapper=True, no_cfunc_wrapper=True
+                error_model="numpy",
+                forceinline=function in HOT,
+                no_cpython_wrapper=True,
+                no_cfunc_wrapper=True,
+                _nrt=not function.__module__.startswith("carom."),
             )(function)
             _registered.add(function)
 

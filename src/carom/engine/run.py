@@ -43,10 +43,11 @@ def compiled_engine() -> Engine:
     world, features, ball, log, number, whole, users = _types()
     balls, rows = types.Array(ball, 1, "C"), types.Array(log, 1, "C")
     answer = types.UniTuple(whole, 4)
+    # (nothing is made in the loop: no counting of who holds an array)
     return Engine(
-        njit(start, signature=number(world, features, balls, rows)),
-        njit(run, signature=answer(world, features, balls, rows, number, number, whole, users, whole)),
-        njit(finish, signature=types.none(world, balls, number)),
+        njit(start, signature=number(world, features, balls, rows), _nrt=False),
+        njit(run, signature=answer(world, features, balls, rows, number, number, whole, users, whole), _nrt=False),
+        njit(finish, signature=types.none(world, balls, number), _nrt=False),
     )
 
 
