@@ -72,7 +72,7 @@ def register_kernels() -> None:
                 forceinline=function in HOT,
                 no_cpython_wrapper=True,
                 no_cfunc_wrapper=True,
-                _nrt=not function.__module__.startswith("carom."),
+                _nrt=not str(function.__module__).startswith("carom."),
             )(function)
             _registered.add(function)
 
