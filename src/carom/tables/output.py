@@ -18,7 +18,7 @@ __all__ = ["whole_file"]
 
 
 @contextmanager
-def whole_file(out: Path | None, source: Path) -> Iterator[BinaryIO]:
+def whole_file(out: Path | None, source: Path | None = None) -> Iterator[BinaryIO]:
     """A binary file to write, which becomes ``out`` (None: standard output) only when the block ends without an error.
 
     Raises CaromError where ``out`` is ``source`` itself, a folder, or in a folder that is not there or not writable.
@@ -33,7 +33,7 @@ def whole_file(out: Path | None, source: Path) -> Iterator[BinaryIO]:
                 sys.stdout.buffer.flush()
         return
     place = out.resolve()
-    if place.exists() and place.samefile(source):
+    if source is not None and place.exists() and place.samefile(source):
         raise CaromError(f"--out {out}: expected another file than the table itself, got the same; name a new one")
     if place.is_dir():
         raise CaromError(f"--out {out}: expected a file, got a folder; name a file in it")

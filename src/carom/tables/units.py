@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any, Literal
 
-__all__ = ["NAMES", "Heading", "Unit", "bare", "heading"]
+__all__ = ["NAMES", "UNITS", "Heading", "Unit", "Words", "bare", "heading"]
 
 
 @dataclass(frozen=True)
@@ -49,6 +50,7 @@ UNITS = {
     "spin": _units(rad_s=(1, 1), deg_s=(PI, 180), rpm=(2 * PI, 60), rev_s=(2 * PI, 1)),
     "angle": _units(deg=(PI, 180), rad=(1, 1)),
     "length": _units(m=(1, 1), cm=(1, 100), mm=(1, 1000), **{"in": (0.0254, 1)}),
+    "time": _units(s=(1, 1), ms=(1, 1000)),
     "mass": _units(kg=(1, 1), g=(1, 1000), oz=(0.028349523125, 1)),
     "number": {"": Unit("")},
 }
@@ -85,8 +87,6 @@ NAMES: dict[str, tuple[str, tuple[str, ...]]] = {
     "height": ("length", ()),
     **{f"normal_{k}": ("number", ()) for k in "xyz"},
 }
-KNOWN = {alias: name for name, (_dimension, others) in NAMES.items() for alias in (name, *others)}
-BY_LENGTH = sorted(KNOWN, key=len, reverse=True)
 BRACKETS = re.compile(r"^(.*?)\s*[\[(]([^\])]*)[\])]$")
 SUFFIXES = {suffix for units in UNITS.values() for suffix in units if suffix}
 
@@ -102,43 +102,61 @@ class Heading:
     unit: Unit | None
     """None where the unit in brackets is unknown, or where an angle has none."""
     style: Style
+    dimension: str
 
     @property
     def units(self) -> str:
         """The units that the quantity may have, for a message."""
-        return (
-            ", ".join(unit.name for unit in UNITS[NAMES[self.quantity][0]].values() if unit.name)
-            or "none: a pure number"
-        )
+        return ", ".join(unit.name for unit in UNITS[self.dimension].values() if unit.name) or "none: a pure number"
 
 
 def _plain(header: str) -> str:
     return re.sub(r"\s+", "_", header.strip().lower())
 
 
+class Words:
+    """The names that a kind of table knows: name -> (dimension, the other names by which people call it)."""
+
+    def __init__(self, names: Mapping[str, tuple[str, tuple[str, ...]]]) -> None:
+        self.names = names
+        self.known = {alias: name for name, (_dimension, others) in names.items() for alias in (name, *others)}
+        self.by_length = sorted(self.known, key=len, reverse=True)
+
+    def heading(self, header: str) -> Heading | None:
+        """What a header means; None for a column that is none of these, which passes through."""
+        found = BRACKETS.match(header.strip())
+        if found:
+            alias = _plain(found[1])
+            name = self.known.get(alias)
+            if name is None:
+                return None
+            dimension = self.names[name][0]
+            text = SPELT.get(found[2].strip(), found[2].strip())
+            return Heading(name, alias, _unit_called(text, dimension), "bracket", dimension)
+        text = _plain(header).removesuffix("_derived")
+        if text in self.known:
+            name = self.known[text]
+            dimension = self.names[name][0]
+            # an angle without a unit is a guess that nobody should make
+            unit = None if dimension == "angle" else next(iter(UNITS[dimension].values()))
+            return Heading(name, text, unit, "plain", dimension)
+        for alias in self.by_length:
+            if not text.startswith(alias + "_"):
+                continue
+            name = self.known[alias]
+            dimension = self.names[name][0]
+            unit = UNITS[dimension].get(text.removeprefix(alias + "_"))
+            if unit is not None:
+                return Heading(name, alias, unit, "suffix", dimension)
+        return None
+
+
+WORDS = Words(NAMES)
+
+
 def heading(header: str) -> Heading | None:
-    """What a header means; None for a column that is none of carom's, which passes through."""
-    found = BRACKETS.match(header.strip())
-    if found:
-        alias = _plain(found[1])
-        name = KNOWN.get(alias)
-        if name is None:
-            return None
-        text = SPELT.get(found[2].strip(), found[2].strip())
-        return Heading(name, alias, _unit_called(text, NAMES[name][0]), "bracket")
-    text = _plain(header).removesuffix("_derived")
-    if text in KNOWN:
-        name = KNOWN[text]
-        dimension = NAMES[name][0]
-        # an angle without a unit is a guess that nobody should make
-        unit = None if dimension == "angle" else next(iter(UNITS[dimension].values()))
-        return Heading(name, text, unit, "plain")
-    for alias in BY_LENGTH:
-        name = KNOWN[alias]
-        unit = UNITS[NAMES[name][0]].get(text.removeprefix(alias + "_")) if text.startswith(alias + "_") else None
-        if unit is not None:
-            return Heading(name, alias, unit, "suffix")
-    return None
+    """What a header of a table of states means; None for a column that is none of carom's, which passes through."""
+    return WORDS.heading(header)
 
 
 def _unit_called(text: str, dimension: str) -> Unit | None:
