@@ -181,7 +181,8 @@ def make_rebounds(
     given = {name: np.atleast_1d(np.asarray(column, dtype=float)) for name, column in columns.items()}
     faults += [
         f"{source}: column {name!r}: expected a column of a {kind} bounce; {nearest(name, known)}"
-        for name in given if name not in known
+        for name in given
+        if name not in known
     ]
     sizes = {len(column) for column in given.values() if len(column) != 1}
     count = sizes.pop() if sizes else 1
@@ -195,7 +196,8 @@ def make_rebounds(
         said.append("no v_t_in and v_t_out: taken as 0, square on to the wall")
     faults += [
         f"{source}: column {name!r}: expected it for a {kind} bounce, got none"
-        for name in names if name.startswith("v_") and name not in given
+        for name in names
+        if name.startswith("v_") and name not in given
     ]
     label = list(rows) or [f"row {i + 1}" for i in range(count)]
     if count == 0:
