@@ -108,6 +108,28 @@ def test_inelastic_gas_cools_as_haff_says():
     assert math.sqrt(begin / gas.energy()[0]) == pytest.approx(6, rel=0.06)
 
 
+@pytest.mark.parametrize("periodic", [True, False])
+def test_the_channels_account_for_all_energy(periodic):
+    species = [Species(Ball(0.5, 1.0, 0.4), 150, "a"), Species(Ball(0.3, 0.2, 0.6), 150, "b", 2.0, 0.5)]
+    contacts = {
+        ("a", "a"): Surface(0.9, 0.3, 0.5), ("a", "b"): Surface(0.8, math.inf, 0.0), ("b", "b"): Surface(0.7, 0.0, -1.0),
+        ("a", "wall"): Surface(0.6, 0.5, 0.2), ("b", "wall"): Surface(1.0, math.inf, 1.0),
+    }  # fmt: skip
+    gas = Gas(species, (9.0, 8.0, 7.0), contacts=contacts, periodic=periodic, seed=5)
+    mark = gas.mark()
+    gas.go_on(3000)
+    run, end = gas.measured(mark), gas.energy()
+    pairs, walls = gas._arrays.pairs, gas._arrays.walls
+    assert pairs["hits"].sum() == run.pair_collisions
+    assert walls["hits"].sum() == run.wall_collisions
+    for name in ("normal", "tangential"):
+        assert (pairs[name] > 0).tolist() == [True, True, True, name == "normal"], name
+    lost = sum(float(part[name].sum()) for part in (pairs, walls) for name in ("normal", "tangential"))
+    assert lost == pytest.approx(sum(mark.energy) - sum(end), rel=1e-12)
+    spun = float(pairs["spun"].sum() + walls["spun"].sum())
+    assert spun == pytest.approx(end[1] - mark.energy[1], rel=1e-11)
+
+
 def test_starts():
     rng = np.random.default_rng(0)
     mass = np.array([1.0, 2.0, 3.0, 0.5] * 50)

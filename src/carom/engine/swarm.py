@@ -142,7 +142,7 @@ def run(  # noqa: PLR0915  (the loop)
     rb, ru, rc, times = work[0], work[1], work[2], work[3]
     bits = whole[3]
     far = count > NEAR_BALLS
-    virial = 0.0
+    virial = swarm.virial  # (summed on, so that the sum is the same in one piece or in many)
     status = LIMIT
     while swarm.pair_hits + swarm.wall_hits < last and status == LIMIT:
         # whose next event is to be planned, and which cells around are to be searched: all, or those that come into reach
@@ -233,6 +233,6 @@ def run(  # noqa: PLR0915  (the loop)
             if j == NOBODY:
                 break
             i, j = j, NOBODY
-    swarm.virial += virial
+    swarm.virial = virial
     swarm.bin, swarm.now, swarm.popped, swarm.planned, swarm.status = current, now, popped, planned, status
     return status

@@ -10,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 
 __all__ = [
-    "BODY", "CODES", "DONE", "FULL", "LIMIT", "MOST_BALLS", "MOTION", "NOBODY", "PAIR", "PERIODIC", "PLAN", "PULL", "ROOM",
-    "SIZE", "SPECIES", "STRIDE", "SWARM", "WALL",
+    "BODY", "CHANNEL", "CODES", "DONE", "FULL", "LIMIT", "MOST_BALLS", "MOTION", "NOBODY", "PAIR", "PERIODIC", "PLAN", "PULL",
+    "ROOM", "SIZE", "SPECIES", "STRIDE", "SWARM", "WALL",
 ]  # fmt: skip
 
 # How a call of the loop ends: at its time, after its collisions or steps, or because a cell has no room for one more ball
@@ -63,7 +63,11 @@ BODY = np.dtype(
 
 SPECIES = np.dtype([("radius", _NUMBER), ("mass", _NUMBER), ("kappa", _NUMBER)])
 
-# Two species, at [first * species + second].
+# What the contacts of one kind have done: how many, the energy that normal and tangential restitution and friction took,
+# and that which went from the motion of centres to spin.
+CHANNEL = [("hits", "i8"), ("normal", _NUMBER), ("tangential", _NUMBER), ("spun", _NUMBER)]
+
+# Two species, at [first * species + second]; ``first`` is that of the ball whose event it was.
 PAIR = np.dtype(
     [
         ("reach", _NUMBER),  # distance of the centres in contact
@@ -72,11 +76,12 @@ PAIR = np.dtype(
         ("mu", _NUMBER),
         ("beta", _NUMBER),
         ("smooth", "i8"),  # spins neither matter nor change
+        *CHANNEL,
     ]
 )
 
 # A wall (2 axis + (1: the upper one)) and a species, at [wall * species + kind].
-WALL = np.dtype([("e", _NUMBER), ("mu", _NUMBER), ("beta", _NUMBER)])
+WALL = np.dtype([("e", _NUMBER), ("mu", _NUMBER), ("beta", _NUMBER), *CHANNEL])
 
 SWARM = np.dtype(
     [

@@ -31,6 +31,20 @@ def _nearest(x: float, side: float, periodic: int) -> float:
 
 
 @hot_kernel
+def _square(w: Vec) -> float:
+    return w[0] * w[0] + w[1] * w[1] + w[2] * w[2]
+
+
+@hot_kernel
+def _book(channel: Any, normal: float, moved: float, spun: float) -> None:
+    """A contact's energies: that lost along the normal, the change of the centres' and of the spins'."""
+    channel.hits += 1
+    channel.normal += normal
+    channel.tangential -= moved + spun + normal
+    channel.spun += spun
+
+
+@hot_kernel
 def meet(
     swarm: Any, box: Any, grid: Any, motions: Any, bodies: Any, species: Any, pairs: Any, i: int, j: int, now: float
 ) -> float:
@@ -50,14 +64,17 @@ def meet(
         if now - max(first.met, second.met) < swarm.soft:
             e = 1.0
         first.met = second.met = now
+    ux, uy, uz = a.vx - b.vx, a.vy - b.vy, a.vz - b.vz
+    un = ux * n[0] + uy * n[1] + uz * n[2]
     if pair.smooth:
-        un = (a.vx - b.vx) * n[0] + (a.vy - b.vy) * n[1] + (a.vz - b.vz) * n[2]
         m1, m2 = one.mass, two.mass
         pn, _f, _required, _regime = contact(un, (0.0, 0.0, 0.0), m1 * m2 / (m1 + m2), 1.0, e, 0.0, 0.0)
         c = pn / m1
         put_velocity(a, (a.vx + c * n[0], a.vy + c * n[1], a.vz + c * n[2]))
         c = pn / m2
         put_velocity(b, (b.vx - c * n[0], b.vy - c * n[1], b.vz - c * n[2]))
+        pair.hits += 1
+        pair.normal -= (1 - e) / 2 * pn * un
     else:
         first, second = bodies[U(i)], bodies[U(j)]
         v1, w1, v2, w2, p, _required, _regime = pair_contact(
@@ -65,6 +82,12 @@ def meet(
             one.radius, one.mass, one.kappa, two.radius, two.mass, two.kappa, e, pair.mu, pair.beta,
         )  # fmt: skip
         pn = p[0] * n[0] + p[1] * n[1] + p[2] * n[2]
+        # an impulse changes the energy of the centres by itself times the mean of the velocities before and after
+        sx, sy, sz = ux + (v1[0] - v2[0]), uy + (v1[1] - v2[1]), uz + (v1[2] - v2[2])
+        i1, i2 = one.kappa * one.mass * one.radius * one.radius, two.kappa * two.mass * two.radius * two.radius
+        spun = i1 * (_square(w1) - _square((first.wx, first.wy, first.wz)))
+        spun = (spun + i2 * (_square(w2) - _square((second.wx, second.wy, second.wz)))) / 2
+        _book(pair, (e - 1) / 2 * pn * un, (p[0] * sx + p[1] * sy + p[2] * sz) / 2, spun)
         put_velocity(a, v1)
         put_velocity(b, v2)
         first.wx, first.wy, first.wz = w1[0], w1[1], w1[2]
@@ -90,6 +113,11 @@ def meet_wall(swarm: Any, ball: Any, body: Any, one: Any, walls: Any, which: int
     v, w, j, _required, _regime = one_contact(
         (ball.vx, ball.vy, ball.vz), (body.wx, body.wy, body.wz), n, one.radius, one.kappa, e, wall.mu, wall.beta
     )
+    pn, un = j[0] * n[0] + j[1] * n[1] + j[2] * n[2], ball.vx * n[0] + ball.vy * n[1] + ball.vz * n[2]
+    moved = j[0] * (ball.vx + v[0]) + j[1] * (ball.vy + v[1]) + j[2] * (ball.vz + v[2])
+    spun = one.kappa * one.radius * one.radius * (_square(w) - _square((body.wx, body.wy, body.wz)))
+    half = one.mass / 2
+    _book(wall, half * (e - 1) * pn * un, half * moved, half * spun)
     put_velocity(ball, v)
     body.wx, body.wy, body.wz = w[0], w[1], w[2]
     swarm.push[which] += one.mass * side * j[axis]

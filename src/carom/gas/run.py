@@ -6,7 +6,7 @@ import math
 import time as clocks
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -17,7 +17,7 @@ from carom.engine.swarm_run import Arrays, advance, balls_at, make, restore
 from carom.gas.setup import Contacts, Species, world_records
 from carom.gas.start import lattice, thermal
 
-__all__ = ["Gas", "GasBalls", "GasRun", "simulate_gas"]
+__all__ = ["Gas", "GasBalls", "GasRun", "Mark", "simulate_gas"]
 
 Array = NDArray[np.float64]
 CHUNK = 200_000  # collisions between two looks at the outside world: some tenths of a second
@@ -34,6 +34,17 @@ class GasBalls:
     spin: Array
     species: NDArray[np.uint32]
     images: NDArray[np.int32]
+
+
+class Mark(NamedTuple):
+    """Where a measurement begins: what was counted, and the energies, until then."""
+
+    swarm: Any
+    pairs: Any
+    walls: Any
+    energy: tuple[float, float, float]
+    time: float
+    cpu: float
 
 
 @dataclass(frozen=True)
@@ -134,15 +145,18 @@ class Gas:
         """The gas of :meth:`state`: it goes on with the same bits."""
         gas = object.__new__(cls)
         gas._begin(restore(tuple(state[name] for name in Arrays._fields[:8])))
+        gas._time = max(gas._time, float(state["time"][0]))
         return gas
 
     def state(self) -> dict[str, NDArray[Any]]:
         """Everything that a later run needs to go on with the same bits: a few arrays, copied."""
-        return {name: getattr(self._arrays, name).copy() for name in Arrays._fields[:8]}
+        state = {name: getattr(self._arrays, name).copy() for name in Arrays._fields[:8]}
+        return state | {"time": np.array([self._time])}
 
     def _begin(self, arrays: Arrays) -> None:
         self._arrays = arrays
         self._time = self._last_event()
+        self._cpu = 0.0
 
     def _last_event(self) -> float:
         one = self._arrays.swarm[0]
@@ -194,30 +208,50 @@ class Gas:
         ``progress`` is called after every ``chunk`` collisions with the gas and the collisions so far. An interrupt ends
         the run between chunks; the gas can go on from there.
         """
+        mark = self.mark()
+        self.go_on(collisions, until, progress=progress, chunk=chunk)
+        return self.measured(mark)
+
+    def mark(self) -> Mark:
+        """Begin to measure: what :meth:`measured` needs later, in this process or in another one."""
+        self._arrays.swarm[0]["overlap"] = -math.inf
+        one = self._arrays
+        return Mark(one.swarm.copy()[0], one.pairs.copy(), one.walls.copy(), self.energy(), self._time, self._cpu)
+
+    def go_on(
+        self,
+        collisions: int | None = None,
+        until: float = math.inf,
+        *,
+        progress: Callable[[Gas, int], None] | None = None,
+        chunk: int = CHUNK,
+    ) -> None:
+        """As :meth:`run`, without measuring: in how many pieces a gas goes on leaves no trace in it."""
         if collisions is None and until == math.inf:
             Faults.add(faults := Faults("Gas.run"), "until", "a number of collisions or a time", "neither")
             faults.done()
         most = 1 << 62 if collisions is None else int(collisions)
-        before: Any = self._arrays.swarm.copy()[0]
-        energy0, time0 = self.energy(), self._time
-        self._arrays.swarm[0]["overlap"] = -math.inf
-        done, cpu = 0, 0.0
+        before, done = self.collisions, 0
         while done < most:
             begin = clocks.process_time()
             self._arrays = advance(self._arrays, until, min(chunk, most - done))
-            cpu += clocks.process_time() - begin
-            one = self._arrays.swarm[0]
+            self._cpu += clocks.process_time() - begin
             self._time = self._last_event()
-            done = int(one["pair_hits"] + one["wall_hits"] - before["pair_hits"] - before["wall_hits"])
+            done = self.collisions - before
             if progress is not None:
                 progress(self, done)
-            if one["status"] == DONE:
+            if self._arrays.swarm[0]["status"] == DONE:
                 self._time = max(self._time, until if until < math.inf else self._time)
                 break
-        return self._measured(before, energy0, time0, cpu)
 
-    def _measured(self, before: Any, energy0: Any, time0: float, cpu: float) -> GasRun:
-        one = self._arrays.swarm[0]
+    @property
+    def collisions(self) -> int:
+        """Collisions so far, walls' included."""
+        return int(self._arrays.swarm[0]["pair_hits"] + self._arrays.swarm[0]["wall_hits"])
+
+    def measured(self, since: Mark) -> GasRun:
+        """What was measured since then."""
+        one, before, energy0, time0 = self._arrays.swarm[0], since.swarm, since.energy, since.time
         count, axes, t = int(one["count"]), int(one["axes"]), self._time - time0
         about = 3 if axes == 3 else 1
         volume = float(one["side"][:axes].prod())
@@ -233,7 +267,7 @@ class Gas:
             pair_collisions=pairs,
             wall_collisions=int(one["wall_hits"] - before["wall_hits"]),
             simulated_time=t,
-            cpu_seconds=cpu,
+            cpu_seconds=self._cpu - since.cpu,
             mean_free_time=count * t / (2 * pairs) if pairs else math.inf,
             pressure=(means[0] + float(one["virial"] - before["virial"]) / t) / (axes * volume) if t > 0 else math.nan,
             wall_pressure=tuple(float(p) for p in push / (area * t)) if t > 0 else (math.nan,) * (2 * axes),

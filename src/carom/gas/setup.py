@@ -20,6 +20,7 @@ __all__ = ["WALLS", "Contacts", "Species", "world_records"]
 # The walls of a box, in the order of their records; "wall" stands for all of them.
 WALLS = ("left", "right", "front", "back", "bottom", "top")
 Contacts = Surface | Mapping[tuple[str, str], Surface]
+NONE = (0, 0.0, 0.0, 0.0)  # what a channel has counted at first
 # Cells hold about this many balls where the balls are small against their distances.
 FILLING = 0.5
 
@@ -49,6 +50,10 @@ def _surface(faults: Faults, contacts: Contacts, one: str, others: Sequence[str]
                 return contacts[key]
     faults.add("contacts", f"a Surface for ({one!r}, {others[-1]!r})", f"keys {sorted(contacts)}")
     return Surface()
+
+
+def _numbers(surface: Surface) -> tuple[float, float, float]:
+    return float(surface.restitution), float(surface.friction), float(surface.tangential_restitution)
 
 
 def world_records(
@@ -110,12 +115,12 @@ def world_records(
         kinds[i] = (ball.radius, ball.mass, ball.kappa)
         for j, second in enumerate(species):
             surface = _surface(faults, contacts, first.name, [second.name])
-            e, mu, beta = surface.restitution, surface.friction, surface.tangential_restitution
+            e, mu, beta = _numbers(surface)
             reach = ball.radius + second.ball.radius
-            pairs[i * len(species) + j] = (reach, reach * reach, e, mu, beta, mu == 0 or beta == -1)
+            pairs[i * len(species) + j] = (reach, reach * reach, e, mu, beta, mu == 0 or beta == -1, *NONE)
         for k, wall in enumerate(WALLS[: 2 * axes]):
             if not closed[k // 2]:
                 surface = _surface(faults, contacts, first.name, [wall, "wall"])
-                walls[k * len(species) + i] = (surface.restitution, surface.friction, surface.tangential_restitution)
+                walls[k * len(species) + i] = (*_numbers(surface), *NONE)
     faults.done()
     return world, kinds, pairs, walls
