@@ -9,7 +9,7 @@ import math
 from typing import Any
 
 from carom.engine.arrays import CONVENTIONAL, MIRROR, NO_REGIME, NO_SLIP, TWO_STEP, USER
-from carom.engine.linger import hold_on_ball, hold_on_wall, hop
+from carom.engine.linger import hold_on_wall, hop, press_on_ball, pressed
 from carom.engine.predict import put
 from carom.engine.users import call_user
 from carom.kernel import Vec, dot, kernel, vector
@@ -159,15 +159,14 @@ def meet_floor(world: Any, features: Any, balls: Any, i: int) -> tuple[Vec, floa
 
 
 @kernel
-def _pushes(world: Any, ball: Any, other: Any, approach: float) -> bool:
-    """Whether two balls only meet again because the floor's friction pushes one against the other, until its slip ends.
+def _pushes(world: Any, ball: Any, other: Any, n: Vec, approach: float) -> bool:
+    """Whether two balls only meet again because a force pushes one against the other: the floor's friction, or weight.
 
     They go on in hops too low to see, which lose nothing: so they never end within the push, which does end (the rule of
     Luding & McNamara, Granular Matter 1, 113 (1998): contacts that follow on each other too soon are elastic).
     """
-    if SLIDING not in (ball.phase, other.phase) or not world.floor_mu < math.inf:
-        return False
-    return bool(approach * approach < 2 * world.floor_mu * world.g * PUSHED * min(ball.radius, other.radius))
+    _rate, bend, lies = pressed(world, ball, other, n)
+    return bool(not lies and approach * approach < -2 * bend * PUSHED * min(ball.radius, other.radius))
 
 
 @kernel
@@ -181,7 +180,7 @@ def meet_ball(world: Any, ball: Any, other: Any) -> tuple[Vec, float, int]:
     approach = dot((v2[0] - v[0], v2[1] - v[1], v2[2] - v[2]), n)
     e = (
         1.0
-        if _pushes(world, ball, other, approach)
+        if _pushes(world, ball, other, n, approach)
         else restitution(world.pair_form, vector(world.pair_p), max(approach, 0.0))
     )
     v, w, v2, w2, j, required, regime = pair_contact(
@@ -190,5 +189,5 @@ def meet_ball(world: Any, ball: Any, other: Any) -> tuple[Vec, float, int]:
     )  # fmt: skip
     leave(world, ball, v, w, _lies(world, ball))
     leave(world, other, v2, w2, _lies(world, other))
-    hold_on_ball(world, ball, other, n, approach)
+    press_on_ball(world, ball, other, n, approach)
     return j, required, regime
