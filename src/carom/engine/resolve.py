@@ -9,8 +9,9 @@ import math
 from typing import Any
 
 from carom.engine.arrays import CONVENTIONAL, MIRROR, NO_REGIME, NO_SLIP, TWO_STEP, USER
-from carom.engine.linger import hold_on_wall, hop, press_on_ball, pressed
+from carom.engine.linger import hop
 from carom.engine.predict import put
+from carom.engine.press import press_on_ball, press_on_wall, pushed_by_ball, pushed_on_wall
 from carom.engine.users import call_user
 from carom.kernel import Vec, dot, kernel, vector
 from carom.laws.contact import STICK, one_contact, slip_velocity
@@ -30,9 +31,6 @@ DONE, REFUSED_ROLLING, REFUSED_UNDEFINED, REFUSED_STALL = 0, 1, 2, 3
 
 # Relative errors of a speed that are rounding: below the first it has no digits left, above the second it is not rounding.
 LEAST_ROUNDING, MOST_ROUNDING = 3e-16, 1e-11
-
-# Height, as a share of the radius, of the hops in which one ball pushes another on.
-PUSHED = 1e-6
 
 Impulse = tuple[Vec, Vec, float, int, int]
 
@@ -96,7 +94,9 @@ def meet_wall(world: Any, f: Any, ball: Any, users: Any) -> Impulse:
     a, kappa = ball.radius, ball.kappa
     v, w = vector(ball.v), vector(ball.w)
     n = feature_normal(f, vector(ball.x))
-    e = restitution(f.form, vector(f.e), max(-dot(v, n), 0.0))
+    approach = -dot(v, n)
+    pushed = pushed_on_wall(world, f, ball, n, approach)
+    e = 1.0 if pushed else restitution(f.form, vector(f.e), max(approach, 0.0))
     mu, beta, law = f.mu, f.beta, f.law
     on_floor = _lies(world, ball)
     energy = ball.energy
@@ -133,7 +133,7 @@ def meet_wall(world: Any, f: Any, ball: Any, users: Any) -> Impulse:
         j = (v1[0] - v[0], v1[1] - v[1], v1[2] - v[2])
     if refusal == DONE:
         leave(world, ball, v1, w1, on_floor)
-        hold_on_wall(world, f, ball, -dot(v, n))
+        press_on_wall(world, f, ball, n, approach, law == CONVENTIONAL)
         # two-step keeps it where friction does not act, or turns all of the slip round
         elastic = e == 1 and (law == MIRROR or (law == TWO_STEP and not on_floor and (mu == 0 or beta == -1)))
         rough = law == TWO_STEP and not on_floor and e == 1 and beta == 1 and regime == STICK
@@ -159,17 +159,6 @@ def meet_floor(world: Any, features: Any, balls: Any, i: int) -> tuple[Vec, floa
 
 
 @kernel
-def _pushes(world: Any, ball: Any, other: Any, n: Vec, approach: float) -> bool:
-    """Whether two balls only meet again because a force pushes one against the other: the floor's friction, or weight.
-
-    They go on in hops too low to see, which lose nothing: so they never end within the push, which does end (the rule of
-    Luding & McNamara, Granular Matter 1, 113 (1998): contacts that follow on each other too soon are elastic).
-    """
-    _rate, bend, lies = pressed(world, ball, other, n)
-    return bool(not lies and approach * approach < -2 * bend * PUSHED * min(ball.radius, other.radius))
-
-
-@kernel
 def meet_ball(world: Any, ball: Any, other: Any) -> tuple[Vec, float, int]:
     """Two balls touch: impulse on the first, required friction, regime."""
     x, y = vector(ball.x), vector(other.x)
@@ -180,7 +169,7 @@ def meet_ball(world: Any, ball: Any, other: Any) -> tuple[Vec, float, int]:
     approach = dot((v2[0] - v[0], v2[1] - v[1], v2[2] - v[2]), n)
     e = (
         1.0
-        if _pushes(world, ball, other, n, approach)
+        if pushed_by_ball(world, ball, other, n, approach)
         else restitution(world.pair_form, vector(world.pair_p), max(approach, 0.0))
     )
     v, w, v2, w2, j, required, regime = pair_contact(
