@@ -10,13 +10,13 @@ from __future__ import annotations
 import numpy as np
 
 __all__ = [
-    "BODY", "CHANNEL", "CODES", "DONE", "FULL", "LIMIT", "MOST_BALLS", "MOTION", "NOBODY", "PAIR", "PERIODIC", "PLAN", "PULL",
-    "ROOM", "SIZE", "SPECIES", "STRIDE", "SWARM", "WALL",
+    "BODY", "CHANNEL", "CODES", "DONE", "FACE", "FULL", "INSIDE", "LIMIT", "MOST_BALLS", "MOTION", "NOBODY", "OUTSIDE", "PAIR",
+    "PERIODIC", "PLAN", "PLANE", "PULL", "ROOM", "SIZE", "SPECIES", "STRIDE", "STUCK", "SWARM", "WALL",
 ]  # fmt: skip
 
 # How a call of the loop ends: at its time, after its collisions or steps, or because a cell has no room for one more ball
-# (then all cells get more slots and the balls are put in anew: nothing else has changed).
-DONE, LIMIT, FULL = range(3)
+# (then all cells get more slots and the balls are put in anew: nothing else has changed), or because time stands still.
+DONE, LIMIT, FULL, STUCK = range(4)
 NOBODY = 0xFFFFFFFF  # no ball: the end of a list, no collision in sight
 ROOM = 4  # slots of a cell that are read without looking whether they are filled
 # In the list of neighbours a ball's number has 26 bits, the image that is near the other 6.
@@ -44,7 +44,7 @@ PLAN = np.dtype(
         ("hit_at", _NUMBER),  # the earliest collision found, with ``hit_who`` after its ``hit_count`` collisions
         ("hit_who", _INDEX),
         ("hit_count", _INDEX),
-        ("turn", _INDEX),  # which face of its cell the ball reaches next: 2 axis + (1 upwards)
+        ("turn", _INDEX),  # which face of its cell the ball reaches next: 2 axis + (1 upwards); or which wall, see swarm_walls
         # the queue: a list of balls a bin
         ("bin", _INDEX),
         ("next", _INDEX),
@@ -80,8 +80,45 @@ PAIR = np.dtype(
     ]
 )
 
-# A wall (2 axis + (1: the upper one)) and a species, at [wall * species + kind].
-WALL = np.dtype([("e", _NUMBER), ("mu", _NUMBER), ("beta", _NUMBER), *CHANNEL])
+# A wall: where it keeps balls, how it moves, how warm it is, what it has done.
+# The gap of a ball at x is n.(x - m) - d before a plane (PLANE), d^2 - |q (x - m)|^2 within a round wall (INSIDE) and
+# |q (x - m)|^2 - d^2 around one (OUTSIDE): q is 0 along the axis of a cylinder, 1 across it; d depends on the species.
+PLANE, INSIDE, OUTSIDE = range(3)
+FACE = np.dtype(
+    [
+        ("form", "i8"),
+        *((name, _NUMBER) for name in ("nx", "ny", "nz")),  # a plane's normal, or q
+        *((name, _NUMBER) for name in ("mx", "my", "mz")),
+        # only where the centre is from low to high along this direction is there a wall
+        ("bounded", "i8"),
+        *((name, _NUMBER) for name in ("ax", "ay", "az", "low", "high")),
+        # A plane that swings: parabolas up and down the normal, of this height, half a period each; ``start`` is when one up
+        # the normal began.
+        ("swing", _NUMBER),
+        ("half", _NUMBER),
+        ("start", _NUMBER),
+        # k_B T of balls that leave a heated wall, and of their spins; below 0: not heated
+        ("warm", _NUMBER),
+        ("warm_spin", _NUMBER),
+        ("area", _NUMBER),
+        # measures
+        ("hits", "i8"),
+        ("push", _NUMBER),  # impulse against the normal
+        ("fed", _NUMBER),  # energy that its motion and its heat gave
+    ]
+)
+
+# A wall and a species, at [wall * species + kind].
+WALL = np.dtype(
+    [
+        ("keep", _NUMBER),  # d
+        ("thick", _NUMBER),  # how d changes with the radius, times the radius
+        ("e", _NUMBER),
+        ("mu", _NUMBER),
+        ("beta", _NUMBER),
+        *CHANNEL,
+    ]
+)
 
 SWARM = np.dtype(
     [
@@ -106,6 +143,19 @@ SWARM = np.dtype(
         ("planned", "i8"),  # balls that have their first event
         ("status", "i8"),  # how the last call ended
         ("slow", _NUMBER),  # below this speed of approach times distance, balls in touch are not coming in
+        ("volume", _NUMBER),
+        # All radii are multiplied by scale + growth now.
+        ("scale", _NUMBER),
+        ("growth", _NUMBER),
+        # random numbers: the key, and how many were drawn
+        ("key", "i8", (2,)),
+        ("drawn", "i8"),
+        # The thermostat: kicks in all per time (0: none), k_B T and that of spins.
+        ("rate", _NUMBER),
+        ("warm", _NUMBER),
+        ("warm_spin", _NUMBER),
+        ("kicks", "i8"),
+        ("fed", _NUMBER),  # energy that it gave
         # measures
         ("pair_hits", "i8"),
         ("wall_hits", "i8"),
@@ -113,7 +163,6 @@ SWARM = np.dtype(
         ("overtaken", "i8"),
         ("turns", "i8"),
         ("virial", _NUMBER),  # sum of impulse times distance along the line of centres
-        ("push", "f8", (6,)),  # impulse on each wall
         ("overlap", _NUMBER),  # largest at a contact, in units of the distance
         ("samples", "i8"),  # sums below, one sample a turn of the calendar
         ("translational", _NUMBER),  # sum of twice the energy

@@ -1,0 +1,213 @@
+"""Many balls and what holds them: planes, swinging planes, round walls; when a ball reaches one, and what that does.
+
+All walls are one mechanism: a gap that is a polynomial of time, of degree 2 before a plane or where nothing pulls across a
+round wall, of degree 4 where something does. Each cell has a list of the walls that a ball in it can touch; in most cells it
+is empty, and a block of those is left out altogether.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from carom.engine.queue import S, U
+from carom.engine.random import exponential, logarithm, normals, uniform
+from carom.engine.swarm_arrays import OUTSIDE, PLANE, PULL
+from carom.kernel import Vec, cross, dot, kernel
+from carom.laws.contact import one_contact
+from carom.motion.roots import hit2, hit4, next_hit4
+
+__all__ = ["FIRST_WALL", "LOOK", "kick", "meet_wall", "next_wall", "wait_for_kick"]
+
+# What a ball's ``turn`` may be: a face of its cell (below FIRST_WALL), a wall, or only that it has to look again.
+FIRST_WALL, LOOK = 6, 0xFFFF
+ARCS = 16  # of a swinging wall are looked through at once
+
+
+@kernel
+def _gap(face: Any, wall: Any, box: Any, ball: Any, scale: float, growth: float) -> tuple[float, ...]:
+    """The gap as a polynomial of the time from the ball's clock on, at which the radii are multiplied by scale."""
+    d, dd = wall.keep + wall.thick * (scale - 1.0), wall.thick * growth
+    rx, ry, rz = ball.x - face.mx, ball.y - face.my, ball.z - face.mz
+    qx, qy, qz = face.nx, face.ny, face.nz
+    vx, vy, vz = ball.vx, ball.vy, ball.vz
+    gx, gy, gz = box[U(PULL)], box[U(PULL + 1)], box[U(PULL + 2)]
+    if face.form == PLANE:
+        return (
+            qx * rx + qy * ry + qz * rz - d, qx * vx + qy * vy + qz * vz - dd, (qx * gx + qy * gy + qz * gz) / 2.0, 0.0, 0.0
+        )  # fmt: skip
+    rx, ry, rz, vx, vy, vz = qx * rx, qy * ry, qz * rz, qx * vx, qy * vy, qz * vz
+    gx, gy, gz = qx * gx, qy * gy, qz * gz
+    r = math.sqrt(rx * rx + ry * ry + rz * rz)
+    way = 1.0 if face.form == OUTSIDE else -1.0
+    return (
+        way * (r - d) * (r + d),
+        way * 2.0 * (rx * vx + ry * vy + rz * vz - d * dd),
+        way * (vx * vx + vy * vy + vz * vz + rx * gx + ry * gy + rz * gz - dd * dd),
+        way * (vx * gx + vy * gy + vz * gz),
+        way * (gx * gx + gy * gy + gz * gz) / 4.0,
+    )
+
+
+@kernel
+def _there(face: Any, box: Any, ball: Any, s: float) -> bool:
+    """Whether a bounded wall reaches to where the ball is at a time s from its clock on."""
+    h = s / 2.0
+    x = ball.x + (ball.vx + box[U(PULL)] * h) * s
+    y = ball.y + (ball.vy + box[U(PULL + 1)] * h) * s
+    z = ball.z + (ball.vz + box[U(PULL + 2)] * h) * s
+    along = face.ax * x + face.ay * y + face.az * z
+    return bool(face.low <= along <= face.high)
+
+
+@kernel
+def _swung(face: Any, now: float) -> tuple[float, float, float, float]:
+    """A swinging plane's place along its normal as a parabola from now on, and until when that one lasts."""
+    k = math.floor((now - face.start) / face.half)
+    t = (now - face.start) - k * face.half
+    c = 4.0 * face.swing / (face.half * face.half)
+    if k % 2.0 != 0.0:
+        c = -c
+    return c * t * (face.half - t), c * (face.half - 2.0 * t), -c, face.half - t
+
+
+@kernel
+def _swing_hit(face: Any, c: tuple[float, ...], now: float, most: float) -> tuple[float, bool]:
+    """When a gap c closes before a swinging plane, up to a time; or the time up to which it does not, and False."""
+    c0, c1, c2 = c[0], c[1], c[2]
+    s = 0.0
+    if c0 > face.swing:
+        # nothing can happen before the ball comes into reach
+        s = hit2(c0 - face.swing, c1, c2, most, 0.0)
+        if s == math.inf:
+            return s, True
+    for _ in range(ARCS):
+        d0, d1, d2, left = _swung(face, now + s)
+        t = hit2(c0 + (c1 + c2 * s) * s - d0, c1 + 2.0 * c2 * s - d1, c2 - d2, left, 0.0)
+        if t <= left:
+            return s + t, True
+        s += left
+        if s > most:
+            return math.inf, True
+    return s, False
+
+
+@kernel
+def wall_hit(face: Any, wall: Any, box: Any, ball: Any, scale: float, growth: float, now: float, most: float) -> Any:
+    """When a ball, brought forward to now, reaches a wall, within ``most`` from now; or until when it does not, and False."""
+    c = _gap(face, wall, box, ball, scale, growth)
+    if face.swing != 0.0:
+        return _swing_hit(face, c, now, most)
+    s = hit4(c[0], c[1], c[2], c[3], c[4], most, 0.0)
+    if face.bounded != 0:
+        while s < math.inf and not _there(face, box, ball, s):
+            s = next_hit4(c[0], c[1], c[2], c[3], c[4], s, most)
+    return s, True
+
+
+@kernel
+def next_wall(
+    swarm: Any, box: Any, faces: Any, walls: Any, lists: Any, sets: Any, ball: Any, plan: Any, now: float, turn: float, which: int
+) -> tuple[float, int]:
+    """The earliest of a ball's turn (its time and kind) and its contacts with the walls of its cell."""
+    cell = (plan.cz * swarm.cells[1] + plan.cy) * swarm.cells[0] + plan.cx
+    first = sets[U(lists[U(cell)])]
+    scale = swarm.scale + swarm.growth * now
+    s = turn - now
+    for k in range(1, sets[U(first)] + 1):
+        w = sets[U(first + k)]
+        t, hits = wall_hit(
+            faces[U(w)], walls[U(w * swarm.kinds + S(ball.kind))], box, ball, scale, swarm.growth, now, s
+        )
+        if t < s:
+            s, which = t, (FIRST_WALL + w if hits else LOOK)
+    return now + s if which >= FIRST_WALL else turn, which
+
+
+@kernel
+def _normal(face: Any, ball: Any) -> Vec:
+    """The normal of a wall where a ball touches it, towards the ball."""
+    if face.form == PLANE:
+        return (face.nx, face.ny, face.nz)
+    # (the gradient of the gap: q twice)
+    x, y, z = (
+        face.nx * face.nx * (ball.x - face.mx),
+        face.ny * face.ny * (ball.y - face.my),
+        face.nz * face.nz * (ball.z - face.mz),
+    )
+    r = math.sqrt(x * x + y * y + z * z)
+    if face.form != OUTSIDE:
+        r = -r
+    return (x / r, y / r, z / r)
+
+
+@kernel
+def _energy(ball: Any, body: Any, one: Any) -> float:
+    """Kinetic energy of a ball."""
+    moment = one.kappa * one.mass * one.radius * one.radius
+    spin = body.wx * body.wx + body.wy * body.wy + body.wz * body.wz
+    return (one.mass * (ball.vx * ball.vx + ball.vy * ball.vy + ball.vz * ball.vz) + moment * spin) / 2.0
+
+
+@kernel
+def _draw(swarm: Any, flat: bool, body: Any, one: Any, warm: float, warm_spin: float) -> Vec:
+    """A Maxwellian velocity; the ball gets a Maxwellian spin."""
+    key0, key1 = swarm.key[0], swarm.key[1]
+    x, y, n = normals(key0, key1, swarm.drawn)
+    z, p, n = normals(key0, key1, n)
+    q, r, n = normals(key0, key1, n)
+    swarm.drawn = n
+    speed = math.sqrt(warm / one.mass)
+    spin = math.sqrt(warm_spin / (one.kappa * one.mass * one.radius * one.radius))
+    if flat:
+        body.wz = spin * p
+        return (speed * x, speed * y, 0.0)
+    body.wx, body.wy, body.wz = spin * p, spin * q, spin * r
+    return (speed * x, speed * y, speed * z)
+
+
+@kernel
+def _leave_warm(swarm: Any, face: Any, body: Any, one: Any, n: Vec) -> Vec:
+    """The velocity of a ball that leaves a heated wall, against the wall: Maxwellian in flux, so v_n is weighted by v_n."""
+    v = _draw(swarm, swarm.axes == 2, body, one, face.warm, face.warm_spin)
+    out = math.sqrt(2.0 * face.warm / one.mass * exponential(swarm.key[0], swarm.key[1], swarm.drawn))
+    swarm.drawn += 1
+    c = out - dot(v, n)
+    return (v[0] + c * n[0], v[1] + c * n[1], v[2] + c * n[2])
+
+
+@kernel
+def meet_wall(swarm: Any, box: Any, faces: Any, walls: Any, species: Any, ball: Any, body: Any, w: int, now: float) -> None:
+    """A ball meets wall ``w``."""
+    face, wall, one = faces[U(w)], walls[U(w * swarm.kinds + S(ball.kind))], species[U(ball.kind)]
+    n = _normal(face, ball)
+    before = _energy(ball, body, one)
+    speed = 0.0
+    if face.swing != 0.0:
+        speed = _swung(face, now)[1]
+    if swarm.growth != 0.0:
+        # the surface of a ball that grows comes towards the wall, and leaves as fast as it came
+        speed = abs(wall.thick) * swarm.growth
+    v0, w0 = (ball.vx - speed * n[0], ball.vy - speed * n[1], ball.vz - speed * n[2]), (body.wx, body.wy, body.wz)
+    if face.warm >= 0.0:
+        v = _leave_warm(swarm, face, body, one, n)
+        j = dot(v, n) - dot(v0, n)
+    else:
+        e = wall.e
+        un = dot(v0, n)
+        if swarm.soft > 0.0:
+            if now - body.met < swarm.soft:
+                e = 1.0
+            body.met = now
+        v, spin, impulse, _required, _regime = one_contact(v0, w0, n, one.radius, one.kappa, e, wall.mu, wall.beta)
+        body.wx, body.wy, body.wz = spin[0], spin[1], spin[2]
+        j = dot(impulse, n)
+    ball.vx, ball.vy, ball.vz = v[0] + speed * n[0], v[1] + speed * n[1], v[2] + speed * n[2]
+    if face.warm >= 0.0:
+        face.fed += _energy(ball, body, one) - before
+    face.push += one.mass * j
+    face.hits += 1
+    swarm.wall_hits += 1
+    ball.count += 1
+
+
