@@ -8,6 +8,7 @@ times stay small and keep their digits however long the run.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -52,7 +53,7 @@ def take_out(plans: Any, heads: Any, i: int) -> None:
 
 @kernel
 def fill(swarm: Any, plans: Any, heads: Any) -> None:
-    """Put all balls into their bins."""
+    """Put all balls, and the thermostat, into their bins."""
     for b in range(heads.shape[0]):
         heads[b] = NOBODY
     width, bins = swarm.width, swarm.bins
@@ -61,7 +62,7 @@ def fill(swarm: Any, plans: Any, heads: Any) -> None:
 
 
 @kernel
-def turn_over(swarm: Any, motions: Any, plans: Any, bodies: Any, heads: Any) -> None:
+def turn_over(swarm: Any, motions: Any, plans: Any, bodies: Any, faces: Any, heads: Any) -> None:
     """Begin a new turn: shift every clock, set the width of the bins by the events of the last turn, fill them."""
     start = swarm.width * swarm.bins
     base, rest = two_sum(swarm.base, start)
@@ -74,6 +75,14 @@ def turn_over(swarm: Any, motions: Any, plans: Any, bodies: Any, heads: Any) -> 
         plans[i].at -= start
         plans[i].hit_at -= start
         bodies[i].met -= start
+    plans[motions.shape[0]].at -= start
+    swarm.scale += swarm.growth * start
+    for k in range(faces.shape[0]):
+        face = faces[k]
+        face.start -= start
+        if face.swing != 0.0:
+            # the swing that now belongs to
+            face.start += math.floor((swarm.now - face.start) / (2.0 * face.half)) * 2.0 * face.half
     # one event a bin; no more than twice or half as long at once
     ratio = swarm.bins / max(swarm.popped, 1)
     swarm.width *= min(max(ratio, 0.5), 2.0)

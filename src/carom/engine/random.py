@@ -16,7 +16,9 @@ __all__ = ["exponential", "logarithm", "normals", "threefry", "uniform"]
 ROTATIONS = (13, 15, 26, 6, 17, 29, 16, 24)
 PARITY = 0x1BD11BDA
 WORD = 0xFFFFFFFF
-LOG2_HIGH = 6.93147180369123816490e-01  # the first 33 bits of ln 2, so that small multiples of it are exact, and the rest
+LOG2_HIGH = (
+    6.93147180369123816490e-01  # the first 33 bits of ln 2, so that small multiples of it are exact, and the rest
+)
 LOG2_LOW = 1.90821492927058770002e-10
 ROOT_HALF = 0.7071067811865476
 

@@ -12,10 +12,11 @@ from typing import Any
 
 from carom.engine.cells import around, cell_of, gather, leave_cell, put_in_cell
 from carom.engine.queue import S, U, enqueue, fill, take_out, turn_over
-from carom.engine.swarm_arrays import DONE, FULL, LIMIT, NOBODY, PERIODIC, PULL
+from carom.engine.swarm_arrays import CALM, DONE, FULL, LIMIT, NOBODY, PULL, STUCK
 from carom.engine.swarm_predict import drift, next_turn, soonest
 from carom.engine.swarm_prefetch import look_ahead
-from carom.engine.swarm_resolve import meet, meet_wall
+from carom.engine.swarm_resolve import meet
+from carom.engine.swarm_walls import FIRST_WALL, LOOK, kick, meet_wall, next_wall, wait_for_kick, whom_to_kick
 from carom.kernel import hot_kernel, kernel
 
 __all__ = ["bring_to_now", "place", "refill", "run"]
@@ -26,6 +27,8 @@ __all__ = ["bring_to_now", "place", "refill", "run"]
 SLOW = 1e-14
 # So many balls fit into the processor's own memory; of more, the next ones are asked for ahead.
 NEAR_BALLS = 4000
+# Collisions within a share of a bin of the calendar, a ball and beyond that, after which time is said to stand still.
+STILL, STILL_HITS, STILL_MORE = 1e-9, 100, 100_000
 
 
 @hot_kernel
@@ -56,11 +59,11 @@ def place(swarm: Any, box: Any, grid: Any, motions: Any, plans: Any, species: An
 
 
 @kernel
-def refill(grid: Any, plans: Any, cells: Any) -> int:
+def refill(grid: Any, motions: Any, plans: Any, cells: Any) -> int:
     """Put every ball into the cell that it is in, after the cells got more slots."""
     for k in range(cells.shape[0]):
         cells[k] = 0
-    for i in range(plans.shape[0]):
+    for i in range(motions.shape[0]):
         if not put_in_cell(grid, cells, plans[i], i):
             return FULL
     return DONE
@@ -94,7 +97,8 @@ def _cross(box: Any, grid: Any, ball: Any, plan: Any, cells: Any, i: int, which:
 def _begin(swarm: Any, plans: Any, heads: Any) -> None:
     """All balls have their first event: set the calendar's width by them, and fill it."""
     total, count = 0.0, 0
-    for i in range(plans.shape[0]):
+    plans[swarm.count].at = wait_for_kick(swarm, swarm.now)
+    for i in range(swarm.count):
         if plans[i].at < math.inf:
             total += plans[i].at - swarm.now
             count += 1
@@ -128,17 +132,26 @@ def _sample(swarm: Any, box: Any, motions: Any, bodies: Any, species: Any, now: 
     _set_slow(swarm, species, translational)
 
 
+@hot_kernel
+def _calm(grid: Any, cx: int, cy: int, cz: int) -> bool:
+    """Whether a cell is in the block that no wall is near."""
+    x = (cx >= grid[U(CALM)]) & (cx <= grid[U(CALM + 1)])
+    y = (cy >= grid[U(CALM + 2)]) & (cy <= grid[U(CALM + 3)])
+    return bool(x & y & (cz >= grid[U(CALM + 4)]) & (cz <= grid[U(CALM + 5)]))
+
+
 @kernel
 def run(  # noqa: PLR0915  (the loop)
-    swarm: Any, motions: Any, plans: Any, bodies: Any, species: Any, pairs: Any, walls: Any, box: Any, grid: Any,
-    cells: Any, offsets: Any, shifts: Any, heads: Any, found: Any, near: Any, work: Any, whole: Any, until: float, most: int,
+    swarm: Any, motions: Any, plans: Any, bodies: Any, species: Any, pairs: Any, walls: Any, faces: Any, heads: Any,
+    box: Any, grid: Any, lists: Any, sets: Any, cells: Any, offsets: Any, shifts: Any, found: Any, near: Any, work: Any,
+    whole: Any, until: float, most: int,
 ) -> int:  # fmt: skip
     """Let things happen until a time (events after it stay planned), or until so many collisions more, walls included."""
     count, bins, width, now = swarm.count, swarm.bins, swarm.width, swarm.now
     current, popped, planned = swarm.bin, swarm.popped, swarm.planned
     end = (until - swarm.base) - swarm.rest
     last = swarm.pair_hits + swarm.wall_hits + most
-    flat, kinds, slow = swarm.axes == 2, swarm.kinds, swarm.slow
+    flat, kinds, slow, scale, growth = swarm.axes == 2, swarm.kinds, swarm.slow, swarm.scale, swarm.growth
     rb, ru, rc, times = work[0], work[1], work[2], work[3]
     bits = whole[3]
     far = count > NEAR_BALLS
@@ -163,8 +176,9 @@ def run(  # noqa: PLR0915  (the loop)
                 now = max(now, width * bins)
                 swarm.now, swarm.popped = now, popped
                 _sample(swarm, box, motions, bodies, species, now)
-                turn_over(swarm, motions, plans, bodies, heads)
-                current, popped, width, now, slow = 0, 0, swarm.width, swarm.now, swarm.slow
+                turn_over(swarm, motions, plans, bodies, faces, heads)
+                current, popped, width, now, slow, scale = 0, 0, swarm.width, swarm.now, swarm.slow, swarm.scale
+                swarm.mark, swarm.since = now, swarm.pair_hits + swarm.wall_hits
                 end = (until - swarm.base) - swarm.rest
                 continue
             i = S(heads[U(current)])
@@ -180,10 +194,18 @@ def run(  # noqa: PLR0915  (the loop)
                 break
             popped += 1
             now = max(now, at)
+            take_out(plans, heads, i)
+            kicked = i == count
+            if kicked:
+                plans[U(i)].at = wait_for_kick(swarm, now)
+                enqueue(plans, heads, i, width, bins, current)
+                i = S(whom_to_kick(swarm))
+                take_out(plans, heads, i)
             ball, plan = motions[U(i)], plans[U(i)]
             drift(box, ball, now)
-            take_out(plans, heads, i)
-            if plan.hit_at == at:
+            if kicked:
+                kick(swarm, species, ball, bodies[U(i)])
+            elif plan.hit_at == at:
                 k = plan.hit_who
                 if motions[U(k)].count == plan.hit_count:
                     j = S(k)
@@ -195,13 +217,11 @@ def run(  # noqa: PLR0915  (the loop)
                     swarm.overtaken += 1
             else:
                 which = S(plan.turn)
-                axis, up = which >> 1, which & 1
-                place = plan.cx if axis == 0 else (plan.cy if axis == 1 else plan.cz)
-                if grid[U(PERIODIC + axis)] == 0 and place == (grid[U(axis)] - 1 if up else 0):
-                    meet_wall(swarm, ball, bodies[U(i)], species[U(ball.kind)], walls, which, now)
-                else:
+                if which < FIRST_WALL:
                     again = True
                     swarm.crossings += 1
+                    axis, up = which >> 1, which & 1
+                    place = plan.cx if axis == 0 else (plan.cy if axis == 1 else plan.cz)
                     if not _cross(box, grid, ball, plan, cells, i, which, S(place)):
                         status = FULL
                     if axis == 0:
@@ -210,18 +230,45 @@ def run(  # noqa: PLR0915  (the loop)
                         y0, y1 = 2 * up, 2 * up + 1
                     else:
                         z0, z1 = 2 * up, 2 * up + 1
+                elif which != LOOK:
+                    meet_wall(swarm, box, faces, walls, species, ball, bodies[U(i)], which - FIRST_WALL, now)
+            if now - swarm.mark > STILL * width:
+                swarm.mark, swarm.since = now, swarm.pair_hits + swarm.wall_hits
+            elif swarm.pair_hits + swarm.wall_hits - swarm.since > STILL_HITS * count + STILL_MORE:
+                status = STUCK
         while True:
             ball, plan = motions[U(i)], plans[U(i)]
             cx, cy, cz = plan.cx, plan.cy, plan.cz
             n = gather(cells, offsets, found, cx, cy, cz, x0, x1, y0, y1, z0, z1)
             around(shifts, near, cx, cy, cz, ball.x, ball.y, ball.z)
-            hit, who = soonest(box, kinds, slow, motions, pairs, found, near, rb, ru, rc, times, bits, n, i, now)
+            hit, who = soonest(
+                box,
+                kinds,
+                slow,
+                motions,
+                pairs,
+                found,
+                near,
+                rb,
+                ru,
+                rc,
+                times,
+                bits,
+                n,
+                i,
+                now,
+                scale + growth * now,
+                growth,
+            )
             # what was found before stands, where the ball only goes on
             if not again or hit < plan.hit_at:
                 plan.hit_at, plan.hit_who = hit, who
                 if who != NOBODY:
                     plan.hit_count = motions[U(who)].count
-            turn, plan.turn = next_turn(box, grid, flat, ball, plan, species[U(ball.kind)].radius, now)
+            turn, which = next_turn(box, grid, flat, ball, plan, now)
+            if not _calm(grid, cx, cy, cz):
+                turn, which = next_wall(swarm, box, faces, walls, lists, sets, ball, plan, now, turn, which)
+            plan.turn = which
             plan.at = min(plan.hit_at, turn)
             if planned < count:
                 planned += 1

@@ -10,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 
 __all__ = [
-    "BODY", "CHANNEL", "CODES", "DONE", "FACE", "FULL", "INSIDE", "LIMIT", "MOST_BALLS", "MOTION", "NOBODY", "OUTSIDE", "PAIR",
-    "PERIODIC", "PLAN", "PLANE", "PULL", "ROOM", "SIZE", "SPECIES", "STRIDE", "STUCK", "SWARM", "WALL",
+    "BODY", "CALM", "CHANNEL", "CODES", "DONE", "FACE", "FULL", "INSIDE", "LIMIT", "MOST_BALLS", "MOTION", "NOBODY", "OUTSIDE",
+    "PAIR", "PERIODIC", "PLAN", "PLANE", "PULL", "ROOM", "SIZE", "SPECIES", "STRIDE", "STUCK", "SWARM", "WALL",
 ]  # fmt: skip
 
 # How a call of the loop ends: at its time, after its collisions or steps, or because a cell has no room for one more ball
@@ -22,8 +22,10 @@ ROOM = 4  # slots of a cell that are read without looking whether they are fille
 # In the list of neighbours a ball's number has 26 bits, the image that is near the other 6.
 CODES = 26
 # What the loop is told of the box, as plain arrays: lengths (9,), three each of the sides, a cell's sizes (from SIZE) and
-# gravity (PULL); whole numbers (9,): cells, strides between them in slots (STRIDE), and whether periodic (PERIODIC).
+# gravity (PULL); whole numbers (15,): cells, strides between them in slots (STRIDE), whether periodic (PERIODIC), and the first
+# and last places of the block of cells that no wall is near (CALM).
 SIZE, PULL = STRIDE, PERIODIC = 3, 6
+CALM = 9
 MOST_BALLS = (1 << CODES) - 1
 
 _NUMBER, _INDEX, _VECTOR = "f8", "u4", ("f8", (3,))
@@ -44,7 +46,10 @@ PLAN = np.dtype(
         ("hit_at", _NUMBER),  # the earliest collision found, with ``hit_who`` after its ``hit_count`` collisions
         ("hit_who", _INDEX),
         ("hit_count", _INDEX),
-        ("turn", _INDEX),  # which face of its cell the ball reaches next: 2 axis + (1 upwards); or which wall, see swarm_walls
+        (
+            "turn",
+            _INDEX,
+        ),  # which face of its cell the ball reaches next: 2 axis + (1 upwards); or which wall, see swarm_walls
         # the queue: a list of balls a bin
         ("bin", _INDEX),
         ("next", _INDEX),
@@ -142,6 +147,9 @@ SWARM = np.dtype(
         ("popped", "i8"),  # events of this turn so far
         ("planned", "i8"),  # balls that have their first event
         ("status", "i8"),  # how the last call ended
+        # since when, in collisions, time has stood still
+        ("mark", _NUMBER),
+        ("since", "i8"),
         ("slow", _NUMBER),  # below this speed of approach times distance, balls in touch are not coming in
         ("volume", _NUMBER),
         # All radii are multiplied by scale + growth now.

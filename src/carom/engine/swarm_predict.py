@@ -7,7 +7,7 @@ from typing import Any
 
 from carom.engine.queue import S, U
 from carom.engine.swarm_arrays import CODES, NOBODY, PERIODIC, PULL, SIZE
-from carom.kernel import hot_kernel
+from carom.kernel import hot_kernel, kernel
 from carom.motion.roots import hit2
 
 __all__ = ["BLOCK", "drift", "next_turn", "soonest"]
@@ -32,16 +32,15 @@ def drift(box: Any, ball: Any, now: float) -> None:
 
 
 @hot_kernel
-def _axis_turn(box: Any, grid: Any, axis: int, place: int, radius: float, x: float, v: float) -> tuple[float, bool]:
-    """Time until a ball leaves its cell along an axis, or meets the wall there; whether at the upper face."""
+def _axis_turn(box: Any, grid: Any, axis: int, place: int, x: float, v: float) -> tuple[float, bool]:
+    """Time until a ball leaves its cell along an axis; whether at the upper face. Outermost cells have no outer face."""
     size = box[U(SIZE + axis)]
     low, high = place * size, (place + 1) * size
     if grid[U(PERIODIC + axis)] == 0:
-        # the wall stands at the cell's face, the ball's centre keeps its radius from it
         if place == 0:
-            low = radius
+            low = -math.inf
         if place + 1 == grid[U(axis)]:
-            high = box[U(axis)] - radius
+            high = math.inf
     g = box[U(PULL + axis)]
     if g != 0:
         up, down = hit2(high - x, -v, -g / 2, math.inf, 0.0), hit2(x - low, v, g / 2, math.inf, 0.0)
@@ -53,18 +52,39 @@ def _axis_turn(box: Any, grid: Any, axis: int, place: int, radius: float, x: flo
 
 
 @hot_kernel
-def next_turn(box: Any, grid: Any, flat: bool, ball: Any, plan: Any, radius: float, now: float) -> tuple[float, int]:
-    """When a ball, brought forward to now, reaches a face of its cell or a wall there, and which: 2 axis + (1 upwards)."""
-    s, up = _axis_turn(box, grid, 0, plan.cx, radius, ball.x, ball.vx)
+def next_turn(box: Any, grid: Any, flat: bool, ball: Any, plan: Any, now: float) -> tuple[float, int]:
+    """When a ball, brought forward to now, reaches a face of its cell, and which: 2 axis + (1 upwards)."""
+    s, up = _axis_turn(box, grid, 0, plan.cx, ball.x, ball.vx)
     which = 1 if up else 0
-    t, up = _axis_turn(box, grid, 1, plan.cy, radius, ball.y, ball.vy)
+    t, up = _axis_turn(box, grid, 1, plan.cy, ball.y, ball.vy)
     if t < s:
         s, which = t, 3 if up else 2
     if not flat:
-        t, up = _axis_turn(box, grid, 2, plan.cz, radius, ball.z, ball.vz)
+        t, up = _axis_turn(box, grid, 2, plan.cz, ball.z, ball.vz)
         if t < s:
             s, which = t, 5 if up else 4
     return now + s, which
+
+
+@kernel
+def _growing(
+    motions: Any, pairs: Any, found: Any, rb: Any, ru: Any, rc: Any, times: Any, row: int, slow: float, n: int, whole: int,
+    scale: float, growth: float,
+) -> None:  # fmt: skip
+    """The times of collisions of balls that grow: their distance of contact is scale + growth s times what it will be."""
+    for k in range(whole):
+        times[U(k)] = math.inf
+    for k in range(n):
+        reach2 = pairs[U(row + motions[U(found[U(k)] & NUMBERS)].kind)].reach2
+        b, u2, c = rb[U(k)] - reach2 * scale * growth, ru[U(k)] - reach2 * growth * growth, rc[U(k)]
+        c += reach2 * (1.0 - scale * scale)
+        inside = b * b - u2 * c
+        if b < -slow:
+            if inside > 0.0:
+                times[U(k)] = max(c, 0.0) / (math.sqrt(inside) - b)
+        elif u2 < 0.0:
+            # they part, more slowly than they grow
+            times[U(k)] = max((b + math.sqrt(max(inside, 0.0))) / -u2, 0.0)
 
 
 @hot_kernel
@@ -84,6 +104,8 @@ def soonest(
     n: int,
     i: int,
     now: float,
+    scale: float,
+    growth: float,
 ) -> tuple[float, int]:
     """The earliest collision of ball i, brought forward to now, with one of the n balls found: its time, and with whom.
 
@@ -118,7 +140,11 @@ def soonest(
     for k in range(n, whole):
         rb[U(k)] = 0.0
         found[U(k)] = NOBODY
-    for k in range(whole):
+    steady = whole
+    if growth != 0.0:
+        _growing(motions, pairs, found, rb, ru, rc, times, row, slow, n, whole, scale, growth)
+        steady = 0
+    for k in range(steady):
         b, u2, c = rb[U(k)], ru[U(k)], rc[U(k)]
         # c + 2 b s + u2 s^2 = 0, for b < 0; overlapping and coming in is now (Bannerman, Strobl, Formella & Poeschel)
         inside = b * b - u2 * c

@@ -13,9 +13,10 @@ from numpy.typing import NDArray
 from carom.engine import swarm
 from carom.engine.cells import tables
 from carom.engine.swarm_arrays import BODY, DONE, FULL, MOTION, PLAN, ROOM
+from carom.engine.swarm_lists import walls_of_cells
 from carom.engine.swarm_prefetch import register_prefetch
 
-__all__ = ["Arrays", "advance", "balls_at", "make", "restore"]
+__all__ = ["STATE", "Arrays", "advance", "balls_at", "make", "restore"]
 
 SLOTS = 8  # of a cell at first: its count, and room for 7 balls
 BINS = 4  # of the calendar, a ball
@@ -23,7 +24,7 @@ LINE = 64  # bytes of a cache line
 
 
 class Arrays(NamedTuple):
-    """All of a swarm. The first eight are its state, to be saved; the rest follows from them."""
+    """All of a swarm. The first nine are its state, to be saved; the rest follows from them."""
 
     swarm: NDArray[np.void]
     motions: NDArray[np.void]
@@ -32,9 +33,12 @@ class Arrays(NamedTuple):
     species: NDArray[np.void]
     pairs: NDArray[np.void]
     walls: NDArray[np.void]
+    faces: NDArray[np.void]
     heads: NDArray[np.uint32]
     box: NDArray[np.float64]
     grid: NDArray[np.int64]
+    lists: NDArray[np.int32]
+    sets: NDArray[np.int32]
     cells: NDArray[np.uint32]
     offsets: NDArray[np.int64]
     shifts: NDArray[np.float64]
@@ -42,6 +46,9 @@ class Arrays(NamedTuple):
     near: NDArray[np.float64]
     work: NDArray[np.float64]
     whole: NDArray[np.int64]
+
+
+STATE = Arrays._fields[:9]
 
 
 class _Compiled(NamedTuple):
@@ -68,9 +75,12 @@ def _aligned(count: int, kind: np.dtype[Any]) -> NDArray[Any]:
     return raw[skip : skip + count * kind.itemsize].view(kind)
 
 
-def _cells(world: NDArray[np.void], slots: int) -> tuple[Any, ...]:
+def _cells(state: tuple[Any, ...], slots: int) -> tuple[Any, ...]:
     """The cells, empty, with so many slots each, and what is looked up and written while they are searched."""
-    one = world[0]
+    one, (calm, lists, sets) = (
+        state[0][0],
+        walls_of_cells(*(state[Arrays._fields.index(k)] for k in ("swarm", "faces", "walls"))),
+    )
     # beyond a wall lies a layer of cells without balls
     shape = [int(n) + (0 if periodic else 1) for n, periodic in zip(one["cells"], one["periodic"], strict=True)]
     one["stride"] = (slots, slots * shape[0], slots * shape[0] * shape[1])
@@ -79,44 +89,58 @@ def _cells(world: NDArray[np.void], slots: int) -> tuple[Any, ...]:
     room = 27 * max(slots, ROOM) + 8 & -8
     work = _aligned(4 * room, np.dtype("f8")).reshape(4, room)
     box = np.concatenate([one["side"], one["size"], one["pull"]])
-    grid = np.concatenate([one["cells"], one["stride"], one["periodic"]])
-    return box, grid, cells, offsets, shifts, np.zeros(room, np.uint32), np.zeros(12), work, work.view(np.int64)
+    grid = np.concatenate([one["cells"], one["stride"], one["periodic"], calm])
+    return (
+        box,
+        grid,
+        lists,
+        sets,
+        cells,
+        offsets,
+        shifts,
+        np.zeros(room, np.uint32),
+        np.zeros(12),
+        work,
+        work.view(np.int64),
+    )
 
 
 def _fill(state: tuple[Any, ...], fill: Callable[[Any], Any], slots: int) -> Arrays:
     while True:
-        arrays = Arrays(*state, *_cells(state[0], slots))
+        arrays = Arrays(*state, *_cells(state, slots))
         if fill(arrays) == DONE:
             return arrays
         slots *= 2
 
 
-def make(world: Any, species: Any, pairs: Any, walls: Any, kinds: Any, x: Any, v: Any, w: Any) -> Arrays:
+def make(world: Any, species: Any, pairs: Any, walls: Any, faces: Any, kinds: Any, x: Any, v: Any, w: Any) -> Arrays:
     """A swarm at its start. Positions are brought into a periodic box."""
     count = len(x)
     world["count"], world["kinds"], world["bins"] = count, len(species), BINS * count
-    motions, plans, bodies = _aligned(count, MOTION), _aligned(count, PLAN), _aligned(count, BODY)
+    motions, plans, bodies = _aligned(count, MOTION), _aligned(count + 1, PLAN), _aligned(count, BODY)
     turns = np.where(world["periodic"][0] == 1, np.floor(x / world["side"][0]), 0)
     x = x - turns * world["side"][0]
     for k, axis in enumerate("xyz"):
         motions[axis], motions["v" + axis], bodies["w" + axis] = x[:, k], v[:, k], w[:, k]
     motions["kind"] = kinds
-    bodies["met"], plans["image"] = -math.inf, turns
+    bodies["met"], plans["image"][:count] = -math.inf, turns
+    # (the last plan is the thermostat's)
+    plans[count]["at"], plans[count]["hit_at"] = math.inf, -math.inf
     heads = _aligned(BINS * count + 1, np.dtype("u4"))
-    state = (world, motions, plans, bodies, species, pairs, walls, heads)
+    state = (world, motions, plans, bodies, species, pairs, walls, faces, heads)
     return _fill(
         state, lambda a: _compiled().place(a.swarm[0], a.box, a.grid, a.motions, a.plans, a.species, a.cells), SLOTS
     )
 
 
 def restore(state: tuple[Any, ...]) -> Arrays:
-    """A swarm from its saved state (the first eight arrays): it goes on with the same bits."""
+    """A swarm from its saved state (the first nine arrays): it goes on with the same bits."""
     slots = max(int(state[0]["stride"][0, 0]), SLOTS)
     copies = []
     for array in state:
         copies.append(_aligned(len(array), array.dtype))
         copies[-1][:] = array
-    return _fill(tuple(copies), lambda a: _compiled().refill(a.grid, a.plans, a.cells), slots)
+    return _fill(tuple(copies), lambda a: _compiled().refill(a.grid, a.motions, a.plans, a.cells), slots)
 
 
 def advance(arrays: Arrays, until: float, most: int) -> Arrays:
@@ -127,14 +151,13 @@ def advance(arrays: Arrays, until: float, most: int) -> Arrays:
         # (it may be so from an interrupted call)
         if one["status"] == FULL:
             slots = 2 * int(one["stride"][0])
-            arrays = _fill(arrays[:8], lambda a: _compiled().refill(a.grid, a.plans, a.cells), slots)
+            arrays = _fill(
+                arrays[: len(STATE)], lambda a: _compiled().refill(a.grid, a.motions, a.plans, a.cells), slots
+            )
             one = arrays.swarm[0]
             one["status"] = DONE
         left = target - int(one["pair_hits"] + one["wall_hits"])
-        if (
-            left <= 0
-            or _compiled().run(one, *arrays[1:7], *arrays[8:13], arrays.heads, *arrays[13:], until, left) != FULL
-        ):
+        if left <= 0 or _compiled().run(one, *arrays[1:], until, left) != FULL:
             return arrays
 
 

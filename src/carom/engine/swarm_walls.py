@@ -11,13 +11,14 @@ import math
 from typing import Any
 
 from carom.engine.queue import S, U
-from carom.engine.random import exponential, logarithm, normals, uniform
+from carom.engine.random import exponential, normals, uniform
 from carom.engine.swarm_arrays import OUTSIDE, PLANE, PULL
-from carom.kernel import Vec, cross, dot, kernel
+from carom.engine.swarm_resolve import book, put_velocity, square
+from carom.kernel import Vec, dot, kernel
 from carom.laws.contact import one_contact
 from carom.motion.roots import hit2, hit4, next_hit4
 
-__all__ = ["FIRST_WALL", "LOOK", "kick", "meet_wall", "next_wall", "wait_for_kick"]
+__all__ = ["FIRST_WALL", "LOOK", "kick", "meet_wall", "next_wall", "wait_for_kick", "wall_hit", "whom_to_kick"]
 
 # What a ball's ``turn`` may be: a face of its cell (below FIRST_WALL), a wall, or only that it has to look again.
 FIRST_WALL, LOOK = 6, 0xFFFF
@@ -107,15 +108,25 @@ def wall_hit(face: Any, wall: Any, box: Any, ball: Any, scale: float, growth: fl
 
 @kernel
 def next_wall(
-    swarm: Any, box: Any, faces: Any, walls: Any, lists: Any, sets: Any, ball: Any, plan: Any, now: float, turn: float, which: int
+    swarm: Any,
+    box: Any,
+    faces: Any,
+    walls: Any,
+    lists: Any,
+    sets: Any,
+    ball: Any,
+    plan: Any,
+    now: float,
+    turn: float,
+    which: int,
 ) -> tuple[float, int]:
     """The earliest of a ball's turn (its time and kind) and its contacts with the walls of its cell."""
     cell = (plan.cz * swarm.cells[1] + plan.cy) * swarm.cells[0] + plan.cx
-    first = sets[U(lists[U(cell)])]
+    first = S(lists[U(cell)])
     scale = swarm.scale + swarm.growth * now
     s = turn - now
-    for k in range(1, sets[U(first)] + 1):
-        w = sets[U(first + k)]
+    for k in range(1, S(sets[U(first)]) + 1):
+        w = S(sets[U(first + k)])
         t, hits = wall_hit(
             faces[U(w)], walls[U(w * swarm.kinds + S(ball.kind))], box, ball, scale, swarm.growth, now, s
         )
@@ -139,14 +150,6 @@ def _normal(face: Any, ball: Any) -> Vec:
     if face.form != OUTSIDE:
         r = -r
     return (x / r, y / r, z / r)
-
-
-@kernel
-def _energy(ball: Any, body: Any, one: Any) -> float:
-    """Kinetic energy of a ball."""
-    moment = one.kappa * one.mass * one.radius * one.radius
-    spin = body.wx * body.wx + body.wy * body.wy + body.wz * body.wz
-    return (one.mass * (ball.vx * ball.vx + ball.vy * ball.vy + ball.vz * ball.vz) + moment * spin) / 2.0
 
 
 @kernel
@@ -177,37 +180,88 @@ def _leave_warm(swarm: Any, face: Any, body: Any, one: Any, n: Vec) -> Vec:
 
 
 @kernel
-def meet_wall(swarm: Any, box: Any, faces: Any, walls: Any, species: Any, ball: Any, body: Any, w: int, now: float) -> None:
+def _least(face: Any, wall: Any, box: Any, ball: Any, n: Vec, soft: float) -> float:
+    """The speed at which a ball that is pressed on a wall, by a force or its curvature, comes back after a time ``soft``."""
+    c = _gap(face, wall, box, ball, 1.0, 0.0)
+    press = -2.0 * c[2]
+    if face.form != PLANE:
+        # of the gap's units to those of a distance: by its gradient
+        x, y, z = face.nx * (ball.x - face.mx), face.ny * (ball.y - face.my), face.nz * (ball.z - face.mz)
+        press = press / (2.0 * abs(face.nx * x * n[0] + face.ny * y * n[1] + face.nz * z * n[2]))
+    return max(press, 0.0) * soft / 2.0
+
+
+@kernel
+def meet_wall(
+    swarm: Any, box: Any, faces: Any, walls: Any, species: Any, ball: Any, body: Any, w: int, now: float
+) -> None:
     """A ball meets wall ``w``."""
     face, wall, one = faces[U(w)], walls[U(w * swarm.kinds + S(ball.kind))], species[U(ball.kind)]
     n = _normal(face, ball)
-    before = _energy(ball, body, one)
     speed = 0.0
     if face.swing != 0.0:
         speed = _swung(face, now)[1]
     if swarm.growth != 0.0:
-        # the surface of a ball that grows comes towards the wall, and leaves as fast as it came
+        # the surface of a ball that grows comes towards the wall by itself
         speed = abs(wall.thick) * swarm.growth
+    # as the wall sees it
     v0, w0 = (ball.vx - speed * n[0], ball.vy - speed * n[1], ball.vz - speed * n[2]), (body.wx, body.wy, body.wz)
+    un, half, moment = dot(v0, n), one.mass / 2.0, one.kappa * one.radius * one.radius
     if face.warm >= 0.0:
         v = _leave_warm(swarm, face, body, one, n)
-        j = dot(v, n) - dot(v0, n)
+        spin = (body.wx, body.wy, body.wz)
+        pn = dot(v, n) - un
+        face.fed += half * (square(v) - square(v0) + moment * (square(spin) - square(w0)))
     else:
-        e = wall.e
-        un = dot(v0, n)
+        e, least = wall.e, 0.0
         if swarm.soft > 0.0:
             if now - body.met < swarm.soft:
-                e = 1.0
+                e, least = 1.0, _least(face, wall, box, ball, n, swarm.soft)
             body.met = now
-        v, spin, impulse, _required, _regime = one_contact(v0, w0, n, one.radius, one.kappa, e, wall.mu, wall.beta)
-        body.wx, body.wy, body.wz = spin[0], spin[1], spin[2]
-        j = dot(impulse, n)
-    ball.vx, ball.vy, ball.vz = v[0] + speed * n[0], v[1] + speed * n[1], v[2] + speed * n[2]
-    if face.warm >= 0.0:
-        face.fed += _energy(ball, body, one) - before
-    face.push += one.mass * j
+        v, spin, j, _required, _regime = one_contact(v0, w0, n, one.radius, one.kappa, e, wall.mu, wall.beta)
+        pn = dot(j, n)
+        moved = half * (j[0] * (v0[0] + v[0]) + j[1] * (v0[1] + v[1]) + j[2] * (v0[2] + v[2]))
+        normal = half * (e - 1.0) * pn * un
+        if un + pn < least:
+            lift = least - (un + pn)
+            v = (v[0] + lift * n[0], v[1] + lift * n[1], v[2] + lift * n[2])
+            face.fed += half * lift * (least + un + pn)
+            pn += lift
+        book(wall, normal, moved, half * moment * (square(spin) - square(w0)))
+    face.fed += one.mass * pn * speed
+    put_velocity(ball, (v[0] + speed * n[0], v[1] + speed * n[1], v[2] + speed * n[2]))
+    body.wx, body.wy, body.wz = spin[0], spin[1], spin[2]
+    face.push += one.mass * pn
     face.hits += 1
     swarm.wall_hits += 1
     ball.count += 1
 
 
+@kernel
+def wait_for_kick(swarm: Any, now: float) -> float:
+    """When the thermostat kicks next: as long after now as one waits for what happens at random."""
+    if swarm.rate == 0.0:
+        return math.inf
+    swarm.drawn += 1
+    return now + exponential(swarm.key[0], swarm.key[1], swarm.drawn - 1) / swarm.rate  # type: ignore[no-any-return]
+
+
+@kernel
+def whom_to_kick(swarm: Any) -> int:
+    """One of the balls, drawn evenly."""
+    swarm.drawn += 1
+    n = S(uniform(swarm.key[0], swarm.key[1], swarm.drawn - 1) * swarm.count)
+    return min(n, swarm.count - 1)  # type: ignore[no-any-return]
+
+
+@kernel
+def kick(swarm: Any, species: Any, ball: Any, body: Any) -> None:
+    """The thermostat gives a ball a Maxwellian velocity and spin of its own (Andersen)."""
+    one = species[U(ball.kind)]
+    moment = one.kappa * one.radius * one.radius
+    before = square((ball.vx, ball.vy, ball.vz)) + moment * square((body.wx, body.wy, body.wz))
+    v = _draw(swarm, swarm.axes == 2, body, one, swarm.warm, swarm.warm_spin)
+    put_velocity(ball, v)
+    swarm.fed += one.mass / 2.0 * (square(v) + moment * square((body.wx, body.wy, body.wz)) - before)
+    swarm.kicks += 1
+    ball.count += 1

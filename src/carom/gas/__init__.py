@@ -1,7 +1,12 @@
-"""Gases of many balls or discs: event-driven, rough or smooth, in periodic boxes and between walls."""
+"""Gases of many balls or discs: event-driven, rough or smooth, in periodic boxes, between walls, in round rooms."""
 
+from carom.gas.container import SHAPES, WALLS, Container, container
+from carom.gas.drive import Drive, Thermostat
 from carom.gas.run import Gas, GasBalls, GasRun, simulate_gas
-from carom.gas.setup import WALLS, Species
+from carom.gas.setup import Species
 from carom.gas.start import lattice, scattered, thermal
 
-__all__ = ["WALLS", "Gas", "GasBalls", "GasRun", "Species", "lattice", "scattered", "simulate_gas", "thermal"]
+__all__ = [
+    "SHAPES", "WALLS", "Container", "Drive", "Gas", "GasBalls", "GasRun", "Species", "Thermostat", "container", "lattice",
+    "scattered", "simulate_gas", "thermal",
+]  # fmt: skip

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time as clocks
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any, NamedTuple
 
@@ -12,15 +12,18 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.checks import Faults
-from carom.engine.swarm_arrays import DONE
-from carom.engine.swarm_run import Arrays, advance, balls_at, make, restore
-from carom.gas.setup import Contacts, Species, world_records
+from carom.engine.swarm_arrays import DONE, STUCK
+from carom.engine.swarm_run import STATE, Arrays, advance, balls_at, make, restore
+from carom.gas.container import Container, container
+from carom.gas.drive import Drive, Thermostat
+from carom.gas.setup import Contacts, Records, Species, world_records
 from carom.gas.start import lattice, thermal
 
 __all__ = ["Gas", "GasBalls", "GasRun", "Mark", "simulate_gas"]
 
 Array = NDArray[np.float64]
 CHUNK = 200_000  # collisions between two looks at the outside world: some tenths of a second
+COLLAPSE = "an inelastic collapse at t = {!r}: time stands still over more and more of them"
 TOUCH = 1e-9  # of a radius: what overlaps by less touches
 
 
@@ -42,6 +45,7 @@ class Mark(NamedTuple):
     swarm: Any
     pairs: Any
     walls: Any
+    faces: Any
     energy: tuple[float, float, float]
     time: float
     cpu: float
@@ -60,10 +64,13 @@ class GasRun:
     """Of a ball, between collisions with others: N t / (2 pair collisions)."""
     pressure: float
     """By the virial: (2 K + sum of impulse times distance / t) / (axes volume)."""
-    wall_pressure: tuple[float, ...]
-    """Impulse on each wall per area and time, in the order of :data:`carom.gas.WALLS`; 0 where there is none."""
+    wall_pressure: dict[str, float]
+    """Impulse on each wall, by its name, per area and time."""
+    energy_from_walls: dict[str, float]
+    """What walls that swing or are warm gave."""
+    energy_from_thermostat: float
     energy_drift: float
-    """Relative change of the energy, with its height if there is gravity."""
+    """Relative change of the energy, with its height if there is gravity, but for what walls and thermostat gave."""
     temperature_translational: float
     """Mean over the run of m v^2 along an axis."""
     temperature_rotational: float
@@ -79,23 +86,29 @@ class GasRun:
 
 
 class Gas:
-    """Many balls or discs that fly, in a periodic box or between walls.
+    """Many balls or discs that fly, in a periodic box or whatever else holds them.
 
     Parameters
     ----------
     species : sequence of Species
-    side : two (discs) or three lengths
-        The box is [0, side]; walls bound the balls' surfaces.
+    side : two (discs) or three lengths, or a Container
+        The box [0, side], whose walls bound the balls' surfaces; or any :func:`carom.gas.container`.
     periodic : bool, or one for each axis
+        Of a box given by its lengths.
     contacts : Surface, or a mapping of pairs of names to Surfaces
-        Names of species; ``"wall"`` for all walls, or one of :data:`carom.gas.WALLS`.
+        Names of species; ``"wall"`` for all walls, or a wall's own name.
     gravity : vector
     contact_time : float
         The TC model: a contact that follows a ball's last one within this time gives all normal velocity back, which ends
-        inelastic collapse (Luding & McNamara, Granular Matter 1, 113 (1998)). 0: off.
+        inelastic collapse (Luding & McNamara, Granular Matter 1, 113 (1998)); from a wall that a force or the wall's curvature
+        presses it on, at least so much that it comes back after that time. 0: off.
+    drives : mapping of walls' names to Drives
+        Walls that swing or are warm.
+    thermostat : Thermostat
     position, velocity, spin : (N, 3) or (N, 2) arrays, spin of discs (N,)
         Left out: a lattice, and random velocities of the species' temperatures without momentum.
     seed : int
+        Of the start, and of warm walls and the thermostat.
 
     Raises CaromError with one line a fault.
     """
@@ -103,25 +116,27 @@ class Gas:
     def __init__(
         self,
         species: Sequence[Species],
-        side: Sequence[float],
+        side: Sequence[float] | Container,
         *,
         periodic: bool | Sequence[bool] = True,
         contacts: Contacts,
         gravity: Sequence[float] = (0.0, 0.0, 0.0),
         contact_time: float = 0.0,
+        drives: Mapping[str, Drive] | None = None,
+        thermostat: Thermostat | None = None,
         position: ArrayLike | None = None,
         velocity: ArrayLike | None = None,
         spin: ArrayLike | None = None,
         seed: int = 0,
     ) -> None:
-        world, kinds, pairs, walls = world_records(species, side, periodic, contacts, gravity, contact_time)
-        axes = len(side)
+        room = room_of(side, periodic)
+        records = world_records(species, room, contacts, gravity, contact_time, drives or {}, thermostat, seed)
+        kinds, axes = records.kinds, len(room.size)
         which = np.repeat(np.arange(len(species)), [one.count for one in species])
         faults = Faults("Gas")
         rng = np.random.default_rng(seed)
         if position is None:
-            margin = 0.0 if world[0]["periodic"].all() else float(kinds["radius"].max())
-            x = lattice(len(which), tuple(side), margin)
+            x = lattice(len(which), room, float(kinds["radius"].max()))
             which = rng.permutation(which)
         else:
             x = _rows(faults, "position", position, len(which), axes)
@@ -137,21 +152,23 @@ class Gas:
             if spin is None:
                 about = (0, 1, 2) if axes == 3 else (2,)
                 w[those] = thermal(moment[those], about, rotational, rng)
-        _refuse_overlap(world[0], kinds["radius"][which], x)
-        self._begin(make(world, kinds, pairs, walls, which, x, v, w))
+        _refuse_overlap(room, records, kinds["radius"][which], x)
+        self._names = tuple(wall.name for wall in room.walls)
+        self._begin(make(*records, which, x, v, w))
 
     @classmethod
     def restore(cls, state: dict[str, NDArray[Any]]) -> Gas:
         """The gas of :meth:`state`: it goes on with the same bits."""
         gas = object.__new__(cls)
-        gas._begin(restore(tuple(state[name] for name in Arrays._fields[:8])))
+        gas._begin(restore(tuple(state[name] for name in STATE)))
+        gas._names = tuple(str(name) for name in state["names"])
         gas._time = max(gas._time, float(state["time"][0]))
         return gas
 
     def state(self) -> dict[str, NDArray[Any]]:
         """Everything that a later run needs to go on with the same bits: a few arrays, copied."""
-        state = {name: getattr(self._arrays, name).copy() for name in Arrays._fields[:8]}
-        return state | {"time": np.array([self._time])}
+        state = {name: getattr(self._arrays, name).copy() for name in STATE}
+        return state | {"time": np.array([self._time]), "names": np.array(self._names, dtype="U32")}
 
     def _begin(self, arrays: Arrays) -> None:
         self._arrays = arrays
@@ -161,6 +178,18 @@ class Gas:
     def _last_event(self) -> float:
         one = self._arrays.swarm[0]
         return float(one["base"] + (one["rest"] + one["now"]))
+
+    @property
+    def walls(self) -> tuple[str, ...]:
+        """Names of the walls, each once."""
+        return tuple(dict.fromkeys(self._names))
+
+    def _by_name(self, numbers: Any) -> dict[str, float]:
+        """Sums over the faces of each name."""
+        return {
+            one: float(sum(n for n, name in zip(numbers, self._names, strict=True) if name == one))
+            for one in self.walls
+        }
 
     @property
     def time(self) -> float:
@@ -176,7 +205,7 @@ class Gas:
             velocity=np.stack([motions[name] for name in ("vx", "vy", "vz")], axis=1),
             spin=np.stack([bodies[name] for name in ("wx", "wy", "wz")], axis=1),
             species=motions["kind"].copy(),
-            images=self._arrays.plans["image"].copy(),
+            images=self._arrays.plans["image"][: len(motions)].copy(),
         )
 
     def energy(self) -> tuple[float, float, float]:
@@ -187,7 +216,7 @@ class Gas:
         return (
             float((kinds["mass"] * (balls.velocity**2).sum(axis=1)).sum() / 2),
             float((moment * (balls.spin**2).sum(axis=1)).sum() / 2),
-            -float((kinds["mass"] * (balls.position @ one["pull"])).sum()),
+            -float((kinds["mass"] * ((balls.position + balls.images * one["side"]) @ one["pull"])).sum()),
         )
 
     @property
@@ -216,7 +245,15 @@ class Gas:
         """Begin to measure: what :meth:`measured` needs later, in this process or in another one."""
         self._arrays.swarm[0]["overlap"] = -math.inf
         one = self._arrays
-        return Mark(one.swarm.copy()[0], one.pairs.copy(), one.walls.copy(), self.energy(), self._time, self._cpu)
+        return Mark(
+            one.swarm.copy()[0],
+            one.pairs.copy(),
+            one.walls.copy(),
+            one.faces.copy(),
+            self.energy(),
+            self._time,
+            self._cpu,
+        )
 
     def go_on(
         self,
@@ -240,6 +277,15 @@ class Gas:
             done = self.collisions - before
             if progress is not None:
                 progress(self, done)
+            if self._arrays.swarm[0]["status"] == STUCK:
+                Faults.add(
+                    faults := Faults("Gas.run"),
+                    "contact_time",
+                    "contacts that come to an end",
+                    COLLAPSE.format(self._time),
+                )
+                faults.advise("contact_time", "give a contact_time > 0, some share of the mean free time")
+                faults.done()
             if self._arrays.swarm[0]["status"] == DONE:
                 self._time = max(self._time, until if until < math.inf else self._time)
                 break
@@ -254,15 +300,18 @@ class Gas:
         one, before, energy0, time0 = self._arrays.swarm[0], since.swarm, since.energy, since.time
         count, axes, t = int(one["count"]), int(one["axes"]), self._time - time0
         about = 3 if axes == 3 else 1
-        volume = float(one["side"][:axes].prod())
+        volume = float(one["volume"])
         energy = self.energy()
         pairs, samples = int(one["pair_hits"] - before["pair_hits"]), int(one["samples"] - before["samples"])
         means = [
             float(one[name] - before[name]) / samples if samples > 0 else energy0[k] + energy[k]
             for k, name in enumerate(("translational", "rotational"))
         ]
-        area = np.repeat(volume / one["side"][:axes], 2)
-        push = (one["push"] - before["push"])[: 2 * axes]
+        faces = self._arrays.faces
+        areas, pushes, feeds = (
+            self._by_name(part) for part in (faces["area"], *(faces[k] - since.faces[k] for k in ("push", "fed")))
+        )
+        fed = float(one["fed"] - before["fed"])
         return GasRun(
             pair_collisions=pairs,
             wall_collisions=int(one["wall_hits"] - before["wall_hits"]),
@@ -270,8 +319,10 @@ class Gas:
             cpu_seconds=self._cpu - since.cpu,
             mean_free_time=count * t / (2 * pairs) if pairs else math.inf,
             pressure=(means[0] + float(one["virial"] - before["virial"]) / t) / (axes * volume) if t > 0 else math.nan,
-            wall_pressure=tuple(float(p) for p in push / (area * t)) if t > 0 else (math.nan,) * (2 * axes),
-            energy_drift=sum(energy) / sum(energy0) - 1 if sum(energy0) != 0 else 0.0,
+            wall_pressure={k: pushes[k] / (areas[k] * t) if t > 0 else math.nan for k in areas},
+            energy_from_walls=feeds,
+            energy_from_thermostat=fed,
+            energy_drift=(sum(energy) - fed - sum(feeds.values())) / sum(energy0) - 1 if sum(energy0) != 0 else 0.0,
             temperature_translational=means[0] / (axes * count),
             temperature_rotational=means[1] / (about * count),
             max_overlap=max(float(one["overlap"]), 0.0),
@@ -296,20 +347,24 @@ def _rows(faults: Faults, name: str, given: Any, count: int, axes: int) -> Array
     return rows
 
 
-def _refuse_overlap(one: Any, radius: Array, x: Array) -> None:
+def room_of(side: Sequence[float] | Container, periodic: bool | Sequence[bool]) -> Container:
+    """The room, of a box by its lengths."""
+    if isinstance(side, Container):
+        return side
+    return container("box", side, periodic=periodic)
+
+
+def _refuse_overlap(room: Container, records: Records, radius: Array, x: Array) -> None:
     """CaromError where balls overlap each other, or a wall, by more than rounding."""
     from carom.gas.overlap import first_overlap
 
     faults = Faults("Gas")
-    walled = one["periodic"][None, :] == 0
-    out = walled & ((x < radius[:, None] * (1 - TOUCH)) | (x > one["side"] - radius[:, None] * (1 - TOUCH)))
+    out = room.clearance(radius, x) < -TOUCH * radius
     if out.any():
-        i = int(np.argmax(out.any(axis=1)))
-        faults.add(
-            "position", "balls inside the box", f"ball {i} at {x[i]} overlaps a wall ({out.any(axis=1).sum()} do)"
-        )
+        i = int(np.argmax(out))
+        faults.add("position", "balls inside the container", f"ball {i} at {x[i]} overlaps a wall ({out.sum()} do)")
     faults.done()
-    pair = first_overlap(one, radius, x, TOUCH)
+    pair = first_overlap(records.world[0], radius, x, TOUCH)
     if pair is not None:
         i, j = pair
         faults.add("position", "balls that do not overlap", f"balls {i} and {j}, at {x[i]} and {x[j]}")
@@ -318,7 +373,7 @@ def _refuse_overlap(one: Any, radius: Array, x: Array) -> None:
 
 def simulate_gas(
     species: Sequence[Species],
-    side: Sequence[float],
+    side: Sequence[float] | Container,
     *,
     collisions: int,
     equilibrate: int | None = None,

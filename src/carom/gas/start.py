@@ -4,26 +4,50 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from carom.engine.swarm_arrays import PLANE
 from carom.errors import CaromError
+from carom.gas.container import Container
 
 __all__ = ["lattice", "scattered", "thermal"]
 
 Array = NDArray[np.float64]
+LARGER = 200  # lattices are tried, each a twentieth finer
 PROPOSALS = 300  # a ball, after which a density counts as too high to be reached by chance
 
 
-def lattice(count: int, side: tuple[float, ...], margin: float = 0.0) -> Array:
-    """Centres (count, 3) on a face-centred cubic lattice, or in 2-D (``side`` of two numbers) on a centred square one.
+def lattice(count: int, side: Sequence[float] | Container, radius: float = 0.0) -> Array:
+    """Centres (count, 3) on a face-centred cubic lattice, or in 2-D (a side of two numbers) on a centred square one.
 
-    The lattice is stretched to fill the box, less a margin at each side, and of its places ``count`` are taken, spread evenly.
+    In a box of these sides, ``radius`` from each of them, it is stretched to fill the box; in a container it keeps balls of that
+    radius off the walls, and is as wide as leaves room for all. Of its places ``count`` are taken, spread evenly.
     """
-    inner = np.array(side, dtype=float) - 2 * margin
+    if not isinstance(side, Container):
+        return _stretched(count, side, [radius] * len(side))
+    if side.shape in {"periodic", "box"} and all(wall.form == PLANE for wall in side.walls):
+        # (a wall that bounds the centres needs no margin)
+        margin = radius if all(wall.thick for wall in side.walls) else 0.0
+        return _stretched(count, side.size, [0.0 if closed else margin for closed in side.periodic])
+    # as many places in the whole box as leave enough within the walls
+    most = count
+    for _ in range(LARGER):
+        x = _stretched(most, side.size, [0.0] * len(side.size))
+        x = x[side.clearance(radius, x) >= 0]
+        if len(x) >= count:
+            return x[(np.arange(count) * len(x)) // count]
+        most += max(most // 20, 1)
+    raise CaromError(
+        f"lattice: expected a container with room for balls of radius {radius:g}, got one of size {side.size}"
+    )
+
+
+def _stretched(count: int, side: Sequence[float], margins: Sequence[float]) -> Array:
+    inner = np.array(side, dtype=float) - 2 * np.array(margins)
     basis = [(0, 0, 0), (1, 1, 0), (1, 0, 1), (0, 1, 1)] if len(inner) == 3 else [(0, 0), (1, 1)]
     # as many steps an axis as make the cells nearly cubic and the places enough
     step = (inner.prod() * len(basis) / count) ** (1 / len(inner))
@@ -34,7 +58,7 @@ def lattice(count: int, side: tuple[float, ...], margin: float = 0.0) -> Array:
     places = ((corners + (np.array(basis) + 0.5) / 2) / steps).reshape(-1, len(inner))
     taken = places[(np.arange(count) * len(places)) // count]
     centres = np.zeros((count, 3))
-    centres[:, : len(inner)] = margin + taken * inner
+    centres[:, : len(inner)] = np.array(margins) + taken * inner
     return centres
 
 
