@@ -42,7 +42,7 @@ class Brute:
         return r + np.stack(np.meshgrid(*shifts, indexing="ij"), axis=-1).reshape(-1, 3) * self.side
 
     def next(self):
-        found = Event(math.inf, -1, -1)
+        found = self.first_pair()
         for i in range(len(self.x)):
             for axis in range(self.axes):
                 if self.periodic[axis]:
@@ -52,6 +52,11 @@ class Brute:
                 for k, s in ((2 * axis, low), (2 * axis + 1, high)):
                     if s < found.t:
                         found = Event(s, i, -1 - k)
+        return found
+
+    def first_pair(self):
+        found = Event(math.inf, -1, -1)
+        for i in range(len(self.x)):
             for j in range(i):
                 u = self.v[j] - self.v[i]
                 rows = self.images(self.x[j] - self.x[i])
@@ -67,17 +72,20 @@ class Brute:
         self.x += self.v * s + self.g * s * s / 2
         self.v += self.g * s
         self.t += s
-        # (a long way is watched: no image beyond the nearest ones is looked at)
-        self.x -= np.where(self.periodic, np.floor(self.x / self.side) * self.side, 0)
         self.events.append(Event(self.t, i, j))
         if j < 0:
-            axis, upper = divmod(-1 - j, 2)
-            n = np.zeros(3)
-            n[axis] = -1.0 if upper else 1.0
-            self._hit(i, None, n, self.wall(i, -1 - j))
+            self.meet_wall(i, -1 - j)
         else:
             r = min(self.images(self.x[i] - self.x[j]), key=lambda r: r @ r)
             self._hit(i, j, r / np.linalg.norm(r), self.pair(i, j))
+        # (a long way is watched: no image beyond the nearest ones is looked at)
+        self.x -= np.where(self.periodic, np.floor(self.x / self.side) * self.side, 0)
+
+    def meet_wall(self, i, k):
+        axis, upper = divmod(k, 2)
+        n = np.zeros(3)
+        n[axis] = -1.0 if upper else 1.0
+        self._hit(i, None, n, self.wall(i, k))
 
     def _hit(self, i, j, n, surface):
         """The impulse, from the matrix that takes an impulse at the contact to the change of its velocity."""
@@ -100,3 +108,44 @@ class Brute:
             if k is not None:
                 self.v[k] += way * p / self.mass[k]
                 self.w[k] += np.cross(-self.radius[k] * n, p) / (self.kappa[k] * self.mass[k] * self.radius[k] ** 2)
+
+
+class Room(Brute):
+    """Walls of any form: distances from them as geometry has them, looked at in small steps and halved where they close."""
+
+    STEPS = 1500
+
+    def __init__(self, *given, walls):
+        super().__init__(*given)
+        self.walls = walls  # (distance(x, radius, t), normal(x), speed(t)) of each
+
+    def next(self):
+        found = self.first_pair()
+        most = min(found.t, 3.0)
+        # close steps at first, for what comes back soon
+        t = np.concatenate((np.geomspace(1e-9, 1e-3, 200) * most, np.linspace(1e-3, 1, self.STEPS)[1:] * most))
+        for i in range(len(self.x)):
+            for k, (distance, _normal, _speed) in enumerate(self.walls):
+                d = distance(self._at(i, t), self.radius[i], self.t + t)
+                down = np.flatnonzero((d[:-1] > 0) & (d[1:] <= 0))
+                if len(down) and t[down[0]] < found.t:
+                    low, high = t[down[0]], t[down[0] + 1]
+                    for _ in range(60):
+                        middle = (low + high) / 2
+                        at = distance(self._at(i, np.array([middle])), self.radius[i], np.array([self.t + middle]))[0]
+                        low, high = (middle, high) if at > 0 else (low, middle)
+                    if high < found.t:
+                        found = Event(high, i, -1 - k)
+        assert found.t < 3.0
+        return found
+
+    def _at(self, i, t):
+        return self.x[i] + self.v[i] * t[:, None] + self.g * (t * t / 2)[:, None]
+
+    def meet_wall(self, i, k):
+        _distance, normal, speed = self.walls[k]
+        n = normal(self.x[i])
+        moving = speed(self.t) * n
+        self.v[i] -= moving
+        self._hit(i, None, n, self.wall(i, k))
+        self.v[i] += moving

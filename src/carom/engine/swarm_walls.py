@@ -23,6 +23,9 @@ __all__ = ["FIRST_WALL", "LOOK", "kick", "meet_wall", "next_wall", "wait_for_kic
 # What a ball's ``turn`` may be: a face of its cell (below FIRST_WALL), a wall, or only that it has to look again.
 FIRST_WALL, LOOK = 6, 0xFFFF
 ARCS = 16  # of a swinging wall are looked through at once
+# An approach slower than this share of the speed is none: it is the rounding of a ball that moves along a wall. And a ball
+# that a wall sends off does not leave more slowly than this.
+SLOW, HOP = 1e-14, 1e-9
 
 
 @kernel
@@ -73,7 +76,7 @@ def _swung(face: Any, now: float) -> tuple[float, float, float, float]:
 
 
 @kernel
-def _swing_hit(face: Any, c: tuple[float, ...], now: float, most: float) -> tuple[float, bool]:
+def _swing_hit(face: Any, c: tuple[float, ...], now: float, most: float, slow: float) -> tuple[float, bool]:
     """When a gap c closes before a swinging plane, up to a time; or the time up to which it does not, and False."""
     c0, c1, c2 = c[0], c[1], c[2]
     s = 0.0
@@ -84,7 +87,7 @@ def _swing_hit(face: Any, c: tuple[float, ...], now: float, most: float) -> tupl
             return s, True
     for _ in range(ARCS):
         d0, d1, d2, left = _swung(face, now + s)
-        t = hit2(c0 + (c1 + c2 * s) * s - d0, c1 + 2.0 * c2 * s - d1, c2 - d2, left, 0.0)
+        t = hit2(c0 + (c1 + c2 * s) * s - d0, c1 + 2.0 * c2 * s - d1, c2 - d2, left, slow)
         if t <= left:
             return s + t, True
         s += left
@@ -97,9 +100,13 @@ def _swing_hit(face: Any, c: tuple[float, ...], now: float, most: float) -> tupl
 def wall_hit(face: Any, wall: Any, box: Any, ball: Any, scale: float, growth: float, now: float, most: float) -> Any:
     """When a ball, brought forward to now, reaches a wall, within ``most`` from now; or until when it does not, and False."""
     c = _gap(face, wall, box, ball, scale, growth)
+    slow = SLOW * math.sqrt(square((ball.vx, ball.vy, ball.vz)))
+    if face.form != PLANE:
+        # (|q| is at most this on a round wall, and the gap's units are a distance times twice |q (x - m)|)
+        slow = 2.0 * slow * max(face.nx, face.ny, face.nz) * (wall.keep + abs(wall.thick))
     if face.swing != 0.0:
-        return _swing_hit(face, c, now, most)
-    s = hit4(c[0], c[1], c[2], c[3], c[4], most, 0.0)
+        return _swing_hit(face, c, now, most, slow)
+    s = hit4(c[0], c[1], c[2], c[3], c[4], most, slow)
     if face.bounded != 0:
         while s < math.inf and not _there(face, box, ball, s):
             s = next_hit4(c[0], c[1], c[2], c[3], c[4], s, most)
@@ -216,7 +223,7 @@ def meet_wall(
         e, least = wall.e, 0.0
         if swarm.soft > 0.0:
             if now - body.met < swarm.soft:
-                e, least = 1.0, _least(face, wall, box, ball, n, swarm.soft)
+                e, least = 1.0, _least(face, wall, box, ball, n, swarm.soft) + HOP * math.sqrt(square(v0))
             body.met = now
         v, spin, j, _required, _regime = one_contact(v0, w0, n, one.radius, one.kappa, e, wall.mu, wall.beta)
         pn = dot(j, n)
