@@ -443,9 +443,7 @@ def _judge(  # noqa: PLR0911
                 return
         if r.kind not in (BALL, HELD_EVENT, LEFT_EVENT):
             before, after = _energy(r.v_before, r.w_before, m, kappa, a), _energy(r.v, r.w, m, kappa, a)
-            # (wall and floor at once is an integration, whose own error is larger)
-            both = r.kind == WALL and surfaces[r.other][3] == 0 and world.floor != 0 and x[2] <= a * (1 + CLOSE)
-            if after > before * (1 + (1e-10 if both else 1e-12)):
+            if after > before * (1 + 1e-12):
                 out[0], out[1], out[2] = 16, row, after / before - 1
                 return
         last[i] = row

@@ -395,5 +395,10 @@ def wall_and_floor(
     v2 = (v1[0] + wall[0] + x * gx - y * gy, v1[1] + wall[1] + x * gy + y * gx, up)
     tx, ty = (m * fy + gy) * i, (ft - gx) * i
     s2 = (s1[0] + x * tx - y * ty, s1[1] + x * ty + y * tx, s1[2] - c * fy * i)
+    # The steps' errors may leave a little more energy than there was, where nothing is lost: no law of impact makes any.
+    had, has = dot(v, v) + kappa * (a * a) * dot(w, w), dot(v2, v2) + kappa * dot(s2, s2)
+    if has > had:
+        k = math.sqrt(had / has)
+        v2, s2 = (k * v2[0], k * v2[1], k * v2[2]), (k * s2[0], k * s2[1], k * s2[2])
     floor = (v2[0] - v[0] - wall[0], v2[1] - v[1] - wall[1], v2[2] - v[2] - wall[2])
     return v2, (s2[0] / a, s2[1] / a, s2[2] / a), wall, floor, regime
