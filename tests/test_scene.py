@@ -653,6 +653,23 @@ def test_a_conventional_wall_is_looked_at_where_balls_meet_it() -> None:
             made(**wall)
 
 
+def test_a_ball_does_not_roll_under_a_tables_nose() -> None:
+    balls = [SceneBall(radius=a, mass=1, position=(x, 0)) for a, x in ((0.03, 0.5), (0.02, 0.2))]
+    surface = {"restitution": 0.9, "friction": 0.2}
+
+    def made(nose: float) -> Scene:
+        wall = {"shape": "table", "length": 2, "width": 1, "nose_height": nose, **surface}
+        return Scene(floor=Floor(friction=1), walls=[wall], balls=balls, run=Run(duration=1))
+
+    made(0.0399)
+    with pytest.raises(carom.CaromError) as error:
+        made(0.04)
+    assert error.value.faults == (
+        "Scene: walls[0].nose_height: expected less than 40 mm, the diameter of balls[1], which would roll under it, got 0.04;"
+        " a cushion's nose stands at 5/4 to 7/5 of the radius",
+    )
+
+
 def test_faults_in_python_name_the_class_and_the_parts() -> None:
     with pytest.raises(carom.CaromError) as error:
         Scene(walls=[{"shape": "cylinder", "radius": -1}], balls=[{"radius": 1}])

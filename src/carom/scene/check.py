@@ -18,6 +18,7 @@ from carom.units import length
 if TYPE_CHECKING:
     from carom.scene.balls import SceneBall
     from carom.scene.model import Scene
+    from carom.scene.wall import Wall
 
 __all__ = ["scene_faults"]
 
@@ -100,6 +101,7 @@ def _wall_overlaps(scene: Scene) -> list[Fault]:
             got = Words(f"room for radii below {length(wall.room)}")
             found.append(Fault(expected, got, "make the wall larger, or the ball smaller", ("walls", k)))
             continue
+        found += _rolls_under(scene, wall, k)
         features = [feature for feature in wall.features() if feature.kind != OVER]
         for i, ball in enumerate(scene.balls):
             at = ("balls", i, "position")
@@ -110,6 +112,17 @@ def _wall_overlaps(scene: Scene) -> list[Fault]:
             else:
                 found += _overlap(ball, features, name, at)
     return found
+
+
+def _rolls_under(scene: Scene, wall: Wall, k: int) -> list[Fault]:
+    """A table whose cushions a ball would roll under: it has nothing behind them."""
+    nose = getattr(wall, "nose_height", None)
+    smallest = min(range(len(scene.balls)), key=lambda i: scene.balls[i].radius)
+    diameter = 2 * scene.balls[smallest].radius
+    if nose is None or nose < diameter:
+        return []
+    expected = f"less than {length(diameter)}, the diameter of balls[{smallest}], which would roll under it"
+    return [Fault(expected, nose, "a cushion's nose stands at 5/4 to 7/5 of the radius", ("walls", k, "nose_height"))]
 
 
 def _overlap(ball: SceneBall, features: list[Feature], name: str, at: tuple[str | int, ...]) -> list[Fault]:
