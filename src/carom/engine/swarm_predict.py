@@ -68,13 +68,15 @@ def next_turn(box: Any, grid: Any, flat: bool, ball: Any, plan: Any, now: float)
 
 @kernel
 def _growing(
-    motions: Any, pairs: Any, found: Any, rb: Any, ru: Any, rc: Any, times: Any, row: int, slow: float, n: int, whole: int,
+    motions: Any, pairs: Any, found: Any, rb: Any, ru: Any, rc: Any, times: Any, row: int, slow: float, n: int, whole: int, i: int,
     scale: float, growth: float,
 ) -> None:  # fmt: skip
     """The times of collisions of balls that grow: their distance of contact is scale + growth s times what it will be."""
     for k in range(whole):
         times[U(k)] = math.inf
     for k in range(n):
+        if S(found[U(k)]) & NUMBERS == i:
+            continue  # (a ball does not grow into itself)
         reach2 = pairs[U(row + motions[U(found[U(k)] & NUMBERS)].kind)].reach2
         b, u2, c = rb[U(k)] - reach2 * scale * growth, ru[U(k)] - reach2 * growth * growth, rc[U(k)]
         c += reach2 * (1.0 - scale * scale)
@@ -142,7 +144,7 @@ def soonest(
         found[U(k)] = NOBODY
     steady = whole
     if growth != 0.0:
-        _growing(motions, pairs, found, rb, ru, rc, times, row, slow, n, whole, scale, growth)
+        _growing(motions, pairs, found, rb, ru, rc, times, row, slow, n, whole, i, scale, growth)
         steady = 0
     for k in range(steady):
         b, u2, c = rb[U(k)], ru[U(k)], rc[U(k)]

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from carom.checks import Faults, nearest
 from carom.engine.swarm_arrays import INSIDE, OUTSIDE, PLANE
 
-__all__ = ["SHAPES", "WALLS", "Container", "Wall", "container"]
+__all__ = ["SHAPES", "WALLS", "Container", "Wall", "container", "room_of"]
 
 Array = NDArray[np.float64]
 Numbers = tuple[float, ...]
@@ -264,3 +264,10 @@ def container(
     faults.done()
     every = tuple(replace(wall, thick=bounds == "surface") for wall in (*walls, *obstacles))
     return Container(shape, given, closed, every, volume - taken)
+
+
+def room_of(side: Sequence[float] | Container, periodic: bool | Sequence[bool]) -> Container:
+    """The room, of a box by its lengths."""
+    if isinstance(side, Container):
+        return side
+    return container("box", side, periodic=periodic)

@@ -14,7 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 from carom.checks import Faults
 from carom.engine.swarm_arrays import DONE, STUCK
 from carom.engine.swarm_run import STATE, Arrays, advance, balls_at, make, restore
-from carom.gas.container import Container, container
+from carom.errors import CaromError
+from carom.gas.container import Container, room_of
 from carom.gas.drive import Drive, Thermostat
 from carom.gas.setup import Contacts, Records, Species, world_records
 from carom.gas.start import lattice, thermal
@@ -106,7 +107,8 @@ class Gas:
         Walls that swing or are warm.
     thermostat : Thermostat
     position, velocity, spin : (N, 3) or (N, 2) arrays, spin of discs (N,)
-        Left out: a lattice, and random velocities of the species' temperatures without momentum.
+        Left out: a lattice, or where that has no room :func:`carom.gas.dense`; and random velocities of the species' temperatures
+        without momentum.
     seed : int
         Of the start, and of warm walls and the thermostat.
 
@@ -136,8 +138,8 @@ class Gas:
         faults = Faults("Gas")
         rng = np.random.default_rng(seed)
         if position is None:
-            x = lattice(len(which), room, float(kinds["radius"].max()))
             which = rng.permutation(which)
+            x = _places(room, records, kinds["radius"][which], seed)
         else:
             x = _rows(faults, "position", position, len(which), axes)
         mass, moment = kinds["mass"][which], (kinds["kappa"] * kinds["mass"] * kinds["radius"] ** 2)[which]
@@ -347,11 +349,18 @@ def _rows(faults: Faults, name: str, given: Any, count: int, axes: int) -> Array
     return rows
 
 
-def room_of(side: Sequence[float] | Container, periodic: bool | Sequence[bool]) -> Container:
-    """The room, of a box by its lengths."""
-    if isinstance(side, Container):
-        return side
-    return container("box", side, periodic=periodic)
+def _places(room: Container, records: Records, radius: Array, seed: int) -> Array:
+    """A lattice, if the balls fit; else a dense packing of them."""
+    from carom.gas.dense import dense
+    from carom.gas.overlap import first_overlap
+
+    try:
+        x = lattice(len(radius), room, float(radius.max()))
+    except CaromError:
+        return dense(radius, room, seed=seed)
+    # (the margin of a box may be more than it has)
+    bad = (room.clearance(radius, x) < 0).any() or first_overlap(records.world[0], radius, x, TOUCH) is not None
+    return dense(radius, room, seed=seed) if bad else x
 
 
 def _refuse_overlap(room: Container, records: Records, radius: Array, x: Array) -> None:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.engine.swarm_arrays import PLANE
 from carom.errors import CaromError
-from carom.gas.container import Container
+from carom.gas.container import Container, room_of
 
 __all__ = ["lattice", "scattered", "thermal"]
 
@@ -74,31 +74,41 @@ def thermal(mass: Array, axes: tuple[int, ...], temperature: float, rng: np.rand
     return found
 
 
-def scattered(radius: ArrayLike, side: tuple[float, ...], periodic: Any, rng: np.random.Generator) -> Array:
+def scattered(
+    radius: ArrayLike, side: Sequence[float] | Container, periodic: Any = True, rng: np.random.Generator | None = None
+) -> Array:
     """Centres (N, 3) at random, none overlapping: one ball after the other is put where it has room, the largest first.
 
-    Random sequential addition: it reaches 38 % of the volume (55 % of the area), and slows down well before. Walls bound the
-    balls' surfaces. CaromError where there is no room.
+    ``side`` and ``periodic`` are those of :class:`carom.gas.Gas`. Random sequential addition: it reaches 38 % of the volume
+    (55 % of the area), and slows down well before; :func:`carom.gas.dense` goes further. CaromError where there is no room.
     """
+    room, rng = room_of(side, periodic), np.random.default_rng(0) if rng is None else rng
+    axes = len(room.size)
     size = np.ones(3)
-    size[: len(side)] = side
+    size[:axes] = room.size
     around = np.ones(3, bool)
-    around[: len(side)] = periodic
+    around[:axes] = room.periodic
+    thick = all(wall.thick for wall in room.walls)
     radii = np.array(radius, dtype=float)
     order = np.argsort(-radii, kind="stable")
     cells = np.maximum((size / (2 * radii.max())).astype(np.int64), 1)
-    cells[len(side) :] = 1
+    cells[axes:] = 1
     first, after = np.full(cells.prod(), -1, np.int64), np.full(len(radii), -1, np.int64)
     x, placed, tried = np.zeros((len(radii), 3)), 0, 0
     while placed < len(radii):
         if tried > PROPOSALS * len(radii):
             raise CaromError(
-                f"scattered: expected a density that chance can reach, got {placed} of {len(radii)} balls in; start from a lattice"
+                f"scattered: expected a density that chance can reach, got {placed} of {len(radii)} balls in;"
+                " start from a lattice, or with carom.gas.dense"
             )
-        batch = rng.random((2 * (len(radii) - placed) + 100, 3))
+        batch = rng.random((2 * (len(radii) - placed) + 100, 3)) * size
         tried += len(batch)
-        batch[:, len(side) :] = 0
-        placed = _compiled()(x, radii[order], placed, batch, size, around, cells, first, after, len(side))
+        batch[:, axes:] = 0
+        free = room.clearance(0.0, batch)
+        placed = _compiled()(
+            x, radii[order], placed, batch, free if thick else np.where(free >= 0, math.inf, -1.0), size, around, cells, first,
+            after, axes,
+        )  # fmt: skip
     found = np.zeros_like(x)
     found[order] = x
     return found
@@ -112,17 +122,19 @@ def _compiled() -> Callable[..., int]:
 
 
 def _scatter(
-    x: Any, radii: Any, placed: int, batch: Any, size: Any, around: Any, cells: Any, first: Any, after: Any, axes: int
-) -> int:
-    """Put in as many balls as a batch of proposals (each three numbers from 0 to 1) has room for; how many are in."""
+    x: Any, radii: Any, placed: int, batch: Any, room: Any, size: Any, around: Any, cells: Any, first: Any, after: Any,
+    axes: int,
+) -> int:  # fmt: skip
+    """Put in as many balls as a batch of places, each with room for a ball within the walls, has room for; how many are in."""
     place, there = np.zeros(3, np.int64), np.zeros(3, np.int64)
     for k in range(batch.shape[0]):
         if placed == x.shape[0]:
             break
         a = radii[placed]
+        if room[k] < a:
+            continue
         for axis in range(3):
-            margin = 0.0 if around[axis] else a
-            x[placed, axis] = margin + batch[k, axis] * (size[axis] - 2 * margin)
+            x[placed, axis] = batch[k, axis]
             place[axis] = min(int(x[placed, axis] / size[axis] * cells[axis]), cells[axis] - 1)
         free = True
         for step in range(27 if axes == 3 else 9):
