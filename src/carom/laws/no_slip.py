@@ -9,11 +9,11 @@ from __future__ import annotations
 
 import math
 
-from carom.kernel import Vec, kernel
+from carom.kernel import Vec, cross, hot_kernel, kernel
 from carom.laws.card import Card
-from carom.laws.contact import wall_contact
+from carom.laws.contact import slip_velocity, wall_contact
 
-__all__ = ["CARD", "no_slip_reflection"]
+__all__ = ["CARD", "no_slip_bounce", "no_slip_reflection"]
 
 CARD = Card(
     name="no-slip",
@@ -33,3 +33,23 @@ def no_slip_reflection(v: Vec, w: Vec, n: Vec, a: float, kappa: float) -> tuple[
     """Velocity, spin, impulse per mass, and the friction that the wall must have."""
     v1, w1, j, required, _regime = wall_contact(v, w, n, a, kappa, 1, math.inf, 1)
     return v1, w1, j, required
+
+
+@hot_kernel
+def no_slip_bounce(v: Vec, w: Vec, n: Vec, a: float, kappa: float) -> tuple[Vec, Vec]:
+    """Velocity and spin alone, of a ball that approaches: :func:`no_slip_reflection`'s to the last bit (a test says so).
+
+    An infinite friction has no cone to look at, so the contact kernel's square root and its division fall away: two thirds
+    of the time of a loop that does nothing but bounce.
+    """
+    un, ut = slip_velocity(v, w, n, a)
+    # (19) with e = 1; (29) with beta = 1
+    pn = -2 * un
+    hold = 2 * (kappa / (1 + kappa))
+    f = (-hold * ut[0], -hold * ut[1], -hold * ut[2])
+    t = cross(n, f)
+    c = 1 / (kappa * a)
+    return (
+        (v[0] + (pn * n[0] + f[0]), v[1] + (pn * n[1] + f[1]), v[2] + (pn * n[2] + f[2])),
+        (w[0] - t[0] * c, w[1] - t[1] * c, w[2] - t[2] * c),
+    )

@@ -1,0 +1,201 @@
+"""The next piece that a flying ball meets, and the wall's normal and curvature there.
+
+One ball needs no queue: its next event is the nearest of the table's pieces. All pieces bound the ball's centre, and no
+force acts across them, so what is met is met on a straight line: linear for a face, quadratic for a circle, a sphere, an
+ellipse. The curve at a distance from an ellipse, of degree eight, is met through its normal (:func:`inset_exit`).
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from carom.kernel import Vec, hot_kernel, kernel
+
+__all__ = ["inset_exit", "meeting", "wall_at"]
+
+NEVER = math.inf
+
+
+@hot_kernel
+def circle_exit(x: float, y: float, u: float, v: float, r: float) -> float:
+    """When a point within a circle about the origin leaves it (x, y: where it is; u, v: its velocity)."""
+    b = x * u + y * v
+    speed = u * u + v * v
+    # the half chord, from the line's distance to the centre: without the cancellation of b^2 - |v|^2 (|x|^2 - r^2)
+    across = x * v - y * u
+    inside = speed * (r * r) - across * across
+    depth = r * r - (x * x + y * y)
+    if depth < -1e-12 * r * r and (inside <= 0.0 or b >= 0.0):
+        return NEVER  # outside it, where a table has more than this circle, and not on a way through it
+    root = math.sqrt(inside) if inside > 0.0 else 0.0
+    if b < 0.0:
+        return (root - b) / speed
+    # (nearer to the way out: the other form of the same root)
+    return depth / (root + b) if root + b > 0.0 else NEVER
+
+
+@hot_kernel
+def circle_entry(x: float, y: float, u: float, v: float, r: float) -> float:
+    """When a point outside a circle about the origin enters it; infinity where it does not."""
+    b = x * u + y * v
+    across = x * v - y * u
+    inside = (u * u + v * v) * r * r - across * across
+    if b >= 0.0 or inside <= 0.0:
+        return NEVER
+    return (x * x + y * y - r * r) / (math.sqrt(inside) - b)
+
+
+@hot_kernel
+def sphere_exit(x: Vec, v: Vec, r: float) -> float:
+    """When a point within a sphere about the origin leaves it."""
+    b = x[0] * v[0] + x[1] * v[1] + x[2] * v[2]
+    speed = v[0] * v[0] + v[1] * v[1] + v[2] * v[2]
+    p, q, s = x[1] * v[2] - x[2] * v[1], x[2] * v[0] - x[0] * v[2], x[0] * v[1] - x[1] * v[0]
+    inside = speed * r * r - (p * p + q * q + s * s)
+    root = math.sqrt(inside) if inside > 0.0 else 0.0
+    if b < 0.0:
+        return (root - b) / speed
+    distance = r * r - (x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
+    return distance / (root + b) if root + b > 0.0 else NEVER
+
+
+@kernel
+def inset_exit(
+    x: float, y: float, u: float, v: float, p: float, q: float, a: float
+) -> tuple[float, float, float, float]:
+    """When a ball of radius a within the ellipse (x/p)^2 + (y/q)^2 = 1 touches it: the time, the normal, its 1/curvature.
+
+    A convex curve is known by its normal N: the ellipse has the point (p^2 Nx, q^2 Ny)/h, h = sqrt(p^2 Nx^2 + q^2 Ny^2), and
+    the ball's centre is then at P(N) = (p^2 Nx, q^2 Ny)/h - a N, where the curve's radius is rho = p^2 q^2/h^3 - a > 0. The
+    line x + v t leaves the curve where v x (P(N) - x) = 0 on the half of the normals with N.v > 0; there that function grows
+    with the normal's angle, at the rate rho cos(angle from v). So one root lies between two known ends, and Newton's step,
+    or halving where it leads outside, finds it: without trigonometry, with N = ((1 - k^2) e + 2 k f)/(1 + k^2), -1 < k < 1,
+    e along v and f across it.
+    """
+    speed = math.sqrt(u * u + v * v)
+    eu, ev = u / speed, v / speed
+    low, high = -1.0, 1.0
+    k = 0.0
+    nx, ny = eu, ev
+    rho = a
+    px, py = x, y
+    for _ in range(100):
+        w = 1.0 / (1.0 + k * k)
+        cos, sin = (1.0 - k * k) * w, 2.0 * k * w
+        nx, ny = cos * eu - sin * ev, cos * ev + sin * eu
+        h = math.sqrt(p * p * nx * nx + q * q * ny * ny)
+        px, py = (p * p / h - a) * nx, (q * q / h - a) * ny
+        rho = p * p * q * q / (h * h * h) - a
+        g = eu * (py - y) - ev * (px - x)
+        if g < 0.0:
+            low = k
+        else:
+            high = k
+        # d(angle) = 2 dk/(1 + k^2)
+        step = g / (2.0 * rho * cos * w) if cos > 0.0 else NEVER
+        new = k - step
+        if not (low < new < high):
+            new = 0.5 * (low + high)
+            step = k - new
+        if abs(step) < 2e-16 * (1.0 + abs(k)) or g == 0.0:
+            break
+        k = new
+    return (eu * (px - x) + ev * (py - y)) / speed, nx, ny, rho
+
+
+@hot_kernel
+def meeting(world: Any, pieces: Any, x: Vec, v: Vec) -> tuple[float, int]:
+    """The time to the next piece and which it is; infinity and -1 where none lies ahead."""
+    best = NEVER
+    which = -1
+    for i in range(world.faces):
+        p = pieces[i]
+        u = p.n[0] * v[0] + p.n[1] * v[1] + p.n[2] * v[2]
+        if u < 0.0:
+            d = p.n[0] * x[0] + p.n[1] * x[1] + p.n[2] * x[2] - p.c
+            t = -d / u
+            if t < best:
+                if world.limited:
+                    # behind it, or past its ends
+                    s = p.n[1] * (x[0] + t * v[0]) - p.n[0] * (x[1] + t * v[1])
+                    if d < -world.near or s < p.begin - world.near or s > p.end + world.near:
+                        continue
+                best = t
+                which = i
+    for i in range(world.faces, world.windows):
+        p = pieces[i]
+        u = p.n[0] * v[0] + p.n[1] * v[1]
+        if u < 0.0:
+            t = (p.c - p.n[0] * x[0] - p.n[1] * x[1]) / u
+            if t < best:
+                best = t
+                which = i
+    for i in range(world.windows, world.inside):
+        p = pieces[i]
+        t = circle_exit(x[0] - p.n[0], x[1] - p.n[1], v[0], v[1], p.r)
+        if t < best and (p.begin == 0.0 or p.begin * (x[0] + t * v[0] - p.n[0]) >= -world.near):
+            best = t
+            which = i
+    for i in range(world.inside, world.outside):
+        p = pieces[i]
+        t = circle_entry(x[0] - p.n[0], x[1] - p.n[1], v[0], v[1], p.r)
+        if t < best:
+            best = t
+            which = i
+    for i in range(world.outside, world.ellipses):
+        p = pieces[i]
+        if world.inset > 0.0:
+            t = inset_exit(x[0], x[1], v[0], v[1], p.c, p.r, world.inset)[0]
+        else:
+            t = circle_exit(x[0] / p.c, x[1] / p.r, v[0] / p.c, v[1] / p.r, 1.0)
+        if t < best:
+            best = t
+            which = i
+    for i in range(world.ellipses, world.spheres):
+        t = sphere_exit(x, v, pieces[i].r)
+        if t < best:
+            best = t
+            which = i
+    # what rounding put a hair behind a wall is on it
+    return (best if best > 0.0 else 0.0), which
+
+
+@hot_kernel
+def wall_at(world: Any, pieces: Any, i: int, x: Vec) -> Vec:
+    """The normal of piece i, towards the ball, where the centre is at x."""
+    p = pieces[i]
+    if i < world.windows:
+        return (p.n[0], p.n[1], p.n[2])
+    if i < world.outside:
+        dx, dy = x[0] - p.n[0], x[1] - p.n[1]
+        w = p.c
+        if i < world.inside:
+            return (-dx * w, -dy * w, 0.0)
+        return (dx * w, dy * w, 0.0)
+    if i < world.ellipses:
+        return ellipse_wall(p.c, p.r, world.inset, x[0], x[1])[0]
+    w = (1.5 - (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) * (0.5 * p.c * p.c)) * p.c
+    return (-x[0] * w, -x[1] * w, -x[2] * w)
+
+
+@kernel
+def ellipse_wall(p: float, q: float, a: float, x: float, y: float) -> tuple[Vec, float]:
+    """Normal towards the ball, and radius of the centre's curve, where the centre is at (x, y) on it."""
+    nx, ny = x / (p * p), y / (q * q)
+    if a > 0.0:
+        # x = ((p^2/h - a) Nx, (q^2/h - a) Ny): with m = -a h, (p x/(p^2 + m))^2 + (q y/(q^2 + m))^2 = 1. The left side falls
+        # and is convex in m; h is at most the greater half axis, so Newton's steps come from the left and never pass the root
+        m = -a * (p if p > q else q)
+        for _ in range(60):
+            c, s = p * x / (p * p + m), q * y / (q * q + m)
+            g = c * c + s * s - 1.0
+            step = 0.5 * g / (c * c / (p * p + m) + s * s / (q * q + m))
+            m = m + step
+            if abs(step) <= 1e-16 * abs(m):
+                break
+        nx, ny = x / (p * p + m), y / (q * q + m)
+    size = math.sqrt(nx * nx + ny * ny)
+    nx, ny = nx / size, ny / size
+    h = math.sqrt(p * p * nx * nx + q * q * ny * ny)
+    return (-nx, -ny, 0.0), p * p * q * q / (h * h * h) - a

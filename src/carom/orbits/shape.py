@@ -1,0 +1,289 @@
+"""The curve that bounds a ball's centre, as pieces: what the loop reads, and where on it a point lies."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.orbits.arrays import PIECES, WORLD
+
+__all__ = ["Shape", "face", "quadrature"]
+
+Array = NDArray[np.float64]
+INF = math.inf
+
+
+def face(
+    nx: float, ny: float, c: float, begin: float = -INF, end: float = INF, *, low: float | None = None,
+    high: float | None = None, nz: float = 0.0,
+) -> tuple[Any, ...]:
+    """A face n.x = c with the ball at n.x > c; it ends with corners unless low or high say that it goes on smoothly."""
+    return (nx, ny, nz), c, 0.0, begin, end, begin if low is None else low, end if high is None else high
+
+
+def quadrature(p: float, q: float, angle: Any) -> Any:
+    """Arc length of the ellipse (p cos u, q sin u) from u = 0 to so many angles: Gauss's rule on 64 pieces of the circle."""
+    nodes, weights = np.polynomial.legendre.leggauss(12)
+    step = math.tau / 64
+    # whole pieces, once; then what is left
+    middle = (np.arange(64)[:, None] + 0.5 + nodes / 2) * step
+    whole = np.concatenate([[0.0], np.cumsum((_rate(p, q, middle) @ weights) * step / 2)])
+    angle = np.asarray(angle, float)
+    k = np.clip((angle // step).astype(int), 0, 63)
+    rest = angle - k * step
+    inner = k[..., None] * step + rest[..., None] * (nodes + 1) / 2
+    return whole[k] + (_rate(p, q, inner) @ weights) * rest / 2
+
+
+def _rate(p: float, q: float, u: Any) -> Any:
+    return np.sqrt((p * np.sin(u)) ** 2 + (q * np.cos(u)) ** 2)
+
+
+@dataclass
+class Shape:
+    """Pieces by kind, each a row of numbers: see :mod:`carom.orbits.arrays`."""
+
+    faces: list[tuple[Any, ...]] = field(default_factory=list)
+    windows: list[tuple[Any, ...]] = field(default_factory=list)
+    inside: list[tuple[float, float, float, float]] = field(default_factory=list)
+    """Centre, radius, and which half: -1, 1, or 0 for all of it."""
+    outside: list[tuple[float, float, float, float, float]] = field(default_factory=list)
+    """Centre, radius, and the arc that a ball can meet, clockwise: the angle at which it begins, and how much of it."""
+    images: list[tuple[float, float, float, int]] = field(default_factory=list)
+    """Of a circle seen from outside, in a neighbouring cell: centre, radius, and which of ``outside`` it is."""
+    order: list[int] | None = None
+    """The pieces as they follow each other along the curve; left out: as they are numbered."""
+    ellipse: tuple[float, float, float] | None = None
+    """Half axes, and how far within it the centre's curve lies."""
+    sphere: float | None = None
+    limited: bool = False
+    size: float = 1.0
+    vertices: Array | None = None
+    """Of a polygon that is not convex: the wall's own, for the question what lies within."""
+    clearance: float = 0.0
+    cell: tuple[float, float] | None = None
+
+    def arrays(self) -> tuple[Any, NDArray[np.void]]:
+        """The world's record, still without ball and law, and the pieces."""
+        rows: list[tuple[Any, ...]] = [*self.faces]
+        world = np.zeros(1, WORLD)
+        world["faces"] = len(rows)
+        rows += self.windows
+        world["windows"] = len(rows)
+        rows += [((x, y, 0.0), 1 / r, r, half, 0.0, -INF, INF) for x, y, r, half in self.inside]
+        world["inside"] = len(rows)
+        rows += [((x, y, 0.0), 1 / r, r, 0.0, 0.0, -INF, INF) for x, y, r, *_ in [*self.outside, *self.images]]
+        world["outside"] = len(rows)
+        if self.ellipse is not None:
+            p, q, inset = self.ellipse
+            rows.append(((0.0, 0.0, 0.0), p, q, 0.0, 0.0, -INF, INF))
+            world["inset"] = inset
+        world["ellipses"] = len(rows)
+        if self.sphere is not None:
+            rows.append(((0.0, 0.0, 0.0), 1 / self.sphere, self.sphere, 0.0, 0.0, -INF, INF))
+        world["spheres"] = len(rows)
+        world["limited"], world["near"] = self.limited, 1e-12 * self.size
+        return world, np.array(rows, PIECES)
+
+    # --- arc length ---------------------------------------------------------------------------------------------------
+
+    @property
+    def lengths(self) -> Array:
+        """Length of each piece that a ball can meet, windows and images left out; infinite for a strip's or a wedge's."""
+        found = [f[4] - f[3] for f in self.faces]
+        found += [(math.pi if half else math.tau) * r for _x, _y, r, half in self.inside]
+        found += [span * r for _x, _y, r, _first, span in self.outside]
+        if self.ellipse is not None:
+            p, q, inset = self.ellipse
+            found.append(4 * float(quadrature(p, q, math.pi / 2)) - math.tau * inset)
+        return np.array(found)
+
+    @property
+    def starts(self) -> Array:
+        """Arc length at which each piece begins."""
+        lengths = np.where(np.isfinite(self.lengths), self.lengths, 0.0)
+        order = list(range(len(lengths))) if self.order is None else self.order
+        starts = np.empty(len(lengths))
+        starts[order] = np.concatenate([[0.0], np.cumsum(lengths[order])[:-1]])
+        return starts
+
+    def _number(self, piece: NDArray[np.int64]) -> NDArray[np.int64]:
+        """Pieces counted without windows and images."""
+        faces, circles = len(self.faces), len(self.inside) + len(self.outside)
+        table = np.arange(-1, faces + len(self.windows) + circles + len(self.images) + 1)
+        # (row 0 is for no piece)
+        table[1 + faces + len(self.windows) :] -= len(self.windows)
+        first = 1 + faces + len(self.windows) + circles
+        table[first : first + len(self.images)] = [faces + len(self.inside) + of for *_, of in self.images]
+        table[first + len(self.images) :] -= len(self.images)
+        return table[piece + 1]
+
+    def coordinate(self, met: Any, x: Any) -> Array:
+        """Arc length s (...) of points (..., 2 or 3) on pieces (...): the ball on the left, one piece after the other."""
+        number = self._number(np.asarray(met, int))
+        x = self.folded(np.asarray(x, float))
+        starts = self.starts
+        s = np.full(number.shape, np.nan)
+        k = 0
+        for n, _c, _r, begin, _end, _low, _high in self.faces:
+            here = number == k
+            along = n[1] * x[here][:, 0] - n[0] * x[here][:, 1]
+            s[here] = starts[k] + along - (begin if math.isfinite(begin) else 0.0)
+            k += 1
+        for cx, cy, r, half in self.inside:
+            here = number == k
+            angle = np.arctan2(x[here][:, 1] - cy, x[here][:, 0] - cx)
+            s[here] = starts[k] + r * ((angle + half * math.pi / 2) % math.tau)
+            k += 1
+        for cx, cy, r, first, _span in self.outside:
+            here = number == k
+            d = self.folded(x[here][:, :2] - (cx, cy))
+            s[here] = starts[k] + r * ((first - np.arctan2(d[:, 1], d[:, 0])) % math.tau)
+            k += 1
+        if self.ellipse is not None:
+            here = number == k
+            u, turned = self._angles(x[here])
+            s[here] = starts[k] + quadrature(*self.ellipse[:2], u) - self.ellipse[2] * turned
+        return s
+
+    def _angles(self, x: Array) -> tuple[Array, Array]:
+        """Of points on the centre's curve in an ellipse: the parameter of the point of contact, the angle of the normal."""
+        from carom.orbits.flight import ellipse_wall
+
+        p, q, inset = self.ellipse or (1.0, 1.0, 0.0)
+        n = np.array([ellipse_wall(p, q, inset, a, b)[0][:2] for a, b in x[:, :2]]).reshape(-1, 2)
+        return np.arctan2(-q * n[:, 1], -p * n[:, 0]) % math.tau, np.arctan2(-n[:, 1], -n[:, 0]) % math.tau
+
+    def place(self, s: Any) -> tuple[NDArray[np.int64], Array, Array]:
+        """The piece, the point (..., 2) and the normal (..., 2) at an arc length (...); of closed curves."""
+        lengths, starts = self.lengths, self.starts
+        order = np.argsort(starts, kind="stable")
+        s = np.asarray(s, float) % lengths.sum()
+        k = order[np.clip(np.searchsorted(starts[order], s, side="right") - 1, 0, len(order) - 1)]
+        along = s - starts[k]
+        x, n = np.empty((*s.shape, 2)), np.empty((*s.shape, 2))
+        m = 0
+        for normal, c, _r, begin, _end, _low, _high in self.faces:
+            here = k == m
+            t = np.array([normal[1], -normal[0]])
+            x[here] = np.multiply(normal[:2], c) + np.multiply.outer(along[here] + begin, t)
+            n[here] = normal[:2]
+            m += 1
+        for cx, cy, r, half in self.inside:
+            here = k == m
+            angle = along[here] / r - half * math.pi / 2
+            n[here] = -np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+            x[here] = np.array([cx, cy]) - r * n[here]
+            m += 1
+        for cx, cy, r, first, _span in self.outside:
+            here = k == m
+            angle = first - along[here] / r
+            n[here] = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+            x[here] = np.array([cx, cy]) + r * n[here]
+            m += 1
+        if self.ellipse is not None:
+            p, q, inset = self.ellipse
+            here = k == m
+            u = np.linspace(0, math.tau, 4001)
+            table = quadrature(p, q, u) - inset * (np.arctan2(p * np.sin(u), q * np.cos(u)) % math.tau)
+            table[-1] = lengths[m]
+            u = np.interp(along[here], table, u)
+            for _ in range(4):  # Newton; ds/du = rho dN: |E'| - inset d(normal's angle)/du
+                turned = np.arctan2(p * np.sin(u), q * np.cos(u)) % math.tau
+                rate = _rate(p, q, u) - inset * p * q / _rate(p, q, u) ** 2
+                u = np.clip(u - (quadrature(p, q, u) - inset * turned - along[here]) / rate, 0, math.tau)
+            out = np.stack([q * np.cos(u), p * np.sin(u)], axis=-1)
+            out /= np.linalg.norm(out, axis=-1, keepdims=True)
+            n[here] = -out
+            x[here] = np.stack([p * np.cos(u), q * np.sin(u)], axis=-1) - inset * out
+        piece = np.where(k >= len(self.faces), k + len(self.windows), k)
+        return np.where(k >= len(self.faces) + len(self.inside) + len(self.outside), piece + len(self.images), piece), x, n
+
+    def normals(self, met: Any, x: Any) -> Array:
+        """Normals (..., 3) towards the ball at points (..., 2 or 3) on pieces (...); NaN where the piece is -1."""
+        from carom.orbits.flight import ellipse_wall
+
+        number = self._number(np.asarray(met, int))
+        x = np.asarray(x, float)
+        n = np.full((*number.shape, 3), np.nan)
+        k = 0
+        for normal, *_ in self.faces:
+            n[number == k] = normal
+            k += 1
+        for sign, circles in ((-1, self.inside), (1, self.outside)):
+            for cx, cy, r, *_ in circles:
+                here = number == k
+                d = self.folded(x[here][:, :2] - (cx, cy)) / r
+                n[here] = np.concatenate([sign * d, np.zeros((len(d), 1))], axis=-1)
+                k += 1
+        if self.ellipse is not None:
+            here = number == k
+            n[here] = np.array([ellipse_wall(*self.ellipse, a, b)[0] for a, b in x[here][:, :2]]).reshape(-1, 3)
+            k += 1
+        if self.sphere is not None:
+            here = number == k
+            n[here] = -x[here] / self.sphere
+        return n
+
+    def folded(self, x: Array) -> Array:
+        """Points brought back into the periodic cell, whose middle is the origin."""
+        if self.cell is None:
+            return x
+        x = x.copy()
+        for j, side in enumerate(self.cell):
+            if math.isfinite(side):
+                x[..., j] -= side * np.round(x[..., j] / side)
+        return x
+
+    # --- what lies within ---------------------------------------------------------------------------------------------
+
+    def gap(self, x: Any) -> Array:
+        """How far the centre (..., 2 or 3) may at least move before it meets something; negative where it may not be."""
+        x = self.folded(np.asarray(x, float))
+        x = np.concatenate([x, np.zeros((*x.shape[:-1], 3 - x.shape[-1]))], axis=-1)
+        gap = np.full(x.shape[:-1], INF)
+        if self.vertices is not None:
+            gap = _within(self.vertices, x) - self.clearance
+        elif self.faces:
+            for n, c, *_ in self.faces:
+                gap = np.minimum(gap, x @ np.array(n) - c)
+        if any(half for *_, half in self.inside):
+            (right, _y, r, _h) = max(self.inside)
+            d = np.hypot(np.maximum(np.abs(x[..., 0]) - right, 0), x[..., 1])
+            gap = np.minimum(gap, r - d)
+        else:
+            for cx, cy, r, _half in self.inside:
+                gap = np.minimum(gap, r - np.hypot(x[..., 0] - cx, x[..., 1] - cy))
+        for cx, cy, r, *_ in [*self.outside, *self.images]:
+            gap = np.minimum(gap, np.hypot(x[..., 0] - cx, x[..., 1] - cy) - r)
+        if self.ellipse is not None:
+            gap = np.minimum(gap, _within_ellipse(*self.ellipse, x))
+        if self.sphere is not None:
+            gap = np.minimum(gap, self.sphere - np.linalg.norm(x, axis=-1))
+        return gap
+
+
+def _within(vertices: Array, x: Array) -> Array:
+    """Signed distance to a polygon: positive inside."""
+    here, nxt = vertices, np.roll(vertices, -1, axis=0)
+    p = x[..., None, :2] - here
+    e = nxt - here
+    u = np.clip((p * e).sum(-1) / (e * e).sum(-1), 0, 1)
+    distance = np.linalg.norm(p - u[..., None] * e, axis=-1).min(-1)
+    above, after = here[:, 1] > x[..., None, 1], nxt[:, 1] > x[..., None, 1]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        cut = here[:, 0] + (x[..., None, 1] - here[:, 1]) * e[:, 0] / e[:, 1]
+    odd = ((above != after) & (x[..., None, 0] < cut)).sum(-1) % 2 == 1
+    return np.where(odd, distance, -distance)
+
+
+def _within_ellipse(p: float, q: float, inset: float, x: Array) -> Array:
+    """The least of N.(wall's point - x) - inset over the normals N: positive within the centre's curve."""
+    angle = np.linspace(0, math.tau, 721)[:-1]
+    n = np.stack([np.cos(angle), np.sin(angle)])
+    support = np.sqrt((p * n[0]) ** 2 + (q * n[1]) ** 2)
+    return (support - inset - x[..., :2] @ n).min(-1)
