@@ -9,9 +9,23 @@ Tables, then verbs: `orbit`, `final`, `starts`, `reverse`; `period`, `caustics`,
 `uniformity`; `tangent_map`, `lyapunov`.
 """
 
+from carom.orbits.analysis import (
+    Caustics,
+    Drift,
+    Escape,
+    Section,
+    Uniformity,
+    caustics,
+    drift,
+    escape,
+    period,
+    section,
+    uniformity,
+)
 from carom.orbits.arrays import ENDS
 from carom.orbits.result import Orbit
 from carom.orbits.setup import LAWS, Start
+from carom.orbits.stability import Lyapunov, TangentMap, lyapunov, tangent_map
 from carom.orbits.tables import (
     Table,
     box,
@@ -35,26 +49,41 @@ from carom.orbits.verbs import final, orbit, reverse, starts
 __all__ = [
     "ENDS",
     "LAWS",
+    "Caustics",
+    "Drift",
+    "Escape",
+    "Lyapunov",
     "Orbit",
+    "Section",
     "Start",
     "Table",
+    "TangentMap",
+    "Uniformity",
     "box",
+    "caustics",
     "circle",
     "cylinder",
+    "drift",
     "ellipse",
+    "escape",
     "final",
+    "lyapunov",
     "orbit",
+    "period",
     "periodic_strip",
     "plates",
     "polygon",
     "rectangle",
     "regular",
     "reverse",
+    "section",
     "sinai",
     "sphere",
     "stadium",
     "starts",
     "strip",
+    "tangent_map",
     "torus",
+    "uniformity",
     "wedge",
 ]

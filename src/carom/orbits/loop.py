@@ -55,7 +55,8 @@ def kinetic(v: Vec, w: Vec, a: float, kappa: float) -> float:
 def rise(world: Any, x: Vec, ax: float, ay: float) -> float:
     """What the force has done, twice, per mass: up to a constant."""
     g = world.pull
-    return 2.0 * (g[0] * (x[0] + ax) + g[1] * (x[1] + ay) + g[2] * x[2])
+    twice: float = 2.0 * (g[0] * (x[0] + ax) + g[1] * (x[1] + ay) + g[2] * x[2])
+    return twice
 
 
 @kernel
@@ -72,10 +73,11 @@ def at_corner(world: Any, pieces: Any, i: int, x: Vec) -> bool:
     """Whether a ball that meets face i is at its end."""
     p = pieces[i]
     s = p.n[1] * x[0] - p.n[0] * x[1]
-    return s < p.low + world.near or s > p.high - world.near
+    at: bool = s < p.low + world.near or s > p.high - world.near
+    return at
 
 
-def follow(
+def follow(  # noqa: PLR0915  (one ball's way, from the first line to the last)
     world: Any, pieces: Any, x: Vec, v: Vec, w: Vec, bounces: int, rows: Any, met: Any, last: Any
 ) -> tuple[int, int]:
     """Follow one ball for so many bounces: how it ended, and how many there were.

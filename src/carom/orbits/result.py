@@ -55,29 +55,31 @@ class Orbit:
     @functools.cached_property
     def folded(self) -> Array:
         """(..., B, d): positions within the periodic cell."""
-        return self.setup.shape.folded(self.position)  # type: ignore[no-any-return]
+        return self.setup.shape.folded(self.position)
 
     @functools.cached_property
     def normal(self) -> Array:
         """(..., B, d): the wall's normal, towards the ball."""
         d = self.setup.table.dimension
-        return self.setup.shape.normals(self.piece, self.position)[..., :d]  # type: ignore[no-any-return]
+        return self.setup.shape.normals(self.piece, self.position)[..., :d]
 
     @functools.cached_property
     def arc(self) -> Array:
         """(..., B): arc length s along the curve that bounds the centre, the table on its left, piece after piece."""
-        return self.setup.shape.coordinate(self.piece, self.position)  # type: ignore[no-any-return]
+        return self.setup.shape.coordinate(self.piece, self.position)
 
     @functools.cached_property
     def across(self) -> Array:
         """(..., B): velocity away from the wall, m/s."""
-        return np.einsum("...i,...i", self.velocity, self.normal)
+        found: Array = np.einsum("...i,...i", self.velocity, self.normal)
+        return found
 
     @functools.cached_property
     def along(self) -> Array:
         """(..., B): velocity along the wall, in the sense in which s grows, m/s."""
         n, v = self.normal, self.velocity
-        return n[..., 1] * v[..., 0] - n[..., 0] * v[..., 1]  # type: ignore[no-any-return]
+        found: Array = n[..., 1] * v[..., 0] - n[..., 0] * v[..., 1]
+        return found
 
     @functools.cached_property
     def angle(self) -> Array:
@@ -89,7 +91,8 @@ class Orbit:
         """(..., B): sqrt(2 energy / m), the kinetic energy with that of the spin."""
         spin = self.spin if self.setup.planar else np.linalg.norm(self.spin, axis=-1)
         ball = self.setup.ball
-        return np.sqrt(self._rolls * (self.velocity**2).sum(-1) + ball.kappa * (ball.radius * spin) ** 2)  # type: ignore[no-any-return]
+        found: Array = np.sqrt(self._rolls * (self.velocity**2).sum(-1) + ball.kappa * (ball.radius * spin) ** 2)
+        return found
 
     @property
     def _rolls(self) -> float:
@@ -105,7 +108,7 @@ class Orbit:
         ball = self.setup.ball
         spin = self.spin if self.setup.planar else self.spin[..., 2]
         parts = [np.sqrt(ball.kappa) * ball.radius * spin, np.sqrt(self._rolls) * self.along]
-        return np.stack(parts, axis=-1) / self.speed[..., None]  # type: ignore[no-any-return]
+        return np.stack(parts, axis=-1) / self.speed[..., None]
 
     def path(self, which: Any = (), points: int = 1) -> Array:
         """The way of one orbit, (M, d): from the start through its bounces, with so many points a flight."""

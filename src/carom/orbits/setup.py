@@ -13,6 +13,7 @@ from carom.ball import Ball, Disc
 from carom.checks import Faults, float_array, require_shapes
 from carom.errors import CaromError
 from carom.orbits.arrays import CONTACT, NO_SLIP, ROLLING, USER
+from carom.orbits.shape import Shape
 from carom.orbits.tables import Table
 from carom.surface import Surface
 
@@ -41,7 +42,7 @@ class Setup:
     table: Table
     ball: Ball
     law: str
-    shape: Any
+    shape: Shape
     world: Any
     pieces: NDArray[np.void]
     keeps: bool
@@ -91,7 +92,9 @@ def setup_of(table: Table, ball: Ball | None, law: Any, surface: Surface | None,
             f"orbit: law: expected a level table of the plane for the rolling reflection, got {table.name}; the ball rolls on it"
         )
     if number == ROLLING and not ball.kappa <= (2 / 3) * (1 + 1e-12):
-        raise CaromError(f"orbit: ball: expected a carom.Ball for the rolling reflection (kappa <= 2/3), got {ball.kappa!r}")
+        raise CaromError(
+            f"orbit: ball: expected a carom.Ball for the rolling reflection (kappa <= 2/3), got {ball.kappa!r}"
+        )
     shape = table.shape(float(ball.radius))
     world, pieces = shape.arrays()
     world["planar"], world["corners"], world["law"] = table.dimension == 2, corners == "end", number
@@ -196,7 +199,11 @@ def _inside(setup: Setup, rows: Array, shape: tuple[int, ...], faults: Faults) -
     bad = gap < -1e-9 * setup.shape.size
     if bad.any():
         first = int(np.argmax(bad))
-        where = f" at index {tuple(int(i) for i in np.unravel_index(first, shape))} ({int(bad.sum())} in all)" if shape else ""
+        where = (
+            f" at index {tuple(int(i) for i in np.unravel_index(first, shape))} ({int(bad.sum())} in all)"
+            if shape
+            else ""
+        )
         faults.add(
             "position",
             f"a centre within the table ({setup.table})",

@@ -18,8 +18,15 @@ INF = math.inf
 
 
 def face(
-    nx: float, ny: float, c: float, begin: float = -INF, end: float = INF, *, low: float | None = None,
-    high: float | None = None, nz: float = 0.0,
+    nx: float,
+    ny: float,
+    c: float,
+    begin: float = -INF,
+    end: float = INF,
+    *,
+    low: float | None = None,
+    high: float | None = None,
+    nz: float = 0.0,
 ) -> tuple[Any, ...]:
     """A face n.x = c with the ball at n.x > c; it ends with corners unless low or high say that it goes on smoothly."""
     return (nx, ny, nz), c, 0.0, begin, end, begin if low is None else low, end if high is None else high
@@ -152,10 +159,8 @@ class Shape:
 
     def _angles(self, x: Array) -> tuple[Array, Array]:
         """Of points on the centre's curve in an ellipse: the parameter of the point of contact, the angle of the normal."""
-        from carom.orbits.flight import ellipse_wall
-
         p, q, inset = self.ellipse or (1.0, 1.0, 0.0)
-        n = np.array([ellipse_wall(p, q, inset, a, b)[0][:2] for a, b in x[:, :2]]).reshape(-1, 2)
+        n = _ellipse_walls(p, q, inset, x)
         return np.arctan2(-q * n[:, 1], -p * n[:, 0]) % math.tau, np.arctan2(-n[:, 1], -n[:, 0]) % math.tau
 
     def place(self, s: Any) -> tuple[NDArray[np.int64], Array, Array]:
@@ -201,12 +206,14 @@ class Shape:
             n[here] = -out
             x[here] = np.stack([p * np.cos(u), q * np.sin(u)], axis=-1) - inset * out
         piece = np.where(k >= len(self.faces), k + len(self.windows), k)
-        return np.where(k >= len(self.faces) + len(self.inside) + len(self.outside), piece + len(self.images), piece), x, n
+        return (
+            np.where(k >= len(self.faces) + len(self.inside) + len(self.outside), piece + len(self.images), piece),
+            x,
+            n,
+        )
 
     def normals(self, met: Any, x: Any) -> Array:
         """Normals (..., 3) towards the ball at points (..., 2 or 3) on pieces (...); NaN where the piece is -1."""
-        from carom.orbits.flight import ellipse_wall
-
         number = self._number(np.asarray(met, int))
         x = np.asarray(x, float)
         n = np.full((*number.shape, 3), np.nan)
@@ -222,7 +229,7 @@ class Shape:
                 k += 1
         if self.ellipse is not None:
             here = number == k
-            n[here] = np.array([ellipse_wall(*self.ellipse, a, b)[0] for a, b in x[here][:, :2]]).reshape(-1, 3)
+            n[here] = _ellipse_walls(*self.ellipse, x[here])
             k += 1
         if self.sphere is not None:
             here = number == k
@@ -245,7 +252,7 @@ class Shape:
         """How far the centre (..., 2 or 3) may at least move before it meets something; negative where it may not be."""
         x = self.folded(np.asarray(x, float))
         x = np.concatenate([x, np.zeros((*x.shape[:-1], 3 - x.shape[-1]))], axis=-1)
-        gap = np.full(x.shape[:-1], INF)
+        gap: Array = np.full(x.shape[:-1], INF)
         if self.vertices is not None:
             gap = _within(self.vertices, x) - self.clearance
         elif self.faces:
@@ -278,12 +285,33 @@ def _within(vertices: Array, x: Array) -> Array:
     with np.errstate(divide="ignore", invalid="ignore"):
         cut = here[:, 0] + (x[..., None, 1] - here[:, 1]) * e[:, 0] / e[:, 1]
     odd = ((above != after) & (x[..., None, 0] < cut)).sum(-1) % 2 == 1
-    return np.where(odd, distance, -distance)
+    found: Array = np.where(odd, distance, -distance)
+    return found
+
+
+def _ellipse_walls(p: float, q: float, a: float, x: Array) -> Array:
+    """Normals (N, 3) towards the ball: :func:`carom.orbits.flight.ellipse_wall` of many points."""
+    m = np.full(len(x), -a * max(p, q))
+    for _ in range(40 if a > 0 else 0):
+        c, s = p * x[:, 0] / (p * p + m), q * x[:, 1] / (q * q + m)
+        m += 0.5 * (c * c + s * s - 1) / (c * c / (p * p + m) + s * s / (q * q + m))
+    n = np.stack([-x[:, 0] / (p * p + m), -x[:, 1] / (q * q + m), np.zeros(len(x))], axis=-1)
+    found: Array = n / np.linalg.norm(n, axis=-1, keepdims=True)
+    return found
 
 
 def _within_ellipse(p: float, q: float, inset: float, x: Array) -> Array:
-    """The least of N.(wall's point - x) - inset over the normals N: positive within the centre's curve."""
-    angle = np.linspace(0, math.tau, 721)[:-1]
-    n = np.stack([np.cos(angle), np.sin(angle)])
-    support = np.sqrt((p * n[0]) ** 2 + (q * n[1]) ** 2)
-    return (support - inset - x[..., :2] @ n).min(-1)
+    """Distance to an ellipse, positive inside, less the inset."""
+    (p, u), (q, v) = sorted([(p, np.abs(x[..., 0])), (q, np.abs(x[..., 1]))], key=lambda pair: -pair[0])
+    # the nearest point is (p^2 u/(p^2 + m), q^2 v/(q^2 + m)), where (p u/(p^2 + m))^2 + (q v/(q^2 + m))^2 = 1 and m > -q^2
+    low, high = np.full(u.shape, -q * q), p * u + q * v
+    with np.errstate(divide="ignore", invalid="ignore"):
+        for _ in range(60):
+            m = (low + high) / 2
+            beyond = (p * u / (p * p + m)) ** 2 + (q * v / (q * q + m)) ** 2 > 1
+            low, high = np.where(beyond, m, low), np.where(beyond, high, m)
+        eu = np.minimum(p * p * u / (p * p + high), p) if p > q else p * u / np.maximum(np.hypot(u, v), 1e-300)
+    ev = q * np.sqrt(1 - (eu / p) ** 2)
+    distance = np.hypot(eu - u, ev - v)
+    found: Array = np.where((u / p) ** 2 + (v / q) ** 2 < 1, distance, -distance) - inset
+    return found

@@ -84,7 +84,9 @@ def _bounds(faults: Faults, bounds: str) -> None:
 
 def _room(name: str, left: float, what: str, inset: float) -> None:
     if not left > 0:
-        raise CaromError(f"{name}: radius of the ball: expected one that has room {what}, got {inset!r}; take a smaller ball")
+        raise CaromError(
+            f"{name}: radius of the ball: expected one that has room {what}, got {inset!r}; take a smaller ball"
+        )
 
 
 def strip(width: float = 1.0, *, bounds: Bounds = "centre", acceleration: float = 0.0) -> Table:
@@ -152,7 +154,9 @@ def polygon(vertices: ArrayLike, *, bounds: Bounds = "centre", name: str = "poly
         # inset/tan(half the inner angle) is what a convex corner takes of both its sides
         cos = (t * np.roll(t, -1, axis=0)).sum(-1)
         cut = np.where(reflex | smooth, 0.0, inset * turn / (1 + cos))
-        faces, outside, order = [], [], []
+        faces: list[Any] = []
+        outside: list[Any] = []
+        order: list[int] = []
         for k in range(len(corners)):
             (tx, ty), before = t[k], k - 1
             x0 = tx * corners[k, 0] + ty * corners[k, 1]
@@ -258,7 +262,10 @@ def stadium(straight: float = 2.0, radius: float = 1.0, *, bounds: Bounds = "cen
     def make(inset: float) -> Shape:
         r, x = radius - inset, straight / 2
         _room("stadium", r, "in the stadium", inset)
-        sides = [face(0, 1, -r, -x, x, low=-math.inf, high=math.inf), face(0, -1, -r, -x, x, low=-math.inf, high=math.inf)]
+        sides = [
+            face(0, 1, -r, -x, x, low=-math.inf, high=math.inf),
+            face(0, -1, -r, -x, x, low=-math.inf, high=math.inf),
+        ]
         # a parallel curve of a stadium is a stadium
         return Shape(
             faces=sides, inside=[(x, 0.0, r, 1), (-x, 0.0, r, -1)], order=[0, 2, 1, 3], limited=True,
@@ -272,7 +279,9 @@ def stadium(straight: float = 2.0, radius: float = 1.0, *, bounds: Bounds = "cen
 
 
 def torus(
-    cell: Sequence[float] = (1.0, 1.0), scatterers: Sequence[Sequence[float]] = ((0.0, 0.0, 0.3),), *,
+    cell: Sequence[float] = (1.0, 1.0),
+    scatterers: Sequence[Sequence[float]] = ((0.0, 0.0, 0.3),),
+    *,
     bounds: Bounds = "centre",
 ) -> Table:
     """A periodic cell (width, height) about the origin with circular scatterers (x, y, radius)."""
@@ -289,7 +298,10 @@ def sinai(radius: float = 0.3, side: float = 1.0, *, bounds: Bounds = "centre") 
 
 
 def periodic_strip(
-    period: float = 1.0, width: float = 1.0, scatterers: Sequence[Sequence[float]] = ((0.0, 0.0, 0.2),), *,
+    period: float = 1.0,
+    width: float = 1.0,
+    scatterers: Sequence[Sequence[float]] = ((0.0, 0.0, 0.2),),
+    *,
     bounds: Bounds = "centre",
 ) -> Table:
     """A strip that repeats itself in x, with walls y = -width/2 and y = width/2 and scatterers (x, y, radius) in each period."""
@@ -305,7 +317,12 @@ def _cell(
     circles = np.zeros((0, 3))
     for field, value, shape, what in (
         ("cell", cell, (2,), "two lengths > 0"),
-        ("scatterers", scatterers, (len(scatterers) if hasattr(scatterers, "__len__") else 0, 3), "one or more (x, y, radius)"),
+        (
+            "scatterers",
+            scatterers,
+            (len(scatterers) if hasattr(scatterers, "__len__") else 0, 3),
+            "one or more (x, y, radius)",
+        ),
     ):
         try:
             array = float_array(value)
@@ -333,7 +350,10 @@ def _cell(
             c = inset - h
             _room(name, -c, "between the walls", inset)
             # (its length is a period's; a ball that goes through a window goes on along it)
-            found.faces = [face(0, 1, c, -w, w, low=-math.inf, high=math.inf), face(0, -1, c, -w, w, low=-math.inf, high=math.inf)]
+            found.faces = [
+                face(0, 1, c, -w, w, low=-math.inf, high=math.inf),
+                face(0, -1, c, -w, w, low=-math.inf, high=math.inf),
+            ]
         found.windows = [face(1, 0, -w), face(-1, 0, -w)] + ([face(0, 1, -h), face(0, -1, -h)] if periodic[1] else [])
         found.windows = [(n, c, 2 * (w if n[0] else h), *rest) for n, c, _r, *rest in found.windows]
         for k, (x, y, r) in enumerate(circles.tolist()):
@@ -390,7 +410,9 @@ def cylinder(section: Table | float = 1.0, height: float | None = None, *, accel
         height = _positive(faults, "height", height)
     (g,) = _acceleration(faults, acceleration)
     if height is not None and g:
-        faults.add("acceleration", "none where there are lids, for a force acts along all walls only", repr(acceleration))
+        faults.add(
+            "acceleration", "none where there are lids, for a force acts along all walls only", repr(acceleration)
+        )
     faults.done()
 
     def make(inset: float) -> Shape:

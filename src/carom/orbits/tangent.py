@@ -14,9 +14,9 @@ from typing import Any
 from carom.engine.users import register_calls
 from carom.kernel import Vec, cross, dot, hot_kernel, kernel
 from carom.laws.contact import LEAST, slip_velocity
-from carom.orbits.arrays import DONE, ESCAPED, GRAZED, ROLLING
+from carom.orbits.arrays import CORNER, DONE, ESCAPED, GRAZED, ROLLING
 from carom.orbits.flight import ellipse_wall, meeting, wall_at
-from carom.orbits.loop import bounce, fly
+from carom.orbits.loop import at_corner, bounce, fly
 
 __all__ = ["compiled_tangent", "push", "spread", "spread_many"]
 
@@ -24,15 +24,14 @@ __all__ = ["compiled_tangent", "push", "spread", "spread_many"]
 @hot_kernel
 def bend(world: Any, pieces: Any, i: int, x: Vec) -> float:
     """Curvature of the centre's curve: the normal turns by -bend times the displacement along the wall."""
+    found: float = 1.0 / pieces[i].r
     if i < world.windows:
-        return 0.0
-    if i < world.inside:
-        return 1.0 / pieces[i].r
-    if i < world.outside:
-        return -1.0 / pieces[i].r
-    if i < world.ellipses:
-        return 1.0 / ellipse_wall(pieces[i].c, pieces[i].r, world.inset, x[0], x[1])[1]
-    return 1.0 / pieces[i].r
+        found = 0.0
+    elif world.inside <= i < world.outside:
+        found = -found
+    elif world.outside <= i < world.ellipses:
+        found = 1.0 / ellipse_wall(pieces[i].c, pieces[i].r, world.inset, x[0], x[1])[1]
+    return found
 
 
 @kernel
@@ -76,9 +75,7 @@ def contact_change(
 
 
 @kernel
-def rolling_change(
-    v: Vec, w: Vec, n: Vec, a: float, kappa: float, dv: Vec, dw: Vec, dn: Vec
-) -> tuple[Vec, Vec]:
+def rolling_change(v: Vec, w: Vec, n: Vec, a: float, kappa: float, dv: Vec, dw: Vec, dn: Vec) -> tuple[Vec, Vec]:
     """Derivative of :func:`carom.laws.conventional.conventional_reflection`."""
     k = 1.0 / (1.0 + 2.0 * kappa)
     x, y = v[0] * n[0] + v[1] * n[1], v[1] * n[0] - v[0] * n[1]
@@ -117,8 +114,8 @@ def push(
 
 def spread(
     world: Any, pieces: Any, x: Vec, v: Vec, w: Vec, bounces: int, vectors: Any, sums: Any, every: int, last: Any
-) -> tuple[int, int]:
-    """Follow a ball from just after a bounce, and displacements with it; how it ended and how many bounces there were.
+) -> tuple[int, int, int]:
+    """Follow a ball from just after a bounce, and displacements with it: how it ended, how many bounces, the last piece.
 
     ``vectors`` (K, 9): displacements of position, velocity and spin, replaced by what becomes of them. With ``every`` > 0
     they are made orthogonal and of unit length after so many bounces (Gram and Schmidt, twice), the logarithms of their
@@ -126,6 +123,7 @@ def spread(
     """
     t = 0.0
     k = 0
+    met = -1
     ended = DONE
     while k < bounces:
         # (a flight through windows is one flight)
@@ -145,6 +143,9 @@ def spread(
             x = (x[0] + p.r * p.n[0], x[1] + p.r * p.n[1], x[2])
         if ended != DONE:
             break
+        if i < world.faces and world.corners and at_corner(world, pieces, i, x):
+            ended = CORNER
+            break
         n = wall_at(world, pieces, i, x)
         b = bend(world, pieces, i, x)
         for m in range(len(vectors)):
@@ -160,13 +161,14 @@ def spread(
             ended = GRAZED
             break
         t += flight
+        met = i
         k += 1
         if every > 0 and k % every == 0:
             normalise(vectors, sums)
     last[0] = t
     for j in range(3):
         last[1 + j], last[4 + j], last[7 + j] = x[j], v[j], w[j]
-    return ended, k
+    return ended, k, met
 
 
 @kernel
@@ -201,11 +203,11 @@ def spread_many(
     """:func:`spread` for every row of ``starts`` (N, 9), ``vectors`` (N, K, 9), ``sums`` (N, K)."""
     for m in _prange(len(starts)):
         s = starts[m]
-        ended, count = _spread(
+        ended, count, met = _spread(
             worlds[0], pieces, (s[0], s[1], s[2]), (s[3], s[4], s[5]), (s[6], s[7], s[8]), bounces,
             vectors[m], sums[m], every, last[m],
         )  # fmt: skip
-        ends[m, 0], ends[m, 1] = ended, count
+        ends[m, 0], ends[m, 1], ends[m, 2] = ended, count, met
 
 
 @functools.cache
@@ -222,7 +224,7 @@ def compiled_tangent() -> Any:
     world, piece, number, whole = from_dtype(WORLD), from_dtype(PIECES), types.float64, types.int64
     pieces, vec = types.Array(piece, 1, "C"), types.UniTuple(number, 3)
     row, table = types.Array(number, 1, "C"), types.Array(number, 2, "C")
-    one = types.UniTuple(whole, 2)(world, pieces, vec, vec, vec, whole, table, row, whole, row)
+    one = types.UniTuple(whole, 3)(world, pieces, vec, vec, vec, whole, table, row, whole, row)
     _spread = njit(spread, signature=one, _nrt=False)
     _prange = numba.prange
     many = types.none(

@@ -103,8 +103,15 @@ def _state(setup: Setup, rows: Array, shape: tuple[int, ...]) -> Start:
 
 
 def final(
-    table: Table, start: Any, bounces: int, *, ball: Ball | None = None, law: Any = "no-slip",
-    surface: Surface | None = None, corners: str = "end", progress: Callable[[int, int], None] | None = None,
+    table: Table,
+    start: Any,
+    bounces: int,
+    *,
+    ball: Ball | None = None,
+    law: Any = "no-slip",
+    surface: Surface | None = None,
+    corners: str = "end",
+    progress: Callable[[int, int], None] | None = None,
 ) -> tuple[Start, Array, Any, Any]:
     """As :func:`orbit`, keeping nothing on the way: the states at the end, their times, how many bounces, how it ended."""
     setup = setup_of(table, ball, law, surface, corners)
@@ -113,7 +120,12 @@ def final(
     width = 6 if setup.planar else 10
     nothing, none = np.empty((len(rows), 0, width)), np.empty((len(rows), 0), np.int32)
     last, ends = _loop(setup, rows, bounces, nothing, none, progress)
-    return _state(setup, last[:, 1:], shape), last[:, 0].reshape(shape), ends[:, 1].reshape(shape), ends[:, 0].reshape(shape)
+    return (
+        _state(setup, last[:, 1:], shape),
+        last[:, 0].reshape(shape),
+        ends[:, 1].reshape(shape),
+        ends[:, 0].reshape(shape),
+    )
 
 
 def whole(field: str, value: Any, least: int = 1) -> int:
@@ -134,9 +146,7 @@ def _loop(
     share = len(rows) if progress is None else max(1, min(len(rows), SHARE // bounces))
     for k in range(0, len(rows), share):
         here = slice(k, k + share)
-        compiled().many(
-            setup.world, setup.pieces, rows[here], bounces, kept[here], piece[here], last[here], ends[here]
-        )
+        compiled().many(setup.world, setup.pieces, rows[here], bounces, kept[here], piece[here], last[here], ends[here])
         if progress is not None:
             progress(min(k + share, len(rows)) * bounces, len(rows) * bounces)
     if shift.any():
@@ -186,7 +196,9 @@ def _on_the_wall(table: Table, shape: Shape, count: int, rng: np.random.Generato
     lids = [f for f in shape.faces if f[0][2]]
     side = replace(shape, faces=[f for f in shape.faces if not f[0][2]])
     if not np.isfinite(side.lengths).all():
-        raise CaromError(f"starts: table: expected one with a wall of some length, got {table.name}; give starts of your own")
+        raise CaromError(
+            f"starts: table: expected one with a wall of some length, got {table.name}; give starts of your own"
+        )
     around = float(side.lengths.sum())
     _k, x2, n2 = side.place(rng.uniform(0, around, count))
     x, n = (np.concatenate([p, np.zeros((count, 1))], axis=1) for p in (x2, n2))
