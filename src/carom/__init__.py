@@ -98,7 +98,7 @@ HOME = {
     "Event": "trajectory", "Events": "trajectory", "Trajectory": "trajectory", "load_trajectory": "storage",
     "CARDS": "cards", "LAWS": "law", "Law": "law", "Meeting": "law", "wall_law": "law", "Card": "laws.card",
 }  # fmt: skip
-ROOMS = ("compiled", "datasets", "derive", "euler", "gas", "kernel", "laws", "plot", "predict", "scene")
+ROOMS = ("compiled", "datasets", "derive", "euler", "gas", "kernel", "laws", "orbits", "plot", "predict", "scene")
 
 __all__ = [*HOME, *ROOMS]  # noqa: PLE0604
 
