@@ -117,7 +117,10 @@ def test_meets_what_small_steps_meet(name, bounds):
     for k in range(len(x)):
         path = x[k] + steps[:, None] * v[k]
         out = np.flatnonzero(clearance(path) < inset)
-        assert len(out)
+        if not len(out):  # a long way between scatterers
+            assert table.name in ("sinai", "torus", "periodic strip")
+            assert not found.t[k, 0] < steps[-1]
+            continue
         low, high = steps[out[0] - 1], steps[out[0]]
         for _ in range(45):
             middle = (low + high) / 2
