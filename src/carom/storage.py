@@ -8,10 +8,7 @@ from __future__ import annotations
 
 import hashlib
 import json
-import os
-import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -21,11 +18,12 @@ from pydantic import ValidationError
 
 from carom.engine.arrays import KINDS, LOG
 from carom.errors import CaromError
+from carom.files import library, require_place, whole
 from carom.law import Law
 from carom.motion.phases import PHASES
 from carom.scene.faults import told
 from carom.scene.model import Scene
-from carom.tidy import UNITS, library
+from carom.tidy import UNITS
 from carom.trajectory import Trajectory
 
 __all__ = ["FORMAT", "KINDS_OF_FILE", "load_trajectory", "require_place", "save", "whole", "write_parquet"]
@@ -45,35 +43,6 @@ UNIT_OF = {"t": "s", "x": "m", "v_before": "m/s", "v": "m/s", "w_before": "rad/s
 UNIT_OF |= {"impulse": "N s", "floor_impulse": "N s"}
 
 Array = NDArray[Any]
-
-
-# --- files that are whole or not there -----------------------------------------------------------------------------
-
-
-def require_place(path: Path, kinds: tuple[str, ...]) -> None:
-    """CaromError where no file can be written: another ending, no such folder, no leave to write there."""
-    folder = path.absolute().parent
-    if path.suffix.lower() not in kinds:
-        got = repr(path.suffix) if path.suffix else "none"
-        raise CaromError(f"{path}: expected a name that ends with {' or '.join(kinds)}, got {got}")
-    if not folder.is_dir():
-        raise CaromError(f"{path}: expected a folder that exists, got {str(path.parent)!r}; make it first")
-    if path.is_dir():
-        raise CaromError(f"{path}: expected a file to write, got a folder; name a file in it")
-    if not os.access(folder, os.W_OK):
-        raise CaromError(f"{path}: expected leave to write there, got none; choose another place")
-
-
-@contextmanager
-def whole(path: Path) -> Iterator[Path]:
-    """A place beside ``path`` to write to, with its name; what is there when the block ends without an error becomes it."""
-    try:
-        with tempfile.TemporaryDirectory(prefix=".carom-", dir=path.absolute().parent) as folder:
-            part = Path(folder) / path.name
-            yield part
-            part.replace(path)
-    except OSError as error:
-        raise CaromError(f"{path}: expected a place to write to, got: {error.strerror or error}") from None
 
 
 # --- saving --------------------------------------------------------------------------------------------------------

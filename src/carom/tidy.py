@@ -5,14 +5,13 @@ All numbers are in SI units; ``table.attrs["units"]``, and in a Dataset every va
 
 from __future__ import annotations
 
-import importlib
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from carom.engine.arrays import BALL, WALL
-from carom.errors import CaromError
+from carom.files import library
 from carom.motion.phases import PHASES
 from carom.trajectory import Trajectory, kind_names
 from carom.verbs import NAMES
@@ -31,16 +30,6 @@ UNITS = {
     **{f"{of}_{axis}": "N s" for of in ("impulse", "floor_impulse") for axis in AXES},
     "energy_lost": "J", "energy": "J",
 }  # fmt: skip
-
-
-def library(name: str, extra: str, what: str) -> Any:
-    """A library that the base install does not have."""
-    try:
-        return importlib.import_module(name)
-    except ImportError:
-        raise CaromError(
-            f"{what}: needs {name}, which is not installed; run: pip install {name} (or install carom's extra {extra!r})"
-        ) from None
 
 
 def _parts(columns: Columns, name: str, vectors: NDArray[np.float64], after: str = "") -> None:
