@@ -19,13 +19,15 @@ def register(app: typer.Typer) -> None:
 
 def new(
     file: Annotated[Path | None, typer.Argument(metavar="[FILE]", help="Where to; left out: standard output.")] = None,
+    gas: Annotated[bool, typer.Option("--gas", help="A gas of balls, for carom gas.")] = False,
     force: Annotated[bool, typer.Option("--force", help="Write over a file that is there.")] = False,
 ) -> None:
-    """Write a commented scene that runs as it stands: one ball on a carom table."""
+    """Write a commented scene that runs as it stands: one ball on a carom table; or a gas."""
     from carom.errors import CaromError
+    from carom.gas.toml import new_gas
     from carom.scene.toml import new_scene
 
-    text = new_scene()
+    text = new_gas() if gas else new_scene()
     if file is None:
         sys.stdout.write(text)
         return
@@ -40,7 +42,15 @@ def new(
 
 def check(file: Annotated[Path, typer.Argument(metavar="FILE", help="A scene, as TOML.")]) -> None:
     """Say all that is wrong with a scene, at once; or what it is."""
+    from carom.gas.toml import is_gas, load_gas
     from carom.scene.toml import load_scene
 
+    if is_gas(file):
+        from carom.gas.build import build
+
+        gas = load_gas(file)
+        build(gas, str(file))
+        sys.stdout.write(f"{file}: {gas.describe()}: ok\n")
+        return
     scene = load_scene(file)
     sys.stdout.write(f"{file}: {scene.describe()}: ok\n")

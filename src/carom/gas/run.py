@@ -111,6 +111,8 @@ class Gas:
         without momentum.
     seed : int
         Of the start, and of warm walls and the thermostat.
+    touch : float
+        What overlaps by less than this share of a radius touches: rounding. Positions of single precision need 1e-5.
 
     Raises CaromError with one line a fault.
     """
@@ -130,6 +132,7 @@ class Gas:
         velocity: ArrayLike | None = None,
         spin: ArrayLike | None = None,
         seed: int = 0,
+        touch: float = TOUCH,
     ) -> None:
         room = room_of(side, periodic)
         records = world_records(species, room, contacts, gravity, contact_time, drives or {}, thermostat, seed)
@@ -154,7 +157,7 @@ class Gas:
             if spin is None:
                 about = (0, 1, 2) if axes == 3 else (2,)
                 w[those] = thermal(moment[those], about, rotational, rng)
-        _refuse_overlap(room, records, kinds["radius"][which], x)
+        _refuse_overlap(room, records, kinds["radius"][which], x, touch)
         self._names = tuple(wall.name for wall in room.walls)
         self._begin(make(*records, which, x, v, w))
 
@@ -363,17 +366,17 @@ def _places(room: Container, records: Records, radius: Array, seed: int) -> Arra
     return dense(radius, room, seed=seed) if bad else x
 
 
-def _refuse_overlap(room: Container, records: Records, radius: Array, x: Array) -> None:
+def _refuse_overlap(room: Container, records: Records, radius: Array, x: Array, touch: float) -> None:
     """CaromError where balls overlap each other, or a wall, by more than rounding."""
     from carom.gas.overlap import first_overlap
 
     faults = Faults("Gas")
-    out = room.clearance(radius, x) < -TOUCH * radius
+    out = room.clearance(radius, x) < -touch * radius
     if out.any():
         i = int(np.argmax(out))
         faults.add("position", "balls inside the container", f"ball {i} at {x[i]} overlaps a wall ({out.sum()} do)")
     faults.done()
-    pair = first_overlap(records.world[0], radius, x, TOUCH)
+    pair = first_overlap(records.world[0], radius, x, touch)
     if pair is not None:
         i, j = pair
         faults.add("position", "balls that do not overlap", f"balls {i} and {j}, at {x[i]} and {x[j]}")

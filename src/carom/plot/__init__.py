@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from carom.plot.animation import animate
 from carom.plot.comparison import compare
+from carom.plot.gas import plot_gas
 from carom.plot.paper import collision, figures, incidence_and_reflection, setting
 from carom.plot.path import Path, path_after_wall
 from carom.plot.save import require_matplotlib, require_writable, save
@@ -21,6 +22,7 @@ __all__ = [
     "figures",
     "incidence_and_reflection",
     "path_after_wall",
+    "plot_gas",
     "plot_trajectory",
     "require_matplotlib",
     "require_writable",

@@ -14,7 +14,7 @@ from carom.errors import CaromError
 from carom.scene.faults import told
 from carom.scene.model import Scene
 
-__all__ = ["load_scene", "new_scene"]
+__all__ = ["load_scene", "new_scene", "read_toml"]
 
 
 def load_scene(path: str | Path) -> Scene:
@@ -24,22 +24,31 @@ def load_scene(path: str | Path) -> Scene:
     fault, all at once: where, what was expected, what came, what to do.
     """
     path = Path(path)
-    try:
-        text = path.read_bytes().decode()
-    except OSError as error:
-        remedy = f"; carom scene new {path} writes one" if isinstance(error, FileNotFoundError) else ""
-        raise CaromError(f"{path}: expected a scene file, got: {error.strerror}{remedy}") from None
-    except UnicodeDecodeError as error:
-        raise CaromError(f"{path}: expected text in UTF-8, got byte {error.object[error.start]:#04x}") from None
-    try:
-        table = tomllib.loads(text)
-    except tomllib.TOMLDecodeError as error:
-        raise CaromError(_syntax(path, text, str(error))) from None
+    table = read_toml(path, f"carom scene new {path}")
+    if strange := sorted({"container", "species"} & set(table)):
+        raise CaromError(
+            f"{path}: expected a scene of single balls, got a gas, with {' and '.join(strange)}; carom gas {path}"
+        )
     _beside(table, path.parent)
     try:
         return Scene.model_validate(table)
     except ValidationError as error:
         raise CaromError(*told(str(path), error, Scene)) from None
+
+
+def read_toml(path: Path, remedy: str) -> dict[str, Any]:
+    """The table that a TOML file holds; CaromError, one line, where it holds none. ``remedy`` writes one."""
+    try:
+        text = path.read_bytes().decode()
+    except OSError as error:
+        advice = f"; {remedy} writes one" if isinstance(error, FileNotFoundError) else ""
+        raise CaromError(f"{path}: expected a scene file, got: {error.strerror}{advice}") from None
+    except UnicodeDecodeError as error:
+        raise CaromError(f"{path}: expected text in UTF-8, got byte {error.object[error.start]:#04x}") from None
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise CaromError(_syntax(path, text, str(error))) from None
 
 
 def _syntax(path: Path, text: str, message: str) -> str:

@@ -1,0 +1,121 @@
+"""What only the whole scene of a gas can tell: pairs without a contact, densities that cannot exist."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from typing import TYPE_CHECKING
+
+from carom.checks import nearest
+from carom.engine.swarm_arrays import MOST_BALLS
+from carom.gas.setup import WALLS
+from carom.scene.faults import Fault, Words
+from carom.units import number
+
+if TYPE_CHECKING:
+    from carom.gas.model import GasScene
+
+__all__ = ["DENSEST", "gas_faults"]
+
+# The densest packing of equal spheres (Kepler, Hales) and discs (Thue), as a share of the volume or area.
+DENSEST = {2: math.pi / math.sqrt(12), 3: math.pi / math.sqrt(18)}
+
+
+def gas_faults(scene: GasScene) -> list[Fault]:
+    """All faults of a gas whose parts are sound."""
+    if not scene.species:
+        advice = "a file has a table [[species]] for each"
+        return [Fault("at least one species", Words("none"), advice, ("species",))]
+    return [*_species_faults(scene), *_contact_faults(scene), *_gravity_faults(scene), *_room_faults(scene)]
+
+
+def _species_faults(scene: GasScene) -> list[Fault]:
+    found = []
+    axes, names = scene.container.axes, [one.name for one in scene.species]
+    for i, one in enumerate(scene.species):
+        if one.name in names[:i]:
+            found.append(Fault("a name of its own for each species", one.name, at=("species", i, "name")))
+        if axes == 3 and one.kappa(3) > 2 / 3 * (1 + 1e-12):
+            advice = "a disc has a container of two lengths" if one.kappa(3) <= 1 else ""
+            got = number(one.kappa(3), 6) if not isinstance(one.inertia, str) else one.inertia
+            found.append(
+                Fault("kappa of at most 2/3, a thin shell's, for balls", Words(got), advice, ("species", i, "inertia"))
+            )
+    if scene.count > MOST_BALLS:
+        found.append(Fault(f"at most {MOST_BALLS:,} balls", Words(f"{scene.count:,}"), at=("species",)))
+    return found
+
+
+def _contact_faults(scene: GasScene) -> list[Fault]:
+    found = []
+    names = [one.name for one in scene.species]
+    known = [*names, "wall", *WALLS[: 2 * scene.container.axes]]
+    given: set[frozenset[str]] = set()
+    sound = True
+    for i, contact in enumerate(scene.contacts):
+        at: tuple[int | str, ...] = ("contacts", i, "between")
+        strange = [name for name in contact.between if name not in known]
+        if strange:
+            sound = False
+            found.append(Fault("names of species, or of walls", strange[0], nearest(strange[0], known), at))
+        elif not any(name in names for name in contact.between):
+            found.append(Fault("at least one species", Words(_quoted(*contact.between)), at=at))
+        elif frozenset(contact.between) in given:
+            found.append(
+                Fault("one contact for each pair", Words(f"another one for {_quoted(*contact.between)}"), at=at)
+            )
+        given.add(frozenset(contact.between))
+    if not sound:  # what seems to be missing may be a name that is not spelled right
+        return found
+    for one, two in itertools.combinations_with_replacement(names, 2):
+        if frozenset((one, two)) not in given:
+            found.append(_missing(one, two))
+    for one in names:
+        if frozenset((one, "wall")) not in given:
+            bare = [wall for wall in scene.container.walls if frozenset((one, wall)) not in given]
+            if bare:
+                found.append(_missing(one, "wall" if len(bare) == len(scene.container.walls) else bare[0]))
+    return found
+
+
+def _quoted(one: str, two: str) -> str:
+    return f'["{one}", "{two}"]'
+
+
+def _missing(one: str, two: str) -> Fault:
+    advice = f"add a table [[contacts]] with between = {_quoted(one, two)}, restitution and friction"
+    return Fault(f"a contact between {_quoted(one, two)}", Words("none"), advice, ("contacts",))
+
+
+def _gravity_faults(scene: GasScene) -> list[Fault]:
+    axes = scene.container.axes
+    if len(scene.pull) == axes or (axes == 2 and scene.pull[2] == 0):
+        return []
+    return [Fault(f"one number, or {axes}", Words(f"{len(scene.pull)} numbers"), at=("gravity",))]
+
+
+def _room_faults(scene: GasScene) -> list[Fault]:
+    """Sides too short, and more balls than can be packed in."""
+    found = []
+    axes, size = scene.container.axes, scene.container.size
+    widest = 2 * max(one.radius for one in scene.species)
+    for axis, (length, around) in enumerate(zip(size, scene.container.around, strict=True)):
+        if length < (3 if around else 1) * widest:
+            least = "3 diameters of the largest ball" if around else "the diameter of the largest ball"
+            why = "in a shorter periodic box a ball could meet another and its image" if around else ""
+            expected = f"at least {least}, {number(3 * widest if around else widest, 6)}"
+            found.append(Fault(expected, length, why, ("container", "size", axis)))
+    if found:
+        return found
+    several = len({one.radius for one in scene.species}) > 1
+    # of mixed sizes there is no bound but that balls do not fill everything
+    most, share = (1.0 if several else DENSEST[axes]), scene.fraction
+    if share > most * (1 + 1e-12):
+        what, name = ("area", "discs") if axes == 2 else ("volume", "balls")
+        packing = f"at most {most:.4f} of the {what}, " + (
+            "all of it" if several else f"the densest packing of equal {name}"
+        )
+        longer = (share / most) ** (1 / axes)
+        advice = f"fewer {name}, smaller ones, or sides {math.ceil(longer * 1000) / 1000:g} times as long"
+        found.append(Fault(f"{name} that fill {packing}", Words(f"{share:.4f}"), advice, ("species",)))
+    return found

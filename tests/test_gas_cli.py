@@ -1,0 +1,305 @@
+"""carom gas: JSON that is the library's answer, files that are whole, runs that are stopped, killed, and gone on with."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from gases import MIXED, ROUGH
+from typer.testing import CliRunner
+
+import carom
+from carom.cli import app, main
+from carom.gas.session import Session
+from carom.gas.toml import load_gas
+
+runner = CliRunner()
+KEYS = [
+    "pair_collisions", "wall_collisions", "simulated_time", "cpu_seconds", "mean_free_time", "pressure", "energy_drift",
+    "temperature_translational", "temperature_rotational", "max_overlap",
+]  # fmt: skip
+LONG = ROUGH.replace("60_000", "2_000_000")
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch) -> Path:
+    for name, text in (("rough", ROUGH), ("mixed", MIXED), ("long", LONG)):
+        (tmp_path / f"{name}.toml").write_text(text)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def run(*words: str) -> str:
+    done = runner.invoke(app, ["gas", *words], catch_exceptions=False)
+    assert done.exit_code == 0
+    return done.stdout
+
+
+def answer(*words: str):
+    found = json.loads(run(*words, "--json"))
+    assert found.pop("cpu_seconds") > 0
+    return found
+
+
+def refusal(capsys, monkeypatch, *words: str) -> list[str]:
+    monkeypatch.setattr(sys, "argv", ["carom", "gas", *words])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    out, err = capsys.readouterr()
+    assert ended.value.code == 2
+    assert out == ""
+    lines = err.splitlines()
+    assert all(line.startswith("carom: ") for line in lines)
+    return [line.removeprefix("carom: ") for line in lines]
+
+
+def process(*words: str, **options) -> subprocess.Popen[str]:
+    source = Path(carom.__file__).parents[1]
+    return subprocess.Popen(
+        [sys.executable, "-m", "carom", "gas", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        env={**os.environ, "PYTHONPATH": str(source)}, **options,
+    )  # fmt: skip
+
+
+def wait_for(path: Path, changes: int, process: subprocess.Popen[str]) -> None:
+    """Until a file was written so often; fails where the process ends first."""
+    seen = set()
+    while len(seen) < changes:
+        assert process.poll() is None, process.communicate()
+        if path.exists():
+            seen.add(path.stat().st_ino)
+        time.sleep(0.005)
+
+
+# --- what it says --------------------------------------------------------------------------------------------------
+
+
+def test_json_has_the_keys_and_is_the_librarys_answer(folder):
+    found = json.loads(run("rough.toml", "--json"))
+    assert [key for key in found if key in KEYS] == KEYS
+    session = Session(load_gas(folder / "rough.toml"))
+    session.run()
+    result = session.result
+    for key in KEYS:
+        if key != "cpu_seconds":
+            assert found[key] == getattr(result, key), key
+    assert found["pair_collisions"] == 60_000 == found["events"]
+    assert found["wall_collisions"] == 0
+    assert found["mean_free_time"] == pytest.approx(200 * found["simulated_time"] / 120_000, rel=1e-12)
+    assert abs(found["energy_drift"]) < 1e-12
+    # conserving: both temperatures end where the energy is shared
+    assert found["temperature_translational"] == pytest.approx(0.75, rel=0.02)
+    assert found["temperature_rotational"] == pytest.approx(0.75, rel=0.02)
+    # what Gas.run of the same gas says, by another way through the same events
+    from carom.gas.build import build
+
+    gas = build(load_gas(folder / "rough.toml"))
+    gas.run(5000)
+    other = gas.run(60_000)
+    assert (other.pressure, other.simulated_time) == (result.pressure, result.simulated_time)
+
+
+def test_what_is_not_known_is_null(folder):
+    found = answer("mixed.toml")
+    assert found["diffusion"] is None  # a box with walls
+    assert set(found["species"]) == {"big", "small"}
+    pairs = {tuple(row["between"]): row for row in found["channels"]}
+    assert set(pairs) == {
+        ("big", "big"), ("big", "small"), ("small", "small"),
+        ("big", "front"), ("small", "front"), ("big", "back"), ("small", "back"),
+    }  # fmt: skip
+    assert sum(row["collisions"] for row in pairs.values()) == found["events"]
+    assert (
+        sum(row["collisions"] for name, row in pairs.items() if name[1] in ("front", "back"))
+        == found["wall_collisions"]
+    )
+    lost = sum(row["lost_normal"] + row["lost_tangential"] for row in found["channels"])
+    assert lost == pytest.approx(found["energy_start"] - found["energy_end"], rel=1e-10)
+    assert pairs["small", "small"]["to_spin"] == 0
+    assert pairs["big", "big"]["lost_tangential"] > 0
+    assert found["simulated_time"] == pytest.approx(20, abs=1e-12)
+
+
+def test_the_same_input_gives_the_same_answer_and_options_count(folder):
+    one = answer("rough.toml")
+    assert answer("rough.toml") == one
+    assert answer("rough.toml", "--seed", "2") != one
+    assert answer("rough.toml", "--max-events", "1000")["events"] == 1000
+    assert answer("mixed.toml", "--duration", "2.5")["simulated_time"] == pytest.approx(2.5, abs=1e-12)
+
+
+def test_the_table(folder):
+    text = run("mixed.toml")
+    assert "Gas: 160 discs of 2 species, a box 20 x 16, periodic along x, area share" in text
+    for words in (
+        "wall collisions",
+        "mean free time",
+        "rot./trans.",
+        "big – small",
+        "small – back",
+        "lost, tangential",
+    ):
+        assert words in text
+    assert "energy drift" not in text  # it is no drift, friction takes it
+    assert run("rough.toml", "--quiet") == ""
+    assert "energy drift, relative" in run("rough.toml")
+
+
+def test_files_are_written(folder):
+    done = runner.invoke(app, ["gas", "rough.toml", "--measures", "m.json", "--plot", "g.svg", "--checkpoint", "c.npz"])
+    assert done.exit_code == 0
+    assert "written: g.svg" in done.stderr
+    assert "written: c.npz" in done.stderr
+    found = json.loads((folder / "m.json").read_text())
+    assert set(KEYS) < set(found)
+    assert len(found["series"]["time"]) == found["looks"] >= 45
+    assert len(found["pair_correlation"][0]["g"]) > 50
+    assert sorted(path.name for path in folder.iterdir()) == [
+        "c.npz", "g.svg", "long.toml", "m.json", "mixed.toml", "rough.toml",
+    ]  # fmt: skip
+
+
+def test_a_new_scene_checks_and_is_checked(folder):
+    assert runner.invoke(app, ["scene", "new", "--gas", "new.toml"]).exit_code == 0
+    done = runner.invoke(app, ["scene", "check", "new.toml"])
+    assert done.stdout.startswith(
+        "new.toml: 1,000 balls, periodic 12.6 x 12.6 x 12.6, volume share 0.2618, 1,000,000 events"
+    )
+    assert done.stdout.endswith(": ok\n")
+
+
+# --- what is wrong -------------------------------------------------------------------------------------------------
+
+
+def test_faults_are_lines_and_nothing_runs(folder, capsys, monkeypatch):
+    (folder / "bad.toml").write_text(ROUGH.replace("count = 200", "count = 900"))
+    (line,) = refusal(capsys, monkeypatch, "bad.toml", "--json")
+    assert line.startswith("bad.toml: species: expected balls that fill at most 0.7405 of the volume")
+    (folder / "bad.toml").write_text(ROUGH.replace("count = 200", "count = 560"))
+    (line,) = refusal(capsys, monkeypatch, "bad.toml", "--quiet")
+    assert line.startswith("bad.toml: run.start: expected balls that do not overlap, got balls ")
+    lines = refusal(
+        capsys, monkeypatch, "none.toml", "--plot", "g.xyz", "--measures", "m.csv", "--snapshots", "no/s.gsd", "--every", "soon",
+        "--checkpoint-every", "0 events",
+    )  # fmt: skip
+    assert [line.split(":")[0] for line in lines] == [
+        "plot", "--measures m.csv", "--snapshots no/s.gsd", "--checkpoint-every", "none.toml", "--every",
+    ]  # fmt: skip
+    (line,) = refusal(capsys, monkeypatch)
+    assert line == "SCENE.toml: expected a scene, got none; carom scene new --gas FILE writes one"
+    (line,) = refusal(capsys, monkeypatch, "rough.toml", "--every", "5")
+    assert line == "--every: expected --snapshots FILE.gsd beside it, got none"
+    (line,) = refusal(capsys, monkeypatch, "rough.toml", "--max-events", "0")
+    assert line == "--max-events: expected a whole number >= 1, got 0"
+
+
+def test_a_restart_file_of_another_scene_is_refused(folder, capsys, monkeypatch):
+    run("rough.toml", "--checkpoint", "c.npz")
+    (line,) = refusal(capsys, monkeypatch, "mixed.toml", "--resume", "c.npz")
+    assert line.startswith(
+        "c.npz: expected a checkpoint of this scene, got one of another: its gravity is 0.0, here it is 0.2"
+    )
+    (line,) = refusal(capsys, monkeypatch, "rough.toml", "--resume", "rough.toml")
+    assert line.startswith("rough.toml: expected a whole checkpoint of carom gas, got a file that cannot be read")
+    (line,) = refusal(capsys, monkeypatch, "rough.toml", "--resume", "none.npz")
+    assert line.startswith("none.npz: expected a checkpoint, got: No such file or directory")
+
+
+def test_a_gas_that_collapses_is_told(folder, capsys, monkeypatch):
+    # inelastic, no contact_time: three balls clap together without end
+    text = MIXED.replace("contact_time = 1e-6\n", "").replace("restitution = 0.99", "restitution = 0.0")
+    text = text.replace("gravity = 0.2", "gravity = 5.0").replace("restitution = 1.0", "restitution = 0.0")
+    (folder / "dead.toml").write_text(text.replace("duration = 20.0", "duration = 1000.0"))
+    lines = refusal(capsys, monkeypatch, "dead.toml", "--quiet")
+    assert lines[-1].startswith("gas: expected time to go on, got ")
+    assert lines[-1].endswith("set contact_time in the scene, to some thousandth of the mean free time")
+
+
+# --- stopped, killed, gone on with ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_ends_it_with_a_checkpoint(folder, which):
+    running = process("long.toml", "--json", "--checkpoint", "c.npz", "--checkpoint-every", "20000 events")
+    wait_for(folder / "c.npz", 2, running)
+    running.send_signal(which)
+    out, err = running.communicate(timeout=120)
+    assert running.returncode == 128 + which
+    assert out == ""
+    last = err.splitlines()[-1]
+    assert last.startswith("carom: stopped after ")
+    assert last.endswith("go on with: carom gas long.toml --resume c.npz")
+    assert answer("long.toml", "--resume", "c.npz") == answer("long.toml")
+
+
+def test_a_signal_without_a_checkpoint_asked_for_makes_one(folder):
+    running = process("long.toml", "--snapshots", "s.gsd", "--every", "1000 events")
+    wait_for(folder / "s.gsd", 1, running)
+    running.send_signal(signal.SIGINT)
+    _out, err = running.communicate(timeout=120)
+    assert running.returncode == 130
+    assert err.splitlines()[-1].endswith("go on with: carom gas long.toml --resume long.checkpoint.npz")
+    assert answer("--resume", "long.checkpoint.npz") == answer("long.toml")
+
+
+def test_a_killed_run_goes_on_with_the_same_bits(folder):
+    import gsd.hoomd
+
+    options = ("--snapshots", "s.gsd", "--every", "3.0")
+    running = process("long.toml", "--json", "--checkpoint", "c.npz", "--checkpoint-every", "30000 events", *options)
+    wait_for(folder / "c.npz", 3, running)
+    time.sleep(0.03)
+    running.kill()
+    running.communicate(timeout=120)
+    assert running.returncode == -signal.SIGKILL
+    kept = dict(np.load(folder / "c.npz"))
+    assert 0 < kept["gas.swarm"]["pair_hits"][0] < 2_005_000
+    resumed = answer("long.toml", "--resume", "c.npz", *options)
+    whole = answer("long.toml", "--snapshots", "w.gsd", "--every", "3.0")
+    assert resumed == whole
+    with gsd.hoomd.open(str(folder / "s.gsd")) as one, gsd.hoomd.open(str(folder / "w.gsd")) as two:
+        assert len(one) == len(two) > 50
+        for a, b in zip(one, two, strict=True):
+            assert a.configuration.step == b.configuration.step
+            assert a.particles.position.tobytes() == b.particles.position.tobytes()
+            assert a.particles.angmom.tobytes() == b.particles.angmom.tobytes()
+    # the finished run's checkpoint goes on too, for longer
+    more = answer("long.toml", "--resume", "c.npz", "--max-events", "2100000")
+    again = answer("long.toml", "--max-events", "2100000")
+    for key in ("pressure", "simulated_time", "energy_drift", "temperature_rotational", "channels"):
+        assert more[key] == again[key]
+
+
+def test_a_full_disk_does_not_end_the_run(folder, monkeypatch):
+    from carom.gas import checkpoint
+
+    tries = []
+
+    def full(handle):
+        tries.append(handle)
+        if len(tries) < 4:
+            raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(checkpoint.os, "fsync", full)
+    done = runner.invoke(
+        app, ["gas", "rough.toml", "--json", "--checkpoint", "c.npz", "--checkpoint-every", "1000 events"]
+    )
+    assert done.exit_code == 0
+    said = "carom: c.npz: expected room for a checkpoint, got: No space left on device; the one before stays, and the run goes on"
+    assert done.stderr.splitlines().count(said) == 3
+    assert (folder / "c.npz").exists()
+
+
+def test_progress_goes_to_standard_error(folder):
+    running = process("rough.toml", "--json")
+    out, err = running.communicate(timeout=120)
+    assert set(KEYS) < set(json.loads(out))
+    assert "equilibrating: 200 balls" in err
+    assert "measuring: 200 balls" in err
