@@ -25,7 +25,7 @@ KEYS = [
     "pair_collisions", "wall_collisions", "simulated_time", "cpu_seconds", "mean_free_time", "pressure", "energy_drift",
     "temperature_translational", "temperature_rotational", "max_overlap",
 ]  # fmt: skip
-LONG = ROUGH.replace("60_000", "2_000_000")
+LONG = ROUGH.replace("60_000", "1_000_000")
 
 
 @pytest.fixture
@@ -218,8 +218,11 @@ def test_a_gas_that_collapses_is_told(folder, capsys, monkeypatch):
     text = text.replace("gravity = 0.2", "gravity = 5.0").replace("restitution = 1.0", "restitution = 0.0")
     (folder / "dead.toml").write_text(text.replace("duration = 20.0", "duration = 1000.0"))
     lines = refusal(capsys, monkeypatch, "dead.toml", "--quiet")
-    assert lines[-1].startswith("gas: expected time to go on, got ")
-    assert lines[-1].endswith("set contact_time in the scene, to some thousandth of the mean free time")
+    (line,) = lines
+    assert line.startswith(
+        "Gas.run: contact_time: expected contacts that come to an end, got an inelastic collapse at t = "
+    )
+    assert "give a contact_time > 0" in line
 
 
 # --- stopped, killed, gone on with ---------------------------------------------------------------------------------
@@ -260,7 +263,7 @@ def test_a_killed_run_goes_on_with_the_same_bits(folder):
     running.communicate(timeout=120)
     assert running.returncode == -signal.SIGKILL
     kept = dict(np.load(folder / "c.npz"))
-    assert 0 < kept["gas.swarm"]["pair_hits"][0] < 2_005_000
+    assert 0 < kept["gas.swarm"]["pair_hits"][0] < 1_005_000
     resumed = answer("long.toml", "--resume", "c.npz", *options)
     whole = answer("long.toml", "--snapshots", "w.gsd", "--every", "3.0")
     assert resumed == whole
@@ -271,8 +274,8 @@ def test_a_killed_run_goes_on_with_the_same_bits(folder):
             assert a.particles.position.tobytes() == b.particles.position.tobytes()
             assert a.particles.angmom.tobytes() == b.particles.angmom.tobytes()
     # the finished run's checkpoint goes on too, for longer
-    more = answer("long.toml", "--resume", "c.npz", "--max-events", "2100000")
-    again = answer("long.toml", "--max-events", "2100000")
+    more = answer("long.toml", "--resume", "c.npz", "--max-events", "1100000")
+    again = answer("long.toml", "--max-events", "1100000")
     for key in ("pressure", "simulated_time", "energy_drift", "temperature_rotational", "channels"):
         assert more[key] == again[key]
 

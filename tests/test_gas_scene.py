@@ -11,7 +11,7 @@ from gases import MIXED, ROUGH
 
 from carom import CaromError, Surface
 from carom.gas.build import build
-from carom.gas.model import GasContact, GasScene, GasSettings, GasSpecies, PeriodicContainer
+from carom.gas.model import GasContact, GasContainer, GasScene, GasSettings, GasSpecies
 from carom.gas.toml import is_gas, load_gas, new_gas
 
 
@@ -29,7 +29,7 @@ def faults(folder: Path, text: str) -> list[str]:
 
 def test_a_file_and_python_say_the_same(tmp_path):
     scene = GasScene(
-        container=PeriodicContainer(size=(8, 7.5, 7)),
+        container=GasContainer(shape="periodic", size=(8, 7.5, 7)),
         species=(GasSpecies(count=200, radius=0.5, inertia=0.4, temperature_rotational=0.5),),
         contacts=(GasContact(between=("a", "a"), restitution=1, friction=math.inf, tangential_restitution=1),),
         run=GasSettings(equilibrate=5000, max_events=60_000, seed=1),

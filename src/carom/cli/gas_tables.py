@@ -60,7 +60,7 @@ def _whole(session: Session, told: dict[str, Any]) -> Table:
     table = _table(["the whole", ""], 1)
     events, cpu = told["events"], told["cpu_seconds"]
     rotational, translational = told["temperature_rotational"], told["temperature_translational"]
-    ideal = translational * told["balls"] / session.scene.container.volume
+    ideal = translational * told["balls"] / session.scene.container.room.volume
     rows = [("pair collisions", f"{told['pair_collisions']:,}")]
     if told["wall_collisions"]:
         rows.append(("wall collisions", f"{told['wall_collisions']:,}"))

@@ -23,7 +23,7 @@ BY_CHANCE = {2: 0.50, 3: 0.34}
 
 def build(scene: GasScene, where: str = "gas") -> Gas:
     """The gas of a scene, at its start. CaromError, naming ``where``, for starts that overlap, or that a file does not give."""
-    axes, run = scene.container.axes, scene.run
+    axes, run, room = scene.container.axes, scene.run, scene.container.room
     options: dict[str, Any] = {}
     if run.start == "random":
         if scene.fraction > BY_CHANCE[axes]:
@@ -33,17 +33,18 @@ def build(scene: GasScene, where: str = "gas") -> Gas:
             )
         radii = np.repeat([one.radius for one in scene.species], [one.count for one in scene.species])
         rng = np.random.default_rng([run.seed, 1])
-        options["position"] = scattered(radii, scene.container.size, scene.container.around, rng)
+        options["position"] = scattered(radii, room.size, room.periodic, rng)
     elif run.start != "lattice":
         options = _from_file(scene, where)
     try:
         return Gas(
             [one.species(axes) for one in scene.species],
-            scene.container.size,
-            periodic=scene.container.around,
+            room,
             contacts=scene.surfaces,
             gravity=scene.pull,
             contact_time=scene.contact_time,
+            drives={one.wall: one.drive for one in scene.drives},
+            thermostat=None if scene.thermostat is None else scene.thermostat.thermostat,
             seed=run.seed,
             **options,
         )
@@ -53,7 +54,7 @@ def build(scene: GasScene, where: str = "gas") -> Gas:
 
 def _from_file(scene: GasScene, where: str) -> dict[str, Any]:
     axes, path = scene.container.axes, Path(scene.run.start)
-    start = read_start(path, axes, scene.container.size)
+    start = read_start(path, axes, scene.container.room.size)
     order = _order(scene, where, start, path)
     found: dict[str, Any] = {"position": start.position[order]}
     for name, values in (("velocity", start.velocity), ("spin", start.spin)):

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import Any
 
 from carom.gas.run import Gas, Mark
-from carom.gas.setup import WALLS
 
 __all__ = ["Channel", "channels"]
 
@@ -47,9 +46,9 @@ def channels(gas: Gas, since: Mark, names: tuple[str, ...]) -> list[Channel]:
             share = (2 if i == j else 1) / count[i]
             rows = {i * kinds + j, j * kinds + i}
             found.append(made((names[i], names[j]), arrays.pairs, since.pairs, rows, share))
-    for wall in range(len(arrays.walls) // kinds):
-        if (arrays.walls["hits"][wall * kinds : (wall + 1) * kinds] > 0).any():
-            for i in range(kinds):
-                rows = {wall * kinds + i}
-                found.append(made((names[i], WALLS[wall]), arrays.walls, since.walls, rows, 1 / count[i]))
+    for wall in gas.walls:
+        faces = [k for k, name in enumerate(gas.faces) if name == wall]  # several may have one name
+        for i in range(kinds):
+            rows = {face * kinds + i for face in faces}
+            found.append(made((names[i], wall), arrays.walls, since.walls, rows, 1 / count[i]))
     return found

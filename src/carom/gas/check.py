@@ -7,8 +7,8 @@ import math
 from typing import TYPE_CHECKING
 
 from carom.checks import nearest
-from carom.engine.swarm_arrays import MOST_BALLS
-from carom.gas.setup import WALLS
+from carom.engine.swarm_arrays import MOST_BALLS, PLANE
+from carom.gas.container import WALLS
 from carom.scene.faults import Fault, Words
 from carom.units import number
 
@@ -26,7 +26,8 @@ def gas_faults(scene: GasScene) -> list[Fault]:
     if not scene.species:
         advice = "a file has a table [[species]] for each"
         return [Fault("at least one species", Words("none"), advice, ("species",))]
-    return [*_species_faults(scene), *_contact_faults(scene), *_gravity_faults(scene), *_room_faults(scene)]
+    parts = (_species_faults, _contact_faults, _drive_faults, _gravity_faults, _room_faults)
+    return [fault for part in parts for fault in part(scene)]
 
 
 def _species_faults(scene: GasScene) -> list[Fault]:
@@ -49,7 +50,8 @@ def _species_faults(scene: GasScene) -> list[Fault]:
 def _contact_faults(scene: GasScene) -> list[Fault]:
     found = []
     names = [one.name for one in scene.species]
-    known = [*names, "wall", *WALLS[: 2 * scene.container.axes]]
+    walls = scene.container.room.names
+    known = [*names, "wall", *dict.fromkeys((*WALLS[: 2 * scene.container.axes], *walls))]
     given: set[frozenset[str]] = set()
     sound = True
     for i, contact in enumerate(scene.contacts):
@@ -72,9 +74,9 @@ def _contact_faults(scene: GasScene) -> list[Fault]:
             found.append(_missing(one, two))
     for one in names:
         if frozenset((one, "wall")) not in given:
-            bare = [wall for wall in scene.container.walls if frozenset((one, wall)) not in given]
+            bare = [wall for wall in walls if frozenset((one, wall)) not in given]
             if bare:
-                found.append(_missing(one, "wall" if len(bare) == len(scene.container.walls) else bare[0]))
+                found.append(_missing(one, "wall" if len(bare) == len(walls) else bare[0]))
     return found
 
 
@@ -87,6 +89,23 @@ def _missing(one: str, two: str) -> Fault:
     return Fault(f"a contact between {_quoted(one, two)}", Words("none"), advice, ("contacts",))
 
 
+def _drive_faults(scene: GasScene) -> list[Fault]:
+    found = []
+    room = scene.container.room
+    for i, drive in enumerate(scene.drives):
+        at: tuple[int | str, ...] = ("drives", i, "wall")
+        if not room.names:
+            found.append(Fault("walls to drive", Words(f"none in a container of shape {room.shape!r}"), at=at))
+        elif drive.wall not in room.names:
+            found.append(Fault("the name of a wall", drive.wall, nearest(drive.wall, list(room.names)), at))
+        elif drive.wall in [one.wall for one in scene.drives[:i]]:
+            found.append(Fault("one drive for each wall", Words(f"another one for {drive.wall!r}"), at=at))
+        elif drive.amplitude > 0 and any(wall.name == drive.wall and wall.form != PLANE for wall in room.walls):
+            at = ("drives", i, "amplitude")
+            found.append(Fault("a plane wall to swing", Words(f"{drive.wall!r}, which is round"), at=at))
+    return found
+
+
 def _gravity_faults(scene: GasScene) -> list[Fault]:
     axes = scene.container.axes
     if len(scene.pull) == axes or (axes == 2 and scene.pull[2] == 0):
@@ -97,15 +116,15 @@ def _gravity_faults(scene: GasScene) -> list[Fault]:
 def _room_faults(scene: GasScene) -> list[Fault]:
     """Sides too short, and more balls than can be packed in."""
     found = []
-    axes, size = scene.container.axes, scene.container.size
+    axes, room = scene.container.axes, scene.container.room
     widest = 2 * max(one.radius for one in scene.species)
-    for axis, (length, around) in enumerate(zip(size, scene.container.around, strict=True)):
+    for axis, (length, around) in enumerate(zip(room.size, room.periodic, strict=True)):
         if length < (3 if around else 1) * widest:
             least = "3 diameters of the largest ball" if around else "the diameter of the largest ball"
             why = "in a shorter periodic box a ball could meet another and its image" if around else ""
             expected = f"at least {least}, {number(3 * widest if around else widest, 6)}"
             found.append(Fault(expected, length, why, ("container", "size", axis)))
-    if found:
+    if found or scene.container.bounds == "centre":  # (balls may then stand out)
         return found
     several = len({one.radius for one in scene.species}) > 1
     # of mixed sizes there is no bound but that balls do not fill everything

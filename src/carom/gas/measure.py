@@ -15,8 +15,10 @@ from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from carom.checks import nearest
+from carom.engine.swarm_arrays import PLANE
 from carom.engine.swarm_run import balls_at
 from carom.errors import CaromError
+from carom.gas.container import Container, container
 from carom.gas.run import Gas
 from carom.gas.tally import count_pairs, count_spread, count_sums
 
@@ -102,13 +104,14 @@ class Measures:
     ----------
     gas : Gas
     names : names of its species; left out: "a", "b", ...
+    room : what holds it; left out: a box, as periodic as it is
 
     Call :meth:`look` between pieces of a run, best at times at which nothing in particular happens: just after a collision
     two balls are always in contact.
     """
 
-    def __init__(self, gas: Gas, names: tuple[str, ...] = ()) -> None:
-        self._about(gas, names)
+    def __init__(self, gas: Gas, names: tuple[str, ...] = (), room: Container | None = None) -> None:
+        self._about(gas, names, room)
         kinds = len(self.names)
         self.velocities, self.spins = np.zeros((kinds, BINS), np.int64), np.zeros((kinds, BINS), np.int64)
         # sums over the looks of d <c^4> / ((d + 2) <c^2>^2), and of the temperatures, of velocities and of spins
@@ -119,7 +122,7 @@ class Measures:
         self.rows: list[tuple[float, ...]] = []
         self.ways: list[Array] = []  # of the balls followed, at each look
 
-    def _about(self, gas: Gas, names: tuple[str, ...]) -> None:
+    def _about(self, gas: Gas, names: tuple[str, ...], room: Container | None) -> None:
         """What does not change: species, lengths."""
         kinds, one = gas._arrays.species, gas._arrays.swarm[0]
         self.names = names or tuple(chr(ord("a") + k) for k in range(len(kinds)))
@@ -128,11 +131,14 @@ class Measures:
         self.moment = kinds["kappa"] * kinds["mass"] * kinds["radius"] ** 2
         self.side, self.around = one["side"].copy(), one["periodic"] == 1
         self.around[self.axes :] = False
+        size, closed = self.side[: self.axes], self.around[: self.axes]
+        self.room = room or container("box", size.tolist(), periodic=closed.tolist())
         # no further than half a period; within walls no further than a quarter: balls nearer to one are not looked from
-        bound = float(np.where(self.around, self.side / 2, self.side / 4)[: self.axes].min())
+        bound = float(np.where(closed, size / 2, size / 4).min())
         self.width = float(2 * self.radius.min() / GAP)
         self.bins = max(min(int((bound - 2 * self.radius.max()) / self.width), GAPS), 0)
         self.reach = float(2 * self.radius.max()) + self.width * self.bins
+        self.inner = _volume_within(self.room, self.reach)
 
     # --- looking -----------------------------------------------------------------------------------------------
 
@@ -160,26 +166,24 @@ class Measures:
             (gas.time, float(gas.collisions), *map(float, (count * heat).sum(axis=0) / number), height / number)
         )
         if self.diffuses:
-            x += gas._arrays.plans["image"] * self.side
+            x += gas._arrays.plans["image"][:number] * self.side
             followed = np.arange(min(number, MOST_FOLLOWED)) * number // min(number, MOST_FOLLOWED)
             self.ways.append((x[followed] - mass @ x / mass.sum())[:, : self.axes])
         self.looks += 1
-        if pairs and self.bins > 0:
+        if pairs and self.bins > 0 and self.inner > 0:
             self._count_pairs(motions)
 
     def _count_pairs(self, motions: Any) -> None:
         x, kinds = _positions(motions), len(self.names)
-        depth = np.where(self.around, np.inf, np.minimum(x, self.side - x))[:, : self.axes]
-        inner = np.flatnonzero((depth >= self.reach).all(axis=1))
+        inner = np.flatnonzero(self.room.clearance(np.zeros(len(x)), x) >= self.reach)
         inside = np.bincount(motions["kind"][inner], minlength=kinds)
         # of many balls some, others at each look
         step = max(len(inner) / MOST_CENTERS, 1.0)
         chosen = inner[((np.arange(min(len(inner), MOST_CENTERS)) + self.pair_looks / 7 % 1) * step).astype(int)]
-        room = float(np.where(self.around, self.side, self.side - 2 * self.reach)[: self.axes].prod())
         # in a period a ball has all but itself around it
-        itself = np.eye(kinds) if self.around[: self.axes].all() else np.zeros((kinds, kinds))
+        itself = np.eye(kinds) if self.diffuses else np.zeros((kinds, kinds))
         centers = np.bincount(motions["kind"][chosen], minlength=kinds)
-        self.expected += centers[:, None] * (inside[None, :] - itself) / room
+        self.expected += centers[:, None] * (inside[None, :] - itself) / self.inner
         count_pairs(x, motions["kind"], chosen, self.radius, self.side, self.around, self.reach, self.width, self.pairs)
         self.pair_looks += 1
 
@@ -234,7 +238,7 @@ class Measures:
     @property
     def diffuses(self) -> bool:
         """Whether balls can go anywhere: only in a period without walls does a diffusion coefficient mean what it says."""
-        return bool(self.around[: self.axes].all())
+        return not self.room.walls
 
     def displacement(self) -> Displacement:
         """Mean square displacement of up to 8192 balls, the centre of mass at rest, averaged over all pairs of looks.
@@ -262,10 +266,12 @@ class Measures:
         return {name: np.array(getattr(self, name)) for name in COUNTED}
 
     @classmethod
-    def restore(cls, gas: Gas, names: tuple[str, ...], state: dict[str, NDArray[Any]]) -> Measures:
+    def restore(
+        cls, gas: Gas, names: tuple[str, ...], room: Container | None, state: dict[str, NDArray[Any]]
+    ) -> Measures:
         """The measures of :meth:`state`, to go on with."""
         found = object.__new__(cls)
-        found._about(gas, names)
+        found._about(gas, names, room)
         for name in COUNTED:
             setattr(found, name, state[name].copy())
         found.looks, found.pair_looks = int(state["looks"]), int(state["pair_looks"])
@@ -276,6 +282,20 @@ class Measures:
 
 def _positions(motions: Any) -> Array:
     return np.stack([motions[axis] for axis in "xyz"], axis=1)
+
+
+def _volume_within(room: Container, depth: float) -> float:
+    """Volume of the places at least so deep within a room: of boxes exactly, of others by a grid of a million points."""
+    axes, size = len(room.size), np.array(room.size)
+    if not room.walls:
+        return float(size.prod())
+    if room.shape == "box" and all(wall.form == PLANE for wall in room.walls):
+        return float(np.maximum(np.where(room.periodic, size, size - 2 * depth), 0).prod())
+    n = round(1e6 ** (1 / axes))
+    steps = [(np.arange(n) + 0.5) / n] * axes
+    x = np.zeros((n**axes, 3))
+    x[:, :axes] = np.stack(np.meshgrid(*steps, indexing="ij"), axis=-1).reshape(-1, axes) * size
+    return float(size.prod() * (room.clearance(np.zeros(len(x)), x) >= depth).mean())
 
 
 def mean_square_displacement(positions: Array, masses: Array | None = None) -> Array:

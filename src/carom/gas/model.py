@@ -2,23 +2,29 @@
 
 from __future__ import annotations
 
+import functools
 import math
-from typing import Annotated, Any, ClassVar, Literal
+from collections.abc import Callable
+from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import BeforeValidator, Field, model_validator
+from pydantic import BeforeValidator, model_validator
 
 from carom.ball import DISCS, INERTIAS, Ball, Disc
 from carom.checks import nearest
+from carom.errors import CaromError
 from carom.gas.check import gas_faults
-from carom.gas.setup import WALLS, Species
+from carom.gas.container import SHAPES, WALLS, Container, container
+from carom.gas.drive import Drive, Thermostat
+from carom.gas.setup import Species
 from carom.scene.faults import Fault, Model, Words, refuse
-from carom.scene.quantities import Components, Friction, Mass, Number, Share, Size, Spring, Time
+from carom.scene.quantities import Components, Friction, Length, Mass, Number, Share, Size, Spring, Time
 from carom.surface import Surface
 from carom.units import number
 
-__all__ = ["AnyContainer", "GasContact", "GasScene", "GasSettings", "GasSpecies"]
+__all__ = ["GasContact", "GasContainer", "GasDrive", "GasScene", "GasSettings", "GasSpecies", "GasThermostat"]
 
+_OBSTACLE = Components("x, y, radius; or x, y, z, radius", (3, 4))
 _SIZE = Components("2 or 3 lengths > 0: along x, y (discs), and z (balls)", (2, 3))
 _KAPPA = Number("kappa = I/(m a^2) in (0, 1], or one of 'solid', 'hollow', 'disc', 'ring'", least=0, most=1, above=True)
 _TEMPERATURE = Number("a temperature k_B T >= 0", "J", least=0)
@@ -26,74 +32,80 @@ _TC = Number("a time >= 0", "s", least=0)
 _ENDINGS = (".csv", ".npz", ".gsd")
 
 
+def handed_on(make: Callable[[], Any], where: tuple[int | str, ...] = ()) -> Any:
+    """What a checked part of a gas is made of; its faults as those of the scene."""
+    try:
+        return make()
+    except CaromError as error:
+        found = []
+        for line in error.faults:
+            _name, field, said = line.split(": ", 2)
+            expected, got = said.removeprefix("expected ").split(", got ", 1)
+            part = field if field.isidentifier() else field.partition("[")[0]
+            found.append(Fault(expected, Words(got), at=(*where, part)))
+        refuse(found)
+
+
 # --- the container -------------------------------------------------------------------------------------------------
 
 
-class Container(Model):
-    """What holds the gas."""
+def _shape(value: Any) -> str:
+    if not isinstance(value, str) or value not in SHAPES:
+        advice = nearest(value, list(SHAPES)) if isinstance(value, str) else ""
+        raise Fault(f"one of {', '.join(SHAPES)}", value, advice if advice.startswith("did") else "").error()
+    return value
 
-    tag: ClassVar[str] = "shape"
-    size: Annotated[tuple[Size, ...], BeforeValidator(_SIZE)]
+
+class GasContainer(Model):
+    """What holds the gas: the words of :func:`carom.gas.container`.
+
+    Parameters
+    ----------
+    shape : one of carom.gas.SHAPES
+    size : of the box around it, along x, y and z; two lengths: discs in a plane
+    periodic : axes without walls, such as ["x", "y"]; left out: none, or all for "periodic"
+    points : corners of a polygon, rows of x, y
+    scatterers : round obstacles, rows of x, y, radius or x, y, z, radius
+    bounds : "surface" or "centre": what the walls bound of the balls
+    """
+
+    shape: Annotated[str, BeforeValidator(_shape)]
+    size: Annotated[tuple[Size, ...], BeforeValidator(_SIZE)] | None = None
+    periodic: tuple[Literal["x", "y", "z"], ...] = ()
+    points: tuple[tuple[Length, Length], ...] | None = None
+    scatterers: tuple[Annotated[tuple[Length, ...], BeforeValidator(_OBSTACLE)], ...] = ()
+    bounds: Literal["surface", "centre"] = "surface"
+
+    @model_validator(mode="after")
+    def _made(self) -> GasContainer:
+        if self.size is None and self.shape != "polygon":
+            refuse([Fault(_SIZE.what, Words("nothing"), at=("size",))])
+        handed_on(lambda: self.room)
+        return self
+
+    @functools.cached_property
+    def room(self) -> Container:
+        """As the gas takes it."""
+        closed = (
+            None if self.shape == "periodic" else [axis in self.periodic for axis in "xyz"[: len(self.size or (0, 0))]]
+        )
+        return container(
+            self.shape, self.size, periodic=closed, points=self.points, scatterers=self.scatterers, bounds=self.bounds
+        )
 
     @property
     def axes(self) -> int:
         """3, or 2: discs."""
-        return len(self.size)
-
-    @property
-    def around(self) -> tuple[bool, ...]:
-        """Which axes are periodic."""
-        raise NotImplementedError
-
-    @property
-    def volume(self) -> float:
-        """Volume; of discs the area."""
-        return math.prod(self.size)
-
-    @property
-    def walls(self) -> tuple[str, ...]:
-        """Names of its walls."""
-        return tuple(name for k, name in enumerate(WALLS[: 2 * self.axes]) if not self.around[k // 2])
+        return len(self.room.size)
 
     def describe(self) -> str:
         """One phrase."""
-        sides = " x ".join(number(x, 6) for x in self.size)
-        if all(self.around):
-            return f"periodic {sides}"
-        closed = [axis for axis, around in zip("xyz", self.around, strict=False) if around]
-        return f"a box {sides}{', periodic along ' + ' and '.join(closed) if closed else ''}"
-
-
-class PeriodicContainer(Container):
-    """No walls: what leaves on one side comes in on the other."""
-
-    shape: Literal["periodic"] = "periodic"
-
-    @property
-    def around(self) -> tuple[bool, ...]:
-        """Which axes are periodic."""
-        return (True,) * self.axes
-
-
-class BoxContainer(Container):
-    """Walls left and right (x), front and back (y), bottom and top (z); they bound the balls' surfaces.
-
-    Parameters
-    ----------
-    size : lengths along x, y and z; two for discs
-    periodic : axes without walls, such as ["x", "y"]; left out: none
-    """
-
-    shape: Literal["box"] = "box"
-    periodic: tuple[Literal["x", "y", "z"], ...] = ()
-
-    @property
-    def around(self) -> tuple[bool, ...]:
-        """Which axes are periodic."""
-        return tuple(axis in self.periodic for axis in "xyz"[: self.axes])
-
-
-AnyContainer = Annotated[PeriodicContainer | BoxContainer, Field(discriminator="shape")]
+        sides = " x ".join(number(x, 6) for x in self.room.size)
+        what = {"periodic": "periodic"}.get(self.shape, f"{'an' if self.shape == 'ellipse' else 'a'} {self.shape}")
+        along = f", periodic along {' and '.join(self.periodic)}" if self.periodic else ""
+        count = len(self.scatterers)
+        obstacles = f" with {count} obstacle{'s' if count > 1 else ''}" if count else ""
+        return f"{what} {sides}{along}{obstacles}"
 
 
 # --- what is in it -------------------------------------------------------------------------------------------------
@@ -166,7 +178,7 @@ class GasContact(Model):
 
     Parameters
     ----------
-    between : two names: of species; "wall" for all walls, or left, right, front, back, bottom, top
+    between : two names: of species; "wall" for all walls, or a wall's own name
     restitution : 0 to 1
     friction : >= 0, or inf
     tangential_restitution : -1 (smooth) to 1; left out: 0
@@ -181,6 +193,47 @@ class GasContact(Model):
     def surface(self) -> Surface:
         """As the gas takes it."""
         return Surface(self.restitution, self.friction, self.tangential_restitution)
+
+
+# --- what gives it energy ------------------------------------------------------------------------------------------
+
+_FREQUENCY = Number("a frequency > 0", "1/s", least=0, above=True)
+_RATE = Number("a rate > 0: kicks a ball and time", "1/s", least=0, above=True)
+_AMPLITUDE = Number("an amplitude >= 0", "m", least=0)
+
+
+class GasDrive(Model):
+    """A wall that swings, or is warm, or both: the words of :class:`carom.gas.Drive`."""
+
+    wall: str
+    amplitude: Annotated[float, BeforeValidator(_AMPLITUDE)] = 0.0
+    frequency: Annotated[float, BeforeValidator(_FREQUENCY)] | None = None
+    phase: Share = 0.0
+    temperature: Annotated[float, BeforeValidator(_TEMPERATURE)] | None = None
+    temperature_rotational: Annotated[float, BeforeValidator(_TEMPERATURE)] | None = None
+
+    @model_validator(mode="after")
+    def _made(self) -> GasDrive:
+        handed_on(lambda: self.drive)
+        return self
+
+    @property
+    def drive(self) -> Drive:
+        """As the gas takes it."""
+        return Drive(self.amplitude, self.frequency or 0.0, self.phase, self.temperature, self.temperature_rotational)
+
+
+class GasThermostat(Model):
+    """Andersen's: the words of :class:`carom.gas.Thermostat`."""
+
+    temperature: Annotated[float, BeforeValidator(_TEMPERATURE)]
+    rate: Annotated[float, BeforeValidator(_RATE)]
+    temperature_rotational: Annotated[float, BeforeValidator(_TEMPERATURE)] | None = None
+
+    @property
+    def thermostat(self) -> Thermostat:
+        """As the gas takes it."""
+        return Thermostat(self.temperature, self.rate, self.temperature_rotational)
 
 
 # --- how it is run -------------------------------------------------------------------------------------------------
@@ -237,6 +290,8 @@ class GasScene(Model):
     container : its shape and size; two numbers: discs in a plane
     species : at least one
     contacts : one for every pair of species, and for every species and the walls
+    drives : walls that swing or are warm
+    thermostat : optional
     run : GasSettings
 
     Numbers are in SI units, or in any others that fit each other. Raises CaromError, one line a fault, all at once.
@@ -244,9 +299,11 @@ class GasScene(Model):
 
     gravity: Annotated[float | tuple[float, ...], BeforeValidator(_gravity)] = 0.0
     contact_time: Annotated[float, BeforeValidator(_TC)] = 0.0
-    container: AnyContainer
+    container: GasContainer
     species: tuple[GasSpecies, ...]
     contacts: tuple[GasContact, ...] = ()
+    drives: tuple[GasDrive, ...] = ()
+    thermostat: GasThermostat | None = None
     run: GasSettings
 
     @model_validator(mode="after")
@@ -270,7 +327,8 @@ class GasScene(Model):
     def fraction(self) -> float:
         """The share of the volume (discs: of the area) that the balls fill."""
         unit = math.pi if self.container.axes == 2 else 4 / 3 * math.pi
-        return sum(one.count * unit * one.radius**self.container.axes for one in self.species) / self.container.volume
+        balls = sum(one.count * unit * one.radius**self.container.axes for one in self.species)
+        return balls / self.container.room.volume
 
     @property
     def surfaces(self) -> dict[tuple[str, str], Surface]:

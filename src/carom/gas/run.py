@@ -189,6 +189,11 @@ class Gas:
         """Names of the walls, each once."""
         return tuple(dict.fromkeys(self._names))
 
+    @property
+    def faces(self) -> tuple[str, ...]:
+        """Of each face the name of its wall: several may have one."""
+        return self._names
+
     def _by_name(self, numbers: Any) -> dict[str, float]:
         """Sums over the faces of each name."""
         return {

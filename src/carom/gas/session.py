@@ -14,15 +14,12 @@ from carom.gas.build import build
 from carom.gas.measure import Measures
 from carom.gas.model import GasScene
 from carom.gas.run import Gas, GasRun, Mark
-from carom.units import number
 
 __all__ = ["LOOKS", "Session"]
 
 LOOKS = 50  # at the gas while it is measured
 PAIR_LOOKS = 5  # of so many looks one counts pairs
 CHUNK = 100_000  # collisions between two looks at the outside world: a tenth of a second
-# A gas that makes so many collisions a ball while time stands still to this share of their usual length has collapsed.
-COLLAPSED, STANDS = 200, 1e-6
 
 State = dict[str, NDArray[Any]]
 
@@ -124,9 +121,7 @@ class Session:
             if stop():
                 return False
             collisions, until = self._piece(every)
-            before, time = self.gas.collisions, self.gas.time
             self.gas.go_on(collisions, until)
-            self._refuse_collapse(before, time)
             self._equilibrated()
             if self.measures is not None and self.gas.time >= self.due:
                 self._look(self.measures)
@@ -165,7 +160,7 @@ class Session:
         """Begin to measure, when it is time to; set the first look, once a rate is known."""
         gas, run = self.gas, self.scene.run
         if self.mark is None and self.done >= self.scene.equilibrate:
-            self.mark, self.measures = gas.mark(), Measures(gas, self.names)
+            self.mark, self.measures = gas.mark(), Measures(gas, self.names, self.scene.container.room)
             self.begun = self.last_collisions = gas.collisions
             self.last_time = gas.time
             if run.duration is not None and run.max_events is None:
@@ -185,20 +180,6 @@ class Session:
             self.due = gas.time + (gas.time - self.last_time) * min(self.step / max(events, 1), 2.0)
         self.last_time, self.last_collisions = gas.time, gas.collisions
 
-    def _refuse_collapse(self, before: int, time: float) -> None:
-        gas = self.gas
-        events = gas.collisions - before
-        if time <= 0 or events < min(COLLAPSED * self.scene.count, CHUNK):
-            return
-        if (gas.time - time) / events < STANDS * time / before:
-            advice = "set contact_time in the scene, to some thousandth of the mean free time"
-            if self.scene.contact_time > 0:
-                advice = "a longer contact_time, or something that keeps the balls moving; balls at rest are no gas"
-            raise CaromError(
-                f"gas: expected time to go on, got {events:,} collisions within {number(gas.time - time)} at t = {gas.time:.9g}"
-                f" (inelastic collapse); {advice}"
-            )
-
     # --- kept ----------------------------------------------------------------------------------------------------
 
     def state(self) -> State:
@@ -209,6 +190,7 @@ class Session:
         if self.mark is not None and self.measures is not None:
             mark = self.mark
             found |= {"mark.swarm": np.array([mark.swarm]), "mark.pairs": mark.pairs, "mark.walls": mark.walls}
+            found["mark.faces"] = mark.faces
             # (of the processor's time, what the measuring has taken so far)
             cpu = self.result.cpu_seconds
             found["mark.numbers"] = np.array([*mark.energy, mark.time, cpu])
@@ -230,11 +212,12 @@ class Session:
                 kept["swarm"][0],
                 kept["pairs"],
                 kept["walls"],
+                kept["faces"],
                 (energy[0], energy[1], energy[2]),
                 time,
                 found.gas._cpu - cpu,
             )
-            found.measures = Measures.restore(found.gas, found.names, measures)
+            found.measures = Measures.restore(found.gas, found.names, scene.container.room, measures)
         return found
 
 

@@ -86,7 +86,7 @@ def _balls(axes: Any, session: Session) -> None:
     gas = session.gas
     balls, kinds = gas.balls(), gas._arrays.species
     flat = session.scene.container.axes == 2
-    size = np.array(session.scene.container.size)
+    size = np.array(session.scene.container.room.size)
     x, radius = balls.position, kinds["radius"][balls.species]
     names = "xy" if flat else "xz"
     pair = [0, 1] if flat else [0, 2]
@@ -99,7 +99,7 @@ def _balls(axes: Any, session: Session) -> None:
         species, velocity = balls.species, balls.velocity
     window = size[pair] * min(1.0, math.sqrt(MOST_DRAWN / max(len(x), 1)))
     low = (size[pair] - window) / 2 if window[0] < size[pair][0] else np.zeros(2)
-    around = np.array(session.scene.container.around)[pair]
+    around = np.array(session.scene.container.room.periodic)[pair]
     x, colours = x[:, pair], _colours(session, species, velocity)
     # in a period what stands out on one side comes in on the other
     shifts = [(i, j) for i in ((-1, 0, 1) if around[0] else (0,)) for j in ((-1, 0, 1) if around[1] else (0,))]
@@ -254,16 +254,16 @@ def _displacement(axes: Any, session: Session, measures: Measures) -> None:
 def _profile(axes: Any, session: Session, measures: Measures) -> None:
     """The number density between the walls at the end, along gravity or the first axis with walls."""
     scene = session.scene
-    closed = [k for k, around in enumerate(scene.container.around) if not around]
+    closed = [k for k, around in enumerate(scene.container.room.periodic) if not around]
     pulled = [k for k in closed if k < len(scene.pull) and scene.pull[k] != 0]
     axis = (pulled or closed)[0]
     balls = session.gas.balls()
-    side, count = scene.container.size[axis], len(balls.species)
+    side, count = scene.container.room.size[axis], len(balls.species)
     bins = int(np.clip(math.sqrt(count), 8, 60))
     edges = np.linspace(0, side, bins + 1)
     for k, name in enumerate(session.names):
         found, _ = np.histogram(balls.position[balls.species == k, axis], edges)
-        density = found * bins / scene.container.volume
+        density = found * bins / scene.container.room.volume
         axes.stairs(density, edges, baseline=None, color=COLOURS[k % len(COLOURS)], linewidth=1.0, label=name)
     axes.set_xlim(0, side)
     axes.set_ylim(bottom=0)

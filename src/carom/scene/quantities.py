@@ -27,7 +27,7 @@ Vector = tuple[float, float, float]
 QUANTITY = re.compile(r"\s*((?>[-+]?(?:\d[\d_]*\.?\d*|\.\d+)(?:[eE][-+]?\d+)?))\s*(\S.*)")
 EXAMPLES = {
     "m": "61.5 mm", "m/s": "2 m/s", "m/s^2": "9.81 m/s^2", "kg": "210 g", "s": "10 s", "rad/s": "30 rev/s", "degree": "0.5 rad",
-    "J": "2 uJ",
+    "J": "2 uJ", "1/s": "50 Hz",
 }  # fmt: skip
 
 
