@@ -182,9 +182,10 @@ def test_faults_are_lines_and_nothing_runs(folder, capsys, monkeypatch):
     (folder / "bad.toml").write_text(ROUGH.replace("count = 200", "count = 900"))
     (line,) = refusal(capsys, monkeypatch, "bad.toml", "--json")
     assert line.startswith("bad.toml: species: expected balls that fill at most 0.7405 of the volume")
-    (folder / "bad.toml").write_text(ROUGH.replace("count = 200", "count = 560"))
+    (folder / "x.csv").write_text("x,y,z\n" + "1,2,3\n" * 200)
+    (folder / "bad.toml").write_text(ROUGH + 'start = "x.csv"')
     (line,) = refusal(capsys, monkeypatch, "bad.toml", "--quiet")
-    assert line.startswith("bad.toml: run.start: expected balls that do not overlap, got balls ")
+    assert line.startswith("bad.toml: run.start: expected balls that do not overlap, got balls 0 and 1, at [1. 2. 3.]")
     lines = refusal(
         capsys, monkeypatch, "none.toml", "--plot", "g.xyz", "--measures", "m.csv", "--snapshots", "no/s.gsd", "--every", "soon",
         "--checkpoint-every", "0 events",

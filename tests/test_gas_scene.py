@@ -89,6 +89,57 @@ def test_the_scene_to_begin_with_runs(tmp_path):
     assert not is_gas(tmp_path / "none.toml")
 
 
+def test_rooms_drives_and_a_thermostat(tmp_path):
+    text = ROUGH.replace(
+        '"periodic"\nsize = [8.0, 7.5, 7.0]', '"cylinder"\nsize = [9, 9, 12]\nscatterers = [[4.5, 4.5, 6.0, 1.0]]'
+    )
+    text = text.replace(
+        "[run]",
+        """
+[[contacts]]
+between = ["a", "wall"]
+restitution = 0.9
+friction = 0.3
+[[contacts]]
+between = ["side", "a"]
+restitution = 0.5
+friction = 0
+[[drives]]
+wall = "bottom"
+amplitude = 0.2
+frequency = 3.0
+temperature = 2.0
+[thermostat]
+temperature = 1.5
+rate = 0.25
+temperature_rotational = 0.5
+[run]""",
+    )
+    scene = load(tmp_path, text)
+    assert scene.container.room.volume == pytest.approx(math.pi * 4.5**2 * 12 - 4 / 3 * math.pi)
+    gas = build(scene)
+    assert gas.walls == ("side", "bottom", "top", "scatterer")
+    walls, faces, one = gas._arrays.walls, gas._arrays.faces, gas._arrays.swarm[0]
+    assert walls["e"].tolist() == [0.5, 0.9, 0.9, 0.9]
+    assert faces["swing"].tolist() == [0, 0.2, 0, 0]
+    assert faces["warm"].tolist() == [-1, 2, -1, -1]
+    assert (one["warm"], one["warm_spin"], one["rate"]) == (1.5, 0.5, 0.25 * 200)
+    assert "a cylinder 9 x 9 x 12 with 1 obstacle" in scene.describe()
+    run = gas.run(20_000)
+    assert run.energy_from_thermostat != 0
+    assert run.energy_from_walls["bottom"] > 0
+
+
+def test_a_dense_random_start(tmp_path):
+    scene = load(tmp_path, ROUGH.replace("count = 200", "count = 380") + 'start = "random"')
+    shares: list[float] = []
+    gas = build(scene, progress=shares.append)
+    assert scene.fraction == pytest.approx(0.4737, abs=1e-4)
+    assert shares == sorted(shares)
+    assert gas.run(5000).max_overlap < 1e-12
+    assert build(scene).balls().position.tobytes() == build(scene).balls().position.tobytes()
+
+
 # --- what can be wrong ---------------------------------------------------------------------------------------------
 
 WRONG = {
@@ -161,13 +212,31 @@ WRONG = {
         ROUGH.replace("count = 200", "count = 900"),
         "species: expected balls that fill at most 0.7405 of the volume, the densest packing of equal balls, got 1.1220; fewer",
     ),
-    "too dense for a lattice": (
-        ROUGH.replace("count = 200", "count = 560"),
-        "run.start: expected balls that do not overlap, got balls ",
-    ),
     "too dense for chance": (
-        ROUGH.replace("count = 200", "count = 400") + 'start = "random"',
-        "run.start: expected balls that fill at most 0.34 of the container",
+        ROUGH.replace("count = 200", "count = 60")
+        .replace("radius = 0.5", "radius = 1.12")
+        .replace("[8.0, 7.5, 7.0]", "[8, 8, 8]"),
+        "run.start: expected a density that can be reached, got balls that jam at 0.",
+    ),
+    "swings where nothing is": (
+        ROUGH.replace("[run]", '[[drives]]\nwall = "top"\namplitude = 1\nfrequency = 1\n[run]'),
+        "drives[0].wall: expected walls to drive, got none in a container of shape 'periodic'",
+    ),
+    "swings never": (
+        MIXED.replace("[run]", '[[drives]]\nwall = "front"\namplitude = 1\n[run]'),
+        "drives[0].frequency: expected a number > 0 for a wall that swings, got 0.0",
+    ),
+    "warms nothing": (
+        MIXED.replace("[run]", '[[drives]]\nwall = "frnt"\ntemperature = 1\n[run]'),
+        "drives[0].wall: expected the name of a wall, got 'frnt'; did you mean 'front'?",
+    ),
+    "kicks without a rate": (
+        MIXED.replace("[run]", "[thermostat]\ntemperature = 1\n[run]"),
+        "thermostat.rate: expected a rate > 0: kicks a ball and time, got nothing",
+    ),
+    "an egg": (
+        ROUGH.replace('"periodic"', '"circle"'),
+        "container.size: expected the same width and depth for a circle, got (8.0, 7.5, 7.0); shape = 'ellipse' has two",
     ),
     "gravity": (
         MIXED.replace("gravity = 0.2", "gravity = [0, 0, 1]"),

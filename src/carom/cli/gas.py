@@ -225,7 +225,7 @@ def _session(path: Path | None, scene: GasScene | None, resume: Path | None, pro
         progress.say(f"going on from {resume}: {session.gas.collisions:,} collisions, t = {session.gas.time:.6g}")
         return session
     assert scene is not None
-    return Session(scene, str(path))
+    return Session(scene, str(path), progress.growing)
 
 
 @contextmanager

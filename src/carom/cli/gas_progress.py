@@ -40,6 +40,15 @@ class Progress:
         if not any(cache_folder().glob("*/swarm.run-*.nbi")):
             self.say("compiling the event loop, once")
 
+    def growing(self, share: float) -> None:
+        """How far a dense start has grown."""
+        now = time.monotonic()
+        if self.quiet or (now - self.told < (0.3 if self.console.is_terminal else LINES) and share < 1):
+            return
+        self.told = now
+        end = "\r" if self.console.is_terminal and share < 1 else "\n"
+        self.console.print(f"growing a dense start: {share:.1%} of the radii ", end=end, markup=False)
+
     def __enter__(self) -> Progress:
         """Begin."""
         if self.console.is_terminal and not self.quiet:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -9,31 +10,31 @@ import numpy as np
 
 from carom.checks import nearest
 from carom.errors import CaromError
+from carom.gas.dense import dense
 from carom.gas.model import GasScene
 from carom.gas.read import Start, read_start
 from carom.gas.run import Gas
-from carom.gas.start import scattered
 
 __all__ = ["build"]
 
 SINGLE = 1e-5  # of a radius: what rounding to single precision may bring about
-# The densest that balls put in one after the other come to, with some room, as a share of the volume or area.
-BY_CHANCE = {2: 0.50, 3: 0.34}
 
 
-def build(scene: GasScene, where: str = "gas") -> Gas:
-    """The gas of a scene, at its start. CaromError, naming ``where``, for starts that overlap, or that a file does not give."""
+def build(scene: GasScene, where: str = "gas", progress: Callable[[float], None] | None = None) -> Gas:
+    """The gas of a scene, at its start. CaromError, naming ``where``, for starts that overlap, or that a file does not give.
+
+    ``progress`` is called while a dense random start grows, with the share of the final radii.
+    """
     axes, run, room = scene.container.axes, scene.run, scene.container.room
     options: dict[str, Any] = {}
     if run.start == "random":
-        if scene.fraction > BY_CHANCE[axes]:
-            raise CaromError(
-                f"{where}: run.start: expected balls that fill at most {BY_CHANCE[axes]:g} of the container, if they are put in"
-                f" at random, got {scene.fraction:.4g}; start = 'lattice' reaches further"
-            )
         radii = np.repeat([one.radius for one in scene.species], [one.count for one in scene.species])
-        rng = np.random.default_rng([run.seed, 1])
-        options["position"] = scattered(radii, room.size, room.periodic, rng)
+        # (velocities are drawn from the seed itself)
+        seed = int(np.random.SeedSequence([run.seed, 1]).generate_state(1)[0])
+        try:
+            options["position"] = dense(radii, room, seed=seed, progress=progress)
+        except CaromError as error:
+            raise CaromError(*(_retold(scene, where, fault) for fault in error.faults)) from None
     elif run.start != "lattice":
         options = _from_file(scene, where)
     try:
@@ -87,10 +88,8 @@ def _order(scene: GasScene, where: str, start: Start, path: Path) -> Any:
 def _retold(scene: GasScene, where: str, fault: str) -> str:
     """A fault of the gas, as one of the scene."""
     said = fault.removeprefix("Gas: ")
-    if not said.startswith("position"):
-        return f"{where}: {said}"
-    said = said.removeprefix("position: ")
-    if scene.run.start == "lattice":
-        share = f"they fill {scene.fraction:.4g} of the container"
-        return f"{where}: run.start: {said}: the lattice has no room for such balls, as {share}; fewer or smaller ones"
-    return f"{where}: run.start: {said}, in {Path(scene.run.start).name}"
+    for part in ("position: ", "dense: ", "lattice: "):
+        if said.startswith(part):
+            file = f", in {Path(scene.run.start).name}" if Path(scene.run.start).suffix else ""
+            return f"{where}: run.start: {said.removeprefix(part)}{file}"
+    return f"{where}: {said}"

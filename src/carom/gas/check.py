@@ -9,16 +9,14 @@ from typing import TYPE_CHECKING
 from carom.checks import nearest
 from carom.engine.swarm_arrays import MOST_BALLS, PLANE
 from carom.gas.container import WALLS
+from carom.gas.dense import CLOSEST
 from carom.scene.faults import Fault, Words
 from carom.units import number
 
 if TYPE_CHECKING:
     from carom.gas.model import GasScene
 
-__all__ = ["DENSEST", "gas_faults"]
-
-# The densest packing of equal spheres (Kepler, Hales) and discs (Thue), as a share of the volume or area.
-DENSEST = {2: math.pi / math.sqrt(12), 3: math.pi / math.sqrt(18)}
+__all__ = ["gas_faults"]
 
 
 def gas_faults(scene: GasScene) -> list[Fault]:
@@ -128,7 +126,7 @@ def _room_faults(scene: GasScene) -> list[Fault]:
         return found
     several = len({one.radius for one in scene.species}) > 1
     # of mixed sizes there is no bound but that balls do not fill everything
-    most, share = (1.0 if several else DENSEST[axes]), scene.fraction
+    most, share = (1.0 if several else CLOSEST[axes]), scene.fraction
     if share > most * (1 + 1e-12):
         what, name = ("area", "discs") if axes == 2 else ("volume", "balls")
         packing = f"at most {most:.4f} of the {what}, " + (

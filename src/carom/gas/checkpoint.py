@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import os
+from importlib.metadata import version
 from pathlib import Path
 from typing import Any
 
@@ -29,10 +30,8 @@ FREE = ("max_events", "duration")
 
 def save_checkpoint(session: Session, path: str | Path) -> None:
     """Write where a session is. CaromError where the file cannot be written; the one before then stays as it is."""
-    from carom import __version__
-
     path = Path(path)
-    about = {"format": FORMAT, "carom": __version__, "scene": session.scene.model_dump(mode="json")}
+    about = {"format": FORMAT, "carom": version("carom"), "scene": session.scene.model_dump(mode="json")}
     part = path.with_name(f".{path.name}.part")
     try:
         with part.open("wb") as file:

@@ -31,14 +31,15 @@ class Session:
     ----------
     scene : GasScene
     where : what faults are told to be in
+    growing : called while a dense random start grows, with the share of the final radii
 
     :meth:`run` goes on to the end, or to where it is told to stop; nothing about the gas, or about what is measured,
     depends on how often it was stopped. Times for looks follow the rate of collisions, so that a look comes after every
     fiftieth of the events (or of the duration); they are not the times of collisions, at which two balls are in contact.
     """
 
-    def __init__(self, scene: GasScene, where: str = "gas") -> None:
-        self._enter(scene, build(scene, where))
+    def __init__(self, scene: GasScene, where: str = "gas", growing: Callable[[float], None] | None = None) -> None:
+        self._enter(scene, build(scene, where, growing))
         self.mark: Mark | None = None
         self.measures: Measures | None = None
         self.begun = 0  # collisions when measuring began
