@@ -1,0 +1,190 @@
+"""Where a track meets walls, other balls, or a gap: what cuts it into pieces of free motion."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.tracks.track import Track
+
+__all__ = ["Event", "Wall", "find_events", "find_walls", "turns"]
+
+Array = NDArray[np.float64]
+TOUCH = 0.010  # m: a pass closer than this is taken for a meeting of balls, since the frames cannot tell
+SIDES = (("left", 0, 1), ("right", 0, -1), ("bottom", 1, 1), ("top", 1, -1))
+
+
+@dataclass(frozen=True)
+class Wall:
+    """A straight wall, as the ball's centre meets it."""
+
+    name: str
+    point: tuple[float, float]
+    """A place on the line on which the centre turns, m."""
+    normal: tuple[float, float]
+    """Unit vector toward the ball."""
+    clamped: bool = False
+    """Whether places beyond the line were put on it by a program: rows on it are then no measurements."""
+    found: bool = True
+    """Found in the data, not given."""
+
+    def frame(self, x: Array) -> Array:
+        """Places (n, 2) as distance from the wall and way along it, counter-clockwise from the normal."""
+        n = np.array(self.normal)
+        return np.stack([(x - self.point) @ n, x @ np.array([-n[1], n[0]])], axis=-1)
+
+    def back(self, x: Array) -> Array:
+        """From the wall's frame to places."""
+        n = np.array(self.normal)
+        origin = np.array(self.point) - (np.array(self.point) @ np.array([-n[1], n[0]])) * np.array([-n[1], n[0]])
+        return np.asarray(origin + x[:, :1] * n + x[:, 1:] * np.array([-n[1], n[0]]))
+
+    def turned(self, v: Array) -> Array:
+        """A vector (2,) in the wall's frame."""
+        n = np.array(self.normal)
+        return np.array([v @ n, v @ np.array([-n[1], n[0]])])
+
+
+@dataclass(frozen=True)
+class Event:
+    """Something that happens to a ball between two of its frames."""
+
+    kind: str
+    """wall, ball, gap, onset, start, end."""
+    low: float
+    high: float
+    """It happens between these times, s."""
+    what: str = ""
+    """The wall's or the other ball's name."""
+
+
+def turns(d: Array, noise: float) -> NDArray[np.intp]:
+    """Where a distance (n,) has a sharp least value: it falls before and rises after, both well above the noise."""
+    if len(d) < 4:
+        return np.zeros(0, np.intp)
+    inner = np.flatnonzero((d[1:-1] <= d[:-2]) & (d[1:-1] <= d[2:])) + 1
+    before, after = d[np.maximum(inner - 3, 0)] - d[inner], d[np.minimum(inner + 3, len(d) - 1)] - d[inner]
+    return inner[(before > 6 * noise) & (after > 6 * noise)]
+
+
+def find_walls(
+    tracks: Sequence[Track], noise: float, sides: Sequence[str] = ("left", "right", "bottom", "top")
+) -> list[Wall]:
+    """Walls parallel to the axes, at the ends of where all the tracks go: where balls turn sharply near the extreme.
+
+    Clamped, where the extreme value comes at several of the turns. The place is the extreme itself; what the fits find
+    later may lie beyond it.
+    """
+    x = np.concatenate([track.position[track.seen][:, :2] for track in tracks])
+    walls = []
+    for name, axis, sign in SIDES:
+        if name not in sides or not len(x):
+            continue
+        edge = float((sign * x[:, axis]).min())
+        size = float(np.ptp(x[:, axis]))
+        turned = False
+        for track in tracks:
+            d = sign * track.position[track.seen][:, axis] - edge
+            for i in turns(d, noise).tolist():
+                step = max(abs(d[i] - d[i - 1]), abs(d[i + 1] - d[i]))
+                turned |= bool(d[i] < 0.75 * step + max(0.03 * size, 6 * noise))
+        if not turned:
+            continue
+        # no two places measured are the same to the last digit, but for coarse pixels, where to leave them out costs little
+        clamped = int((sign * x[:, axis] - edge < 1e-9 * (1 + abs(edge))).sum()) >= 2
+        point, normal = [0.0, 0.0], [0.0, 0.0]
+        point[axis], normal[axis] = sign * edge, float(sign)
+        walls.append(Wall(name, (point[0], point[1]), (normal[0], normal[1]), clamped=clamped))
+    return walls
+
+
+def find_events(
+    track: Track, others: Sequence[Track], walls: Sequence[Wall], noise: float, radii: float | None, interval: float
+) -> list[Event]:
+    """All that happens to a ball, in order. ``radii`` (m): the distance of two balls' centres that touch; None: no look."""
+    time, x = track.time, track.position
+    if len(time) < 2:
+        return []
+    events = [Event("start", time[0], time[0]), Event("end", time[-1], time[-1])]
+    for wall in walls:
+        events += _at_wall(time, wall.frame(x)[:, 0], wall, noise)
+    if radii is not None:
+        for other in others:
+            events += _meetings(track, other, radii, interval)
+    away = np.flatnonzero(np.hypot(*(x - x[0]).T) > max(0.003, 6 * noise))
+    if len(away) and away[0] > 1:
+        events.append(Event("onset", time[away[0] - 1], time[away[0]]))
+    step = np.diff(time)
+    moved = np.hypot(*np.diff(x, axis=0).T)
+    for i in np.flatnonzero((step > max(0.1, 4 * interval)) & (moved > 0.01)).tolist():
+        events.append(Event("gap", time[i], time[i + 1]))
+    return sorted(events, key=lambda event: (event.low, event.high))
+
+
+def _at_wall(time: Array, d: Array, wall: Wall, noise: float) -> list[Event]:
+    """Excursions to the wall: runs of frames near it, in which the ball turns."""
+    step = np.abs(np.diff(d, prepend=d[0]))
+    step = np.maximum(step, np.append(step[1:], 0.0))
+    near = d < 0.75 * step + max(0.002, 6 * noise)
+    runs = np.flatnonzero(np.diff(np.concatenate([[False], near, [False]]).astype(int))).reshape(-1, 2).tolist()
+    joined: list[list[int]] = []
+    for low, high in runs:
+        if joined and low - joined[-1][1] < 4:  # noise, at a high rate: no ball is back so soon
+            joined[-1][1] = high
+        else:
+            joined.append([low, high])
+    found = []
+    for low, high in joined:
+        i = low + int(np.argmin(d[low:high]))
+        before, after = d[max(low - 3, 0) : i + 1].max() - d[i], d[i : high + 3].max() - d[i]
+        if 0 < i < len(d) - 1 and min(before, after) > 6 * noise:
+            found.append(Event("wall", float(time[i - 1]), float(time[i + 1]), wall.name))
+    return found
+
+
+def _place(track: Track, t: Array) -> Array:
+    """Where a ball is: straight from row to row, but at rest where it has no rows because it does not move."""
+    time, x = track.time, track.position
+    found = np.stack([np.interp(t, time, x[:, k]) for k in (0, 1)], axis=-1)
+    step = np.diff(time)
+    way = np.hypot(*np.diff(x[:, :2], axis=0).T)
+    speed = way / np.maximum(step, 1e-6)
+    for i in np.flatnonzero(step > max(0.05, 2.5 * float(np.median(step)))).tolist():
+        after = speed[i + 1 : i + 4].max(initial=0.0)
+        if way[i] < after * step[i] / 2 or after == 0:
+            found[(t > time[i]) & (t < time[i + 1])] = x[i, :2]
+    return found
+
+
+def _meetings(track: Track, other: Track, radii: float, interval: float) -> list[Event]:
+    """When two balls touch, or pass so close that the frames cannot tell; and when a touch shows by the other's start."""
+    if len(other.time) < 2:
+        return []
+    t = np.union1d(track.time, other.time)
+    gap = _place(track, t) - _place(other, t)
+    step = np.diff(gap, axis=0)
+    share = np.clip(-(gap[:-1] * step).sum(axis=1) / np.maximum((step * step).sum(axis=1), 1e-12), 0, 1)
+    closest = np.hypot(*(gap[:-1] + share[:, None] * step).T)
+    # a ball that turns back between two frames is never seen closer than half its step
+    slack = TOUCH + 0.5 * np.hypot(*step.T) * _bends(gap, t)
+    near = closest < radii + slack
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], near, [False]]).astype(int))).reshape(-1, 2)
+    return [
+        Event("ball", float(t[low]) - interval / 4, float(t[high]) + interval / 4, other.name)
+        for low, high in edges.tolist()
+    ]
+
+
+def _bends(gap: Array, t: Array) -> Array:
+    """(n - 1,): 1 for steps beside which the balls' relative motion changes by more than a third, else 0."""
+    step = np.diff(gap, axis=0) / np.maximum(np.diff(t), 1e-6)[:, None]
+    change = np.hypot(*np.diff(step, axis=0).T)
+    size = np.maximum(np.hypot(*step[:-1].T), np.hypot(*step[1:].T))
+    bend = (change > 0.35 * size) & (change > 0.05)
+    found = np.zeros(len(step))
+    found[1:] += bend
+    found[:-1] += bend
+    return np.asarray(np.minimum(found, 1.0))

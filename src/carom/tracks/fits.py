@@ -1,0 +1,235 @@
+"""All contacts of some tracks, fitted; twice, since the floor and the noise show in all of them together."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.tracks.contact import Contact, Settings, View
+from carom.tracks.contacts import Event, Wall
+from carom.tracks.fitted import Prior
+from carom.tracks.floor import cloth, weight
+from carom.tracks.in_flight import fit_flight
+from carom.tracks.on_table import fit_table
+from carom.tracks.track import Track
+
+__all__ = ["Fits", "blind_time"]
+
+Array = NDArray[np.float64]
+FEWEST_BEFORE, FEWEST_AFTER = 4, 5
+# Frames on each side that a fit takes at most: beyond, model errors outweigh the noise.
+MOST = 500
+# A fit that scatters more than this many times as much as the others is no free motion beside a wall.
+STRANGE = 3.0
+Say = Callable[[int, int], None]
+NAMES = {"wall": "the wall {}", "ball": "ball {}", "gap": "a gap", "start": "the start of the track",
+         "end": "the end of the track", "onset": "the ball's start"}  # fmt: skip
+
+
+@dataclass
+class Fits:
+    """Fits of all contacts, and what they find of the noise, the blind time and the floor on the way."""
+
+    settings: Settings
+    view: View
+    walls: dict[str, Wall]
+    interval: float
+    noise: float
+    blind: tuple[float, float] = (0.0, 0.0)
+    """s before and after a contact whose frames are left out."""
+    floor: dict[str, tuple[float, float]] = field(default_factory=dict)
+
+    def run(
+        self, tracks: list[Track], events: dict[tuple[str, str], list[Event]], notes: list[str], say: Say | None
+    ) -> list[Contact]:
+        """All contacts: first with what the literature has of the floor, at last with what the others show of it."""
+        jobs = [
+            (track, events[track.group, track.name], i)
+            for track in tracks
+            for i, event in enumerate(events[track.group, track.name])
+            if event.kind == "wall"
+        ]
+        given = [self._prior()] * len(jobs)
+        rounds = 2 if self.settings.blind is not None else 3
+        found = self._round(jobs, given, None, 0, rounds, say)
+        if self.settings.blind is None:
+            self.blind = blind_time(found, self.interval)
+            if any(self.blind):
+                before, after = (f"{1e3 * blind:.3g} ms" for blind in self.blind)
+                notes.append(
+                    f"frames up to {before} before and {after} after a contact scatter across the wall twice as much as"
+                    " others (a soft wall, or a tracker that smooths): left out (--blind 0 takes them)"
+                )
+                found = self._round(jobs, given, found, 1, rounds, say)
+        together = cloth if self.view == "above" else weight
+        self.floor, known = together([one.fit for one in found], given[0] if given else Prior(), self.settings.gravity)
+        return [self._judged(one) for one in self._round(jobs, known, found, rounds - 1, rounds, say)]
+
+    def _round(
+        self, jobs: list[tuple[Track, list[Event], int]], priors: Sequence[Prior], before: list[Contact] | None,
+        done: int, rounds: int, say: Say | None,
+    ) -> list[Contact]:  # fmt: skip
+        """Every contact once, from what the round before has found."""
+        found = []
+        for number, (job, prior) in enumerate(zip(jobs, priors, strict=True)):
+            old = before[number] if before else None
+            found.append(old if old is not None and old.fit is None else self._contact(*job, prior, old))
+            if say:
+                say(done * len(jobs) + number + 1, rounds * len(jobs))
+        if self.settings.noise is None:
+            self.noise = pooled(found, self.noise)
+        return found
+
+    def _prior(self) -> Prior:
+        given = self.settings
+        k = given.kappa / (1 + given.kappa)
+        prior = Prior(k=k)
+        if given.cloth is not None:
+            prior = replace(prior, mu_g=given.cloth * given.gravity, mu_g_error=1e-4 * given.cloth * given.gravity)
+        if given.rolling is not None:
+            prior = replace(
+                prior, c_g=given.rolling * given.gravity, c_g_error=max(1e-4 * given.rolling * given.gravity, 1e-6)
+            )
+        return prior
+
+    def _contact(self, track: Track, events: list[Event], i: int, prior: Prior, old: Contact | None = None) -> Contact:
+        """One contact: its frames, and the fit, or why there is none. ``old``: what an earlier fit found."""
+        event, wall = events[i], self.walls[events[i].what]
+        middle = (event.low + event.high) / 2 if old is None else old.time
+        rows, why = self._rows(track, events, i, middle)
+        t = track.time[rows]
+        before, after = int((t < middle).sum()), int((t >= middle).sum())
+        bare = Contact(
+            track.name,
+            track.group,
+            wall,
+            middle,
+            before,
+            after,
+            why=why,
+            interval=self.interval,
+            planar=self.view == "side",
+        )
+        if why:
+            return bare
+        x = wall.frame(track.position[rows])
+        at = 0.0 if self.settings.hard else None
+        if self.view == "above":
+            fit = fit_table(t, x, middle, self.noise, prior, at)
+        else:
+            gravity = wall.turned(np.array([0.0, -self.settings.gravity]))
+            fit = fit_flight(t, x, middle, self.noise, gravity, 0.05 * self.settings.gravity, at)
+        if not np.isfinite(fit.value[:7]).all() or not np.isfinite(fit.covariance[:7, :7]).all():
+            return replace(bare, why="the fit found no way through these frames")
+        scatter = fit.noise * float(np.sqrt(fit.chi2 / max(fit.dof, 1)))
+        return replace(
+            bare, time=fit["t"], fit=fit, last=float(t[-1]), scatter=scatter, spin=_spin(track, rows, fit["t"])
+        )
+
+    def _rows(self, track: Track, events: list[Event], i: int, middle: float) -> tuple[NDArray[np.intp], str]:
+        """The frames of free motion on both sides, and what is wrong with them."""
+        event, before, after = events[i], events[i - 1], events[i + 1]
+        said = [NAMES[other.kind].format(other.what) for other in (before, after)]
+        for other, name in zip((before, after), said, strict=True):
+            if other.kind in ("wall", "ball") and other.low <= event.high and event.low <= other.high:
+                return np.zeros(
+                    0, np.intp
+                ), f"{name} is met within two frames: contacts that the frames cannot tell apart"
+        # the frame nearest to another wall may lie on either side of that contact
+        low = max(before.high + self.blind[1] * (before.kind == "wall"), middle - self.settings.window)
+        high = min(after.low - self.blind[0] * (after.kind == "wall"), middle + self.settings.window)
+        rows = np.arange(np.searchsorted(track.time, low), np.searchsorted(track.time, high, "right"))
+        t, x = track.time[rows] - middle, track.position[rows]
+        use = (t < -self.blind[0]) | (t > self.blind[1])
+        for other_wall in self.walls.values():
+            if other_wall.clamped:
+                use &= other_wall.frame(x)[:, 0] > 1e-6
+        first, second = rows[use & (t < 0)], rows[use & (t >= 0)]
+        rows = np.concatenate([first[-MOST:], second[:MOST]])
+        if len(first) < FEWEST_BEFORE:
+            return rows, f"{len(first)} frames between {said[0]} and the wall, expected {FEWEST_BEFORE} or more"
+        if len(second) < FEWEST_AFTER:
+            return rows, f"{len(second)} frames between the wall and {said[1]}, expected {FEWEST_AFTER} or more"
+        return rows, ""
+
+    def _judged(self, one: Contact) -> Contact:
+        """A fit with the noise of all; larger error bars where it scatters more, no answer where it scatters far more."""
+        if one.fit is None:
+            return one
+        excess = one.scatter / self.noise
+        if excess > STRANGE:
+            why = (
+                f"the frames scatter by {1e3 * one.scatter:.2g} mm about {'slide and roll' if self.view == 'above' else 'flight'},"
+                f" {excess:.1f} times as much as elsewhere: another contact, or a ball that hops?"
+            )
+            return replace(one, fit=None, why=why)
+        # beyond what chance does in 1 of 1000
+        if excess**2 > 1 + 3.1 * np.sqrt(2 / max(one.fit.dof, 1)) + 3 / max(one.fit.dof, 1):
+            return replace(one, fit=one.fit.scaled(one.scatter))
+        return replace(one, fit=one.fit.scaled(self.noise))
+
+
+def blind_time(contacts: Sequence[Contact], interval: float) -> tuple[float, float]:
+    """For how long before and after contacts the places across the wall scatter about twice as much as elsewhere, in s.
+
+    In half frames; as far as there are enough contacts to tell. A wall that gives way does this to the frames of the contact
+    itself, a tracker that smooths to some frames after it.
+    """
+    parts = [(one.fit.time - one.fit["t"], one.fit.residuals[:, 0]) for one in contacts if one.fit is not None]
+    if not parts:
+        return 0.0, 0.0
+    frames = np.concatenate([part[0] for part in parts]) / interval
+    size = np.abs(np.concatenate([part[1] for part in parts]))
+    far = size[np.abs(frames) > 5]
+    if len(far) < 50:
+        return 0.0, 0.0
+    usual = float(np.quantile(far, 0.8))
+    found = []
+    for side in (-frames, frames):
+        k = 0
+        while k < 40:
+            there = size[(side >= k / 2) & (side < (k + 1) / 2)]
+            if len(there) < 15 or np.quantile(there, 0.8) < 1.8 * usual:
+                break
+            k += 1
+        found.append(k / 2 * interval)
+    return found[0], found[1]
+
+
+def pooled(contacts: Sequence[Contact], otherwise: float) -> float:
+    """The noise that the residuals of all contacts show together; those that scatter strangely are left out."""
+    fits = [(one.scatter, one.fit.dof) for one in contacts if one.fit is not None]
+    if not fits:
+        return otherwise
+    scatter, dof = np.array(fits).T
+    good = scatter < 2 * np.median(scatter)
+    return float(np.sqrt((scatter[good] ** 2 * dof[good]).sum() / dof[good].sum()))
+
+
+def _spin(track: Track, rows: NDArray[np.intp], contact: float) -> tuple[float, float, float, float]:
+    """Spin before and after, and their errors, where the track has an angle or a spin."""
+    source = track.spin if track.spin is not None else track.angle
+    if source is None:
+        return (np.nan, np.nan, np.nan, np.nan)
+    values, errors = [], []
+    for side in (track.time[rows] < contact, track.time[rows] >= contact):
+        t, y = track.time[rows][side], source[rows][side]
+        good = np.isfinite(y)
+        t, y = t[good], y[good]
+        if len(t) < (2 if track.spin is not None else 3):
+            values.append(np.nan)
+            errors.append(np.nan)
+        elif track.spin is not None:
+            values.append(float(y.mean()))
+            errors.append(float(y.std(ddof=1) / np.sqrt(len(y))))
+        else:
+            y = np.unwrap(y)
+            t = t - t.mean()
+            slope = float(t @ y / (t @ t))
+            gap = y - y.mean() - slope * t
+            values.append(slope)
+            errors.append(float(np.sqrt(gap @ gap / max(len(t) - 2, 1) / (t @ t))))
+    return values[0], values[1], errors[0], errors[1]

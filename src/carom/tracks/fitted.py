@@ -1,0 +1,152 @@
+"""One contact, measured: the motions before and after it, fitted together, so that they meet at the wall.
+
+The frame is the wall's: the first coordinate is the distance from it along its normal, the second along it, counter-clockwise
+from the normal. On a table the ball slides or rolls before, and slides, then rolls after; in the air it flies. The time of
+the contact is a parameter and lies between frames. Least squares by scipy (the extra ``carom[fit]``); error bars from the
+Jacobian at the solution, with the noise as given or as the residuals have it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.errors import CaromError
+
+__all__ = ["OUTPUTS", "Fitted", "Prior", "differences", "guess", "require_scipy", "solve", "told"]
+
+Array = NDArray[np.float64]
+Model = Callable[[Array], Array]
+
+# What a fit tells, by place in ``Fitted.value``. Velocities and slips in the wall's frame (away from the wall, along it).
+OUTPUTS = (
+    "t", "away", "along", "vn_in", "vt_in", "vn_out", "vt_out", "vn_roll", "vt_roll",
+    "un_in", "ut_in", "un_out", "ut_out", "mu_g", "c_g", "slides",
+)  # fmt: skip
+
+
+@dataclass(frozen=True)
+class Prior:
+    """What is known of the floor beforehand: decelerations while sliding and rolling, m/s^2, each with its error."""
+
+    mu_g: float = 2.0
+    mu_g_error: float = 0.8
+    c_g: float = 0.08
+    c_g_error: float = 0.06
+    k: float = 2 / 7
+
+
+@dataclass(frozen=True, eq=False)
+class Fitted:
+    """A contact that was fitted."""
+
+    value: Array
+    """(16,): see OUTPUTS."""
+    covariance: Array
+    """(16, 16), for the noise ``noise``."""
+    noise: float
+    """m, of one coordinate of one frame: what was assumed."""
+    chi2: float
+    dof: int
+    residuals: Array
+    """(n, 2) m: tracked less fitted."""
+    time: Array
+    """(n,) s."""
+    slid: bool
+    """Whether the ball still slid at the first frame before the contact, as far as the track shows."""
+    places: Callable[[Array], Array]
+    """Times (m,) to places (m, 2) in the wall's frame."""
+    on: bool = False
+    """Whether it slid until the contact, so that no frame tells how much slip was left."""
+
+    def __getitem__(self, name: str) -> float:
+        """A value by its name in OUTPUTS."""
+        return float(self.value[OUTPUTS.index(name)])
+
+    def error(self, name: str) -> float:
+        """Its standard deviation."""
+        i = OUTPUTS.index(name)
+        return float(np.sqrt(max(self.covariance[i, i], 0.0)))
+
+    def told(self, name: str) -> bool:
+        """Whether the frames tell a value: not the slip of a ball that slides on until the contact, or until its last frame."""
+        if name in ("un_in", "ut_in"):
+            return not self.on
+        if name in ("un_out", "ut_out", "vn_roll", "vt_roll", "slides"):
+            return self["t"] + self["slides"] < float(self.time[-1])
+        return bool(np.isfinite(self[name]))
+
+    def scaled(self, noise: float) -> Fitted:
+        """The same fit for another noise (the prior's share stays as it is: a second fit takes it up)."""
+        return replace(self, covariance=self.covariance * (noise / self.noise) ** 2, noise=noise)
+
+
+def require_scipy() -> None:
+    """CaromError where scipy is not installed."""
+    import importlib.util
+
+    if importlib.util.find_spec("scipy") is None:
+        raise CaromError(
+            "tracks: contacts are fitted with scipy, which is not installed; run: pip install 'carom[fit]'"
+        )
+
+
+def differences(f: Model, theta: Array, step: Array) -> Array:
+    """Central differences (rows, parameters)."""
+    columns = []
+    for j, h in enumerate(step):
+        up, down = theta.copy(), theta.copy()
+        up[j] += h
+        down[j] -= h
+        columns.append((f(up) - f(down)) / (2 * h))
+    return np.stack(columns, axis=-1)
+
+
+def solve(
+    residual: Model, slope: Model, theta: Array, scale: Array, bounds: tuple[Array, Array] | None = None
+) -> tuple[Array, float]:
+    """Least squares by scipy: the parameters, and the sum of squares."""
+    from scipy.optimize import least_squares
+
+    low, high = bounds if bounds is not None else (np.full(len(theta), -np.inf), np.full(len(theta), np.inf))
+    found = least_squares(
+        residual, np.clip(theta, low + 1e-12, high - 1e-12), jac=slope, x_scale=scale, bounds=(low, high), method="trf",
+        xtol=1e-10, ftol=1e-10, gtol=1e-10, max_nfev=60,
+    )  # fmt: skip
+    return found.x, float(2 * found.cost)
+
+
+def told(
+    best: Array, free: NDArray[np.bool_], residual: Model, slope: Array, outputs: Model, places: Model, scale: Array, time: Array,
+    noise: float, slid: bool, on: bool = False,
+) -> Fitted:  # fmt: skip
+    """Error bars: from parameters to what is told, by derivatives at the solution."""
+    step = 1e-4 * scale
+    slope = slope[:, free]
+    inverse = np.linalg.pinv(slope.T @ slope, rcond=1e-14, hermitian=True)
+    rate = differences(outputs, best, step)[:, free]
+    r = residual(best)
+    n = 2 * len(time)
+    gap = r[:n].reshape(-1, 2) * noise
+    chi2 = float(r[:n] @ r[:n])
+    return Fitted(
+        outputs(best), rate @ inverse @ rate.T, noise, chi2, n - int(free.sum()), gap, time, slid, places, on,
+    )  # fmt: skip
+
+
+def guess(time: Array, position: Array, before: NDArray[np.bool_], after: NDArray[np.bool_], near_time: float) -> Array:
+    """Where to start from (7,): time, place, velocities, by straight lines through the frames next to the contact."""
+    near, then = np.flatnonzero(before)[-8:], np.flatnonzero(after)[:6]
+    theta = np.zeros(7)
+    lines = [np.polyfit(time[rows] - near_time, position[rows], 1) for rows in (near, then)]
+    (v0, x0), (v1, x1) = lines
+    rate = v0[0] - v1[0]
+    t = (x1[0] - x0[0]) / rate if abs(rate) > 1e-9 else 0.0
+    t = float(np.clip(t, time[near[-1]] - near_time, time[then[0]] - near_time))
+    theta[0] = near_time + t
+    theta[1:3] = (x0 + v0 * t + x1 + v1 * t) / 2
+    theta[3:5], theta[5:7] = v0, v1
+    return theta

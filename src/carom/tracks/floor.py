@@ -1,0 +1,90 @@
+"""What all contacts together say of the floor: the friction of the cloth, the rolling resistance; or of gravity."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from carom.tracks.fitted import Fitted, Prior
+
+__all__ = ["cloth", "combined", "weight"]
+
+
+def combined(values: Sequence[float], variances: Sequence[float]) -> tuple[float, float, float]:
+    """Mean, its variance, and the variance between the values beyond their errors; few wild values have no say.
+
+    The weighted median; the spread about it by the median deviation, of which the errors' own share is taken.
+    """
+    y, v = np.array(values), np.array(variances)
+    if len(y) == 0:
+        return np.nan, np.inf, 0.0
+    w = 1 / v
+    between = 0.0
+    for _ in range(20):
+        order = np.argsort(y)
+        share = np.cumsum(w[order]) / w.sum()
+        middle = float(y[order][np.searchsorted(share, 0.5)])
+        wild = float(np.median(np.abs(y - middle) / np.sqrt(v + between))) / 0.6745
+        if len(y) < 4 or (wild <= 1.02 and (between == 0 or wild >= 0.98)):
+            break
+        between = max(wild**2 * float(np.median(v + between)) - float(np.median(v)), 0.0)
+        w = 1 / (v + between)
+    good = np.abs(y - middle) < 3 * np.sqrt(v + between)
+    w, y = w[good], y[good]
+    return float((w * y).sum() / w.sum()), float(1 / w.sum()), float(between)
+
+
+def cloth(
+    fits: Sequence[Fitted | None], prior: Prior, gravity: float
+) -> tuple[dict[str, tuple[float, float]], list[Prior]]:
+    """Friction and rolling resistance with errors, and what each contact may know of them from all the others.
+
+    Each fit's own data are taken out of what it is told, or they would count twice.
+    """
+    found: dict[str, tuple[float, float]] = {}
+    known = [prior] * len(fits)
+    for name, label in (("mu_g", "cloth friction"), ("c_g", "rolling resistance")):
+        before, error = getattr(prior, name), getattr(prior, f"{name}_error")
+        alone: dict[int, tuple[float, float]] = {}
+        for i, fit in enumerate(fits):
+            # a fit at the edge of what is allowed, or that its own frames told nothing new, has no say
+            if fit is None or not fit[name] > 1e-6 or not 0 < fit.error(name) < 0.7 * error:
+                continue
+            variance = 1 / (1 / fit.error(name) ** 2 - 1 / error**2)
+            alone[i] = (variance * (fit[name] / fit.error(name) ** 2 - before / error**2), variance)
+        mean, variance, _between = combined(*_both(alone))
+        weight_before = 1 / error**2
+        total = weight_before + (1 / variance if np.isfinite(variance) else 0.0)
+        middle = (before * weight_before + (mean / variance if np.isfinite(variance) else 0.0)) / total
+        found[label] = (middle / gravity, total**-0.5 / gravity)
+        for i in range(len(fits)):
+            others = {j: one for j, one in alone.items() if j != i}
+            mean, variance, between = combined(*_both(others))
+            if np.isfinite(variance):
+                spread = variance + between
+                # before pooling, as a weak opinion among many
+                weights = np.array([1 / spread, weight_before])
+                value = float((weights * [mean, before]).sum() / weights.sum())
+                known[i] = replace(
+                    known[i], **{name: max(value, 1e-3 * before), f"{name}_error": float(weights.sum() ** -0.5)}
+                )
+    return found, known
+
+
+def _both(alone: dict[int, tuple[float, float]]) -> tuple[list[float], list[float]]:
+    return [one[0] for one in alone.values()], [one[1] for one in alone.values()]
+
+
+def weight(
+    fits: Sequence[Fitted | None], prior: Prior, gravity: float
+) -> tuple[dict[str, tuple[float, float]], list[Prior]]:
+    """The gravity that the parabolas show, with its error; nothing that a fit would be told."""
+    good = [fit for fit in fits if fit is not None]
+    size = [float(np.hypot(fit["mu_g"], fit["c_g"])) for fit in good]
+    mean, variance, between = combined(size, [max(fit.error("mu_g"), 1e-9) ** 2 for fit in good])
+    del gravity
+    return ({"gravity": (mean, float(np.sqrt(variance + between / max(len(good), 1))))} if good else {}), [prior] * len(
+        fits
+    )

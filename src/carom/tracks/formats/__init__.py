@@ -1,0 +1,1 @@
+"""What tracking programs write: one file a program, each a function from text to tracks."""

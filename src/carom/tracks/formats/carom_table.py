@@ -1,0 +1,61 @@
+"""Carom tables that record their games: JSON, places as shares of the table's sides, times in steps of 0.5 ms."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+import numpy as np
+
+from carom.errors import CaromError
+from carom.tracks.formats.sheet import Given
+from carom.tracks.track import Track
+
+__all__ = ["matches", "read"]
+
+PROGRAM = "carom table"
+TICK = 5e-4
+
+
+def matches(text: str) -> bool:
+    """Its one key."""
+    return text.lstrip()[:1] == "{" and '"PathTracking"' in text[:2000]
+
+
+def read(name: str, text: str, given: Given) -> list[Track]:
+    """One track a ball. Times count from the start, or from row to row where they do not grow throughout."""
+    try:
+        found = json.loads(text)["PathTracking"]
+        size = np.array([float(found["TableWidth"]), float(found["TableHeight"])]) / 1000
+        sets = found["DataSets"]
+    except json.JSONDecodeError as error:
+        raise CaromError(f"{name}: {PROGRAM}: expected JSON, got: {error.msg} at line {error.lineno}") from None
+    except (KeyError, TypeError, ValueError) as error:
+        message = (
+            f"{name}: {PROGRAM}: expected PathTracking with DataSets, TableWidth and TableHeight (mm), missing: {error}"
+        )
+        raise CaromError(message) from None
+    tracks, faults = [], []
+    for number, one in enumerate(sets):
+        try:
+            rows = np.array([[float(row[key]) for key in ("DeltaT_500us", "X", "Y")] for row in one["Coords"]]).reshape(
+                -1, 3
+            )
+        except (KeyError, TypeError, ValueError) as error:
+            faults.append(
+                f"{name}: {PROGRAM}: DataSets[{number}]: expected Coords with DeltaT_500us, X and Y, missing: {error}"
+            )
+            continue
+        tracks.append(_track(one.get("BallColor", number + 1), rows, size, given))
+    if faults:
+        raise CaromError(*faults)
+    return tracks
+
+
+def _track(color: Any, rows: np.ndarray, size: np.ndarray, given: Given) -> Track:
+    ticks = rows[:, 0]
+    time = TICK * (ticks if (np.diff(ticks) > 0).all() else np.cumsum(ticks))
+    place = rows[:, 1:] * size
+    if given.down:
+        place[:, 1] *= -1
+    return Track(f"ball {color}", time, place, moving_only=True)

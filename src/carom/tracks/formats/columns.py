@@ -1,0 +1,142 @@
+"""Plain tables with named columns and units: t, x, y, and who it was (shot, ball), one row a frame and ball."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.checks import nearest
+from carom.errors import CaromError
+from carom.tables.units import Heading, Words
+from carom.tracks.formats.sheet import Given, Sheet, ask, sheet
+from carom.tracks.track import Track
+
+__all__ = ["matches", "read"]
+
+PROGRAM = "columns"
+WORDS = Words({
+    "time": ("time", ("t", "seconds")),
+    "x": ("length", ("x_long", "pos_x", "position_x")),
+    "y": ("length", ("y_short", "pos_y", "position_y")),
+    "z": ("length", ("pos_z", "position_z")),
+    "angle": ("angle", ("theta", "orientation")),
+    "spin": ("spin", ("omega", "spin_z")),
+    "frame": ("number", ("frame_number", "image")),
+})  # fmt: skip
+GROUPS, NAMES = ("shot", "group", "game", "run", "trial"), ("ball", "track", "particle", "name", "id", "object")
+PIXELS = re.compile(r"^(x|y)\s*[\[(_ ]?\s*(px|pix|pixels?)\s*[\])]?$", re.IGNORECASE)
+
+
+def matches(text: str) -> bool:
+    """Columns for x and y in the first row."""
+    rows = sheet("", text[:4000]).rows[:1]
+    return bool(rows) and {"x", "y"} <= set(_meanings(rows[0])[0])
+
+
+def _meanings(header: list[str]) -> tuple[dict[str, tuple[int, Heading | None]], dict[str, int], list[str]]:
+    """Quantity to column and heading (None: pixels); identifiers to columns; headers with units that nobody knows."""
+    found: dict[str, tuple[int, Heading | None]] = {}
+    who: dict[str, int] = {}
+    unknown = []
+    for i, cell in enumerate(header):
+        text = cell.strip().lower()
+        pixels = PIXELS.match(text)
+        meaning = None if pixels else WORDS.heading(cell)
+        if pixels:
+            found.setdefault(pixels[1], (i, None))
+        elif text in GROUPS:
+            who.setdefault("group", i)
+        elif text in NAMES:
+            who.setdefault("name", i)
+        elif meaning is not None:
+            if meaning.unit is None:
+                unknown.append(f"column {cell.strip()!r}: expected a unit, one of {meaning.units}")
+            found.setdefault(meaning.quantity, (i, meaning))
+    return found, who, unknown
+
+
+def read(name: str, text: str, given: Given) -> list[Track]:
+    """Tracks by group and name; a z column makes them tracks in space."""
+    table = sheet(name, text)
+    if not table.rows:
+        raise CaromError(f"{name}: expected a header and rows, got an empty file")
+    header = table.rows[0]
+    found, who, unknown = _meanings(header)
+    table.faults += [f"{name}: {fault}" for fault in unknown]
+    for axis in "xy":
+        if axis not in found:
+            near = nearest(axis, [cell.strip() for cell in header if cell.strip()])
+            table.faults.append(
+                f"{name}: expected a column {axis} (with its unit, as in '{axis} [mm]'), got none; {near}"
+            )
+    if "time" not in found and "frame" not in found:
+        table.faults.append(f"{name}: expected a column t (as in 't [s]') or frame, got none")
+    table.done()
+    pixels = found["x"][1] is None or found["y"][1] is None
+    ask(
+        name, PROGRAM, given, scale="since its places are pixels" if pixels else None,
+        rate="since it has frames and no time" if "time" not in found else None,
+    )  # fmt: skip
+    sizes = {axis: _units(table, found[axis], given) for axis in "xyz" if axis in found}
+    place = np.stack(list(sizes.values()), axis=-1)
+    down = given.down if given.down is not None else pixels
+    if down:
+        place[:, 1] *= -1
+    time = (
+        _units(table, found["time"], given)
+        if "time" in found
+        else _units(table, found["frame"], given) / (given.rate or 1.0)
+    )
+    more: dict[str, NDArray[np.float64]] = {
+        key: _units(table, found[key], given) for key in ("angle", "spin") if key in found
+    }
+    table.done()
+    notes = _notes(header, found, given)
+    labels = {key: [row[i].strip() if i < len(row) else "" for row in table.rows[1:]] for key, i in who.items()}
+    return _split(time, place, more, labels, notes)
+
+
+def _units(table: Sheet, column: tuple[int, Heading | None], given: Given) -> NDArray[np.float64]:
+    i, meaning = column
+    values = table.column(i, 1, table.rows[0][i].strip())
+    if meaning is None or (meaning.dimension == "length" and given.scale is not None):
+        return values * (given.scale or 1.0)
+    to_si: Callable[[NDArray[np.float64]], NDArray[np.float64]] = meaning.unit.to_si if meaning.unit else (lambda x: x)
+    return np.asarray(to_si(values))
+
+
+def _notes(header: list[str], found: dict[str, tuple[int, Heading | None]], given: Given) -> tuple[str, ...]:
+    lengths = ("length", "time")
+    bare = [
+        header[i].strip()
+        for i, meaning in found.values()
+        if meaning is not None and meaning.style == "plain" and meaning.dimension in lengths
+    ]
+    if given.scale is not None:
+        bare = [cell for cell in bare if cell.lower() in ("t", "time")]
+    return (f"no unit in {', '.join(map(repr, bare))}: taken as m and s",) if bare else ()
+
+
+def _split(
+    time: NDArray[np.float64], place: NDArray[np.float64], more: dict[str, NDArray[np.float64]],
+    labels: dict[str, list[str]], notes: tuple[str, ...],
+) -> list[Track]:  # fmt: skip
+    """One track a group and name, in the order in which they come."""
+    groups, names = labels.get("group"), labels.get("name")
+    if groups is None and names is None:
+        return [Track("ball", time, place, more.get("angle"), more.get("spin"), notes=notes)]
+    keys = list(zip(groups or [""] * len(time), names or ["ball"] * len(time), strict=True))
+    order = {key: k for k, key in enumerate(dict.fromkeys(keys))}
+    number = np.fromiter((order[key] for key in keys), np.intp, len(keys))
+    rows = np.argsort(number, kind="stable")
+    edges = np.searchsorted(number[rows], np.arange(len(order) + 1))
+    whole = Track("", time, place, more.get("angle"), more.get("spin"), notes=notes)
+    tracks = []
+    for (group, label), (low, high) in zip(order, pairwise(edges.tolist()), strict=True):
+        part = whole.pick(rows[low:high])
+        tracks.append(Track(label, part.time, part.position, part.angle, part.spin, group, notes))
+    return tracks

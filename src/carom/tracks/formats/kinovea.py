@@ -1,0 +1,86 @@
+"""Kinovea: a CSV file of several points, or the older text export of trajectories; it does not say the unit of length."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+
+from carom.errors import CaromError
+from carom.tracks.formats.sheet import Given, ask, numbers, sheet
+from carom.tracks.track import Track
+
+__all__ = ["matches", "read"]
+
+PROGRAM = "Kinovea"
+WHY = "since Kinovea does not write the unit in which it was calibrated (or pixels)"
+COLUMN = re.compile(r"^(.*)/([XY])$", re.IGNORECASE)
+
+
+def matches(text: str) -> bool:
+    """Its own first line, or columns called Name/0/X."""
+    if text.lstrip().startswith("#Kinovea"):
+        return True
+    cells = sheet("", text[:4000]).rows[:1]
+    return bool(cells) and any(COLUMN.match(cell.strip()) for cell in cells[0])
+
+
+def read(name: str, text: str, given: Given) -> list[Track]:
+    """Tracks of a file; times in seconds."""
+    ask(name, PROGRAM, given, scale=WHY)
+    scale = given.scale or 1.0
+    flip = np.array([1.0, -1.0 if given.down else 1.0])
+    if text.lstrip().startswith("#Kinovea"):
+        return _trajectories(name, text, scale * flip)
+    table = sheet(name, text)
+    header = [cell.strip() for cell in table.rows[0]]
+    clock = next((i for i, cell in enumerate(header) if cell.lower().startswith("time")), None)
+    if clock is None:
+        raise CaromError(f"{name}: {PROGRAM}: expected a column Time, got {', '.join(header)}")
+    time = table.column(clock, 1, "Time")
+    points: dict[str, dict[str, int]] = {}
+    for i, cell in enumerate(header):
+        if found := COLUMN.match(cell):
+            points.setdefault(found[1], {})[found[2].upper()] = i
+    tracks = []
+    for point, columns in points.items():
+        if set(columns) != {"X", "Y"}:
+            table.faults.append(f"{name}: {PROGRAM}: {point}: expected columns X and Y, got {', '.join(columns)} only")
+            continue
+        position = np.stack([table.column(columns[axis], 1, f"{point}/{axis}") for axis in "XY"], axis=-1)
+        tracks.append(Track(point.removesuffix("/0"), time, position * scale * flip))
+    table.done()
+    return tracks
+
+
+def _trajectories(name: str, text: str, scale: np.ndarray) -> list[Track]:
+    """Blocks of rows "T X Y", each after a line with its label."""
+    faults: list[str] = []
+    blocks: list[tuple[str, list[tuple[int, list[str]]]]] = []
+    for number, line in enumerate(text.splitlines(), 1):
+        words = line.split()
+        if not words or line.startswith(("#Kinovea", "#T ")):
+            continue
+        if line.startswith("#"):
+            blocks.append((line.lstrip("# ").strip() or PROGRAM, []))
+        else:
+            if not blocks:
+                blocks.append((PROGRAM, []))
+            blocks[-1][1].append((number, words))
+    tracks = []
+    for title, rows in blocks:
+        lines = [number for number, _words in rows]
+        columns = [
+            numbers(
+                [words[i] if i < len(words) else "" for _n, words in rows],
+                True,
+                lines.__getitem__,
+                f"{name}: {title}: {label}",
+                faults,
+            )
+            for i, label in enumerate(("T", "X", "Y"))
+        ]
+        tracks.append(Track(title, columns[0], np.stack(columns[1:], axis=-1) * scale))
+    if faults:
+        raise CaromError(*faults)
+    return tracks

@@ -1,0 +1,68 @@
+"""Tracker (Open Source Physics): one track, or several side by side; lengths as calibrated (m), the second axis up."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from carom.errors import CaromError
+from carom.tracks.formats.sheet import Given, Sheet, ask, sheet
+from carom.tracks.track import Track
+
+__all__ = ["matches", "read"]
+
+PROGRAM = "Tracker"
+
+
+def matches(text: str) -> bool:
+    """A ``#multi:`` line, or a line with a track's name alone before the header t, x, y."""
+    if text.lstrip().lower().startswith("#multi"):
+        return True
+    rows = sheet("", text[:4000]).rows[:2]
+    if len(rows) < 2:
+        return False
+    names = {cell.strip().lower() for cell in rows[1]}
+    return sum(bool(cell.strip()) for cell in rows[0]) == 1 and "t" in names and bool({"x", "pixelx"} & names)
+
+
+def read(name: str, text: str, given: Given) -> list[Track]:
+    """Tracks of a file. Columns other than t, x, y (or pixelx, pixely, with a scale) are left out."""
+    lines = text.lstrip().splitlines()
+    multi = lines[0].lower().startswith("#multi")
+    table = sheet(name, "\n".join(lines[1:] if multi else lines))
+    table.lines = [n + multi for n in table.lines]
+    if len(table.rows) < 3:
+        raise CaromError(f"{name}: {PROGRAM}: expected a row of names, a header and rows, got {len(table.rows)} rows")
+    titles, header = table.rows[0], [cell.strip().lower() for cell in table.rows[1]]
+    if "t" not in header:
+        raise CaromError(
+            f"{name}: {PROGRAM}: expected a column t, got {', '.join(filter(None, header))}; export it with the time"
+        )
+    time = table.column(header.index("t"), 2, "t")
+    starts = [i for i, cell in enumerate(titles) if cell.strip()] if multi else [0]
+    tracks = []
+    for start, end in zip(starts, [*starts[1:], len(header)], strict=True):
+        title = titles[start].strip() or PROGRAM
+        tracks.append(_one(table, title, time, {header[i]: i for i in reversed(range(start, end))}, given))
+    table.done()
+    return tracks
+
+
+def _one(table: Sheet, title: str, time: np.ndarray, columns: dict[str, int], given: Given) -> Track:
+    pixels = not {"x", "y"} <= set(columns)
+    names = ("pixelx", "pixely") if pixels else ("x", "y")
+    if not set(names) <= set(columns):
+        raise CaromError(
+            f"{table.name}: {PROGRAM}: track {title!r}: expected columns x and y, got {', '.join(columns)}"
+        )
+    if pixels:
+        ask(table.name, PROGRAM, given, scale="since the track has pixels only")
+    x, y = (table.column(columns[one], 2, one) for one in names)
+    scale = given.scale if given.scale is not None else 1.0
+    down = given.down if given.down is not None else pixels
+    position = scale * np.stack([x, -y if down else y], axis=-1)
+    # another track's frames
+    return replace(
+        Track(title, time, position), notes=() if given.scale else ("lengths as Tracker has them: taken as m",)
+    )
