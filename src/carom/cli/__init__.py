@@ -20,7 +20,18 @@ app = typer.Typer(
 )
 
 # One module a verb; each has a function `register(app)` and imports what is heavy inside its command.
-VERBS: tuple[str, ...] = ("compare", "laws", "figures", "derive", "predict", "datasets", "scene", "simulate", "gas")
+VERBS: tuple[str, ...] = (
+    "compare",
+    "laws",
+    "figures",
+    "derive",
+    "predict",
+    "datasets",
+    "scene",
+    "simulate",
+    "gas",
+    "orbit",
+)
 
 for verb in VERBS:
     importlib.import_module(f"carom.cli.{verb}").register(app)

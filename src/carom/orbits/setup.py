@@ -206,7 +206,7 @@ def _inside(setup: Setup, rows: Array, shape: tuple[int, ...], faults: Faults) -
         )
         faults.add(
             "position",
-            f"a centre within the table ({setup.table})",
+            f"a centre within the table, {setup.table}",
             f"{rows[first, : setup.table.dimension].tolist()}, {-gap[first]:.3g} outside{where}",
         )
         if setup.table.bounds == "surface":

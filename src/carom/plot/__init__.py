@@ -9,6 +9,7 @@ from __future__ import annotations
 from carom.plot.animation import animate
 from carom.plot.comparison import compare
 from carom.plot.gas import plot_gas
+from carom.plot.orbits import plot_boundary, plot_lyapunov, plot_orbit, plot_portrait
 from carom.plot.paper import collision, figures, incidence_and_reflection, setting
 from carom.plot.path import Path, path_after_wall
 from carom.plot.save import require_matplotlib, require_writable, save
@@ -22,7 +23,11 @@ __all__ = [
     "figures",
     "incidence_and_reflection",
     "path_after_wall",
+    "plot_boundary",
     "plot_gas",
+    "plot_lyapunov",
+    "plot_orbit",
+    "plot_portrait",
     "plot_trajectory",
     "require_matplotlib",
     "require_writable",
