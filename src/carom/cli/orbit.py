@@ -321,9 +321,9 @@ def _facts(
             names_ = ("extent", "velocity", "acceleration", "growth")
             if len(made) == 1:
                 facts["drift"] = {"axis": "xyz"[axis]} | {n: _plain(np.ravel(getattr(drift, n))[0]) for n in names_}
-        if back:
-            _orbit, error = orbits.reverse(found)
-            facts["reversal_error"] = float(np.max(error))
+    if back:
+        _orbit, error = orbits.reverse(found)
+        facts["reversal_error"] = float(np.max(error))
     if lyapunov:
         spectrum = orbits.lyapunov(table, begin, found.t.shape[-1], **options)
         mean = spectrum.per_bounce.reshape(-1, spectrum.per_bounce.shape[-1])
@@ -425,36 +425,29 @@ def _tell(facts: dict[str, Any], found: Orbit) -> None:
 
 
 def _first_bounces(found: Orbit) -> Any:
-    """The first five bounces and the last, as a table."""
+    """The first five bounces and the last, as a table; at 80 columns nothing is cut."""
     import numpy as np
-    from rich import box
     from rich.table import Table as Grid
 
-    planar = found.setup.planar
-    grid = Grid(
-        box=box.SIMPLE_HEAD, pad_edge=False, title="bounces, in m, s, rad", title_style="dim", title_justify="left"
-    )
-    places = ("x", "y") if planar else ("z",)
-    for name in ("", "t", "s", *places, "v along", "v across", "spin"):
-        grid.add_column(name, justify="right", no_wrap=True)
-    count, n = int(np.ravel(found.count)[0]), found.t.shape[-1]
-    columns = [
-        found.t,
-        found.arc,
-        *np.moveaxis(found.position, -1, 0)[slice(0, 2) if planar else slice(2, 3)],
-        found.along,
-        found.across,
-    ]
+    n = found.t.shape[-1]
+    x = found.position.reshape(n, -1)
+    columns = {"t": found.t}
+    if found.setup.planar:
+        columns |= {"s": found.arc, "x": x[:, 0], "y": x[:, 1]}
+    else:
+        columns["z"] = x[:, 2]
+    columns |= {"v along": found.along, "v across": found.across}
     spins = found.spin.reshape(n, -1)
+    grid = Grid(box=None, padding=(0, 1, 0, 0), title="bounces (m, s, rad)", title_style="dim", title_justify="left")
+    for name in ("", *columns, "spin"):
+        grid.add_column(name, justify="right", no_wrap=True, header_style="bold")
+    count = int(np.ravel(found.count)[0])
     for k in [*range(min(count, 5)), *([count - 1] if count > 5 else [])]:
         if k > 5:
             grid.add_row("…")
-        numbers = [float(column.reshape(n)[k]) for column in columns]
-        grid.add_row(
-            str(k + 1),
-            *(f"{x:.5g}" if math.isfinite(x) else "–" for x in numbers),
-            " ".join(f"{x:.4g}" for x in spins[k]),
-        )
+        numbers = [float(column.reshape(n)[k]) for column in columns.values()]
+        turn = " ".join(f"{w:.3g}" if len(spins[k]) > 1 else f"{w:.4g}" for w in spins[k])
+        grid.add_row(str(k + 1), *(f"{number + 0.0:.4g}" if math.isfinite(number) else "–" for number in numbers), turn)
     return grid
 
 

@@ -1,0 +1,198 @@
+"""carom orbit: tables, JSON that is the library's answer, pictures that are whole or not there, faults of one line."""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import carom
+from carom import orbits
+from carom.cli import app, main
+from carom.plot import plot_boundary, plot_lyapunov, plot_orbit, plot_portrait, save
+
+runner = CliRunner()
+START = ["--position", "0.2,0.1", "--velocity", "0.8,0.3", "--spin", "0.5"]
+
+
+def run(*words: str) -> Any:
+    done = runner.invoke(app, ["orbit", *words])
+    assert done.exit_code == 0, (done.output, done.exception)
+    return done
+
+
+def fails(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], *words: str) -> list[str]:
+    monkeypatch.setattr(sys, "argv", ["carom", "orbit", *words])
+    with pytest.raises(SystemExit) as end:
+        main()
+    assert end.value.code == 2
+    said = capsys.readouterr()
+    assert said.out == ""
+    return said.err.splitlines()
+
+
+def test_json_is_the_librarys_answer_in_full() -> None:
+    done = json.loads(
+        run("circle", "--radius", "1.5", "--kappa", "0.3", "--bounces", "50", *START, "--reverse", "--json").stdout
+    )
+    ball = carom.Disc(1.0, 1.0, 0.3)
+    found = orbits.orbit(orbits.circle(1.5), ((0.2, 0.1), (0.8, 0.3), 0.5), 50, ball=ball)
+    assert [b["t"] for b in done["bounces"]] == found.t.tolist()
+    assert [b["position"] for b in done["bounces"]] == found.position.tolist()
+    assert [b["s"] for b in done["bounces"]] == found.arc.tolist()
+    assert [b["spin"] for b in done["bounces"]] == found.spin.tolist()
+    assert done["caustics"] == orbits.caustics(found).radii.tolist()
+    assert done["ended"] == {"bounces": 1}
+    assert done["reversal_error"] == orbits.reverse(found)[1].max() < 1e-12
+    assert done["table"] == {"name": "circle", "bounds": "centre", "radius": 1.5}
+
+
+TABLES = [
+    ["circle"], ["ellipse", "--major", "1", "--minor", "0.7"], ["stadium", "--straight", "1"], ["polygon", "--sides", "5"],
+    ["polygon", "--vertices", "0,0 2,0 2,1 1,1 1,2 0,2"], ["rectangle", "--width", "2"], ["sinai", "--radius", "0.2"],
+    ["periodic-strip"], ["sphere"], ["box", "--depth", "2"], ["cylinder:stadium", "--height", "2"],
+    ["cylinder:circle", "--acceleration", "-9.81"], ["cylinder:polygon", "--sides", "3"],
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("words", TABLES, ids=" ".join)
+@pytest.mark.parametrize("bounds", ["centre", "surface"])
+def test_every_table(words: list[str], bounds: str) -> None:
+    """Drawn starts, both bounds: tables for people, nothing cut at 80 columns; the same as JSON, every bounce there."""
+    done = run(*words, "--bounds", bounds, "--bounces", "30", "--seed", "3")
+    assert "30 of 1 orbit" in done.stdout
+    assert "…" not in "".join(line for line in done.stdout.splitlines() if line.strip() != "…")
+    assert max(map(len, done.stdout.splitlines())) <= 80
+    found = json.loads(run(*words, "--bounds", bounds, "--bounces", "30", "--seed", "3", "--json").stdout)
+    assert len(found["bounces"]) == found["count"] == 30
+
+
+def test_open_tables_and_their_drift() -> None:
+    words = ["strip", "--acceleration", "0.5", *START[:2], "--velocity", "0.3,0.9", "--bounces", "500"]
+    assert "bounded" in run(*words).stdout
+    assert json.loads(run(*words, "--json").stdout)["drift"]["growth"] < 1.1
+    falls = [
+        "plates",
+        "--acceleration",
+        "-1",
+        "--law",
+        "mirror",
+        "--position",
+        "0,0,0",
+        "--velocity",
+        "0,1,0",
+        "--bounces",
+        "500",
+    ]
+    assert "not bounded, so far" in run(*falls).stdout
+    assert json.loads(run(*falls, "--json").stdout)["drift"]["acceleration"] == pytest.approx(-1.0)
+    wedge = json.loads(run("wedge", "--angle", "20", "--position", "1,0", "--velocity", "1,0.1", "--json").stdout)
+    assert wedge["ended"] == {"escaped": 1}
+
+
+def test_many_orbits_laws_and_exponents() -> None:
+    many = json.loads(run("polygon", "--orbits", "7", "--bounces", "40", "--json").stdout)
+    assert len(many["bounces"]) == 7
+    assert set(many["periods"]) <= {"4", "6"}
+    assert sum(many["periods"].values()) == 7
+    chaos = json.loads(run("stadium", "--law", "mirror", "--lyapunov", "--bounces", "3000", "--json").stdout)
+    spectrum = chaos["lyapunov"]["per_bounce"]
+    assert spectrum[0] > 0.5
+    assert sum(spectrum) == pytest.approx(0, abs=0.01)
+    soft = json.loads(
+        run("circle", "--law", "contact", "--restitution", "0.9", *START, "--bounces", "20", "--json").stdout
+    )
+    speeds = [math.hypot(*b["velocity"]) for b in soft["bounces"]]
+    assert speeds[-1] < 0.5 * speeds[0]
+    assert "Lyapunov" in run("circle", "--lyapunov", "--bounces", "100").stdout
+
+
+def test_pictures(tmp_path: Path) -> None:
+    files = [tmp_path / name for name in ("way.svg", "phase.png", "map.pdf")]
+    done = run(
+        "circle", *START, "--plot", str(files[0]), "--portrait", str(files[1]), "--boundary", str(files[2]), "--json"
+    )
+    json.loads(done.stdout)
+    assert all(f.stat().st_size > 2000 for f in files)
+    first = files[0].read_bytes()
+    run("circle", *START, "--plot", str(files[0]))
+    assert files[0].read_bytes() == first
+
+
+@pytest.mark.parametrize(
+    "table",
+    [orbits.sinai(bounds="surface"), orbits.periodic_strip(), orbits.strip(acceleration=0.4), orbits.wedge(0.7), orbits.sphere(),
+     orbits.box(), orbits.cylinder(orbits.stadium(), acceleration=-9.81), orbits.ellipse(bounds="surface")],
+    ids=str,
+)  # fmt: skip
+def test_every_kind_of_picture(table: orbits.Table, tmp_path: Path) -> None:
+    d = table.dimension
+    begin = ((0.45, 0.1, 0.0)[:d], (0.1, 0.9, 0.3)[:d], 1.0 if d == 2 else (0.3, 0.2, 1.0))
+    found = orbits.orbit(table, begin, 50)
+    figure = plot_orbit(found)
+    save(figure, tmp_path / "a.png")
+    # what is drawn lies within what is shown
+    axes = figure.axes[0]
+    (lines,) = axes.collections
+    points = np.concatenate([np.asarray(p.vertices) for p in lines.get_paths()])
+    (x0, x1), (y0, y1) = axes.get_xlim(), axes.get_ylim()
+    assert points[:, 0].min() >= x0
+    assert points[:, 0].max() <= x1
+    assert points[:, 1].min() >= y0
+    assert points[:, 1].max() <= y1
+    save(plot_portrait(found), tmp_path / "b.png")
+    if table.name != "sphere":
+        save(plot_boundary(found), tmp_path / "c.png")
+    else:
+        with pytest.raises(carom.CaromError, match="boundary map"):
+            plot_boundary(found)
+
+
+def test_exponents_drawn(tmp_path: Path) -> None:
+    table = orbits.stadium()
+    save(plot_lyapunov(orbits.lyapunov(table, orbits.starts(table, 3, 1), 500)), tmp_path / "l.png")
+    assert (tmp_path / "l.png").stat().st_size > 2000
+
+
+BAD = [
+    (["circl"], "did you mean 'circle'?"),
+    (["cylinder:cone"], "orbit: table: expected one of"),
+    (["circle", "--sides", "3"], "--sides: circle has no such size; it has --radius"),
+    (["circle", "--radius", "-1"], "circle: radius: expected a length > 0, got -1.0"),
+    (["circle", "--kappa", "3"], "Disc: inertia: expected kappa"),
+    (["circle", "--position", "1"], "--velocity: expected one beside --position, got none"),
+    (["circle", "--position", "1", "--velocity", "1,0"], "--position: expected two numbers, such as 0.1,0.2, got '1'"),
+    (["circle", "--position", "3,0", "--velocity", "1,0"], "2 outside"),
+    (["circle", "--spin", "3"], "--spin: expected --position and --velocity beside it"),
+    (["circle", "--bounces", "0"], "bounces: expected a whole number >= 1, got 0"),
+    (["circle", "--orbits", "3", *START], "--orbits: expected 1 where a start is given"),
+    (["circle", "--law", "noslip"], "did you mean 'no-slip'?"),
+    (["circle", "--friction", "0.3"], "--friction: law no-slip needs none"),
+    (["circle", "--bounds", "center"], "did you mean 'centre'?"),
+    (["circle", "--corners", "stop"], "corners: expected 'end' or 'pass', got 'stop'"),
+    (["strip"], "give --position and --velocity"),
+    (["polygon", "--vertices", "0,0 1,x 2,2"], "--vertices: expected two numbers"),
+    (["circle", "--plot", "nowhere/a.svg"], "expected a folder that exists"),
+    (["circle", "--law", "contact", "--restitution", "2", *START], "Surface: restitution"),
+    (["ellipse", "--minor", "0.2", "--bounds", "surface"], "radius of curvature"),
+    (["circle", "--law", "contact", "--restitution", "0.5", "--reverse"], "undoes itself"),
+]
+
+
+@pytest.mark.parametrize(("words", "said"), BAD, ids=[" ".join(words) for words, _said in BAD])
+def test_a_fault_is_a_line(
+    words: list[str], said: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    lines = fails(monkeypatch, capsys, *words)
+    assert len(lines) == 1
+    assert said in lines[0]
+
+
+def test_all_faults_at_once(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    assert len(fails(monkeypatch, capsys, "stadium", "--sides", "4", "--angle", "3")) == 2
