@@ -12,12 +12,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.checks import Faults, expect
 from carom.engine.arrays import KINDS, LOG
-from carom.engine.loop import ALL, FULL, LIMIT, PHASES_FROM, ROWS
+from carom.engine.loop import ALL, FULL, LIMIT, PHASES_FROM, QUIET, ROWS
 from carom.engine.resolve import DONE, REFUSED_ROLLING, REFUSED_STALL, REFUSED_UNDEFINED
 from carom.engine.run import compiled_engine, compiled_many
 from carom.engine.setup import set_up
 from carom.errors import CaromError
-from carom.motion.phases import HELD, PHASES, PIVOTING
+from carom.motion.phases import PHASES
 from carom.scene.model import Scene
 from carom.state import State, vectors
 from carom.trajectory import Trajectory
@@ -75,42 +75,32 @@ def simulate(scene: Scene, progress: Callable[[int, float], None] | None = None)
     setup = set_up(scene)
     world, features, balls, users = setup
     until, most = _limits(scene)
-    log = np.empty(FIRST_ROWS + len(balls), LOG)
-    slow = engine.start(world[0], features, balls, log)
-    first, parts, events, status = len(balls), [], 0, FULL
+    one, log, parts = world[0], np.empty(FIRST_ROWS + len(balls), LOG), []
+    events, status, slow = 0, FULL, -1.0
     while status == FULL:
-        status, more, written, at_fault = engine.run(
-            world[0], features, balls, log[first:], slow, until, most - events, users, ALL
+        status, more, written, at_fault, slow, last = engine.run(
+            one, features, balls, log, slow, until, most - events, users, ALL
         )
-        parts.append(log[: first + written])
+        parts.append(log[:written])
         events += more
         if status == FULL:
-            first, log = 0, np.empty(min(2 * len(log), MOST_ROWS), LOG)
+            log = np.empty(min(2 * len(log), MOST_ROWS), LOG)
             if progress is not None:
-                progress(events, float(balls["clock"].max()))
-    if status not in (DONE, LIMIT):
+                progress(events, last)
+    if status not in (DONE, QUIET, LIMIT):
         raise _refusal(status, scene, balls[at_fault], at_fault)
-    last = float(balls["clock"].max())
     if status == LIMIT:
         end, ended = last, "max_events"
-    elif until < math.inf:
-        end, ended = (until, "duration") if _goes_on(balls) else (last, "nothing more happens")
+    elif status == DONE and until < math.inf:
+        end, ended = until, "duration"
     else:
         end, ended = last, "nothing more happens"
     return Trajectory(scene, _joined(parts), end, ended)
 
 
 def _joined(parts: list[NDArray[np.void]]) -> NDArray[np.void]:
-    """Parts of a log as one (records as bytes: NumPy compares the fields of records one by one, which takes a while)."""
-    if len(parts) == 1:
-        return parts[0].copy()
+    """Parts of a log as one (records as bytes: NumPy copies the fields of records one by one, which takes a while)."""
     return np.concatenate([part.view(np.uint8) for part in parts]).view(LOG)
-
-
-def _goes_on(balls: NDArray[np.void]) -> bool:
-    """Whether something will still happen, or a ball is on its way though it will meet nothing."""
-    moves = (balls["v"] != 0).any(axis=1) | (balls["acc"] != 0).any(axis=1) | (balls["phase"] == PIVOTING)
-    return bool((np.isfinite(balls["next_at"]) | (moves & (balls["phase"] < HELD))).any())
 
 
 @dataclass(frozen=True, eq=False)

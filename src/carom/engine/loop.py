@@ -16,14 +16,14 @@ from carom.engine.predict import begin, predict, put, state_at
 from carom.engine.resolve import DONE, meet_ball, meet_floor, meet_wall
 from carom.kernel import Vec, dot, kernel, vector
 from carom.motion.bounces import bounces
-from carom.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, grounded, next_phase
+from carom.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, PIVOTING, grounded, next_phase
 from carom.scene.features import OVER
 
-__all__ = ["ALL", "FULL", "LIMIT", "PHASES_FROM", "ROWS", "finish", "move_by", "run", "start"]
+__all__ = ["ALL", "FULL", "LIMIT", "PHASES_FROM", "QUIET", "ROWS", "finish", "move_by", "run"]
 
-# How a call of ``run`` ends, beside resolve's refusals: DONE (nothing more happens, or not before the end), the log is
-# full (call again), or so many events have happened.
-FULL, LIMIT = 10, 11
+# How a call of ``run`` ends, beside resolve's refusals: DONE (not before the end does more happen), the log is full (call
+# again), so many events have happened, or nothing more will ever happen and nothing moves.
+FULL, LIMIT, QUIET = 10, 11, 12
 # A ball with so many events at one place is pinned between things that send it to and fro without end.
 PINNED = 10_000
 STILL = 1e-12  # of the radius: a ball that moved by less is where it was
@@ -36,11 +36,8 @@ ALL, PHASES_FROM = -1, 16
 
 
 @kernel
-def start(world: Any, features: Any, balls: Any, log: Any) -> float:
-    """Set phases, clocks and first events; the speed below which a ball in touch is not coming in.
-
-    The first rows of a log that has room are the starts.
-    """
+def _start(world: Any, features: Any, balls: Any) -> float:
+    """Set phases, clocks and first events; the speed below which a ball in touch is not coming in."""
     force = vector(world.force)
     pull = math.sqrt(dot(force, force))
     fastest = 0.0
@@ -61,8 +58,6 @@ def start(world: Any, features: Any, balls: Any, log: Any) -> float:
         begin(world, ball)
         ball.next_at = ball.next_in = ball.lasts
         ball.next_kind, ball.next_who = NOTHING, -1
-        if i < log.shape[0]:
-            _note(log[i], ball, START, i, NOTHING, -1, v, w, phase)
     for i in range(balls.shape[0]):
         predict(world, features, balls, i, SLOW * fastest)
     return SLOW * fastest
@@ -195,30 +190,62 @@ def _look_ahead(world: Any, features: Any, balls: Any, i: int, k: int, t: float,
 
 
 @kernel
+def _quiet(balls: Any) -> bool:
+    """Whether nothing more will happen, and no ball is on its way though it will meet nothing."""
+    for i in range(balls.shape[0]):
+        ball = balls[i]
+        v, acc = ball.v, ball.acc
+        moves = (
+            v[0] != 0 or v[1] != 0 or v[2] != 0 or acc[0] != 0 or acc[1] != 0 or acc[2] != 0 or ball.phase == PIVOTING
+        )
+        if ball.next_at < math.inf or (moves and ball.phase < HELD):
+            return False
+    return True
+
+
+@kernel
+def _last(balls: Any) -> float:
+    """The time of the last event."""
+    t = balls[0].clock
+    for i in range(1, balls.shape[0]):
+        t = max(t, balls[i].clock)
+    return float(t)
+
+
+@kernel
 def run(
     world: Any, features: Any, balls: Any, log: Any, slow: float, until: float, most: int, users: Any, keep: int
-) -> tuple[int, int, int, int]:
+) -> tuple[int, int, int, int, float, float]:
     """Let events happen: until the time ``until``, or ``most`` of them, or the log is full, or nothing more comes.
 
-    With ``keep`` = ALL everything is logged; else only what it has bits for, and a full log stops nothing.
+    A run begins with ``slow`` < 0; it goes on with the one that it has told. With ``keep`` = ALL everything is logged, the
+    starts first; else only what it has bits for, and a full log stops nothing.
 
-    How it ended, how many events happened, how many rows were written, and the ball that a law had no answer for.
+    How it ended, how many events happened, how many rows were written, the ball that a law had no answer for, ``slow``, the
+    time of the last event.
     """
     events = rows = 0
+    if slow < 0:
+        slow = _start(world, features, balls)
+        if keep == ALL:
+            for k in range(balls.shape[0]):
+                one = balls[k]
+                _note(log[k], one, START, k, NOTHING, -1, vector(one.v), vector(one.w), one.phase)
+            rows = balls.shape[0]
     while True:
         i = _earliest(balls)
         ball = balls[i]
         t = ball.next_at
         if not t <= until or t == math.inf:
-            return DONE, events, rows, -1
+            return QUIET if _quiet(balls) else DONE, events, rows, -1, slow, _last(balls)
         if _overtaken(balls, i):
             predict(world, features, balls, i, slow)
             continue
         if events >= most:
-            return LIMIT, events, rows, -1
+            return LIMIT, events, rows, -1, slow, _last(balls)
         room = rows + ROWS <= log.shape[0]
         if keep == ALL and not room:
-            return FULL, events, rows, -1
+            return FULL, events, rows, -1, slow, _last(balls)
         events += 1
         k = ball.next_who if ball.next_kind == BALL else i
         other = balls[k]
@@ -230,7 +257,7 @@ def run(
         v, w, vk, wk = vector(ball.v), vector(ball.w), vector(other.v), vector(other.w)
         kind, who, j, jf, required, regime, refusal = _happen(world, features, balls, i, users)
         if refusal != DONE:
-            return refusal, events, rows, i
+            return refusal, events, rows, i, slow, _last(balls)
         bit = PHASES_FROM + ball.phase if kind == PHASE else kind
         if room and (keep >> bit) & 1 != 0:
             _note(log[rows], ball, kind, i, met, who, v, w, before)

@@ -8,7 +8,7 @@ from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from carom.engine.arrays import BALLS, LOG, WORLD
-from carom.engine.loop import finish, run, start
+from carom.engine.loop import QUIET, finish, run
 from carom.engine.resolve import DONE
 from carom.engine.users import register_calls
 from carom.scene.features import FEATURES
@@ -19,7 +19,6 @@ __all__ = ["Engine", "compiled_engine", "compiled_many"]
 class Engine(NamedTuple):
     """The compiled loop."""
 
-    start: Callable[..., Any]
     run: Callable[..., Any]
     finish: Callable[..., Any]
 
@@ -42,10 +41,9 @@ def compiled_engine() -> Engine:
     register_calls()
     world, features, ball, log, number, whole, users = _types()
     balls, rows = types.Array(ball, 1, "C"), types.Array(log, 1, "C")
-    answer = types.UniTuple(whole, 4)
+    answer = types.Tuple([whole] * 4 + [number] * 2)
     # (nothing is made in the loop: no counting of who holds an array)
     return Engine(
-        njit(start, signature=number(world, features, balls, rows), _nrt=False),
         njit(run, signature=answer(world, features, balls, rows, number, number, whole, users, whole), _nrt=False),
         njit(finish, signature=types.none(world, balls, number), _nrt=False),
     )
@@ -59,8 +57,8 @@ def compiled_many() -> Callable[..., Any]:
 
     from carom.compiled import njit
 
-    global _start, _run, _finish, _prange  # noqa: PLW0603
-    _start, _run, _finish = compiled_engine()
+    global _run, _finish, _prange  # noqa: PLW0603
+    _run, _finish = compiled_engine()
     _prange = numba.prange
     world, features, ball, log, number, whole, users = _types()
     worlds, balls, logs, ended = (
@@ -71,7 +69,7 @@ def compiled_many() -> Callable[..., Any]:
 
 
 # What ``_many`` calls: the compiled functions, once there are any (a closure over them would not be cached).
-_start, _run, _finish = start, run, finish
+_run, _finish = run, finish
 _prange: Any = range
 
 
@@ -84,12 +82,9 @@ def _many(
     """
     for n in _prange(balls.shape[0]):
         world = worlds[0]
-        slow = _start(world, features, balls[n], logs[n, :0])
-        status, events, rows, ball = _run(world, features, balls[n], logs[n], slow, until, most, users, keep)
+        status, events, rows, ball, _slow, last = _run(
+            world, features, balls[n], logs[n], -1.0, until, most, users, keep
+        )
         ended[n, 0], ended[n, 1], ended[n, 2] = status, events, rows if ball < 0 else ball
-        last = until
-        if until == math.inf or status != DONE:  # no end was given, or it was not reached: the last event's time
-            last = 0.0
-            for k in range(balls.shape[1]):
-                last = max(last, balls[n, k].clock)
-        _finish(world, balls[n], last)
+        # (no end was given, or it was not reached: the last event's time)
+        _finish(world, balls[n], until if until < math.inf and status in (DONE, QUIET) else last)

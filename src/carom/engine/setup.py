@@ -39,7 +39,9 @@ def set_up(scene: Scene) -> Setup:
     found = _kept.get(key)
     if found is None or found[0]() is not scene:
         found = _kept[key] = weakref.ref(scene, lambda _gone: _kept.pop(key, None)), _set_up(scene)
-    return found[1]._replace(balls=found[1].balls.copy())
+    world, features, balls, users = found[1]
+    # (as bytes: NumPy copies the fields of records one by one)
+    return Setup(world, features, balls.view(np.uint8).copy().view(BALLS), users)
 
 
 def _set_up(scene: Scene) -> Setup:
