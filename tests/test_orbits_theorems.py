@@ -362,3 +362,36 @@ def test_reversal_where_nothing_is_chaotic():
         found = orbits.orbit(table, begin, 1000)
         _back, error = orbits.reverse(found)
         assert error.max() < 1e-11 * (1 + np.abs(found.position).max())
+
+
+# --- the rolling ball's billiard --------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("table", [orbits.circle(), orbits.ellipse(1.0, 0.9), orbits.regular(3), orbits.strip()])
+def test_rolling_reflection_is_a_no_slip_billiard(table):
+    """Ours: a ball that rolls on the floor and is reflected nonholonomically goes where a no-slip disc in flight goes whose
+
+    kappa is kappa/(1 + kappa), with the same spin: 2/7 for a solid ball.
+    """
+    for kappa in (0.4, 2 / 3, 0.1):
+        begin = ((0.1, 0.2), (0.7, -0.4), 0.9)
+        rolls = orbits.orbit(table, begin, 200, law="rolling", ball=carom.Ball(1.0, 1.0, kappa))
+        flies = orbits.orbit(table, begin, 200, ball=disc(kappa / (1 + kappa)))
+        np.testing.assert_allclose(rolls.position, flies.position, atol=1e-9)
+        np.testing.assert_allclose(rolls.spin, flies.spin, atol=1e-9)
+
+
+def test_nonholonomic_billiard_in_an_ellipse_is_not_integrable():
+    """Borisov, Kilin & Mamaev (2011): some orbits part exponentially; in the circle none does."""
+    ball = carom.Ball(1.0, 1.0)
+    table = orbits.ellipse(1.0, 0.6)
+    found = orbits.lyapunov(
+        table, orbits.starts(table, 40, 1, ball=ball, law="rolling"), 20_000, law="rolling", ball=ball
+    )
+    assert found.per_bounce[:, 0].max() > 0.03
+    assert found.per_bounce[:, 0].max() > 10 * found.error[found.per_bounce[:, 0].argmax(), 0]
+    circle = orbits.circle()
+    still = orbits.lyapunov(
+        circle, orbits.starts(circle, 40, 1, ball=ball, law="rolling"), 20_000, law="rolling", ball=ball
+    )
+    assert still.per_bounce[:, 0].max() < 2e-3

@@ -258,7 +258,7 @@ def uniformity(
     law: Any = "no-slip",
     surface: Surface | None = None,
 ) -> Uniformity:
-    """Draw starts from the measure |v.n| ds dv d(spin) on one energy, let them bounce, and test whether they still fill it.
+    """Draw starts from the measure ``|v.n|`` ds dv d(spin) on one energy, let them bounce, and test whether they still fill it.
 
     For closed tables of the plane.
     """

@@ -159,10 +159,10 @@ def _loop(
 def starts(
     table: Table, count: int, seed: int = 0, *, ball: Ball | None = None, law: Any = "no-slip", speed: float = 1.0
 ) -> Start:
-    """Starts just after a bounce, drawn from the invariant measure: |v.n| ds d(velocities of one energy).
+    """Starts just after a bounce, drawn from the invariant measure: ``|v.n|`` ds d(velocities of one energy).
 
     Evenly along the wall (of a cylinder: at z = 0); the velocities along the wall and the spins, each times the root of its
-    inertia, evenly in the unit ball, so that what is left to the velocity across has the density |v.n|. ``speed`` is
+    inertia, evenly in the unit ball, so that what is left to the velocity across has the density ``|v.n|``. ``speed`` is
     sqrt(2 energy / m). Closed tables only: a strip and a wedge have no end.
     """
     setup = setup_of(table, ball, law, Surface() if law == "contact" else None, "end")
