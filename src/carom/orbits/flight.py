@@ -30,6 +30,9 @@ def circle_exit(x: float, y: float, u: float, v: float, r: float) -> float:
         return NEVER  # outside it, where a table has more than this circle, and not on a way through it
     root = math.sqrt(inside) if inside > 0.0 else 0.0
     if b < 0.0:
+        # on the circle and nearly along it the root is lost in rounding, but there both ends of the chord are alike
+        if b * b < 1e-8 * speed * (r * r) and abs(depth) < 1e-14 * (r * r):
+            return -2.0 * b / speed
         return (root - b) / speed
     # (nearer to the way out: the other form of the same root)
     return depth / (root + b) if root + b > 0.0 else NEVER
@@ -54,10 +57,12 @@ def sphere_exit(x: Vec, v: Vec, r: float) -> float:
     p, q, s = x[1] * v[2] - x[2] * v[1], x[2] * v[0] - x[0] * v[2], x[0] * v[1] - x[1] * v[0]
     inside = speed * r * r - (p * p + q * q + s * s)
     root = math.sqrt(inside) if inside > 0.0 else 0.0
+    depth = r * r - (x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
     if b < 0.0:
+        if b * b < 1e-8 * speed * (r * r) and abs(depth) < 1e-14 * (r * r):
+            return -2.0 * b / speed
         return (root - b) / speed
-    distance = r * r - (x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
-    return distance / (root + b) if root + b > 0.0 else NEVER
+    return depth / (root + b) if root + b > 0.0 else NEVER
 
 
 @kernel

@@ -44,6 +44,10 @@ class Orbit:
     last: Array
     """(..., 10): time, position, velocity and spin at the end, each with three components."""
 
+    def __repr__(self) -> str:
+        many = f"{np.size(self.count):,} orbits, " if np.ndim(self.count) else ""
+        return f"<Orbit in a {self.setup.table}: {self.setup.law}, {many}{int(np.sum(self.count)):,} bounces>"
+
     @property
     def ended(self) -> Any:
         """(...): "bounces" (it made all), "escaped" (nothing lies ahead), "corner", "grazed" (it moves along the wall),

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.ball import Ball, Disc
-from carom.checks import Faults, float_array, require_shapes
+from carom.checks import LARGEST, Faults, float_array, require_shapes
 from carom.errors import CaromError
 from carom.orbits.arrays import CONTACT, NO_SLIP, ROLLING, USER
 from carom.orbits.shape import Shape
@@ -211,6 +211,10 @@ def _inside(setup: Setup, rows: Array, shape: tuple[int, ...], faults: Faults) -
         )
         if setup.table.bounds == "surface":
             faults.advise("position", f"the centre keeps {setup.ball.radius:g} from the wall")
-    still = (rows[:, 3:6] == 0).all(axis=1)
-    if still.any():
+    speed = np.abs(rows[:, 3:6]).max(axis=1)
+    if (speed == 0).any():
         faults.add("velocity", "a ball that moves", "one at rest")
+    elif not ((speed > 1 / LARGEST) & (np.abs(rows[:, 3:]).max(axis=1) < LARGEST)).all():
+        faults.add(
+            "velocity", "speeds and spins whose squares are numbers (1e-100 to 1e100)", f"{float(speed.max())!r}"
+        )

@@ -232,8 +232,9 @@ def circle(radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
 def ellipse(major: float = 1.0, minor: float = 0.8, *, bounds: Bounds = "centre") -> Table:
     """The inside of the ellipse (x/major)^2 + (y/minor)^2 = 1.
 
-    With bounds="surface" the centre keeps to the parallel curve, no ellipse, and is followed on it exactly. A ball that is
-    not smaller than the ellipse's smallest radius of curvature cannot touch it everywhere, and is refused.
+    With bounds="surface" the centre keeps to the parallel curve, no ellipse, and is followed on it exactly (flights that
+    leave the wall at less than 1e-8 rad end as "grazed"). A ball that is not smaller than the ellipse's smallest radius of
+    curvature cannot touch it everywhere, and is refused.
     """
     faults = Faults("ellipse")
     p, q = _positive(faults, "major", major), _positive(faults, "minor", minor)

@@ -143,7 +143,7 @@ def _loop(
     shift = rows[:, :3] - setup.shape.folded(rows[:, :3])
     rows = rows - np.concatenate([shift, np.zeros((len(rows), 6))], axis=1)
     last, ends = np.empty((len(rows), 10)), np.zeros((len(rows), 2), np.int64)
-    share = len(rows) if progress is None else max(1, min(len(rows), SHARE // bounces))
+    share = max(1, len(rows) if progress is None else min(len(rows), SHARE // bounces))
     for k in range(0, len(rows), share):
         here = slice(k, k + share)
         compiled().many(setup.world, setup.pieces, rows[here], bounces, kept[here], piece[here], last[here], ends[here])
