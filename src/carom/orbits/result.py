@@ -45,8 +45,9 @@ class Orbit:
     """(..., 10): time, position, velocity and spin at the end, each with three components."""
 
     def __repr__(self) -> str:
+        """One line: the table, the law, how many bounces."""
         many = f"{np.size(self.count):,} orbits, " if np.ndim(self.count) else ""
-        return f"<Orbit in a {self.setup.table}: {self.setup.law}, {many}{int(np.sum(self.count)):,} bounces>"
+        return f"<Orbit: {self.setup.table}: {self.setup.law}, {many}{int(np.sum(self.count)):,} bounces>"
 
     @property
     def ended(self) -> Any:
