@@ -344,6 +344,11 @@ def test_the_measure_is_kept(law):
         assert found.orbits == 20_000
         assert min(found.p.values()) > 1e-3
         assert max(found.distance.values()) < 0.015
+    if law != "rolling":
+        for table in (orbits.sphere(), orbits.box((1, 2, 3)), orbits.cylinder(orbits.stadium(), 2.0)):
+            found = orbits.uniformity(table, 20_000, 30, seed=2, law=law)
+            assert min(found.p.values()) > 1e-3
+            assert max(found.distance.values()) < 0.02
     # a law that does not keep it is found out
     rough = orbits.uniformity(orbits.stadium(), 20_000, 30, law="contact", surface=carom.Surface(1.0, math.inf, 0.5))
     assert rough.p["radius"] < 1e-9

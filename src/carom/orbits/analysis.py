@@ -260,25 +260,32 @@ def uniformity(
 ) -> Uniformity:
     """Draw starts from the measure ``|v.n|`` ds dv d(spin) on one energy, let them bounce, and test whether they still fill it.
 
-    For closed tables of the plane.
+    Evenly distributed are then: the arc length (of a sphere the height); the radius in the unit ball of all velocities but
+    the one across, to the power of its dimension (2 in the plane, 5 in space); the angle in the velocity's phase disc. For
+    closed tables without a force; of a cylinder with lids the bounces at its side are looked at for arc and angle.
     """
-    if getattr(table, "dimension", 2) != 2:
-        raise CaromError(f"uniformity: table: expected one of the plane, got {table.name}")
     setup = setup_of(table, ball, law, surface, "pass")
-    begin = starts(table, orbits, seed, ball=ball, law=law)
-    found = follow(setup, begin, bounces)
-    good = found.count == bounces
-    s = found.arc[good, -1] / setup.shape.lengths.sum()
-    disc = found.phase[good, -1]
+    if any(table.pull):
+        raise CaromError(f"uniformity: table: expected one without a force, got {table}")
+    found = follow(setup, starts(table, orbits, seed, ball=ball, law=law), bounces)
+    good = np.asarray(found.count) == bounces
+    shape = setup.shape
+    side = good & ~np.isin(found.piece[:, -1], [k for k, f in enumerate(shape.faces) if f[0][2]])
+    if shape.sphere is not None:
+        arc = found.position[side, -1, 2] / (2 * shape.sphere) + 0.5
+    else:
+        lengths = shape.lengths
+        arc = found.arc[side, -1] / lengths[np.isfinite(lengths)].sum()
+    across = np.sqrt(found._rolls) * found.across[good, -1] / found.speed[good, -1]
+    disc = found.phase[side, -1]
     values = {
-        "arc": s,
-        "radius": np.minimum((disc**2).sum(-1), 1.0),
+        "arc": arc,
+        "radius": np.maximum(1 - across**2, 0.0) ** (1.0 if setup.planar else 2.5),
         "angle": np.arctan2(disc[:, 1], disc[:, 0]) / math.tau + 0.5,
     }
     distance = {name: _distance(np.sort(value)) for name, value in values.items()}
-    return Uniformity(
-        bounces, int(good.sum()), distance, {name: _chance(d, int(good.sum())) for name, d in distance.items()}
-    )
+    chance = {name: _chance(distance[name], len(value)) for name, value in values.items()}
+    return Uniformity(bounces, int(good.sum()), distance, chance)
 
 
 def _distance(u: Array) -> float:

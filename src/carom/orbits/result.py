@@ -81,9 +81,11 @@ class Orbit:
 
     @functools.cached_property
     def along(self) -> Array:
-        """(..., B): velocity along the wall, in the sense in which s grows, m/s."""
+        """(..., B): velocity along the wall, in the sense in which s grows, m/s; in a sphere, along its circles of latitude."""
         n, v = self.normal, self.velocity
         found: Array = n[..., 1] * v[..., 0] - n[..., 0] * v[..., 1]
+        if self.setup.shape.sphere is not None:
+            found = found / np.hypot(n[..., 0], n[..., 1])
         return found
 
     @functools.cached_property
