@@ -9,7 +9,7 @@ import pytest
 
 from carom import Ball, CaromError, Disc, Surface
 from carom.gas import Gas, Species, container, lattice
-from carom.gas.channels import channels
+from carom.gas.channel import channels
 from carom.gas.measure import Measures, mean_square_displacement
 
 SMOOTH, ROUGH = Surface(1, 0, -1), Surface(1, math.inf, 1)

@@ -1,7 +1,7 @@
 """What physicists measure of a gas: distributions, pair correlation, diffusion, temperatures over time.
 
 :class:`Measures` looks at a gas as often as one likes, and knows the means over what it saw. What is counted at every
-collision (rates, energies, pressure) is in :mod:`carom.gas.channels` and :class:`carom.gas.GasRun`.
+collision (rates, energies, pressure) is in :func:`carom.gas.channels` and :class:`carom.gas.GasRun`.
 """
 
 from __future__ import annotations
@@ -67,7 +67,7 @@ class Displacement:
     def diffusion(self) -> float:
         """Diffusion coefficient: the slope of the later two thirds, over 2 d (Einstein); nan where there are too few."""
         late = self.lag >= self.lag.max(initial=0.0) / 3
-        if late.sum() < 3:
+        if late.sum() < 3 or not (self.square[late] > 0).all():
             return math.nan
         # the error of a mean square is a share of it
         line = Polynomial.fit(self.lag[late], self.square[late], 1, w=1 / self.square[late]).convert()

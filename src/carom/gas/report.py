@@ -6,7 +6,7 @@ import math
 from dataclasses import asdict
 from typing import Any
 
-from carom.gas.channels import channels
+from carom.gas.channel import channels
 from carom.gas.session import Session
 
 __all__ = ["report", "series"]

@@ -45,6 +45,12 @@ class Session:
         self.begun = 0  # collisions when measuring began
         # a look is due at a time; the last one was at this time and number of collisions
         self.due, self.last_time, self.last_collisions = math.inf, 0.0, 0
+        if self.patience == math.inf and (scene.equilibrate > 0 or scene.run.duration is None):
+            what = "balls at rest" if scene.count > 1 or scene.container.room.walls else "one ball without walls"
+            raise CaromError(
+                f"{where}: run: expected a gas in which something happens, got {what}; give a temperature,"
+                " or equilibrate = 0 and a duration"
+            )
         self.step = LOOKS if scene.run.max_events is None else max(scene.run.max_events // LOOKS, 1)
         # snapshots so far; the next is due after so many collisions, or after this time, as ``every`` has it
         self.frames, self.shot, self.timed = 0, 0.0, False
@@ -52,9 +58,9 @@ class Session:
 
     def _enter(self, scene: GasScene, gas: Gas) -> None:
         self.scene, self.gas = scene, gas
-        gas.go_on(
-            1, until=-1.0
-        )  # nothing happens, but the loop is compiled, which is no part of the time that it takes
+        self.patience = _patience(scene, gas)
+        # nothing happens, but the loop is compiled, which is no part of the time that it takes
+        gas.go_on(1, until=-1.0)
         self.names = tuple(one.name for one in scene.species)
 
     # --- where it is ---------------------------------------------------------------------------------------------
@@ -122,7 +128,10 @@ class Session:
             if stop():
                 return False
             collisions, until = self._piece(every)
-            self.gas.go_on(collisions, until)
+            before, end = self.gas.collisions, self.gas.time + self.patience
+            self.gas.go_on(collisions, min(until, end))
+            if end < until and self.gas.collisions == before:
+                self.patience *= 2
             self._equilibrated()
             if self.measures is not None and self.gas.time >= self.due:
                 self._look(self.measures)
@@ -220,6 +229,22 @@ class Session:
             )
             found.measures = Measures.restore(found.gas, found.names, scene.container.room, measures)
         return found
+
+
+def _patience(scene: GasScene, gas: Gas) -> float:
+    """A time after which the outside world is looked at even if nothing has met: thirty ways through the room.
+
+    Infinite where nothing can ever happen.
+    """
+    room = scene.container.room
+    side, mass = max(room.size), sum(one.count * one.mass for one in scene.species)
+    pull = math.hypot(*scene.pull)
+    speed = math.sqrt(2 * gas.energy()[0] / mass) + math.sqrt(pull * side)
+    speed += sum(one.amplitude * (one.frequency or 0.0) for one in scene.drives)
+    if scene.thermostat is not None:
+        speed += math.sqrt(scene.thermostat.temperature * scene.count / mass)
+    meets = scene.count > 1 or bool(room.walls)
+    return 30 * side / speed if speed > 0 and meets else math.inf
 
 
 def _part(state: State, prefix: str) -> State:

@@ -9,10 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.engine.swarm_arrays import PLANE
 from carom.errors import CaromError
+from carom.gas.container import Container
 from carom.gas.measure import Distribution, Measures
 from carom.gas.session import Session
-from carom.plot.drawing import GREY, INK, sheet
+from carom.plot.drawing import GREY, INK, PALE, sheet
 from carom.plot.save import require_writable, save, style
 
 __all__ = ["plot_gas"]
@@ -110,13 +112,10 @@ def _balls(axes: Any, session: Session) -> None:
         2 * radii[seen], 2 * radii[seen], np.zeros(seen.sum()), units="xy", offsets=places[seen],
         offset_transform=axes.transData, facecolors=inks[seen], edgecolors="white", linewidths=0.2,
     )  # fmt: skip
-    frame = Rectangle(tuple(low), *window, facecolor="none", edgecolor=INK, linewidth=0.8, linestyle="-")
-    if around.any():
-        frame.set_linestyle((0, (3, 2)))
     axes.add_collection(circles)
-    axes.add_patch(frame)
+    _outline(axes, session.scene.container.room, pair, low, window)
     circles.set_clip_path(Rectangle(tuple(low), *window, transform=axes.transData))
-    margin = 0.02 * window.max()
+    margin = 0.004 * window.max()  # half a line's width
     axes.set_xlim(low[0] - margin, low[0] + window[0] + margin)
     axes.set_ylim(low[1] - margin, low[1] + window[1] + margin)
     axes.set_aspect("equal")
@@ -124,6 +123,34 @@ def _balls(axes: Any, session: Session) -> None:
     what = "discs" if flat else f"a cut through the middle, {names[0]} and {names[1]}"
     part = ", part of the box" if window[0] < size[pair][0] else ""
     _name(axes, what + part if len(kinds) == 1 else f"{'discs' if flat else 'cut'}{part}: {_listed(session)}")
+
+
+def _outline(axes: Any, room: Container, pair: list[int], low: Array, window: Array) -> None:
+    """The room's walls where the plane of the picture cuts them: dark; a period's border dashed, what is no room shaded.
+
+    A fine grid tells where the walls are: every shape there is, and all that scatterers cut out, by one mechanism.
+    """
+    n = 400
+    steps = [np.linspace(low[k], low[k] + window[k], n) for k in range(2)]
+    x = np.zeros((n * n, 3))
+    x[:, 1] = room.size[1] / 2
+    u, v = np.meshgrid(*steps)
+    x[:, pair[0]], x[:, pair[1]] = u.ravel(), v.ravel()
+    if any(wall.form != PLANE for wall in room.walls) or room.shape == "polygon":
+        gap = np.minimum(room.clearance(np.zeros(n * n), x), max(room.size)).reshape(n, n)
+        if (gap < 0).any():
+            axes.contourf(u, v, gap, levels=[-np.inf, 0], colors=[PALE], zorder=0)
+            axes.contour(u, v, gap, levels=[0], colors=[INK], linewidths=0.8, zorder=3)
+    high = low + window
+    for axis in range(2):
+        bare = room.periodic[pair[axis]] or window[axis] < room.size[pair[axis]]
+        round_ = room.shape in {"circle", "cylinder", "ellipse", "stadium"}
+        closed = room.shape == "box" or (room.shape != "sphere" and pair[axis] == 2) or (round_ and pair == [0, 2])
+        if bare or closed:
+            style: dict[str, Any] = {"color": INK, "linewidth": 0.8, "zorder": 3}
+            style |= {"dashes": (3, 2)} if bare else {}
+            for edge in (low[axis], high[axis]):
+                (axes.axvline if axis == 0 else axes.axhline)(edge, **style)
 
 
 def _listed(session: Session) -> str:
@@ -254,16 +281,17 @@ def _displacement(axes: Any, session: Session, measures: Measures) -> None:
 def _profile(axes: Any, session: Session, measures: Measures) -> None:
     """The number density between the walls at the end, along gravity or the first axis with walls."""
     scene = session.scene
-    closed = [k for k, around in enumerate(scene.container.room.periodic) if not around]
+    room = scene.container.room
+    closed = [k for k, around in enumerate(room.periodic) if not around]
     pulled = [k for k in closed if k < len(scene.pull) and scene.pull[k] != 0]
-    axis = (pulled or closed)[0]
+    axis = (pulled or closed or [0])[0]
     balls = session.gas.balls()
-    side, count = scene.container.room.size[axis], len(balls.species)
+    side, count = room.size[axis], len(balls.species)
     bins = int(np.clip(math.sqrt(count), 8, 60))
     edges = np.linspace(0, side, bins + 1)
     for k, name in enumerate(session.names):
         found, _ = np.histogram(balls.position[balls.species == k, axis], edges)
-        density = found * bins / scene.container.room.volume
+        density = found * bins / math.prod(room.size)
         axes.stairs(density, edges, baseline=None, color=COLOURS[k % len(COLOURS)], linewidth=1.0, label=name)
     axes.set_xlim(0, side)
     axes.set_ylim(bottom=0)
