@@ -75,11 +75,7 @@ def _whole(session: Session, told: dict[str, Any]) -> Table:
     ]
     if session.measures is not None and session.measures.diffuses:
         rows.append(("diffusion coefficient", number(told["diffusion"], 4)))
-    drift = told["energy_drift"]
-    if abs(drift) < CONSERVED:
-        rows.append(("energy drift, relative", f"{drift:.1e}"))
-    else:
-        rows.append(("energy", f"{number(told['energy_start'], 5)} to {number(told['energy_end'], 5)} ({drift:+.1%})"))
+    rows += _energy(told)
     rows += [
         ("largest overlap, of a diameter", f"{told['max_overlap']:.1e}"),
         ("event loop", f"{cpu:.2f} s, {events / cpu:,.0f} events/s" if cpu > 0 else "–"),
@@ -87,6 +83,25 @@ def _whole(session: Session, told: dict[str, Any]) -> Table:
     for row in rows:
         table.add_row(*row)
     return table
+
+
+def _energy(told: dict[str, Any]) -> list[tuple[str, str]]:
+    """Where the energy went; of a gas that neither wins nor loses any, its drift."""
+    start, end = told["energy_start"], told["energy_end"]
+    lost = sum(row["lost_normal"] + row["lost_tangential"] for row in told["channels"])
+    given = {
+        "from walls": sum(told["energy_from_walls"].values()),
+        "from the thermostat": told["energy_from_thermostat"],
+    }
+    scale = abs(start) + abs(end)
+    moved = [(f"  {name}", number(x, 5)) for name, x in given.items() if x != 0]
+    moved += [("  lost in contacts", number(lost, 5))] if abs(lost) > CONSERVED * scale else []
+    if not moved:
+        return [("energy drift, relative", f"{told['energy_drift']:.1e}")]
+    left = end - start - sum(given.values()) + lost
+    scale += abs(lost)
+    rows = [("energy, start and end", f"{number(start, 5)}, {number(end, 5)}"), *moved]
+    return [*rows, ("  unaccounted for, relative", f"{left / scale if scale > 0 else 0.0:.1e}")]
 
 
 def _species(session: Session, told: dict[str, Any]) -> Table:

@@ -116,7 +116,7 @@ def bring_to_now(swarm: Any, box: Any, motions: Any) -> None:
 
 @hot_kernel
 def _sample(swarm: Any, box: Any, motions: Any, bodies: Any, species: Any, now: float) -> None:
-    """Add twice the translational and the rotational energy of now to the sums."""
+    """Add twice the translational and the rotational energy of now to the sums, for as long as the turn was."""
     translational, rotational = 0.0, 0.0
     for i in range(motions.shape[0]):
         ball, body = motions[i], bodies[i]
@@ -126,9 +126,11 @@ def _sample(swarm: Any, box: Any, motions: Any, bodies: Any, species: Any, now: 
         wx, wy, wz = body.wx, body.wy, body.wz
         translational += one.mass * (vx * vx + vy * vy + vz * vz)
         rotational += one.mass * one.kappa * one.radius * one.radius * (wx * wx + wy * wy + wz * wz)
-    swarm.translational += translational
-    swarm.rotational += rotational
-    swarm.samples += 1
+    # (turns have as many events each, not as much time: a mean over turns would dwell on when much happens)
+    turn = swarm.width * swarm.bins
+    swarm.translational += translational * turn
+    swarm.rotational += rotational * turn
+    swarm.sampled += turn
     _set_slow(swarm, species, translational)
 
 

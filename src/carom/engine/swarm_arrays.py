@@ -172,8 +172,8 @@ SWARM = np.dtype(
         ("turns", "i8"),
         ("virial", _NUMBER),  # sum of impulse times distance along the line of centres
         ("overlap", _NUMBER),  # largest at a contact, in units of the distance
-        ("samples", "i8"),  # sums below, one sample a turn of the calendar
-        ("translational", _NUMBER),  # sum of twice the energy
+        ("sampled", _NUMBER),  # time over which the sums below go, one sample a turn of the calendar
+        ("translational", _NUMBER),  # twice the energy times time
         ("rotational", _NUMBER),
     ]
 )

@@ -312,7 +312,7 @@ class Gas:
         about = 3 if axes == 3 else 1
         volume = float(one["volume"])
         energy = self.energy()
-        pairs, samples = int(one["pair_hits"] - before["pair_hits"]), int(one["samples"] - before["samples"])
+        pairs, samples = int(one["pair_hits"] - before["pair_hits"]), float(one["sampled"] - before["sampled"])
         means = [
             float(one[name] - before[name]) / samples if samples > 0 else energy0[k] + energy[k]
             for k, name in enumerate(("translational", "rotational"))

@@ -64,11 +64,9 @@ def _draw(session: Session, measures: Measures, title: str | None) -> Any:
     _temperatures(panels[3], measures)
     _pair_correlation(panels[4], measures)
     (_displacement if measures.diffuses else _profile)(panels[5], session, measures)
-    for axes, letter in zip(panels, "abcdef", strict=True):
-        x = axes.get_position().x0
-        figure.text(
-            x - 0.062, axes.get_position().y1 + 0.012, letter, fontweight="bold", ha="left", va="bottom", color=INK
-        )
+    for k, letter in enumerate("abcdef"):
+        place = grid[k // 3, k % 3].get_position(figure)
+        figure.text(place.x0 - 0.062, place.y1 + 0.012, letter, fontweight="bold", va="bottom", color=INK)
     words = session.scene.describe() if title is None else title
     figure.text(0.0135, 0.975, words, ha="left", va="top", fontsize=8, color=GREY)
     return figure
@@ -122,7 +120,9 @@ def _balls(axes: Any, session: Session) -> None:
     axes.set_axis_off()
     what = "discs" if flat else f"a cut through the middle, {names[0]} and {names[1]}"
     part = ", part of the box" if window[0] < size[pair][0] else ""
-    _name(axes, what + part if len(kinds) == 1 else f"{'discs' if flat else 'cut'}{part}: {_listed(session)}")
+    text = what + part if len(kinds) == 1 else f"{'discs' if flat else 'cut'}{part}: {_listed(session)}"
+    place = axes.get_subplotspec().get_position(axes.figure)  # (the panel itself is as narrow as the box)
+    axes.figure.text(place.x0, place.y1 + 0.012, text, fontsize=8.5, color=INK, va="bottom")
 
 
 def _outline(axes: Any, room: Container, pair: list[int], low: Array, window: Array) -> None:
@@ -209,6 +209,8 @@ def _distributions(axes: Any, measures: Measures, what: str) -> None:
 
 
 def _temperatures(axes: Any, measures: Measures) -> None:
+    from matplotlib.ticker import NullFormatter
+
     rows = measures.series
     t = rows["time"]
     curves = [("translational", COLOURS[0]), ("rotational", COLOURS[1])]
@@ -219,12 +221,17 @@ def _temperatures(axes: Any, measures: Measures) -> None:
             axes.plot(t, rows[name], ".-", markersize=2.5, linewidth=0.8, color=colour, label=name)
     if cools:
         axes.set_yscale("log")
-        axes.set_xscale("log")
+        axes.yaxis.set_minor_formatter(NullFormatter())
+        if t[-1] > 20 * t[0] > 0:
+            axes.set_xscale("log")
     else:
         axes.set_ylim(0, 1.25 * values.max() if values.max() > 0 else 1)
     axes.set_xlabel("time")
     _name(axes, "temperature")
-    axes.legend(frameon=False, fontsize=7.5, loc="best", handlelength=1.4, borderaxespad=0.2)
+    axes.legend(
+        frameon=False, fontsize=7, loc="lower right", bbox_to_anchor=(1.05, 0.97), ncols=2, handlelength=0.8, handletextpad=0.3,
+        columnspacing=0.7, borderaxespad=0.2,
+    )  # fmt: skip
 
 
 def _pair_correlation(axes: Any, measures: Measures) -> None:
@@ -238,7 +245,7 @@ def _pair_correlation(axes: Any, measures: Measures) -> None:
         if len(one.g) == 0 or not np.isfinite(one.g).all():
             continue
         # as wide bins as show more than noise
-        step = next((n for n in (1, 2, 3, 5, 10) if one.error.mean() / math.sqrt(n) < 0.05), 15)
+        step = next((n for n in (1, 2, 3, 5, 10) if one.error.mean() / math.sqrt(n) < 0.05 * max(one.g.mean(), 1)), 15)
         whole = len(one.g) // step * step
         weight = one.distance[:whole] ** (measures.axes - 1)
         g = (one.g[:whole] * weight).reshape(-1, step).sum(axis=1) / weight.reshape(-1, step).sum(axis=1)
