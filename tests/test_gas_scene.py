@@ -89,6 +89,14 @@ def test_the_scene_to_begin_with_runs(tmp_path):
     assert not is_gas(tmp_path / "none.toml")
 
 
+@pytest.mark.parametrize(
+    "path", sorted((Path(__file__).parents[1] / "docs" / "scenes").glob("*.toml")), ids=lambda path: path.stem
+)
+def test_the_gases_of_the_docs_are_sound(path):
+    if is_gas(path):
+        assert load_gas(path).count > 100
+
+
 def test_rooms_drives_and_a_thermostat(tmp_path):
     text = ROUGH.replace(
         '"periodic"\nsize = [8.0, 7.5, 7.0]', '"cylinder"\nsize = [9, 9, 12]\nscatterers = [[4.5, 4.5, 6.0, 1.0]]'
