@@ -70,12 +70,14 @@ def exponential(key0: int, key1: int, n: int) -> float:
 
 @kernel
 def normals(key0: int, key1: int, n: int) -> tuple[float, float, int]:
-    """Two normal numbers of variance 1 (Marsaglia's polar method), and the count of the next uniform one."""
+    """Two normal numbers of variance 1 (Marsaglia's polar method, from 32 bits each), and the count of the next number."""
     square = 2.0
     x = y = 0.0
     while square >= 1.0:
-        x, y = 2.0 * uniform(key0, key1, n) - 1.0, 2.0 * uniform(key0, key1, n + 1) - 1.0
-        n += 2
+        p, q = threefry(key0, key1, n & WORD, n >> 32)
+        n += 1
+        # from -1 to 1, and never both 0
+        x, y = (p + 0.5) / 2147483648.0 - 1.0, (q + 0.5) / 2147483648.0 - 1.0
         square = x * x + y * y
     c = math.sqrt(-2.0 * logarithm(square) / square)
     return c * x, c * y, n

@@ -94,10 +94,10 @@ def _cross(box: Any, grid: Any, ball: Any, plan: Any, cells: Any, i: int, which:
 
 
 @kernel
-def _begin(swarm: Any, plans: Any, heads: Any) -> None:
+def _begin(more: Any, swarm: Any, plans: Any, heads: Any) -> None:
     """All balls have their first event: set the calendar's width by them, and fill it."""
     total, count = 0.0, 0
-    plans[swarm.count].at = wait_for_kick(swarm, swarm.now)
+    plans[swarm.count].at = wait_for_kick(more, swarm, swarm.now)
     for i in range(swarm.count):
         if plans[i].at < math.inf:
             total += plans[i].at - swarm.now
@@ -146,7 +146,7 @@ def _calm(grid: Any, cx: int, cy: int, cz: int) -> bool:
 def run(  # noqa: PLR0915  (the loop)
     swarm: Any, motions: Any, plans: Any, bodies: Any, species: Any, pairs: Any, walls: Any, faces: Any, heads: Any,
     box: Any, grid: Any, lists: Any, sets: Any, cells: Any, offsets: Any, shifts: Any, found: Any, near: Any, work: Any,
-    whole: Any, until: float, most: int,
+    whole: Any, until: float, most: int, more: Any,
 ) -> int:  # fmt: skip
     """Let things happen until a time (events after it stay planned), or until so many collisions more, walls included."""
     count, bins, width, now = swarm.count, swarm.bins, swarm.width, swarm.now
@@ -198,14 +198,15 @@ def run(  # noqa: PLR0915  (the loop)
             now = max(now, at)
             take_out(plans, heads, i)
             kicked = i == count
-            if kicked:
-                plans[U(i)].at = wait_for_kick(swarm, now)
+            # (what ``more`` is: see swarm_walls)
+            if more is not None and kicked:
+                plans[U(i)].at = wait_for_kick(more, swarm, now)
                 enqueue(plans, heads, i, width, bins, current)
                 i = S(whom_to_kick(swarm))
                 take_out(plans, heads, i)
             ball, plan = motions[U(i)], plans[U(i)]
             drift(box, ball, now)
-            if kicked:
+            if more is not None and kicked:
                 kick(swarm, species, ball, bodies[U(i)])
             elif plan.hit_at == at:
                 k = plan.hit_who
@@ -233,7 +234,7 @@ def run(  # noqa: PLR0915  (the loop)
                     else:
                         z0, z1 = 2 * up, 2 * up + 1
                 elif which != LOOK:
-                    meet_wall(swarm, box, faces, walls, species, ball, bodies[U(i)], which - FIRST_WALL, now)
+                    meet_wall(more, swarm, box, faces, walls, species, ball, bodies[U(i)], which - FIRST_WALL, now)
             if now - swarm.mark > STILL * width:
                 swarm.mark, swarm.since = now, swarm.pair_hits + swarm.wall_hits
             elif swarm.pair_hits + swarm.wall_hits - swarm.since > STILL_HITS * count + STILL_MORE:
@@ -261,6 +262,7 @@ def run(  # noqa: PLR0915  (the loop)
                 now,
                 scale + growth * now,
                 growth,
+                more,
             )
             # what was found before stands, where the ball only goes on
             if not again or hit < plan.hit_at:
@@ -269,13 +271,13 @@ def run(  # noqa: PLR0915  (the loop)
                     plan.hit_count = motions[U(who)].count
             turn, which = next_turn(box, grid, flat, ball, plan, now)
             if not _calm(grid, cx, cy, cz):
-                turn, which = next_wall(swarm, box, faces, walls, lists, sets, ball, plan, now, turn, which)
+                turn, which = next_wall(more, swarm, box, faces, walls, lists, sets, ball, plan, now, turn, which)
             plan.turn = which
             plan.at = min(plan.hit_at, turn)
             if planned < count:
                 planned += 1
                 if planned == count:
-                    _begin(swarm, plans, heads)
+                    _begin(more, swarm, plans, heads)
                     width = swarm.width
                 break
             enqueue(plans, heads, i, width, bins, current)

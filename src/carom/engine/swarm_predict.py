@@ -108,6 +108,7 @@ def soonest(
     now: float,
     scale: float,
     growth: float,
+    more: Any,
 ) -> tuple[float, int]:
     """The earliest collision of ball i, brought forward to now, with one of the n balls found: its time, and with whom.
 
@@ -143,7 +144,7 @@ def soonest(
         rb[U(k)] = 0.0
         found[U(k)] = NOBODY
     steady = whole
-    if growth != 0.0:
+    if more is not None and growth != 0.0:  # (see swarm_walls)
         _growing(motions, pairs, found, rb, ru, rc, times, row, slow, n, whole, i, scale, growth)
         steady = 0
     for k in range(steady):

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from carom.engine import swarm
 from carom.engine.cells import tables
-from carom.engine.swarm_arrays import BODY, DONE, FULL, MOTION, PLAN, ROOM
+from carom.engine.swarm_arrays import BODY, DONE, FULL, MOTION, PLAN, PLANE, ROOM
 from carom.engine.swarm_lists import walls_of_cells
 from carom.engine.swarm_prefetch import register_prefetch
 
@@ -143,8 +143,16 @@ def restore(state: tuple[Any, ...]) -> Arrays:
     return _fill(tuple(copies), lambda a: _compiled().refill(a.grid, a.motions, a.plans, a.cells), slots)
 
 
+def _more(arrays: Arrays) -> int | None:
+    """None where there are only planes at rest; 1 for the loop that can do more, whose compiling takes twice as long."""
+    one, faces = arrays.swarm[0], arrays.faces
+    moves = (faces["form"] != PLANE) | (faces["bounded"] != 0) | (faces["swing"] != 0) | (faces["warm"] >= 0)
+    return 1 if moves.any() or one["growth"] != 0 or one["rate"] != 0 else None
+
+
 def advance(arrays: Arrays, until: float, most: int) -> Arrays:
     """Go on to a time, or by so many collisions; ``swarm["status"]`` says which. The arrays, new ones if cells grew."""
+    more = _more(arrays)
     target = int(arrays.swarm[0]["pair_hits"] + arrays.swarm[0]["wall_hits"]) + most
     while True:
         one = arrays.swarm[0]
@@ -157,7 +165,7 @@ def advance(arrays: Arrays, until: float, most: int) -> Arrays:
             one = arrays.swarm[0]
             one["status"] = DONE
         left = target - int(one["pair_hits"] + one["wall_hits"])
-        if left <= 0 or _compiled().run(one, *arrays[1:], until, left) != FULL:
+        if left <= 0 or _compiled().run(one, *arrays[1:], until, left, more) != FULL:
             return arrays
 
 

@@ -2,7 +2,8 @@
 
 All walls are one mechanism: a gap that is a polynomial of time, of degree 2 before a plane or where nothing pulls across a
 round wall, of degree 4 where something does. Each cell has a list of the walls that a ball in it can touch; in most cells it
-is empty, and a block of those is left out altogether.
+is empty, and a block of those is left out altogether. What only round walls, walls that swing or are warm, balls that grow
+and a thermostat need is compiled only for a gas that has some of them (``more``): it takes as long as all the rest.
 """
 
 from __future__ import annotations
@@ -29,17 +30,24 @@ SLOW, HOP = 1e-14, 1e-9
 
 
 @kernel
-def _gap(face: Any, wall: Any, box: Any, ball: Any, scale: float, growth: float) -> tuple[float, ...]:
+def _gap(more: Any, face: Any, wall: Any, box: Any, ball: Any, scale: float, growth: float) -> tuple[float, ...]:
     """The gap as a polynomial of the time from the ball's clock on, at which the radii are multiplied by scale."""
     d, dd = wall.keep + wall.thick * (scale - 1.0), wall.thick * growth
     rx, ry, rz = ball.x - face.mx, ball.y - face.my, ball.z - face.mz
     qx, qy, qz = face.nx, face.ny, face.nz
     vx, vy, vz = ball.vx, ball.vy, ball.vz
     gx, gy, gz = box[U(PULL)], box[U(PULL + 1)], box[U(PULL + 2)]
+    flat = (
+        qx * rx + qy * ry + qz * rz - d,
+        qx * vx + qy * vy + qz * vz - dd,
+        (qx * gx + qy * gy + qz * gz) / 2.0,
+        0.0,
+        0.0,
+    )
+    if more is None:
+        return flat
     if face.form == PLANE:
-        return (
-            qx * rx + qy * ry + qz * rz - d, qx * vx + qy * vy + qz * vz - dd, (qx * gx + qy * gy + qz * gz) / 2.0, 0.0, 0.0
-        )  # fmt: skip
+        return flat
     rx, ry, rz, vx, vy, vz = qx * rx, qy * ry, qz * rz, qx * vx, qy * vy, qz * vz
     gx, gy, gz = qx * gx, qy * gy, qz * gz
     r = math.sqrt(rx * rx + ry * ry + rz * rz)
@@ -97,10 +105,17 @@ def _swing_hit(face: Any, c: tuple[float, ...], now: float, most: float, slow: f
 
 
 @kernel
-def wall_hit(face: Any, wall: Any, box: Any, ball: Any, scale: float, growth: float, now: float, most: float) -> Any:
-    """When a ball, brought forward to now, reaches a wall, within ``most`` from now; or until when it does not, and False."""
-    c = _gap(face, wall, box, ball, scale, growth)
+def wall_hit(
+    more: Any, face: Any, wall: Any, box: Any, ball: Any, scale: float, growth: float, now: float, most: float
+) -> Any:
+    """When a ball, brought forward to now, reaches a wall, within ``most`` from now; or until when it does not, and False.
+
+    ``more`` is None where all walls are planes at rest: the rest is left out, then, when this is compiled.
+    """
+    c = _gap(more, face, wall, box, ball, scale, growth)
     slow = SLOW * math.sqrt(square((ball.vx, ball.vy, ball.vz)))
+    if more is None:
+        return hit2(c[0], c[1], c[2], most, slow), True
     if face.form != PLANE:
         # (|q| is at most this on a round wall, and the gap's units are a distance times twice |q (x - m)|)
         slow = 2.0 * slow * max(face.nx, face.ny, face.nz) * (wall.keep + abs(wall.thick))
@@ -115,6 +130,7 @@ def wall_hit(face: Any, wall: Any, box: Any, ball: Any, scale: float, growth: fl
 
 @kernel
 def next_wall(
+    more: Any,
     swarm: Any,
     box: Any,
     faces: Any,
@@ -135,7 +151,7 @@ def next_wall(
     for k in range(1, S(sets[U(first)]) + 1):
         w = S(sets[U(first + k)])
         t, hits = wall_hit(
-            faces[U(w)], walls[U(w * swarm.kinds + S(ball.kind))], box, ball, scale, swarm.growth, now, s
+            more, faces[U(w)], walls[U(w * swarm.kinds + S(ball.kind))], box, ball, scale, swarm.growth, now, s
         )
         if t < s:
             s, which = t, (FIRST_WALL + w if hits else LOOK)
@@ -162,35 +178,39 @@ def _normal(face: Any, ball: Any) -> Vec:
 @kernel
 def _draw(swarm: Any, flat: bool, body: Any, one: Any, warm: float, warm_spin: float) -> Vec:
     """A Maxwellian velocity; the ball gets a Maxwellian spin."""
-    key0, key1 = swarm.key[0], swarm.key[1]
-    x, y, n = normals(key0, key1, swarm.drawn)
-    z, p, n = normals(key0, key1, n)
-    q, r, n = normals(key0, key1, n)
-    swarm.drawn = n
+    x = y = z = p = q = r = 0.0
+    for _ in range(3):
+        x, y, z, p = z, p, q, r
+        q, r, swarm.drawn = normals(swarm.key[0], swarm.key[1], swarm.drawn)
     speed = math.sqrt(warm / one.mass)
     spin = math.sqrt(warm_spin / (one.kappa * one.mass * one.radius * one.radius))
     if flat:
-        body.wz = spin * p
+        body.wz = spin * r
         return (speed * x, speed * y, 0.0)
     body.wx, body.wy, body.wz = spin * p, spin * q, spin * r
     return (speed * x, speed * y, speed * z)
 
 
 @kernel
-def _leave_warm(swarm: Any, face: Any, body: Any, one: Any, n: Vec) -> Vec:
-    """The velocity of a ball that leaves a heated wall, against the wall: Maxwellian in flux, so v_n is weighted by v_n."""
+def _leave_warm(swarm: Any, face: Any, body: Any, one: Any, n: Vec, v0: Vec, w0: Vec) -> tuple[Vec, Vec, float]:
+    """Velocity, spin and normal impulse per mass of a ball at a heated wall: Maxwellian in flux, v_n is weighted by v_n."""
     v = _draw(swarm, swarm.axes == 2, body, one, face.warm, face.warm_spin)
     out = math.sqrt(2.0 * face.warm / one.mass * exponential(swarm.key[0], swarm.key[1], swarm.drawn))
     swarm.drawn += 1
     c = out - dot(v, n)
-    return (v[0] + c * n[0], v[1] + c * n[1], v[2] + c * n[2])
+    v, spin = (v[0] + c * n[0], v[1] + c * n[1], v[2] + c * n[2]), (body.wx, body.wy, body.wz)
+    moment = one.kappa * one.radius * one.radius
+    face.fed += one.mass / 2.0 * (square(v) - square(v0) + moment * (square(spin) - square(w0)))
+    return v, spin, dot(v, n) - dot(v0, n)
 
 
 @kernel
-def _least(face: Any, wall: Any, box: Any, ball: Any, n: Vec, soft: float) -> float:
+def _least(more: Any, face: Any, wall: Any, box: Any, ball: Any, n: Vec, soft: float) -> float:
     """The speed at which a ball that is pressed on a wall, by a force or its curvature, comes back after a time ``soft``."""
-    c = _gap(face, wall, box, ball, 1.0, 0.0)
+    c = _gap(more, face, wall, box, ball, 1.0, 0.0)
     press = -2.0 * c[2]
+    if more is None:
+        return max(press, 0.0) * soft / 2.0
     if face.form != PLANE:
         # of the gap's units to those of a distance: by its gradient
         x, y, z = face.nx * (ball.x - face.mx), face.ny * (ball.y - face.my), face.nz * (ball.z - face.mz)
@@ -199,44 +219,65 @@ def _least(face: Any, wall: Any, box: Any, ball: Any, n: Vec, soft: float) -> fl
 
 
 @kernel
+def _bounce(
+    more: Any,
+    swarm: Any,
+    box: Any,
+    face: Any,
+    wall: Any,
+    ball: Any,
+    body: Any,
+    one: Any,
+    n: Vec,
+    v0: Vec,
+    w0: Vec,
+    now: float,
+) -> tuple[Vec, Vec, float]:
+    """Velocity, spin and normal impulse per mass of a ball after one contact, as the wall sees it."""
+    e, least = wall.e, 0.0
+    if swarm.soft > 0.0:
+        if now - body.met < swarm.soft:
+            e, least = 1.0, _least(more, face, wall, box, ball, n, swarm.soft) + HOP * math.sqrt(square(v0))
+        body.met = now
+    v, spin, j, _required, _regime = one_contact(v0, w0, n, one.radius, one.kappa, e, wall.mu, wall.beta)
+    un, pn, half = dot(v0, n), dot(j, n), one.mass / 2.0
+    moved = half * (j[0] * (v0[0] + v[0]) + j[1] * (v0[1] + v[1]) + j[2] * (v0[2] + v[2]))
+    spun = half * one.kappa * one.radius * one.radius * (square(spin) - square(w0))
+    book(wall, half * (e - 1.0) * pn * un, moved, spun)
+    if un + pn < least:
+        lift = least - (un + pn)
+        v = (v[0] + lift * n[0], v[1] + lift * n[1], v[2] + lift * n[2])
+        face.fed += half * lift * (least + un + pn)
+        pn += lift
+    return v, spin, pn
+
+
+@kernel
 def meet_wall(
-    swarm: Any, box: Any, faces: Any, walls: Any, species: Any, ball: Any, body: Any, w: int, now: float
+    more: Any, swarm: Any, box: Any, faces: Any, walls: Any, species: Any, ball: Any, body: Any, w: int, now: float
 ) -> None:
-    """A ball meets wall ``w``."""
+    """A ball meets wall ``w``. ``more``: see :func:`wall_hit`."""
     face, wall, one = faces[U(w)], walls[U(w * swarm.kinds + S(ball.kind))], species[U(ball.kind)]
-    n = _normal(face, ball)
-    speed = 0.0
-    if face.swing != 0.0:
-        speed = _swung(face, now)[1]
-    if swarm.growth != 0.0:
-        # the surface of a ball that grows comes towards the wall by itself
-        speed = abs(wall.thick) * swarm.growth
-    # as the wall sees it
-    v0, w0 = (ball.vx - speed * n[0], ball.vy - speed * n[1], ball.vz - speed * n[2]), (body.wx, body.wy, body.wz)
-    un, half, moment = dot(v0, n), one.mass / 2.0, one.kappa * one.radius * one.radius
-    if face.warm >= 0.0:
-        v = _leave_warm(swarm, face, body, one, n)
-        spin = (body.wx, body.wy, body.wz)
-        pn = dot(v, n) - un
-        face.fed += half * (square(v) - square(v0) + moment * (square(spin) - square(w0)))
+    v0, w0 = (ball.vx, ball.vy, ball.vz), (body.wx, body.wy, body.wz)
+    if more is None:
+        n = (face.nx, face.ny, face.nz)
+        v, spin, pn = _bounce(more, swarm, box, face, wall, ball, body, one, n, v0, w0, now)
     else:
-        e, least = wall.e, 0.0
-        if swarm.soft > 0.0:
-            if now - body.met < swarm.soft:
-                e, least = 1.0, _least(face, wall, box, ball, n, swarm.soft) + HOP * math.sqrt(square(v0))
-            body.met = now
-        v, spin, j, _required, _regime = one_contact(v0, w0, n, one.radius, one.kappa, e, wall.mu, wall.beta)
-        pn = dot(j, n)
-        moved = half * (j[0] * (v0[0] + v[0]) + j[1] * (v0[1] + v[1]) + j[2] * (v0[2] + v[2]))
-        normal = half * (e - 1.0) * pn * un
-        if un + pn < least:
-            lift = least - (un + pn)
-            v = (v[0] + lift * n[0], v[1] + lift * n[1], v[2] + lift * n[2])
-            face.fed += half * lift * (least + un + pn)
-            pn += lift
-        book(wall, normal, moved, half * moment * (square(spin) - square(w0)))
-    face.fed += one.mass * pn * speed
-    put_velocity(ball, (v[0] + speed * n[0], v[1] + speed * n[1], v[2] + speed * n[2]))
+        n = _normal(face, ball)
+        speed = 0.0
+        if face.swing != 0.0:
+            speed = _swung(face, now)[1]
+        if swarm.growth != 0.0:
+            # the surface of a ball that grows comes towards the wall by itself
+            speed = abs(wall.thick) * swarm.growth
+        v0 = (v0[0] - speed * n[0], v0[1] - speed * n[1], v0[2] - speed * n[2])
+        if face.warm >= 0.0:
+            v, spin, pn = _leave_warm(swarm, face, body, one, n, v0, w0)
+        else:
+            v, spin, pn = _bounce(more, swarm, box, face, wall, ball, body, one, n, v0, w0, now)
+        v = (v[0] + speed * n[0], v[1] + speed * n[1], v[2] + speed * n[2])
+        face.fed += one.mass * pn * speed
+    put_velocity(ball, v)
     body.wx, body.wy, body.wz = spin[0], spin[1], spin[2]
     face.push += one.mass * pn
     face.hits += 1
@@ -245,8 +286,10 @@ def meet_wall(
 
 
 @kernel
-def wait_for_kick(swarm: Any, now: float) -> float:
+def wait_for_kick(more: Any, swarm: Any, now: float) -> float:
     """When the thermostat kicks next: as long after now as one waits for what happens at random."""
+    if more is None:
+        return math.inf
     if swarm.rate == 0.0:
         return math.inf
     swarm.drawn += 1
