@@ -25,20 +25,17 @@ from carom.orbits.analysis import (
 from carom.orbits.arrays import ENDS
 from carom.orbits.result import Orbit
 from carom.orbits.setup import LAWS, Start
+from carom.orbits.solids import box, cylinder, plates, sphere
 from carom.orbits.stability import Lyapunov, TangentMap, lyapunov, tangent_map
 from carom.orbits.tables import (
     Table,
-    box,
     circle,
-    cylinder,
     ellipse,
     periodic_strip,
-    plates,
     polygon,
     rectangle,
     regular,
     sinai,
-    sphere,
     stadium,
     strip,
     torus,

@@ -1,4 +1,4 @@
-"""Tables for one ball: what bounds it, its surface or its centre; in the plane, and in space."""
+"""Tables of the plane for one ball: what bounds it, its surface or its centre."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from carom.errors import CaromError
 from carom.orbits.shape import Shape, face
 
 __all__ = [
-    "BOUNDS", "Bounds", "Table", "box", "circle", "cylinder", "ellipse", "periodic_strip", "plates", "polygon",
-    "rectangle", "regular", "sinai", "sphere", "stadium", "strip", "torus", "wedge",
+    "BOUNDS", "Bounds", "Table", "acceleration_of", "check_bounds", "circle", "ellipse", "need_room", "periodic_strip",
+    "polygon", "positive", "rectangle", "regular", "sinai", "stadium", "strip", "torus", "wedge",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -57,7 +57,8 @@ class Table:
         return f"{self.name} ({sizes}; bounds the {self.bounds})"
 
 
-def _positive(faults: Faults, field: str, value: Any, most: float = math.inf) -> float:
+def positive(faults: Faults, field: str, value: Any, most: float = math.inf) -> float:
+    """A length > 0 (or a number below a limit), and a fault where it is none."""
     what = "a length > 0" if most == math.inf else f"a number > 0 and < {most:.6g}"
     found = number(faults, field, value, what, lambda x: (x > 0) & (x < most))
     if isinstance(found, float):
@@ -66,7 +67,8 @@ def _positive(faults: Faults, field: str, value: Any, most: float = math.inf) ->
     return 1.0
 
 
-def _acceleration(faults: Faults, value: Any, count: int = 1) -> tuple[float, ...]:
+def acceleration_of(faults: Faults, value: Any, count: int = 1) -> tuple[float, ...]:
+    """Accelerations along so many axes."""
     try:
         array = np.atleast_1d(float_array(value))
     except (TypeError, ValueError):
@@ -77,12 +79,14 @@ def _acceleration(faults: Faults, value: Any, count: int = 1) -> tuple[float, ..
     return tuple(float(x) for x in array)
 
 
-def _bounds(faults: Faults, bounds: str) -> None:
+def check_bounds(faults: Faults, bounds: str) -> None:
+    """A fault where it is neither centre nor surface."""
     if bounds not in BOUNDS:
         faults.add("bounds", "'centre' or 'surface'", f"{bounds!r}; {nearest(str(bounds), list(BOUNDS))}")
 
 
-def _room(name: str, left: float, what: str, inset: float) -> None:
+def need_room(name: str, left: float, what: str, inset: float) -> None:
+    """CaromError where a ball is too large."""
     if not left > 0:
         raise CaromError(
             f"{name}: radius of the ball: expected one that has room {what}, got {inset!r}; take a smaller ball"
@@ -92,13 +96,13 @@ def _room(name: str, left: float, what: str, inset: float) -> None:
 def strip(width: float = 1.0, *, bounds: Bounds = "centre", acceleration: float = 0.0) -> Table:
     """Two parallel walls y = -width/2 and y = width/2; ``acceleration`` along them, in x."""
     faults = Faults("strip")
-    width = _positive(faults, "width", width)
-    _bounds(faults, bounds)
-    (g,) = _acceleration(faults, acceleration)
+    width = positive(faults, "width", width)
+    check_bounds(faults, bounds)
+    (g,) = acceleration_of(faults, acceleration)
     faults.done()
 
     def make(inset: float) -> Shape:
-        _room("strip", width / 2 - inset, "between the walls", inset)
+        need_room("strip", width / 2 - inset, "between the walls", inset)
         c = inset - width / 2
         return Shape(faces=[face(0, 1, c), face(0, -1, c)], size=width)
 
@@ -109,8 +113,8 @@ def strip(width: float = 1.0, *, bounds: Bounds = "centre", acceleration: float 
 def wedge(angle: float, *, bounds: Bounds = "centre") -> Table:
     """Two walls from the origin, so many radians apart (0 to pi), on either side of the x axis."""
     faults = Faults("wedge")
-    angle = _positive(faults, "angle", angle, math.pi)
-    _bounds(faults, bounds)
+    angle = positive(faults, "angle", angle, math.pi)
+    check_bounds(faults, bounds)
     faults.done()
     cos, sin = math.cos(angle / 2), math.sin(angle / 2)
 
@@ -126,7 +130,7 @@ def wedge(angle: float, *, bounds: Bounds = "centre") -> Table:
 def polygon(vertices: ArrayLike, *, bounds: Bounds = "centre", name: str = "polygon") -> Table:
     """Any polygon, from its vertices (N, 2) in order. A polygon need not be convex; its sides must not cross."""
     faults = Faults(name)
-    _bounds(faults, bounds)
+    check_bounds(faults, bounds)
     try:
         corners = float_array(vertices)
     except (TypeError, ValueError):
@@ -161,7 +165,7 @@ def polygon(vertices: ArrayLike, *, bounds: Bounds = "centre", name: str = "poly
             (tx, ty), before = t[k], k - 1
             x0 = tx * corners[k, 0] + ty * corners[k, 1]
             begin, end = float(x0 + cut[before]), float(x0 + lengths[k] - cut[k])
-            _room(name, end - begin, f"to touch side {k + 1}", inset)
+            need_room(name, end - begin, f"to touch side {k + 1}", inset)
             # round the outside of a reflex vertex the centre goes on along a circle
             low = -math.inf if smooth[before] or (reflex[before] and inset) else begin
             high = math.inf if smooth[k] or (reflex[k] and inset) else end
@@ -199,7 +203,7 @@ def regular(sides: int, radius: float = 1.0, *, bounds: Bounds = "centre") -> Ta
     if not (isinstance(sides, int | np.integer) and 3 <= sides <= 10_000):
         faults.add("sides", "a whole number from 3 to 10000", repr(sides))
         sides = 3
-    radius = _positive(faults, "radius", radius)
+    radius = positive(faults, "radius", radius)
     faults.done()
     angle = -math.pi / 2 + math.pi / sides * (2 * np.arange(sides) - 1)
     made = polygon(radius * np.stack([np.cos(angle), np.sin(angle)], axis=-1), bounds=bounds)
@@ -209,7 +213,7 @@ def regular(sides: int, radius: float = 1.0, *, bounds: Bounds = "centre") -> Ta
 def rectangle(width: float = 2.0, height: float = 1.0, *, bounds: Bounds = "centre") -> Table:
     """A rectangle about the origin."""
     faults = Faults("rectangle")
-    x, y = _positive(faults, "width", width) / 2, _positive(faults, "height", height) / 2
+    x, y = positive(faults, "width", width) / 2, positive(faults, "height", height) / 2
     faults.done()
     made = polygon([(-x, -y), (x, -y), (x, y), (-x, y)], bounds=bounds, name="rectangle")
     return replace(made, sizes={"width": 2 * x, "height": 2 * y})
@@ -218,12 +222,12 @@ def rectangle(width: float = 2.0, height: float = 1.0, *, bounds: Bounds = "cent
 def circle(radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
     """The inside of a circle about the origin."""
     faults = Faults("circle")
-    radius = _positive(faults, "radius", radius)
-    _bounds(faults, bounds)
+    radius = positive(faults, "radius", radius)
+    check_bounds(faults, bounds)
     faults.done()
 
     def make(inset: float) -> Shape:
-        _room("circle", radius - inset, "in the circle", inset)
+        need_room("circle", radius - inset, "in the circle", inset)
         return Shape(inside=[(0.0, 0.0, radius - inset, 0)], size=radius)
 
     return Table("circle", bounds, 2, make, {"radius": radius})
@@ -237,8 +241,8 @@ def ellipse(major: float = 1.0, minor: float = 0.8, *, bounds: Bounds = "centre"
     curvature cannot touch it everywhere, and is refused.
     """
     faults = Faults("ellipse")
-    p, q = _positive(faults, "major", major), _positive(faults, "minor", minor)
-    _bounds(faults, bounds)
+    p, q = positive(faults, "major", major), positive(faults, "minor", minor)
+    check_bounds(faults, bounds)
     faults.done()
     sharpest = min(p, q) ** 2 / max(p, q)
 
@@ -256,13 +260,13 @@ def ellipse(major: float = 1.0, minor: float = 0.8, *, bounds: Bounds = "centre"
 def stadium(straight: float = 2.0, radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
     """Bunimovich's stadium: two straight sides of that length in x, and two half circles."""
     faults = Faults("stadium")
-    straight, radius = _positive(faults, "straight", straight), _positive(faults, "radius", radius)
-    _bounds(faults, bounds)
+    straight, radius = positive(faults, "straight", straight), positive(faults, "radius", radius)
+    check_bounds(faults, bounds)
     faults.done()
 
     def make(inset: float) -> Shape:
         r, x = radius - inset, straight / 2
-        _room("stadium", r, "in the stadium", inset)
+        need_room("stadium", r, "in the stadium", inset)
         sides = [
             face(0, 1, -r, -x, x, low=-math.inf, high=math.inf),
             face(0, -1, -r, -x, x, low=-math.inf, high=math.inf),
@@ -292,7 +296,7 @@ def torus(
 def sinai(radius: float = 0.3, side: float = 1.0, *, bounds: Bounds = "centre") -> Table:
     """Sinai's billiard: one circular scatterer in a square torus."""
     faults = Faults("sinai")
-    radius, side = _positive(faults, "radius", radius), _positive(faults, "side", side)
+    radius, side = positive(faults, "radius", radius), positive(faults, "side", side)
     faults.done()
     made = _cell("sinai", (side, side), ((0.0, 0.0, radius),), bounds, periodic=(True, True))
     return replace(made, sizes={"radius": radius, "side": side})
@@ -313,7 +317,7 @@ def _cell(
     name: str, cell: Sequence[float], scatterers: Sequence[Sequence[float]], bounds: str, periodic: tuple[bool, bool]
 ) -> Table:
     faults = Faults(name)
-    _bounds(faults, bounds)
+    check_bounds(faults, bounds)
     side = np.ones(2)
     circles = np.zeros((0, 3))
     for field, value, shape, what in (
@@ -349,7 +353,7 @@ def _cell(
             along += [(0.0, 2 * h), (2 * w, 2 * h), (2 * w, -2 * h)]
         else:
             c = inset - h
-            _room(name, -c, "between the walls", inset)
+            need_room(name, -c, "between the walls", inset)
             # (its length is a period's; a ball that goes through a window goes on along it)
             found.faces = [
                 face(0, 1, c, -w, w, low=-math.inf, high=math.inf),
@@ -366,81 +370,3 @@ def _cell(
         return found
 
     return Table(name, bounds, 2, make, {"cell": [2 * w, 2 * h], "scatterers": circles.tolist()})
-
-
-# --- space --------------------------------------------------------------------------------------------------------------
-
-
-def sphere(radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
-    """The inside of a sphere about the origin."""
-    faults = Faults("sphere")
-    radius = _positive(faults, "radius", radius)
-    _bounds(faults, bounds)
-    faults.done()
-
-    def make(inset: float) -> Shape:
-        _room("sphere", radius - inset, "in the sphere", inset)
-        return Shape(sphere=radius - inset, size=radius)
-
-    return Table("sphere", bounds, 3, make, {"radius": radius})
-
-
-def plates(distance: float = 1.0, *, bounds: Bounds = "centre", acceleration: Sequence[float] = (0.0, 0.0)) -> Table:
-    """Two parallel plates y = -distance/2 and y = distance/2; ``acceleration`` (x, z) along them."""
-    faults = Faults("plates")
-    distance = _positive(faults, "distance", distance)
-    _bounds(faults, bounds)
-    g = _acceleration(faults, acceleration, 2)
-    faults.done()
-    sizes = {"distance": distance} | ({"acceleration": list(g)} if any(g) else {})
-    return Table("plates", bounds, 3, strip(distance).make, sizes, (g[0], 0.0, g[1]))
-
-
-def cylinder(section: Table | float = 1.0, height: float | None = None, *, acceleration: float = 0.0) -> Table:
-    """A cylinder along z over a table of the plane (a number: over a circle of that radius), open or with two lids.
-
-    ``acceleration`` along the axis, for open ones: gravity is -9.81. What the section bounds, the cylinder bounds.
-    """
-    faults = Faults("cylinder")
-    if isinstance(section, int | float):
-        section = circle(section)
-    if not isinstance(section, Table) or section.dimension != 2:
-        faults.add("section", "a table of the plane, or a radius", f"{section!r:.60}")
-        faults.done()
-    if height is not None:
-        height = _positive(faults, "height", height)
-    (g,) = _acceleration(faults, acceleration)
-    if height is not None and g:
-        faults.add(
-            "acceleration", "none where there are lids, for a force acts along all walls only", repr(acceleration)
-        )
-    faults.done()
-
-    def make(inset: float) -> Shape:
-        shape = section.make(inset)
-        if height is not None:
-            _room("cylinder", height / 2 - inset, "between the lids", inset)
-            c = inset - height / 2
-            shape.faces = [*shape.faces, face(0, 0, c, nz=1.0), face(0, 0, c, nz=-1.0)]
-            shape.order = None
-        return shape
-
-    sizes = {"section": section.name, **section.sizes}
-    sizes |= ({} if height is None else {"height": height}) | ({"acceleration": g} if g else {})
-    return Table("cylinder", section.bounds, 3, make, sizes, (section.pull[0], 0.0, g))
-
-
-def box(size: Sequence[float] = (1.0, 1.0, 1.0), *, bounds: Bounds = "centre") -> Table:
-    """A box (x, y, z) about the origin. An edge between lid and side is met as lid and side, one after the other."""
-    faults = Faults("box")
-    _bounds(faults, bounds)
-    try:
-        sides = float_array(size)
-    except (TypeError, ValueError):
-        sides = np.empty(0)
-    if sides.shape != (3,) or not (np.isfinite(sides) & (sides > 0)).all():
-        faults.add("size", "three lengths > 0", repr(size))
-    faults.done()
-    x, y, z = (float(s) for s in sides)
-    made = cylinder(rectangle(x, y, bounds=bounds), z)
-    return replace(made, name="box", sizes={"size": [x, y, z]})
