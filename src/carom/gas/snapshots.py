@@ -31,7 +31,7 @@ class Snapshots:
 
     Parameters
     ----------
-    path : name of the file
+    path : of the file
     names : of the species
     keep : frames of the file to go on from; left out: it is begun anew
 

@@ -33,7 +33,7 @@ def plot_gas(session: Session, file: str | os.PathLike[str] | None = None, *, ti
     ----------
     session : Session
         One that has measured something.
-    file : name of a file to write, .svg, .pdf or .png, optional
+    file : path of a file to write, .svg, .pdf or .png, optional
     title : left out: the scene in words; "" for none
 
     Returns
