@@ -16,13 +16,13 @@ from pathlib import Path
 import numpy as np
 from rich.console import Console
 from rich.progress import track as progress
-from rich.table import Table
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 from track_truth import Camera, bounce, seen, shot, truth
 
 from carom.errors import CaromError
 from carom.tracks.measure import Settings, measure
+from carom.tracks.table import chosen
 
 CAMERAS = {
     "30 fps": Camera(30, 3e-4),
@@ -39,6 +39,7 @@ CAMERAS = {
     "50 fps, clamped at the wall": Camera(50, 3e-4, clamp=True),
     "240 fps, clamped at the wall": Camera(240, 3e-4, clamp=True),
 }
+BEFORE = ("vn_in", "vt_in")
 NAMES = ("t", "vn_in", "vt_in", "vn_out", "vt_out", "vn_roll", "vt_roll")
 
 
@@ -51,7 +52,7 @@ def pulls(
     numbers = range(seed, seed + count)
     for number in progress(numbers, kind, console=Console(stderr=True), transient=True) if show else numbers:
         rng = np.random.default_rng(number)
-        flies = kind.startswith("flight")
+        flies, sliding = kind.startswith("flight"), kind.endswith("(--sliding)")
         run = bounce(rng) if flies else shot(rng, "sliding" in kind)
         axes = (0, 2) if flies else (0, 1)
         told = truth(run, axes)
@@ -66,36 +67,34 @@ def pulls(
             if abs(near["t"] - one.time) > 3 / camera.rate:
                 continue
             counts["seen"] += 1
-            fit = one.fit
-            good = {stage: not one.why_not(stage) for stage in ("after_wall", "rolling")}
-            for stage, is_good in good.items():
-                counts[stage] += is_good
+            stages = chosen(one, "both", sliding)[0]
+            for stage in stages:
+                counts[stage] += 1
             for name in NAMES:
-                if name in near and (good["rolling"] if "roll" in name else good["after_wall"]):
-                    found[name].append((fit[name] - near[name]) / fit.error(name))
+                wanted = (
+                    stages
+                    if name in BEFORE
+                    else [stage for stage in stages if (stage == "rolling") == ("roll" in name)]
+                )
+                if wanted and name in near:
+                    found[name].append((one.fit[name] - near[name]) / one.fit.error(name))
     return found, counts
 
 
 def main() -> None:
-    """A table on standard output."""
+    """A line a camera on standard output."""
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("count", nargs="?", type=int, default=1000)
     parser.add_argument("--only", default="")
     given = parser.parse_args()
-    table = Table(
-        "camera",
-        "contacts",
-        "measured",
-        "leaving told",
-        "rolling told",
-        *NAMES,
-        title="within 1 / 1.96 standard deviations, %",
-    )
+    heads = ("contacts", "fitted", "leaving", "rolling", *NAMES)
+    print(f"{'within 1 / 1.96 sigma, %':36}", *(f"{head:>13}" for head in heads))
     kinds = dict(CAMERAS)
-    kinds |= {"sliding at first, 120 fps": Camera(120, 3e-4), "sliding at first, 50 fps": Camera(50, 3e-4)}
+    for name in ("sliding at first, 120 fps", "sliding at first, 50 fps", "sliding at first, 120 fps (--sliding)"):
+        kinds[name] = Camera(120 if "120" in name else 50, 3e-4)
     kinds |= {
-        "flight, 120 fps": Camera(120, 3e-4),
         "flight, 30 fps": Camera(30, 1e-3),
+        "flight, 120 fps": Camera(120, 3e-4),
         "flight, 1000 fps": Camera(1000, 3e-4),
     }
     for kind, camera in kinds.items():
@@ -110,8 +109,7 @@ def main() -> None:
             off = [(one - 0.6827) / np.sqrt(0.6827 * 0.3173 / n), (two - 0.95) / np.sqrt(0.95 * 0.05 / n)]
             mark = " !" if max(map(abs, off)) > 3 else ""
             cells.append(f"{100 * one:.1f} / {100 * two:.1f}{mark}" if len(z) else "-")
-        table.add_row(kind, *(str(counts[name]) for name in counts), *cells)
-    Console(width=200).print(table)
+        print(f"{kind:36}", *(f"{cell:>13}" for cell in (*counts.values(), *cells)), flush=True)
     one, two = (100 * np.sqrt(p * (1 - p) / given.count) for p in (0.6827, 0.95))
     print(
         f"counting error with {given.count} runs: {one:.1f} and {two:.1f} points; ! where off by more than three times that"

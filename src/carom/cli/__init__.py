@@ -31,6 +31,7 @@ VERBS: tuple[str, ...] = (
     "simulate",
     "gas",
     "orbit",
+    "tracks",
 )
 
 for verb in VERBS:

@@ -129,6 +129,10 @@ def _step(x: Array) -> float:
     step = float(1 / per[peak])
     count = np.round(gaps / step)
     good = (count > 0) & (np.abs(gaps / step - count) < 0.2)
+    # an even motion has even gaps too: a step shows by places that come again, or by gaps of many sizes
+    kinds = np.unique(count[good], return_counts=True)[1]
+    if len(values) > 0.8 * len(x) and (kinds > 0.05 * good.sum()).sum() < 3:
+        return 0.0
     return float((gaps[good] * count[good]).sum() / (count[good] ** 2).sum()) if good.any() else step
 
 

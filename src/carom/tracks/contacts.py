@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from carom.tracks.track import Track
 
-__all__ = ["Event", "Wall", "find_events", "find_walls", "turns"]
+__all__ = ["Event", "Wall", "find_events", "find_walls", "turns", "wall_through"]
 
 Array = NDArray[np.float64]
 TOUCH = 0.010  # m: a pass closer than this is taken for a meeting of balls, since the frames cannot tell
@@ -99,6 +99,16 @@ def find_walls(
         point[axis], normal[axis] = sign * edge, float(sign)
         walls.append(Wall(name, (point[0], point[1]), (normal[0], normal[1]), clamped=clamped))
     return walls
+
+
+def wall_through(name: str, first: tuple[float, float], second: tuple[float, float], tracks: Sequence[Track]) -> Wall:
+    """The wall whose line goes through two points (m); the balls are on the side where most of their places are."""
+    along = np.array(second) - np.array(first)
+    n = np.array([-along[1], along[0]]) / np.hypot(*along)
+    x = np.concatenate([track.position[track.seen][:, :2] for track in tracks])
+    if np.median((x - first) @ n) < 0:
+        n = -n
+    return Wall(name, first, (float(n[0]) + 0.0, float(n[1]) + 0.0), found=False)
 
 
 def find_events(

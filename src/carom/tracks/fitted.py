@@ -106,15 +106,16 @@ def differences(f: Model, theta: Array, step: Array) -> Array:
 
 
 def solve(
-    residual: Model, slope: Model, theta: Array, scale: Array, bounds: tuple[Array, Array] | None = None
-) -> tuple[Array, float]:
+    residual: Model, slope: Model, theta: Array, scale: Array, bounds: tuple[Array, Array] | None = None,
+    tolerance: float = 1e-9,
+) -> tuple[Array, float]:  # fmt: skip
     """Least squares by scipy: the parameters, and the sum of squares."""
     from scipy.optimize import least_squares
 
     low, high = bounds if bounds is not None else (np.full(len(theta), -np.inf), np.full(len(theta), np.inf))
     found = least_squares(
         residual, np.clip(theta, low + 1e-12, high - 1e-12), jac=slope, x_scale=scale, bounds=(low, high), method="trf",
-        xtol=1e-10, ftol=1e-10, gtol=1e-10, max_nfev=60,
+        xtol=tolerance, ftol=tolerance, gtol=tolerance, max_nfev=60,
     )  # fmt: skip
     return found.x, float(2 * found.cost)
 

@@ -133,6 +133,7 @@ class _Table:
         found, cost = solve(
             lambda part: self.residual(whole(part)), lambda part: self.slope(whole(part))[:, free],
             start[free], self.scale[free], (self.low[free], self.high[free]),
+            1e-4 if not free[11] else 1e-9,  # on the way there is no need to be exact
         )  # fmt: skip
         return whole(found), cost
 
@@ -164,6 +165,8 @@ class _Table:
             # where it ends with the last frames, none tells how much slip was left: sliding on says the same with less
             if self.k * other[5] / other[11] < frames[-1] - self.since - 1.5 * interval:
                 found.append((other, cost, EARNED, SLIDING, False))
+                if cost < 1.3 * (2 * len(self.time) - len(_NUMBERS)):
+                    break  # as good as it can be: other starts would end here too
         return found
 
 

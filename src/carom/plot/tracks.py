@@ -1,0 +1,157 @@
+"""A picture of measured tracks: the way from above with its contacts, speed over time with the fitted physics, residuals."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.plot.drawing import GREY, INK, sheet
+from carom.plot.save import style
+from carom.tracks.contact import Contact
+from carom.tracks.measure import Measured
+from carom.tracks.table import chosen
+from carom.tracks.track import Track
+
+__all__ = ["plot_tracks"]
+
+Array = NDArray[np.float64]
+BLUE, ORANGE = "#0072B2", "#D55E00"
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+FRAMES = 12.0
+
+
+def plot_tracks(measured: Measured) -> Any:
+    """A Figure of three panels: all tracks with walls and contacts; the speed of the ball with most contacts; residuals."""
+    with style():
+        figure = sheet(9.0, 5.6)
+        figure.set_layout_engine("constrained")
+        grid = figure.add_gridspec(2, 2, width_ratios=[1.0, 1.05])
+        places, speeds, gaps = (
+            figure.add_subplot(grid[:, 0]),
+            figure.add_subplot(grid[0, 1]),
+            figure.add_subplot(grid[1, 1]),
+        )
+        _places(places, measured)
+        _speeds(speeds, measured)
+        _residuals(gaps, measured)
+    return figure
+
+
+def _places(axes: Any, measured: Measured) -> None:
+    many = len(measured.tracks) > len(COLOURS)
+    names = list(dict.fromkeys(track.name for track in measured.tracks))
+    for track in measured.tracks:
+        colour = COLOURS[names.index(track.name) % len(COLOURS)]
+        axes.plot(*track.position.T, "-", color=colour, lw=0.4 if many else 0.6, alpha=0.35 if many else 0.8, zorder=2)
+        if not many:
+            axes.plot(*track.position.T, "o", color=colour, ms=2.0, mec="none", zorder=3, label=track.name)
+    x = np.concatenate([track.position for track in measured.tracks])
+    low, high = x.min(axis=0), x.max(axis=0)
+    reach = float((high - low).max())
+    for wall in measured.walls:
+        n = np.array(wall.normal)
+        along = np.array([-n[1], n[0]])
+        middle = np.array(wall.point) + along * (((low + high) / 2 - wall.point) @ along)
+        half = abs((high - low) @ np.abs(along)) / 2 + 0.02 * reach
+        ends = np.stack([middle - half * along, middle + half * along])
+        axes.plot(*ends.T, color=INK, lw=1.4, zorder=1)
+    told = [one for one in measured.contacts if one.fit is not None and chosen(one, "best", True)[0]]
+    if told:
+        axes.plot(
+            *np.array([_place(one) for one in told]).T,
+            "o",
+            ms=6,
+            mfc="none",
+            mec=INK,
+            mew=0.9,
+            zorder=5,
+            label="contact, measured",
+        )
+    others = [place for one in measured.contacts if one not in told and (place := _seen(measured, one)) is not None]
+    if others:
+        axes.plot(*np.array(others).T, "x", ms=5, color=GREY, mew=0.9, zorder=4, label="contact, not measured")
+    side = measured.view == "side"
+    axes.set(aspect="equal", xlabel="x, m", ylabel="height, m" if side else "y, m")
+    axes.set_title("From the side" if side else "From above", loc="left")
+    axes.margins(0.05)
+    handles, _labels = axes.get_legend_handles_labels()
+    if 0 < len(handles) <= 8:
+        axes.legend(
+            loc="lower center", bbox_to_anchor=(0.5, 1.04), ncols=3, frameon=False, fontsize=7.5, columnspacing=1.2
+        )
+
+
+def _place(one: Contact) -> Array:
+    assert one.fit is not None
+    return np.asarray(one.wall.back(np.array([[one.fit["away"], one.fit["along"]]]))[0])
+
+
+def _seen(measured: Measured, one: Contact) -> Array | None:
+    """Where the ball is seen next to a contact that was not fitted."""
+    for track in measured.tracks:
+        if (track.group, track.name) == (one.group, one.track):
+            return np.asarray(track.position[int(np.argmin(np.abs(track.time - one.time)))])
+    return None
+
+
+def _busiest(measured: Measured) -> tuple[Track, list[Contact]]:
+    """The track with the most contacts measured."""
+    counts: dict[tuple[str, str], list[Contact]] = {}
+    for one in measured.contacts:
+        counts.setdefault((one.group, one.track), []).append(one)
+
+    def rank(track: Track) -> int:
+        return sum(one.fit is not None for one in counts.get((track.group, track.name), []))
+
+    track = max(measured.tracks, key=rank)
+    return track, [one for one in counts.get((track.group, track.name), []) if one.fit is not None]
+
+
+def _speeds(axes: Any, measured: Measured) -> None:
+    track, contacts = _busiest(measured)
+    step = np.diff(track.time)
+    good = step < 1.5 * measured.interval
+    middle = (track.time[1:] + track.time[:-1]) / 2
+    speed = np.hypot(*np.diff(track.position, axis=0).T) / np.maximum(step, 1e-9)
+    axes.plot(middle[good], speed[good], "o", ms=1.8, color=GREY, mec="none", label="from frame to frame")
+    label: str | None = "fitted motion"
+    for one in contacts:
+        fit = one.fit
+        assert fit is not None
+        for t in (np.linspace(fit.time[0], fit["t"] - 1e-6, 60), np.linspace(fit["t"] + 1e-6, fit.time[-1], 120)):
+            way = fit.places(t)
+            rate = np.hypot(*np.diff(way, axis=0).T) / np.diff(t)
+            axes.plot((t[1:] + t[:-1]) / 2, rate, color=ORANGE, lw=1.2, label=label)
+            label = None
+        axes.axvline(fit["t"], color=INK, lw=0.5, ls=(0, (2, 2)))
+    told = " ".join(filter(None, (track.group, track.name)))
+    axes.set_title(f"Speed of {told}", loc="left")
+    axes.set(
+        xlabel="time, s", ylabel="m/s", ylim=(0, 1.25 * float(np.quantile(speed[good], 0.99)) if good.any() else None)
+    )
+    if contacts:
+        first, last = contacts[0].fit, contacts[-1].fit
+        assert first is not None
+        assert last is not None
+        room = 0.05 * (last.time[-1] - first.time[0])
+        axes.set_xlim(first.time[0] - room, last.time[-1] + room)
+    axes.legend(loc="upper right", frameon=False, fontsize=7.5, ncols=2)
+
+
+def _residuals(axes: Any, measured: Measured) -> None:
+    fits = [one.fit for one in measured.contacts if one.fit is not None]
+    axes.axhspan(-1e3 * measured.noise, 1e3 * measured.noise, color="#eceae4", zorder=0, lw=0)
+    if fits:
+        frames = np.concatenate([(fit.time - fit["t"]) / measured.interval for fit in fits])
+        gap = 1e3 * np.concatenate([fit.residuals for fit in fits])
+        near = np.abs(frames) < FRAMES
+        axes.plot(frames[near], gap[near, 0], "o", ms=2.2, color=BLUE, mec="none", label="across the wall")
+        axes.plot(frames[near], gap[near, 1], "o", ms=2.2, color=ORANGE, mec="none", alpha=0.7, label="along it")
+        most = max(4.5e3 * measured.noise, 1.1 * float(np.quantile(np.abs(gap[near]), 0.995)))
+        axes.set_ylim(-most, 1.35 * most)
+        axes.legend(loc="upper right", frameon=False, fontsize=7.5, ncols=2)
+    axes.axvline(0, color=INK, lw=0.5, ls=(0, (2, 2)))
+    axes.set_title(f"Tracked less fitted; band: noise {1e3 * measured.noise:.2g} mm", loc="left")
+    axes.set(xlabel="frames from the contact", ylabel="mm", xlim=(-FRAMES, FRAMES))
