@@ -116,7 +116,8 @@ def _step(x: Array) -> float:
     if len(gaps) < 20:
         return 0.0
     # rounding to decimal places leaves gaps of 1 beside gaps of 10: steps far below the usual gap are no pixels
-    gaps = np.sort(gaps)[: max(len(gaps) // 2, 20)][:1000]
+    whole = np.sort(gaps)
+    gaps = whole[: max(len(gaps) // 2, 20)][:1000]
     most = float(gaps[-1])
     least = max(float(gaps[len(gaps) // 20]) / 1.5, most / 60)
     per = np.arange(1 / (1.1 * most), 1 / least, 1 / (12 * most))
@@ -129,9 +130,10 @@ def _step(x: Array) -> float:
     step = float(1 / per[peak])
     count = np.round(gaps / step)
     good = (count > 0) & (np.abs(gaps / step - count) < 0.2)
-    # an even motion has even gaps too: a step shows by places that come again, or by gaps of many sizes
-    kinds = np.unique(count[good], return_counts=True)[1]
-    if len(values) > 0.8 * len(x) and (kinds > 0.05 * good.sum()).sum() < 3:
+    # an even motion has even gaps too: where no place comes again, there must be many, or gaps of many sizes that fit well
+    again = len(values) < 0.8 * len(x)
+    kinds = np.unique(np.round(whole / step), return_counts=True)[1]
+    if not again and ((kinds > 0.03 * len(whole)).sum() < 3 or best < (0.6 if len(x) > 250 else 0.95)):
         return 0.0
     return float((gaps[good] * count[good]).sum() / (count[good] ** 2).sum()) if good.any() else step
 

@@ -65,7 +65,10 @@ class Fits:
                 )
                 found = self._round(jobs, given, found, 1, rounds, say)
         together = cloth if self.view == "above" else weight
-        self.floor, known = together([one.fit for one in found], given[0] if given else Prior(), self.settings.gravity)
+        owners = [(one.group, one.track) for one in found]
+        self.floor, known = together(
+            [one.fit for one in found], owners, given[0] if given else Prior(), self.settings.gravity
+        )
         return [self._judged(one) for one in self._round(jobs, known, found, rounds - 1, rounds, say)]
 
     def _round(

@@ -11,6 +11,9 @@ from carom.tracks.fitted import Fitted, Prior
 
 __all__ = ["cloth", "combined", "weight"]
 
+# Of so many contacts, one's own share in what all say is nothing.
+MANY = 400
+
 
 def combined(values: Sequence[float], variances: Sequence[float]) -> tuple[float, float, float]:
     """Mean, its variance, and the variance between the values beyond their errors; few wild values have no say.
@@ -37,11 +40,12 @@ def combined(values: Sequence[float], variances: Sequence[float]) -> tuple[float
 
 
 def cloth(
-    fits: Sequence[Fitted | None], prior: Prior, gravity: float
+    fits: Sequence[Fitted | None], owners: Sequence[tuple[str, str]], prior: Prior, gravity: float
 ) -> tuple[dict[str, tuple[float, float]], list[Prior]]:
     """Friction and rolling resistance with errors, and what each contact may know of them from all the others.
 
-    Each fit's own data are taken out of what it is told, or they would count twice.
+    Each fit's own frames are taken out of what it is told, or they would count twice: with it go the contacts of the same
+    ball (``owners``) whose frames it shares, before or after.
     """
     found: dict[str, tuple[float, float]] = {}
     known = [prior] * len(fits)
@@ -54,14 +58,15 @@ def cloth(
                 continue
             variance = 1 / (1 / fit.error(name) ** 2 - 1 / error**2)
             alone[i] = (variance * (fit[name] / fit.error(name) ** 2 - before / error**2), variance)
-        mean, variance, _between = combined(*_both(alone))
+        mean, variance, between = combined(*_both(alone))
         weight_before = 1 / error**2
         total = weight_before + (1 / variance if np.isfinite(variance) else 0.0)
         middle = (before * weight_before + (mean / variance if np.isfinite(variance) else 0.0)) / total
         found[label] = (middle / gravity, total**-0.5 / gravity)
         for i in range(len(fits)):
-            others = {j: one for j, one in alone.items() if j != i}
-            mean, variance, between = combined(*_both(others))
+            if len(alone) <= MANY:
+                others = {j: one for j, one in alone.items() if owners[i] != owners[j] or not _share(fits[i], fits[j])}
+                mean, variance, between = combined(*_both(others))
             if np.isfinite(variance):
                 spread = variance + between
                 # before pooling, as a weak opinion among many
@@ -73,18 +78,25 @@ def cloth(
     return found, known
 
 
+def _share(one: Fitted | None, other: Fitted | None) -> bool:
+    """Whether two fits of a ball have frames in common."""
+    if one is None or other is None:
+        return one is other
+    return bool(one.time[0] <= other.time[-1] and other.time[0] <= one.time[-1])
+
+
 def _both(alone: dict[int, tuple[float, float]]) -> tuple[list[float], list[float]]:
     return [one[0] for one in alone.values()], [one[1] for one in alone.values()]
 
 
 def weight(
-    fits: Sequence[Fitted | None], prior: Prior, gravity: float
+    fits: Sequence[Fitted | None], owners: Sequence[tuple[str, str]], prior: Prior, gravity: float
 ) -> tuple[dict[str, tuple[float, float]], list[Prior]]:
     """The gravity that the parabolas show, with its error; nothing that a fit would be told."""
     good = [fit for fit in fits if fit is not None]
     size = [float(np.hypot(fit["mu_g"], fit["c_g"])) for fit in good]
     mean, variance, between = combined(size, [max(fit.error("mu_g"), 1e-9) ** 2 for fit in good])
-    del gravity
+    del gravity, owners
     return ({"gravity": (mean, float(np.sqrt(variance + between / max(len(good), 1))))} if good else {}), [prior] * len(
         fits
     )
