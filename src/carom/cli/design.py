@@ -1,0 +1,133 @@
+"""``carom design``: which shots to film next, and how many."""
+
+from __future__ import annotations
+
+import json
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from carom.cli.fit import _inertia, _one, _pairs, _split, _try
+from carom.errors import CaromError
+
+BALL, SHOTS, WALL, OUT = "The ball", "The shots", "The wall", "What comes out"
+
+
+def register(app: typer.Typer) -> None:
+    """Add the verb."""
+    app.command()(design)
+
+
+def design(
+    file: Annotated[Path | None, typer.Argument(help="rebounds that there are already; left out: none")] = None,
+    laws: Annotated[str, typer.Option(metavar="TRUE,OTHER", help="the first is taken for true")] = "contact,sliding",
+    radius: Annotated[float, typer.Option(help="m", rich_help_panel=BALL)] = 0.02625,
+    inertia: Annotated[str, typer.Option(metavar="solid|hollow|KAPPA", rich_help_panel=BALL)] = "solid",
+    kind: Annotated[str, typer.Option(help="planar (in flight) or table (rolling)", rich_help_panel=BALL)] = "planar",
+    stage: Annotated[str, typer.Option(help="table: after_wall or rolling", rich_help_panel=BALL)] = "after_wall",
+    truth: Annotated[
+        list[str] | None, typer.Option(metavar="NAME=VALUE", help="numbers of the first law", rich_help_panel=WALL)
+    ] = None,
+    contact_height: Annotated[float, typer.Option(help="where the wall touches, radii", rich_help_panel=WALL)] = 1.0,
+    floor_friction: Annotated[float, typer.Option(rich_help_panel=WALL)] = 0.2,
+    angles: Annotated[str, typer.Option(metavar="LOW:HIGH", help="degrees from the normal", rich_help_panel=SHOTS)] = "5:75",
+    speeds: Annotated[str, typer.Option(metavar="LOW:HIGH", help="m/s", rich_help_panel=SHOTS)] = "1:3",
+    spins: Annotated[str, typer.Option(metavar="LOW:HIGH", help="rad/s before the wall", rich_help_panel=SHOTS)] = "0:0",
+    sigma_v: Annotated[float, typer.Option(help="error bar of a speed, m/s", rich_help_panel=SHOTS)] = 0.02,
+    sigma_spin: Annotated[
+        float | None, typer.Option(help="of a spin, rad/s", show_default="spin not measured", rich_help_panel=SHOTS)
+    ] = None,
+    odds: Annotated[float, typer.Option(help="how sure you want to be, to 1", rich_help_panel=SHOTS)] = 20.0,
+    plot: Annotated[Path | None, typer.Option(metavar="FILE", help="draw the map: .svg, .pdf, .png", rich_help_panel=OUT)] = None,
+    as_json: Annotated[bool, typer.Option("--json", help="JSON on standard output, nothing else", rich_help_panel=OUT)] = False,
+) -> None:  # fmt: skip
+    """Which incidence angles, speeds and spins tell two laws apart best under your noise, and how many shots it takes.
+
+    carom design --laws maw,contact --radius 0.02 --inertia hollow --sigma-v 0.15 --sigma-spin 10 --speeds 3:10
+    """
+    from carom.fitting import Setting
+    from carom.fitting.design import Shots
+    from carom.fitting.design import design as plan_shots
+    from carom.fitting.parameters import FORMS, INDEX
+    from carom.rebounds import KINDS, STAGES, read_rebounds
+
+    faults: list[str] = []
+    kappa = _try(faults, _inertia, inertia)
+    ranges = [
+        _try(faults, _range, name, text)
+        for name, text in (("--angles", angles), ("--speeds", speeds), ("--spins", spins))
+    ]
+    known = sorted({*INDEX, *(p.name for form in FORMS.values() for p in form.parameters)})
+    numbers = {
+        name: _try(faults, _one, "--truth", name, text) for name, text in _pairs(faults, "--truth", truth, known)
+    }
+    pair = _split(laws)
+    if len(pair) != 2:
+        faults.append(f"--laws: expected two laws, the one taken for true first, such as maw,contact, got {laws!r}")
+    if kind not in KINDS:
+        faults.append(f"--kind: expected planar or table, got {kind!r}")
+    if stage not in STAGES:
+        faults.append(f"--stage: expected after_wall or rolling, got {stage!r}")
+    if plot is not None:
+        _try(faults, _drawable, plot)
+    if faults:
+        raise CaromError(*faults)
+    filmed = None if file is None else read_rebounds(file)
+    shots = Shots(ranges[0], ranges[1], ranges[2], sigma_v, sigma_spin, stage)
+    setting = Setting(radius=radius, kappa=kappa, contact_height=contact_height, floor_friction=floor_friction)
+    plan = plan_shots(
+        filmed.kind if filmed is not None else kind,  # type: ignore[arg-type]
+        setting, (pair[0], pair[1]), shots, {k: v for k, v in numbers.items() if v is not None} or None, odds=odds, filmed=filmed,
+    )  # fmt: skip
+    if plot is not None:
+        from carom.plot.design import plot_design
+        from carom.plot.save import save
+
+        save(plot_design(plan), plot)
+        sys.stderr.write(f"drawn: {plot}\n")
+    if as_json:
+        sys.stdout.write(json.dumps(plan.as_dict(), indent=2, allow_nan=False) + "\n")
+    else:
+        _show(plan)
+
+
+def _range(option: str, text: str) -> tuple[float, float]:
+    low, colon, high = text.partition(":")
+    try:
+        return float(low), float(high if colon else low)
+    except ValueError:
+        raise CaromError(f"{option}: expected LOW:HIGH, such as 5:75, got {text!r}") from None
+
+
+def _drawable(path: Path) -> None:
+    from carom.plot.save import require_matplotlib, require_writable
+
+    require_writable(path)
+    require_matplotlib()
+
+
+def _show(plan: Any) -> None:
+    from rich import box
+    from rich.table import Table
+    from rich.text import Text
+
+    from carom.cli.shared import out
+
+    console = out()
+    said = ", ".join(f"{name} {value:.4g}" for name, value in plan.truth.items()) or "no numbers"
+    other = ", ".join(f"{name} {value:.4g}" for name, value in plan.other.items()) or "no numbers"
+    console.print(
+        Text(f"Taken for true: {plan.laws[0]} ({said})\nThe other comes closest with: {plan.laws[1]} ({other})")
+    )
+    if plan.shots and plan.count:
+        table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
+        for head in ("angle, degrees", "speed, m/s", "spin, rad/s", "times", "each adds to 2 log odds"):
+            table.add_column(head, justify="right")
+        for shot in plan.shots:
+            table.add_row(
+                f"{shot.angle_deg:.4g}", f"{shot.speed:.4g}", f"{shot.spin:.4g}", str(shot.repeat), f"{shot.gain:.3g}"
+            )
+        console.print(table)
+    console.print(Text(plan.sentence, style="bold green" if plan.count else "bold yellow"), soft_wrap=True)

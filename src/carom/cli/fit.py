@@ -1,0 +1,370 @@
+"""``carom fit``: rebounds to the laws' numbers, which law the data prefer, and a page to keep."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from carom.errors import CaromError
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+    from carom.fitting import Ranking, Setting
+    from carom.rebounds import Rebounds
+
+BALL, DATA, LAWS, OUT = "The ball", "The table", "The laws", "What comes out"
+
+
+def register(app: typer.Typer) -> None:
+    """Add the verb."""
+    app.command()(fit)
+
+
+def fit(
+    file: Annotated[Path, typer.Argument(help="a table of rebounds (CSV, Parquet), or a track")],
+    radius: Annotated[float, typer.Option(help="m", rich_help_panel=BALL)],
+    inertia: Annotated[
+        str, typer.Option(metavar="solid|hollow|KAPPA", help="kappa = I/(m a^2)", rich_help_panel=BALL)
+    ] = "solid",
+    laws: Annotated[
+        list[str] | None,
+        typer.Option(metavar="NAME,NAME", help="only these; may be repeated", rich_help_panel=LAWS),
+    ] = None,
+    restitution: Annotated[
+        str,
+        typer.Option(
+            help="over the speed: constant, line, polynomial, viscoelastic, exponential", rich_help_panel=LAWS
+        ),
+    ] = "constant",
+    fit_: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--fit",
+            metavar="NAME",
+            help="fit this too: kappa, contact_height, floor_friction, roll",
+            rich_help_panel=LAWS,
+        ),
+    ] = None,
+    fix: Annotated[
+        list[str] | None, typer.Option(metavar="NAME=VALUE", help="hold a number of the laws", rich_help_panel=LAWS)
+    ] = None,
+    bound: Annotated[
+        list[str] | None, typer.Option(metavar="NAME=LOW:HIGH", help="seek it between these", rich_help_panel=LAWS)
+    ] = None,
+    robust: Annotated[
+        bool, typer.Option("--robust", help="errors with heavy tails (Student's t)", rich_help_panel=LAWS)
+    ] = False,
+    contact_height: Annotated[
+        float,
+        typer.Option(
+            "--contact-height",
+            "--cushion-height",
+            help="where the wall touches, radii: a cushion 1.2 to 1.4",
+            rich_help_panel=LAWS,
+        ),
+    ] = 1.0,
+    floor_friction: Annotated[
+        float, typer.Option(help="while a cushion presses the ball on it", rich_help_panel=LAWS)
+    ] = 0.2,
+    floor_restitution: Annotated[float, typer.Option(rich_help_panel=LAWS)] = 0.0,
+    roll: Annotated[
+        float, typer.Option(help="share of rolling before the wall: 1, stunned 0", rich_help_panel=LAWS)
+    ] = 1.0,
+    kind: Annotated[
+        str | None, typer.Option(help="planar or table, where the columns do not say", rich_help_panel=DATA)
+    ] = None,
+    stage: Annotated[str | None, typer.Option(help="of all rows: after_wall or rolling", rich_help_panel=DATA)] = None,
+    sigma_v: Annotated[
+        float | None, typer.Option(help="error bar of speeds without one, m/s", rich_help_panel=DATA)
+    ] = None,
+    sigma_spin: Annotated[
+        float | None, typer.Option(help="error bar of spins without one, rad/s", rich_help_panel=DATA)
+    ] = None,
+    spin: Annotated[
+        str | None,
+        typer.Option(
+            help="where none was measured before: a number in rad/s, normal, normal:WIDTH or uniform:WIDTH (in v/a)",
+            show_default="normal, width fitted",
+            rich_help_panel=DATA,
+        ),
+    ] = None,
+    bootstrap: Annotated[
+        int | None, typer.Option(help="fits to rows drawn anew", show_default="200 where quick", rich_help_panel=OUT)
+    ] = None,
+    profiles: Annotated[
+        bool | None,
+        typer.Option(
+            "--profiles/--no-profiles",
+            help="intervals by profile likelihood",
+            show_default="where quick",
+            rich_help_panel=OUT,
+        ),
+    ] = None,
+    seed: Annotated[int, typer.Option(help="of the bootstrap", rich_help_panel=OUT)] = 0,
+    report: Annotated[
+        Path | None, typer.Option(help="the page to write", show_default="FILE-fit.html, here", rich_help_panel=OUT)
+    ] = None,
+    no_report: Annotated[bool, typer.Option("--no-report", help="write none", rich_help_panel=OUT)] = False,
+    as_json: Annotated[
+        bool, typer.Option("--json", help="JSON on standard output, nothing else", rich_help_panel=OUT)
+    ] = False,
+) -> None:
+    """Fit the laws of impact to measured rebounds, and say which the data prefer.
+
+    carom fit bounces.csv --radius 0.02 --inertia hollow
+    """
+    from rich.console import Console
+
+    from carom.fitting import Setting, fit_laws
+    from carom.fitting.parameters import FORMS, INDEX
+
+    faults: list[str] = []
+    kappa = _try(faults, _inertia, inertia)
+    prior = _try(faults, _spin, spin)
+    known = sorted({*INDEX, *(p.name for form in FORMS.values() for p in form.parameters)})
+    fixed = {name: _try(faults, _one, "--fix", name, text) for name, text in _pairs(faults, "--fix", fix, known)}
+    bounds = {name: _try(faults, _two, name, text) for name, text in _pairs(faults, "--bound", bound, known)}
+    extra = tuple(name for text in fit_ or [] for name in _split(text))
+    for name, value in (("--sigma-v", sigma_v), ("--sigma-spin", sigma_spin)):
+        if value is not None and not value > 0:
+            faults.append(f"{name}: expected an error bar above 0, got {value:g}")
+    page = report or Path(f"{file.stem}-fit.html")
+    if report is not None:
+        _try(faults, _writable, report)
+    setting = Setting(
+        radius=radius, kappa=kappa or 0.4, restitution=restitution, contact_height=contact_height,
+        floor_friction=floor_friction, floor_restitution=floor_restitution, roll=roll,
+        spin_prior=prior[1] if prior else "normal", spin_width=prior[2] if prior else None, fit=extra,
+        fixed={name: value for name, value in fixed.items() if value is not None},
+        bounds={name: value for name, value in bounds.items() if value is not None}, robust=robust,
+    )  # fmt: skip
+    _try(faults, _checked, setting)
+    rebounds = _try(faults, _read, file, kind, stage)
+    if faults:
+        raise CaromError(*faults)
+    rebounds = _completed(rebounds, sigma_v, sigma_spin, prior[0] if prior else None)
+    console = Console(stderr=True, highlight=False)
+    names = [name for text in laws or [] for name in _split(text)]
+    with _bar(console) as say:
+        ranking = fit_laws(rebounds, setting, names or None, profiles=profiles, bootstrap=bootstrap, seed=seed, say=say)
+        say("the page", 1.0)
+        written = None if no_report else _page(ranking, page, insists=report is not None, console=console)
+    if as_json:
+        sys.stdout.write(json.dumps(ranking.as_dict(), indent=2, allow_nan=False) + "\n")
+    else:
+        show(ranking)
+    for note in ranking.notes:
+        console.print(f"note: {note}", style="yellow", markup=False, soft_wrap=True)
+    if written is not None:
+        console.print(f"written: {written}", markup=False, soft_wrap=True)
+
+
+def _checked(setting: Setting) -> None:
+    from carom.fitting.fit import require_settings
+
+    require_settings(setting)
+
+
+def _read(file: Path, kind: str | None, stage: str | None) -> Rebounds:
+    from carom.rebounds import KINDS, read_rebounds
+
+    if kind is not None and kind not in KINDS:
+        raise CaromError(f"--kind: expected planar or table, got {kind!r}")
+    return read_rebounds(file, kind=kind, stage=stage)
+
+
+def _completed(rebounds: Rebounds, sigma_v: float | None, sigma_spin: float | None, spin: float | None) -> Rebounds:
+    """Error bars and spins that the options give, where the table has none."""
+    from dataclasses import replace
+
+    import numpy as np
+
+    columns, sigma = dict(rebounds.columns), dict(rebounds.sigma)
+    for name, column in columns.items():
+        if spin is not None and name in ("spin_in", "spin_z_in"):
+            columns[name] = np.where(np.isnan(column), spin, column)
+        given = sigma_spin if name.startswith("spin") else sigma_v
+        exact = spin is not None and name in ("spin_in", "spin_z_in")
+        if given is not None and name not in sigma and np.isfinite(column).any() and not exact:
+            sigma[name] = np.full(len(column), given)
+    return replace(rebounds, columns=columns, sigma=sigma)
+
+
+def _try(found: list[str], action: Any, *args: Any) -> Any:
+    try:
+        return action(*args)
+    except CaromError as error:
+        found += error.faults
+        return None
+
+
+def _split(text: str) -> list[str]:
+    return [part.strip() for part in text.split(",") if part.strip()]
+
+
+def _inertia(text: str) -> float:
+    from carom.ball import INERTIAS
+
+    try:
+        kappa = INERTIAS[text] if text in INERTIAS else float(text)
+    except ValueError:
+        kappa = math.nan
+    if not 0 < kappa <= 1:
+        raise CaromError(f"--inertia: expected solid, hollow or kappa = I/(m a^2) above 0, up to 1, got {text!r}")
+    return kappa
+
+
+def _spin(text: str | None) -> tuple[float | None, str, float | None]:
+    """A spin for all, or the prior and its width."""
+    if text is None:
+        return None, "normal", None
+    name, _, width = text.partition(":")
+    try:
+        if name in ("normal", "uniform"):
+            value = float(width) if width else None
+            if value is None or value > 0:
+                return None, name, value
+        else:
+            value = 0.0 if name == "none" else float(text)
+            if math.isfinite(value):
+                return value, "normal", None
+    except ValueError:
+        pass
+    raise CaromError(f"--spin: expected a spin in rad/s, normal, normal:WIDTH or uniform:WIDTH (in v/a), got {text!r}")
+
+
+def _pairs(faults: list[str], option: str, texts: list[str] | None, known: list[str]) -> Iterator[tuple[str, str]]:
+    from carom.checks import nearest
+
+    for text in texts or []:
+        name, equals, value = text.partition("=")
+        if not equals:
+            faults.append(f"{option}: expected NAME=..., got {text!r}")
+        elif name not in known:
+            faults.append(f"{option}: expected a number of a law, got {name!r}; {nearest(name, known)}")
+        else:
+            yield name, value
+
+
+def _one(option: str, name: str, text: str) -> float:
+    try:
+        return float(text)
+    except ValueError:
+        raise CaromError(f"{option}: {name}: expected a number, got {text!r}") from None
+
+
+def _two(name: str, text: str) -> tuple[float, float]:
+    low, _, high = text.partition(":")
+    try:
+        found = float(low), float(high)
+    except ValueError:
+        found = (1.0, 0.0)
+    if not found[0] < found[1]:
+        raise CaromError(f"--bound: {name}: expected LOW:HIGH, LOW below HIGH, got {text!r}")
+    return found
+
+
+def _writable(path: Path) -> None:
+    folder = path.absolute().parent
+    if path.is_dir() or not folder.is_dir() or not os.access(folder, os.W_OK):
+        raise CaromError(
+            f"--report: {path}: expected a file in a folder that exists and can be written to; make it first"
+        )
+
+
+@contextmanager
+def _bar(console: Console) -> Iterator[Any]:
+    """A progress bar on standard error, where that is a terminal."""
+    if not console.is_terminal:
+        yield lambda _what, _done: None
+        return
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (BarColumn(), TextColumn("[progress.description]{task.description}"), TimeElapsedColumn())
+    with Progress(*columns, console=console, transient=True) as progress:
+        task = progress.add_task("compiling, once", total=1.0)
+        yield lambda what, done: progress.update(task, completed=done, description=what)
+
+
+def _page(ranking: Ranking, path: Path, *, insists: bool, console: Console) -> Path | None:
+    import importlib.util
+
+    if importlib.util.find_spec("matplotlib") is None:
+        if insists:
+            raise CaromError("--report: needs Matplotlib, which is not installed; run: pip install matplotlib")
+        console.print("no report: Matplotlib is not installed (pip install matplotlib)", style="yellow")
+        return None
+    from carom.plot.fit import write_report
+
+    try:
+        return write_report(ranking, path)
+    except CaromError as error:
+        if insists:
+            raise
+        console.print(f"no report: {error}", style="yellow", markup=False, soft_wrap=True)
+        return None
+
+
+def show(ranking: Ranking) -> None:
+    """The ranking as a table, and the sentences below it."""
+    from rich import box
+    from rich.table import Table
+    from rich.text import Text
+
+    from carom.cli.shared import out
+
+    console = out()
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
+    for head, side in (
+        ("law", "left"),
+        ("AICc", "right"),
+        ("weight", "right"),
+        ("chi²/dof", "right"),
+        ("CV score", "right"),
+        ("numbers", "left"),
+    ):
+        table.add_column(head, justify=side, no_wrap=head != "numbers")  # type: ignore[arg-type]
+    least = ranking.best.aicc
+    for one in ranking.ranked:
+        fit = one.fit
+        goodness = "–" if fit.scatter or fit.dof <= 0 else f"{fit.chi2:.4g}/{fit.dof}"
+        numbers = ", ".join(f"{name} {written(estimate)}" for name, estimate in fit.estimates.items()) or "none"
+        table.add_row(
+            fit.law.name,
+            f"{fit.aicc:.1f}" if one is ranking.ranked[0] else f"+{fit.aicc - least:.1f}",
+            f"{one.weight:.3g}" if one.weight >= 1e-4 else "0",
+            goodness,
+            "–" if math.isnan(one.score) else f"{one.score:.3g}",
+            numbers,
+            style="bold" if one is ranking.ranked[0] else None,
+        )
+    console.print(table)
+    console.print(
+        Text(ranking.verdict, style="bold green" if ranking.fits and ranking.odds >= 20 else "bold yellow"),
+        soft_wrap=True,
+    )
+    for sentence in ranking.degenerate:
+        console.print(Text(f"not told: {sentence}"), soft_wrap=True)
+    for outlier in ranking.outliers[:10]:
+        console.print(Text(f"outlier: {outlier.row}: chi² {outlier.chi2:.1f}, {outlier.why}"), soft_wrap=True)
+    if len(ranking.outliers) > 10:
+        console.print(f"and {len(ranking.outliers) - 10} more outliers")
+
+
+def written(estimate: Any) -> str:
+    """A value with its error bar, as digits of it are worth."""
+    if estimate.value is None:
+        return f"? ({estimate.note})"
+    if estimate.stderr is None or not estimate.stderr > 0:
+        return f"{estimate.value:.4g} (at its bound)"
+    places = max(0, 1 - math.floor(math.log10(estimate.stderr)))
+    return f"{estimate.value:.{places}f} ± {estimate.stderr:.{places}f}"

@@ -1,0 +1,182 @@
+"""Rebounds as the compiled loops read them: arrays, variances, nodes for the spins that nobody measured."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.errors import CaromError
+from carom.rebounds import COLUMNS, STAGES, Rebounds
+
+__all__ = ["Problem", "Setting", "make_problem"]
+
+Array = NDArray[np.float64]
+SPREAD = 3.5  # a normal prior is followed to so many of its widths
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What is not in the table: the ball, the wall's height, what to fit and how."""
+
+    radius: float
+    """m"""
+    kappa: float = 0.4
+    """I / (m a^2)"""
+    restitution: str = "constant"
+    """One of :data:`carom.fitting.parameters.FORMS`."""
+    contact_height: float = 1.0
+    """Where the wall touches, in radii above the floor; a billiard cushion 1.2 to 1.4. Table rebounds."""
+    floor_friction: float = 0.2
+    floor_restitution: float = 0.0
+    roll: float = 1.0
+    """Share of rolling with which balls on a table arrive; 0: without roll (stunned)."""
+    spin_prior: str = "normal"
+    """Of a spin that nobody measured, in v/a about 0: "normal" of width spin_width, or "uniform" within it."""
+    spin_width: float | None = None
+    """v/a; None: fitted. A width that is too large speaks for laws that do not feel the spin, whatever the rest says."""
+    fit: tuple[str, ...] = ()
+    """Numbers to fit beside the law's own: kappa, contact_height, floor_friction, roll, spin_width."""
+    fixed: dict[str, float] = field(default_factory=dict)
+    """Numbers of the law that are not to be fitted, with their values."""
+    bounds: dict[str, tuple[float, float]] = field(default_factory=dict)
+    robust: bool = False
+    """Errors with heavy tails: Student's t with 4 degrees of freedom in place of the normal."""
+
+
+@dataclass(frozen=True)
+class Problem:
+    """N rebounds as arrays."""
+
+    rebounds: Rebounds
+    setting: Setting
+    x: Array
+    """(N, 3) before: v_n, v_t, spin (NaN: not measured)."""
+    vx: Array
+    """(N, 3) their variances."""
+    y: Array
+    """(N, 3) after; NaN: not measured."""
+    vy: Array
+    stages: NDArray[np.int64] | None
+    nodes: Array
+    """(M, 2) z and weight of a spin that was not measured."""
+    estimated: NDArray[np.bool_]
+    """(3,) outputs without error bars: their scatter is estimated."""
+
+    @property
+    def count(self) -> int:
+        """Numbers measured after the wall."""
+        return int(np.isfinite(self.y).sum())
+
+    @property
+    def unknown(self) -> NDArray[np.bool_]:
+        """(N,) rows whose spin before the wall nobody measured."""
+        return np.isnan(self.x[:, 2])
+
+    @property
+    def nu(self) -> float:
+        """Degrees of freedom of the errors; 0: normal."""
+        return 4.0 if self.setting.robust else 0.0
+
+    def select(self, rows: Any) -> Problem:
+        """Some of the rows."""
+        stages = None if self.stages is None else np.ascontiguousarray(self.stages[rows])
+        x, vx, y, vy = (np.ascontiguousarray(array[rows]) for array in (self.x, self.vx, self.y, self.vy))
+        return replace(self, rebounds=self.rebounds.select(rows), stages=stages, x=x, vx=vx, y=y, vy=vy)
+
+    def work(self, heavy: bool) -> float:
+        """How many times one look at all rows asks a cheap law."""
+        return float(len(self.x) + self.unknown.sum() * (len(self.nodes) - 1)) * (100.0 if heavy else 1.0)
+
+
+def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[str]]:
+    """The arrays, and what there is to say. Raises CaromError where a fit would be a guess."""
+    names = COLUMNS[rebounds.kind]
+    x = np.stack([rebounds[name] for name in names[:3]], axis=-1)
+    y = np.stack([rebounds[name] for name in names[3:]], axis=-1)
+    notes = []
+    square = not rebounds["v_t_in"].any() and not rebounds["v_t_out"].any()
+    if square:
+        y[:, 1] = np.nan
+    spins = names[5]
+    seen = np.isfinite(y)
+
+    def variance(name: str) -> Array:
+        return np.square(np.nan_to_num(rebounds.sigma.get(name, np.zeros(len(rebounds)))))
+
+    vx = np.stack([variance(name) for name in names[:3]], axis=-1)
+    vy = np.stack([variance(name) for name in names[3:]], axis=-1)
+    estimated = np.array([bool(seen[:, j].any()) and names[3 + j] not in rebounds.sigma for j in range(3)])
+    unknown = np.isnan(x[:, 2])
+    faults = []
+    if estimated.any():
+        lacks = ", ".join(f"sigma_{names[3 + j]}" for j in np.flatnonzero(estimated))
+        if unknown.any() or setting.robust:
+            why = (
+                f"{names[2]} was not measured in {unknown.sum()} rows"
+                if unknown.any()
+                else "the robust fit is asked for"
+            )
+            faults.append(
+                f"{rebounds.source}: {lacks}: expected error bars, because {why} and scatter cannot be told from it; got none;"
+                " add the columns, or say --sigma-v and --sigma-spin"
+            )
+        else:
+            notes.append(
+                f"{lacks}: not given; that scatter is estimated, by every law for itself, so no law can fit badly"
+            )
+        vy[:, estimated] = 1.0
+    if len(rebounds) < 3:
+        faults.append(f"{rebounds.source}: rows: expected at least 3 rebounds to fit, got {len(rebounds)}; film more")
+    if faults:
+        raise CaromError(*faults)
+    if any(name not in rebounds.sigma for name in names[:3] if np.isfinite(rebounds[name]).any()) and rebounds.sigma:
+        lacks = ", ".join(f"sigma_{name}" for name in names[:3] if name not in rebounds.sigma)
+        notes.append(f"{lacks}: not given; taken as exact before the wall")
+    stages = None if rebounds.stage is None else np.array([STAGES.index(str(s)) for s in rebounds.stage])
+    problem = Problem(rebounds, setting, x, vx, y, vy, stages, np.array([[0.0, 1.0]]), estimated)
+    if unknown.any():
+        problem = replace(problem, nodes=_nodes(problem))
+        width = "a width that is fitted" if setting.spin_width is None else f"width {setting.spin_width:g} v/a"
+        notes.append(
+            f"{names[2]}: not measured in {unknown.sum()} of {len(x)} rows; taken as anything ({setting.spin_prior} about 0,"
+            f" {width}) and averaged over"
+        )
+    notes += _look(problem, spins)
+    return problem, notes
+
+
+def _nodes(problem: Problem) -> Array:
+    """Nodes at which the laws are asked, evenly; between them what they say is straight, and as many places are weighed as the
+    error bars ask for. The density's trapezoidal sum is 1."""
+    normal = problem.setting.spin_prior == "normal"
+    z = np.linspace(-SPREAD, SPREAD, 85) if normal else np.linspace(-1.0, 1.0, 49)
+    density = np.exp(-np.square(z) / 2) if normal else np.ones(len(z))
+    return np.stack([z, density / ((density[1:] + density[:-1]) / 2).sum()], axis=-1)
+
+
+def _look(problem: Problem, spin: str) -> list[str]:
+    """What a fit cannot mend: few rows, one angle, one speed, no spin."""
+    notes = []
+    n = len(problem.x)
+    if n < 12:
+        notes.append(
+            f"rows: only {n} rebounds: error bars are those of a normal law of many; film more before you decide"
+        )
+    angle = np.degrees(np.arctan2(problem.x[:, 1], problem.x[:, 0]))
+    spun = problem.x[:, 2] * problem.setting.radius / np.hypot(problem.x[:, 0], problem.x[:, 1])
+    if np.isfinite(problem.y[:, 1]).any() and np.ptp(angle) < 3 and not np.nanmax(np.abs(spun), initial=0.0) > 0.05:
+        notes.append(
+            f"angles: all rows come in at the same angle, {np.median(angle):.1f} degrees within {np.ptp(angle):.1g}: one angle"
+            " fixes one number along the wall, not two; film other angles (carom design says which)"
+        )
+    speed = problem.x[:, 0]
+    if speed.max() < 1.3 * speed.min() and problem.setting.restitution != "constant":
+        notes.append(
+            f"speeds: v_n_in only from {speed.min():.3g} to {speed.max():.3g} m/s: too little for a restitution that depends on it"
+        )
+    if not np.isfinite(problem.y[:, 2]).any():
+        notes.append(f"{spin}: not measured; friction shows in v_t alone")
+    return notes

@@ -1,0 +1,67 @@
+"""A ranking as JSON holds it."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from carom.fitting.fit import Estimate, Fit
+    from carom.fitting.rank import Ranked, Ranking
+
+__all__ = ["as_dict"]
+
+
+def _finite(value: float | None) -> float | None:
+    return float(value) if value is not None and math.isfinite(value) else None
+
+
+def _estimate(estimate: Estimate) -> dict[str, Any]:
+    found: dict[str, Any] = {"value": _finite(estimate.value), "stderr": _finite(estimate.stderr)}
+    if estimate.interval_68 and estimate.interval_95:
+        found |= {"interval_68": list(estimate.interval_68), "interval_95": list(estimate.interval_95)}
+    if estimate.bootstrap is not None:
+        found["bootstrap_stderr"] = _finite(estimate.bootstrap)
+    if estimate.note:
+        found["note"] = estimate.note
+    return found
+
+
+def _covariance(fit: Fit) -> list[list[float | None]]:
+    return [[_finite(x) for x in row] for row in fit.covariance.tolist()]
+
+
+def _law(one: Ranked) -> dict[str, Any]:
+    fit = one.fit
+    return {
+        "law": fit.law.name,
+        "aicc": _finite(fit.aicc),
+        "bic": _finite(fit.bic),
+        "weight": one.weight,
+        "cross_validated_log_score": _finite(one.score),
+        "chi2": _finite(fit.chi2),
+        "dof": fit.dof,
+        "parameters": {name: _estimate(estimate) for name, estimate in fit.estimates.items()},
+        "covariance": {"names": list(fit.names), "matrix": _covariance(fit)},
+        "scatter": fit.scatter,
+    }
+
+
+def as_dict(ranking: Ranking) -> dict[str, Any]:
+    """Everything but the rows."""
+    return {
+        "ranking": [_law(one) for one in ranking.ranked],
+        "degenerate": [
+            {"law": one.fit.law.name, "parameters": list(one.fit.untold), "what": sentence}
+            for one in ranking.ranked
+            for sentence in one.fit.degenerate
+        ],
+        "verdict": ranking.verdict,
+        "odds": _finite(ranking.odds),
+        "against": ranking.against or None,
+        "fits": ranking.fits,
+        "enlarge_error_bars": ranking.enlarge,
+        "outliers": [vars(outlier) for outlier in ranking.outliers],
+        "notes": list(ranking.notes),
+        "rows": len(ranking.best.problem.x),
+    }

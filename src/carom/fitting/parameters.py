@@ -1,0 +1,88 @@
+"""The numbers that laws have: one array of all of them, in one order, for every law."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+__all__ = ["E0", "E1", "E2", "FORMS", "INDEX", "LINE", "NUMBERS", "PARAMETERS", "Form", "Parameter"]
+
+
+@dataclass(frozen=True)
+class Parameter:
+    """One number of a law."""
+
+    name: str
+    low: float
+    high: float
+    """Bounds within which it is sought."""
+    tried: tuple[float, ...]
+    """Where the search starts."""
+    start: float
+    """Its value where a law does not say."""
+    unit: str = ""
+    meaning: str = ""
+
+
+# The order is that of the arrays which the compiled loops read: kernels.py knows it by place.
+PARAMETERS = (
+    Parameter("restitution", 0.0, 1.0, (0.4, 0.6, 0.75, 0.85, 0.95), 1.0, meaning="normal, at the speed of the impact"),
+    Parameter("restitution_1", 0.0, 10.0, (0.1,), 0.0, meaning="second number of the restitution's form"),
+    Parameter("restitution_2", 0.0, 10.0, (0.25,), 0.0, meaning="third number of the restitution's form"),
+    Parameter("friction", 0.0, 5.0, (0.03, 0.08, 0.15, 0.3, 0.6, 1.5), 0.0, meaning="of the wall (Coulomb)"),
+    Parameter("tangential_restitution", -1.0, 1.0, (-0.5, 0.0, 0.5, 0.9), 0.0, meaning="share of the slip given back"),
+    Parameter("kappa", 0.05, 1.0, (0.4, 0.65), 0.4, meaning="moment of inertia over m a^2"),
+    Parameter("stiffness_ratio", 0.3, 2.5, (0.5, 0.82, 1.2, 1.8), 14 / 17, meaning="tangential over normal stiffness"),
+    Parameter("contact_height", 1.0, 1.6, (1.05, 1.2, 1.4), 1.0, "a", "where the wall touches, above the floor"),
+    Parameter("floor_friction", 0.0, 2.0, (0.1, 0.2, 0.4), 0.2, meaning="of the floor, while the wall presses on it"),
+    Parameter("floor_restitution", 0.0, 1.0, (0.0, 0.5), 0.0, meaning="of the floor"),
+    Parameter("spin_width", 0.0, 3.0, (0.2, 0.6), 1.25, "v/a", "of the spins that nobody measured"),
+    Parameter("roll", 0.0, 1.0, (0.5,), 1.0, meaning="share of rolling before the wall"),
+)
+INDEX = {parameter.name: i for i, parameter in enumerate(PARAMETERS)}
+NUMBERS = len(PARAMETERS)
+E0, E1, E2 = 0, 1, 2
+
+# Beside the forms of carom.motion.restitution: v_out = p0 v + p1, the line that experimenters draw.
+LINE = 5
+
+
+@dataclass(frozen=True)
+class Form:
+    """A form of restitution over the speed: its code, and what its numbers are called, with bounds and starts."""
+
+    code: int
+    parameters: tuple[Parameter, ...]
+    formula: str
+
+
+def _e(name: str, low: float, high: float, *tried: float) -> Parameter:
+    return Parameter(name, low, high, tried, tried[0])
+
+
+FORMS = {
+    "constant": Form(0, (PARAMETERS[0],), "e"),
+    "line": Form(
+        LINE,
+        (_e("restitution_slope", 0.0, 1.0, 0.6, 0.8, 0.95), Parameter("restitution_offset", -1.0, 1.0, (0.0,), 0.0, "m/s")),
+        "e = slope + offset / v_n, within 0 and 1",
+    ),
+    "polynomial": Form(
+        1,
+        (_e("restitution_0", 0.0, 1.0, 0.5, 0.8, 0.95), _e("restitution_1", -2.0, 2.0, 0.0), _e("restitution_2", -1.0, 1.0, 0.0)),
+        "e = r0 + r1 v_n + r2 v_n^2, level beyond its vertex (Han 2005, eq. 26)",
+    ),
+    "viscoelastic": Form(
+        3,
+        (_e("dissipation", 0.0, 5.0, 0.05, 0.15, 0.3, 0.6),),
+        "e = 1 / (1 + c + 2/5 c^2), c = dissipation v_n^(1/5) (Ramirez et al. 1999)",
+    ),
+    "exponential": Form(
+        4,
+        (
+            _e("restitution_slow", 0.0, 1.0, 0.9, 0.98),
+            _e("restitution_fast", 0.0, 1.0, 0.5, 0.7),
+            Parameter("restitution_speed", 0.01, 100.0, (0.5, 2.0), 1.0, "m/s"),
+        ),
+        "e = fast + (slow - fast) exp(-v_n / speed)",
+    ),
+}  # fmt: skip

@@ -1,0 +1,159 @@
+"""Tangential compliance: the contact is a spring along the surface too, and slips from its edge inwards.
+
+Maw, Barber & Fawcett, Wear 38, 101 (1976): an elastic sphere meets an elastic wall, with Hertz's pressure and Coulomb's
+friction at every place of the contact. What comes out depends on two numbers only,
+
+    psi = k u_t / (mu u_n),    chi = k (1 + 1/kappa) / 2,    k = 2 (1 - nu) / (2 - nu),
+
+with u_t the slip of the ball as a rigid body, u_n the speed of approach, k the tangential stiffness of the contact over the
+normal one (nu is Poisson's ratio of ball and wall, if alike). For psi < 1 the contact first sticks and its springs turn
+the slip round, by more or less than itself; for psi >= 4 chi - 1 it slides throughout.
+
+The curve psi_after(psi, chi) is solved beforehand (:func:`solve`), by springs that stand side by side: Popov & Hess, Method
+of Dimensionality Reduction in Contact Mechanics (2015), in which Hertz's contact with friction is exact as far as
+Cattaneo's and Mindlin's is. A normal restitution below 1 is brought in through the mean speed, (1 + e)/2 u_n, so that
+sliding takes mu (1 + e) m u_n as it must; that is a convention, not Maw's.
+"""
+
+from __future__ import annotations
+
+import math
+from importlib import resources
+from typing import Any
+
+import numpy as np
+
+from carom.kernel import Vec, cross, dot, kernel
+from carom.laws.card import Card
+from carom.laws.contact import slip_velocity
+
+__all__ = ["CARD", "CHI", "LIKE_SOLIDS", "maw_contact", "maw_kernel", "slip_kept", "solve"]
+
+CARD = Card(
+    name="maw",
+    summary="The contact gives along the surface as well: springs store part of the slip, and slip begins at the edge.",
+    assumptions=(
+        "Hertz's contact of a sphere; friction by Coulomb's law at every place of it (Cattaneo, Mindlin)",
+        "tangential and normal compliance do not couple: ball and wall of like material, or one of them incompressible",
+        "the impact is slow against sound in the ball; restitution below 1 only scales the normal speed",
+    ),
+    valid="Hard balls on hard walls at every angle, where no constant tangential restitution fits. For rubber, shells and"
+    " blades the stiffness ratio is a number to be fitted, not 2 (1 - nu)/(2 - nu).",
+    equations="carom.laws.maw",
+    citation="N. Maw, J. R. Barber & J. N. Fawcett, The oblique impact of elastic spheres, Wear 38, 101-114 (1976).",
+    doi="10.1016/0043-1648(76)90201-5",
+)
+
+LIKE_SOLIDS = 14 / 17  # k at nu = 0.3
+CHI = (0.3, 6.0)  # the curve is known between these
+# The table: psi from 0 to 1 and from 1 to 4 chi - 1, in so many steps each; chi in so many, evenly in its logarithm
+STEPS, CHIS = 32, 31
+_FIRST, _LOGS = math.log(CHI[0]), math.log(CHI[1] / CHI[0]) / (CHIS - 1)
+
+
+def solve(psi: float, chi: float, springs: int = 300, times: int = 3000) -> float:
+    """psi after the impact, by integration: ``springs`` abreast over half the contact, ``times`` steps.
+
+    Units in which E* sqrt(R), the mass and u_n are 1: d'' = -4/3 d^(3/2), and a spring at x presses with d - x^2. Along the
+    surface each is stretched as the ball moves while it holds, to no more than its pressure.
+    """
+    deepest = (15 / 16) ** 0.4  # 1/2 = (4/3)(2/5) d^(5/2)
+    # spring n stands at (n + 1/2) width: the same share of the contact each, the ball's speed by leapfrog
+    width = math.sqrt(deepest) / springs
+    rim = ((np.arange(springs) + 0.5) * width) ** 2
+    stretch = np.zeros(springs)
+    step = 2.9432 * deepest / times  # Hertz: the contact lasts 2.943 d_max / u_n
+    d, speed, slip = 0.0, 1.0, psi
+    force = 0.0
+    while d >= 0:
+        speed -= 4 / 3 * d * math.sqrt(d) * step / 2
+        slip -= 2 * chi * force * step / 2
+        d += speed * step
+        if d < 0:
+            break
+        stretch += slip * step
+        pressed = np.maximum(d - rim, 0)
+        np.clip(stretch, -pressed, pressed, out=stretch)
+        force = 2 * width * float(stretch.sum())
+        speed -= 4 / 3 * d * math.sqrt(d) * step / 2
+        slip -= 2 * chi * force * step / 2
+    return slip
+
+
+def _load() -> Any:
+    """psi after over psi before: (2, CHIS, STEPS + 1)."""
+    path = resources.files("carom.laws").joinpath("maw_curve.csv")
+    with path.open(encoding="utf-8") as file:
+        return np.loadtxt(file, delimiter=",").reshape(2, CHIS, STEPS + 1)
+
+
+_CURVE = _load()
+
+
+def table() -> Any:
+    """What ``maw_curve.csv`` holds, solved anew (a minute); from 0.5 downwards there is no second part."""
+    found = np.zeros((2, CHIS, STEPS + 1))
+    for m in range(CHIS):
+        chi = math.exp(_FIRST + m * _LOGS)
+        for i in range(STEPS + 1):
+            for part, psi in enumerate((max(i / STEPS, 0.01), 1 + i / STEPS * max(4 * chi - 2, 0))):
+                found[part, m, i] = solve(psi, chi) / psi
+    return found
+
+
+@kernel
+def _cubic(p: float, q: float, r: float, s: float, t: float) -> float:
+    """Catmull and Rom's cubic from q (t = 0) to r (t = 1)."""
+    return q + t / 2 * (r - p + t * (2 * p - 5 * q + 4 * r - s + t * (3 * (q - r) + s - p)))
+
+
+@kernel
+def _along(part: int, row: int, place: float) -> float:
+    """The curve of one chi at a place between 0 and STEPS."""
+    i = min(int(place), STEPS - 1)
+    q, r = _CURVE[part, row, i], _CURVE[part, row, i + 1]
+    p = _CURVE[part, row, i - 1] if i > 0 else 2 * q - r
+    s = _CURVE[part, row, i + 2] if i + 2 <= STEPS else 2 * r - q
+    return _cubic(p, q, r, s, place - i)
+
+
+@kernel
+def slip_kept(psi: float, chi: float) -> float:
+    """The share of the slip that is left, with its sign: psi after over psi before; chi within :data:`CHI`."""
+    if psi >= max(4 * chi - 1, 1.0):  # it slides from the beginning, and to the end
+        return 1 - 4 * chi / psi
+    part = 0 if psi < 1 else 1
+    place = STEPS * (psi if part == 0 else (psi - 1) / (4 * chi - 2))
+    across = (math.log(chi) - _FIRST) / _LOGS
+    m = max(0, min(int(across), CHIS - 2))
+    q, r = _along(part, m, place), _along(part, m + 1, place)
+    p = _along(part, m - 1, place) if m > 0 else 2 * q - r
+    s = _along(part, m + 2, place) if m + 2 < CHIS else 2 * r - q
+    return _cubic(p, q, r, s, across - m)
+
+
+@kernel
+def maw_contact(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, k: float) -> tuple[Vec, Vec]:
+    """Velocity and spin of a ball after a wall that gives along its surface, k times as stiff that way as normally."""
+    un, ut = slip_velocity(v, w, n, a)
+    slip = math.sqrt(dot(ut, ut))
+    pn = -(1 + e) * un
+    most = mu * pn
+    f = 0 * slip
+    if slip > 0 and most > 0:
+        chi = min(max(k * (1 + 1 / kappa) / 2, CHI[0]), CHI[1])
+        k = 2 * chi / (1 + 1 / kappa)
+        kept = slip_kept(2 * k * slip / most, chi) if most < math.inf else slip_kept(0 * k, chi)
+        f = (kept - 1) * kappa / (1 + kappa)
+        f = max(f, -most / slip)
+    j = (pn * n[0] + f * ut[0], pn * n[1] + f * ut[1], pn * n[2] + f * ut[2])
+    # (28), as for every contact
+    t = cross(n, (f * ut[0], f * ut[1], f * ut[2]))
+    c = 1 / (kappa * a)
+    return (v[0] + j[0], v[1] + j[1], v[2] + j[2]), (w[0] - t[0] * c, w[1] - t[1] * c, w[2] - t[2] * c)
+
+
+@kernel
+def maw_kernel(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float) -> tuple[Vec, Vec]:
+    """:func:`maw_contact` of like solids (nu = 0.3), in the form of every wall's law; beta is not used."""
+    return maw_contact(v, w, n, a, kappa, e, mu, LIKE_SOLIDS)

@@ -1,0 +1,264 @@
+"""A fit as pictures, and as one page that holds them."""
+
+from __future__ import annotations
+
+import html
+import io
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from carom.plot.drawing import GREY, INK, inks, sheet
+from carom.plot.save import style
+
+if TYPE_CHECKING:
+    from carom.fitting import Fit, Ranking
+
+__all__ = ["plot_fit", "plot_residuals", "write_report"]
+
+SHOWN = 4  # laws in one picture
+NAMES = ("normal speed after", "speed along the wall after", "spin after")
+UNITS = ("m/s", "m/s", "rad/s")
+
+
+def plot_fit(ranking: Ranking) -> Any:
+    """Weights; normal speeds; and what happens along the wall, measured and by the best laws. A Matplotlib Figure."""
+    with style():
+        figure = sheet(9.6, 3.5)
+        left, middle, right = figure.subplots(1, 3, gridspec_kw={"width_ratios": [0.8, 1, 1.35]})
+        _weights(left, ranking)
+        _normal(middle, ranking)
+        _along(right, ranking)
+        figure.tight_layout(w_pad=2.0)
+    return figure
+
+
+def _look(ranking: Ranking) -> dict[str, tuple[str, Any]]:
+    return inks([one.fit.law.name for one in ranking.ranked])
+
+
+def _weights(axes: Any, ranking: Ranking) -> None:
+    look = _look(ranking)
+    names = [one.fit.law.name for one in ranking.ranked][::-1]
+    axes.barh(names, [one.weight for one in ranking.ranked][::-1], color=[look[name][0] for name in names], height=0.6)
+    for i, one in enumerate(ranking.ranked[::-1]):
+        if one.weight < 0.6:
+            text = f"{one.weight:.2g}" if one.weight >= 1e-3 else "< 0.001"
+            axes.text(one.weight + 0.02, i, text, va="center", fontsize=7, color=GREY)
+    axes.set(xlim=(0, 1.05), title="weight of each law", xticks=(0, 0.5, 1))
+    axes.tick_params(axis="y", length=0)
+
+
+def _bars(fit: Fit, name: str) -> Any:
+    return fit.problem.rebounds.sigma.get(name)
+
+
+def _points(axes: Any, x: Any, y: Any, xerr: Any = None, yerr: Any = None) -> None:
+    many = len(x) > 300
+    axes.errorbar(
+        x, y, xerr=None if many else xerr, yerr=None if many else yerr, fmt="o", ms=1.5 if many else 3, color=INK,
+        elinewidth=0.6, alpha=0.3 if many else 0.9, label="measured", zorder=1, rasterized=many,
+    )  # fmt: skip
+
+
+def _normal(axes: Any, ranking: Ranking) -> None:
+    best = ranking.best
+    rebounds = best.problem.rebounds
+    v, out = rebounds["v_n_in"], rebounds["v_n_out"]
+    _points(axes, v, out, _bars(best, "v_n_in"), _bars(best, "v_n_out"))
+    predicted = best.predicted()[:, 0]
+    order = np.argsort(v)
+    axes.plot(
+        v[order], predicted[order], ".", ms=3, color=_look(ranking)[best.law.name][0], label=best.law.name, zorder=2
+    )
+    top = max(float(v.max()), float(out.max())) * 1.05
+    axes.plot((0, top), (0, top), color=GREY, lw=0.6, ls=":")
+    axes.set(xlim=(0, top), ylim=(0, top), xlabel="normal speed before, m/s", ylabel="after, m/s", title="normal speed")
+    axes.legend(loc="upper left", fontsize=7, frameon=False)
+
+
+def _along(axes: Any, ranking: Ranking) -> None:
+    """Of a planar bounce the slips, over the normal speed; of a table the angles."""
+    best = ranking.best
+    planar = best.law.kind == "planar"
+    rebounds, a = best.problem.rebounds, best.problem.setting.radius
+    look = _look(ranking)
+    if planar and np.isfinite(rebounds["spin_out"]).all() and np.isfinite(rebounds["spin_in"]).all():
+        v = rebounds["v_n_in"]
+
+        def place(y: Any) -> Any:
+            return (y[:, 1] - a * y[:, 2]) / v
+
+        x = (rebounds["v_t_in"] - a * rebounds["spin_in"]) / v
+        sign = np.where(x < 0, -1.0, 1.0)
+        words = ("slip before / normal speed", "slip after / normal speed before", "along the wall")
+        xerr = yerr = None
+    else:
+
+        def place(y: Any) -> Any:
+            return np.degrees(np.arctan2(y[:, 1], y[:, 0]))
+
+        x = np.degrees(rebounds.angle_in)
+        sign = np.where(x < 0, -1.0, 1.0)
+        words = ("incidence, degrees", "reflection, degrees", "angles from the wall's normal")
+        xerr = _angle_error(best, "in")
+        yerr = _angle_error(best, "out")
+    measured = np.stack([rebounds["v_n_out"], rebounds["v_t_out"], _spin_out(rebounds)], axis=-1)
+    _points(axes, x * sign, place(measured) * sign, xerr, yerr)
+    order = np.argsort(x * sign)
+    unknown = bool(best.problem.unknown.any())
+    for one in ranking.ranked[:SHOWN]:
+        ink, _dash = look[one.fit.law.name]
+        name = f"{one.fit.law.name} (no sidespin)" if unknown else one.fit.law.name
+        axes.plot(
+            (x * sign)[order], (place(one.fit.predicted()) * sign)[order], ".", ms=2.5, color=ink, label=name, zorder=2
+        )
+    low, high = axes.get_xlim()
+    if not planar:
+        axes.plot((0, 90), (0, 90), color=GREY, lw=0.6, ls=":")
+        axes.set_xlim(low, high)
+        top = float(np.nanmax(np.abs(place(measured)))) * 1.15
+        axes.set_ylim(bottom=max(axes.get_ylim()[0], -top), top=min(axes.get_ylim()[1], max(top, 20)))
+    else:
+        axes.axhline(0, color=GREY, lw=0.6, ls=":")
+    axes.set(xlabel=words[0], ylabel=words[1], title=words[2])
+    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=7, frameon=False, markerscale=2)
+
+
+def _angle_error(fit: Fit, side: str) -> Any:
+    rebounds = fit.problem.rebounds
+    names = (f"v_n_{side}", f"v_t_{side}")
+    if any(name not in rebounds.sigma for name in names):
+        return None
+    n, t = (rebounds[name] for name in names)
+    sn, st = (rebounds.sigma[name] for name in names)
+    return np.degrees(np.sqrt(np.square(t * sn) + np.square(n * st)) / (n * n + t * t))
+
+
+def _spin_out(rebounds: Any) -> Any:
+    return rebounds["spin_out" if rebounds.kind == "planar" else "spin_z_out"]
+
+
+def plot_residuals(ranking: Ranking) -> Any:
+    """What is left of each measured number under the two best laws, in error bars, over the incidence. A Matplotlib Figure."""
+    with style():
+        fits = [one.fit for one in ranking.ranked[:2]]
+        seen = [j for j in range(3) if np.isfinite(fits[0].problem.y[:, j]).any()]
+        figure = sheet(9.6, 1.5 + 1.7 * len(fits))
+        panels = figure.subplots(len(fits), len(seen), squeeze=False, sharex=True, sharey="row")
+        look = _look(ranking)
+        for row, fit in enumerate(fits):
+            x = np.degrees(fit.problem.rebounds.angle_in)
+            gap = (fit.problem.y - fit.predicted()) / np.sqrt(fit.problem.vy)
+            for column, j in enumerate(seen):
+                axes = panels[row, column]
+                axes.axhspan(-2, 2, color="#eeeeee", zorder=0)
+                axes.axhline(0, color=GREY, lw=0.6)
+                axes.plot(x, gap[:, j], "o", ms=2.5 if len(x) < 300 else 1, color=look[fit.law.name][0], alpha=0.8)
+                if row == 0:
+                    axes.set_title(NAMES[j])
+                if row == len(fits) - 1:
+                    axes.set_xlabel("incidence, degrees")
+            panels[row, 0].set_ylabel(f"{fit.law.name}\nmeasured - law, error bars")
+        figure.tight_layout()
+    return figure
+
+
+def _svg(figure: Any) -> str:
+    buffer = io.StringIO()
+    with style():
+        figure.savefig(buffer, format="svg", metadata={"Date": None})
+    text = buffer.getvalue()
+    return text[text.index("<svg") :]
+
+
+PAGE = """<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><title>{title}</title>
+<meta name="viewport" content="width=device-width, initial-scale=1">
+<style>
+body {{ font: 16px/1.5 system-ui, sans-serif; color: #222; max-width: 62rem; margin: 2rem auto; padding: 0 1rem; }}
+h1 {{ font-size: 1.5rem; }} h2 {{ font-size: 1.1rem; margin-top: 2rem; }}
+p.verdict {{ font-size: 1.15rem; border-left: 4px solid {colour}; padding: .4rem .8rem; background: #f6f6f4; }}
+div.wide {{ overflow-x: auto; }}
+table {{ border-collapse: collapse; font-size: .88rem; }} th, td {{ padding: .25rem .7rem; }}
+th, td {{ text-align: left; vertical-align: top; }}
+th {{ border-bottom: 1px solid #444; white-space: nowrap; }} td.n {{ text-align: right; white-space: nowrap; }}
+tr:nth-child(odd) td {{ background: #fafaf8; }} tr.best td {{ font-weight: 600; }}
+svg {{ max-width: 100%; height: auto; }} footer {{ color: #777; font-size: .8rem; margin-top: 2rem; }}
+</style></head><body>
+{body}
+</body></html>
+"""
+
+
+def _cell(text: str, number: bool = True) -> str:
+    return f'<td class="n">{text}</td>' if number else f"<td>{text}</td>"
+
+
+def _estimate(estimate: Any) -> str:
+    if estimate.value is None:
+        return f"? ({html.escape(estimate.note)})"
+    if estimate.stderr is None or not estimate.stderr > 0:
+        return f"{estimate.value:.4g}, {html.escape(estimate.note)}"
+    places = max(0, 1 - math.floor(math.log10(estimate.stderr)))
+    said = f"{estimate.value:.{places}f} ± {estimate.stderr:.{places}f}"
+    if estimate.interval_95:
+        said += f" (95 %: {estimate.interval_95[0]:.{places}f} to {estimate.interval_95[1]:.{places}f})"
+    return said
+
+
+def _table(heads: list[str], rows: list[str]) -> str:
+    head = "".join(f"<th>{head}</th>" for head in heads)
+    return f'<div class="wide"><table><tr>{head}</tr>{"".join(rows)}</table></div>'
+
+
+def _laws(ranking: Ranking) -> str:
+    rows = []
+    for i, one in enumerate(ranking.ranked):
+        fit = one.fit
+        numbers = "<br>".join(f"{html.escape(n)} {_estimate(e)}" for n, e in fit.estimates.items()) or "none"
+        if fit.scatter:
+            numbers += "<br>scatter: " + ", ".join(f"{n} {s:.3g}" for n, s in fit.scatter.items())
+        goodness = "–" if fit.scatter or fit.dof <= 0 else f"{fit.chi2:.1f} / {fit.dof}"
+        cells = _cell(f"<b>{fit.law.name}</b><br>{html.escape(fit.law.words)}", False) + _cell(f"{fit.aicc:.1f}")
+        cells += _cell(f"{fit.bic:.1f}") + _cell(f"{one.weight:.3g}" if one.weight >= 1e-6 else "0") + _cell(goodness)
+        cells += _cell("–" if math.isnan(one.score) else f"{one.score:.3f}") + _cell(numbers, False)
+        rows.append(f'<tr class="{"best" if i == 0 else ""}">{cells}</tr>')
+    return _table(["law", "AICc", "BIC", "weight", "chi² / dof", "CV log score", "numbers"], rows)
+
+
+def _list(title: str, lines: list[str]) -> str:
+    items = "".join(f"<li>{html.escape(line)}</li>" for line in lines)
+    return f"<h2>{title}</h2><ul>{items}</ul>" if lines else ""
+
+
+def write_report(ranking: Ranking, path: str | Path) -> Path:
+    """A page with everything in it: verdict, pictures, table, what is not told, outliers. Whole or not at all."""
+    from carom import __version__
+    from carom.tables.output import whole_file
+
+    path = Path(path)
+    setting, best = ranking.best.problem.setting, ranking.best
+    source = Path(best.problem.rebounds.source).name
+    good = ranking.fits and ranking.odds >= 20
+    body = [
+        f"<h1>Which law is right for {html.escape(source)}?</h1>",
+        f'<p class="verdict">{html.escape(ranking.verdict)}</p>',
+        f"<p>{len(best.problem.x)} rebounds ({best.law.kind}), {best.problem.count} numbers measured after the wall. Ball of"
+        f" radius {setting.radius * 1e3:.4g} mm, moment of inertia {setting.kappa:.4g} m a².</p>",
+        _svg(plot_fit(ranking)), "<h2>The laws, best first</h2>", _laws(ranking),
+        "<h2>What is left</h2>", _svg(plot_residuals(ranking)),
+        _list("What these data do not tell", ranking.degenerate),
+        _list("Outliers under the best law", [f"{o.row}: chi² {o.chi2:.1f}; {o.why}" for o in ranking.outliers]),
+        _list("Notes", list(ranking.notes)),
+        f"<footer>carom {__version__}. AICc and weights: the smaller and the larger the better; CV log score: of rows that were"
+        " not fitted to, the larger the better.</footer>",
+    ]  # fmt: skip
+    text = PAGE.format(
+        title=f"carom fit: {html.escape(source)}", colour="#009E73" if good else "#E69F00", body="\n".join(body)
+    )
+    with whole_file(path) as file:
+        file.write(text.encode())
+    return path
