@@ -22,12 +22,8 @@ app = typer.Typer(
 # One module a verb; each has a function `register(app)` and imports what is heavy inside its command.
 # fmt: off
 VERBS: tuple[str, ...] = (
-# fmt: off
-VERBS: tuple[str, ...] = (
     "compare", "laws", "figures", "derive", "predict", "datasets", "scene", "simulate",
     "gas", "orbit", "tracks", "fit", "design",
-)
-# fmt: on
 )
 # fmt: on
 

@@ -25,6 +25,7 @@ __all__ = ["Estimate", "Fit", "fit_law", "parameters_of", "refit", "rows_of_fit"
 
 Array = NDArray[np.float64]
 STEPS, FEW_STEPS = 200, 40
+POLISHED = 4  # times
 SEARCHED = 150  # rows, of many, in which starts are tried
 BLIND = 0.5  # a standard error of so much of a parameter's range, or of 1, tells nothing
 SHARE = 0.3  # of a direction that the data do not tell: a parameter with more of it is concerned
@@ -245,6 +246,8 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     else:
         p, extra = _search(ways, problem, start, parameters), 0.0
     p, cost, _u, h = _go(ways, problem, p, STEPS)
+    if problem.unknown.any() and len(names):
+        p, cost, h = _polished(ways, problem, p[int(np.argmin(cost))], float(cost.min()), parameters)
     best = int(np.argmin(cost))
     k = len(names) + len(scatter)
     fit = Fit(
@@ -269,6 +272,42 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
         info = info * max(problem.count - k, 1) / max(int(n_by[problem.estimated].sum()), 1)
     fit = replace(fit, chi2=float(least.sum()), dof=dof, by_row=least)
     return _with_errors(fit, ways, parameters, info)
+
+
+def _polished(
+    ways: _Ways, problem: Problem, p: Array, cost: float, parameters: list[Parameter]
+) -> tuple[Array, Array, Array]:
+    """Nelder and Mead's way and the steep one by turns, until neither gains.
+
+    Averaged over a spin, the deviance has creases, where rows change between sticking and sliding; on one of them the steep
+    way can end too early.
+    """
+    from scipy.optimize import minimize
+
+    blind = replace(ways, free=ways.free[:0])  # the deviance without its slopes: a quarter of the work
+    ranges = np.array([min(parameter.high - parameter.low, 1.0) for parameter in parameters])
+    low, high = np.array([q.low for q in parameters]), np.array([q.high for q in parameters])
+
+    def deviance(x: Array) -> float:
+        q = p.copy()
+        q[ways.free] = np.clip(x, low, high)
+        return float(_go(blind, problem, q[None], 1)[1][0]) + 1e3 * float(np.abs(x - q[ways.free]).sum())
+
+    for _ in range(POLISHED):
+        x = p[ways.free]
+        simplex = np.vstack([x, x + np.diag(np.where(x + 0.04 * ranges < high, 0.04, -0.04) * ranges)])
+        options = {"initial_simplex": simplex, "maxfev": 40 * len(x), "xatol": 1e-4, "fatol": 1e-3}
+        found = minimize(deviance, x, method="Nelder-Mead", options=options)
+        q = p.copy()
+        q[ways.free] = np.clip(found.x, low, high)
+        down, costs, _u, _h = _go(ways, problem, q[None], STEPS)
+        gained = cost - float(costs[0])
+        if gained > 0:
+            p, cost = down[0], float(costs[0])
+        if gained < 0.5:
+            break
+    places, costs, _u, h = _go(ways, problem, p[None], 1)
+    return places, costs, h
 
 
 def _with_scatter(
@@ -310,22 +349,26 @@ def _with_errors(fit: Fit, ways: _Ways, parameters: list[Parameter], info: Array
     covariance = np.full((k, k), np.nan)
     untold: list[str] = []
     sentences: list[str] = []
-    if len(inside):
-        scaled = info[np.ix_(inside, inside)] * np.outer(ranges[inside], ranges[inside])
-        strength, direction = np.linalg.eigh(scaled)
-        blind = ~(strength > 1 / BLIND**2)
-        good = direction[:, ~blind] / np.sqrt(strength[~blind])
-        inner = good @ good.T * np.outer(ranges[inside], ranges[inside])
-        covariance[np.ix_(inside, inside)] = inner
-        concerned = np.zeros(len(inside), bool)
-        for column in direction[:, blind].T:
-            which = np.abs(column) > SHARE
+    if k:
+        strength, direction, inner = _directions(info, ranges)
+        bars = np.sqrt(np.diag(inner)) / ranges
+        concerned = np.zeros(k, bool)
+        for column in direction[:, ~(strength > 1 / BLIND**2)].T:
+            # it goes along by its share, or by more than its own error bars
+            which = (np.abs(column) > SHARE) | (np.abs(column) * BLIND > np.maximum(3 * bars, 1e-3))
             concerned |= which
-            mixed = [fit.names[inside[i]] for i in np.flatnonzero(which)]
-            sentences.append(_sentence(fit, mixed, inner, inside))
-        untold = [fit.names[inside[i]] for i in np.flatnonzero(concerned)]
-        for i in inside[concerned]:
-            covariance[i, :] = covariance[:, i] = np.nan
+            sentences.append(_sentence(fit, [fit.names[i] for i in np.flatnonzero(which)]))
+        untold = [fit.names[i] for i in np.flatnonzero(concerned)]
+        inside = inside[~concerned[inside]]
+    if len(inside):
+        _strength, _direction, inner = _directions(info[np.ix_(inside, inside)], ranges[inside])
+        covariance[np.ix_(inside, inside)] = inner
+        for i in inside.tolist():
+            flat = _flat(fit, int(ways.free[i]), parameters[i], math.sqrt(covariance[i, i]))
+            if flat:
+                untold.append(fit.names[i])
+                sentences.append(f"{fit.law.name}: {fit.names[i]}: {flat}")
+                covariance[i, :] = covariance[:, i] = np.nan
     estimates = {}
     for i, (name, parameter) in enumerate(zip(fit.names, parameters, strict=True)):
         if name in untold:
@@ -344,7 +387,29 @@ def _with_errors(fit: Fit, ways: _Ways, parameters: list[Parameter], info: Array
     )
 
 
-def _sentence(fit: Fit, names: list[str], covariance: Array, inside: NDArray[np.int64]) -> str:
+def _directions(info: Array, ranges: Array) -> tuple[Array, Array, Array]:
+    """Information in directions of the scaled numbers, the directions, and the covariance of those that are told."""
+    strength, direction = np.linalg.eigh(info * np.outer(ranges, ranges))
+    told = strength > 1 / BLIND**2
+    good = direction[:, told] / np.sqrt(strength[told])
+    return strength, direction, good @ good.T * np.outer(ranges, ranges)
+
+
+def _flat(fit: Fit, place: int, parameter: Parameter, stderr: float) -> str:
+    """What to say where the deviance does not rise on one side, though the curvature at the best place says that it should.
+
+    So it is where the last row that tells a number stands just at the edge between sticking and sliding.
+    """
+    base = float(rows_of_fit(fit, fit.problem, fit.numbers)[0].sum())
+    for sign, word in ((1, "more"), (-1, "less")):
+        p = fit.numbers.copy()
+        p[place] = min(max(p[place] + sign * 5 * stderr, parameter.low), parameter.high)
+        if abs(p[place] - fit.numbers[place]) > 4 * stderr and rows_of_fit(fit, fit.problem, p)[0].sum() < base + 1:
+            return f"{fit.numbers[place]:.3g} or {word} is all that can be told; what lies beyond fits as well"
+    return ""
+
+
+def _sentence(fit: Fit, names: list[str]) -> str:
     """What there is to say of numbers that the data do not tell."""
     said = f"{fit.law.name}: {' and '.join(names)}: "
     values = {name: float(fit.numbers[parameters_of(fit.law, fit.problem)[0][name][0]]) for name in fit.names}

@@ -1,0 +1,156 @@
+"""The paper's question on real shots: where do rolling balls go after a cushion? For docs/howto/which_law.md.
+
+    python docs/real_rebounds.py carom_tracks_50hz.csv --out rebounds.csv --stage rolling
+    python docs/real_angles.py rebounds.csv --share 0.03 --least 0.01
+
+The sidespin of these balls is unknown and is averaged over: normal about zero, of a width that is fitted.
+"""
+
+from __future__ import annotations
+
+import argparse
+import time
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("svg")
+import matplotlib.pyplot as plt
+import numpy as np
+
+from carom.fitting import Setting, fit_law, make_problem
+from carom.fitting.fit import Fit, parameters_of, predict_law
+from carom.fitting.laws import laws_named
+from carom.rebounds import Rebounds, make_rebounds, read_rebounds
+
+IMAGES = Path(__file__).parent / "images"
+RADIUS, NOSE = 0.03075, 37 / 30.75
+CLOTH = 0.198  # measured on the same tracks (docs/real_rebounds.py)
+SLOWEST = 0.3  # m/s toward the cushion
+
+
+def fitted(rebounds: Rebounds, name: str, **changes: object) -> Fit:
+    setting = Setting(radius=RADIUS, contact_height=NOSE, floor_friction=CLOTH, **changes)  # type: ignore[arg-type]
+    problem, _ = make_problem(rebounds, setting)
+    start = time.monotonic()
+    fit = fit_law(laws_named([name], "table", False)[0][0], problem)
+    said = ", ".join(
+        f"{key} {e.value:.4f}+-{e.stderr or 0:.4f}" if e.value is not None else f"{key} ?"
+        for key, e in fit.estimates.items()
+    )
+    print(
+        f"{name:15s} deviance {fit.deviance:10.1f}  AICc {fit.aicc:10.1f}  chi2 {fit.chi2:10.1f}/{fit.dof}  {said}"
+        f"  ({time.monotonic() - start:.0f} s)", flush=True
+    )  # fmt: skip
+    return fit
+
+
+def widened(rebounds: Rebounds, share: float, least: float) -> Rebounds:
+    """The same with a scatter of every cushion contact added to the error bars after it: a share of the speed, and a least."""
+    from dataclasses import replace
+
+    speed = np.hypot(rebounds["v_n_in"], rebounds["v_t_in"])
+    extra = np.hypot(share * speed, least)
+    sigma = dict(rebounds.sigma)
+    for name in ("v_n_out", "v_t_out"):
+        sigma[name] = np.hypot(sigma[name], extra)
+    return replace(rebounds, sigma=sigma)
+
+
+def at(fit: Fit, angle: np.ndarray, spin: float) -> np.ndarray:
+    """Reflection (degrees) once the ball rolls again, of a ball at 1 m/s with a sidespin in v/a."""
+    n = len(angle)
+    v = {"v_n_in": np.cos(angle), "v_t_in": np.sin(angle), "spin_z_in": np.full(n, spin / RADIUS)}
+    columns = v | {"v_n_out": v["v_n_in"], "v_t_out": v["v_t_in"]}
+    columns |= {f"sigma_{name}": np.full(n, 0.01) for name in ("v_n_out", "v_t_out")}
+    problem, _ = make_problem(make_rebounds("table", columns, stage="rolling"), fit.problem.setting)
+    out = predict_law(fit.law, problem, fit.numbers)
+    return np.degrees(np.arctan2(out[:, 1], out[:, 0]))
+
+
+def folded(rebounds: Rebounds) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+    """Incidence and reflection, degrees, both with their error bars, mirrored to incidence above zero."""
+    a, b = np.degrees(rebounds.angle_in), np.degrees(rebounds.angle_out)
+    sign = np.where(a < 0, -1.0, 1.0)
+
+    def error(side: str) -> np.ndarray:
+        n, t = rebounds[f"v_n_{side}"], rebounds[f"v_t_{side}"]
+        sn, st = rebounds.sigma[f"v_n_{side}"], rebounds.sigma[f"v_t_{side}"]
+        return np.degrees(np.sqrt((t * sn) ** 2 + (n * st) ** 2) / (n * n + t * t))
+
+    return a * sign, b * sign, error("in"), error("out")
+
+
+def width(fit: Fit) -> float:
+    free = parameters_of(fit.law, fit.problem)[0]
+    return float(fit.numbers[free["spin_width"][0]]) if "spin_width" in free else 0.0
+
+
+def draw(rebounds: Rebounds, struck: np.ndarray, fits: dict[str, Fit]) -> None:
+    style = {
+        "svg.hashsalt": "carom", "svg.fonttype": "path", "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
+        "axes.titlesize": 9, "axes.titlelocation": "left", "legend.frameon": False,
+    }  # fmt: skip
+    with plt.rc_context(style):
+        figure, panels = plt.subplots(1, 3, figsize=(10.5, 4.2), sharex=True, sharey=True)
+        a, b, sa, sb = folded(rebounds)
+        line = np.radians(np.linspace(0.5, 80, 120))
+        titles = {
+            "conventional": "conventional", "two-step-paper": "two-step, paper's surfaces", "two-step": "two-step, fitted surfaces",
+        }  # fmt: skip
+        for axes, (name, title) in zip(panels, titles.items(), strict=True):
+            fit = fits[name]
+            w = width(fits["two-step"])  # one population of spins, the one that describes the data best
+            middle, one, other = (at(fit, line, s) for s in (0.0, w, -w))
+            low, high = np.minimum(one, other), np.maximum(one, other)
+            within = f"sidespin within ±{w:.2f} v/a"
+            axes.fill_between(np.degrees(line), low, high, color="#0072B2", alpha=0.15, lw=0, label=within)
+            axes.plot(np.degrees(line), middle, color="#0072B2", lw=1.5, label="without sidespin")
+            for rows, ink, label in ((struck, "#222222", "ball struck by a ball"), (~struck, "#D55E00", "cue ball")):
+                axes.errorbar(
+                    a[rows],
+                    b[rows],
+                    xerr=sa[rows],
+                    yerr=sb[rows],
+                    fmt="o",
+                    ms=2.6,
+                    color=ink,
+                    elinewidth=0.6,
+                    label=label,
+                )
+            axes.plot((0, 80), (0, 80), color="#999999", lw=0.6, ls=":")
+            axes.set(xlim=(0, 80), ylim=(-40, 85), xlabel="incidence, degrees from the normal", title=title)
+        panels[0].set_ylabel("reflection once it rolls again, degrees")
+        panels[0].legend(loc="upper left", fontsize=7)
+        figure.tight_layout()
+        figure.savefig(IMAGES / "which_law.svg", metadata={"Date": None, "Creator": None})
+
+
+def balls_struck(rebounds: Rebounds) -> np.ndarray:
+    """(N,) of each rebound: whether the ball is not the first of its shot to meet a cushion."""
+    shot, ball = rebounds.extra["shot"], rebounds.extra["ball"]
+    t = np.array([float(x) for x in rebounds.extra["t"]])
+    first = {s: ball[shot == s][np.argmin(t[shot == s])] for s in np.unique(shot)}
+    return np.array([first[s] != b for s, b in zip(shot, ball, strict=True)])
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("rebounds", type=Path)
+    parser.add_argument("--share", type=float, default=0.0, help="scatter of a contact, of the speed")
+    parser.add_argument("--least", type=float, default=0.0, help="and at least, m/s")
+    parser.add_argument("--quick", action="store_true", help="only laws that are quick")
+    given = parser.parse_args()
+    table = read_rebounds(given.rebounds)
+    table = table.select((table.stage == "rolling") & (table["v_n_in"] > SLOWEST))
+    table = widened(table, given.share, given.least)
+    print(f"{len(table)} rebounds of rolling balls, {len(np.unique(table.extra['shot']))} shots")
+    names = ["conventional", "two-step-paper", "mirror", "no-slip", "two-step-after", "contact"]
+    fits = {name: fitted(table, name) for name in (names if given.quick else ["two-step", *names])}
+    if given.quick:
+        return
+    draw(table, balls_struck(table), fits)
+
+
+if __name__ == "__main__":
+    main()

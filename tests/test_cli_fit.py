@@ -1,0 +1,187 @@
+"""`carom fit` and `carom design`: JSON as promised, a page that needs nothing else, one line a fault."""
+
+from __future__ import annotations
+
+import json
+import re
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from test_fitting import bounces
+
+from carom import cli
+from carom.datasets import load
+
+
+def run(monkeypatch, capsys, *arguments: str) -> tuple[int, str, str]:
+    monkeypatch.setattr(sys, "argv", ["carom", *arguments])
+    with pytest.raises(SystemExit) as end:
+        cli.main()
+    out, err = capsys.readouterr()
+    return int(end.value.code or 0), out, err
+
+
+def write(path: Path, columns) -> Path:
+    rows = zip(*(np.broadcast_to(column, len(columns["v_n_in"])).tolist() for column in columns.values()), strict=True)
+    text = [",".join(columns), *(",".join("" if x != x else repr(x) for x in row) for row in rows)]  # noqa: PLR0124
+    path.write_text("\n".join(text) + "\n")
+    return path
+
+
+@pytest.fixture
+def here(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def test_json_has_the_ranking_and_nothing_else(here, monkeypatch, capsys):
+    file = write(here / "bounces.csv", bounces(1, 60))
+    code, out, err = run(
+        monkeypatch, capsys, "fit", str(file), "--radius", "0.02", "--inertia", "hollow", "--json", "--bootstrap", "20"
+    )
+    assert code == 0, err
+    found = json.loads(out)
+    best = found["ranking"][0]
+    assert best["law"] == "contact"
+    assert best["aicc"] == min(one["aicc"] for one in found["ranking"])
+    assert sum(one["weight"] for one in found["ranking"]) == pytest.approx(1)
+    for name, value in (("restitution", 0.8), ("friction", 0.2), ("tangential_restitution", 0.3)):
+        estimate = best["parameters"][name]
+        assert abs(estimate["value"] - value) < 4 * estimate["stderr"]
+        assert estimate["interval_95"][0] < estimate["value"] < estimate["interval_95"][1]
+    assert isinstance(found["degenerate"], list)
+    # the sticking law has no friction to tell, and the sliding one had: what is degenerate names its law
+    assert all(set(one) == {"law", "parameters", "what"} for one in found["degenerate"])
+    page = (here / "bounces-fit.html").read_text()
+    assert page.count("<svg") == 2
+    assert not re.search(r"(src|href)=\"http", page.replace("http://www.w3.org", ""))
+    assert "contact" in page
+    assert "written: bounces-fit.html" in err
+
+
+def test_the_same_input_gives_the_same_bytes(here, monkeypatch, capsys):
+    file = write(here / "bounces.csv", bounces(1, 30))
+    arguments = (
+        "fit",
+        str(file),
+        "--radius",
+        "0.02",
+        "--inertia",
+        "0.6666",
+        "--laws",
+        "contact,sliding",
+        "--bootstrap",
+        "20",
+        "--json",
+    )
+    first = run(monkeypatch, capsys, *arguments)[1], (here / "bounces-fit.html").read_bytes()
+    assert first == (run(monkeypatch, capsys, *arguments)[1], (here / "bounces-fit.html").read_bytes())
+
+
+def test_the_table_has_a_sentence(here, monkeypatch, capsys):
+    load("tt_rackets").to_csv(here / "tt.csv")
+    code, out, err = run(
+        monkeypatch,
+        capsys,
+        "fit",
+        "tt.csv",
+        "--radius",
+        "0.02",
+        "--inertia",
+        "hollow",
+        "--no-report",
+        "--bootstrap",
+        "0",
+        "--no-profiles",
+    )
+    assert code == 0
+    assert "The data" in out
+    assert "±" in out
+    assert "that scatter is estimated" in err
+    assert not (here / "tt-fit.html").exists()
+
+
+def test_every_fault_at_once_and_nothing_written(here, monkeypatch, capsys):
+    columns = bounces(1, 20)
+    columns["sigma_v_n_out"][4] = 0.0
+    file = write(here / "bad.csv", columns)
+    code, out, err = run(
+        monkeypatch, capsys, "fit", str(file), "--radius", "-1", "--inertia", "heavy", "--restitution", "linear",
+        "--fix", "frction=0.2", "--bound", "friction=2:1", "--spin", "much",
+    )  # fmt: skip
+    assert code == 2
+    assert out == ""
+    lines = err.splitlines()
+    for what in (
+        "--inertia",
+        "radius:",
+        "restitution:",
+        "did you mean 'friction'",
+        "LOW:HIGH",
+        "--spin",
+        "sigma_v_n_out",
+    ):
+        assert any(what in line for line in lines), what
+    assert list(here.iterdir()) == [file]
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        (lambda c: c | {"v_n_in": -c["v_n_in"]}, "turn the signs"),
+        (lambda c: {k: v for k, v in c.items() if k != "v_n_out"}, "v_n_out"),
+        (lambda c: {k: v[:2] for k, v in c.items()}, "at least 3"),
+        (lambda c: {k: v for k, v in (c | {"spin_in": np.full(20, np.nan)}).items() if "sigma" not in k}, "--sigma-v"),
+    ],
+)
+def test_bad_tables(here, monkeypatch, capsys, change, said):
+    file = write(here / "bad.csv", change(bounces(1, 20)))
+    code, out, err = run(monkeypatch, capsys, "fit", str(file), "--radius", "0.02")
+    assert (code, out) == (2, "")
+    assert said in err
+    assert list(here.iterdir()) == [file]
+
+
+def test_a_byte_order_mark_is_no_trouble(here, monkeypatch, capsys):
+    file = write(here / "a.csv", bounces(1, 30))
+    marked = here / "b.csv"
+    marked.write_bytes(b"\xef\xbb\xbf" + file.read_bytes().replace(b"\n", b"\r\n"))
+    arguments = (
+        "--radius",
+        "0.02",
+        "--inertia",
+        "hollow",
+        "--laws",
+        "contact",
+        "--json",
+        "--no-report",
+        "--bootstrap",
+        "0",
+    )
+    found = [run(monkeypatch, capsys, "fit", str(one), *arguments)[1] for one in (file, marked)]
+    assert found[0] == found[1]
+
+
+def test_design_says_which_shots(here, monkeypatch, capsys):
+    arguments = (
+        "design",
+        "--laws",
+        "contact,sliding",
+        "--truth",
+        "tangential_restitution=0.2",
+        "--json",
+        "--plot",
+        "map.svg",
+    )
+    code, out, _err = run(monkeypatch, capsys, *arguments)
+    assert code == 0
+    plan = json.loads(out)
+    assert plan["shots_needed"] == sum(shot["repeat"] for shot in plan["shots"])
+    assert plan["expected_2_log_odds"] >= 2 * np.log(20)
+    assert np.shape(plan["map"]["gain"]) == tuple(len(plan["map"][key]) for key in ("angle_deg", "speed", "spin"))
+    assert (here / "map.svg").read_text().startswith("<?xml")
+    code, out, err = run(monkeypatch, capsys, "design", "--laws", "contact", "--angles", "low:high", "--kind", "flat")
+    assert (code, out) == (2, "")
+    assert len(err.splitlines()) == 3
