@@ -86,7 +86,7 @@ def width(fit: Fit) -> float:
     return float(fit.numbers[free["spin_width"][0]]) if "spin_width" in free else 0.0
 
 
-def draw(rebounds: Rebounds, struck: np.ndarray, fits: dict[str, Fit]) -> None:
+def draw(rebounds: Rebounds, first: np.ndarray, fits: dict[str, Fit]) -> None:
     style = {
         "svg.hashsalt": "carom", "svg.fonttype": "path", "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
         "axes.titlesize": 9, "axes.titlelocation": "left", "legend.frameon": False,
@@ -106,7 +106,7 @@ def draw(rebounds: Rebounds, struck: np.ndarray, fits: dict[str, Fit]) -> None:
             within = f"sidespin within ±{w:.2f} v/a"
             axes.fill_between(np.degrees(line), low, high, color="#0072B2", alpha=0.15, lw=0, label=within)
             axes.plot(np.degrees(line), middle, color="#0072B2", lw=1.5, label="without sidespin")
-            for rows, ink, label in ((struck, "#222222", "ball struck by a ball"), (~struck, "#D55E00", "cue ball")):
+            for rows, ink, label in ((~first, "#222222", "other balls"), (first, "#D55E00", "first ball at a cushion")):
                 axes.errorbar(
                     a[rows],
                     b[rows],
@@ -126,12 +126,12 @@ def draw(rebounds: Rebounds, struck: np.ndarray, fits: dict[str, Fit]) -> None:
         figure.savefig(IMAGES / "which_law.svg", metadata={"Date": None, "Creator": None})
 
 
-def balls_struck(rebounds: Rebounds) -> np.ndarray:
-    """(N,) of each rebound: whether the ball is not the first of its shot to meet a cushion."""
+def first_balls(rebounds: Rebounds) -> np.ndarray:
+    """(N,) of each rebound: whether the ball is the first of its shot at a cushion, most often the cue ball."""
     shot, ball = rebounds.extra["shot"], rebounds.extra["ball"]
     t = np.array([float(x) for x in rebounds.extra["t"]])
     first = {s: ball[shot == s][np.argmin(t[shot == s])] for s in np.unique(shot)}
-    return np.array([first[s] != b for s, b in zip(shot, ball, strict=True)])
+    return np.array([first[s] == b for s, b in zip(shot, ball, strict=True)])
 
 
 def main() -> None:
@@ -149,7 +149,7 @@ def main() -> None:
     fits = {name: fitted(table, name) for name in (names if given.quick else ["two-step", *names])}
     if given.quick:
         return
-    draw(table, balls_struck(table), fits)
+    draw(table, first_balls(table), fits)
 
 
 if __name__ == "__main__":

@@ -83,6 +83,13 @@ def fit(
         str | None, typer.Option(help="planar or table, where the columns do not say", rich_help_panel=DATA)
     ] = None,
     stage: Annotated[str | None, typer.Option(help="of all rows: after_wall or rolling", rich_help_panel=DATA)] = None,
+    fps: Annotated[
+        float | None, typer.Option(help="of a track without times: frames a second", rich_help_panel=DATA)
+    ] = None,
+    scale: Annotated[
+        float | None, typer.Option(help="of a track in pixels: m to a pixel", rich_help_panel=DATA)
+    ] = None,
+    view: Annotated[str | None, typer.Option(help="of a track: above (a table) or side", rich_help_panel=DATA)] = None,
     sigma_v: Annotated[
         float | None, typer.Option(help="error bar of speeds without one, m/s", rich_help_panel=DATA)
     ] = None,
@@ -126,6 +133,7 @@ def fit(
 
     from carom.fitting import Setting, fit_laws
     from carom.fitting.parameters import FORMS, INDEX
+    from carom.tracks.formats.sheet import Given
 
     faults: list[str] = []
     kappa = _try(faults, _inertia, inertia)
@@ -148,11 +156,17 @@ def fit(
         bounds={name: value for name, value in bounds.items() if value is not None}, robust=robust,
     )  # fmt: skip
     _try(faults, _checked, setting)
-    rebounds = _try(faults, _read, file, kind, stage)
-    if faults:
+    console = Console(stderr=True, highlight=False)
+    rebounds = None
+    if is_track(file):
+        if not faults:  # contacts take a while: the options first
+            with _bar(console) as say:
+                rebounds = _measured(file, setting, Given(scale=scale, rate=fps), view, stage, say)
+    else:
+        rebounds = _try(faults, _read, file, kind, stage)
+    if faults or rebounds is None:
         raise CaromError(*faults)
     rebounds = _completed(rebounds, sigma_v, sigma_spin, prior[0] if prior else None)
-    console = Console(stderr=True, highlight=False)
     names = [name for text in laws or [] for name in _split(text)]
     with _bar(console) as say:
         ranking = fit_laws(rebounds, setting, names or None, profiles=profiles, bootstrap=bootstrap, seed=seed, say=say)
@@ -180,6 +194,40 @@ def _read(file: Path, kind: str | None, stage: str | None) -> Rebounds:
     if kind is not None and kind not in KINDS:
         raise CaromError(f"--kind: expected planar or table, got {kind!r}")
     return read_rebounds(file, kind=kind, stage=stage)
+
+
+def is_track(file: Path) -> bool:
+    """Whether a file has no column of a rebound: then it is taken for a track."""
+    if file.suffix.lower() in (".parquet", ".pq") or not file.is_file():
+        return False
+    with file.open("rb") as opened:
+        head = opened.read(4096).decode("utf-8", errors="replace").lower()
+    return not any(name in head for name in ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in"))
+
+
+def _measured(file: Path, setting: Setting, given: Any, view: str | None, stage: str | None, say: Any) -> Rebounds:
+    """The rebounds of a track."""
+    from dataclasses import replace
+
+    from carom.tracks.contact import Settings
+    from carom.tracks.measure import measure
+    from carom.tracks.read import read_tracks
+    from carom.tracks.table import to_rebounds
+
+    if view not in (None, "above", "side"):
+        raise CaromError(f"--view: expected above (a ball on a table) or side (a ball in flight), got {view!r}")
+    if stage not in (None, "after_wall", "rolling"):
+        raise CaromError(f"--stage: expected after_wall or rolling, got {stage!r}")
+    read = read_tracks(file, given=given)
+    settings = Settings(radius=setting.radius, kappa=setting.kappa, view=view)  # type: ignore[arg-type]
+    measured = measure(read.tracks, settings, lambda done, total: say("contacts", done / max(total, 1)))
+    rebounds = to_rebounds(measured, stage or "best")  # type: ignore[arg-type]
+    notes = [
+        *getattr(read, "notes", ()),
+        *measured.notes,
+        f"{len(rebounds)} rebounds measured (carom tracks shows them)",
+    ]
+    return replace(rebounds, source=str(file), notes=(*notes, *rebounds.notes))
 
 
 def _completed(rebounds: Rebounds, sigma_v: float | None, sigma_spin: float | None, spin: float | None) -> Rebounds:
