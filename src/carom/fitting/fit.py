@@ -314,7 +314,11 @@ def _with_scatter(
     ways: _Ways, problem: Problem, start: Array, parameters: list[Parameter]
 ) -> tuple[Array, Problem, float]:
     """Numbers and scatter by turns until neither moves; the part of the deviance that is the scatter's logarithm."""
-    size = np.nanstd(problem.y, axis=0) / 3 + 1e-9
+    size = (
+        np.array([column[np.isfinite(column)].std() if np.isfinite(column).any() else 1.0 for column in problem.y.T])
+        / 3
+        + 1e-9
+    )
     vy = problem.vy.copy()
     vy[:, problem.estimated] = np.square(size)[problem.estimated]
     problem = replace(problem, vy=vy)
