@@ -11,8 +11,8 @@ import carom
 from carom.datasets import load
 from carom.fitting import Setting, fit_law, fit_laws, make_problem
 from carom.fitting.design import Shots, design
-from carom.fitting.fit import parameters_of, refit, rows_of_fit
-from carom.fitting.laws import laws_for, laws_named
+from carom.fitting.fit import parameters_of, refit
+from carom.fitting.laws import laws_named
 from carom.fitting.profile import with_bootstrap, with_profiles
 from carom.laws import maw
 from carom.rebounds import make_rebounds, read_rebounds
@@ -250,44 +250,6 @@ def test_an_outlier_is_named_and_robust_fits_shrug_it_off():
         )
 
 
-def test_spins_nobody_measured_are_averaged_over():
-    # planar, the spin before struck out; spins are normal of width 0.35 v/a
-    rng = np.random.default_rng(6)
-    n = 60
-    vn, vt = rng.uniform(1, 4, n), rng.uniform(-3, 3, n)
-    spin = 0.35 * np.hypot(vn, vt) / A * rng.normal(size=n)
-    zero = np.zeros(n)
-    state = carom.State(np.stack([-vn, vt, zero], -1), np.stack([zero, zero, spin], -1))
-    ball = carom.Ball(radius=A, mass=0.0027, inertia="hollow")
-    after = carom.impact(ball, state, surface=carom.Surface(0.8, 0.2, 0.0)).after
-    columns = {
-        "v_n_in": vn, "v_t_in": vt, "spin_in": np.full(n, np.nan),
-        "v_n_out": after.velocity[:, 0] + 0.02 * rng.normal(size=n), "v_t_out": after.velocity[:, 1] + 0.02 * rng.normal(size=n),
-        "spin_out": after.spin[:, 2] + 2 * rng.normal(size=n),
-        "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02, "sigma_spin_out": 2.0,
-    }  # fmt: skip
-    ranking = fit_laws(table(columns), SETTING, ["sliding", "sticking", "no-slip"], profiles=False, bootstrap=0)
-    best = ranking.best
-    assert best.law.name == "sliding"
-    for name, value in (("restitution", 0.8), ("friction", 0.2), ("spin_width", 0.35)):
-        assert abs(best.estimates[name].value - value) < 3.5 * best.estimates[name].stderr, name
-    # the average over a normal spin, where the law is straight, is a normal density: brute force for the rows that stick
-    p = best.numbers
-    deviance, _least = rows_of_fit(best, best.problem, p)
-    i = int(np.argmin(np.abs(vt) / vn))
-    z = np.linspace(-6, 6, 20001)
-    width = p[10] * math.hypot(vn[i], vt[i]) / A
-    many = carom.State(np.tile([-vn[i], vt[i], 0.0], (z.size, 1)), np.stack([0 * z, 0 * z, width * z], -1))
-    said = carom.impact(ball, many, surface=carom.Surface(float(p[0]), float(p[3]), 0.0)).after
-    c = ((columns["v_n_out"][i] - said.velocity[:, 0]) / 0.02) ** 2 + (
-        (columns["v_t_out"][i] - said.velocity[:, 1]) / 0.02
-    ) ** 2
-    c += ((columns["spin_out"][i] - said.spin[:, 2]) / 2) ** 2
-    weight = np.exp(-z * z / 2)
-    brute = -2 * math.log(float((weight * np.exp(-c / 2)).sum() / weight.sum()))
-    assert deviance[i] == pytest.approx(brute, abs=0.03)
-
-
 # --- tangential compliance ---------------------------------------------------------------------------------------------
 
 
@@ -372,57 +334,6 @@ def test_table_tennis_rubber_gives_slip_back_and_antispin_slides():
     assert smooth.best.estimates["friction"].value == pytest.approx(0.217, abs=0.003)
     kept = {one.fit.law.name: one for one in sticky.ranked}
     assert kept["contact"].weight < 0.05
-
-
-# --- balls on a table --------------------------------------------------------------------------------------------------
-
-
-@pytest.fixture(scope="module")
-def rolled():
-    """Rolling balls against a cushion, by `carom.two_step`; measured once they roll again."""
-    rng = np.random.default_rng(12)
-    n = 30
-    ball = carom.Ball(radius=0.03075, mass=0.21)
-    vn, vt = rng.uniform(0.5, 3, n), rng.uniform(-2, 2, n)
-    spin = rng.uniform(-1, 1, n) * np.hypot(vn, vt) / 0.03075
-    state = carom.rolling(ball, np.stack([-vn, vt], -1), spin_z=spin)
-    height = 37 / 30.75
-    normal = (math.sqrt(1 - (height - 1) ** 2), 0.0, 1 - height)
-    two = carom.two_step(ball, state, wall=carom.Surface(0.85, 0.2), floor=carom.Surface(0.0, 0.2), normal=normal)
-    columns = {"v_n_in": vn, "v_t_in": vt, "spin_z_in": spin}
-    for name, values in (
-        ("v_n_out", two.rolling.velocity[:, 0]), ("v_t_out", two.rolling.velocity[:, 1]), ("spin_z_out", two.rolling.spin[:, 2])
-    ):  # fmt: skip
-        sigma = 1.0 if "spin" in name else 0.02
-        columns[name] = values + sigma * rng.normal(size=n)
-        columns[f"sigma_{name}"] = np.full(n, sigma)
-    return make_rebounds("table", columns, stage="rolling"), height
-
-
-def test_two_step_wins_on_a_table_and_its_surfaces_come_back(rolled):
-    rebounds, height = rolled
-    ranking = fit_laws(rebounds, Setting(radius=0.03075, contact_height=height), profiles=False, bootstrap=0)
-    assert ranking.best.law.name == "two-step"
-    assert {one.fit.law.name for one in ranking.ranked} == {one.name for one in laws_for("table", False)}
-    for name, value in (("restitution", 0.85), ("friction", 0.2)):
-        estimate = ranking.best.estimates[name]
-        assert abs(estimate.value - value) < 3.5 * estimate.stderr
-    worst = ranking.ranked[-1]
-    assert worst.fit.law.name == "conventional"
-    assert worst.weight < 1e-10
-
-
-def test_laws_say_on_a_table_what_the_verbs_say(rolled):
-    rebounds, height = rolled
-    problem, _ = make_problem(rebounds, Setting(radius=0.03075, contact_height=height))
-    fit = fit_law(law("conventional", "table"), problem)
-    ball = carom.Ball(radius=0.03075, mass=0.21)
-    velocity = np.stack([-rebounds["v_n_in"], rebounds["v_t_in"]], -1)
-    after = carom.conventional(ball, carom.rolling(ball, velocity, spin_z=rebounds["spin_z_in"]))
-    assert fit.predicted()[:, :2] == pytest.approx(after.velocity[:, :2])
-    paper = fit_law(law("two-step-paper", "table"), problem)
-    two = carom.two_step(ball, carom.rolling(ball, velocity, spin_z=rebounds["spin_z_in"]))
-    assert paper.predicted()[:, :2] == pytest.approx(two.rolling.velocity[:, :2])
 
 
 # --- bad tables --------------------------------------------------------------------------------------------------------

@@ -34,7 +34,7 @@ def speed_restitution(form: int, p: Vec, speed: float) -> float:
     """e at a speed of approach: a form of :mod:`carom.motion.restitution`, or the line v_out = p0 v + p1."""
     if form == LINE:
         e = p[0] + p[1] / speed
-        return min(max(e, 0 * e), 1 + 0 * e)
+        return max(e, 0 * e)  # as drawn: below offset / (1 - slope) it gives speed
     return restitution(form, p, speed)
 
 

@@ -64,7 +64,7 @@ FORMS = {
     "line": Form(
         LINE,
         (_e("restitution_slope", 0.0, 1.0, 0.6, 0.8, 0.95), Parameter("restitution_offset", -1.0, 1.0, (0.0,), 0.0, "m/s")),
-        "e = slope + offset / v_n, within 0 and 1",
+        "e = slope + offset / v_n, above 1 where the line is",
     ),
     "polynomial": Form(
         1,
