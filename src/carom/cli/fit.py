@@ -83,8 +83,9 @@ def fit(
         str | None, typer.Option(help="planar or table, where the columns do not say", rich_help_panel=DATA)
     ] = None,
     stage: Annotated[str | None, typer.Option(help="of all rows: after_wall or rolling", rich_help_panel=DATA)] = None,
-    fps: Annotated[
-        float | None, typer.Option(help="of a track without times: frames a second", rich_help_panel=DATA)
+    rate: Annotated[
+        float | None,
+        typer.Option("--rate", "--fps", help="of a track without times: frames a second", rich_help_panel=DATA),
     ] = None,
     scale: Annotated[
         float | None, typer.Option(help="of a track in pixels: m to a pixel", rich_help_panel=DATA)
@@ -161,7 +162,7 @@ def fit(
     if is_track(file):
         if not faults:  # contacts take a while: the options first
             with _bar(console) as say:
-                rebounds = _measured(file, setting, Given(scale=scale, rate=fps), view, stage, say)
+                rebounds = _measured(file, setting, Given(scale=scale, rate=rate), view, stage, say)
     else:
         rebounds = _try(faults, _read, file, kind, stage)
     if faults or rebounds is None:

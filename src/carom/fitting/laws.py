@@ -29,6 +29,11 @@ class FittedLaw:
     upright: bool = False
     """It knows no nose: the wall touches at the height of the centre."""
 
+    @property
+    def called(self) -> str:
+        """Its words, with the name that the command knows where they lack it."""
+        return self.words if self.name in self.words else f"{self.words} ({self.name})"
+
 
 ANY = {"friction": math.inf}
 FITTED = (

@@ -201,7 +201,7 @@ def _verdict(fits: list[Fit], odds: float, rival: Fit | None, fits_well: bool, e
     first = ""
     if not fits_well:
         first = (
-            f"No law fits: the best, {best.law.words} ({best.law.name}), has chi^2 {best.chi2:.4g} for {best.dof} degrees of"
+            f"No law fits: the best, {best.law.called}, has chi^2 {best.chi2:.4g} for {best.dof} degrees of"
             f" freedom; error bars would have to be {enlarge:.2g} times as large. With such error bars, "
         )
     bigger = [fit.law.name for fit in fits[1:] if _contains(best, fit) and fit.aicc < best.aicc + 2 * math.log(DECIDED)]
@@ -211,12 +211,12 @@ def _verdict(fits: list[Fit], odds: float, rival: Fit | None, fits_well: bool, e
         else ""
     )
     if rival is None:
-        said = f"the data are described by {best.law.words} ({best.law.name}); there was no other law to set against it{more}"
+        said = f"the data are described by {best.law.called}; there was no other law to set against it{more}"
     elif odds >= DECIDED:
-        said = f"the data prefer {best.law.words} ({best.law.name}), {_to_one(odds)} over {rival.law.name}{more}"
+        said = f"the data prefer {best.law.called}, {_to_one(odds)} over {rival.law.name}{more}"
     elif odds >= LEANS:
         said = (
-            f"the data lean to {best.law.words} ({best.law.name}), {_to_one(odds)} over {rival.law.name}: not enough to"
+            f"the data lean to {best.law.called}, {_to_one(odds)} over {rival.law.name}: not enough to"
             f" decide{more}; carom design says which shot to film next"
         )
     else:
