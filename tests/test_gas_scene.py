@@ -250,6 +250,10 @@ WRONG = {
         MIXED.replace("gravity = 0.2", "gravity = [0, 0, 1]"),
         "gravity: expected one number, or 2, got 3 numbers",
     ),
+    "gravity without walls": (
+        "gravity = 9.81\n" + ROUGH,
+        "gravity: expected none where no wall holds the balls, for all would fall for ever, got 9.81; give it walls",
+    ),
     "contact time": (MIXED.replace("1e-6", "-1"), "contact_time: expected a time >= 0, got -1"),
 }
 

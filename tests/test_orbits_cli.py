@@ -58,6 +58,7 @@ TABLES = [
     ["polygon", "--vertices", "0,0 2,0 2,1 1,1 1,2 0,2"], ["rectangle", "--width", "2"], ["sinai", "--radius", "0.2"],
     ["periodic-strip"], ["sphere"], ["box", "--depth", "2"], ["cylinder:stadium", "--height", "2"],
     ["cylinder:circle", "--acceleration", "-9.81"], ["cylinder:polygon", "--sides", "3"],
+    ["cylinder:polygon", "--height", "2"], ["cylinder:rectangle", "--height", "2", "--acceleration", "1"],
 ]  # fmt: skip
 
 
@@ -96,6 +97,15 @@ def test_open_tables_and_their_drift() -> None:
     assert wedge["ended"] == {"escaped": 1}
 
 
+def test_the_force_is_along_the_cylinder() -> None:
+    """Over a strip, which could have a force of its own, along z as well, as the option says."""
+    start = ("--position", "0,0.1,0", "--velocity", "0,0.9,0", "--bounces", "20", "--law", "mirror", "--json")
+    for section in ("strip", "circle"):
+        last = json.loads(run(f"cylinder:{section}", "--acceleration", "-1", *start).stdout)["bounces"][-1]
+        assert last["position"][0] == pytest.approx(0, abs=1e-12)
+        assert last["position"][2] == pytest.approx(-0.5 * last["t"] ** 2)
+
+
 def test_many_orbits_laws_and_exponents() -> None:
     many = json.loads(run("polygon", "--orbits", "7", "--bounces", "40", "--json").stdout)
     assert len(many["bounces"]) == 7
@@ -111,6 +121,10 @@ def test_many_orbits_laws_and_exponents() -> None:
     speeds = [math.hypot(*b["velocity"]) for b in soft["bounces"]]
     assert speeds[-1] < 0.5 * speeds[0]
     assert "Lyapunov" in run("circle", "--lyapunov", "--bounces", "100").stdout
+    # an orbit that ends has no exponents, and nothing but that is said
+    short = run("circle", "--law", "contact", "--restitution", "0.5", "--lyapunov", "--json")
+    assert json.loads(short.stdout)["lyapunov"] == dict.fromkeys(("per_bounce", "per_time", "error"), [None] * 4)
+    assert not short.stderr
 
 
 def test_pictures(tmp_path: Path) -> None:
@@ -174,6 +188,15 @@ BAD = [
     (["circle", "--orbits", "3", *START], "--orbits: expected 1 where a start is given"),
     (["circle", "--law", "noslip"], "did you mean 'no-slip'?"),
     (["circle", "--friction", "0.3"], "--friction: law no-slip needs none"),
+    (["circle", "--law", "mirror", "--friction", "0.1"], "--friction: law mirror needs none; --law contact reads it"),
+    (["circle", "--plot", "a.png", "--boundary", "./a.png"], "--boundary a.png: expected another file than --plot's"),
+    (["cylinder:plates"], "orbit: table: expected one of"),
+    (["wedge", "--angle", "400"], "--angle: expected degrees > 0 and < 180, got 400"),
+    (["sphere", "--kappa", "0.9"], "got 0.9; a thin shell is 'hollow'; a disc, carom.Disc"),
+    (["sinai", "--radius", "0.8"], "sinai: scatterers: expected room between them, got one that covers the cell"),
+    (["periodic-strip", "--radius", "0.8"], "periodic strip: scatterers: expected room between them"),
+    (["circle", "--seed", "-1"], "seed: expected a whole number >= 0, got -1"),
+    (["circle", "--orbits", "100000000000"], "starts: count: expected no more than 10,000,000, got 100,000,000,000"),
     (["circle", "--bounds", "center"], "did you mean 'centre'?"),
     (["circle", "--corners", "stop"], "corners: expected 'end' or 'pass', got 'stop'"),
     (["strip"], "give --position and --velocity"),

@@ -72,9 +72,7 @@ def _fill(
         kappa = number(faults, "inertia", inertia, what, lambda x: (x > 0) & (x <= most * (1 + 1e-12)))
         given = np.asarray(inertia)
         if most < 1 and faults.of("inertia") and given.dtype.kind in "iuf" and np.all((given > 0) & (given <= 1)):
-            faults.advise(
-                "inertia", "a thin shell is 'hollow'; a thin shell is 'hollow'; a disc, carom.Disc, goes up to 1"
-            )
+            faults.advise("inertia", "a thin shell is 'hollow'; a disc, carom.Disc, goes up to 1")
     values = {
         "radius": number(faults, "radius", radius, "a length in m, > 0", lambda x: x > 0),
         "mass": number(faults, "mass", mass, "a mass in kg, > 0", lambda x: x > 0),

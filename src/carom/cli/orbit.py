@@ -32,6 +32,7 @@ SIZES = {
     "box": ("width", "height", "depth"),
     "plates": ("distance", "acceleration"),
 }
+SOLIDS = ("sphere", "box", "plates")
 
 
 def register(app: typer.Typer) -> None:
@@ -60,7 +61,9 @@ def orbit(
     sides: Annotated[int | None, _size("of a regular polygon")] = None,
     vertices: Annotated[str | None, _size("of any polygon: 'x,y x,y x,y ...'")] = None,
     width: Annotated[float | None, _size("of a rectangle, a strip, a box")] = None,
-    height: Annotated[float | None, _size("of a rectangle, a box; of a cylinder with lids")] = None,
+    height: Annotated[
+        float | None, _size("of a rectangle, a box; or between the lids of a cylinder, but over a rectangle")
+    ] = None,
     depth: Annotated[float | None, _size("of a box, in z")] = None,
     angle: Annotated[float | None, _size("of a wedge, degrees")] = None,
     side: Annotated[float | None, _size("of Sinai's square cell")] = None,
@@ -118,11 +121,14 @@ def orbit(
     """
     from carom.plot import require_matplotlib, require_writable
 
-    pictures = [path for path in (plot, portrait, boundary) if path is not None]
-    if pictures:
-        require_matplotlib()
-        for path in pictures:
+    pictures = {"--plot": plot, "--portrait": portrait, "--boundary": boundary}
+    seen: dict[Path, str] = {}
+    for option, path in pictures.items():
+        if path is not None:
+            require_matplotlib()
             require_writable(path)
+            if (other := seen.setdefault(path.absolute(), option)) != option:
+                raise CaromError(f"{option} {path}: expected another file than {other}'s, got the same; name a new one")
     given = {
         "radius": radius, "major": major, "minor": minor, "straight": straight, "sides": sides, "vertices": vertices,
         "width": width, "height": height, "depth": depth, "angle": angle, "side": side, "period": period,
@@ -149,7 +155,7 @@ def _table(name: str, given: dict[str, Any], bounds: str) -> Table:
     over, colon, flat = name.partition(":")
     kind = flat if colon else name
     known = [*SIZES, "cylinder:circle"]
-    if kind not in SIZES or (colon and over != "cylinder"):
+    if kind not in SIZES or (colon and (over != "cylinder" or kind in SOLIDS)):
         raise CaromError(f"orbit: table: expected one of {', '.join(known)}, got {name!r}; {nearest(name, known)}")
     own = SIZES[kind] + (("height", "acceleration") if colon else ())
     faults = [
@@ -160,11 +166,9 @@ def _table(name: str, given: dict[str, Any], bounds: str) -> Table:
     if faults:
         raise CaromError(*faults)
     sizes = dict(given)
-    solid = {}
-    if colon and kind not in ("rectangle", "polygon"):
-        solid = {key: sizes.pop(key) for key in ("height", "acceleration") if key in sizes and key not in SIZES[kind]}
-    elif colon:
-        solid = {key: sizes.pop(key) for key in ("acceleration",) if key in sizes}
+    # the force acts along the cylinder, the height is its own unless the section has one
+    own = {"acceleration", "height"} - ({"height"} & set(SIZES[kind])) if colon else set()
+    solid = {key: sizes.pop(key) for key in own & set(sizes)}
     section = _make(orbits, kind, sizes, bounds)
     if not colon:
         return section
@@ -180,7 +184,10 @@ def _make(orbits: Any, kind: str, sizes: dict[str, Any], bounds: Any) -> Table: 
             return orbits.polygon(_points(sizes["vertices"]), **b)  # type: ignore[no-any-return]
         return orbits.regular(sizes.pop("sides", 3), **sizes, **b)  # type: ignore[no-any-return]
     if kind == "wedge":
-        return orbits.wedge(math.radians(sizes.get("angle", 40.0)), **b)  # type: ignore[no-any-return]
+        angle = sizes.get("angle", 40.0)
+        if not 0 < angle < 180:
+            raise CaromError(f"--angle: expected degrees > 0 and < 180, got {angle:g}")
+        return orbits.wedge(math.radians(angle), **b)  # type: ignore[no-any-return]
     if kind == "periodic-strip":
         r = sizes.pop("radius", 0.2)
         return orbits.periodic_strip(**sizes, scatterers=((0.0, 0.0, r),), **b)  # type: ignore[no-any-return]
@@ -223,9 +230,16 @@ def _surface(law: str, e: float | None, mu: float | None, beta: float | None) ->
 
     given = {"restitution": e, "friction": mu, "tangential_restitution": beta}
     chosen: dict[str, Any] = {key: value for key, value in given.items() if value is not None}
-    if law in ("no-slip", "rolling", "conventional") and chosen:
+    idle = set(chosen) if law in ("no-slip", "rolling", "conventional") else set()
+    if law == "mirror":
+        idle = set(chosen) - {"restitution"}
+    if idle:
         raise CaromError(
-            *(f"--{key.replace('_', '-')}: law {law} needs none; --law contact reads it" for key in chosen)
+            *(
+                f"--{key.replace('_', '-')}: law {law} needs none; --law contact reads it"
+                for key in given
+                if key in idle
+            )
         )
     return Surface(**chosen) if chosen or law == "contact" else None
 

@@ -56,13 +56,15 @@ def orbit_facts(
     if lyapunov:
         spectrum = orbits.lyapunov(table, begin, found.t.shape[-1], **options)
         mean = spectrum.per_bounce.reshape(-1, spectrum.per_bounce.shape[-1])
-        facts["lyapunov"] = {
-            "per_bounce": [_plain(x) for x in np.nanmean(mean, axis=0)],
-            "per_time": [_plain(x) for x in np.nanmean(spectrum.per_time.reshape(mean.shape), axis=0)],
-            "error": [
-                _plain(x) for x in np.sqrt(np.nanmean(spectrum.error.reshape(mean.shape) ** 2, axis=0) / len(mean))
-            ],
-        }
+        # an orbit that ended early has none
+        lasted = np.isfinite(mean).all(axis=-1)
+        means = [mean, spectrum.per_time.reshape(mean.shape), spectrum.error.reshape(mean.shape) ** 2]
+        per_bounce, per_time, error = (
+            np.mean(x[lasted], axis=0) if lasted.any() else np.full(x.shape[-1], np.nan) for x in means
+        )
+        error = np.sqrt(error / max(lasted.sum(), 1))
+        named = {"per_bounce": per_bounce, "per_time": per_time, "error": error}
+        facts["lyapunov"] = {name: [_plain(x) for x in values] for name, values in named.items()}
     return facts
 
 

@@ -106,6 +106,13 @@ def _drive_faults(scene: GasScene) -> list[Fault]:
 
 def _gravity_faults(scene: GasScene) -> list[Fault]:
     axes = scene.container.axes
+    if any(scene.pull) and not scene.container.room.walls:
+        advice = 'give it walls, such as shape = "box" with periodic = ["x"]'
+        return [
+            Fault(
+                "none where no wall holds the balls, for all would fall for ever", scene.gravity, advice, ("gravity",)
+            )
+        ]
     if len(scene.pull) == axes or (axes == 2 and scene.pull[2] == 0):
         return []
     return [Fault(f"one number, or {axes}", Words(f"{len(scene.pull)} numbers"), at=("gravity",))]

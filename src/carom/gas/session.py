@@ -47,8 +47,9 @@ class Session:
         self.due, self.last_time, self.last_collisions = math.inf, 0.0, 0
         if self.patience == math.inf and (scene.equilibrate > 0 or scene.run.duration is None):
             what = "balls at rest" if scene.count > 1 or scene.container.room.walls else "one ball without walls"
+            remedy = "more balls, walls" if what.startswith("one") else "give a temperature"
             raise CaromError(
-                f"{where}: run: expected a gas in which something happens, got {what}; give a temperature,"
+                f"{where}: run: expected a gas in which something happens, got {what}; {remedy},"
                 " or equilibrate = 0 and a duration"
             )
         self.step = LOOKS if scene.run.max_events is None else max(scene.run.max_events // LOOKS, 1)

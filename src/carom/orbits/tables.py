@@ -363,6 +363,13 @@ def _cell(
         found.windows = [(n, c, 2 * (w if n[0] else h), *rest) for n, c, _r, *rest in found.windows]
         for k, (x, y, r) in enumerate(circles.tolist()):
             r += inset  # noqa: PLW2901
+            if r >= math.hypot(w, h if periodic[1] else h - inset + abs(y)):
+                what = (
+                    "one that covers the cell"
+                    if not inset
+                    else f"one that, with a ball of radius {inset:g}, covers the cell"
+                )
+                raise CaromError(f"{name}: scatterers: expected room between them, got {what}; take a smaller one")
             found.outside.append((x, y, r, 0.0, math.tau))
             for dx, dy in along + [(-dx, -dy) for dx, dy in along]:
                 if abs(x + dx) < w + r and abs(y + dy) < h + r:

@@ -24,6 +24,7 @@ __all__ = ["final", "follow", "orbit", "reverse", "starts", "whole"]
 
 Array = NDArray[np.float64]
 MOST = 4e9  # bytes of bounces that are kept
+ROW = 400  # bytes a start needs while it is drawn and followed
 SHARE = 10_000_000  # bounces between two reports of progress
 
 
@@ -166,7 +167,11 @@ def starts(
     sqrt(2 energy / m). Closed tables only: a strip and a wedge have no end.
     """
     setup = setup_of(table, ball, law, Surface() if law == "contact" else None, "end")
-    count = whole("count", count)
+    count, seed = whole("count", count), whole("seed", seed, 0)
+    if count * ROW > MOST:
+        raise CaromError(
+            f"starts: count: expected no more than {int(MOST / ROW):,}, got {count:,}; draw a share at a time"
+        )
     rng = np.random.default_rng(seed)
     radius, kappa = float(setup.ball.radius), float(setup.ball.kappa)
     planar = setup.planar
