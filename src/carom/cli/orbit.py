@@ -167,8 +167,8 @@ def _table(name: str, given: dict[str, Any], bounds: str) -> Table:
         raise CaromError(*faults)
     sizes = dict(given)
     # the force acts along the cylinder, the height is its own unless the section has one
-    own = {"acceleration", "height"} - ({"height"} & set(SIZES[kind])) if colon else set()
-    solid = {key: sizes.pop(key) for key in own & set(sizes)}
+    axial = {"acceleration", "height"} - ({"height"} & set(SIZES[kind])) if colon else set()
+    solid = {key: sizes.pop(key) for key in axial & set(sizes)}
     section = _make(orbits, kind, sizes, bounds)
     if not colon:
         return section
