@@ -224,3 +224,19 @@ def test_a_disk_that_fails_at_the_last_moment(kept, monkeypatch):
         save_checkpoint(load_checkpoint(kept), kept)
     assert kept.read_bytes() == before
     assert sorted(path.name for path in kept.parent.iterdir()) == ["c.npz", "gas.toml"]
+
+
+def test_a_cooling_gas_is_run_in_few_pieces(tmp_path: Path) -> None:
+    """Its collisions come ever more rarely: pieces of one length of time would each have fewer, without end."""
+    text = ROUGH.replace("restitution = 1.0\nfriction", "restitution = 0.6\nfriction").replace(
+        "count = 200", "count = 30"
+    )
+    scene = scene_of(tmp_path, text.replace("equilibrate = 5_000", "equilibrate = 0"))
+    pieces: list[int] = []
+    session = Session(
+        scene.model_copy(update={"run": scene.run.model_copy(update={"max_events": 6000, "duration": None})})
+    )
+    assert session.run(progress=lambda now: pieces.append(now.done))
+    assert session.done == 6000
+    assert session.gas.time > 1e6
+    assert len(pieces) < 250

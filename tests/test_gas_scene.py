@@ -254,6 +254,10 @@ WRONG = {
         "gravity = 9.81\n" + ROUGH,
         "gravity: expected none where no wall holds the balls, for all would fall for ever, got 9.81; give it walls",
     ),
+    "events without number": (
+        ROUGH.replace("max_events = 60_000", "max_events = 99999999999999999999999"),
+        "run.max_events: expected a whole number < 2^63, got 99999999999999999999999",
+    ),
     "contact time": (MIXED.replace("1e-6", "-1"), "contact_time: expected a time >= 0, got -1"),
 }
 

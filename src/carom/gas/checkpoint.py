@@ -95,6 +95,8 @@ def _read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
         raise
     except Exception as error:  # what is not whole shows in many classes: zipfile's, zlib's, NumPy's, JSON's
         said = str(error).splitlines()[0] if str(error) else type(error).__name__
+        if "pickle" in said:  # NumPy's word for what is none of its files, with a remedy that would be unsafe
+            said = "not a file of NumPy"
         raise CaromError(
             f"{path}: expected a whole checkpoint of carom gas, got a file that cannot be read ({said})"
         ) from None

@@ -111,15 +111,22 @@ class GasContainer(Model):
 # --- what is in it -------------------------------------------------------------------------------------------------
 
 
+MOST = 2**63  # what counts have room for
+
+
 def _count(value: Any) -> int:
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 1:
         raise Fault("a whole number >= 1", value).error()
+    if value >= MOST:
+        raise Fault("a whole number < 2^63", value).error()
     return int(value)
 
 
 def _whole(value: Any) -> int:
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 0:
         raise Fault("a whole number >= 0", value).error()
+    if value >= MOST:
+        raise Fault("a whole number < 2^63", value).error()
     return int(value)
 
 

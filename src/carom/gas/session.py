@@ -131,7 +131,8 @@ class Session:
             collisions, until = self._piece(every)
             before, end = self.gas.collisions, self.gas.time + self.patience
             self.gas.go_on(collisions, min(until, end))
-            if end < until and self.gas.collisions == before:
+            # a cooling gas slows down without end: where little of what was asked for came, longer pieces
+            if end < until and self.gas.collisions - before <= collisions // 8:
                 self.patience *= 2
             self._equilibrated()
             if self.measures is not None and self.gas.time >= self.due:
