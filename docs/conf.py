@@ -57,6 +57,8 @@ napoleon_use_ivar = True
 viewcode_line_numbers = True
 add_module_names = False
 python_use_unqualified_type_names = True
+# Several classes have a field `position`, and Sphinx looks the names of a function's arguments up as if they meant one of them.
+suppress_warnings = ["ref.python"]
 
 # --- the look -----------------------------------------------------------------------------------------------------
 html_theme = "furo"
