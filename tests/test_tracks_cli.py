@@ -108,6 +108,8 @@ def test_walls_that_are_given(
         ((str(HERE / "columns.csv"),), ["expected the balls' radius"]),
         ((str(HERE / "tracker_single.txt"), "--wall", "here"), ["--wall: expected x=0.03"]),
         ((str(HERE / "tracker_single.txt"), "--plot", "picture.gif"), ["expected a name that ends with"]),
+        ((str(HERE / "tracker_single.txt"), "--wall", "x=nan"), ["--wall: expected x=0.03"]),
+        ((str(HERE / "tracker_single.txt"), "--inertia", "5"), ["kappa: expected kappa = I/(m a^2), at most 1"]),
         (("nowhere.csv",), ["No such file"]),
     ],
 )  # fmt: skip
@@ -130,3 +132,16 @@ def test_nothing_to_measure_writes_nothing(
     assert code == 2
     assert "expected a contact with a wall, got none" in notes
     assert not out.exists()
+
+
+def test_options_that_do_not_fit_the_file_are_told(
+    shot_file: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    code, told, notes = run(capsys, monkeypatch, str(shot_file), "--wall", "x=99", "--rate", "100", "--scale", "2mm")
+    assert code == 0
+    assert "wall x=99: no ball comes to it" in notes
+    assert "--rate has no say" in notes
+    assert "--scale overrules the unit in" in notes
+    assert "cloth friction" not in told  # nothing was measured: the literature's is no finding
+    _code, _told, notes = run(capsys, monkeypatch, str(shot_file), "--view", "side")
+    assert "is the scale (--scale)" in notes

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 from collections import Counter
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -186,8 +187,8 @@ def _wall(text: str, found: TrackFile) -> Any:
         else:
             x1, y1, x2, y2 = (float(part) for part in text.replace(",", " ").split())
             points = ((x1, y1), (x2, y2))
-            if points[0] == points[1]:
-                raise ValueError
+        if points[0] == points[1] or not all(math.isfinite(x) for point in points for x in point):
+            raise ValueError
     except ValueError:
         raise CaromError(f"--wall: expected x=0.03, y=1.4 or x1,y1,x2,y2 with two points (m), got {text!r}") from None
     return wall_through(text, *points, found.tracks)
@@ -331,8 +332,6 @@ def _contacts(console: Console, measured: Measured, stage: str, sliding: bool) -
 
 def _with_error(one: Contact, name: str, sign: int) -> str:
     """A value with its error on the last two digits: 1.2292(12) is 1.2292 ± 0.0012."""
-    import math
-
     assert one.fit is not None
     value, error = sign * one.fit[name], one.fit.error(name)
     digits = 1 - math.floor(math.log10(error)) if 0 < error < 1 else 1

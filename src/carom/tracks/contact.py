@@ -49,6 +49,8 @@ class Settings:
             value = getattr(self, name)
             if value is not None and not low < value < np.inf:
                 faults.add(name, "a number above 0", repr(value))
+        if 1 < self.kappa < np.inf:
+            faults.add("kappa", "kappa = I/(m a^2), at most 1", repr(self.kappa))
         for name in ("radius", "rolling", "blind"):
             value = getattr(self, name)
             if value is not None and not 0 <= value < np.inf:

@@ -42,7 +42,7 @@ def combined(values: Sequence[float], variances: Sequence[float]) -> tuple[float
 def cloth(
     fits: Sequence[Fitted | None], owners: Sequence[tuple[str, str]], prior: Prior, gravity: float
 ) -> tuple[dict[str, tuple[float, float]], list[Prior]]:
-    """Friction and rolling resistance with errors, and what each contact may know of them from all the others.
+    """Friction and rolling resistance with errors, where some contact tells them, and what each may know from all the others.
 
     Each fit's own frames are taken out of what it is told, or they would count twice: with it go the contacts of the same
     ball (``owners``) whose frames it shares, before or after.
@@ -62,7 +62,8 @@ def cloth(
         weight_before = 1 / error**2
         total = weight_before + (1 / variance if np.isfinite(variance) else 0.0)
         middle = (before * weight_before + (mean / variance if np.isfinite(variance) else 0.0)) / total
-        found[label] = (middle / gravity, total**-0.5 / gravity)
+        if alone or error < 1e-3 * before:  # measured here, or fixed; else it is what the literature has, no finding
+            found[label] = (middle / gravity, total**-0.5 / gravity)
         for i in range(len(fits)):
             if len(alone) <= MANY:
                 others = {j: one for j, one in alone.items() if owners[i] != owners[j] or not _share(fits[i], fits[j])}

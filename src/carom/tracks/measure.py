@@ -86,7 +86,27 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, say: Say 
     found = job.run(seen, events, notes, say)
     if not walls:
         notes.append("no wall: no ball turns back at the end of where the balls go (--wall gives one)")
+    notes += _doubts(walls, events, job.floor, settings)
     return Measured(
         tuple(seen), view, walls, events, tuple(found), job.noise, settings.noise is not None, step, interval, job.blind,
         job.floor, tuple(notes),
     )  # fmt: skip
+
+
+def _doubts(
+    walls: Sequence[Wall], events: dict[tuple[str, str], list[Event]], floor: dict[str, tuple[float, float]],
+    settings: Settings,
+) -> list[str]:  # fmt: skip
+    """What looks like a wall in the wrong place, or a wrong scale, rate or view."""
+    met = {event.what for some in events.values() for event in some}
+    notes = [
+        f"wall {wall.name}: no ball comes to it; --wall is where the ball's centre turns, in m"
+        for wall in walls
+        if not wall.found and wall.name not in met
+    ]
+    if "gravity" in floor and not abs(floor["gravity"][0] / settings.gravity - 1) < 0.1:
+        notes.append(
+            f"gravity is {floor['gravity'][0]:.3g} m/s^2 in this film and not {settings.gravity:.3g}: is the scale (--scale),"
+            " the frame rate (--rate) or the view (--view) wrong?"
+        )
+    return notes

@@ -116,9 +116,21 @@ def _notes(header: list[str], found: dict[str, tuple[int, Heading | None]], give
         for i, meaning in found.values()
         if meaning is not None and meaning.style == "plain" and meaning.dimension in lengths
     ]
+    notes = []
     if given.scale is not None:
         bare = [cell for cell in bare if cell.lower() in ("t", "time")]
-    return (f"no unit in {', '.join(map(repr, bare))}: taken as m and s",) if bare else ()
+        said = [
+            header[i].strip()
+            for i, meaning in found.values()
+            if meaning is not None and meaning.style != "plain" and meaning.dimension == "length"
+        ]
+        if said:
+            notes.append(f"--scale overrules the unit in {', '.join(map(repr, said))}")
+    if given.rate is not None and "time" in found:
+        notes.append("--rate has no say: the file has times (a column of frames would use it)")
+    if bare:
+        notes.append(f"no unit in {', '.join(map(repr, bare))}: taken as m and s")
+    return tuple(notes)
 
 
 def _split(
