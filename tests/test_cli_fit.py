@@ -185,3 +185,12 @@ def test_design_says_which_shots(here, monkeypatch, capsys):
     code, out, err = run(monkeypatch, capsys, "design", "--laws", "contact", "--angles", "low:high", "--kind", "flat")
     assert (code, out) == (2, "")
     assert len(err.splitlines()) == 3
+
+
+def test_a_table_in_utf_16_is_not_taken_for_a_track(here, monkeypatch, capsys):
+    file = write(here / "bounces.csv", bounces(1, 20))
+    (here / "unicode.csv").write_bytes(file.read_text().encode("utf-16"))
+    code, out, err = run(monkeypatch, capsys, "fit", "unicode.csv", "--radius", "0.02", "--no-report")
+    assert (code, out) == (2, "")
+    assert "got UTF-16; save it as" in err
+    assert len(err.splitlines()) == 1

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -346,6 +347,14 @@ def test_unknown_laws_and_settings_are_refused():
     with pytest.raises(carom.CaromError) as error:
         fit_laws(good, Setting(radius=-1, kappa=3, restitution="linear"))
     assert len(error.value.faults) == 3
+    with pytest.raises(carom.CaromError) as error:
+        fit_laws(good, replace(SETTING, fixed={"friction": -3.0, "restitution": np.nan}, floor_friction=-1.0))
+    assert [fault.split(":")[0] for fault in error.value.faults] == ["floor_friction", "fix", "fix"]
+    for draws in (-5, 1):
+        with pytest.raises(carom.CaromError, match="bootstrap: expected 0"):
+            fit_laws(good, SETTING, ["sliding"], bootstrap=draws)
+    with pytest.raises(carom.CaromError, match="radius: expected"):
+        design("planar", replace(SETTING, radius=0.0), ("contact", "sliding"), Shots())
     with pytest.raises(carom.CaromError, match="rolls on a floor"):
         fit_laws(good, SETTING, ["conventional"])
 

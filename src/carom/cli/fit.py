@@ -202,7 +202,9 @@ def is_track(file: Path) -> bool:
     if file.suffix.lower() in (".parquet", ".pq") or not file.is_file():
         return False
     with file.open("rb") as opened:
-        head = opened.read(4096).decode("utf-8", errors="replace").lower()
+        raw = opened.read(4096)
+    utf16 = raw.startswith((b"\xff\xfe", b"\xfe\xff"))  # as spreadsheets save "Unicode text"
+    head = raw.decode("utf-16" if utf16 else "utf-8", errors="replace").lower()
     return not any(name in head for name in ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in"))
 
 

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.fitting.data import Problem, Setting, make_problem
-from carom.fitting.fit import Fit, fit_law, parameters_of, refit, rows_of_fit
+from carom.fitting.fit import Fit, fit_law, parameters_of, refit, require_settings, rows_of_fit
 from carom.fitting.laws import FittedLaw, laws_named
 from carom.fitting.parameters import INDEX
 from carom.rebounds import COLUMNS, Kind, Rebounds, make_rebounds
@@ -118,6 +118,7 @@ def design(
     ``filmed``: rebounds that there are already; what they tell is not asked again, and where ``truth`` is left out the first
     law is fitted to them. Raises CaromError for ranges that hold no shot and laws that are unknown.
     """
+    require_settings(setting)
     _require(shots, odds, laws)
     chosen, _notes = laws_named(list(laws), kind, setting.contact_height == 1.0)
     if len(chosen) != 2:

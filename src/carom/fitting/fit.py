@@ -459,6 +459,15 @@ def require_settings(setting: Setting) -> None:
         faults.append(
             f"contact_height: expected 1 (level with the centre) to 2, in radii, got {setting.contact_height!r}"
         )
+    for name, value in (("floor_friction", setting.floor_friction), ("roll", setting.roll)):
+        if not 0 <= value < math.inf:
+            faults.append(f"{name}: expected a number of at least 0, got {value!r}")
+    if not 0 <= setting.floor_restitution <= 1:
+        faults.append(f"floor_restitution: expected 0 to 1, got {setting.floor_restitution!r}")
+    limits = {p.name: p for p in (*PARAMETERS, *(p for form in FORMS.values() for p in form.parameters))}
+    for name, value in setting.fixed.items():
+        if name in limits and not limits[name].low <= value <= limits[name].high:
+            faults.append(f"fix: {name}: expected {limits[name].low:g} to {limits[name].high:g}, got {value:g}")
     if setting.spin_prior not in ("uniform", "normal"):
         faults.append(f"spin_prior: expected uniform or normal, got {setting.spin_prior!r}")
     extra = ("kappa", "contact_height", "floor_friction", "roll", "spin_width")

@@ -99,6 +99,8 @@ def fit_laws(
     what is being done and how much of all is done, 0 to 1. Raises CaromError for tables and settings that cannot be fitted.
     """
     require_settings(setting)
+    if bootstrap is not None and (bootstrap < 0 or bootstrap == 1):
+        raise CaromError(f"bootstrap: expected 0 (none) or a number of draws, 2 or more, got {bootstrap}")
     chosen, notes = laws_named(list(laws) if laws else None, rebounds.kind, setting.contact_height == 1.0)
     problem, remarks = make_problem(rebounds, setting)
     notes = [*rebounds.notes, *notes, *remarks]
