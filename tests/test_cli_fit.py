@@ -194,3 +194,26 @@ def test_a_table_in_utf_16_is_not_taken_for_a_track(here, monkeypatch, capsys):
     assert (code, out) == (2, "")
     assert "got UTF-16; save it as" in err
     assert len(err.splitlines()) == 1
+
+
+def test_rows_of_one_kind_by_a_column_of_the_tables_own(here, monkeypatch, capsys):
+    file, quick = (
+        load("tt_rackets").path,
+        ("--inertia", "hollow", "--no-report", "--laws", "sticking,maw", "--bootstrap", "0"),
+    )
+    options = (str(file), "--radius", "0.02", *quick)
+    code, out, err = run(monkeypatch, capsys, "fit", *options, "--where", "racket=01_inverted", "--json")
+    assert (code, "kinds of rows" in err) == (0, False)
+    ranking = json.loads(out)["ranking"]
+    assert ranking[0]["law"] == "maw"
+    assert ranking[0]["parameters"]["restitution"]["value"] == pytest.approx(0.742, abs=0.005)
+    # both rackets in one: a note says so
+    code, _out, err = run(monkeypatch, capsys, "fit", *options, "--json")
+    assert code == 0
+    assert "racket: 2 kinds of rows are fitted as one (01_inverted, 10_antispin); --where racket=01_inverted" in err
+    code, out, err = run(monkeypatch, capsys, "fit", *options, "--where", "rackt=1", "--where", "racket=2")
+    assert (code, out) == (2, "")
+    assert err == (
+        "carom: --where: expected COLUMN=VALUE, with a column of the table's own, got 'rackt=1'; did you mean 'racket'?\n"
+        "carom: --where racket: expected one of its values (01_inverted, 10_antispin), got '2'\n"
+    )

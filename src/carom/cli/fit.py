@@ -91,6 +91,10 @@ def fit(
         float | None, typer.Option(help="of a track in pixels: m to a pixel", rich_help_panel=DATA)
     ] = None,
     view: Annotated[str | None, typer.Option(help="of a track: above (a table) or side", rich_help_panel=DATA)] = None,
+    where: Annotated[
+        list[str] | None,
+        typer.Option(metavar="COLUMN=VALUE", help="only rows with this in that column", rich_help_panel=DATA),
+    ] = None,
     sigma_v: Annotated[
         float | None, typer.Option(help="error bar of speeds without one, m/s", rich_help_panel=DATA)
     ] = None,
@@ -167,6 +171,7 @@ def fit(
         rebounds = _try(faults, _read, file, kind, stage)
     if faults or rebounds is None:
         raise CaromError(*faults)
+    rebounds = _chosen(rebounds, where or [])
     rebounds = _completed(rebounds, sigma_v, sigma_spin, prior[0] if prior else None)
     names = [name for text in laws or [] for name in _split(text)]
     with _bar(console) as say:
@@ -195,6 +200,46 @@ def _read(file: Path, kind: str | None, stage: str | None) -> Rebounds:
     if kind is not None and kind not in KINDS:
         raise CaromError(f"--kind: expected planar or table, got {kind!r}")
     return read_rebounds(file, kind=kind, stage=stage)
+
+
+def _chosen(rebounds: Rebounds, where: list[str]) -> Rebounds:
+    """The rows that ``--where`` names; a note where a column of words says that there are rows of several kinds."""
+    from dataclasses import replace
+
+    import numpy as np
+
+    from carom.checks import nearest
+
+    faults = []
+    keep = np.ones(len(rebounds), bool)
+    for text in where:
+        name, _equals, value = text.partition("=")
+        column = rebounds.extra.get(name)
+        if column is None:
+            got = f"{text!r}; {nearest(name, list(rebounds.extra))}" if rebounds.extra else f"{text!r}; it has none"
+            faults.append(f"--where: expected COLUMN=VALUE, with a column of the table's own, got {got}")
+            continue
+        rows = column.astype(str) == value
+        if not rows.any():
+            found = ", ".join(sorted(set(column.astype(str).tolist()))[:8])
+            faults.append(f"--where {name}: expected one of its values ({found}), got {value!r}")
+        keep &= rows
+    if not faults and not keep.any():
+        faults.append("--where: expected conditions that some row meets, got none that meets all")
+    if faults:
+        raise CaromError(*faults)
+    rebounds = rebounds.select(keep)
+    kinds = {
+        name: sorted(set(column.tolist()))
+        for name, column in rebounds.extra.items()
+        if column.dtype.kind in "UO" and 1 < len(set(column.tolist())) <= len(rebounds) // 5
+    }
+    notes = tuple(
+        f"{name}: {len(values)} kinds of rows are fitted as one ({', '.join(map(str, values[:4]))}"
+        f"{', ...' if len(values) > 4 else ''}); --where {name}={values[0]} fits one of them"
+        for name, values in kinds.items()
+    )
+    return replace(rebounds, notes=(*notes, *rebounds.notes))
 
 
 def is_track(file: Path) -> bool:
