@@ -88,7 +88,10 @@ NAMES: dict[str, tuple[str, tuple[str, ...]]] = {
     **{f"normal_{k}": ("number", ()) for k in "xyz"},
 }
 BRACKETS = re.compile(r"^(.*?)\s*[\[(]([^\])]*)[\])]$")
-SUFFIXES = {suffix for units in UNITS.values() for suffix in units if suffix}
+# (the longest first: m_s before s)
+SUFFIXES = sorted(
+    {suffix for units in UNITS.values() for suffix in units if suffix}, key=lambda text: (-len(text), text)
+)
 
 Style = Literal["plain", "suffix", "bracket"]
 
