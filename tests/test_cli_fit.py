@@ -217,3 +217,10 @@ def test_rows_of_one_kind_by_a_column_of_the_tables_own(here, monkeypatch, capsy
         "carom: --where: expected COLUMN=VALUE, with a column of the table's own, got 'rackt=1'; did you mean 'racket'?\n"
         "carom: --where racket: expected one of its values (01_inverted, 10_antispin), got '2'\n"
     )
+
+
+def test_a_column_of_numbers_is_no_kind_of_rows(here, monkeypatch, capsys):
+    file = write(here / "bounces.csv", bounces(1, 60) | {"batch": np.repeat([1.0, 2.0], 30)})
+    code, _out, err = run(monkeypatch, capsys, "fit", str(file), "--radius", "0.02", "--laws", "contact", "--json",
+                          "--bootstrap", "0", "--no-report")  # fmt: skip
+    assert (code, "kinds of rows" in err) == (0, False)

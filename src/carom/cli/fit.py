@@ -232,7 +232,7 @@ def _chosen(rebounds: Rebounds, where: list[str]) -> Rebounds:
     kinds = {
         name: sorted(set(column.tolist()))
         for name, column in rebounds.extra.items()
-        if column.dtype.kind in "UO" and 1 < len(set(column.tolist())) <= len(rebounds) // 5
+        if _words(column.tolist()) and 1 < len(set(column.tolist())) <= len(rebounds) // 5
     }
     notes = tuple(
         f"{name}: {len(values)} kinds of rows are fitted as one ({', '.join(map(str, values[:4]))}"
@@ -240,6 +240,14 @@ def _chosen(rebounds: Rebounds, where: list[str]) -> Rebounds:
         for name, values in kinds.items()
     )
     return replace(rebounds, notes=(*notes, *rebounds.notes))
+
+
+def _words(cells: list[Any]) -> bool:
+    """Whether a column holds names and not numbers."""
+    try:
+        return not [float(cell) for cell in cells]
+    except (TypeError, ValueError):
+        return True
 
 
 def is_track(file: Path) -> bool:
