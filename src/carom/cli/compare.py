@@ -5,12 +5,12 @@ from __future__ import annotations
 import json
 import math
 import sys
-from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any, Literal
 
 import typer
 
+from carom.cli.shared import attempt
 from carom.errors import CaromError
 
 BALL, WALL, FLOOR, SHOWN = "The ball", "The wall", "The floor", "What is shown"
@@ -92,9 +92,9 @@ def compare(
     # every fault at once, and before anything is written
     found: list[str] = []
     if plot is not None:
-        _try(found, _require_drawable, plot)
-    laws = [_try(found, find_law, name) for name in law] if law else None
-    meeting = _try(found, lambda: library.incoming(**settings))
+        attempt(found, _require_drawable, plot)
+    laws = [attempt(found, find_law, name) for name in law] if law else None
+    meeting = attempt(found, lambda: library.incoming(**settings))
     if found:
         raise CaromError(*found)
     comparison = library.compare(meeting, laws)
@@ -116,15 +116,6 @@ def _require_drawable(path: Path) -> None:
 
     require_writable(path)
     require_matplotlib()
-
-
-def _try(found: list[str], action: Callable[..., Any], *args: Any) -> Any:
-    """What the action gives; its faults, where it has any, go to ``found``."""
-    try:
-        return action(*args)
-    except CaromError as error:
-        found += error.faults
-        return None
 
 
 def _inertia(text: str) -> str | float:

@@ -9,7 +9,8 @@ from typing import Annotated, Any
 
 import typer
 
-from carom.cli.fit import _inertia, _one, _pairs, _split, _try
+from carom.cli.fit_options import kappa_of, number, pairs, split
+from carom.cli.shared import attempt
 from carom.errors import CaromError
 
 BALL, SHOTS, WALL, OUT = "The ball", "The shots", "The wall", "What comes out"
@@ -54,16 +55,16 @@ def design(
     from carom.rebounds import KINDS, STAGES, read_rebounds
 
     faults: list[str] = []
-    kappa = _try(faults, _inertia, inertia)
+    kappa = attempt(faults, kappa_of, inertia)
     ranges = [
-        _try(faults, _range, name, text)
+        attempt(faults, _range, name, text)
         for name, text in (("--angles", angles), ("--speeds", speeds), ("--spins", spins))
     ]
     known = sorted({*INDEX, *(p.name for form in FORMS.values() for p in form.parameters)})
     numbers = {
-        name: _try(faults, _one, "--truth", name, text) for name, text in _pairs(faults, "--truth", truth, known)
+        name: attempt(faults, number, "--truth", name, text) for name, text in pairs(faults, "--truth", truth, known)
     }
-    pair = _split(laws)
+    pair = split(laws)
     if len(pair) != 2:
         faults.append(f"--laws: expected two laws, the one taken for true first, such as maw,contact, got {laws!r}")
     if kind not in KINDS:
@@ -71,7 +72,7 @@ def design(
     if stage not in STAGES:
         faults.append(f"--stage: expected after_wall or rolling, got {stage!r}")
     if plot is not None:
-        _try(faults, _drawable, plot)
+        attempt(faults, _drawable, plot)
     if faults:
         raise CaromError(*faults)
     filmed = None if file is None else read_rebounds(file)

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import math
 import os
 import sys
 from collections.abc import Iterator
@@ -13,6 +12,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from carom.cli.fit_options import bounds_of, kappa_of, number, pairs, spin_of, split
+from carom.cli.ranking_table import show
+from carom.cli.shared import attempt
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -141,18 +143,18 @@ def fit(
     from carom.tracks.formats.sheet import Given
 
     faults: list[str] = []
-    kappa = _try(faults, _inertia, inertia)
-    prior = _try(faults, _spin, spin)
+    kappa = attempt(faults, kappa_of, inertia)
+    prior = attempt(faults, spin_of, spin)
     known = sorted({*INDEX, *(p.name for form in FORMS.values() for p in form.parameters)})
-    fixed = {name: _try(faults, _one, "--fix", name, text) for name, text in _pairs(faults, "--fix", fix, known)}
-    bounds = {name: _try(faults, _two, name, text) for name, text in _pairs(faults, "--bound", bound, known)}
-    extra = tuple(name for text in fit_ or [] for name in _split(text))
+    fixed = {name: attempt(faults, number, "--fix", name, text) for name, text in pairs(faults, "--fix", fix, known)}
+    bounds = {name: attempt(faults, bounds_of, name, text) for name, text in pairs(faults, "--bound", bound, known)}
+    extra = tuple(name for text in fit_ or [] for name in split(text))
     for name, value in (("--sigma-v", sigma_v), ("--sigma-spin", sigma_spin)):
         if value is not None and not value > 0:
             faults.append(f"{name}: expected an error bar above 0, got {value:g}")
     page = report or Path(f"{file.stem}-fit.html")
     if report is not None:
-        _try(faults, _writable, report)
+        attempt(faults, _writable, report)
     setting = Setting(
         radius=radius, kappa=kappa or 0.4, restitution=restitution, contact_height=contact_height,
         floor_friction=floor_friction, floor_restitution=floor_restitution, roll=roll,
@@ -160,7 +162,7 @@ def fit(
         fixed={name: value for name, value in fixed.items() if value is not None},
         bounds={name: value for name, value in bounds.items() if value is not None}, robust=robust,
     )  # fmt: skip
-    _try(faults, _checked, setting)
+    attempt(faults, _checked, setting)
     console = Console(stderr=True, highlight=False)
     rebounds = None
     if is_track(file):
@@ -168,12 +170,12 @@ def fit(
             with _bar(console) as say:
                 rebounds = _measured(file, setting, Given(scale=scale, rate=rate), view, stage, say)
     else:
-        rebounds = _try(faults, _read, file, kind, stage)
+        rebounds = attempt(faults, _read, file, kind, stage)
     if faults or rebounds is None:
         raise CaromError(*faults)
     rebounds = _chosen(rebounds, where or [])
     rebounds = _completed(rebounds, sigma_v, sigma_spin, prior[0] if prior else None)
-    names = [name for text in laws or [] for name in _split(text)]
+    names = [name for text in laws or [] for name in split(text)]
     with _bar(console) as say:
         ranking = fit_laws(rebounds, setting, names or None, profiles=profiles, bootstrap=bootstrap, seed=seed, say=say)
         say("the page", 1.0)
@@ -303,80 +305,6 @@ def _completed(rebounds: Rebounds, sigma_v: float | None, sigma_spin: float | No
     return replace(rebounds, columns=columns, sigma=sigma)
 
 
-def _try(found: list[str], action: Any, *args: Any) -> Any:
-    try:
-        return action(*args)
-    except CaromError as error:
-        found += error.faults
-        return None
-
-
-def _split(text: str) -> list[str]:
-    return [part.strip() for part in text.split(",") if part.strip()]
-
-
-def _inertia(text: str) -> float:
-    from carom.ball import INERTIAS
-
-    try:
-        kappa = INERTIAS[text] if text in INERTIAS else float(text)
-    except ValueError:
-        kappa = math.nan
-    if not 0 < kappa <= 1:
-        raise CaromError(f"--inertia: expected solid, hollow or kappa = I/(m a^2) above 0, up to 1, got {text!r}")
-    return kappa
-
-
-def _spin(text: str | None) -> tuple[float | None, str, float | None]:
-    """A spin for all, or the prior and its width."""
-    if text is None:
-        return None, "normal", None
-    name, _, width = text.partition(":")
-    try:
-        if name in ("normal", "uniform"):
-            value = float(width) if width else None
-            if value is None or value > 0:
-                return None, name, value
-        else:
-            value = 0.0 if name == "none" else float(text)
-            if math.isfinite(value):
-                return value, "normal", None
-    except ValueError:
-        pass
-    raise CaromError(f"--spin: expected a spin in rad/s, normal, normal:WIDTH or uniform:WIDTH (in v/a), got {text!r}")
-
-
-def _pairs(faults: list[str], option: str, texts: list[str] | None, known: list[str]) -> Iterator[tuple[str, str]]:
-    from carom.checks import nearest
-
-    for text in texts or []:
-        name, equals, value = text.partition("=")
-        if not equals:
-            faults.append(f"{option}: expected NAME=..., got {text!r}")
-        elif name not in known:
-            faults.append(f"{option}: expected a number of a law, got {name!r}; {nearest(name, known)}")
-        else:
-            yield name, value
-
-
-def _one(option: str, name: str, text: str) -> float:
-    try:
-        return float(text)
-    except ValueError:
-        raise CaromError(f"{option}: {name}: expected a number, got {text!r}") from None
-
-
-def _two(name: str, text: str) -> tuple[float, float]:
-    low, _, high = text.partition(":")
-    try:
-        found = float(low), float(high)
-    except ValueError:
-        found = (1.0, 0.0)
-    if not found[0] < found[1]:
-        raise CaromError(f"--bound: {name}: expected LOW:HIGH, LOW below HIGH, got {text!r}")
-    return found
-
-
 def _writable(path: Path) -> None:
     folder = path.absolute().parent
     if path.is_dir() or not folder.is_dir() or not os.access(folder, os.W_OK):
@@ -416,59 +344,3 @@ def _page(ranking: Ranking, path: Path, *, insists: bool, console: Console) -> P
             raise
         console.print(f"no report: {error}", style="yellow", markup=False, soft_wrap=True)
         return None
-
-
-def show(ranking: Ranking) -> None:
-    """The ranking as a table, and the sentences below it."""
-    from rich import box
-    from rich.table import Table
-    from rich.text import Text
-
-    from carom.cli.shared import out
-
-    console = out()
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
-    for head, side in (
-        ("law", "left"),
-        ("AICc", "right"),
-        ("weight", "right"),
-        ("chi²/dof", "right"),
-        ("CV score", "right"),
-        ("numbers", "left"),
-    ):
-        table.add_column(head, justify=side, no_wrap=head != "numbers")  # type: ignore[arg-type]
-    least = ranking.best.aicc
-    for one in ranking.ranked:
-        fit = one.fit
-        goodness = "–" if fit.scatter or fit.dof <= 0 else f"{fit.chi2:.4g}/{fit.dof}"
-        numbers = ", ".join(f"{name} {written(estimate)}" for name, estimate in fit.estimates.items()) or "none"
-        table.add_row(
-            fit.law.name,
-            f"{fit.aicc:.1f}" if one is ranking.ranked[0] else f"+{fit.aicc - least:.1f}",
-            f"{one.weight:.3g}" if one.weight >= 1e-4 else "0",
-            goodness,
-            "–" if math.isnan(one.score) else f"{one.score:.3g}",
-            numbers,
-            style="bold" if one is ranking.ranked[0] else None,
-        )
-    console.print(table)
-    console.print(
-        Text(ranking.verdict, style="bold green" if ranking.fits and ranking.odds >= 20 else "bold yellow"),
-        soft_wrap=True,
-    )
-    for sentence in ranking.degenerate:
-        console.print(Text(f"not told: {sentence}"), soft_wrap=True)
-    for outlier in ranking.outliers[:10]:
-        console.print(Text(f"outlier: {outlier.row}: chi² {outlier.chi2:.1f}, {outlier.why}"), soft_wrap=True)
-    if len(ranking.outliers) > 10:
-        console.print(f"and {len(ranking.outliers) - 10} more outliers")
-
-
-def written(estimate: Any) -> str:
-    """A value with its error bar, as digits of it are worth."""
-    if estimate.value is None:
-        return f"? ({estimate.note})"
-    if estimate.stderr is None or not estimate.stderr > 0:
-        return f"{estimate.value:.4g} (at its bound)"
-    places = max(0, 1 - math.floor(math.log10(estimate.stderr)))
-    return f"{estimate.value:.{places}f} ± {estimate.stderr:.{places}f}"

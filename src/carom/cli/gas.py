@@ -5,13 +5,14 @@ from __future__ import annotations
 import json
 import signal
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from carom.cli.shared import attempt
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -78,10 +79,10 @@ def gas(
 
     found: list[str] = []
     _places(found, {"--plot": plot, "--measures": measures, "--snapshots": snapshots, "--checkpoint": checkpoint})
-    rhythm = _try(found, _rhythm, "--checkpoint-every", checkpoint_every)
+    rhythm = attempt(found, _rhythm, "--checkpoint-every", checkpoint_every)
     changes = {"max_events": max_events, "duration": duration, "seed": seed}
-    given = _try(found, _scene, scene, resume, changes)
-    frames = _try(found, _rhythm, "--every", every) if every is not None else None
+    given = attempt(found, _scene, scene, resume, changes)
+    frames = attempt(found, _rhythm, "--every", every) if every is not None else None
     if every is not None and snapshots is None:
         found.append("--every: expected --snapshots FILE.gsd beside it, got none")
     if found:
@@ -118,15 +119,6 @@ def gas(
 # --- what is asked for ---------------------------------------------------------------------------------------------
 
 
-def _try(found: list[str], action: Callable[..., Any], *args: Any) -> Any:
-    """What the action gives; its faults, where it has any, go to ``found``."""
-    try:
-        return action(*args)
-    except CaromError as error:
-        found += error.faults
-        return None
-
-
 def _places(found: list[str], named: dict[str, Path | None]) -> None:
     """Faults of the files that are to be written, or of libraries that they need."""
     from carom.files import library, require_place
@@ -137,13 +129,13 @@ def _places(found: list[str], named: dict[str, Path | None]) -> None:
         if path is None:
             continue
         if option == "--plot":
-            _try(found, _require_drawable, path)
+            attempt(found, _require_drawable, path)
         else:
             faults: list[str] = []
-            _try(faults, require_place, path, kinds[option] or (path.suffix.lower(),))
+            attempt(faults, require_place, path, kinds[option] or (path.suffix.lower(),))
             found += [f"{option} {fault}" for fault in faults]
         if option == "--snapshots":
-            _try(found, library, "gsd.hoomd", "gsd", "--snapshots")
+            attempt(found, library, "gsd.hoomd", "gsd", "--snapshots")
         if (other := seen.setdefault(path.absolute(), option)) != option:
             found.append(f"{option} {path}: expected another file than {other}'s, got the same; name a new one")
 

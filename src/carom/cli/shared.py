@@ -1,14 +1,26 @@
-"""What the verbs share: a console that fits where it writes, ticks."""
+"""What the verbs share: faults gathered, a console that fits where it writes, ticks."""
 
 from __future__ import annotations
 
 import sys
-from typing import TYPE_CHECKING
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Any
+
+from carom.errors import CaromError
 
 if TYPE_CHECKING:
     from rich.console import Console
 
-__all__ = ["out", "tick"]
+__all__ = ["attempt", "out", "tick"]
+
+
+def attempt(found: list[str], action: Callable[..., Any], *args: Any) -> Any:
+    """What the action gives; its faults, where it has any, go to ``found``."""
+    try:
+        return action(*args)
+    except CaromError as error:
+        found += error.faults
+        return None
 
 
 def out() -> Console:

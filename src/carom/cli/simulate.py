@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from carom.cli.shared import attempt
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -71,9 +72,9 @@ def simulate(
     """Follow the balls of a scene from event to event: the run in words, its events, where it ends."""
     try:
         found: list[str] = []
-        most, times = _try(found, _most, events), _try(found, _times, at)
+        most, times = attempt(found, _most, events), attempt(found, _times, at)
         _places(found, plot, animate, save, table)
-        given = _try(found, _scene, scene, {"law": law, "duration": duration, "max_events": max_events})
+        given = attempt(found, _scene, scene, {"law": law, "duration": duration, "max_events": max_events})
         if found:
             raise CaromError(*found)
         run = _run(given, quiet)
@@ -88,15 +89,6 @@ def simulate(
 
 
 # --- what is asked for ---------------------------------------------------------------------------------------------
-
-
-def _try(found: list[str], action: Callable[..., Any], *args: Any) -> Any:
-    """What the action gives; its faults, where it has any, go to ``found``."""
-    try:
-        return action(*args)
-    except CaromError as error:
-        found += error.faults
-        return None
 
 
 def _most(text: str | None) -> int | None:
@@ -137,10 +129,10 @@ def _places(found: list[str], plot: Path | None, animate: Path | None, save: Pat
         if path is None:
             continue
         if option == "--plot":
-            _try(found, _require_drawable, path)
+            attempt(found, _require_drawable, path)
         else:
             faults: list[str] = []
-            _try(faults, require_place, path, kinds[option])
+            attempt(faults, require_place, path, kinds[option])
             found += [f"{option} {fault}" for fault in faults]
         if (other := seen.setdefault(path.absolute(), option)) != option:
             found.append(f"{option} {path}: expected another file than {other}'s, got the same; name a new one")

@@ -1,4 +1,4 @@
-"""A ranking as JSON holds it."""
+"""A ranking as JSON holds it; a number with its error bar as people read it."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ if TYPE_CHECKING:
     from carom.fitting.fit import Estimate, Fit
     from carom.fitting.rank import Ranked, Ranking
 
-__all__ = ["as_dict"]
+__all__ = ["as_dict", "with_error_bar"]
 
 
 def _finite(value: float | None) -> float | None:
@@ -65,3 +65,16 @@ def as_dict(ranking: Ranking) -> dict[str, Any]:
         "notes": list(ranking.notes),
         "rows": len(ranking.best.problem.x),
     }
+
+
+def with_error_bar(estimate: Estimate, *, interval: bool = False) -> str:
+    """A value with its error bar, in as many digits as that is worth; with its 95 % interval, if it has one and is asked to."""
+    if estimate.value is None:
+        return f"? ({estimate.note})"
+    if estimate.stderr is None or not estimate.stderr > 0:
+        return f"{estimate.value:.4g} ({estimate.note or 'at its bound'})"
+    places = max(0, 1 - math.floor(math.log10(estimate.stderr)))
+    said = f"{estimate.value:.{places}f} ± {estimate.stderr:.{places}f}"
+    if interval and estimate.interval_95:
+        said += f" (95 %: {estimate.interval_95[0]:.{places}f} to {estimate.interval_95[1]:.{places}f})"
+    return said

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from carom.fitting.output import with_error_bar
 from carom.plot.drawing import GREY, INK, inks, sheet
 from carom.plot.save import style
 
@@ -198,15 +199,7 @@ def _cell(text: str, number: bool = True) -> str:
 
 
 def _estimate(estimate: Any) -> str:
-    if estimate.value is None:
-        return f"? ({html.escape(estimate.note)})"
-    if estimate.stderr is None or not estimate.stderr > 0:
-        return f"{estimate.value:.4g}, {html.escape(estimate.note)}"
-    places = max(0, 1 - math.floor(math.log10(estimate.stderr)))
-    said = f"{estimate.value:.{places}f} ± {estimate.stderr:.{places}f}"
-    if estimate.interval_95:
-        said += f" (95 %: {estimate.interval_95[0]:.{places}f} to {estimate.interval_95[1]:.{places}f})"
-    return said
+    return html.escape(with_error_bar(estimate, interval=True))
 
 
 def _table(heads: list[str], rows: list[str]) -> str:

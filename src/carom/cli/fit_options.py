@@ -1,0 +1,81 @@
+"""Options that fits and plans of shots share: moments of inertia, spins, NAME=VALUE."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+from carom.errors import CaromError
+
+__all__ = ["bounds_of", "kappa_of", "number", "pairs", "spin_of", "split"]
+
+
+def split(text: str) -> list[str]:
+    """The parts between commas."""
+    return [part.strip() for part in text.split(",") if part.strip()]
+
+
+def kappa_of(text: str) -> float:
+    """I/(m a^2) of solid, hollow or a number."""
+    from carom.ball import INERTIAS
+
+    try:
+        kappa = INERTIAS[text] if text in INERTIAS else float(text)
+    except ValueError:
+        kappa = math.nan
+    if not 0 < kappa <= 1:
+        raise CaromError(f"--inertia: expected solid, hollow or kappa = I/(m a^2) above 0, up to 1, got {text!r}")
+    return kappa
+
+
+def spin_of(text: str | None) -> tuple[float | None, str, float | None]:
+    """A spin for all, or the prior and its width."""
+    if text is None:
+        return None, "normal", None
+    name, _, width = text.partition(":")
+    try:
+        if name in ("normal", "uniform"):
+            value = float(width) if width else None
+            if value is None or value > 0:
+                return None, name, value
+        else:
+            value = 0.0 if name == "none" else float(text)
+            if math.isfinite(value):
+                return value, "normal", None
+    except ValueError:
+        pass
+    raise CaromError(f"--spin: expected a spin in rad/s, normal, normal:WIDTH or uniform:WIDTH (in v/a), got {text!r}")
+
+
+def pairs(faults: list[str], option: str, texts: list[str] | None, known: list[str]) -> Iterator[tuple[str, str]]:
+    """Names and values of NAME=VALUE, given once or often; faults where a name is not known."""
+    from carom.checks import nearest
+
+    for text in texts or []:
+        name, equals, value = text.partition("=")
+        if not equals:
+            faults.append(f"{option}: expected NAME=..., got {text!r}")
+        elif name not in known:
+            faults.append(f"{option}: expected a number of a law, got {name!r}; {nearest(name, known)}")
+        else:
+            yield name, value
+
+
+def number(option: str, name: str, text: str) -> float:
+    """The number of NAME=VALUE."""
+    try:
+        return float(text)
+    except ValueError:
+        raise CaromError(f"{option}: {name}: expected a number, got {text!r}") from None
+
+
+def bounds_of(name: str, text: str) -> tuple[float, float]:
+    """The two numbers of NAME=LOW:HIGH."""
+    low, _, high = text.partition(":")
+    try:
+        found = float(low), float(high)
+    except ValueError:
+        found = (1.0, 0.0)
+    if not found[0] < found[1]:
+        raise CaromError(f"--bound: {name}: expected LOW:HIGH, LOW below HIGH, got {text!r}")
+    return found
