@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import abstractmethod
 from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import BeforeValidator, Field
@@ -22,9 +23,9 @@ class Restitution(Model):
     code: ClassVar[int]
 
     @property
+    @abstractmethod
     def p(self) -> Vector:
         """The three numbers of the form, as :func:`carom.motion.restitution.restitution` takes them."""
-        raise NotImplementedError
 
     def at(self, speed: float) -> float:
         """e at a normal speed (m/s)."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from abc import abstractmethod
 from typing import Annotated, Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -119,17 +120,17 @@ class Wall(Model):
         """Radius that a ball inside must be smaller than, m."""
         return math.inf
 
+    @abstractmethod
     def features(self) -> list[Feature]:
         """What a ball can touch, and the gates above."""
-        raise NotImplementedError
 
+    @abstractmethod
     def outline(self) -> Outline:
         """Polylines (n, 2), m, as seen from above; a line without end is 2 km long."""
-        raise NotImplementedError
 
+    @abstractmethod
     def describe(self) -> str:
         """One phrase."""
-        raise NotImplementedError
 
     def blocked(self, x: Vector) -> bool:
         """Whether a point is where no ball's centre can be: behind a plane, in a block, out of a container."""
