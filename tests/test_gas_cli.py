@@ -7,7 +7,6 @@ import os
 import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import numpy as np
@@ -60,22 +59,40 @@ def refusal(capsys, monkeypatch, *words: str) -> list[str]:
     return [line.removeprefix("carom: ") for line in lines]
 
 
-def process(*words: str, **options) -> subprocess.Popen[str]:
+def process(*words: str, code: tuple[str, ...] = ("-m", "carom")) -> subprocess.Popen[str]:
     source = Path(carom.__file__).parents[1]
     return subprocess.Popen(
-        [sys.executable, "-m", "carom", "gas", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
-        env={**os.environ, "PYTHONPATH": str(source)}, **options,
+        [sys.executable, *code, "gas", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        env={**os.environ, "PYTHONPATH": str(source)},
     )  # fmt: skip
 
 
-def wait_for(path: Path, changes: int, process: subprocess.Popen[str]) -> None:
-    """Until a file was written so often; fails where the process ends first."""
-    seen = set()
-    while len(seen) < changes:
-        assert process.poll() is None, process.communicate()
-        if path.exists():
-            seen.add(path.stat().st_ino)
-        time.sleep(0.005)
+HIT = """
+import os, signal, sys
+from carom.cli import main
+from carom.gas import checkpoint, snapshots
+
+where, call, which = sys.argv.pop(1), int(sys.argv.pop(1)), int(sys.argv.pop(1))
+room, name = {"a checkpoint": (checkpoint.os, "fsync"), "a frame": (snapshots.Snapshots, "write")}[where]
+before, calls = getattr(room, name), []
+
+
+def hit(*words):
+    calls.append(before(*words))
+    if len(calls) == call:
+        os.kill(os.getpid(), which)
+
+
+setattr(room, name, hit)
+main()
+"""
+
+
+def struck(where: str, call: int, which: signal.Signals, *words: str) -> tuple[int, str, str]:
+    """A run that gets a signal while it writes ``where`` for so many times: always at the same event."""
+    running = process(*words, code=("-c", HIT, where, str(call), str(int(which))))
+    out, err = running.communicate(timeout=120)
+    return running.returncode, out, err
 
 
 # --- what it says --------------------------------------------------------------------------------------------------
@@ -234,11 +251,9 @@ def test_a_gas_that_collapses_is_told(folder, capsys, monkeypatch):
 
 @pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
 def test_a_signal_ends_it_with_a_checkpoint(folder, which):
-    running = process("long.toml", "--json", "--checkpoint", "c.npz", "--checkpoint-every", "20000 events")
-    wait_for(folder / "c.npz", 2, running)
-    running.send_signal(which)
-    out, err = running.communicate(timeout=120)
-    assert running.returncode == 128 + which
+    keep = ("--checkpoint", "c.npz", "--checkpoint-every", "20000 events")
+    code, out, err = struck("a checkpoint", 2, which, "long.toml", "--json", *keep)
+    assert code == 128 + which
     assert out == ""
     last = err.splitlines()[-1]
     assert last.startswith("carom: stopped after ")
@@ -247,25 +262,22 @@ def test_a_signal_ends_it_with_a_checkpoint(folder, which):
 
 
 def test_a_signal_without_a_checkpoint_asked_for_makes_one(folder):
-    running = process("long.toml", "--snapshots", "s.gsd", "--every", "1000 events")
-    wait_for(folder / "s.gsd", 1, running)
-    running.send_signal(signal.SIGINT)
-    _out, err = running.communicate(timeout=120)
-    assert running.returncode == 130
+    code, _out, err = struck("a frame", 3, signal.SIGINT, "long.toml", "--snapshots", "s.gsd", "--every", "1000 events")
+    assert code == 130
     assert err.splitlines()[-1].endswith("go on with: carom gas long.toml --resume long.checkpoint.npz")
     assert answer("--resume", "long.checkpoint.npz") == answer("long.toml")
 
 
-def test_a_killed_run_goes_on_with_the_same_bits(folder):
+# in the middle of its fourth checkpoint, and between two of them
+@pytest.mark.parametrize(("where", "call"), [("a checkpoint", 4), ("a frame", 20)])
+def test_a_killed_run_goes_on_with_the_same_bits(folder, where, call):
     import gsd.hoomd
 
     options = ("--snapshots", "s.gsd", "--every", "3.0")
-    running = process("long.toml", "--json", "--checkpoint", "c.npz", "--checkpoint-every", "30000 events", *options)
-    wait_for(folder / "c.npz", 3, running)
-    time.sleep(0.03)
-    running.kill()
-    running.communicate(timeout=120)
-    assert running.returncode == -signal.SIGKILL
+    keep = ("--checkpoint", "c.npz", "--checkpoint-every", "30000 events")
+    code, out, _err = struck(where, call, signal.SIGKILL, "long.toml", "--json", *keep, *options)
+    assert code == -signal.SIGKILL
+    assert out == ""
     kept = dict(np.load(folder / "c.npz"))
     assert 0 < kept["gas.swarm"]["pair_hits"][0] < 1_005_000
     resumed = answer("long.toml", "--resume", "c.npz", *options)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -56,6 +57,11 @@ def unit(v: Sequence[float]) -> Vector:
     Of those within a few last digits it is one whose length is nearest to 1: a reflection at a normal that is too long by
     1e-16 bends the path, always the same way, and ten thousand of them bend it by 1e-12.
     """
+    return _nearest(tuple(map(float, v)))
+
+
+@lru_cache(4096)  # a scene asks for the same few normals again and again, and the search takes half a millisecond
+def _nearest(v: tuple[float, ...]) -> Vector:
     best = n = _scaled(v)
     if _too_long(n) == 0:
         return n
