@@ -191,7 +191,7 @@ def fit(
 
 
 def _checked(setting: Setting) -> None:
-    from carom.fitting.fit import require_settings
+    from carom.fitting.data import require_settings
 
     require_settings(setting)
 

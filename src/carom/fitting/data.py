@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field, replace
 from typing import Any
 
@@ -9,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
+from carom.fitting.parameters import FORMS, PARAMETERS
 from carom.rebounds import COLUMNS, STAGES, Rebounds
 
-__all__ = ["Problem", "Setting", "make_problem"]
+__all__ = ["Problem", "Setting", "make_problem", "require_settings"]
 
 Array = NDArray[np.float64]
 SPREAD = 3.5  # a normal prior is followed to so many of its widths
@@ -44,6 +46,36 @@ class Setting:
     bounds: dict[str, tuple[float, float]] = field(default_factory=dict)
     robust: bool = False
     """Errors with heavy tails: Student's t with 4 degrees of freedom in place of the normal."""
+
+
+def require_settings(setting: Setting) -> None:
+    """CaromError where the setting cannot be, with all its faults."""
+    faults = []
+    if not 0 < setting.radius < 10:
+        faults.append(f"radius: expected the ball's radius in m, above 0, got {setting.radius!r}")
+    if not 0 < setting.kappa <= 1:
+        faults.append(f"inertia: expected solid, hollow or kappa = I/(m a^2) above 0, up to 1, got {setting.kappa!r}")
+    if setting.restitution not in FORMS:
+        faults.append(f"restitution: expected one of {', '.join(FORMS)}, got {setting.restitution!r}")
+    if not 1 <= setting.contact_height < 2:
+        faults.append(
+            f"contact_height: expected 1 (level with the centre) to 2, in radii, got {setting.contact_height!r}"
+        )
+    for name, value in (("floor_friction", setting.floor_friction), ("roll", setting.roll)):
+        if not 0 <= value < math.inf:
+            faults.append(f"{name}: expected a number of at least 0, got {value!r}")
+    if not 0 <= setting.floor_restitution <= 1:
+        faults.append(f"floor_restitution: expected 0 to 1, got {setting.floor_restitution!r}")
+    limits = {p.name: p for p in (*PARAMETERS, *(p for form in FORMS.values() for p in form.parameters))}
+    for name, value in setting.fixed.items():
+        if name in limits and not limits[name].low <= value <= limits[name].high:
+            faults.append(f"fix: {name}: expected {limits[name].low:g} to {limits[name].high:g}, got {value:g}")
+    if setting.spin_prior not in ("uniform", "normal"):
+        faults.append(f"spin_prior: expected uniform or normal, got {setting.spin_prior!r}")
+    extra = ("kappa", "contact_height", "floor_friction", "roll", "spin_width")
+    faults += [f"fit: expected one of {', '.join(extra)}, got {name!r}" for name in setting.fit if name not in extra]
+    if faults:
+        raise CaromError(*faults)
 
 
 @dataclass(frozen=True)

@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
-from carom.fitting.data import Problem, Setting, make_problem
-from carom.fitting.fit import Fit, fit_law, parameters_of, refit, require_settings, rows_of_fit
+from carom.fitting.data import Problem, Setting, make_problem, require_settings
+from carom.fitting.fit import Fit, fit_law, parameters_of, refit, rows_of_fit
 from carom.fitting.laws import FittedLaw, laws_named
 from carom.fitting.parameters import INDEX
 from carom.rebounds import COLUMNS, Kind, Rebounds, make_rebounds

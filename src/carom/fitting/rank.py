@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
-from carom.fitting.data import Setting, make_problem
-from carom.fitting.fit import Fit, fit_law, refit, require_settings, rows_of_fit
+from carom.fitting.data import Setting, make_problem, require_settings
+from carom.fitting.fit import Fit, fit_law, refit, rows_of_fit
 from carom.fitting.kernels import TOGETHER
 from carom.fitting.laws import laws_named
 from carom.fitting.profile import with_bootstrap, with_profiles

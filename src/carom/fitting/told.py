@@ -1,0 +1,124 @@
+"""What the data tell of a law's numbers: covariance, and the numbers and combinations of them that nothing depends on."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.fitting.parameters import INDEX, Parameter
+from carom.fitting.ways import Estimate, Fit, Ways, parameters_of, rows_of_fit
+
+__all__ = ["with_errors"]
+
+Array = NDArray[np.float64]
+BLIND = 0.5  # a standard error of so much of a parameter's range, or of 1, tells nothing
+SHARE = 0.3  # of a direction that the data do not tell: a parameter with more of it is concerned
+
+
+def with_errors(fit: Fit, ways: Ways, parameters: list[Parameter], info: Array) -> Fit:
+    """Covariance, and what the data do not tell."""
+    k = len(fit.names)
+    values = fit.numbers[ways.free]
+    ranges = np.array([min(parameter.high - parameter.low, 1.0) for parameter in parameters])
+    close = 1e-9 * ranges
+    bound = np.array(
+        [v <= p.low + c or v >= p.high - c for v, p, c in zip(values, parameters, close, strict=True)], dtype=bool
+    )
+    inside = np.flatnonzero(~bound)
+    covariance = np.full((k, k), np.nan)
+    untold: list[str] = []
+    sentences: list[str] = []
+    if k:
+        strength, direction, inner = _directions(info, ranges)
+        bars = np.sqrt(np.diag(inner)) / ranges
+        concerned = np.zeros(k, bool)
+        for column in direction[:, ~(strength > 1 / BLIND**2)].T:
+            # it goes along by its share, or by more than its own error bars
+            which = (np.abs(column) > SHARE) | (np.abs(column) * BLIND > np.maximum(3 * bars, 1e-3))
+            concerned |= which
+            sentences.append(_sentence(fit, [fit.names[i] for i in np.flatnonzero(which)]))
+        untold = [fit.names[i] for i in np.flatnonzero(concerned)]
+        inside = inside[~concerned[inside]]
+    if len(inside):
+        _strength, _direction, inner = _directions(info[np.ix_(inside, inside)], ranges[inside])
+        covariance[np.ix_(inside, inside)] = inner
+        for i in inside.tolist():
+            flat = _flat(fit, int(ways.free[i]), parameters[i], math.sqrt(covariance[i, i]))
+            if flat:
+                untold.append(fit.names[i])
+                sentences.append(f"{fit.law.name}: {fit.names[i]}: {flat}")
+                covariance[i, :] = covariance[:, i] = np.nan
+    estimates = {}
+    for i, (name, parameter) in enumerate(zip(fit.names, parameters, strict=True)):
+        if name in untold:
+            estimates[name] = Estimate(None, None, "the data do not tell it")
+        elif bound[i]:
+            what = "least" if values[i] <= parameter.low + close[i] else "most"
+            estimates[name] = Estimate(float(values[i]), None, f"at the {what} that it may be, {values[i]:g}")
+        else:
+            estimates[name] = Estimate(float(values[i]), float(math.sqrt(covariance[i, i])))
+    return replace(
+        fit,
+        covariance=covariance,
+        estimates=estimates,
+        degenerate=tuple(dict.fromkeys(sentences)),
+        untold=tuple(untold),
+    )
+
+
+def _directions(info: Array, ranges: Array) -> tuple[Array, Array, Array]:
+    """Information in directions of the scaled numbers, the directions, and the covariance of those that are told."""
+    strength, direction = np.linalg.eigh(info * np.outer(ranges, ranges))
+    told = strength > 1 / BLIND**2
+    good = direction[:, told] / np.sqrt(strength[told])
+    return strength, direction, good @ good.T * np.outer(ranges, ranges)
+
+
+def _flat(fit: Fit, place: int, parameter: Parameter, stderr: float) -> str:
+    """What to say where the deviance does not rise on one side, though the curvature at the best place says that it should.
+
+    So it is where the last row that tells a number stands just at the edge between sticking and sliding.
+    """
+    base = float(rows_of_fit(fit, fit.problem, fit.numbers)[0].sum())
+    for sign, word in ((1, "more"), (-1, "less")):
+        p = fit.numbers.copy()
+        p[place] = min(max(p[place] + sign * 5 * stderr, parameter.low), parameter.high)
+        if abs(p[place] - fit.numbers[place]) > 4 * stderr and rows_of_fit(fit, fit.problem, p)[0].sum() < base + 1:
+            return f"{fit.numbers[place]:.3g} or {word} is all that can be told; what lies beyond fits as well"
+    return ""
+
+
+def _sentence(fit: Fit, names: list[str]) -> str:
+    """What there is to say of numbers that the data do not tell."""
+    said = f"{fit.law.name}: {' and '.join(names)}: "
+    values = {name: float(fit.numbers[parameters_of(fit.law, fit.problem)[0][name][0]]) for name in fit.names}
+    if names == ["friction"]:
+        return said + "no row slides all the way, so only a least friction can be told" + _least_friction(fit)
+    if names in (["tangential_restitution"], ["stiffness_ratio"]):
+        return said + "every row slides all the way through the contact, so nothing depends on it; film steeper hits"
+    if names in (["restitution", "friction"], ["friction", "restitution"]):
+        product = values["friction"] * (1 + values["restitution"])
+        return said + f"sliding contacts tell only friction (1 + restitution) = {product:.4g}, not each by itself"
+    if len(names) > 1:
+        return (
+            said
+            + "the data tell only a combination of them, no single value; measure more (spin, other angles) or fix one"
+        )
+    return said + "nothing in these rows depends on it"
+
+
+def _least_friction(fit: Fit) -> str:
+    """The friction below which the law is worse by 2.7 (95 %, one side), with the rest where it is."""
+    place = INDEX["friction"]
+    high = float(fit.numbers[place])
+    low = 0.0
+    base = float(rows_of_fit(fit, fit.problem, fit.numbers)[0].sum())
+    for _ in range(30):
+        p = fit.numbers.copy()
+        p[place] = middle = (low + high) / 2
+        deviance = float(rows_of_fit(fit, fit.problem, p)[0].sum())
+        low, high = (low, middle) if deviance < base + 2.706 else (middle, high)
+    return f": {high:.3g} or more (95 %)"
