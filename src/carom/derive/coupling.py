@@ -3,20 +3,23 @@ creates."""
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import sympy as sp
 
+from carom.derive.cautions import FrictionJam
 from carom.derive.derivations import split_rows, value_of
 from carom.derive.linear import Expr, Matrix, is_zero, solve_linear, tidy
 from carom.derive.percussion import Percussion, follow
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
+    from carom.derive.contact import Contact
     from carom.derive.impulsive import ImpulsiveMotion
 
-__all__ = ["delassus", "jam_friction", "newton_minors", "percussion", "slide_gain"]
+__all__ = ["conditions", "delassus", "jam_friction", "newton_minors", "percussion", "slide_gain"]
 
 
 def delassus(motion: ImpulsiveMotion, name: str) -> Matrix:
@@ -45,6 +48,31 @@ def slide_gain(motion: ImpulsiveMotion, name: str) -> Expr:
     contact, _ = motion.contact(name)
     g = delassus(motion, name)
     return tidy(g[0, 0] - contact.friction * sum((g[0, i + 1] * s for i, s in enumerate(motion.slip(name))), sp.S.Zero))
+
+
+def conditions(motion: ImpulsiveMotion, contact: Contact, impulses: dict[str, Expr], mode: str) -> dict[str, Expr]:
+    """Relations that must hold for the contact's mode; where it slides, ``impulses`` gets its tangential ones."""
+    if mode == "open":
+        return {}
+    name, push = contact.name, impulses[f"{contact.name}.n"]
+    found = {f"{name} approaches": sp.Lt(value_of(motion.contact_rows[name][0], motion.u0), 0)}
+    found[f"{name} pushes"] = sp.Ge(push, 0)
+    if mode == "stick" and contact.friction != sp.oo:
+        drag = tidy(sum((impulses[f"{name}.t{i + 1}"] ** 2 for i in range(len(contact.tangents))), sp.S.Zero))
+        found[f"{name} cone"] = sp.Le(drag, tidy(contact.friction**2 * push**2))  # (29)
+    if mode == "slide":
+        for i, s in enumerate(motion.slip(name)):
+            impulses[f"{name}.t{i + 1}"] = tidy(-contact.friction * s * push)
+        gain = slide_gain(motion, name)
+        found[f"{name} does not jam"] = sp.Gt(gain, 0)
+        if gain.is_nonpositive:
+            warnings.warn(
+                f"contact {name}: friction {contact.friction} jams the slip (d u_n / d p = {gain}); "
+                "follow it with percussion(...)",
+                FrictionJam,
+                stacklevel=4,
+            )
+    return found
 
 
 def jam_friction(motion: ImpulsiveMotion, name: str) -> Expr:

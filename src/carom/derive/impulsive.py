@@ -16,8 +16,8 @@ from typing import Any
 
 import sympy as sp
 
-from carom.derive import coupling
-from carom.derive.cautions import EnergyGain, FrictionJam
+from carom.derive import coupling, displacement
+from carom.derive.cautions import EnergyGain
 from carom.derive.contact import Contact
 from carom.derive.derivations import Instant, by_multipliers, by_virtual, impulses_of, split_rows, targets, value_of
 from carom.derive.jump import Jump
@@ -27,8 +27,6 @@ from carom.derive.linear import (
     bound_columns,
     independent_rows,
     is_zero,
-    null_basis,
-    reduce_trig,
     solve_linear,
     tidy,
 )
@@ -250,31 +248,7 @@ class ImpulsiveMotion:
         others are possible where these cannot be (the paper's own psi = 0).
         """
         _, columns = self.acting(modes)
-        free = None
-        if independent is not None:
-            for u in independent:
-                if u not in self.speeds.names:
-                    raise CaromError(
-                        f"independent speeds: {u} is not a speed; expected some of {list(self.speeds.names)}"
-                    )
-            free = [self.speeds.names.index(u) for u in independent]
-        try:
-            return null_basis(columns.T, free)
-        except CaromError as error:
-            if free is None:
-                raise
-            basis = null_basis(columns.T)
-            can = [
-                str(u)
-                for i, u in enumerate(self.speeds.names)
-                if basis.cols == len(free)
-                and not is_zero(sum((basis[i, k] ** 2 for k in range(basis.cols)), sp.S.Zero))
-            ]
-            asked = ", ".join(str(u) for u in independent or ())
-            raise CaromError(
-                f"independent speeds: {asked} cannot parametrise the {basis.cols} virtual displacement(s) at this "
-                f"configuration (a chart that fails here); speeds that move: {', '.join(can) or 'none'}"
-            ) from error
+        return displacement.basis(self.speeds.names, columns, independent)
 
     def displacement_limit(self, independent: Expr, towards: Mapping[Expr, Expr]) -> Matrix:
         """Direction of the one virtual displacement at a configuration where ``independent`` fails as its parameter.
@@ -285,15 +259,7 @@ class ImpulsiveMotion:
         column = self.virtual_displacements([independent])
         if column.cols != 1:
             raise CaromError(f"displacement limit: expected one freedom, got {column.cols}")
-        together = [sp.fraction(reduce_trig(x)) for x in column]
-        common = sp.S.One
-        for _, below in together:
-            common = sp.lcm(common, below)
-        cleared = [tidy(above * common / below) for above, below in together]
-        limit = sp.Matrix([tidy(x.xreplace(dict(towards))) for x in cleared])
-        if all(is_zero(x) for x in limit):
-            raise CaromError("displacement limit: every component vanishes there; take another independent speed")
-        return limit
+        return displacement.limit(column, towards)
 
     def jump_equations(self, modes: Mapping[str, str] | str | None = None) -> list[Expr]:
         """Linear equations in the speeds just after: momenta along virtual displacements, then the closing ones."""
@@ -413,7 +379,7 @@ class ImpulsiveMotion:
             said = " + ".join(f"({c})*[{n}]" for n, c in how.items())
             notes.append(f"{name} is redundant: it equals {said}; rigid bodies leave the split of their impulses open")
         for contact in self.contacts:
-            conditions.update(self._contact_conditions(contact, impulses, chosen[contact.name]))
+            conditions.update(coupling.conditions(self, contact, impulses, chosen[contact.name]))
             if chosen[contact.name] == "slide":  # it must not have come to rest on the way
                 _, rows = self.contact(contact.name)
                 left = zip(self.slip(contact.name), rows[1:], strict=True)
@@ -426,31 +392,6 @@ class ImpulsiveMotion:
             if any(c.hypothesis == "newton" for c in self.contacts) or any(r.closing for r in self.imposed):
                 warnings.warn(text, EnergyGain, stacklevel=3)
         return Jump(after, impulses, change, redundant, tuple(free), conditions, tuple(notes))
-
-    def _contact_conditions(self, contact: Contact, impulses: dict[str, Expr], mode: str) -> dict[str, Expr]:
-        """Relations that must hold for the contact's mode, and its tangential impulses where it slides."""
-        if mode == "open":
-            return {}
-        name, push = contact.name, impulses[f"{contact.name}.n"]
-        conditions = {f"{name} approaches": sp.Lt(value_of(self.contact_rows[name][0], self.u0), 0)}
-        conditions[f"{name} pushes"] = sp.Ge(push, 0)
-        if mode == "stick" and contact.friction != sp.oo:
-            drag = tidy(sum((impulses[f"{name}.t{i + 1}"] ** 2 for i in range(len(contact.tangents))), sp.S.Zero))
-            conditions[f"{name} cone"] = sp.Le(drag, tidy(contact.friction**2 * push**2))  # (29)
-        if mode == "slide":
-            slip = self.slip(name)
-            for i, s in enumerate(slip):
-                impulses[f"{name}.t{i + 1}"] = tidy(-contact.friction * s * push)
-            gain = coupling.slide_gain(self, contact.name)
-            conditions[f"{name} does not jam"] = sp.Gt(gain, 0)
-            if gain.is_nonpositive:
-                warnings.warn(
-                    f"contact {name}: friction {contact.friction} jams the slip (d u_n / d p = {gain}); "
-                    "follow it with percussion(...)",
-                    FrictionJam,
-                    stacklevel=4,
-                )
-        return conditions
 
     # -- contacts as a whole: see carom.derive.coupling ----------------------------------------------------------------
 
