@@ -10,7 +10,7 @@ import numpy as np
 
 from carom.errors import CaromError
 
-__all__ = ["LARGEST", "Faults", "expect", "first_index", "float_array", "nearest", "number", "require_shapes"]
+__all__ = ["LARGEST", "Faults", "expect", "first_index", "float_array", "meant", "nearest", "number", "require_shapes"]
 
 # Squares of what a kernel takes must be finite: no ball is faster, heavier or larger than this.
 LARGEST = 1e100
@@ -96,6 +96,11 @@ def expect(where: str, field: str, value: Any, kind: type) -> None:
 
 
 def nearest(name: str, names: list[str]) -> str:
-    """``"; did you mean X?"`` for a name that is close to a known one, else the list of them."""
+    """``"did you mean 'X'?"`` for a name that is close to a known one, else the list of them."""
+    return meant(name, names).removeprefix("; ") or f"known are {', '.join(names)}"
+
+
+def meant(name: str, names: list[str]) -> str:
+    """``"; did you mean 'X'?"`` for a name that is close to a known one, else nothing: for a line that has listed them."""
     close = get_close_matches(name, names, n=1, cutoff=0.5)
-    return f"did you mean {close[0]!r}?" if close else f"known are {', '.join(names)}"
+    return f"; did you mean {close[0]!r}?" if close else ""

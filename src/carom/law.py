@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.ball import Ball
-from carom.checks import nearest
+from carom.checks import meant
 from carom.errors import CaromError
 from carom.kernel import Vec
 from carom.laws.card import Card
@@ -349,5 +349,5 @@ LAWS: dict[str, Law] = {
 def law_named(name: str) -> Law:
     """A law by its name; CaromError with the nearest name where there is none."""
     if name not in LAWS:
-        raise CaromError(f"law: expected one of {', '.join(LAWS)}, got {name!r}; {nearest(name, list(LAWS))}")
+        raise CaromError(f"law: expected one of {', '.join(LAWS)}, got {name!r}{meant(name, list(LAWS))}")
     return LAWS[name]

@@ -150,13 +150,13 @@ def orbit(
 
 def _table(name: str, given: dict[str, Any], bounds: str) -> Table:
     from carom import orbits
-    from carom.checks import nearest
+    from carom.checks import meant
 
     over, colon, flat = name.partition(":")
     kind = flat if colon else name
     known = [*SIZES, "cylinder:circle"]
     if kind not in SIZES or (colon and (over != "cylinder" or kind in SOLIDS)):
-        raise CaromError(f"orbit: table: expected one of {', '.join(known)}, got {name!r}; {nearest(name, known)}")
+        raise CaromError(f"orbit: table: expected one of {', '.join(known)}, got {name!r}{meant(name, known)}")
     own = SIZES[kind] + (("height", "acceleration") if colon else ())
     faults = [
         f"--{key}: {name} has no such size; it has {', '.join(f'--{k}' for k in own)}"

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from carom.checks import nearest
+from carom.checks import meant
 from carom.datasets.sources import SOURCES
 from carom.errors import CaromError
 
@@ -62,7 +62,7 @@ def names() -> list[str]:
 def load(name: str) -> Dataset:
     """A table by its name; CaromError with the nearest name where there is none."""
     if name not in SOURCES:
-        raise CaromError(f"dataset: expected one of {', '.join(SOURCES)}, got {name!r}; {nearest(name, names())}")
+        raise CaromError(f"dataset: expected one of {', '.join(SOURCES)}, got {name!r}{meant(name, names())}")
     source = SOURCES[name]
     path = Path(str(resources.files("carom.datasets").joinpath(source.file)))
     return Dataset(name, source.title, source.citation, source.doi, source.notes, path)

@@ -124,11 +124,11 @@ def _law(law: Any, surface: Surface | None) -> tuple[int, Any, str]:
         return known[law], None, "rolling" if law == "conventional" else law
     if isinstance(law, str):
         if ":" not in law:
-            from carom.checks import nearest
+            from carom.checks import meant
 
             raise CaromError(
-                f"orbit: law: expected one of {', '.join(LAWS)}, or a kernel of your own (my_law.py:law), got {law!r};"
-                f" {nearest(law, list(LAWS))}"
+                f"orbit: law: expected one of {', '.join(LAWS)}, or a kernel of your own (my_law.py:law), got {law!r}"
+                f"{meant(law, list(LAWS))}"
             )
         from carom.own_law import find_law
 
