@@ -18,6 +18,7 @@ from carom.ball import Ball
 from carom.checks import LARGEST, Faults, number
 from carom.errors import CaromError
 from carom.law import LAWS, Answer, Law, Meeting, law_named
+from carom.laws.maw import LIKE_SOLIDS
 from carom.remarks import remarks_on
 from carom.rows import require_approach
 from carom.state import State, kinetic_energy
@@ -50,6 +51,7 @@ def incoming(
     gravity: float = GRAVITY,
     cushion_height: float | None = None,
     floor_contact: FloorContact = "with",
+    stiffness_ratio: float = LIKE_SOLIDS,
 ) -> Meeting:
     """One ball on its way to the wall x = 0, from plain numbers; the paper's example by default.
 
@@ -79,6 +81,9 @@ def incoming(
         1.4. Left out, the wall is a plane and touches the ball at the height of its centre.
     floor_contact : "with" or "after"
         As :func:`carom.two_step` takes it.
+    stiffness_ratio : float
+        Of the wall's contact, along the surface over normally, > 0, for the laws with tangential compliance; by default
+        that of like solids with Poisson's ratio 0.3.
 
     Returns
     -------
@@ -101,6 +106,7 @@ def incoming(
     vz = number(faults, "vertical_speed", vertical_speed, "a finite speed in m/s, upwards", lambda x: abs(x) <= LARGEST)
     g = number(faults, "gravity", gravity, "a number >= 0 in m/s^2", lambda x: x >= 0)
     h = number(faults, "height", height, "a length >= 0 in m", lambda x: x >= 0)
+    k = number(faults, "stiffness_ratio", stiffness_ratio, "a number > 0", lambda x: x > 0)
     if floor_contact not in ("with", "after"):
         faults.add("floor_contact", "'with' (wall and floor at once) or 'after' (first the wall)", repr(floor_contact))
     normal = np.array([1.0, 0.0, 0.0])
@@ -121,7 +127,7 @@ def incoming(
     spin = {"spin_x": 0.0, "spin_y": 0.0} if sliding else {"spin_x": -y / ball.radius, "spin_y": x / ball.radius}
     spin |= given
     state = State((x, y, vz), (spin["spin_x"], spin["spin_y"], spin["spin_z"]))
-    return Meeting(ball, state, normal, wall, floor, g, h, floor_contact)
+    return Meeting(ball, state, normal, wall, floor, g, h, floor_contact, k)
 
 
 def _gathered(found: list[str], name: str, make: Callable[[], Thing], instead: Thing) -> Thing:
@@ -213,6 +219,7 @@ class Comparison:
                 "gravity": m.gravity,
                 "height": m.height,
                 "floor_contact": m.floor_contact,
+                "stiffness_ratio": plain(m.stiffness_ratio),
             },
         }
 

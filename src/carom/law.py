@@ -22,11 +22,15 @@ from carom.laws.contact import CARD as CONTACT
 from carom.laws.contact import slip_velocity, wall_contact
 from carom.laws.conventional import CARD as CONVENTIONAL
 from carom.laws.conventional import conventional_reflection
+from carom.laws.maw import CARD as MAW
+from carom.laws.maw import CHI, LIKE_SOLIDS, maw_contact, maw_kernel
 from carom.laws.mirror import CARD as MIRROR
 from carom.laws.mirror import mirror_reflection
 from carom.laws.no_slip import CARD as NO_SLIP
 from carom.laws.no_slip import no_slip_reflection
 from carom.laws.simultaneous import LEAST_FIRM
+from carom.laws.stronge import CARD as STRONGE
+from carom.laws.stronge import STIFFNESS, stronge_contact, stronge_kernel
 from carom.laws.two_step import CARD as TWO_STEP
 from carom.loops import law_rows
 from carom.rows import approaching, rows_of
@@ -53,6 +57,8 @@ class Meeting:
     gravity: float = GRAVITY
     height: Any = 0.0
     floor_contact: FloorContact = "with"
+    stiffness_ratio: Any = LIKE_SOLIDS
+    """Of the wall's contact, along the surface over normally; the compliant laws read it. Like solids of nu = 0.3: 14/17."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,6 +89,10 @@ class Law:
     """For one state: plain sentences on what is not admissible and why; none where the law can be true."""
     kernel: WallKernel | None = None
     """What the wall alone does, for engines."""
+    in_flight: bool = False
+    """It is about one contact: in a table without spins the ball is taken to fly."""
+    compliant: bool = False
+    """It reads the stiffness ratio, and no tangential restitution."""
 
     @property
     def name(self) -> str:
@@ -99,12 +109,12 @@ def approaches(meeting: Meeting) -> list[Condition]:
     return [(approaching(meeting.state, meeting.normal), "a ball that moves towards the wall")]
 
 
-def respond(kernel: WallKernel, meeting: Meeting) -> State:
-    """The state after a wall whose law is a kernel."""
+def respond(kernel: WallKernel, meeting: Meeting, last: Any = None) -> State:
+    """The state after a wall whose law is a kernel; ``last`` stands in the place of the tangential restitution."""
     m = meeting
     rows = rows_of(
         m.state, m.normal, m.ball.radius, m.ball.kappa,
-        m.wall.restitution, m.wall.friction, m.wall.tangential_restitution,
+        m.wall.restitution, m.wall.friction, m.wall.tangential_restitution if last is None else last,
     )  # fmt: skip
     return State.of(*answer_rows(kernel, law_rows(kernel), rows, "vv"))
 
@@ -116,6 +126,15 @@ def _required(ball: Ball, before: State, after: State, normal: Array) -> Any:
     f = j - jn[..., None] * normal
     with np.errstate(invalid="ignore", divide="ignore"):
         return np.where(jn > 0, np.sqrt((f * f).sum(axis=-1)) / jn, 0.0)
+
+
+def _and_the_floor(meeting: Meeting, after: State) -> Answer:
+    m = meeting
+    required = _required(m.ball, m.state, after, m.normal)
+    if m.ball.planar:
+        return Answer(after, after, required, np.zeros(after.shape), np.full(after.shape, ""))
+    then = settle(m.ball, after, m.floor, m.normal, m.gravity, m.height)
+    return Answer(after, then.rolling, required, then.floor.required_friction, then.why, then)
 
 
 def wall_law(
@@ -130,13 +149,7 @@ def wall_law(
     """
 
     def answer(meeting: Meeting) -> Answer:
-        after = respond(kernel, meeting)
-        required = _required(meeting.ball, meeting.state, after, meeting.normal)
-        if meeting.ball.planar:
-            nothing = np.zeros(after.shape)
-            return Answer(after, after, required, nothing, np.full(after.shape, ""))
-        then = settle(meeting.ball, after, meeting.floor, meeting.normal, meeting.gravity, meeting.height)
-        return Answer(after, then.rolling, required, then.floor.required_friction, then.why, then)
+        return _and_the_floor(meeting, respond(kernel, meeting))
 
     def against(meeting: Meeting, answer: Answer) -> list[str]:
         return [*impossible(meeting, answer), *(objections(meeting, answer) if objections else [])]
@@ -328,8 +341,39 @@ def two_step_conditions(meeting: Meeting) -> list[Condition]:
     return found
 
 
-def _two_step_objections(meeting: Meeting, answer: Answer) -> list[str]:
-    return []
+def _compliant_law(
+    card: Card, kernel: WallKernel, for_engines: WallKernel, known: Callable[[Meeting], Condition]
+) -> Law:
+    """A wall that gives along its surface too: the meeting's stiffness ratio in the place of tangential restitution."""
+
+    def answer(meeting: Meeting) -> Answer:
+        return _and_the_floor(meeting, respond(kernel, meeting, meeting.stiffness_ratio))
+
+    def conditions(meeting: Meeting) -> list[Condition]:
+        return [*approaches(meeting), known(meeting)]
+
+    def objections(meeting: Meeting, answer: Answer) -> list[str]:
+        found = [*impossible(meeting, answer), *_into_floor(meeting, answer)]
+        beta = float(np.max(np.abs(meeting.wall.tangential_restitution)))
+        if beta > 0:
+            found.append("it has springs in the place of this wall's tangential restitution, which it does not read")
+        return found
+
+    return Law(card, answer, conditions, objections, for_engines, in_flight=True, compliant=True)
+
+
+def _maw_knows(meeting: Meeting) -> Condition:
+    share = (1 + 1 / np.asarray(meeting.ball.kappa)) / 2
+    chi = np.asarray(meeting.stiffness_ratio) * share
+    low, high = CHI[0] / np.min(share), CHI[1] / np.max(share)
+    return (chi >= CHI[0]) & (
+        chi <= CHI[1]
+    ), f"a stiffness ratio from {low:.3g} to {high:.3g}, where its curve is known"
+
+
+def _stronge_knows(meeting: Meeting) -> Condition:
+    k = np.asarray(meeting.stiffness_ratio)
+    return (k >= STIFFNESS[0]) & (k <= STIFFNESS[1]), f"a stiffness ratio from {STIFFNESS[0]:g} to {STIFFNESS[1]:g}"
 
 
 LAWS: dict[str, Law] = {
@@ -340,8 +384,10 @@ LAWS: dict[str, Law] = {
             CONVENTIONAL, _conventional_answer, conventional_conditions, _conventional_objections, _conventional_kernel
         ),
         wall_law(NO_SLIP, _no_slip_kernel, objections=_no_slip_objections),
-        Law(TWO_STEP, _two_step_answer, two_step_conditions, _two_step_objections, contact_kernel),
-        Law(CONTACT, _contact_answer, approaches, _contact_objections, contact_kernel),
+        Law(TWO_STEP, _two_step_answer, two_step_conditions, lambda _meeting, _answer: [], contact_kernel),
+        _compliant_law(MAW, maw_contact, maw_kernel, _maw_knows),
+        _compliant_law(STRONGE, stronge_contact, stronge_kernel, _stronge_knows),
+        Law(CONTACT, _contact_answer, approaches, _contact_objections, contact_kernel, in_flight=True),
     )
 }
 

@@ -42,6 +42,9 @@ def compare(
     tangential_restitution: Annotated[
         float, typer.Option(help="-1 to 1: 0 stops the slip, 1 returns it.", rich_help_panel=WALL)
     ] = 0.0,
+    stiffness_ratio: Annotated[
+        float, typer.Option(help="Along the surface over normally, for maw and stronge.", rich_help_panel=WALL)
+    ] = 14 / 17,
     cushion_height: Annotated[
         float | None,
         typer.Option(
@@ -87,7 +90,7 @@ def compare(
         "vertical_speed": vertical_speed, "height": height, "inertia": _inertia(inertia), "radius": radius,
         "mass": mass, "restitution": restitution, "friction": friction, "tangential_restitution": tangential_restitution,
         "cushion_height": cushion_height, "floor_restitution": floor_restitution, "floor_friction": floor_friction,
-        "gravity": gravity, "floor_contact": contact,
+        "gravity": gravity, "floor_contact": contact, "stiffness_ratio": stiffness_ratio,
     }  # fmt: skip
     # every fault at once, and before anything is written
     found: list[str] = []

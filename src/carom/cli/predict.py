@@ -31,7 +31,7 @@ def predict(
     spin: Annotated[
         str | None,
         typer.Option(
-            help="where the table has no spin: rolling or none", show_default="rolling; none for the contact law"
+            help="where the table has no spin: rolling or none", show_default="rolling; none for contact, maw, stronge"
         ),
     ] = None,
     suffix: Annotated[str | None, typer.Option(help="put after the names of the added columns")] = None,
@@ -49,6 +49,12 @@ def predict(
     restitution: Annotated[float | None, typer.Option(show_default="1", rich_help_panel=WALL)] = None,
     friction: Annotated[float | None, typer.Option(show_default="inf", rich_help_panel=WALL)] = None,
     tangential_restitution: Annotated[float | None, typer.Option(show_default="0", rich_help_panel=WALL)] = None,
+    stiffness_ratio: Annotated[
+        float | None,
+        typer.Option(
+            help="along the surface, for maw, stronge", show_default="14/17: like solids", rich_help_panel=WALL
+        ),
+    ] = None,
     normal: Annotated[
         str | None, typer.Option(help="from wall to ball, vector form", show_default="1,0,0", rich_help_panel=WALL)
     ] = None,
@@ -80,8 +86,9 @@ def predict(
     given = {
         "speed": speed, "radius": radius, "mass": mass, "height": height,
         "restitution": restitution, "friction": friction,
-        "tangential_restitution": tangential_restitution, "floor_restitution": floor_restitution,
-        "floor_friction": floor_friction, "floor_tangential_restitution": floor_tangential_restitution,
+        "tangential_restitution": tangential_restitution, "stiffness_ratio": stiffness_ratio,
+        "floor_restitution": floor_restitution, "floor_friction": floor_friction,
+        "floor_tangential_restitution": floor_tangential_restitution,
     }  # fmt: skip
     numbers = {name: value for name, value in given.items() if value is not None}
     if inertia is not None:

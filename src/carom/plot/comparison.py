@@ -195,7 +195,7 @@ def _side(
         axes.fill(*zip(*corners, strict=True), color="#d9d5ca", ec=INK, lw=0.8, zorder=2)
     _circle(axes, start, a, INK, 1.0, face="white")
     axes.plot(*start, "o", ms=2.6, color=INK, zorder=8)
-    landings = []
+    hops = []
     for verdict in shown:
         ink, dashes = looks[verdict.law]
         path = paths[verdict.law]
@@ -211,13 +211,11 @@ def _side(
             top = float(flights[0][:, 2].max()) * 1e3
             if end[0] <= r:
                 _circle(axes, end, a, ink, 0.7)
-                landings.append((end[0], ink, f"{verdict.law} hops {number(top)} mm"))
-    places = spread([x[0] for x in landings], 0.42 * r, 0.2 * r, 0.85 * r)
-    for place, (x, ink, word) in zip(places, landings, strict=True):
-        axes.plot([x, x], [-0.015 * r, 0], color=ink, lw=1.2, zorder=4)
-        axes.text(place, -0.06 * r, word, ha="center", va="center", size=8, color=ink)
-    if not landings:
-        axes.text(0.5 * r, -0.06 * r, "floor", ha="center", va="center", size=8, color=GREY)
+                axes.plot([end[0], end[0]], [-0.03 * r, 0], color=ink, lw=1.2, zorder=4)
+            hops.append((ink, f"{verdict.law}  {number(top)} mm"))
+    for i, (ink, word) in enumerate([(GREY, "hops as high as"), *hops] if hops else []):
+        axes.text(1.06 * r, up - (0.03 + 0.075 * i) * r, word, color=ink, ha="left", va="center", size=8, clip_on=False)
+    axes.text(0.5 * r, -0.06 * r, "floor", ha="center", va="center", size=8, color=GREY)
     axes.set_xlabel("from the wall, mm")
     axes.set_ylabel("height, mm")
     axes.text(r, up * 0.98, "from the side", ha="right", va="top", style="italic", color=GREY, size=9)

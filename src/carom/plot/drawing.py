@@ -20,8 +20,10 @@ INKS: dict[str, tuple[str, Any]] = {
     "no-slip": ("#009E73", (0, (4, 1.5, 1, 1.5))),
     "two-step": ("#0072B2", "solid"),
     "contact": ("#56B4E9", (0, (2.5, 1.5))),
+    "maw": ("#CC79A7", (0, (5, 1.5, 1, 1.5, 1, 1.5))),
+    "stronge": ("#E69F00", (0, (8, 2, 2, 2))),
 }
-MORE = ("#CC79A7", "#E69F00", "#B8A600", "#000000")
+MORE = ("#B8A600", "#000000", "#7A4FB5", "#A0522D")
 
 
 def inks(laws: Sequence[str]) -> dict[str, tuple[str, Any]]:

@@ -13,6 +13,7 @@ from carom.ball import Ball
 from carom.checks import nearest
 from carom.errors import CaromError
 from carom.law import Law, Meeting
+from carom.laws.maw import LIKE_SOLIDS
 from carom.state import rolling
 from carom.tables.units import NAMES, UNITS, Heading, Unit, bare, heading, written
 
@@ -25,7 +26,7 @@ DEFAULTS: dict[str, float] = {
     "radius": 0.02625, "mass": 0.1406, "kappa": 2 / 5,
     "restitution": 1.0, "friction": math.inf, "tangential_restitution": 0.0,
     "floor_restitution": 0.0, "floor_friction": math.inf, "floor_tangential_restitution": 0.0,
-    "height": 0.0,
+    "height": 0.0, "stiffness_ratio": LIKE_SOLIDS,
 }  # fmt: skip
 PARAMETERS = tuple(DEFAULTS)
 FORMS = (
@@ -99,7 +100,7 @@ def make_plan(headers: list[str], settings: Settings) -> Plan:
     air = form != "vector" and _in_air(columns, settings)
     if air and settings.contact_height != 1:
         faults.append(
-            "--contact-height: expected a ball on a table, got one in flight (contact law, or a spin_in column)"
+            "--contact-height: expected a ball on a table, got one in flight (a law of one contact, or a spin_in column)"
         )
     spin, remarks = _spin(form, air, columns, settings, faults)
     sources, constants = _sources(wanted, columns, settings, faults)
@@ -185,7 +186,7 @@ def _wanted(form: str, columns: Columns, settings: Settings) -> tuple[list[str],
 def _in_air(columns: Columns, settings: Settings) -> bool:
     if "spin_in" in columns:
         return True
-    return settings.law.name == "contact" and "spin_z_in" not in columns and settings.spin != "rolling"
+    return settings.law.in_flight and "spin_z_in" not in columns and settings.spin != "rolling"
 
 
 def _spin(
@@ -203,7 +204,7 @@ def _spin(
         if settings.spin is not None:
             faults.append(f"--spin {settings.spin}: expected no such option, the table has the spin; leave it out")
         return "given", []
-    rule = settings.spin or ("none" if settings.law.name == "contact" else "rolling")
+    rule = settings.spin or ("none" if settings.law.in_flight else "rolling")
     about = " about level axes" if form != "vector" and not air else ""
     meant = {
         "rolling": f"no spin{about} in the table: taken to roll on the floor (--spin none: it does not spin)",
@@ -321,7 +322,8 @@ def _reading(form: str, air: bool, sources: dict[str, Source]) -> str:
 
 def _assumed(constants: dict[str, float], settings: Settings, air: bool) -> list[str]:
     units = {"radius": " m", "mass": " kg", "height": " m"}
-    skip: tuple[str, ...] = ("floor", "height") if air else ()
+    skip = ("floor", "height") if air else ()
+    skip = (*skip, "tangential" if settings.law.compliant else "stiffness")
     taken = [
         f"{name} {value:g}{units.get(name, '')}"
         for name, value in constants.items()

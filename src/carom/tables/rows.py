@@ -49,6 +49,7 @@ CHECKS: dict[str, tuple[Callable[[Any], Any], str]] = {
     "floor_friction": (_friction, "a number >= 0, or inf"),
     "floor_tangential_restitution": (_within(-1, 1), "a number from -1 to 1"),
     "height": (_within(0, LARGEST), "a length >= 0"),
+    "stiffness_ratio": (_positive, "a number above 0"),
     "speed": (_within(0, LARGEST), "a speed >= 0"),
     "incidence": (_within(-math.pi / 2, math.pi / 2), "an angle from the normal, -90 to 90 degrees"),
 }
@@ -164,6 +165,7 @@ def _meeting(plan: Plan, values: dict[str, Array], rows: Any) -> Meeting:
         gravity=settings.gravity,
         height=p["height"],
         floor_contact=settings.floor_contact,
+        stiffness_ratio=p["stiffness_ratio"],
     )
 
 

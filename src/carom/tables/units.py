@@ -81,6 +81,7 @@ NAMES: dict[str, tuple[str, tuple[str, ...]]] = {
     "restitution": ("number", ()),
     "friction": ("number", ()),
     "tangential_restitution": ("number", ()),
+    "stiffness_ratio": ("number", ()),
     "floor_restitution": ("number", ()),
     "floor_friction": ("number", ()),
     "floor_tangential_restitution": ("number", ()),

@@ -1,0 +1,172 @@
+"""Tangential compliance, lumped: one spring along the surface, in series with friction, beside the normal one.
+
+Stronge, Impact Mechanics (Cambridge University Press, 2000), chapter 5. The contact is a point without mass on two springs.
+The normal one is linear and unloads 1/e^2 as stiffly, so that the wall returns e^2 of the energy that it took. The one
+along the surface is k times as stiff as the normal one while that is loaded, and it is stretched as the ball's surface
+moves, for as long as friction holds the point.
+
+Units in which every phase is an arc: the normal force is mu sin(phi), phi from 0 to pi/2 in compression and on to pi in
+restitution, which passes 1/e times as fast. The tangential force, over mu, is x, and the slip of the ball's surface y, so
+scaled that while the point holds (x, y) turns, by w times as much as phi,
+
+    w = omega = sqrt(k (1 + 1/kappa)) in compression, e omega in restitution, y = k u_t / (omega mu |u_n|) at first.
+
+It holds while |x| < sin(phi). Where it slips, x = s sin(phi), y changes by w s cos(phi), and the slip of the point itself
+is y - s cos(phi)/w. So all but the ends of holding are closed forms; those are roots of one sine against another.
+"""
+
+from __future__ import annotations
+
+import math
+
+from carom.kernel import Vec, cross, dot, kernel
+from carom.laws.card import Card
+from carom.laws.contact import LEAST, slip_velocity
+from carom.laws.maw import LIKE_SOLIDS
+
+__all__ = ["CARD", "STIFFNESS", "kept_slip", "stronge_contact", "stronge_kernel"]
+
+CARD = Card(
+    name="stronge",
+    summary="The contact gives along the surface as well: one spring stores part of the slip, and friction holds it or not.",
+    assumptions=(
+        "one spring along the surface and one into it, k times and once as stiff; friction by Coulomb's law for the whole",
+        "the normal spring is linear and unloads 1/e^2 as stiffly; the other stays as it is",
+        "the ball touches nothing else meanwhile",
+    ),
+    valid="Balls on hard or rubber surfaces where no constant tangential restitution fits all angles, with any stiffness"
+    " ratio k. For a sphere on a solid maw is nearer to elasticity: there slip begins at the contact's edge.",
+    equations="carom.laws.stronge",
+    citation="W. J. Stronge, Impact Mechanics (Cambridge University Press, 2000), chapter 5.",
+)
+
+STIFFNESS = (1e-3, 1e3)  # the ratios that it takes
+ARCS = 1000  # at most: each half swing has three, and a stiff spring swings often
+
+
+@kernel
+def _swing(x: float, y: float, turn: float) -> tuple[float, float]:
+    """(x, y) turned: the spring with the ball on it."""
+    c, s = math.cos(turn), math.sin(turn)
+    return c * x + s * y, c * y - s * x
+
+
+@kernel
+def _spare(x: float, y: float, w: float, start: float, phi: float, rising: bool) -> float:
+    """What friction has to spare at phi; or, ``rising``, whether the spring's force still grows against the normal one's."""
+    p, q = _swing(x, y, w * (phi - start))
+    if rising:
+        # (x / sin)' sin^2: of one sign at first and of the other then, since its rate is (1 - w^2) x sin
+        return (w * q * math.sin(phi) - p * math.cos(phi)) * (1 if p >= 0 else -1)
+    return math.sin(phi) - abs(p)
+
+
+@kernel
+def _root(x: float, y: float, w: float, start: float, low: float, high: float, rising: bool) -> float:
+    """Where :func:`_spare` falls through zero between low (above) and high (below): the false position, made safe."""
+    f, g = _spare(x, y, w, start, low, rising), _spare(x, y, w, start, high, rising)
+    for i in range(100):
+        phi = low + (high - low) * f / (f - g) if f - g > 0 else high
+        if i % 4 == 3 or not low < phi < high:
+            phi = (low + high) / 2
+        if not low < phi < high or high - low < 1e-15:
+            break
+        h = _spare(x, y, w, start, phi, rising)
+        if h >= 0:
+            # (the other end's weight is halved: Illinois)
+            low, f, g = phi, h, g / 2
+        else:
+            high, f, g = phi, f / 2, h
+        if h == 0:
+            break
+    return high
+
+
+@kernel
+def _holds_until(x: float, y: float, w: float, start: float, end: float, falls: bool) -> tuple[float, bool]:
+    """How far the point holds from ``start`` on: to ``end``, or to where friction lets it go, which comes second.
+
+    Between two zeros of x, x / sin(phi) has one extremum at most (see :func:`_spare`). So one look at that tells whether
+    it passes 1 there, and where to seek. ``falls``: it starts from 1 and falls, to the next zero.
+    """
+    low, most = start, math.atan2(y, x)  # x is largest when it has turned by so much
+    while low < end:
+        ahead = most + math.pi / 2 - w * (low - start)
+        ahead -= math.pi * math.floor(ahead / math.pi)
+        if ahead < 1e-12:
+            ahead += math.pi
+        high = min(end, low + ahead / w)
+        first, last = low + 1e-9 * (high - low), high - 1e-9 * (high - low)  # x is not zero there
+        if not falls and (w <= 1 or _spare(x, y, w, start, first, True) > 0):
+            top = high
+            if w > 1 and _spare(x, y, w, start, last, True) < 0:
+                top = _root(x, y, w, start, first, last, True)
+            if _spare(x, y, w, start, top, False) < 0:
+                return _root(x, y, w, start, low, top, False), True
+        low, falls = high, False
+    return end, False
+
+
+@kernel
+def _quarter(x: float, y: float, w: float, slips: bool, side: int, second: bool) -> tuple[float, float, bool, int]:
+    """Force and slip after compression (or restitution, ``second``): arcs on which the point holds or slips, to ``side``."""
+    start, falls = math.pi / 2 if second else 0.0, False
+    phi, level, last = start, 0.0 if second else 1.0, -1.0 if second else 0.0  # level: cos(phi)
+    for _ in range(ARCS):
+        if slips:
+            # it ends where the point's own slip, s y - cos/w, does; with w <= 1 that only grows
+            stops = min(level, (w * level - side * y) / (w - 1 / w)) if w > 1 else -2.0
+            slips, falls = stops < last, True
+            now = last if slips else stops
+            y += w * side * (now - level)
+            x, level = side * math.sqrt(max(1 - now * now, 0.0)), now
+            if slips:
+                break
+            phi = max(phi, math.acos(level))
+        else:
+            until, slips = _holds_until(x, y, w, phi, start + math.pi / 2, falls and w > 1)
+            x, y = _swing(x, y, w * (until - phi))
+            phi, level = until, math.cos(until)
+            if not slips:
+                break
+            side = 1 if x > 0 else -1
+    return x, y, slips, side
+
+
+@kernel
+def kept_slip(u: float, kappa: float, e: float, k: float) -> float:
+    """The share of the slip that is left, with its sign; u = slip / (mu u_n) > 0, k the stiffness ratio."""
+    omega = math.sqrt(k * (1 + 1 / kappa))
+    if not u > 0:  # no force can let go but the last
+        return math.cos(omega * (1 + e) * math.pi / 2)
+    y0 = k * u / omega
+    x, y, slips, side = _quarter(0 * u, y0, omega, y0 * omega > 1, 1, False)
+    if e > 0:
+        x, y, slips, side = _quarter(x, y, e * omega, slips, side, True)
+    return y / y0
+
+
+@kernel
+def stronge_contact(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, k: float) -> tuple[Vec, Vec]:
+    """Velocity and spin of a ball after a wall that gives along its surface, k times as stiff that way as normally."""
+    un, ut = slip_velocity(v, w, n, a)
+    slip = math.sqrt(dot(ut, ut))
+    pn = -(1 + e) * un
+    f = 0 * slip
+    most = mu * -un
+    if slip > 0 and most > 0 and pn > LEAST * slip:
+        if slip >= most * (1 + e) * (1 + 1 / kappa) and k * slip >= most:  # it slips throughout
+            f = -mu * pn / slip
+        else:
+            f = (kept_slip(slip / most if mu < math.inf else f, kappa, e, k) - 1) * kappa / (1 + kappa)
+    j = (pn * n[0] + f * ut[0], pn * n[1] + f * ut[1], pn * n[2] + f * ut[2])
+    # (28), as for every contact
+    t = cross(n, (f * ut[0], f * ut[1], f * ut[2]))
+    c = 1 / (kappa * a)
+    return (v[0] + j[0], v[1] + j[1], v[2] + j[2]), (w[0] - t[0] * c, w[1] - t[1] * c, w[2] - t[2] * c)
+
+
+@kernel
+def stronge_kernel(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float) -> tuple[Vec, Vec]:
+    """:func:`stronge_contact` of like solids (nu = 0.3), in the form of every wall's law; beta is not used."""
+    return stronge_contact(v, w, n, a, kappa, e, mu, LIKE_SOLIDS)
