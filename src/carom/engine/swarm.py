@@ -12,37 +12,27 @@ from typing import Any
 
 from carom.engine.cells import around, cell_of, gather, leave_cell, put_in_cell
 from carom.engine.queue import S, U, enqueue, fill, take_out, turn_over
-from carom.engine.swarm_arrays import CALM, DONE, FULL, LIMIT, NOBODY, PULL, STUCK
+from carom.engine.swarm_arrays import CALM, DONE, FULL, LIMIT, NOBODY, STUCK
 from carom.engine.swarm_predict import drift, next_turn, soonest
 from carom.engine.swarm_prefetch import look_ahead
 from carom.engine.swarm_resolve import meet
+from carom.engine.swarm_turn import left_to_come, sample, set_slow, settle
 from carom.engine.swarm_walls import FIRST_WALL, LOOK, kick, meet_wall, next_wall, wait_for_kick, whom_to_kick
 from carom.kernel import hot_kernel, kernel
 
 __all__ = ["bring_to_now", "place", "refill", "run"]
 
 
-# An approach slower than this share of the speeds is none: it is the rounding of two balls that move along each other or,
-# after an impact without rebound, together.
-SLOW = 1e-14
 # So many balls fit into the processor's own memory; of more, the next ones are asked for ahead.
 NEAR_BALLS = 4000
 # Collisions within a share of a bin of the calendar, a ball and beyond that, after which time is said to stand still.
 STILL, STILL_HITS, STILL_MORE = 1e-9, 100, 100_000
 
 
-@hot_kernel
-def _set_slow(swarm: Any, species: Any, energy: float) -> None:
-    """What counts as no approach, by twice the translational energy."""
-    lightest, widest = math.inf, 0.0
-    for k in range(species.shape[0]):
-        lightest, widest = min(lightest, species[k].mass), max(widest, species[k].radius)
-    swarm.slow = SLOW * widest * math.sqrt(energy / (lightest * swarm.count))
-
-
 @kernel
 def place(swarm: Any, box: Any, grid: Any, motions: Any, plans: Any, species: Any, cells: Any) -> int:
     """Put every ball into its cell. DONE, or FULL: the cells need more slots."""
+    settle(swarm, box, motions, species)
     for k in range(cells.shape[0]):
         cells[k] = 0
     energy = 0.0
@@ -54,7 +44,7 @@ def place(swarm: Any, box: Any, grid: Any, motions: Any, plans: Any, species: An
         plan.cz = cell_of(box, grid, 2, ball.z)
         if not put_in_cell(grid, cells, plan, i):
             return FULL
-    _set_slow(swarm, species, energy)
+    set_slow(swarm, species, energy)
     return DONE
 
 
@@ -115,26 +105,6 @@ def bring_to_now(swarm: Any, box: Any, motions: Any) -> None:
 
 
 @hot_kernel
-def _sample(swarm: Any, box: Any, motions: Any, bodies: Any, species: Any, now: float) -> None:
-    """Add twice the translational and the rotational energy of now to the sums, for as long as the turn was."""
-    translational, rotational = 0.0, 0.0
-    for i in range(motions.shape[0]):
-        ball, body = motions[i], bodies[i]
-        one = species[ball.kind]
-        s = now - ball.clock
-        vx, vy, vz = ball.vx + box[PULL] * s, ball.vy + box[PULL + 1] * s, ball.vz + box[PULL + 2] * s
-        wx, wy, wz = body.wx, body.wy, body.wz
-        translational += one.mass * (vx * vx + vy * vy + vz * vz)
-        rotational += one.mass * one.kappa * one.radius * one.radius * (wx * wx + wy * wy + wz * wz)
-    # (turns have as many events each, not as much time: a mean over turns would dwell on when much happens)
-    turn = swarm.width * swarm.bins
-    swarm.translational += translational * turn
-    swarm.rotational += rotational * turn
-    swarm.sampled += turn
-    _set_slow(swarm, species, translational)
-
-
-@hot_kernel
 def _calm(grid: Any, cx: int, cy: int, cz: int) -> bool:
     """Whether a cell is in the block that no wall is near."""
     x = (cx >= grid[U(CALM)]) & (cx <= grid[U(CALM + 1)])
@@ -177,8 +147,11 @@ def run(  # noqa: PLR0915  (the loop)
                     break
                 now = max(now, width * bins)
                 swarm.now, swarm.popped = now, popped
-                _sample(swarm, box, motions, bodies, species, now)
+                sample(swarm, box, motions, bodies, species, now)
                 turn_over(swarm, motions, plans, bodies, faces, heads)
+                status = left_to_come(swarm, motions, plans, species, popped)
+                if settle(swarm, box, motions, species):
+                    planned = 0
                 current, popped, width, now, slow, scale = 0, 0, swarm.width, swarm.now, swarm.slow, swarm.scale
                 swarm.mark, swarm.since = now, swarm.pair_hits + swarm.wall_hits
                 end = (until - swarm.base) - swarm.rest

@@ -10,13 +10,14 @@ from __future__ import annotations
 import numpy as np
 
 __all__ = [
-    "BODY", "CALM", "CHANNEL", "CODES", "DONE", "FACE", "FULL", "INSIDE", "LIMIT", "MOST_BALLS", "MOTION", "NOBODY", "OUTSIDE",
-    "PAIR", "PERIODIC", "PLAN", "PLANE", "PULL", "ROOM", "SIZE", "SPECIES", "STRIDE", "STUCK", "SWARM", "WALL",
+    "BODY", "CALM", "CHANNEL", "CODES", "DONE", "FACE", "FAINT", "FULL", "INSIDE", "LIMIT", "MOST_BALLS", "MOTION",
+    "NOBODY", "OUTSIDE", "PAIR", "PERIODIC", "PLAN", "PLANE", "PULL", "ROOM", "SIZE", "SPECIES", "STRIDE", "STUCK", "SWARM", "WALL",
 ]  # fmt: skip
 
-# How a call of the loop ends: at its time, after its collisions or steps, or because a cell has no room for one more ball
-# (then all cells get more slots and the balls are put in anew: nothing else has changed), or because time stands still.
-DONE, LIMIT, FULL, STUCK = range(4)
+# How a call of the loop ends: at its time, or because nothing will ever happen; after its collisions or steps; because a cell
+# has no room for one more ball (then all cells get more slots and the balls are put in anew: nothing else has changed);
+# because time stands still; because speeds are too small for their numbers.
+DONE, LIMIT, FULL, STUCK, FAINT = range(5)
 NOBODY = 0xFFFFFFFF  # no ball: the end of a list, no collision in sight
 ROOM = 4  # slots of a cell that are read without looking whether they are filled
 # In the list of neighbours a ball's number has 26 bits, the image that is near the other 6.
@@ -150,6 +151,9 @@ SWARM = np.dtype(
         # since when, in collisions, time has stood still
         ("mark", _NUMBER),
         ("since", "i8"),
+        # Along free axes nothing holds the gas: all is seen at the velocity that its centre of mass had at first.
+        ("free", "i8", (3,)),
+        ("frame", *_VECTOR),
         ("slow", _NUMBER),  # below this speed of approach times distance, balls in touch are not coming in
         ("volume", _NUMBER),
         # All radii are multiplied by scale + growth now.

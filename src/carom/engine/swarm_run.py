@@ -113,9 +113,20 @@ def _fill(state: tuple[Any, ...], fill: Callable[[Any], Any], slots: int) -> Arr
         slots *= 2
 
 
+def _free(one: Any, faces: Any, walls: Any) -> NDArray[np.int64]:
+    """The axes along which nothing changes the momentum of all balls: periodic, no force, no wall that stops or holds."""
+    free = (one["periodic"] == 1) & (one["pull"] == 0)
+    for axis, name in enumerate("xyz"):
+        free[axis] &= not (faces["n" + name].any() or faces["a" + name].any())
+    smooth = (walls["mu"] == 0) | (walls["beta"] == -1)
+    still = one["rate"] == 0 and one["growth"] == 0 and smooth.all() and (faces["warm"] < 0).all()
+    return np.asarray(free & still, np.int64)
+
+
 def make(world: Any, species: Any, pairs: Any, walls: Any, faces: Any, kinds: Any, x: Any, v: Any, w: Any) -> Arrays:
     """A swarm at its start. Positions are brought into a periodic box."""
     count = len(x)
+    world[0]["free"] = _free(world[0], faces, walls)
     world["count"], world["kinds"], world["bins"] = count, len(species), BINS * count
     motions, plans, bodies = _aligned(count, MOTION), _aligned(count + 1, PLAN), _aligned(count, BODY)
     turns = np.where(world["periodic"][0] == 1, np.floor(x / world["side"][0]), 0)

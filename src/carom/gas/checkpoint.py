@@ -23,7 +23,7 @@ from carom.scene.faults import told
 
 __all__ = ["FORMAT", "load_checkpoint", "save_checkpoint"]
 
-FORMAT = 1
+FORMAT = 2
 # How long it is measured may change: the run then goes on for longer.
 FREE = ("max_events", "duration")
 
@@ -53,7 +53,7 @@ def load_checkpoint(path: str | Path, scene: GasScene | None = None) -> Session:
     """
     path = Path(path)
     about, state = _read(path)
-    if about["format"] > FORMAT:
+    if about["format"] != FORMAT:
         raise CaromError(
             f"{path}: expected a checkpoint of format {FORMAT}, got format {about['format']} of carom {about['carom']};"
             " go on with that one"

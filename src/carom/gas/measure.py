@@ -145,6 +145,8 @@ class Measures:
     def look(self, gas: Gas, *, pairs: bool = True) -> None:
         """Count what there is to count now; the pairs, if they are wanted, take the most time."""
         motions, bodies = balls_at(gas._arrays, gas.time)
+        # (fourth powers of what has cooled for long would leave the range of numbers)
+        units = np.array([_to_unit(motions, ("vx", "vy", "vz")), _to_unit(bodies, ("wx", "wy", "wz"))])
         sums = count_sums(motions, bodies, len(self.names))
         count = sums[:, :1]
         # mean squares of the components, of velocities and of spins
@@ -156,7 +158,7 @@ class Measures:
         of = np.array([self.axes, self.spin_axes])
         fourth[moves] = (sums[:, [2, 4]] / count / (of * (of + 2)))[moves] / square[moves] ** 2
         count_spread(motions, bodies, self.axes, scale, self.velocities, self.spins)
-        heat = square * np.stack([self.mass, self.moment], axis=1)
+        heat = square * units**2 * np.stack([self.mass, self.moment], axis=1)
         self.fourth += fourth
         self.second += heat
         mass, number = self.mass[motions["kind"]], len(motions)
@@ -240,6 +242,21 @@ class Measures:
         """Whether balls can go anywhere: only in a period without walls does a diffusion coefficient mean what it says."""
         return not self.room.walls
 
+    @property
+    def steady(self) -> bool:
+        """Whether the gas stayed as warm as it was, within a factor of two: only then is one time as good as another."""
+        warm = self.series["translational"]
+        return bool(len(warm) == 0 or warm.max() <= 2 * warm.min())
+
+    def wandering(self) -> tuple[Array, Array]:
+        """Collisions of the gas since the first look, and the mean square distance of its balls from where they were then.
+
+        This is the mean square displacement of a gas that cools: its balls go about as far between two collisions, however
+        long that takes.
+        """
+        ways, hits = np.array(self.ways), self.series["collisions"]
+        return hits - hits[:1], ((ways - ways[:1]) ** 2).sum(axis=2).mean(axis=1)
+
     def displacement(self) -> Displacement:
         """Mean square displacement of up to 8192 balls, the centre of mass at rest, averaged over all pairs of looks.
 
@@ -278,6 +295,15 @@ class Measures:
         found.rows = [tuple(row) for row in state["rows"].reshape(-1, len(SERIES)).tolist()]
         found.ways = list(state["ways"])
         return found
+
+
+def _to_unit(records: Any, names: tuple[str, ...]) -> float:
+    """Scale components so that the largest is between 1/2 and 1, by a power of two, which is exact; what one of them then is."""
+    largest = max(float(np.abs(records[name]).max()) for name in names)
+    unit = math.ldexp(1.0, math.frexp(largest)[1])
+    for name in names:
+        records[name] /= unit
+    return unit
 
 
 def _positions(motions: Any) -> Array:

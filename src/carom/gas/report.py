@@ -27,7 +27,7 @@ def report(session: Session) -> dict[str, Any]:
         "energy_start": sum(mark.energy),
         "energy_end": sum(energy),
         "looks": measures.looks,
-        "diffusion": measures.displacement().diffusion if measures.diffuses else math.nan,
+        "diffusion": measures.displacement().diffusion if measures.diffuses and measures.steady else math.nan,
         "species": {},
         "channels": [asdict(channel) for channel in channels(session.gas, mark, session.names)],
     }

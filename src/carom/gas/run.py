@@ -12,11 +12,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.checks import Faults
-from carom.engine.swarm_arrays import DONE, STUCK
+from carom.engine.swarm_arrays import DONE
 from carom.engine.swarm_run import STATE, Arrays, advance, balls_at, make, restore
 from carom.errors import CaromError
 from carom.gas.container import Container, room_of
 from carom.gas.drive import Drive, Thermostat
+from carom.gas.ends import refuse_end
 from carom.gas.setup import Contacts, Records, Species, world_records
 from carom.gas.start import lattice, thermal
 
@@ -24,7 +25,6 @@ __all__ = ["Gas", "GasBalls", "GasRun", "Mark", "simulate_gas"]
 
 Array = NDArray[np.float64]
 CHUNK = 200_000  # collisions between two looks at the outside world: some tenths of a second
-COLLAPSE = "an inelastic collapse at t = {!r}: time stands still over more and more of them"
 TOUCH = 1e-9  # of a radius: what overlaps by less touches
 
 
@@ -209,13 +209,21 @@ class Gas:
     def balls(self) -> GasBalls:
         """All balls now."""
         motions, bodies = balls_at(self._arrays, self._time)
+        x, v = (np.stack([motions[name] for name in names], axis=1) for names in (("x", "y", "z"), ("vx", "vy", "vz")))
+        images, one = self._arrays.plans["image"][: len(motions)].copy(), self._arrays.swarm[0]
+        if one["frame"].any():
+            x, v = x + one["frame"] * self._time, v + one["frame"]
+            turns = np.floor(x / one["side"])
+            x = np.where(one["free"] == 1, np.mod(x, one["side"]), x)
+            # (modulo 2^32, as they are counted)
+            images = images + np.where(one["free"] == 1, np.mod(turns, 2**32), 0).astype(np.uint32).view(np.int32)
         return GasBalls(
             time=self._time,
-            position=np.stack([motions[name] for name in ("x", "y", "z")], axis=1),
-            velocity=np.stack([motions[name] for name in ("vx", "vy", "vz")], axis=1),
+            position=x,
+            velocity=v,
             spin=np.stack([bodies[name] for name in ("wx", "wy", "wz")], axis=1),
             species=motions["kind"].copy(),
-            images=self._arrays.plans["image"][: len(motions)].copy(),
+            images=images,
         )
 
     def energy(self) -> tuple[float, float, float]:
@@ -245,7 +253,8 @@ class Gas:
         """Go on, by so many collisions (walls' included) or to a time, whichever comes first; what was measured meanwhile.
 
         ``progress`` is called after every ``chunk`` collisions with the gas and the collisions so far. An interrupt ends
-        the run between chunks; the gas can go on from there.
+        the run between chunks; the gas can go on from there. Raises CaromError where the contacts have no end (collapse), and
+        where the gas has: all is at rest, or too slow for its numbers.
         """
         mark = self.mark()
         self.go_on(collisions, until, progress=progress, chunk=chunk)
@@ -283,22 +292,21 @@ class Gas:
             begin = clocks.process_time()
             self._arrays = advance(self._arrays, until, min(chunk, most - done))
             self._cpu += clocks.process_time() - begin
-            self._time = self._last_event()
+            self._time = max(self._time, self._last_event())
             done = self.collisions - before
             if progress is not None:
                 progress(self, done)
-            if self._arrays.swarm[0]["status"] == STUCK:
-                Faults.add(
-                    faults := Faults("Gas.run"),
-                    "contact_time",
-                    "contacts that come to an end",
-                    COLLAPSE.format(self._time),
-                )
-                faults.advise("contact_time", "give a contact_time > 0, some share of the mean free time")
-                faults.done()
-            if self._arrays.swarm[0]["status"] == DONE:
+            status = int(self._arrays.swarm[0]["status"])
+            refuse_end(status, self._time, until)
+            if status == DONE:
                 self._time = max(self._time, until if until < math.inf else self._time)
                 break
+
+    @property
+    def over(self) -> bool:
+        """Whether nothing will ever happen any more: no ball will meet another one or a wall, or leave its cell."""
+        one = self._arrays.swarm[0]
+        return bool(one["planned"] == one["count"] and (self._arrays.plans["at"] == math.inf).all())
 
     @property
     def collisions(self) -> int:
@@ -313,8 +321,10 @@ class Gas:
         volume = float(one["volume"])
         energy = self.energy()
         pairs, samples = int(one["pair_hits"] - before["pair_hits"]), float(one["sampled"] - before["sampled"])
+        # (temperatures and pressure are those of the motion relative to the centre of mass, along free axes)
+        drift = float((one["frame"] ** 2).sum() * self._arrays.species["mass"][self._arrays.motions["kind"]].sum())
         means = [
-            float(one[name] - before[name]) / samples if samples > 0 else energy0[k] + energy[k]
+            float(one[name] - before[name]) / samples if samples > 0 else energy0[k] + energy[k] - (drift, 0.0)[k]
             for k, name in enumerate(("translational", "rotational"))
         ]
         faces = self._arrays.faces

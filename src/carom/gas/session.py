@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.gas.build import build
+from carom.gas.ends import refuse_rest
 from carom.gas.measure import Measures
 from carom.gas.model import GasScene
 from carom.gas.run import Gas, GasRun, Mark
@@ -129,6 +130,8 @@ class Session:
             if stop():
                 return False
             collisions, until = self._piece(every)
+            if self.gas.over and (self.mark is None or self.scene.run.duration is None):
+                refuse_rest(self.gas.time)
             before, end = self.gas.collisions, self.gas.time + self.patience
             self.gas.go_on(collisions, min(until, end))
             # a cooling gas slows down without end: where little of what was asked for came, longer pieces

@@ -269,8 +269,15 @@ def _pair_correlation(axes: Any, measures: Measures) -> None:
 
 
 def _displacement(axes: Any, session: Session, measures: Measures) -> None:
-    moved = measures.displacement()
     _name(axes, "mean square displacement")
+    if not measures.steady:
+        hits, square = measures.wandering()
+        axes.plot(2 * hits / session.scene.count, square, ".", markersize=3.5, color=COLOURS[0])
+        axes.set_xlim(left=0)
+        axes.set_ylim(bottom=0)
+        axes.set_xlabel("collisions a ball")
+        return
+    moved = measures.displacement()
     axes.set_xlabel("time")
     axes.plot(moved.lag, moved.square, ".", markersize=3.5, color=COLOURS[0])
     d = moved.diffusion
