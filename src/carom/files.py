@@ -12,7 +12,7 @@ from typing import Any
 
 from carom.errors import CaromError
 
-__all__ = ["library", "require_place", "whole"]
+__all__ = ["library", "require_place", "try_place", "whole"]
 
 
 def library(name: str, extra: str, what: str) -> Any:
@@ -37,6 +37,16 @@ def require_place(path: Path, kinds: tuple[str, ...]) -> None:
         raise CaromError(f"{path}: expected a file to write, got a folder; name a file in it")
     if not os.access(folder, os.W_OK):
         raise CaromError(f"{path}: expected leave to write there, got none; choose another place")
+    try_place(path)
+
+
+def try_place(path: Path) -> None:
+    """CaromError where no file can be made beside ``path``: one is, and is taken away. Leave alone does not tell all."""
+    try:
+        with tempfile.NamedTemporaryFile(prefix=f".{path.name}-", dir=path.absolute().parent):
+            pass
+    except OSError as error:
+        raise CaromError(f"{path}: expected a place to write to, got: {error.strerror or error}") from None
 
 
 @contextmanager

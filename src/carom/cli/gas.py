@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import signal
 import sys
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -64,6 +64,9 @@ def gas(
         str | None,
         typer.Option(metavar="T", help="Time between snapshots; or '5000 events'.", rich_help_panel=FILES),
     ] = None,
+    force: Annotated[
+        bool, typer.Option("--force", help="Write over snapshots that are there.", rich_help_panel=FILES)
+    ] = False,
     checkpoint: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Keep where it is, to go on from.", rich_help_panel=KEPT)
     ] = None,
@@ -78,7 +81,13 @@ def gas(
     from carom.cli.gas_progress import Progress
 
     found: list[str] = []
-    _places(found, {"--plot": plot, "--measures": measures, "--snapshots": snapshots, "--checkpoint": checkpoint})
+    kept = {
+        "--checkpoint": checkpoint,
+        "--resume": resume if checkpoint is None and resume and resume.exists() else None,
+    }
+    _places(found, {"--plot": plot, "--measures": measures, "--snapshots": snapshots, **kept})
+    if snapshots is not None and resume is None and not force and snapshots.is_file():
+        found.append(f"--snapshots {snapshots}: expected a new file, got one that is there; --force writes over it")
     rhythm = attempt(found, _rhythm, "--checkpoint-every", checkpoint_every)
     changes = {"max_events": max_events, "duration": duration, "seed": seed}
     given = attempt(found, _scene, scene, resume, changes)
@@ -107,13 +116,19 @@ def gas(
             )
         if not whole and keeper.path is None:
             keeper.path = Path(f"{(scene or resume or Path('gas')).stem}.checkpoint.npz")
-        keeper.keep(session)
-    if not whole:
+        written: list[Path] = []
+        _done(found, written, keeper.path, keeper.keep, session)
+    if not whole and not found:
         _stopped(session, scene, keeper.path, asked[0])
-    written = _write(session, plot, measures) + ([] if snapshots is None else [snapshots])
-    _tell(session, as_json, quiet)
-    for path in () if quiet else (*written, *([keeper.path] if keeper.path is not None else [])):
-        sys.stderr.write(f"written: {path}\n")
+    if whole:
+        # what was measured is told, whatever becomes of the files
+        _done(found, written, plot, _draw, session, plot)
+        _done(found, written, measures, _list, session, measures)
+        _tell(session, as_json, quiet)
+        for path in () if quiet else (*written, *([] if snapshots is None else [snapshots])):
+            sys.stderr.write(f"written: {path}\n")
+    if found:
+        raise CaromError(*found)
 
 
 # --- what is asked for ---------------------------------------------------------------------------------------------
@@ -122,8 +137,9 @@ def gas(
 def _places(found: list[str], named: dict[str, Path | None]) -> None:
     """Faults of the files that are to be written, or of libraries that they need."""
     from carom.files import library, require_place
+    from carom.gas.checkpoint import require_checkpoint
 
-    kinds = {"--measures": (".json",), "--snapshots": (".gsd",), "--checkpoint": None}
+    kinds = {"--measures": (".json",), "--snapshots": (".gsd",)}
     seen: dict[Path, str] = {}
     for option, path in named.items():
         if path is None:
@@ -132,7 +148,9 @@ def _places(found: list[str], named: dict[str, Path | None]) -> None:
             attempt(found, _require_drawable, path)
         else:
             faults: list[str] = []
-            attempt(faults, require_place, path, kinds[option] or (path.suffix.lower(),))
+            attempt(faults, require_place, path, kinds.get(option, (path.suffix.lower(),)))
+            if option == "--checkpoint" and not faults:
+                attempt(faults, require_checkpoint, path)
             found += [f"{option} {fault}" for fault in faults]
         if option == "--snapshots":
             attempt(found, library, "gsd.hoomd", "gsd", "--snapshots")
@@ -294,23 +312,27 @@ def _stopped(session: Session, scene: Path | None, kept: Path | None, which: int
 # --- what comes of it ----------------------------------------------------------------------------------------------
 
 
-def _write(session: Session, plot: Path | None, measures: Path | None) -> list[Path]:
-    """Write picture and measures; the paths of what was written."""
+def _done(found: list[str], written: list[Path], path: Path | None, action: Callable[..., Any], *args: Any) -> None:
+    """Write a file, if it was asked for: its path to ``written``, or the fault to ``found``."""
+    if path is not None:
+        before = len(found)
+        attempt(found, action, *args)
+        written += [path] * (len(found) == before)
+
+
+def _draw(session: Session, plot: Path) -> None:
+    from carom.plot.gas import plot_gas
+
+    plot_gas(session, plot)
+
+
+def _list(session: Session, measures: Path) -> None:
     from carom.cli.gas_tables import finite
     from carom.files import whole
+    from carom.gas.report import report, series
 
-    if plot is not None:
-        from carom.plot.gas import plot_gas
-
-        plot_gas(session, plot)
-    if measures is not None:
-        from carom.gas.report import report, series
-
-        with whole(measures) as part:
-            part.write_text(
-                json.dumps(finite(report(session) | series(session)), allow_nan=False) + "\n", encoding="utf-8"
-            )
-    return [path for path in (plot, measures) if path is not None]
+    with whole(measures) as part:
+        part.write_text(json.dumps(finite(report(session) | series(session)), allow_nan=False) + "\n", encoding="utf-8")
 
 
 def _tell(session: Session, as_json: bool, quiet: bool) -> None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import json
 import os
+import zipfile
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -21,7 +22,7 @@ from carom.gas.model import GasScene
 from carom.gas.session import Session
 from carom.scene.faults import told
 
-__all__ = ["FORMAT", "load_checkpoint", "save_checkpoint"]
+__all__ = ["FORMAT", "load_checkpoint", "require_checkpoint", "save_checkpoint"]
 
 FORMAT = 2
 # How long it is measured may change: the run then goes on for longer.
@@ -42,6 +43,16 @@ def save_checkpoint(session: Session, path: str | Path) -> None:
     except OSError as error:
         part.unlink(missing_ok=True)
         raise CaromError(f"{path}: expected room for a checkpoint, got: {error.strerror or error}") from None
+
+
+def require_checkpoint(path: Path) -> None:
+    """CaromError where a checkpoint would take the place of a file that is none."""
+    try:
+        is_none = path.exists() and not zipfile.is_zipfile(path)
+    except OSError as error:
+        raise CaromError(f"{path}: expected a checkpoint to write over, got: {error.strerror}") from None
+    if is_none:
+        raise CaromError(f"{path}: expected a checkpoint or a new file, got another file that is there; name a new one")
 
 
 def load_checkpoint(path: str | Path, scene: GasScene | None = None) -> Session:

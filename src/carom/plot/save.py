@@ -10,6 +10,7 @@ from typing import Any
 
 from carom.checks import nearest
 from carom.errors import CaromError
+from carom.files import try_place
 
 __all__ = ["require_matplotlib", "require_writable", "save", "style"]
 
@@ -43,6 +44,10 @@ def require_writable(path: str | os.PathLike[str]) -> None:
         raise CaromError(f"plot: {path}: expected a file to write, got a folder")
     if not os.access(path.absolute().parent, os.W_OK) or (path.exists() and not os.access(path, os.W_OK)):
         raise CaromError(f"plot: {path}: expected leave to write there, got none; choose another place")
+    try:
+        try_place(path)
+    except CaromError as error:
+        raise CaromError(f"plot: {error}") from None
 
 
 def style() -> Any:
