@@ -106,8 +106,8 @@ def fit(
     spin: Annotated[
         str | None,
         typer.Option(
-            help="where none was measured before: a number in rad/s, normal, normal:WIDTH or uniform:WIDTH (in v/a)",
-            show_default="normal, width fitted",
+            help="where none was measured before: a number in rad/s, normal, normal:WIDTH or uniform:WIDTH (in v/a, about 0)",
+            show_default="normal, mean along v_t and width fitted",
             rich_help_panel=DATA,
         ),
     ] = None,
@@ -144,7 +144,7 @@ def fit(
 
     faults: list[str] = []
     kappa = attempt(faults, kappa_of, inertia)
-    prior = attempt(faults, spin_of, spin)
+    every_spin, prior = attempt(faults, spin_of, spin) or (None, {})
     known = sorted({*INDEX, *(p.name for form in FORMS.values() for p in form.parameters)})
     fixed = {name: attempt(faults, number, "--fix", name, text) for name, text in pairs(faults, "--fix", fix, known)}
     bounds = {name: attempt(faults, bounds_of, name, text) for name, text in pairs(faults, "--bound", bound, known)}
@@ -158,7 +158,7 @@ def fit(
     setting = Setting(
         radius=radius, kappa=kappa or 0.4, restitution=restitution, contact_height=contact_height,
         floor_friction=floor_friction, floor_restitution=floor_restitution, roll=roll,
-        spin_prior=prior[1] if prior else "normal", spin_width=prior[2] if prior else None, fit=extra,
+        fit=extra, **prior,
         fixed={name: value for name, value in fixed.items() if value is not None},
         bounds={name: value for name, value in bounds.items() if value is not None}, robust=robust,
     )  # fmt: skip
@@ -174,7 +174,7 @@ def fit(
     if faults or rebounds is None:
         raise CaromError(*faults)
     rebounds = _chosen(rebounds, where or [])
-    rebounds = _completed(rebounds, sigma_v, sigma_spin, prior[0] if prior else None)
+    rebounds = _completed(rebounds, sigma_v, sigma_spin, every_spin)
     names = [name for text in laws or [] for name in split(text)]
     with _bar(console) as say:
         ranking = fit_laws(rebounds, setting, names or None, profiles=profiles, bootstrap=bootstrap, seed=seed, say=say)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
+from typing import Any
 
 from carom.errors import CaromError
 
@@ -28,20 +29,17 @@ def kappa_of(text: str) -> float:
     return kappa
 
 
-def spin_of(text: str | None) -> tuple[float | None, str, float | None]:
-    """A spin for all, or the prior and its width."""
-    if text is None:
-        return None, "normal", None
-    name, _, width = text.partition(":")
+def spin_of(text: str | None) -> tuple[float | None, dict[str, Any]]:
+    """A spin for all; or what is assumed of spins that nobody measured, as fields of a Setting."""
+    name, _, width = (text or "normal").partition(":")
     try:
+        if name == "normal" and not width:
+            return None, {}
         if name in ("normal", "uniform"):
-            value = float(width) if width else None
-            if value is None or value > 0:
-                return None, name, value
-        else:
-            value = 0.0 if name == "none" else float(text)
-            if math.isfinite(value):
-                return value, "normal", None
+            if float(width) > 0:
+                return None, {"spin_prior": name, "spin_width": float(width), "spin_mean": 0.0}
+        elif math.isfinite(value := 0.0 if name == "none" else float(name)):
+            return value, {}
     except ValueError:
         pass
     raise CaromError(f"--spin: expected a spin in rad/s, normal, normal:WIDTH or uniform:WIDTH (in v/a), got {text!r}")

@@ -11,12 +11,13 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.fitting.parameters import FORMS, PARAMETERS
+from carom.fitting.unmeasured import Spins, places_of_sigma
 from carom.rebounds import COLUMNS, STAGES, Rebounds
 
-__all__ = ["Problem", "Setting", "make_problem", "require_settings"]
+__all__ = ["Problem", "Setting", "make_problem", "prior_in_words", "require_settings"]
 
 Array = NDArray[np.float64]
-SPREAD = 3.5  # a normal prior is followed to so many of its widths
+MOST_WIDTH = 5.0  # of spins before the wall, in v/a: no ball has more
 
 
 @dataclass(frozen=True)
@@ -36,11 +37,13 @@ class Setting:
     roll: float = 1.0
     """Share of rolling with which balls on a table arrive; 0: without roll (stunned)."""
     spin_prior: str = "normal"
-    """Of a spin that nobody measured, in v/a about 0: "normal" of width spin_width, or "uniform" within it."""
+    """Of a spin that nobody measured: "normal" of width spin_width about spin_mean v_t/a, or "uniform" within it."""
     spin_width: float | None = None
     """v/a; None: fitted. A width that is too large speaks for laws that do not feel the spin, whatever the rest says."""
+    spin_mean: float | None = None
+    """v_t/a, running side that balls have on average; None: fitted (of a uniform prior 0)."""
     fit: tuple[str, ...] = ()
-    """Numbers to fit beside the law's own: kappa, contact_height, floor_friction, roll, spin_width."""
+    """Numbers to fit beside the law's own: kappa, contact_height, floor_friction, roll."""
     fixed: dict[str, float] = field(default_factory=dict)
     """Numbers of the law that are not to be fitted, with their values."""
     bounds: dict[str, tuple[float, float]] = field(default_factory=dict)
@@ -72,7 +75,13 @@ def require_settings(setting: Setting) -> None:
             faults.append(f"fix: {name}: expected {limits[name].low:g} to {limits[name].high:g}, got {value:g}")
     if setting.spin_prior not in ("uniform", "normal"):
         faults.append(f"spin_prior: expected uniform or normal, got {setting.spin_prior!r}")
-    extra = ("kappa", "contact_height", "floor_friction", "roll", "spin_width")
+    if setting.spin_prior == "uniform" and setting.spin_width is None:
+        faults.append("spin_width: expected a width in v/a for a uniform prior, got none; a normal one's can be fitted")
+    if setting.spin_width is not None and not 0 < setting.spin_width <= MOST_WIDTH:
+        faults.append(f"spin_width: expected a width above 0, up to {MOST_WIDTH:g} v/a, got {setting.spin_width!r}")
+    if setting.spin_mean is not None and not abs(setting.spin_mean) <= MOST_WIDTH:
+        faults.append(f"spin_mean: expected {-MOST_WIDTH:g} to {MOST_WIDTH:g} v_t/a, got {setting.spin_mean!r}")
+    extra = ("kappa", "contact_height", "floor_friction", "roll")
     faults += [f"fit: expected one of {', '.join(extra)}, got {name!r}" for name in setting.fit if name not in extra]
     if faults:
         raise CaromError(*faults)
@@ -92,8 +101,8 @@ class Problem:
     """(N, 3) after; NaN: not measured."""
     vy: Array
     stages: NDArray[np.int64] | None
-    nodes: Array
-    """(M, 2) z and weight of a spin that was not measured."""
+    spins: Spins | None
+    """What is assumed of spins that were not measured; None: all were."""
     estimated: NDArray[np.bool_]
     """(3,) outputs without error bars: their scatter is estimated."""
 
@@ -120,7 +129,8 @@ class Problem:
 
     def work(self, heavy: bool) -> float:
         """How many times one look at all rows asks a cheap law."""
-        return float(len(self.x) + self.unknown.sum() * (len(self.nodes) - 1)) * (100.0 if heavy else 1.0)
+        each = 0 if self.spins is None else len(self.spins.places)
+        return float(len(self.x) + self.unknown.sum() * each) * (100.0 if heavy else 1.0)
 
 
 def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[str]]:
@@ -168,25 +178,24 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
         lacks = ", ".join(f"sigma_{name}" for name in names[:3] if name not in rebounds.sigma)
         notes.append(f"{lacks}: not given; taken as exact before the wall")
     stages = None if rebounds.stage is None else np.array([STAGES.index(str(s)) for s in rebounds.stage])
-    problem = Problem(rebounds, setting, x, vx, y, vy, stages, np.array([[0.0, 1.0]]), estimated)
+    problem = Problem(rebounds, setting, x, vx, y, vy, stages, None, estimated)
     if unknown.any():
-        problem = replace(problem, nodes=_nodes(problem))
-        width = "a width that is fitted" if setting.spin_width is None else f"width {setting.spin_width:g} v/a"
+        problem = replace(problem, spins=Spins(places_of_sigma(), setting.spin_prior == "uniform"))
         notes.append(
-            f"{names[2]}: not measured in {unknown.sum()} of {len(x)} rows; taken as anything ({setting.spin_prior} about 0,"
-            f" {width}) and averaged over"
+            f"{names[2]}: not measured in {unknown.sum()} of {len(x)} rows; taken as anything ({prior_in_words(setting)}) and"
+            " averaged over"
         )
     notes += _look(problem, spins)
     return problem, notes
 
 
-def _nodes(problem: Problem) -> Array:
-    """Nodes at which the laws are asked, evenly; between them what they say is straight, and as many places are weighed as the
-    error bars ask for. The density's trapezoidal sum is 1."""
-    normal = problem.setting.spin_prior == "normal"
-    z = np.linspace(-SPREAD, SPREAD, 85) if normal else np.linspace(-1.0, 1.0, 49)
-    density = np.exp(-np.square(z) / 2) if normal else np.ones(len(z))
-    return np.stack([z, density / ((density[1:] + density[:-1]) / 2).sum()], axis=-1)
+def prior_in_words(setting: Setting) -> str:
+    """What is assumed of spins that nobody measured."""
+    uniform = setting.spin_prior == "uniform"
+    mean = 0.0 if uniform and setting.spin_mean is None else setting.spin_mean
+    about = "a mean along v_t that is fitted" if mean is None else f"{mean:g} v_t/a" if mean else "0"
+    width = "a width that is fitted" if setting.spin_width is None else f"{setting.spin_width:g} v/a"
+    return f"uniform within {width} of {about}" if uniform else f"normal about {about}, width {width}"
 
 
 def _look(problem: Problem, spin: str) -> list[str]:

@@ -16,41 +16,66 @@ from numpy.typing import NDArray
 from carom.fitting.data import Problem
 from carom.fitting.kernels import TOGETHER, TURN
 from carom.fitting.laws import FittedLaw
-from carom.fitting.parameters import Parameter
+from carom.fitting.parameters import INDEX, Parameter
 from carom.fitting.told import with_errors
-from carom.fitting.ways import STEPS, Estimate, Fit, Ways, go, parameters_of, predict_law, refit, rows_of_fit, ways_of
+from carom.fitting.ways import (
+    STEPS,
+    Estimate,
+    Fit,
+    Ways,
+    feels_spins,
+    go,
+    parameters_of,
+    predict_law,
+    refit,
+    rows_of_fit,
+    ways_of,
+)
 
 __all__ = ["Estimate", "Fit", "fit_law", "parameters_of", "predict_law", "refit", "rows_of_fit"]
 
 Array = NDArray[np.float64]
 FEW_STEPS = 40
-POLISHED = 4  # times
-SEARCHED = 150  # rows, of many, in which starts are tried
+SEARCHED, SEARCHED_AVERAGED = 150, 40  # rows, of many, in which starts are tried
+FEW, MANY = 8, 12  # starts from which it goes down
+CLOSE = 30.0  # a start that ends so much higher has lost
 
 
 def _search(ways: Ways, problem: Problem, start: Array, parameters: list[Parameter]) -> Array:
     """Places (B, K) from which to go down: the best of a grid, gone down a little way in few rows."""
     n = len(problem.x)
     if ways.law.code == TOGETHER and parameters:  # wall and floor in turn are near, and a hundred times as quick
-        near = _search(replace(ways, law=replace(ways.law, code=TURN)), problem, start, parameters)
-        return go(replace(ways, law=replace(ways.law, code=TURN)), problem, near[:1], FEW_STEPS)[0]
-    some = problem if n <= SEARCHED else problem.select(np.linspace(0, n - 1, SEARCHED).astype(int))
-    if len(some.nodes) > 1:
-        some = some.select(np.linspace(0, len(some.x) - 1, min(len(some.x), 40)).astype(int))
+        quick = replace(ways, law=replace(ways.law, code=TURN))
+        p, cost, _u, _h = go(quick, problem, _search(quick, problem, start, parameters), FEW_STEPS)
+        return p[_apart(p[:, ways.free], cost, CLOSE, 2)]
+    averaged = problem.spins is not None
+    few = min(n, SEARCHED_AVERAGED if averaged else SEARCHED)
+    some = problem if n <= few else problem.select(np.linspace(0, n - 1, few).astype(int))
     grid = np.array(list(itertools.product(*(parameter.tried for parameter in parameters))))
     p = np.tile(start, (max(len(grid), 1), 1))
     if not parameters:
         return p
     p[:, ways.free] = grid
     _p, cost, _u, _h = go(ways, some, p.copy(), 1)
-    p, cost, _u, _h = go(ways, some, p[np.argsort(cost, kind="stable")[:6]], FEW_STEPS)
-    order = np.argsort(cost, kind="stable")
-    best = [p[order[0]]]
-    for i in order[1:]:  # another only if it lies elsewhere
-        apart = max(float(np.abs(p[i, ways.free] - q[ways.free]).max()) for q in best)
-        if apart > 0.02 and cost[i] < cost[order[0]] + 30 and len(best) < 3:
-            best.append(p[i])
-    return np.array(best)
+    # the best of the grid; of places that the rows cannot tell apart, one
+    _cost, first = np.unique(np.round(cost, 6), return_index=True)
+    if averaged and INDEX["friction"] in ways.free:
+        # unknown spins and unknown friction do the same to an angle: from each friction one way down
+        _friction, best = np.unique(p[first, INDEX["friction"]], return_index=True)
+        first = first[np.sort(best)]
+    p, cost, _u, _h = go(ways, some, p[first[: MANY if averaged else FEW]], FEW_STEPS)
+    return p[_apart(p[:, ways.free], cost, CLOSE * len(problem.x) / few, 4 if averaged else 3)]
+
+
+def _apart(p: Array, cost: Array, close: float, most: int) -> list[int]:
+    """The best place, and others that lie elsewhere and are not much worse."""
+    order = np.argsort(cost, kind="stable").tolist()
+    chosen: list[int] = order[:1]
+    for i in order[1:]:
+        apart = min(float(np.abs(p[i] - p[j]).max()) for j in chosen)
+        if apart > 0.02 and cost[i] < cost[order[0]] + close and len(chosen) < most:
+            chosen.append(i)
+    return chosen
 
 
 def fit_law(law: FittedLaw, problem: Problem) -> Fit:
@@ -68,8 +93,6 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     else:
         p, extra = _search(ways, problem, start, parameters), 0.0
     p, cost, _u, h = go(ways, problem, p, STEPS)
-    if problem.unknown.any() and len(names):
-        p, cost, h = _polished(ways, problem, p[int(np.argmin(cost))], float(cost.min()), parameters)
     best = int(np.argmin(cost))
     k = len(names) + len(scatter)
     fit = Fit(
@@ -86,7 +109,10 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
         scatter=scatter,
     )
     _c, least = rows_of_fit(fit, problem, fit.numbers)
-    dof = problem.count - k - int(problem.unknown.sum())
+    # a spin that was not measured is one more number, and its prior one more datum; a uniform prior is none
+    dof = problem.count - k
+    if problem.spins is not None and problem.spins.uniform and feels_spins(law, problem):
+        dof -= int(problem.unknown.sum())
     # Student's errors widen the error bars: their information is (nu + d)/(nu + d + 2) of the curvature
     d = np.isfinite(problem.y).sum(axis=1).mean()
     info = h[best] * ((4 + d) / (6 + d) if problem.nu else 1.0)
@@ -94,42 +120,6 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
         info = info * max(problem.count - k, 1) / max(int(n_by[problem.estimated].sum()), 1)
     fit = replace(fit, chi2=float(least.sum()), dof=dof, by_row=least)
     return with_errors(fit, ways, parameters, info)
-
-
-def _polished(
-    ways: Ways, problem: Problem, p: Array, cost: float, parameters: list[Parameter]
-) -> tuple[Array, Array, Array]:
-    """Nelder and Mead's way and the steep one by turns, until neither gains.
-
-    Averaged over a spin, the deviance has creases, where rows change between sticking and sliding; on one of them the steep
-    way can end too early.
-    """
-    from scipy.optimize import minimize
-
-    blind = replace(ways, free=ways.free[:0])  # the deviance without its slopes: a quarter of the work
-    ranges = np.array([min(parameter.high - parameter.low, 1.0) for parameter in parameters])
-    low, high = np.array([q.low for q in parameters]), np.array([q.high for q in parameters])
-
-    def deviance(x: Array) -> float:
-        q = p.copy()
-        q[ways.free] = np.clip(x, low, high)
-        return float(go(blind, problem, q[None], 1)[1][0]) + 1e3 * float(np.abs(x - q[ways.free]).sum())
-
-    for _ in range(POLISHED):
-        x = p[ways.free]
-        simplex = np.vstack([x, x + np.diag(np.where(x + 0.04 * ranges < high, 0.04, -0.04) * ranges)])
-        options = {"initial_simplex": simplex, "maxfev": 40 * len(x), "xatol": 1e-4, "fatol": 1e-3}
-        found = minimize(deviance, x, method="Nelder-Mead", options=options)
-        q = p.copy()
-        q[ways.free] = np.clip(found.x, low, high)
-        down, costs, _u, _h = go(ways, problem, q[None], STEPS)
-        gained = cost - float(costs[0])
-        if gained > 0:
-            p, cost = down[0], float(costs[0])
-        if gained < 0.5:
-            break
-    places, costs, _u, h = go(ways, problem, p[None], 1)
-    return places, costs, h
 
 
 def _with_scatter(

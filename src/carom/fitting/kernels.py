@@ -19,7 +19,7 @@ from carom.laws.two_step import UNDEFINED, first_impact
 from carom.motion.restitution import restitution
 
 __all__ = [
-    "AFTER_WALL", "CONTACT", "CONVENTIONAL", "MAW", "ROLLING", "SMOOTH", "TOGETHER", "TURN", "planar", "rebound", "table"
+    "AFTER_WALL", "CONTACT", "CONVENTIONAL", "MAW", "ROLLING", "SMOOTH", "TOGETHER", "TURN", "planar", "table"
 ]  # fmt: skip
 
 # What computes the contact; SMOOTH is a wall and a floor without friction, TURN one contact and then the floor, TOGETHER both.
@@ -39,7 +39,7 @@ def speed_restitution(form: int, p: Vec, speed: float) -> float:
 
 
 @kernel
-def planar(code: int, form: int, x: Vec, a: float, p: Any) -> Vec:
+def planar(code: int, form: int, _stage: int, x: Vec, a: float, p: Any) -> Vec:
     """A planar bounce after the wall: v_n, v_t, spin. ``p`` as in :data:`carom.fitting.parameters.PARAMETERS`."""
     zero = 0 * x[0]
     e = speed_restitution(form, (p[0], p[1], p[2]), x[0])
@@ -78,11 +78,3 @@ def table(code: int, form: int, stage: int, x: Vec, a: float, p: Any) -> Vec:
         # (39)
         v1, w1 = rolls_at_last(v1, w1, a, p[5])
     return v1[0], v1[1], w1[2]
-
-
-@kernel
-def rebound(code: int, form: int, stages: Any, i: int, x: Vec, a: float, p: Any) -> Vec:
-    """:func:`table` of row i, or :func:`planar` where there are no stages (None: then nothing else is compiled)."""
-    if stages is None:
-        return planar(code, form, x, a, p)
-    return table(code, form, stages[i], x, a, p)

@@ -28,15 +28,20 @@ PARAMETERS = (
     Parameter("restitution", 0.0, 1.0, (0.4, 0.6, 0.75, 0.85, 0.95), 1.0, meaning="normal, at the speed of the impact"),
     Parameter("restitution_1", 0.0, 10.0, (0.1,), 0.0, meaning="second number of the restitution's form"),
     Parameter("restitution_2", 0.0, 10.0, (0.25,), 0.0, meaning="third number of the restitution's form"),
-    Parameter("friction", 0.0, 5.0, (0.03, 0.08, 0.15, 0.3, 0.6, 1.5), 0.0, meaning="of the wall (Coulomb)"),
+    Parameter(
+        "friction", 0.0, 5.0, (0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.5, 0.9, 1.8), 0.0, meaning="of the wall (Coulomb)"
+    ),
     Parameter("tangential_restitution", -1.0, 1.0, (-0.5, 0.0, 0.5, 0.9), 0.0, meaning="share of the slip given back"),
     Parameter("kappa", 0.05, 1.0, (0.4, 0.65), 0.4, meaning="moment of inertia over m a^2"),
     Parameter("stiffness_ratio", 0.3, 2.5, (0.5, 0.82, 1.2, 1.8), 14 / 17, meaning="tangential over normal stiffness"),
     Parameter("contact_height", 1.0, 1.6, (1.05, 1.2, 1.4), 1.0, "a", "where the wall touches, above the floor"),
     Parameter("floor_friction", 0.0, 2.0, (0.1, 0.2, 0.4), 0.2, meaning="of the floor, while the wall presses on it"),
     Parameter("floor_restitution", 0.0, 1.0, (0.0, 0.5), 0.0, meaning="of the floor"),
-    Parameter("spin_width", 0.0, 3.0, (0.2, 0.6), 1.25, "v/a", "of the spins that nobody measured"),
+    Parameter("spin_width", 1e-3, 3.0, (0.2, 0.6), 1.25, "v/a", "of the spins that nobody measured"),
     Parameter("roll", 0.0, 1.0, (0.5,), 1.0, meaning="share of rolling before the wall"),
+    Parameter(
+        "spin_mean", -2.0, 2.0, (0.0, 0.5), 0.0, "v_t/a", "of the spins that nobody measured: 1 takes all slip away"
+    ),
 )
 INDEX = {parameter.name: i for i, parameter in enumerate(PARAMETERS)}
 NUMBERS = len(PARAMETERS)

@@ -152,7 +152,7 @@ def _score(fit: Fit) -> float:
     problem = fit.problem
     n = len(problem.x)
     if problem.work(_heavy(fit)) > FOLDED:
-        if n > MOST_FOLDED and not _heavy(fit) and len(problem.nodes) == 1:
+        if n > MOST_FOLDED and not _heavy(fit) and problem.spins is None:
             problem = problem.select(np.linspace(0, n - 1, MOST_FOLDED).astype(int))
             n = len(problem.x)
         else:
@@ -240,7 +240,7 @@ def _outliers(fit: Fit, enlarge: float) -> list[Outlier]:
     """Rows whose chi^2 chance would not give to one of all rows in twenty such tables."""
     from scipy.stats import chi2 as distribution
 
-    d = np.isfinite(fit.problem.y).sum(axis=1) - fit.problem.unknown
+    d = np.isfinite(fit.problem.y).sum(axis=1)
     rows = np.flatnonzero(d > 0)
     if not len(rows):
         return []

@@ -9,12 +9,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.fitting.data import Problem
-from carom.fitting.descent import by_row, compiled, descend_many, predict_rows
+from carom.fitting.descent import descend
 from carom.fitting.kernels import SMOOTH, TOGETHER
 from carom.fitting.laws import FittedLaw
+from carom.fitting.looks import Rows, look, said
 from carom.fitting.parameters import FORMS, INDEX, NUMBERS, PARAMETERS, Parameter
 
-__all__ = ["Estimate", "Fit", "Ways", "go", "parameters_of", "predict_law", "refit", "rows_of_fit", "ways_of"]
+__all__ = [
+    "Estimate",
+    "Fit",
+    "Ways",
+    "feels_spins",
+    "go",
+    "parameters_of",
+    "predict_law",
+    "refit",
+    "rows_of_fit",
+    "ways_of",
+]
 
 Array = NDArray[np.float64]
 STEPS = 200
@@ -54,7 +66,8 @@ class Fit:
     covariance: Array
     """(k, k) of the free numbers; NaN where the data do not tell them."""
     by_row: Array
-    """(N,) chi^2 of each row, with the best spin where it was not measured."""
+    """(N,) chi^2 of each row; where the spin was not measured, with the best spin, whose distance from the mean of its prior, in
+    widths, counts too."""
     degenerate: tuple[str, ...] = ()
     """What the data cannot tell, in sentences."""
     untold: tuple[str, ...] = ()
@@ -85,12 +98,13 @@ class Fit:
 
 def parameters_of(law: FittedLaw, problem: Problem) -> tuple[dict[str, tuple[int, Parameter]], Array, int]:
     """The law's free numbers (place and bounds by name), all numbers as they start, and the form of restitution."""
-    setting, unknown = problem.setting, bool(problem.unknown.any())
+    setting = problem.setting
     start = np.array([p.start for p in PARAMETERS])
     for name in ("kappa", "contact_height", "floor_friction", "floor_restitution", "roll"):
         start[INDEX[name]] = getattr(setting, name)
-    if setting.spin_width is not None:
-        start[INDEX["spin_width"]] = setting.spin_width
+    for name in ("spin_width", "spin_mean"):
+        if getattr(setting, name) is not None:
+            start[INDEX[name]] = getattr(setting, name)
     free: dict[str, tuple[int, Parameter]] = {}
     form = FORMS[setting.restitution] if "restitution" in law.free else FORMS["constant"]
     for name in law.free:
@@ -101,8 +115,11 @@ def parameters_of(law: FittedLaw, problem: Problem) -> tuple[dict[str, tuple[int
     for name in setting.fit:
         if name in INDEX and _matters(name, law):
             free.setdefault(name, (INDEX[name], PARAMETERS[INDEX[name]]))
-    if unknown and setting.spin_width is None and law.code != SMOOTH and law.pinned.get("friction") != 0:
-        free["spin_width"] = (INDEX["spin_width"], PARAMETERS[INDEX["spin_width"]])
+    if feels_spins(law, problem):
+        if setting.spin_mean is None and setting.spin_prior == "normal":
+            free["spin_mean"] = (INDEX["spin_mean"], PARAMETERS[INDEX["spin_mean"]])
+        if setting.spin_width is None:
+            free["spin_width"] = (INDEX["spin_width"], PARAMETERS[INDEX["spin_width"]])
     for name, (low, high) in setting.bounds.items():
         if name in free:
             place, parameter = free[name]
@@ -116,6 +133,14 @@ def parameters_of(law: FittedLaw, problem: Problem) -> tuple[dict[str, tuple[int
     if law.upright:
         start[INDEX["contact_height"]] = 1.0
     return free, start, form.code
+
+
+def feels_spins(law: FittedLaw, problem: Problem) -> bool:
+    """Whether spins before the wall that nobody measured show in what was measured after it, under a law."""
+    if problem.spins is None:
+        return False
+    frictionless = law.code == SMOOTH or law.pinned.get("friction") == 0
+    return not frictionless or bool(np.isfinite(problem.y[problem.unknown, 2]).any())
 
 
 def _matters(name: str, law: FittedLaw) -> bool:
@@ -148,40 +173,37 @@ def ways_of(law: FittedLaw, problem: Problem) -> tuple[Ways, tuple[str, ...], Ar
     return Ways(law, form, places, low, high), tuple(free), start, [parameter for _, parameter in free.values()]
 
 
+def _rows(ways: Ways, problem: Problem) -> Rows:
+    """Rows and a law for the loops; a law that does not feel spins need not be asked about them."""
+    x, spins = problem.x, problem.spins
+    if spins is not None and not feels_spins(ways.law, problem):
+        x, spins = np.nan_to_num(x), None
+    return Rows(
+        ways.law.kind, ways.law.code, ways.form, problem.stages, problem.setting.radius, spins, x, problem.vx, problem.y,
+        problem.vy, problem.nu, ways.free, ways.low, ways.high,
+    )  # fmt: skip
+
+
 def go(
     ways: Ways, problem: Problem, p: Array, most: int, weights: Array | None = None
 ) -> tuple[Array, Array, Array, Array]:
     """Down from each of p (B, K): places, deviances, scores, information."""
-    p = np.array(p, dtype=float)
-    k = len(ways.free)
-    u, h, out = np.zeros((len(p), k)), np.zeros((len(p), k, k)), np.zeros(len(p))
-    weights = np.ones((1, len(problem.x))) if weights is None else weights
-    compiled(descend_many)(
-        ways.law.code, ways.form, problem.stages, problem.setting.radius, problem.nodes,
-        problem.x, problem.vx, problem.y, problem.vy, problem.nu, weights, p, ways.free, ways.low, ways.high, u, h, out, most,
-    )  # fmt: skip
-    return p, out, u, h
+    return descend(_rows(ways, problem), p, most, weights)
 
 
 def predict_law(law: FittedLaw, problem: Problem, p: Array) -> Array:
-    """What a law with numbers p says of each row, (N, 3); a spin that was not measured is taken as none."""
-    out = np.empty((len(problem.x), 3))
-    x = np.where(np.isnan(problem.x), 0.0, problem.x)
-    form = parameters_of(law, problem)[2]
-    compiled(predict_rows)(law.code, form, problem.stages, problem.setting.radius, x, np.atleast_2d(p), out)
-    return out
+    """What a law with numbers p says of each row, (N, 3); a spin that was not measured is taken at its mean."""
+    x = problem.x.copy()
+    mean = np.atleast_2d(p)[:, INDEX["spin_mean"]] * x[:, 1] / problem.setting.radius
+    x[:, 2] = np.where(np.isnan(x[:, 2]), mean, x[:, 2])
+    return said(_rows(ways_of(law, problem)[0], problem), x, p)
 
 
 def rows_of_fit(fit: Fit, problem: Problem, p: Array) -> tuple[Array, Array]:
     """Deviance and least chi^2 (N,) of each row of a problem under a law with numbers p."""
-    ways, _names, _start, _parameters = ways_of(fit.law, problem)
-    n, k = len(problem.x), len(ways.free)
-    u, h, c, best = np.zeros((n, k)), np.zeros((n, k, k)), np.zeros(n), np.zeros(n)
-    compiled(by_row)(
-        ways.law.code, ways.form, problem.stages, problem.setting.radius, problem.nodes,
-        problem.x, problem.vx, problem.y, problem.vy, problem.nu, p.copy(), ways.free, ways.low, ways.high, u, h, c, best,
-    )  # fmt: skip
-    return c, best
+    ways = replace(ways_of(fit.law, problem)[0], free=np.empty(0, np.int64))  # without slopes
+    seen = look(_rows(ways, problem), p[None])
+    return seen.deviance[0], seen.least[0]
 
 
 def refit(

@@ -1,0 +1,345 @@
+"""The deviance of a rebound whose spin before the wall nobody measured: averaged over what it may have been.
+
+The spin is sigma v/a, v the ball's speed, with a prior density of sigma: normal about mean v_t/v with a width, or uniform
+within a width of it. The row's deviance is
+
+    -2 log of the integral of exp(-c(sigma)/2) rho(sigma) d sigma,
+
+c as in :mod:`carom.fitting.terms`. The law is asked at places of sigma that do not depend on any number that is fitted, and
+once more between two where they matter, at the bend if there is one; between two places what it says is straight and S the
+same. There c is a parabola in sigma, and so is the logarithm of a normal prior: each stretch is a piece of a bell, whose
+moments are Gauss sums over the part of it that is not nothing. All slopes of c and of log rho are parabolas too, so that
+scores and Louis's curvature (J. R. Stat. Soc. B 44, 226 (1982)) need these moments and nothing else. The law's slopes in
+its own numbers are asked only where the row's spin may have been.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.fitting.terms import NO_ANSWER, SPIN_MEAN, SPIN_WIDTH, ask, precision
+from carom.kernel import kernel
+
+__all__ = ["COLUMNS", "SMALL", "Spins", "places_of_sigma", "unmeasured_row"]
+
+HOPELESS = 30.0  # a deviance so far above the least has no share: exp(-15)
+SHARE = 1e-5  # of a row's integral: stretches with less do not ask for slopes
+WIDER = 4.0  # no law magnifies an error in speed by more than its root
+NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
+# of a stretch: its two places, the least of its exponent (4), its moments (3 by 5, from 5), slopes in v_n and v_t (last 6)
+COLUMNS = 26
+SMALL = 12  # scratch arrays
+PIECES = np.array(
+    [-math.inf, -80.0, -20.0, -6.0, -2.0, 2.0, 6.0, 20.0, 80.0, math.inf]
+)  # of Student's t, in its widths
+
+
+class Spins(NamedTuple):
+    """What is assumed of spins that nobody measured."""
+
+    places: NDArray[np.float64]
+    """(M,) of sigma, at which the law is asked."""
+    uniform: bool
+
+
+def places_of_sigma(count: int = 41, furthest: float = 12.0, dense: float = 0.6) -> NDArray[np.float64]:
+    """Places close to each other about zero, where slips change sign, and far where friction has no more to give."""
+    far = math.asinh(furthest / dense)
+    return dense * np.sinh(np.linspace(-far, far, count))
+
+
+@kernel
+def _least(c2: float, c1: float, c0: float, low: float, high: float) -> float:
+    """The least of c2 t^2 + 2 c1 t + c0 from low to high, c2 not negative."""
+    t = -c1 / c2 if c2 > 0 else 0 * c2
+    t = min(max(t, low), high)
+    if not abs(t) < math.inf:
+        return c0
+    return (c2 * t + 2 * c1) * t + c0
+
+
+@kernel
+def _moments(
+    c2: float, c1: float, c0: float, z0: float, z1: float, low: float, high: float, nu: float, d: int, row: Any
+) -> None:
+    """The least of c(t) + (z0 + z1 t)^2 from low to high in row[4], and from there on the integrals of t^n tau^m exp(..) over
+    exp of that least, n 0 to 4, m 0 to 2, where tau is the weight that Student's t gives c."""
+    q2, q1, q0 = c2 + z1 * z1, c1 + z0 * z1, c0 + z0 * z0
+    base = _least(q2, q1, q0, low, high)
+    row[4] = base
+    for n in range(5, 20):
+        row[n] = 0
+    if nu == 0:
+        if q2 > 0:
+            top = -q1 / q2
+            far = math.sqrt(max(base + HOPELESS - (q0 - q1 * q1 / q2), 0.0) / q2)
+            low, high = max(low, top - far), min(high, top + far)
+        for n in range(NODES.shape[0]):
+            t = (low + high + (high - low) * NODES[n]) / 2
+            w = WEIGHTS[n] * math.exp((base - (q2 * t + 2 * q1) * t - q0) / 2) * (high - low) / 2
+            for m in range(5):
+                row[5 + m] += w
+                w *= t
+        for m in range(5):
+            row[10 + m] = row[15 + m] = row[5 + m]
+        return
+    # heavy tails: pieces about the place where c is least, as far as the prior goes
+    if z1 != 0:
+        top, far = -z0 / z1, math.sqrt(HOPELESS) / abs(z1)
+        nearest = min(max(top, low), high)
+        far = math.sqrt(far * far + (nearest - top) * (nearest - top))
+        low, high = max(low, top - far), min(high, top + far)
+    top = min(max(-c1 / c2, low), high) if c2 > 0 else low
+    wide = 1 / math.sqrt(max(c2, 1e-12))
+    c = max((c2 * top + 2 * c1) * top + c0, 0.0)
+    base = (nu + d) * math.log(1 + c / nu) + (z0 + z1 * top) * (z0 + z1 * top)
+    near = min(max(-z0 / z1, low), high) if z1 != 0 else top
+    c = max((c2 * near + 2 * c1) * near + c0, 0.0)
+    base = min(base, (nu + d) * math.log(1 + c / nu) + (z0 + z1 * near) * (z0 + z1 * near))
+    row[4] = base
+    for piece in range(PIECES.shape[0] - 1):
+        left, right = max(low, top + wide * PIECES[piece]), min(high, top + wide * PIECES[piece + 1])
+        if not left < right:
+            continue
+        for n in range(NODES.shape[0]):
+            t = (left + right + (right - left) * NODES[n]) / 2
+            c, z = max((c2 * t + 2 * c1) * t + c0, 0.0), z0 + z1 * t
+            w = WEIGHTS[n] * math.exp((base - (nu + d) * math.log(1 + c / nu) - z * z) / 2) * (right - left) / 2
+            tau = (nu + d) / (nu + c)
+            for m in range(5):
+                row[5 + m] += w
+                row[10 + m] += w * tau
+                row[15 + m] += w * tau * tau
+                w *= t
+
+
+@kernel
+def _bend(y: Any, vy: Any, i: int, places: Any, said: Any, n: int, count: int) -> float:
+    """Where between places n and n + 1, as a share of the way, to ask again: where the lines from both sides meet, which is the
+    middle of a curve that is smooth, and the bend of one that has one."""
+    if n == 0 or n + 2 >= count:
+        return 0.5
+    here = places[n + 1] - places[n]
+    before, after = here / (places[n] - places[n - 1]), here / (places[n + 2] - places[n + 1])
+    top = bottom = 0 * places[0]
+    for m in range(3):
+        if y[i, m] == y[i, m]:
+            left = (said[n, m] - said[n - 1, m]) * before
+            right = (said[n + 2, m] - said[n + 1, m]) * after
+            gap, turn = said[n, m] - said[n + 1, m] + right, left - right
+            top -= gap * turn / vy[i, m]
+            bottom += turn * turn / vy[i, m]
+    return float(min(max(top / bottom, 0.1), 0.9)) if bottom > 0 else 0.5  # (not so where the law has no answer)
+
+
+@kernel
+def _line(y: Any, i: int, said: Any, one: int, two: int, r: Any) -> None:
+    """What y misses at the first place, and how that changes to the second, in r[0] and r[1]."""
+    for m in range(3):
+        seen = y[i, m] == y[i, m]
+        r[0, m] = y[i, m] - said[one, m] if seen else 0.0
+        r[1, m] = said[one, m] - said[two, m] if seen else 0.0
+
+
+@kernel
+def _form(q: Any, r: Any, s: Any) -> float:
+    """r' q s."""
+    t = 0 * r[0]
+    for m in range(3):
+        t += r[m] * (q[m, 0] * s[0] + q[m, 1] * s[1] + q[m, 2] * s[2])
+    return float(t)
+
+
+@kernel
+def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its integral)
+    law: Any, code: int, form: int, stage: int, i: int, a: float, spins: Any, x: Any, vx: Any, y: Any, vy: Any, nu: float, p: Any,
+    free: Any, steps: Any, u: Any, h: Any, desk: Any,
+) -> tuple[float, float]:  # fmt: skip
+    """A row's deviance, scores and information as :func:`carom.fitting.terms.known_row` gives them; and the least of c + z^2, z the
+    distance from the prior's mean in its widths (of a uniform prior 0)."""
+    places, said, stretches, small, inner = desk
+    k, count = free.shape[0], spins.places.shape[0]
+    u[:] = 0
+    h[:] = 0
+    d = 0
+    for m in range(3):
+        if y[i, m] == y[i, m]:
+            d += 1
+    if d == 0:
+        return 0 * a, 0 * a
+    s, q, mid, r = small[0], small[1], small[2], small[3]
+    v_n, v_t = x[i, 0], x[i, 1]
+    size = math.sqrt(v_n * v_n + v_t * v_t)
+    along, unit = v_t / size, size / a
+    width, mean = p[SPIN_WIDTH], p[SPIN_MEAN] * along
+    bell = 0.0 if spins.uniform else 1 / width
+    blurred = vx[i, 0] > 0 or vx[i, 1] > 0
+    for n in range(count):
+        places[n] = spins.places[n]
+        ask(law, code, form, stage, i, a, (v_n, v_t, places[n] * unit), size, vx, p, free, steps, 2, 1, 0, 1, inner)
+        for m in range(3):
+            said[n, m] = inner[0, m]
+
+    # Which stretches matter: those whose least possible exponent is not far above the least that is sure
+    sure = math.inf
+    wide = WIDER * (vx[i, 0] + vx[i, 1])
+    for n in range(count - 1):
+        low = -math.inf if n == 0 else 0.0
+        high = math.inf if n == count - 2 else 1.0
+        far = places[n + 1] - places[n]
+        if spins.uniform:
+            low, high = max(low, (mean - width - places[n]) / far), min(high, (mean + width - places[n]) / far)
+        stretches[n, 4] = math.inf
+        _line(y, i, said, n, n + 1, r)
+        if not (low < high and abs(r[0, 0] + r[0, 1] + r[1, 0] + r[1, 1]) < math.inf):
+            continue
+        z0, z1 = (places[n] - mean) * bell, far * bell
+        q2, q1, q0 = z1 * z1, z0 * z1, z0 * z0
+        l2, l1, l0 = q2, q1, q0
+        for m in range(3):
+            t = 1 / vy[i, m]
+            q2, q1, q0 = q2 + t * r[1, m] * r[1, m], q1 + t * r[0, m] * r[1, m], q0 + t * r[0, m] * r[0, m]
+            if m < 2:
+                t = 1 / (vy[i, m] + wide)
+                l2, l1, l0 = l2 + t * r[1, m] * r[1, m], l1 + t * r[0, m] * r[1, m], l0 + t * r[0, m] * r[0, m]
+        if nu > 0:  # heavy tails rule nothing out; the prior alone does
+            q2, q1, q0 = l2, l1, l0 = z1 * z1, z0 * z1, z0 * z0
+        sure = min(sure, _least(q2, q1, q0, low, high))
+        stretches[n, 4] = _least(l2, l1, l0, low, high)
+    used, made = count, count - 1  # the finer stretches stand behind the first ones
+    for n in range(count - 1):
+        if not stretches[n, 4] < sure + HOPELESS:
+            continue
+        places[used] = places[n] + _bend(y, vy, i, places, said, n, count) * (places[n + 1] - places[n])
+        ask(law, code, form, stage, i, a, (v_n, v_t, places[used] * unit), size, vx, p, free, steps, 2, 1, 0, 1, inner)
+        for m in range(3):
+            said[used, m] = inner[0, m]
+        for one, two in ((n, used), (used, n + 1)):
+            stretches[made, 0], stretches[made, 1] = one, two
+            made += 1
+        used += 1
+
+    # Each stretch's integral
+    least, best = math.inf, math.inf
+    for e in range(count - 1, made):
+        row = stretches[e]
+        one, two = int(row[0]), int(row[1])
+        row[4] = math.inf
+        far = places[two] - places[one]
+        low = -math.inf if one == 0 else 0.0
+        high = math.inf if two == count - 1 else 1.0
+        if spins.uniform:
+            low, high = max(low, (mean - width - places[one]) / far), min(high, (mean + width - places[one]) / far)
+        _line(y, i, said, one, two, r)
+        if not (low < high and abs(r[0, 0] + r[0, 1] + r[1, 0] + r[1, 1]) < math.inf):
+            continue
+        for m in range(COLUMNS - 6, COLUMNS):
+            row[m] = 0
+        if blurred:
+            spin = (places[one] + places[two]) / 2 * unit
+            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, free, steps, 2, 1, 0, 3, inner)
+            for m in range(6):
+                row[COLUMNS - 6 + m] = inner[1 + m // 3, m % 3]
+        for m in range(6):
+            mid[m // 3, m % 3] = row[COLUMNS - 6 + m]
+        precision(i, y, vx, vy, mid, 0, 2, s, q)
+        c2, c1, c0 = _form(q, r[1], r[1]), _form(q, r[0], r[1]), _form(q, r[0], r[0])
+        z0, z1 = (places[one] - mean) * bell, far * bell
+        best = min(best, _least(c2 + z1 * z1, c1 + z0 * z1, c0 + z0 * z0, low, high))
+        _moments(c2, c1, c0, z0, z1, low, high, nu, d, row)
+        least = min(least, row[4])
+    norm = 1 / (2 * width) if spins.uniform else 1 / (width * math.sqrt(2 * math.pi))
+    total = 0 * a
+    for e in range(count - 1, made):
+        row = stretches[e]
+        if row[4] < math.inf:
+            w = norm * (places[int(row[1])] - places[int(row[0])]) * math.exp((least - row[4]) / 2)
+            for n in range(5, 20):
+                row[n] *= w
+            total += row[5]
+    if not (total > 0 and least < NO_ANSWER):
+        return NO_ANSWER, NO_ANSWER
+
+    # Slopes: of each number its score is a parabola in t, in score[j]; what the law says moves by g[j, 0] + g[j, 1] t
+    score, curve, outer = small[4], small[5], small[6]
+    curve[:] = 0
+    outer[:] = 0
+    for e in range(count - 1, made if k > 0 else 0):
+        row = stretches[e]
+        if not (row[4] < math.inf and row[5] > SHARE * total):
+            continue
+        one, two = int(row[0]), int(row[1])
+        _line(y, i, said, one, two, r)
+        for m in range(6):
+            mid[m // 3, m % 3] = row[COLUMNS - 6 + m]
+        precision(i, y, vx, vy, mid, 0, 2, s, q)
+        z0, z1 = (places[one] - mean) * bell, (places[two] - places[one]) * bell
+        qr, move = small[7], small[8]
+        for n in range(2):
+            for m in range(3):
+                qr[n, m] = q[m, 0] * r[n, 0] + q[m, 1] * r[n, 1] + q[m, 2] * r[n, 2]
+            for o in range(2):
+                move[n, o] = vx[i, o] * (mid[o, 0] * qr[n, 0] + mid[o, 1] * qr[n, 1] + mid[o, 2] * qr[n, 2])
+        # the slopes in the law's numbers a quarter and three quarters of the way: at its ends they may jump
+        start, slope = small[9], small[10]
+        for end in range(2):
+            t = 0.25 + 0.5 * end
+            spin = ((1 - t) * places[one] + t * places[two]) * unit
+            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, free, steps, 2, 1, 0, 1, inner)
+            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, free, steps, 2, 1, 3, 3 + k, inner)
+            for j in range(k):
+                for m in range(3):
+                    slope[j, m] = 2 * (inner[3 + j, m] - start[j, m]) if end == 1 else 0.0
+                    start[j, m] = start[j, m] - slope[j, m] / 4 if end == 1 else inner[3 + j, m]
+        if blurred:
+            spin = (places[one] + places[two]) / 2 * unit
+            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, free, steps, 2, 3, 0, 3 + 3 * k, inner)
+        for j in range(k):
+            if free[j] == SPIN_MEAN:
+                t = along / width
+                score[j, 0], score[j, 1], score[j, 2] = t * z0, t * z1, 0.0
+                continue
+            if free[j] == SPIN_WIDTH:
+                score[j, 0], score[j, 1], score[j, 2] = (z0 * z0 - 1) / width, 2 * z0 * z1 / width, z1 * z1 / width
+                continue
+            for o in range(2 if blurred else 0):
+                for m in range(3):
+                    start[j, m] += inner[4 + 3 * j + o, m] * move[0, o]
+                    slope[j, m] += inner[4 + 3 * j + o, m] * move[1, o]
+            score[j, 0] = score[j, 1] = score[j, 2] = 0
+            for m in range(3):
+                score[j, 0] += start[j, m] * qr[0, m]
+                score[j, 1] += start[j, m] * qr[1, m] + slope[j, m] * qr[0, m]
+                score[j, 2] += slope[j, m] * qr[1, m]
+        for j in range(k):
+            mine = 0 if free[j] == SPIN_MEAN or free[j] == SPIN_WIDTH else 1
+            for n in range(3):
+                u[j] += score[j, n] * row[5 + 5 * mine + n]
+            for m in range(j + 1):
+                other = 0 if free[m] == SPIN_MEAN or free[m] == SPIN_WIDTH else 1
+                at = 5 + 5 * (mine + other)
+                for n in range(3):
+                    for o in range(3):
+                        outer[j, m] += score[j, n] * score[m, o] * row[at + n + o]
+                if mine == 1 and other == 1:
+                    curve[j, m] += _form(q, start[j], start[m]) * row[10]
+                    curve[j, m] += (_form(q, start[j], slope[m]) + _form(q, slope[j], start[m])) * row[11]
+                    curve[j, m] += _form(q, slope[j], slope[m]) * row[12]
+                elif mine == 0 and other == 0:
+                    t = 1 / (width * width)
+                    if free[j] == SPIN_MEAN and free[m] == SPIN_MEAN:
+                        curve[j, m] += along * along * t * row[5]
+                    elif free[j] == free[m]:
+                        curve[j, m] += t * ((3 * z0 * z0 - 1) * row[5] + 6 * z0 * z1 * row[6] + 3 * z1 * z1 * row[7])
+                    else:
+                        curve[j, m] += 2 * along * t * (z0 * row[5] + z1 * row[6])
+    for j in range(k):
+        u[j] /= total
+    for j in range(k):
+        for m in range(j + 1):
+            h[j, m] = h[m, j] = (curve[j, m] - outer[j, m]) / total + u[j] * u[m]
+    return least - 2 * math.log(total), best
