@@ -1,0 +1,212 @@
+"""Fits of rebounds whose spin before the wall nobody measured."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import carom
+from carom.fitting import Setting, fit_law, fit_laws, make_problem
+from carom.fitting.fit import rows_of_fit
+from carom.fitting.laws import laws_named
+from carom.fitting.looks import look
+from carom.fitting.parameters import INDEX, PARAMETERS
+from carom.fitting.ways import _rows, ways_of
+from carom.rebounds import make_rebounds
+
+A, KAPPA = 0.02, 2 / 3
+BALL = carom.Ball(radius=A, mass=0.0027, inertia="hollow")
+SETTING = Setting(radius=A, kappa=KAPPA)
+TRUTH = {"restitution": 0.8, "friction": 0.2, "spin_mean": 0.4, "spin_width": 0.35}
+
+
+def after(vn, vt, spin, e=0.8, mu=0.2, beta=0.0):
+    """Normal speed, speed along the wall and spin after it, by `carom.impact`."""
+    zero = np.zeros(len(vn))
+    state = carom.State(np.stack([-vn, vt, zero], -1), np.stack([zero, zero, spin], -1))
+    out = carom.impact(BALL, state, surface=carom.Surface(e, mu, beta)).after
+    return out.velocity[:, 0], out.velocity[:, 1], out.spin[:, 2]
+
+
+def bounces(seed, n=60, beta=0.0, spin_seen=True, blur=0.0, mean=0.4):
+    """Rebounds with spins about mean v_t/a that were not written down."""
+    rng = np.random.default_rng(seed)
+    vn, vt = rng.uniform(1, 4, n), rng.uniform(-3, 3, n)
+    spin = mean * vt / A + TRUTH["spin_width"] * np.hypot(vn, vt) / A * rng.normal(size=n)
+    true = after(vn, vt, spin, beta=beta)
+    columns = {"v_n_in": vn + blur * rng.normal(size=n), "v_t_in": vt + blur * rng.normal(size=n)}
+    for name, values, sigma in zip(("v_n_out", "v_t_out", "spin_out"), true, (0.02, 0.02, 2.0), strict=True):
+        if name != "spin_out" or spin_seen:
+            columns |= {name: values + sigma * rng.normal(size=n), f"sigma_{name}": np.full(n, sigma)}
+    if blur:
+        columns |= {"sigma_v_n_in": blur, "sigma_v_t_in": blur}
+    if not spin_seen:
+        columns["spin_out"] = np.full(n, np.nan)
+    return make_rebounds("planar", columns)
+
+
+def law(name, kind="planar"):
+    return laws_named([name], kind, True)[0][0]
+
+
+def numbers(**given):
+    p = np.array([parameter.start for parameter in PARAMETERS])
+    p[INDEX["kappa"]] = KAPPA
+    for name, value in given.items():
+        p[INDEX[name]] = value
+    return p
+
+
+def brute(rebounds, p, density, sigmas):
+    """-2 log of the plain mean over spins, row by row."""
+    found = []
+    for i in range(len(rebounds)):
+        vn, vt = rebounds["v_n_in"][i], rebounds["v_t_in"][i]
+        size = math.hypot(vn, vt)
+        many = np.ones(len(sigmas))
+        said = after(vn * many, vt * many, sigmas * size / A, p[INDEX["restitution"]], p[INDEX["friction"]])
+        c = np.zeros(len(sigmas))
+        for name, values in zip(("v_n_out", "v_t_out", "spin_out"), said, strict=True):
+            if name in rebounds.sigma:
+                c += np.square((rebounds[name][i] - values) / rebounds.sigma[name][i])
+        weight = density(sigmas, vt / size)
+        least = c.min()
+        total = float((weight * np.exp(-(c - least) / 2)).sum() * (sigmas[1] - sigmas[0]))
+        found.append(least - 2 * math.log(total))
+    return np.array(found)
+
+
+@pytest.mark.parametrize("spin_seen", [True, False])
+def test_the_average_is_the_plain_sum(spin_seen):
+    rebounds = bounces(6, 25, spin_seen=spin_seen)
+    p = numbers(restitution=0.8, friction=0.2, spin_mean=0.4, spin_width=0.35)
+    fit = fit_law(law("sliding"), make_problem(rebounds, SETTING)[0])
+    deviance, _least = rows_of_fit(fit, fit.problem, p)
+
+    def normal(sigma, along):
+        return np.exp(-np.square((sigma - 0.4 * along) / 0.35) / 2) / (0.35 * math.sqrt(2 * math.pi))
+
+    assert deviance == pytest.approx(brute(rebounds, p, normal, np.linspace(-4, 4, 40_001)), abs=0.02)
+    setting = Setting(radius=A, kappa=KAPPA, spin_prior="uniform", spin_width=1.25)
+    fit = fit_law(law("sliding"), make_problem(rebounds, setting)[0])
+    deviance, _least = rows_of_fit(fit, fit.problem, p := numbers(restitution=0.8, friction=0.2, spin_width=1.25))
+    within = np.linspace(-1.25, 1.25, 40_001)
+    assert deviance == pytest.approx(brute(rebounds, p, lambda s, _a: np.full(len(s), 0.4), within), abs=0.02)
+
+
+def test_where_the_law_is_straight_the_average_is_a_bell():
+    # a wall that sticks: v_t after is straight in the spin, so it is normal, with mean and width by hand
+    rebounds = bounces(3, 20, spin_seen=False)
+    fit = fit_law(law("sticking"), make_problem(rebounds, SETTING)[0])
+    p = numbers(restitution=0.8, friction=math.inf, spin_mean=0.3, spin_width=0.5)
+    deviance, least = rows_of_fit(fit, fit.problem, p)
+    b = KAPPA / (1 + KAPPA)
+    vn, vt = rebounds["v_n_in"], rebounds["v_t_in"]
+    middle, width = (1 - b * (1 - 0.3)) * vt, b * 0.5 * np.hypot(vn, vt)
+    variance = 0.02**2 + width**2
+    c = np.square((rebounds["v_n_out"] - 0.8 * vn) / 0.02) + np.square(rebounds["v_t_out"] - middle) / variance
+    assert deviance == pytest.approx(c + np.log(variance / 0.02**2), abs=1e-6)
+    assert least == pytest.approx(c, abs=1e-6)  # chi^2 with the best spin, which its prior counts against
+
+
+@pytest.mark.parametrize("robust", [False, True])
+def test_scores_are_the_deviance_s_slopes(robust):
+    rebounds = bounces(5, 30, beta=0.3, blur=0.02)
+    setting = Setting(radius=A, kappa=KAPPA, robust=robust)
+    problem, _ = make_problem(rebounds, setting)
+    ways = ways_of(law("contact"), problem)[0]
+    rows = _rows(ways, problem)
+    p = numbers(restitution=0.78, friction=0.22, tangential_restitution=0.35, spin_mean=0.3, spin_width=0.45)
+    seen = look(rows, p[None])
+    for m, place in enumerate(ways.free):
+        h = 1e-4
+        sides = []
+        for sign in (1, -1):
+            q = p.copy()
+            q[place] += sign * h
+            sides.append(float(look(rows, q[None]).deviance.sum()))
+        slope = -(sides[0] - sides[1]) / (4 * h)
+        scale = math.sqrt(abs(seen.information[0, m, m]))  # one error bar moves log L by 1/2
+        assert seen.scores[0, m] / scale == pytest.approx(slope / scale, abs=0.05), PARAMETERS[place].name
+
+
+def test_numbers_and_prior_come_back_and_the_true_law_wins():
+    ranking = fit_laws(bounces(6), SETTING, ["sliding", "sticking", "no-slip", "mirror"], profiles=False, bootstrap=0)
+    best = ranking.best
+    assert best.law.name == "sliding"
+    assert ranking.odds > 20
+    assert ranking.fits
+    for name, value in TRUTH.items():
+        assert abs(best.estimates[name].value - value) < 3 * best.estimates[name].stderr, name
+
+
+def test_error_bars_of_unmeasured_spins_are_those_of_the_scatter():
+    pulls = {name: [] for name in TRUTH}
+    chi2 = []
+    for seed in range(60):
+        fit = fit_law(law("sliding"), make_problem(bounces(100 + seed, 40), SETTING)[0])
+        chi2.append(fit.chi2 / fit.dof)
+        for name, value in TRUTH.items():
+            pulls[name].append((fit.estimates[name].value - value) / fit.estimates[name].stderr)
+    assert np.mean(chi2) == pytest.approx(1, abs=0.05)
+    for name, found in pulls.items():  # three standard errors of a count of 60
+        assert np.mean(np.abs(found) < 1) == pytest.approx(0.683, abs=3 * math.sqrt(0.683 * 0.317 / 60)), name
+        assert np.mean(np.abs(found) < 1.96) == pytest.approx(0.95, abs=3 * math.sqrt(0.95 * 0.05 / 60)), name
+
+
+def test_what_sticks_does_not_tell_side_from_slip_given_back():
+    # b (1 - c) and b w are all that shows: another b does the same, to rounding
+    rebounds = bounces(8, 40, spin_seen=False)
+    problem, _ = make_problem(rebounds, SETTING)
+    sticking, free = law("sticking"), law("contact")
+    one = fit_law(sticking, problem)
+    c, w = one.estimates["spin_mean"].value, one.estimates["spin_width"].value
+    twice = numbers(restitution=one.estimates["restitution"].value, friction=math.inf, tangential_restitution=1.0)
+    twice[[INDEX["spin_mean"], INDEX["spin_width"]]] = 1 - (1 - c) / 2, w / 2
+    same, _ = rows_of_fit(one, problem, twice)
+    assert same.sum() == pytest.approx(one.deviance, abs=1e-3)
+    assert fit_law(free, problem).untold  # and a law with both says that it cannot tell them
+
+
+def test_an_even_prior_and_one_that_is_given():
+    rebounds = bounces(11, 50)
+    even = fit_law(law("sliding"), make_problem(rebounds, Setting(radius=A, kappa=KAPPA, spin_mean=0.0))[0])
+    full = fit_law(law("sliding"), make_problem(rebounds, SETTING)[0])
+    assert "spin_mean" not in even.estimates
+    assert even.deviance > full.deviance + 4
+    given = Setting(radius=A, kappa=KAPPA, spin_mean=0.4, spin_width=0.35)
+    fit = fit_law(law("sliding"), make_problem(rebounds, given)[0])
+    assert set(fit.estimates) == {"restitution", "friction"}
+    assert fit.deviance < full.deviance + 10
+    with pytest.raises(carom.CaromError, match="spin_width: expected a width"):
+        fit_laws(rebounds, Setting(radius=A, spin_prior="uniform"))
+    with pytest.raises(carom.CaromError, match="spin_mean: expected"):
+        fit_laws(rebounds, Setting(radius=A, spin_mean=math.nan))
+
+
+def test_one_row_beyond_the_edge_moves_the_friction_and_robust_fits_do_not_follow():
+    rebounds = bounces(13, 60, spin_seen=False)
+    rebounds.columns["v_t_out"][17] -= 2.5 * np.sign(rebounds["v_t_in"][17]) * rebounds["v_n_in"][17]
+    plain = fit_law(law("sliding"), make_problem(rebounds, SETTING)[0])
+    assert plain.estimates["friction"].value is None or plain.estimates["friction"].value > 0.5
+    robust = fit_law(law("sliding"), make_problem(rebounds, Setting(radius=A, kappa=KAPPA, robust=True))[0])
+    assert robust.estimates["friction"].value == pytest.approx(0.2, abs=0.015)
+
+
+def test_any_number_of_threads_gives_the_same_bits(monkeypatch):
+    from concurrent.futures import ThreadPoolExecutor
+
+    from carom.fitting import looks
+
+    problem, _ = make_problem(bounces(2, 200), SETTING)
+    rows = _rows(ways_of(law("sliding"), problem)[0], problem)
+    p = numbers(restitution=0.8, friction=0.2, spin_mean=0.4, spin_width=0.35)[None]
+    found = []
+    for threads in (1, 3):
+        monkeypatch.setattr(looks, "_pool", lambda threads=threads: ThreadPoolExecutor(threads))
+        seen = look(rows, p)
+        found.append((seen.deviance, seen.scores, seen.information))
+    for one, other in zip(*found, strict=True):
+        assert np.array_equal(one, other)
