@@ -93,6 +93,16 @@ def fit(
         float | None, typer.Option(help="of a track in pixels: m to a pixel", rich_help_panel=DATA)
     ] = None,
     view: Annotated[str | None, typer.Option(help="of a track: above (a table) or side", rich_help_panel=DATA)] = None,
+    whole: Annotated[
+        bool,
+        typer.Option("--whole", help="of a track: fit all of it, simulated, not its contacts", rich_help_panel=DATA),
+    ] = False,
+    cushions: Annotated[
+        int, typer.Option(help="with --whole: contacts of a ball that are followed at most", rich_help_panel=DATA)
+    ] = 3,
+    noise: Annotated[
+        str | None, typer.Option(help="with --whole: of one coordinate of one frame, 0.3mm", rich_help_panel=DATA)
+    ] = None,
     where: Annotated[
         list[str] | None,
         typer.Option(metavar="COLUMN=VALUE", help="only rows with this in that column", rich_help_panel=DATA),
@@ -138,6 +148,7 @@ def fit(
     """
     from rich.console import Console
 
+    from carom.cli.whole import NUMBERS, fit_tracks
     from carom.fitting import Setting, fit_laws
     from carom.fitting.parameters import FORMS, INDEX
     from carom.tracks.formats.sheet import Given
@@ -145,7 +156,7 @@ def fit(
     faults: list[str] = []
     kappa = attempt(faults, kappa_of, inertia)
     every_spin, prior = attempt(faults, spin_of, spin) or (None, {})
-    known = sorted({*INDEX, *(p.name for form in FORMS.values() for p in form.parameters)})
+    known = sorted({*INDEX, *(p.name for form in FORMS.values() for p in form.parameters), *(NUMBERS if whole else ())})
     fixed = {name: attempt(faults, number, "--fix", name, text) for name, text in pairs(faults, "--fix", fix, known)}
     bounds = {name: attempt(faults, bounds_of, name, text) for name, text in pairs(faults, "--bound", bound, known)}
     extra = tuple(name for text in fit_ or [] for name in split(text))
@@ -162,6 +173,11 @@ def fit(
         fixed={name: value for name, value in fixed.items() if value is not None},
         bounds={name: value for name, value in bounds.items() if value is not None}, robust=robust,
     )  # fmt: skip
+    if whole:
+        names = [name for text in laws or [] for name in split(text)]
+        given, frames = Given(scale=scale, rate=rate), (view, where or [], cushions, noise)
+        pages = (None if no_report else page, report is not None, as_json)
+        return fit_tracks(file, setting, names, given, frames, pages, faults, _bar)
     attempt(faults, _checked, setting)
     console = Console(stderr=True, highlight=False)
     rebounds = None

@@ -8,7 +8,7 @@ from typing import Any
 
 from carom.errors import CaromError
 
-__all__ = ["bounds_of", "kappa_of", "number", "pairs", "spin_of", "split"]
+__all__ = ["bounds_of", "kappa_of", "length_of", "number", "pairs", "spin_of", "split"]
 
 
 def split(text: str) -> list[str]:
@@ -27,6 +27,23 @@ def kappa_of(text: str) -> float:
     if not 0 < kappa <= 1:
         raise CaromError(f"--inertia: expected solid, hollow or kappa = I/(m a^2) above 0, up to 1, got {text!r}")
     return kappa
+
+
+def length_of(name: str, text: str | None) -> float | None:
+    """A length in m, with or without a unit."""
+    from carom.tables.units import UNITS
+
+    if text is None:
+        return None
+    number = text.strip().rstrip("abcdefghijklmnopqrstuvwxyz ")
+    unit = UNITS["length"].get(text.strip()[len(number) :].strip() or "m")
+    try:
+        value = float(number)
+    except ValueError:
+        unit = None
+    if unit is None:
+        raise CaromError(f"--{name}: expected a length, such as 0.0005 (m) or 0.5mm, got {text!r}")
+    return float(unit.to_si(value))
 
 
 def spin_of(text: str | None) -> tuple[float | None, dict[str, Any]]:

@@ -12,6 +12,8 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
+from carom.cli.fit_options import length_of
+from carom.cli.shared import attempt
 from carom.cli.shared import out as stdout
 from carom.errors import CaromError
 
@@ -95,7 +97,8 @@ def show(
 
     faults: list[str] = []
     lengths = {
-        name: _length(name, text, faults) for name, text in (("scale", scale), ("radius", radius), ("noise", noise))
+        name: attempt(faults, length_of, name, text)
+        for name, text in (("scale", scale), ("radius", radius), ("noise", noise))
     }
     kappa = _kappa(inertia, faults)
     for name, value, known in (
@@ -146,24 +149,6 @@ def _with_bar(console: Console, run: Any) -> Any:
     with Progress(console=console, transient=True) as bar:
         task = bar.add_task("contacts", total=None)
         return run(lambda done, total: bar.update(task, completed=done, total=total))
-
-
-def _length(name: str, text: str | None, faults: list[str]) -> float | None:
-    """A length in m, with or without a unit."""
-    from carom.tables.units import UNITS
-
-    if text is None:
-        return None
-    number = text.strip().rstrip("abcdefghijklmnopqrstuvwxyz ")
-    unit = UNITS["length"].get(text.strip()[len(number) :].strip() or "m")
-    try:
-        value = float(number)
-    except ValueError:
-        unit = None
-    if unit is None:
-        faults.append(f"--{name}: expected a length, such as 0.0005 (m) or 0.5mm, got {text!r}")
-        return None
-    return float(unit.to_si(value))
 
 
 def _kappa(text: str, faults: list[str]) -> float:

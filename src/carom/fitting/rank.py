@@ -215,10 +215,10 @@ def _verdict(fits: list[Fit], odds: float, rival: Fit | None, fits_well: bool, e
     if rival is None:
         said = f"the data are described by {best.law.called}; there was no other law to set against it{more}"
     elif odds >= DECIDED:
-        said = f"the data prefer {best.law.called}, {_to_one(odds)} over {rival.law.name}{more}"
+        said = f"the data prefer {best.law.called}, {to_one(odds)} over {rival.law.name}{more}"
     elif odds >= LEANS:
         said = (
-            f"the data lean to {best.law.called}, {_to_one(odds)} over {rival.law.name}: not enough to"
+            f"the data lean to {best.law.called}, {to_one(odds)} over {rival.law.name}: not enough to"
             f" decide{more}; carom design says which shot to film next"
         )
     else:
@@ -230,7 +230,8 @@ def _verdict(fits: list[Fit], odds: float, rival: Fit | None, fits_well: bool, e
     return said + "."
 
 
-def _to_one(odds: float) -> str:
+def to_one(odds: float) -> str:
+    """Odds in words."""
     if odds > 1e6:
         return "more than a million to 1"
     return f"{odds:,.0f} to 1" if odds >= 10 else f"{odds:.1f} to 1"

@@ -167,7 +167,7 @@ def plot_residuals(ranking: Ranking) -> Any:
     return figure
 
 
-def _svg(figure: Any) -> str:
+def svg(figure: Any) -> str:
     buffer = io.StringIO()
     with style():
         figure.savefig(buffer, format="svg", metadata={"Date": None})
@@ -202,7 +202,7 @@ def _estimate(estimate: Any) -> str:
     return html.escape(with_error_bar(estimate, interval=True))
 
 
-def _table(heads: list[str], rows: list[str]) -> str:
+def tabled(heads: list[str], rows: list[str]) -> str:
     head = "".join(f"<th>{head}</th>" for head in heads)
     return f'<div class="wide"><table><tr>{head}</tr>{"".join(rows)}</table></div>'
 
@@ -219,10 +219,10 @@ def _laws(ranking: Ranking) -> str:
         cells += _cell(f"{fit.bic:.1f}") + _cell(f"{one.weight:.3g}" if one.weight >= 1e-6 else "0") + _cell(goodness)
         cells += _cell("–" if math.isnan(one.score) else f"{one.score:.3f}") + _cell(numbers, False)
         rows.append(f'<tr class="{"best" if i == 0 else ""}">{cells}</tr>')
-    return _table(["law", "AICc", "BIC", "weight", "chi² / dof", "CV log score", "numbers"], rows)
+    return tabled(["law", "AICc", "BIC", "weight", "chi² / dof", "CV log score", "numbers"], rows)
 
 
-def _list(title: str, lines: list[str]) -> str:
+def listed(title: str, lines: list[str]) -> str:
     items = "".join(f"<li>{html.escape(line)}</li>" for line in lines)
     return f"<h2>{title}</h2><ul>{items}</ul>" if lines else ""
 
@@ -241,11 +241,11 @@ def write_report(ranking: Ranking, path: str | Path) -> Path:
         f'<p class="verdict">{html.escape(ranking.verdict)}</p>',
         f"<p>{len(best.problem.x)} rebounds ({best.law.kind}), {best.problem.count} numbers measured after the wall. Ball of"
         f" radius {setting.radius * 1e3:.4g} mm, moment of inertia {setting.kappa:.4g} m a².</p>",
-        _svg(plot_fit(ranking)), "<h2>The laws, best first</h2>", _laws(ranking),
-        "<h2>What is left</h2>", _svg(plot_residuals(ranking)),
-        _list("What these data do not tell", ranking.degenerate),
-        _list("Outliers under the best law", [f"{o.row}: chi² {o.chi2:.1f}; {o.why}" for o in ranking.outliers]),
-        _list("Notes", list(ranking.notes)),
+        svg(plot_fit(ranking)), "<h2>The laws, best first</h2>", _laws(ranking),
+        "<h2>What is left</h2>", svg(plot_residuals(ranking)),
+        listed("What these data do not tell", ranking.degenerate),
+        listed("Outliers under the best law", [f"{o.row}: chi² {o.chi2:.1f}; {o.why}" for o in ranking.outliers]),
+        listed("Notes", list(ranking.notes)),
         f"<footer>carom {__version__}. AICc and weights: the smaller and the larger the better; CV log score: of rows that were"
         " not fitted to, the larger the better.</footer>",
     ]  # fmt: skip

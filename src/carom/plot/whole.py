@@ -1,0 +1,152 @@
+"""Whole tracks and their simulations as pictures, and as one page that holds them."""
+
+from __future__ import annotations
+
+import html
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from carom.fitting.output import with_error_bar
+from carom.plot.drawing import GREY, INK, inks, sheet
+from carom.plot.fit import PAGE, SHOWN, listed, svg, tabled
+from carom.plot.save import style
+
+if TYPE_CHECKING:
+    from carom.fitting.whole import WholeFit
+    from carom.fitting.whole_rank import WholeRanking
+
+__all__ = ["plot_whole", "write_whole_report"]
+
+SHOTS = 6  # drawn from above
+BALLS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+
+
+def plot_whole(ranking: WholeRanking) -> Any:
+    """Six shots from above, tracked and simulated; distances by shot and law; distances over time. A Matplotlib Figure."""
+    best = ranking.best
+    shots = list(dict.fromkeys(one.group for one in best.frames.stretches))
+    shown = shots[:SHOTS]
+    with style():
+        figure = sheet(10.4, 6.6)
+        left, right = figure.subfigures(1, 2, width_ratios=[1.55, 1])
+        columns = min(3, len(shown)) if len(shown) > 1 else 1
+        rows = -(-len(shown) // columns)
+        panels = left.subplots(rows, columns, squeeze=False)
+        names = list(dict.fromkeys(one.name for one in best.frames.stretches))
+        for axes in panels.flat[len(shown) :]:
+            axes.set_axis_off()
+        for axes, shot in zip(panels.flat, shown, strict=False):
+            _from_above(axes, best, shot, names)
+        left.subplots_adjust(left=0.02, right=0.98, top=0.9, bottom=0.1, wspace=0.08, hspace=0.18)
+        more = f", {len(shown)} of {len(shots)} shots" if len(shots) > len(shown) else ""
+        left.suptitle(f"Tracked (dots) and simulated by {best.law.name} (lines){more}", fontsize=9)
+        upper, lower = right.subplots(2, 1, height_ratios=[1, 1])
+        _by_shot(upper, ranking)
+        _over_time(lower, best)
+        right.subplots_adjust(left=0.17, right=0.97, top=0.93, bottom=0.09, hspace=0.36)
+    return figure
+
+
+def _from_above(axes: Any, fit: WholeFit, shot: str, names: list[str]) -> None:
+    """One shot: all its stretches, the lines on which the centres turn."""
+    at = {**fit.law.held, **fit.numbers}
+    which = [n for n, one in enumerate(fit.frames.stretches) if one.group == shot]
+    every = np.concatenate([one.position for one in fit.frames.stretches])
+    low, high = every.min(axis=0), every.max(axis=0)
+    for name, value in at.items():
+        side = name.removeprefix("wall_")
+        if side in ("left", "right"):
+            axes.plot([value, value], [low[1], high[1]], color=GREY, lw=0.8)
+        elif side in ("bottom", "top"):
+            axes.plot([low[0], high[0]], [value, value], color=GREY, lw=0.8)
+    for n in which:
+        one = fit.frames.stretches[n]
+        colour = BALLS[names.index(one.name) % len(BALLS)]
+        count = int(fit.frames.count[n])
+        t = np.linspace(0.0, one.time[count - 1], 300)
+        run = fit.simulate(n)
+        x = np.asarray(run.at(np.minimum(t, run.end)).position)[:, 0, :2]
+        axes.plot(*x.T, "-", color=colour, lw=0.9, zorder=2)
+        step = max(1, count // 60)
+        axes.plot(*one.position[:count:step].T, "o", color=colour, ms=2.2, mec="none", alpha=0.75, zorder=3)
+        axes.plot(*one.position[0], "o", color=colour, ms=5, mfc="none", mew=0.8, zorder=3)
+    margin = 0.03 * float((high - low).max())
+    axes.set(aspect="equal", xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin))
+    axes.set(xticks=[], yticks=[])
+    for spine in axes.spines.values():
+        spine.set_visible(False)
+    axes.set_title(f"{shot or 'track'}: {1e3 * fit.rms(which):.2g} mm", fontsize=8)
+
+
+def _by_shot(axes: Any, ranking: WholeRanking) -> None:
+    """Shots in the order of each law's own distances: how many are nearer than so much."""
+    fits = ranking.fits[: SHOWN + 2]
+    look = inks([fit.law.name for fit in fits])
+    groups = [one.group for one in ranking.best.frames.stretches]
+    rows = [[n for n, g in enumerate(groups) if g == group] for group in dict.fromkeys(groups)]
+    for fit in fits:
+        size = np.sort([1e3 * fit.rms(which) for which in rows])
+        colour, dashes = look[fit.law.name]
+        share = np.arange(1, len(size) + 1)
+        axes.plot(
+            size, share, color=colour, ls=dashes, marker="o", ms=2.5 if len(size) > 8 else 4, lw=1, label=fit.law.name
+        )
+    axes.axvline(1e3 * ranking.best.noise * np.sqrt(2), color=GREY, lw=0.8, ls=":")
+    axes.set(xscale="log", xlabel="RMS distance of a shot, mm (dotted: noise)", ylabel="shots that are nearer")
+    axes.set_ylim(0, len(rows) * 1.04)
+    axes.set_title("Distance from track to simulation", fontsize=9)
+    axes.legend(fontsize=7, frameon=False, loc="lower right")
+
+
+def _over_time(axes: Any, fit: WholeFit) -> None:
+    """Distances of the best law since the first contact, one line a track."""
+    for n, one in enumerate(fit.frames.stretches):
+        count = int(fit.frames.count[n])
+        gap = 1e3 * np.hypot(*fit.gap[n, :count].T)
+        axes.plot(one.time[:count] - one.contacts[0], gap, color=INK, lw=0.5, alpha=0.4)
+    axes.axvline(0, color=GREY, lw=0.8, ls=":")
+    axes.set(yscale="log", xlabel="time since the first contact, s", ylabel="distance, mm")
+    axes.set_title(f"Over time, {fit.law.name}", fontsize=9)
+
+
+def _laws(ranking: WholeRanking) -> str:
+    rows = []
+    least = ranking.best.aicc
+    for i, fit in enumerate(ranking.fits):
+        numbers = "<br>".join(f"{name} {html.escape(with_error_bar(e))}" for name, e in fit.estimates.items())
+        middle = 1e3 * float(np.median([fit.rms([n]) for n in range(len(fit.q))]))
+        goodness = f"{fit.chi2:.5g} / {fit.dof:.0f}" if fit.known else "–"
+        cells = f"<td><b>{fit.law.name}</b><br>{html.escape(fit.law.law.words)}</td>"
+        cells += f'<td class="n">{fit.aicc - least:.1f}</td><td class="n">{goodness}</td>'
+        cells += f'<td class="n">{middle:.3g}</td><td class="n">{1e3 * fit.rms():.3g}</td><td>{numbers}</td>'
+        rows.append(f'<tr class="{"best" if i == 0 else ""}">{cells}</tr>')
+    return tabled(["law", "AICc above the best", "chi² / dof", "median RMS, mm", "RMS, mm", "numbers"], rows)
+
+
+def write_whole_report(ranking: WholeRanking, source: str, path: str | Path) -> Path:
+    """A page with everything in it: verdict, picture, table, what is not told. Whole or not at all."""
+    from carom import __version__
+    from carom.tables.output import whole_file
+
+    path, best = Path(path), ranking.best
+    name = html.escape(Path(source).name)
+    tracks = best.frames.stretches
+    contacts = sum(len(one.contacts) for one in tracks)
+    ball = f"{1e3 * best.law.setting.radius:.4g} mm, moment of inertia {best.law.setting.kappa:.4g} m a²"
+    body = [
+        f"<h1>Which law follows {name}?</h1>",
+        f'<p class="verdict">{html.escape(ranking.verdict)}</p>',
+        f"<p>{len(tracks)} stretches of track, {contacts} contacts, {int(best.frames.count.sum()):,} frames, each simulated from a"
+        f" start of its own. Ball of radius {ball}.</p>",
+        svg(plot_whole(ranking)), "<h2>The laws, best first</h2>", _laws(ranking),
+        listed("What these tracks do not tell", [s for fit in ranking.fits for s in fit.degenerate]),
+        listed("Notes", list(ranking.notes)),
+        f"<footer>carom {__version__}. wall_left, ...: where the ball's centre turns, m.</footer>",
+    ]  # fmt: skip
+    sure = "prefer" in ranking.verdict
+    text = PAGE.format(title=f"carom fit: {name}", colour="#009E73" if sure else "#E69F00", body="\n".join(body))
+    with whole_file(path) as file:
+        file.write(text.encode())
+    return path

@@ -1,0 +1,197 @@
+"""Whole tracks through the engine: the same places as simulate, the truth within its error bars, what cannot be told named."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from whole_truth import RADIUS, TRUTH, film, write
+
+import carom
+from carom.cli import main
+from carom.errors import CaromError
+from carom.fitting.whole_follow import follow
+from carom.fitting.whole_laws import WholeSetting
+from carom.fitting.whole_rank import WholeRanking, fit_whole
+from carom.fitting.whole_runs import stretches
+from carom.scene.walls import Table
+from carom.tracks.measure import Measured, Settings, measure
+
+NOISE = 3e-4
+SETTING = WholeSetting(radius=RADIUS, noise=NOISE)
+
+
+def measured(seed: int, shots: int, **how: float) -> Measured:
+    return measure(film(np.random.default_rng(seed), shots, **how), Settings(radius=0.0, view="above", noise=NOISE))
+
+
+@pytest.fixture(scope="module")
+def ranking() -> WholeRanking:
+    return fit_whole(measured(1, 3), SETTING, ["two-step", "mirror"])
+
+
+@pytest.mark.parametrize("nose", [None, 0.037])
+def test_places_are_those_of_simulate(nose: float | None) -> None:
+    """To the last bit, hops and all."""
+    rng = np.random.default_rng(3)
+
+    def scene(e: float, **ball: object) -> carom.Scene:
+        wall = Table(length=2.8, width=1.4, center=(1.4, 0.7), restitution=e, friction=0.2, nose_height=nose)
+        floor = carom.Floor(friction=0.2, rolling_resistance=0.01, spin_friction=0.01, restitution=0.5)
+        one = carom.SceneBall(radius=RADIUS, mass=1, **{"position": (1.4, 0.7), **ball})
+        return carom.Scene(floor=floor, walls=[wall], balls=[one], run=carom.Run(duration=3))
+
+    n, t = 8, np.arange(0, 2.5, 0.02)
+    start = np.column_stack(
+        [rng.uniform(0.2, 2.5, n), rng.uniform(0.2, 1.2, n), rng.uniform(-3, 3, (n, 2)), rng.uniform(-1, 1, (n, 2)),
+         rng.uniform(-50, 50, n)]
+    )  # fmt: skip
+    which, count = np.arange(n) % 2, np.full(n, len(t))
+    count[3] = 40
+    places = follow([scene(0.85), scene(0.7)], which, start, np.tile(t, (n, 1)), count)
+    assert np.isnan(places[3, 40:]).all()
+    for k, (x, y, vx, vy, ux, uy, spin) in enumerate(start.tolist()):
+        spins = ((uy - vy) / RADIUS, (vx - ux) / RADIUS, spin)
+        run = carom.simulate(scene((0.85, 0.7)[which[k]], position=(x, y), velocity=(vx, vy), spin=spins))
+        seen = np.asarray(run.at(t).position)[: count[k], 0, :2]
+        assert np.array_equal(places[k, : count[k]], seen)
+
+
+def test_the_truth_comes_back(ranking: WholeRanking) -> None:
+    """Within its error bars, which are a thousandth; chi^2 is what chance makes it."""
+    best = ranking.best
+    assert best.law.name == "two-step"
+    assert best.follows
+    assert abs(best.chi2 - best.dof) < 4 * np.sqrt(2 * best.dof)
+    for name, value in TRUTH.items():
+        estimate = best.estimates[name]
+        assert estimate.stderr is not None
+        assert estimate.stderr < 0.01 * value
+        assert abs(estimate.value - value) < 4 * estimate.stderr, name
+    assert "prefer two-step" in ranking.verdict
+    assert ranking.odds > 1e6
+    run = best.simulate(0)
+    t = best.frames.stretches[0].time
+    x = np.asarray(run.at(np.minimum(t, run.end)).position)[:, 0, :2]
+    assert np.allclose(x - best.frames.stretches[0].position, best.gap[0, : len(t)], atol=1e-9)
+
+
+def test_without_noise_given_each_stretch_has_its_own(ranking: WholeRanking) -> None:
+    found = fit_whole(measured(1, 3), WholeSetting(radius=RADIUS), ["two-step"]).best
+    assert not found.known
+    assert found.follows
+    assert found.scatter == pytest.approx(np.full(3, NOISE), rel=0.15)
+    for name in TRUTH:
+        known = ranking.best.estimates[name]
+        assert known.value is not None
+        assert known.stderr is not None
+        assert found.estimates[name].value == pytest.approx(known.value, abs=2 * known.stderr)
+
+
+def test_a_wall_that_holds_tells_only_a_least_friction() -> None:
+    found = fit_whole(measured(5, 2, friction=3.0), SETTING, ["two-step"]).best
+    assert found.estimates["friction"].value is None
+    assert found.untold == ("friction",)
+    assert "only a least friction" in found.degenerate[0]
+    e = found.estimates["restitution"]
+    assert e.value is not None
+    assert e.stderr is not None
+    assert abs(e.value - TRUTH["restitution"]) < 4 * e.stderr
+
+
+def test_stretches_end_after_so_many_contacts() -> None:
+    one = measured(1, 3)
+    for cushions in (1, 3):
+        found, _notes = stretches(one, cushions)
+        assert max(len(stretch.contacts) for stretch in found) <= cushions
+        for stretch in found:
+            assert stretch.frames_until(0) >= 4
+            assert (np.diff(stretch.time) > 0).all()
+
+
+def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, *words: str) -> tuple[int, str, str]:
+    monkeypatch.setattr("sys.argv", ["carom", "fit", *words])
+    with pytest.raises(SystemExit) as end:
+        main()
+    told = capsys.readouterr()
+    return int(end.value.code or 0), told.out, told.err
+
+
+def test_from_the_command_line(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file, page = write(film(np.random.default_rng(2), 2), tmp_path / "shots.csv"), tmp_path / "page.html"
+    words = (
+        str(file),
+        "--whole",
+        "--radius",
+        "0.03075",
+        "--laws",
+        "two-step",
+        "--noise",
+        "0.3mm",
+        "--report",
+        str(page),
+    )
+    code, told, _notes = run(capsys, monkeypatch, *words, "--json")
+    assert code == 0
+    facts = json.loads(told)
+    first = facts["ranking"][0]
+    assert first["law"] == "two-step"
+    value, stderr = (first["parameters"]["restitution"][key] for key in ("value", "stderr"))
+    assert abs(value - TRUTH["restitution"]) < 4 * stderr
+    assert [one["shot"] for one in facts["tracks"]] == ["shot 0", "shot 1"]
+    assert facts["noise_given"] is True
+    text = page.read_text()
+    assert text.count("<svg") == 1
+    assert "two-step" in text
+    code, told, _notes = run(capsys, monkeypatch, *words[:-2], "--where", "shot=shot 1", "--no-report")
+    assert code == 0
+    assert "1 stretches of track" in told
+
+
+@pytest.mark.parametrize(
+    ("words", "expected"),
+    [
+        (("--noise", "small", "--cushions", "0", "--restitution", "line", "--view", "side"),
+         ["--noise: expected a length", "restitution: expected one of constant", "cushions: expected", "--view: expected above"]),
+        (("--where", "shot=9"), ["--where shot: expected one of shot 0"]),
+        (("--laws", "maw"), ["maw: left out"]),
+        (("--radius", "-1"), ["radius: expected the ball's radius"]),
+    ],
+)  # fmt: skip
+def test_faults_are_told(
+    words: tuple[str, ...], expected: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    monkeypatch.chdir(tmp_path)
+    file = write(film(np.random.default_rng(2), 1), tmp_path / "shots.csv")
+    code, told, notes = run(capsys, monkeypatch, str(file), "--whole", "--radius", "0.03075", *words)
+    assert (code, told) == (2, "")
+    assert len(notes.strip().splitlines()) == len(expected)
+    for line, word in zip(notes.splitlines(), expected, strict=True):
+        assert word in line
+    assert list(tmp_path.iterdir()) == [file]
+
+
+def test_a_table_of_rebounds_is_no_track(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    file = tmp_path / "bounces.csv"
+    file.write_text("v_n_in,v_t_in,v_n_out,v_t_out\n1,1,0.8,0.7\n")
+    code, _told, notes = run(capsys, monkeypatch, str(file), "--whole", "--radius", "0.03")
+    assert code == 2
+    assert "expected a track with --whole, got a table of rebounds" in notes
+
+
+def test_a_tilted_wall_is_refused() -> None:
+    from dataclasses import replace
+
+    from carom.tracks.contacts import Wall
+
+    one = measured(1, 1)
+    tilted = replace(one, walls=(Wall("slant", (0.0, 0.0), (0.6, 0.8)),))
+    with pytest.raises(CaromError, match="expected walls along the axes"):
+        fit_whole(tilted, SETTING, ["two-step"])
