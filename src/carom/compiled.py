@@ -63,6 +63,8 @@ def register_kernels() -> None:
     """Make every kernel marked so far callable from compiled code."""
     from numba.extending import register_jitable
 
+    from carom.linked import linked_only
+
     for function in KERNELS:
         if function not in _registered:
             # Called from compiled code only: the wrappers for Python would take a sixth of the compiling. And no kernel
@@ -73,6 +75,7 @@ def register_kernels() -> None:
                 no_cpython_wrapper=True,
                 no_cfunc_wrapper=True,
                 _nrt=not str(function.__module__).startswith("carom."),
+                **linked_only(),
             )(function)
             _registered.add(function)
 

@@ -44,9 +44,21 @@ def compiled_engine() -> Engine:
     answer = types.Tuple([whole] * 4 + [number] * 2)
     # (nothing is made in the loop: no counting of who holds an array)
     return Engine(
-        njit(run, signature=answer(world, features, balls, rows, number, number, whole, users, whole), _nrt=False),
-        njit(finish, signature=types.none(world, balls, number), _nrt=False),
+        njit(_one_run, signature=answer(world, features, balls, rows, number, number, whole, users, whole), _nrt=False),
+        njit(_one_end, signature=types.none(world, balls, number), _nrt=False),
     )
+
+
+# Entries, and nothing else: what is called from Python is compiled with other flags, and so would be all that it calls, which
+# its kernels call too.
+def _one_run(
+    world: Any, features: Any, balls: Any, log: Any, slow: float, until: float, most: int, users: Any, keep: int
+) -> Any:
+    return run(world, features, balls, log, slow, until, most, users, keep)
+
+
+def _one_end(world: Any, balls: Any, t: float) -> None:
+    finish(world, balls, t)
 
 
 @functools.cache
@@ -69,7 +81,7 @@ def compiled_many() -> Callable[..., Any]:
 
 
 # What ``_many`` calls: the compiled functions, once there are any (a closure over them would not be cached).
-_run, _finish = run, finish
+_run, _finish = _one_run, _one_end
 _prange: Any = range
 
 

@@ -1,0 +1,39 @@
+"""Kernels that are compiled for their callers only; and in the ordinary way, where Numba is not as carom knows it."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numba
+import pytest
+from numba.extending import register_jitable
+
+from carom import linked
+
+
+def half(x: float) -> float:
+    return x / 2
+
+
+def third(x: float) -> float:
+    return half(x) / 3
+
+
+def test_what_is_linked_gives_the_same_bits() -> None:
+    made = []
+    for options in (linked.linked_only(), {}):
+        space: dict[str, Any] = {}
+        for function in (half, third):
+            fresh = type(function)(function.__code__, {**globals(), **space}, function.__name__)
+            space[function.__name__] = register_jitable(no_cpython_wrapper=True, no_cfunc_wrapper=True, **options)(
+                fresh
+            )
+        kernel = space["third"]
+        made.append(numba.njit(lambda x, kernel=kernel: kernel(x) + kernel(x + 1)))
+    for x in (0.1, 1e-300, 3.7e8, float("inf")):
+        assert made[0](x) == made[1](x) == third(x) + third(x + 1)
+
+
+def test_another_numba_is_met_by_the_ordinary_way(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(linked, "_pipeline", object)  # not a compiler
+    assert linked.linked_only.__wrapped__() == {}
