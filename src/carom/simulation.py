@@ -27,8 +27,8 @@ __all__ = ["MOST_EVENTS", "ManyRuns", "simulate", "simulate_many"]
 Array = NDArray[np.float64]
 # Where a scene names no end: a ball between elastic walls would never stop.
 MOST_EVENTS = 100_000
-# Rows of the log that the loop fills before it is called again.
-FIRST_ROWS, MOST_ROWS = 1024, 65_536
+# Rows of the log that the loop fills before it is called again: enough for a shot, then more each time.
+FIRST_ROWS, MOST_ROWS = 128, 65_536
 
 REFUSALS = {
     REFUSED_ROLLING: "the law conventional is for a ball that rolls into a vertical wall; this one slides or flies there;"
@@ -75,16 +75,16 @@ def simulate(scene: Scene, progress: Callable[[int, float], None] | None = None)
     setup = set_up(scene)
     world, features, balls, users = setup
     until, most = _limits(scene)
-    one, log, parts = world[0], np.empty(FIRST_ROWS + len(balls), LOG), []
+    log, parts = _rows(FIRST_ROWS + len(balls)), []
     events, status, slow = 0, FULL, -1.0
     while status == FULL:
         status, more, written, at_fault, slow, last = engine.run(
-            one, features, balls, log, slow, until, most - events, users, ALL
+            world, features, balls, log, slow, until, most - events, users, ALL
         )
         parts.append(log[:written])
         events += more
         if status == FULL:
-            log = np.empty(min(2 * len(log), MOST_ROWS), LOG)
+            log = _rows(min(4 * len(log), MOST_ROWS))
             if progress is not None:
                 progress(events, last)
     if status not in (DONE, QUIET, LIMIT):
@@ -98,8 +98,15 @@ def simulate(scene: Scene, progress: Callable[[int, float], None] | None = None)
     return Trajectory(scene, _joined(parts), end, ended)
 
 
+def _rows(count: int) -> NDArray[np.void]:
+    """An empty log (records from bytes: NumPy takes three times as long for an array of records by itself)."""
+    return np.frombuffer(np.empty(count * LOG.itemsize, np.uint8), LOG)
+
+
 def _joined(parts: list[NDArray[np.void]]) -> NDArray[np.void]:
     """Parts of a log as one (records as bytes: NumPy copies the fields of records one by one, which takes a while)."""
+    if len(parts) == 1:
+        return parts[0]
     return np.concatenate([part.view(np.uint8) for part in parts]).view(LOG)
 
 

@@ -30,7 +30,7 @@ class Setup(NamedTuple):
 
 # The arrays of scenes that are alive: a run of a shot takes less time than making them. (Not kept in the scene itself, whose
 # copies with other walls would take them along.)
-_kept: dict[int, tuple[weakref.ref[Scene], Setup]] = {}
+_kept: dict[int, tuple[weakref.ref[Scene], Setup, bytes]] = {}
 
 
 def set_up(scene: Scene) -> Setup:
@@ -38,10 +38,12 @@ def set_up(scene: Scene) -> Setup:
     key = id(scene)
     found = _kept.get(key)
     if found is None or found[0]() is not scene:
-        found = _kept[key] = weakref.ref(scene, lambda _gone: _kept.pop(key, None)), _set_up(scene)
-    world, features, balls, users = found[1]
-    # (as bytes: NumPy copies the fields of records one by one)
-    return Setup(world, features, balls.view(np.uint8).copy().view(BALLS), users)
+        made = _set_up(scene)
+        found = weakref.ref(scene, lambda _gone: _kept.pop(key, None)), made, made.balls.tobytes()
+        _kept[key] = found
+    world, features, _balls, users = found[1]
+    # (from bytes: NumPy copies the fields of records one by one)
+    return Setup(world, features, np.frombuffer(bytearray(found[2]), BALLS), users)
 
 
 def _set_up(scene: Scene) -> Setup:
