@@ -412,11 +412,11 @@ def test_options_take_the_place_of_the_scenes(scenes: Path) -> None:
 
 
 def test_the_compiling_is_announced_only_when_it_happens(scenes: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from carom.cli import simulate as verb
+    from carom.engine.run import compiled_before
 
-    assert verb._compiled_before()
+    assert compiled_before()
     monkeypatch.setattr("carom.compiled.cache_folder", lambda: scenes / "empty")
-    assert not verb._compiled_before()
+    assert not compiled_before()
     out, err = command("design.toml", "--json")
     assert err == "compiling the engine, once\n"
     json.loads(out)

@@ -19,9 +19,13 @@ from typing import Any
 
 from carom.kernel import HOT, KERNELS
 
-__all__ = ["cache_folder", "cfunc", "njit", "source_hash"]
+__all__ = ["KERNEL_OPTIONS", "cache_folder", "cfunc", "njit", "source_hash"]
 
 _registered: set[Callable[..., Any]] = set()
+
+# Called from compiled code only: the wrappers for Python would take a sixth of the compiling. And no kernel of ours makes an
+# array: counting who holds those that it is handed (_nrt, a private option of Numba's) takes time.
+KERNEL_OPTIONS = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True, "_nrt": False}
 
 
 def source_hash() -> str:
@@ -67,16 +71,10 @@ def register_kernels() -> None:
 
     for function in KERNELS:
         if function not in _registered:
-            # Called from compiled code only: the wrappers for Python would take a sixth of the compiling. And no kernel
-            # of ours makes an array: counting who holds those that it is handed (_nrt, a private option of Numba's) takes time.
-            register_jitable(
-                error_model="numpy",
-                forceinline=function in HOT,
-                no_cpython_wrapper=True,
-                no_cfunc_wrapper=True,
-                _nrt=not str(function.__module__).startswith("carom."),
-                **linked_only(),
-            )(function)
+            # (a law of a user's own may do whatever Numba can)
+            own = str(function.__module__).startswith("carom.")
+            options = {**KERNEL_OPTIONS, **linked_only()} if own else {**KERNEL_OPTIONS, "_nrt": True}
+            register_jitable(forceinline=function in HOT, **options)(function)
             _registered.add(function)
 
 

@@ -15,6 +15,9 @@ from typing import Any
 
 __all__ = ["linked_only"]
 
+# Numba's passes that kernels have nothing for: expressions of arrays, comprehensions, functions within functions.
+LEFT_OUT = {"nopython_rewrites", "inline_closure_likes"}
+
 
 @functools.cache
 def linked_only() -> dict[str, Any]:
@@ -93,11 +96,12 @@ def _pipeline() -> Any:
             return True
 
     class LinkedCompiler(CompilerBase):  # type: ignore[misc]
-        """Numba's passes, with another last one."""
+        """Numba's passes, with another last one, and without what kernels do not need."""
 
         def define_pipelines(self) -> list[Any]:
             passes = DefaultPassBuilder.define_nopython_pipeline(self.state)
-            passes.passes = [(LinkedLowering if one is NativeLowering else one, text) for one, text in passes.passes]
+            kept = [(one, text) for one, text in passes.passes if one.name() not in LEFT_OUT]
+            passes.passes = [(LinkedLowering if one is NativeLowering else one, text) for one, text in kept]
             passes.finalize()
             return [passes]
 

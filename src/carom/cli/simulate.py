@@ -178,11 +178,11 @@ def _renamed(fault: str, names: dict[str, str]) -> str:
 
 
 def _run(scene: Scene, quiet: bool) -> Trajectory:
-    from carom.engine.run import compiled_engine
+    from carom.engine.run import compiled_before, compiled_engine
     from carom.simulation import simulate as follow
 
     with _busy(quiet) as say:
-        if not quiet and not _compiled_before():
+        if not quiet and not compiled_before():
             say("compiling the engine, once", True)
         with _interruptible():
             compiled_engine()
@@ -213,13 +213,6 @@ def _interruptible() -> Iterator[None]:
         sys.unraisablehook = hook
     if asked:  # something else swallowed it
         raise KeyboardInterrupt
-
-
-def _compiled_before() -> bool:
-    """Whether the engine lies compiled in the cache: what it compiles last is there."""
-    from carom.compiled import cache_folder
-
-    return any(cache_folder().glob("*/loop.finish-*.nbi"))
 
 
 @contextlib.contextmanager

@@ -142,6 +142,10 @@ def _happen(world: Any, features: Any, balls: Any, i: int, users: Any) -> tuple[
             balls[who].phase = HELD
         who = features[who].wall if kind == WALL else who
         kind, ball.phase = HELD_EVENT, HELD
+    elif kind == FLOOR:
+        j, required, regime = meet_floor(world, features, balls, i)
+    elif kind == BALL:
+        j, required, regime = meet_ball(world, ball, balls[who])
     elif kind == WALL:
         f = features[who]
         who = f.wall
@@ -151,10 +155,6 @@ def _happen(world: Any, features: Any, balls: Any, i: int, users: Any) -> tuple[
             kind = LEFT_EVENT
             if f.ends != 0:
                 ball.phase = LEFT
-    elif kind == FLOOR:
-        j, required, regime = meet_floor(world, features, balls, i)
-    elif kind == BALL:
-        j, required, regime = meet_ball(world, ball, balls[who])
     else:
         v, w = vector(ball.v), vector(ball.w)
         if kind == SETTLED:

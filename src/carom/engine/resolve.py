@@ -12,6 +12,7 @@ from carom.engine.arrays import CONVENTIONAL, MIRROR, NO_REGIME, NO_SLIP, TWO_ST
 from carom.engine.linger import hop
 from carom.engine.predict import put
 from carom.engine.press import press_on_ball, press_on_wall, pushed_by_ball, pushed_on_wall
+from carom.engine.pressed import pressed
 from carom.engine.users import call_user
 from carom.kernel import Vec, dot, kernel, vector
 from carom.laws.contact import STICK, one_contact, slip_velocity
@@ -19,7 +20,7 @@ from carom.laws.conventional import conventional_reflection
 from carom.laws.landing import UP
 from carom.laws.pair import pair_contact
 from carom.laws.simultaneous import STALL
-from carom.laws.two_step import UNDEFINED, first_impact
+from carom.laws.two_step import UNDEFINED
 from carom.motion.phases import FLIGHT, REST, ROLLING, ROUNDING, SLIDING, grounded
 from carom.motion.restitution import restitution
 from carom.scene.features import feature_normal
@@ -105,16 +106,7 @@ def meet_wall(world: Any, f: Any, ball: Any, users: Any) -> Impulse:
     ball.energy = math.nan
     none = (0.0, 0.0, 0.0)
     jf, required, regime, refusal = none, 0.0, NO_REGIME, DONE
-    if law == TWO_STEP and on_floor:
-        ef = restitution(world.floor_form, vector(world.floor_p), 0.0)
-        v1, w1, j, jf, required, regime = first_impact(
-            v, w, n, a, kappa, e, mu, beta, ef, world.floor_mu, world.floor_beta, 0.0, world.together != 0
-        )
-        if regime == STALL:
-            refusal = REFUSED_STALL
-        elif regime == UNDEFINED:
-            refusal = REFUSED_UNDEFINED
-    elif law == TWO_STEP:
+    if law == TWO_STEP and not on_floor:
         v1, w1, j, required, regime = one_contact(v, w, n, a, kappa, e, mu, beta)
     elif law == CONVENTIONAL:
         _un, u = slip_velocity(v, w, UP, a)
@@ -128,9 +120,18 @@ def meet_wall(world: Any, f: Any, ball: Any, users: Any) -> Impulse:
         v1, w1, j, required, _regime = one_contact(v, w, n, a, kappa, 1.0, math.inf, 1.0)
     elif law == MIRROR:
         v1, w1, j, _required, _regime = one_contact(v, w, n, a, kappa, e, 0.0, 0.0)
-    else:
+    elif law >= USER:
         v1, w1 = call_user(users[law - USER], v, w, n, a, kappa, e, mu, beta)
         j = (v1[0] - v[0], v1[1] - v[1], v1[2] - v[2])
+    else:  # (last, as the compiler takes them in this order, and another process is at work on this one)
+        ef = restitution(world.floor_form, vector(world.floor_p), 0.0)
+        v1, w1, j, jf, required, regime = pressed(
+            v, w, n, a, kappa, e, mu, beta, ef, world.floor_mu, world.floor_beta, world.together != 0
+        )
+        if regime == STALL:
+            refusal = REFUSED_STALL
+        elif regime == UNDEFINED:
+            refusal = REFUSED_UNDEFINED
     if refusal == DONE:
         leave(world, ball, v1, w1, on_floor)
         press_on_wall(world, f, ball, n, approach, law == CONVENTIONAL)

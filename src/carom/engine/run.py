@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
+import contextlib
 import functools
 import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+from carom.beside import beside
 from carom.engine.arrays import BALLS, LOG, WORLD
 from carom.engine.loop import QUIET, finish, run
+from carom.engine.pressed import PART, register_pressed
 from carom.engine.resolve import DONE
 from carom.engine.users import register_calls
 from carom.scene.features import FEATURES
 
-__all__ = ["Engine", "compiled_engine", "compiled_many"]
+__all__ = ["Engine", "compiled_before", "compiled_engine", "compiled_many"]
 
 
 class Engine(NamedTuple):
@@ -39,16 +42,24 @@ def compiled_engine() -> Engine:
     from carom.compiled import njit
 
     register_calls()
+    register_pressed()
     world, features, ball, log, number, whole, users = _types()
     worlds, balls, rows = (types.Array(kind, 1, "C") for kind in (world, ball, log))
     answer = types.Tuple([whole] * 4 + [number] * 2)
-    # (nothing is made in the loop: no counting of who holds an array)
-    return Engine(
-        njit(
-            _one_run, signature=answer(worlds, features, balls, rows, number, number, whole, users, whole), _nrt=False
-        ),
-        njit(_one_end, signature=types.none(worlds, balls, number), _nrt=False),
-    )
+    loop = answer(worlds, features, balls, rows, number, number, whole, users, whole)
+    with contextlib.nullcontext() if compiled_before() else beside(PART):
+        # (nothing is made in the loop: no counting of who holds an array)
+        return Engine(
+            njit(_one_run, signature=loop, _nrt=False),
+            njit(_one_end, signature=types.none(worlds, balls, number), _nrt=False),
+        )
+
+
+def compiled_before() -> bool:
+    """Whether the loop lies compiled in the cache: what is compiled last is there."""
+    from carom.compiled import cache_folder
+
+    return any(cache_folder().glob("*/run._one_end-*.nbi"))
 
 
 # Entries, and nothing else: what is called from Python is compiled with other flags, and so would be all that it calls, which
