@@ -43,10 +43,11 @@ def _follow(
 ) -> None:
     """Run every ball (N, 1) in its world, and write where it is at the first ``count`` (N,) of its times (N, T)."""
     for n in _prange(balls.shape[0]):
-        world, log = worlds[which[n]], logs[n]
+        k, log = which[n], logs[n]
+        world = worlds[k]
         until = time[n, count[n] - 1]
         ended, _events, rows, _ball, _slow, last = _run(
-            world, features[which[n]], balls[n], log, -1.0, until, MOST, users, ALL
+            worlds[k : k + 1], features[k], balls[n], log, -1.0, until, MOST, users, ALL
         )
         known = until if ended in (DONE, QUIET) else last  # else a law has no answer, or there is no end of events
         ball, row = balls[n, 0], 0
