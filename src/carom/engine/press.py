@@ -39,16 +39,16 @@ def _energy(ball: Any) -> float:
 
 
 @kernel
-def _share(world: Any, ball: Any, n: Vec) -> float:
+def _share(n: Vec, lies: bool) -> float:
     """How much of a push along n moves a ball: what it has along the floor, if it lies there."""
-    return n[0] * n[0] + n[1] * n[1] if _lies(world, ball) else 1.0
+    return n[0] * n[0] + n[1] * n[1] if lies else 1.0
 
 
 @kernel
-def _nudge(world: Any, ball: Any, p: Vec, c: float, keeps_rolling: bool) -> None:
+def _nudge(world: Any, ball: Any, p: Vec, lies: bool, c: float, keeps_rolling: bool) -> None:
     """Change the velocity of a ball by p, along the floor if it lies there, after all its motion was slowed by the factor c."""
     v, w, a = vector(ball.v), vector(ball.w), ball.radius
-    up = 0 * p[2] if _lies(world, ball) else p[2]
+    up = 0 * p[2] if lies else p[2]
     v, w = (c * v[0] + p[0], c * v[1] + p[1], c * v[2] + up), (c * w[0], c * w[1], c * w[2])
     if keeps_rolling:
         w = (-v[1] / a, v[0] / a, w[2])
@@ -83,13 +83,15 @@ def press_on_wall(world: Any, f: Any, ball: Any, n: Vec, approach: float, keeps_
         if rate <= 0.999999 * approach:
             ball.phase = HELD
         return
-    ease = _share(world, ball, n) / ball.mass
+    # (the floor lets a ball that comes down on it be lifted: held to the floor, it would be given what it is yet to lose there)
+    lies = _lies(world, ball) and not (ball.phase == FLIGHT and ball.v[2] < 0 and n[2] > 0)
+    ease = _share(n, lies) / ball.mass
     energy = _energy(ball) / (1 + ball.kappa if keeps_rolling else 1.0)
     speed = math.sqrt(min(-2 * bend * HOP * ball.radius, PAID * energy * ease))
     if ease > 0 and energy > 0:
         c = math.sqrt(1 - speed * speed / (ease * energy))
         p = (speed - c * rate) / (ease * ball.mass)
-        _nudge(world, ball, (p * n[0], p * n[1], p * n[2]), c, keeps_rolling)
+        _nudge(world, ball, (p * n[0], p * n[1], p * n[2]), lies, c, keeps_rolling)
 
 
 @kernel
@@ -136,15 +138,16 @@ def pushed_by_ball(world: Any, ball: Any, other: Any, n: Vec, approach: float) -
 def _push_on(world: Any, ball: Any, other: Any, n: Vec, rate: float, bend: float) -> None:
     """Let two balls that are pressed on each other part in a low hop; both pay for it with their motion."""
     m, k = ball.mass, other.mass
-    ease = _share(world, ball, n) / m + _share(world, other, n) / k
+    one_lies, other_lies = _lies(world, ball), _lies(world, other)
+    ease = _share(n, one_lies) / m + _share(n, other_lies) / k
     energy = _energy(ball) + _energy(other)
     # the speed of parting: 2 b h its square, but not all that they have
     speed = math.sqrt(min(-2 * bend * HOP * min(ball.radius, other.radius), PAID * energy * ease))
     if ease > 0 and energy > 0:
         c = math.sqrt(1 - speed * speed / (ease * energy))
         p = (speed - c * rate) / ease
-        _nudge(world, ball, (p * n[0] / m, p * n[1] / m, p * n[2] / m), c, False)
-        _nudge(world, other, (-p * n[0] / k, -p * n[1] / k, -p * n[2] / k), c, False)
+        _nudge(world, ball, (p * n[0] / m, p * n[1] / m, p * n[2] / m), one_lies, c, False)
+        _nudge(world, other, (-p * n[0] / k, -p * n[1] / k, -p * n[2] / k), other_lies, c, False)
 
 
 @kernel
