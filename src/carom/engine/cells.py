@@ -1,8 +1,9 @@
 """Cells: which balls are near. A cell is at least one diameter wide, so a ball can only touch those in the cells around it.
 
-A cell is a row of slots: how many balls, then their numbers. The first few are copied whether they are filled or not, and
-only the count decides what of it stays: no branch that a processor would have to guess. Beyond a wall lies a layer of
-cells that stays empty. Neighbours over a periodic border are noted with the image that is near, so a box need be only
+A cell has two slots for balls' numbers, the first with a code in its upper bits: how many there are, 3 for more than two. Those
+hang on a chain that begins at the second ball, a link a ball; there are few of them. Both slots are copied whether they are
+filled or not, and only the code decides what of it stays: no branch that a processor would have to guess. Beyond a wall lies
+a layer of cells that stays empty. Neighbours over a periodic border are noted with the image that is near, so a box need be only
 three cells wide.
 """
 
@@ -13,10 +14,14 @@ from typing import Any
 import numpy as np
 
 from carom.engine.queue import S, U
-from carom.engine.swarm_arrays import CODES, ROOM, SIZE, STRIDE
+from carom.engine.swarm_arrays import CODES, NOBODY, SIZE, STRIDE
 from carom.kernel import hot_kernel, kernel
 
-__all__ = ["around", "cell_of", "gather", "leave_cell", "put_in_cell", "tables"]
+__all__ = ["NUMBERS", "SLOTS", "around", "cell_of", "gather", "leave_cell", "put_in_cell", "tables"]
+
+SLOTS = 2  # of a cell
+NUMBERS = (1 << CODES) - 1
+MORE = 3  # the code of a cell with more balls than slots
 
 
 def tables(swarm: Any) -> Any:
@@ -46,54 +51,79 @@ def cell_of(box: Any, grid: Any, axis: int, x: float) -> Any:
 
 
 @kernel
-def put_in_cell(grid: Any, cells: Any, plan: Any, i: int) -> bool:
-    """Ball i enters its cell; False if the cell is full."""
-    slots = grid[U(STRIDE)]
-    first = plan.cx * slots + plan.cy * grid[U(STRIDE + 1)] + plan.cz * grid[U(STRIDE + 2)]
-    count = S(cells[U(first)])
-    if count + 1 >= slots:
-        return False
-    cells[U(first + count + 1)] = i
-    cells[U(first)] = count + 1
-    return True
-
-
-@kernel
-def leave_cell(grid: Any, cells: Any, plan: Any, i: int) -> None:
-    """Ball i leaves its cell; the last one takes its slot."""
+def put_in_cell(grid: Any, cells: Any, links: Any, plan: Any, i: int) -> None:
+    """Ball i enters its cell."""
     first = plan.cx * grid[U(STRIDE)] + plan.cy * grid[U(STRIDE + 1)] + plan.cz * grid[U(STRIDE + 2)]
-    count = S(cells[U(first)])
-    last = cells[U(first + count)]
-    for k in range(1, count):
-        if cells[U(first + k)] == i:
-            cells[U(first + k)] = last
-    cells[U(first)] = count - 1
+    front, second = S(cells[U(first)]), S(cells[U(first + 1)])
+    code = front >> CODES
+    if code == 0:
+        front = S(i)
+    if code <= 1:
+        cells[U(first + 1)] = i
+    else:
+        links[U(i)] = NOBODY if code == 2 else links[U(second)]
+        links[U(second)] = i
+    cells[U(first)] = (front & NUMBERS) | (min(code + 1, MORE) << CODES)
 
 
 @kernel
-def _rest(cells: Any, found: Any, first: int, n: int, count: int, code: Any) -> None:
-    """The balls of a cell after the first few; seldom there are any."""
-    for k in range(ROOM, count):
-        found[U(n + k)] = cells[U(first + 1 + k)] | code
+def leave_cell(grid: Any, cells: Any, links: Any, plan: Any, i: int) -> None:
+    """Ball i leaves its cell; the first one of the chain takes its place, or the second of two."""
+    first = plan.cx * grid[U(STRIDE)] + plan.cy * grid[U(STRIDE + 1)] + plan.cz * grid[U(STRIDE + 2)]
+    front, second = S(cells[U(first)]), S(cells[U(first + 1)])
+    code, one = front >> CODES, front & NUMBERS
+    if code < MORE:
+        # (an empty slot names a ball that is near, or the first of all: they may be asked for in vain)
+        one = 0 if code == 1 else (second if one == i else one)
+        cells[U(first)], cells[U(first + 1)] = one | ((code - 1) << CODES), one
+        return
+    third = S(links[U(second)])
+    rest = S(links[U(third)])
+    code = 2 if rest == NOBODY else MORE
+    # it is unhooked; whom it replaces is i, unless it is i
+    links[U(second)] = rest
+    if one == i:
+        one = third
+    elif second == i:
+        links[U(third)] = rest
+        cells[U(first + 1)] = third
+    elif third != i:
+        before = second
+        while S(links[U(before)]) != i:
+            before = S(links[U(before)])
+        links[U(third)] = links[U(i)]
+        links[U(before)] = third
+    cells[U(first)] = one | (code << CODES)
+
+
+@kernel
+def _rest(links: Any, found: Any, second: int, n: int, image: Any) -> int:
+    """Add the balls of a cell's chain to those found; seldom there are any."""
+    k = links[U(second)]
+    while k != NOBODY:
+        found[U(n)] = k | image
+        n += 1
+        k = links[U(k)]
+    return n
 
 
 @hot_kernel
-def _copy(cells: Any, found: Any, first: int, n: int, code: int) -> int:
+def _copy(cells: Any, links: Any, found: Any, first: int, n: int, code: int) -> int:
     """Add the balls of a cell to those found; how many there are now."""
     image = np.uint32(code << CODES)
-    count = S(cells[U(first)])
-    # (ROOM of them, all read before the first is written, so that they are one load and one store)
-    p, q = cells[U(first + 1)] | image, cells[U(first + 2)] | image
-    r, s = cells[U(first + 3)] | image, cells[U(first + 4)] | image
-    found[U(n)], found[U(n + 1)], found[U(n + 2)], found[U(n + 3)] = p, q, r, s
-    if count > ROOM:
-        _rest(cells, found, first, n, count, image)
+    # (both read before the first is written, so that they are one load and one store)
+    front, second = cells[U(first)], cells[U(first + 1)]
+    found[U(n)], found[U(n + 1)] = (front & np.uint32(NUMBERS)) | image, second | image
+    count = S(front >> np.uint32(CODES))
+    if count == MORE:
+        return _rest(links, found, second, n + 2, image)
     return n + count  # type: ignore[no-any-return]
 
 
 @hot_kernel
 def gather(
     cells: Any,
+    links: Any,
     offsets: Any,
     found: Any,
     cx: int,
@@ -116,11 +146,11 @@ def gather(
             first = third + offsets[U(1), U(cy), U(b)]
             code = (b << 2) | (c << 4)
             if x1 - x0 == 3:
-                n = _copy(cells, found, first + left, n, code)
-                n = _copy(cells, found, first + middle, n, code | 1)
-                n = _copy(cells, found, first + right, n, code | 2)
+                n = _copy(cells, links, found, first + left, n, code)
+                n = _copy(cells, links, found, first + middle, n, code | 1)
+                n = _copy(cells, links, found, first + right, n, code | 2)
             else:
-                n = _copy(cells, found, first + ahead, n, code | x0)
+                n = _copy(cells, links, found, first + ahead, n, code | x0)
     return n
 
 

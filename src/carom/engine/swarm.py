@@ -12,7 +12,7 @@ from typing import Any
 
 from carom.engine.cells import around, cell_of, gather, leave_cell, put_in_cell
 from carom.engine.queue import S, U, enqueue, fill, take_out, turn_over
-from carom.engine.swarm_arrays import CALM, DONE, FULL, LIMIT, NOBODY, STUCK
+from carom.engine.swarm_arrays import CALM, DONE, LIMIT, NOBODY, STUCK
 from carom.engine.swarm_predict import drift, next_turn, soonest
 from carom.engine.swarm_prefetch import look_ahead
 from carom.engine.swarm_resolve import meet
@@ -30,11 +30,9 @@ STILL, STILL_HITS, STILL_MORE = 1e-9, 100, 100_000
 
 
 @kernel
-def place(swarm: Any, box: Any, grid: Any, motions: Any, plans: Any, species: Any, cells: Any) -> int:
-    """Put every ball into its cell. DONE, or FULL: the cells need more slots."""
+def place(swarm: Any, box: Any, grid: Any, motions: Any, plans: Any, species: Any, cells: Any, links: Any) -> None:
+    """Put every ball into its cell."""
     settle(swarm, box, motions, species)
-    for k in range(cells.shape[0]):
-        cells[k] = 0
     energy = 0.0
     for i in range(motions.shape[0]):
         plan, ball = plans[i], motions[i]
@@ -42,28 +40,22 @@ def place(swarm: Any, box: Any, grid: Any, motions: Any, plans: Any, species: An
         plan.cx = cell_of(box, grid, 0, ball.x)
         plan.cy = cell_of(box, grid, 1, ball.y)
         plan.cz = cell_of(box, grid, 2, ball.z)
-        if not put_in_cell(grid, cells, plan, i):
-            return FULL
+        put_in_cell(grid, cells, links, plan, i)
     set_slow(swarm, species, energy)
-    return DONE
 
 
 @kernel
-def refill(grid: Any, motions: Any, plans: Any, cells: Any) -> int:
-    """Put every ball into the cell that it is in, after the cells got more slots."""
-    for k in range(cells.shape[0]):
-        cells[k] = 0
+def refill(grid: Any, motions: Any, plans: Any, cells: Any, links: Any) -> None:
+    """Put every ball into the cell that it is in: those of a swarm that is restored are empty."""
     for i in range(motions.shape[0]):
-        if not put_in_cell(grid, cells, plans[i], i):
-            return FULL
-    return DONE
+        put_in_cell(grid, cells, links, plans[i], i)
 
 
 @hot_kernel
-def _cross(box: Any, grid: Any, ball: Any, plan: Any, cells: Any, i: int, which: int, place: int) -> bool:
-    """Ball i goes on to the next cell; False if that has no room for it (it is in none, then)."""
+def _cross(box: Any, grid: Any, ball: Any, plan: Any, cells: Any, links: Any, i: int, which: int, place: int) -> None:
+    """Ball i goes on to the next cell."""
     axis, up = which >> 1, which & 1
-    leave_cell(grid, cells, plan, i)
+    leave_cell(grid, cells, links, plan, i)
     there = place + (1 if up else -1)
     n = grid[U(axis)]
     rounds = 1 if there >= n else (-1 if there < 0 else 0)
@@ -80,7 +72,7 @@ def _cross(box: Any, grid: Any, ball: Any, plan: Any, cells: Any, i: int, which:
         ball.z -= shift
     if rounds != 0:
         plan.image[axis] += rounds
-    return put_in_cell(grid, cells, plan, i)
+    put_in_cell(grid, cells, links, plan, i)
 
 
 @kernel
@@ -115,7 +107,7 @@ def _calm(grid: Any, cx: int, cy: int, cz: int) -> bool:
 @kernel
 def run(  # noqa: PLR0915  (the loop)
     swarm: Any, motions: Any, plans: Any, bodies: Any, species: Any, pairs: Any, walls: Any, faces: Any, heads: Any,
-    box: Any, grid: Any, lists: Any, sets: Any, cells: Any, offsets: Any, shifts: Any, found: Any, near: Any, work: Any,
+    box: Any, grid: Any, lists: Any, sets: Any, cells: Any, links: Any, offsets: Any, shifts: Any, found: Any, near: Any, work: Any,
     whole: Any, until: float, most: int, more: Any,
 ) -> int:  # fmt: skip
     """Let things happen until a time (events after it stay planned), or until so many collisions more, walls included."""
@@ -140,7 +132,7 @@ def run(  # noqa: PLR0915  (the loop)
             while current < bins and heads[U(current)] == NOBODY:
                 current += 1
                 if far:
-                    look_ahead(plans, motions, bodies, cells, offsets, heads, current, bins)
+                    look_ahead(plans, motions, bodies, cells, offsets, grid, heads, current, bins)
             if current == bins:
                 if width * bins > end:
                     status = DONE
@@ -198,8 +190,7 @@ def run(  # noqa: PLR0915  (the loop)
                     swarm.crossings += 1
                     axis, up = which >> 1, which & 1
                     place = plan.cx if axis == 0 else (plan.cy if axis == 1 else plan.cz)
-                    if not _cross(box, grid, ball, plan, cells, i, which, S(place)):
-                        status = FULL
+                    _cross(box, grid, ball, plan, cells, links, i, which, S(place))
                     if axis == 0:
                         x0, x1 = 2 * up, 2 * up + 1
                     elif axis == 1:
@@ -215,7 +206,7 @@ def run(  # noqa: PLR0915  (the loop)
         while True:
             ball, plan = motions[U(i)], plans[U(i)]
             cx, cy, cz = plan.cx, plan.cy, plan.cz
-            n = gather(cells, offsets, found, cx, cy, cz, x0, x1, y0, y1, z0, z1)
+            n = gather(cells, links, offsets, found, cx, cy, cz, x0, x1, y0, y1, z0, z1)
             around(shifts, near, cx, cy, cz, ball.x, ball.y, ball.z)
             hit, who = soonest(
                 box,

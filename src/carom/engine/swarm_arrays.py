@@ -10,16 +10,14 @@ from __future__ import annotations
 import numpy as np
 
 __all__ = [
-    "BODY", "CALM", "CHANNEL", "CODES", "DONE", "FACE", "FAINT", "FULL", "INSIDE", "LIMIT", "MOST_BALLS", "MOTION",
-    "NOBODY", "OUTSIDE", "PAIR", "PERIODIC", "PLAN", "PLANE", "PULL", "ROOM", "SIZE", "SPECIES", "STRIDE", "STUCK", "SWARM", "WALL",
+    "BODY", "CALM", "CHANNEL", "CODES", "DONE", "FACE", "FAINT", "INSIDE", "LIMIT", "MOST_BALLS", "MOTION",
+    "NOBODY", "OUTSIDE", "PAIR", "PERIODIC", "PLAN", "PLANE", "PULL", "SIZE", "SPECIES", "STRIDE", "STUCK", "SWARM", "WALL",
 ]  # fmt: skip
 
-# How a call of the loop ends: at its time, or because nothing will ever happen; after its collisions or steps; because a cell
-# has no room for one more ball (then all cells get more slots and the balls are put in anew: nothing else has changed);
-# because time stands still; because speeds are too small for their numbers.
-DONE, LIMIT, FULL, STUCK, FAINT = range(5)
+# How a call of the loop ends: at its time, or because nothing will ever happen; after its collisions or steps; because time
+# stands still; because speeds are too small for their numbers.
+DONE, LIMIT, STUCK, FAINT = range(4)
 NOBODY = 0xFFFFFFFF  # no ball: the end of a list, no collision in sight
-ROOM = 4  # slots of a cell that are read without looking whether they are filled
 # In the list of neighbours a ball's number has 26 bits, the image that is near the other 6.
 CODES = 26
 # What the loop is told of the box, as plain arrays: lengths (9,), three each of the sides, a cell's sizes (from SIZE) and

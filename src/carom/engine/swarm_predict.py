@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from carom.engine.cells import NUMBERS
 from carom.engine.queue import S, U
 from carom.engine.swarm_arrays import CODES, NOBODY, PERIODIC, PULL, SIZE
 from carom.kernel import hot_kernel, kernel
@@ -12,7 +13,6 @@ from carom.motion.roots import hit2
 
 __all__ = ["BLOCK", "drift", "next_turn", "soonest"]
 
-NUMBERS = (1 << CODES) - 1
 BLOCK = 4  # so many times are computed at once
 FOREVER = 0x7FF0000000000000  # the bits of infinity
 

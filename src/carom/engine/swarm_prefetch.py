@@ -5,7 +5,8 @@ from __future__ import annotations
 import functools
 from typing import Any
 
-from carom.engine.queue import U
+from carom.engine.cells import NUMBERS
+from carom.engine.queue import S, U
 from carom.engine.swarm_arrays import NOBODY
 from carom.kernel import hot_kernel
 
@@ -13,6 +14,7 @@ __all__ = ["look_ahead", "prefetch", "register_prefetch"]
 
 # So many bins, of one event each, before their time the balls are asked for, then the cells around them, then who is there.
 FAR, MIDDLE, NEAR = 20, 12, 6
+FACES = 6  # of a cell: the least ``turn`` that is no way out of it
 
 
 def prefetch(array: Any, index: int) -> None:
@@ -56,8 +58,25 @@ def register_prefetch() -> None:
 
 
 @hot_kernel
+def _searched(grid: Any, plan: Any) -> tuple[int, int, int, int, int, int, int, int, int]:
+    """The cell around which a ball will look at its next event, and which of the three places along each axis."""
+    x, y, z = S(plan.cx), S(plan.cy), S(plan.cz)
+    which = S(plan.turn)
+    if plan.hit_at == plan.at or which >= FACES:
+        return x, y, z, 0, 3, 0, 3, 0, 3
+    # it goes over to the next cell, and looks at those beyond
+    up = which & 1
+    step, first = 2 * up - 1, 2 * up
+    if which < 2:
+        return (x + step) % grid[U(0)], y, z, first, first + 1, 0, 3, 0, 3
+    if which < 4:
+        return x, (y + step) % grid[U(1)], z, 0, 3, first, first + 1, 0, 3
+    return x, y, (z + step) % grid[U(2)], 0, 3, 0, 3, first, first + 1
+
+
+@hot_kernel
 def look_ahead(
-    plans: Any, motions: Any, bodies: Any, cells: Any, offsets: Any, heads: Any, bin_: int, bins: int
+    plans: Any, motions: Any, bodies: Any, cells: Any, offsets: Any, grid: Any, heads: Any, bin_: int, bins: int
 ) -> None:
     """Ask for what the balls of the bins ahead of bin_ will need: the first of each bin, and the next ones as they show."""
     i = heads[U(min(bin_ + FAR, bins - 1))]
@@ -73,25 +92,27 @@ def look_ahead(
             prefetch(motions, U(j))
             prefetch(bodies, U(i))
             prefetch(bodies, U(j))
-        middle = offsets[U(0), U(plan.cx), U(1)]
-        for c in range(3):
-            third = offsets[U(2), U(plan.cz), U(c)] + middle
-            for b in range(3):
-                first = third + offsets[U(1), U(plan.cy), U(b)]
-                prefetch(cells, U(first - 8))
-                prefetch(cells, U(first + 8))
+        x, y, z, x0, x1, y0, y1, z0, z1 = _searched(grid, plan)
+        left, right = offsets[U(0), U(x), U(x0)], offsets[U(0), U(x), U(x1 - 1)] + 1
+        for c in range(z0, z1):
+            third = offsets[U(2), U(z), U(c)]
+            for b in range(y0, y1):
+                first = third + offsets[U(1), U(y), U(b)]
+                prefetch(cells, U(first + left))
+                prefetch(cells, U(first + right))
         i = plan.next
         if i != NOBODY:
             prefetch(motions, U(i))
     i = heads[U(min(bin_ + NEAR, bins - 1))]
     while i != NOBODY:
         plan = plans[U(i)]
-        for c in range(3):
-            third = offsets[U(2), U(plan.cz), U(c)]
-            for b in range(3):
-                second = third + offsets[U(1), U(plan.cy), U(b)]
-                for a in range(3):
-                    first = second + offsets[U(0), U(plan.cx), U(a)]
-                    prefetch(motions, U(cells[U(first + 1)]))
-                    prefetch(motions, U(cells[U(first + 2)]))
+        x, y, z, x0, x1, y0, y1, z0, z1 = _searched(grid, plan)
+        for c in range(z0, z1):
+            third = offsets[U(2), U(z), U(c)]
+            for b in range(y0, y1):
+                second = third + offsets[U(1), U(y), U(b)]
+                for a in range(x0, x1):
+                    first = second + offsets[U(0), U(x), U(a)]
+                    prefetch(motions, U(cells[U(first)] & NUMBERS))
+                    prefetch(motions, U(cells[U(first + 1)] & NUMBERS))
         i = plan.next

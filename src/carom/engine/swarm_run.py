@@ -11,14 +11,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.engine import swarm
-from carom.engine.cells import tables
-from carom.engine.swarm_arrays import BODY, DONE, FULL, MOTION, PLAN, PLANE, ROOM
+from carom.engine.cells import SLOTS, tables
+from carom.engine.swarm_arrays import BODY, MOTION, PLAN, PLANE
 from carom.engine.swarm_lists import walls_of_cells
 from carom.engine.swarm_prefetch import register_prefetch
 
 __all__ = ["STATE", "Arrays", "advance", "balls_at", "make", "restore"]
 
-SLOTS = 8  # of a cell at first: its count, and room for 7 balls
 BINS = 4  # of the calendar, a ball
 LINE = 64  # bytes of a cache line
 
@@ -40,6 +39,7 @@ class Arrays(NamedTuple):
     lists: NDArray[np.int32]
     sets: NDArray[np.int32]
     cells: NDArray[np.uint32]
+    links: NDArray[np.uint32]
     offsets: NDArray[np.int64]
     shifts: NDArray[np.float64]
     found: NDArray[np.uint32]
@@ -75,18 +75,29 @@ def _aligned(count: int, kind: np.dtype[Any]) -> NDArray[Any]:
     return raw[skip : skip + count * kind.itemsize].view(kind)
 
 
-def _cells(state: tuple[Any, ...], slots: int) -> tuple[Any, ...]:
-    """The cells, empty, with so many slots each, and what is looked up and written while they are searched."""
+def _most_around(one: Any, species: Any) -> int:
+    """No more balls than this have their centres in a cell and those around it: as many as their volume has room for."""
+    axes, radius = int(one["axes"]), species["radius"]
+    region = math.prod(3 * float(one["size"][k]) + 2 * float(radius.max()) for k in range(axes))
+    small = float(radius.min()) * min(float(one["scale"]), 1.0)
+    return min(
+        int(one["count"]), int(1.01 * region / (math.pi * small**2 if axes == 2 else 4 / 3 * math.pi * small**3))
+    )
+
+
+def _cells(state: tuple[Any, ...]) -> tuple[Any, ...]:
+    """The cells, empty, and what is looked up and written while they are searched."""
     one, (calm, lists, sets) = (
         state[0][0],
         walls_of_cells(*(state[Arrays._fields.index(k)] for k in ("swarm", "faces", "walls"))),
     )
     # beyond a wall lies a layer of cells without balls
     shape = [int(n) + (0 if periodic else 1) for n, periodic in zip(one["cells"], one["periodic"], strict=True)]
-    one["stride"] = (slots, slots * shape[0], slots * shape[0] * shape[1])
+    one["stride"] = (SLOTS, SLOTS * shape[0], SLOTS * shape[0] * shape[1])
     offsets, shifts = tables(one)
-    cells = _aligned(slots * math.prod(shape), np.dtype("u4"))
-    room = 27 * max(slots, ROOM) + 8 & -8
+    cells, links = _aligned(SLOTS * math.prod(shape), np.dtype("u4")), _aligned(int(one["count"]), np.dtype("u4"))
+    # (both slots of the last cell are written, and whole blocks of eight)
+    room = _most_around(one, state[Arrays._fields.index("species")]) + SLOTS + 8 & -8
     work = _aligned(4 * room, np.dtype("f8")).reshape(4, room)
     box = np.concatenate([one["side"], one["size"], one["pull"]])
     grid = np.concatenate([one["cells"], one["stride"], one["periodic"], calm])
@@ -96,6 +107,7 @@ def _cells(state: tuple[Any, ...], slots: int) -> tuple[Any, ...]:
         lists,
         sets,
         cells,
+        links,
         offsets,
         shifts,
         np.zeros(room, np.uint32),
@@ -103,14 +115,6 @@ def _cells(state: tuple[Any, ...], slots: int) -> tuple[Any, ...]:
         work,
         work.view(np.int64),
     )
-
-
-def _fill(state: tuple[Any, ...], fill: Callable[[Any], Any], slots: int) -> Arrays:
-    while True:
-        arrays = Arrays(*state, *_cells(state, slots))
-        if fill(arrays) == DONE:
-            return arrays
-        slots *= 2
 
 
 def _free(one: Any, faces: Any, walls: Any) -> NDArray[np.int64]:
@@ -139,19 +143,20 @@ def make(world: Any, species: Any, pairs: Any, walls: Any, faces: Any, kinds: An
     plans[count]["at"], plans[count]["hit_at"] = math.inf, -math.inf
     heads = _aligned(BINS * count + 1, np.dtype("u4"))
     state = (world, motions, plans, bodies, species, pairs, walls, faces, heads)
-    return _fill(
-        state, lambda a: _compiled().place(a.swarm[0], a.box, a.grid, a.motions, a.plans, a.species, a.cells), SLOTS
-    )
+    arrays = Arrays(*state, *_cells(state))
+    _compiled().place(world[0], arrays.box, arrays.grid, motions, plans, species, arrays.cells, arrays.links)
+    return arrays
 
 
 def restore(state: tuple[Any, ...]) -> Arrays:
     """A swarm from its saved state (the first nine arrays): it goes on with the same bits."""
-    slots = max(int(state[0]["stride"][0, 0]), SLOTS)
     copies = []
     for array in state:
         copies.append(_aligned(len(array), array.dtype))
         copies[-1][:] = array
-    return _fill(tuple(copies), lambda a: _compiled().refill(a.grid, a.motions, a.plans, a.cells), slots)
+    arrays = Arrays(*copies, *_cells(tuple(copies)))
+    _compiled().refill(arrays.grid, arrays.motions, arrays.plans, arrays.cells, arrays.links)
+    return arrays
 
 
 def _more(arrays: Arrays) -> int | None:
@@ -161,23 +166,9 @@ def _more(arrays: Arrays) -> int | None:
     return 1 if moves.any() or one["growth"] != 0 or one["rate"] != 0 else None
 
 
-def advance(arrays: Arrays, until: float, most: int) -> Arrays:
-    """Go on to a time, or by so many collisions; ``swarm["status"]`` says which. The arrays, new ones if cells grew."""
-    more = _more(arrays)
-    target = int(arrays.swarm[0]["pair_hits"] + arrays.swarm[0]["wall_hits"]) + most
-    while True:
-        one = arrays.swarm[0]
-        # (it may be so from an interrupted call)
-        if one["status"] == FULL:
-            slots = 2 * int(one["stride"][0])
-            arrays = _fill(
-                arrays[: len(STATE)], lambda a: _compiled().refill(a.grid, a.motions, a.plans, a.cells), slots
-            )
-            one = arrays.swarm[0]
-            one["status"] = DONE
-        left = target - int(one["pair_hits"] + one["wall_hits"])
-        if left <= 0 or _compiled().run(one, *arrays[1:], until, left, more) != FULL:
-            return arrays
+def advance(arrays: Arrays, until: float, most: int) -> None:
+    """Go on to a time, or by so many collisions; ``swarm["status"]`` says which."""
+    _compiled().run(arrays.swarm[0], *arrays[1:], until, most, _more(arrays))
 
 
 def balls_at(arrays: Arrays, time: float) -> tuple[NDArray[np.void], NDArray[np.void]]:

@@ -73,7 +73,8 @@ def dense(
         records = world_records(species, room, Surface(1.0, 0.0, -1.0), (0.0,) * axes, 0.0, {}, None, seed)
         one = records.world[0]
         one["scale"], one["growth"] = scale, rate
-        arrays = advance(make(*records, which, x, v, np.zeros_like(x)), (1 - scale) / rate, STAGE * len(x))
+        arrays = make(*records, which, x, v, np.zeros_like(x))
+        advance(arrays, (1 - scale) / rate, STAGE * len(x))
         one = arrays.swarm[0]
         done = one["status"] == DONE
         time = (1 - scale) / rate if done else float(one["base"] + (one["rest"] + one["now"]))

@@ -290,7 +290,7 @@ class Gas:
         before, done = self.collisions, 0
         while done < most:
             begin = clocks.process_time()
-            self._arrays = advance(self._arrays, until, min(chunk, most - done))
+            advance(self._arrays, until, min(chunk, most - done))
             self._cpu += clocks.process_time() - begin
             self._time = max(self._time, self._last_event())
             done = self.collisions - before
