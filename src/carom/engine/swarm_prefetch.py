@@ -12,8 +12,9 @@ from carom.kernel import hot_kernel
 
 __all__ = ["look_ahead", "prefetch", "register_prefetch"]
 
-# So many bins, of one event each, before their time the balls are asked for, then the cells around them, then who is there.
-FAR, MIDDLE, NEAR = 20, 12, 6
+# So many bins, of one event each, before their time the balls are asked for, then the cells around them, then who is there;
+# last who is around their partners.
+FAR, MIDDLE, NEAR, CLOSE = 20, 12, 6, 3
 FACES = 6  # of a cell: the least ``turn`` that is no way out of it
 
 
@@ -58,12 +59,18 @@ def register_prefetch() -> None:
 
 
 @hot_kernel
+def _around(plan: Any) -> tuple[int, int, int, int, int, int, int, int, int]:
+    """All the cells around that of a ball."""
+    return S(plan.cx), S(plan.cy), S(plan.cz), 0, 3, 0, 3, 0, 3
+
+
+@hot_kernel
 def _searched(grid: Any, plan: Any) -> tuple[int, int, int, int, int, int, int, int, int]:
     """The cell around which a ball will look at its next event, and which of the three places along each axis."""
     x, y, z = S(plan.cx), S(plan.cy), S(plan.cz)
     which = S(plan.turn)
     if plan.hit_at == plan.at or which >= FACES:
-        return x, y, z, 0, 3, 0, 3, 0, 3
+        return _around(plan)
     # it goes over to the next cell, and looks at those beyond
     up = which & 1
     step, first = 2 * up - 1, 2 * up
@@ -72,6 +79,33 @@ def _searched(grid: Any, plan: Any) -> tuple[int, int, int, int, int, int, int, 
     if which < 4:
         return x, (y + step) % grid[U(1)], z, 0, 3, first, first + 1, 0, 3
     return x, y, (z + step) % grid[U(2)], 0, 3, 0, 3, first, first + 1
+
+
+@hot_kernel
+def _ask_cells(cells: Any, offsets: Any, there: Any) -> None:
+    """Ask for cells: for the first and the last of each row."""
+    x, y, z, x0, x1, y0, y1, z0, z1 = there
+    left, right = offsets[U(0), U(x), U(x0)], offsets[U(0), U(x), U(x1 - 1)] + 1
+    for c in range(z0, z1):
+        third = offsets[U(2), U(z), U(c)]
+        for b in range(y0, y1):
+            first = third + offsets[U(1), U(y), U(b)]
+            prefetch(cells, U(first + left))
+            prefetch(cells, U(first + right))
+
+
+@hot_kernel
+def _ask_balls(motions: Any, cells: Any, offsets: Any, there: Any) -> None:
+    """Ask for the first two balls of each cell."""
+    x, y, z, x0, x1, y0, y1, z0, z1 = there
+    for c in range(z0, z1):
+        third = offsets[U(2), U(z), U(c)]
+        for b in range(y0, y1):
+            second = third + offsets[U(1), U(y), U(b)]
+            for a in range(x0, x1):
+                first = second + offsets[U(0), U(x), U(a)]
+                prefetch(motions, U(cells[U(first)] & NUMBERS))
+                prefetch(motions, U(cells[U(first + 1)] & NUMBERS))
 
 
 @hot_kernel
@@ -92,27 +126,22 @@ def look_ahead(
             prefetch(motions, U(j))
             prefetch(bodies, U(i))
             prefetch(bodies, U(j))
-        x, y, z, x0, x1, y0, y1, z0, z1 = _searched(grid, plan)
-        left, right = offsets[U(0), U(x), U(x0)], offsets[U(0), U(x), U(x1 - 1)] + 1
-        for c in range(z0, z1):
-            third = offsets[U(2), U(z), U(c)]
-            for b in range(y0, y1):
-                first = third + offsets[U(1), U(y), U(b)]
-                prefetch(cells, U(first + left))
-                prefetch(cells, U(first + right))
+        _ask_cells(cells, offsets, _searched(grid, plan))
         i = plan.next
         if i != NOBODY:
             prefetch(motions, U(i))
     i = heads[U(min(bin_ + NEAR, bins - 1))]
     while i != NOBODY:
         plan = plans[U(i)]
-        x, y, z, x0, x1, y0, y1, z0, z1 = _searched(grid, plan)
-        for c in range(z0, z1):
-            third = offsets[U(2), U(z), U(c)]
-            for b in range(y0, y1):
-                second = third + offsets[U(1), U(y), U(b)]
-                for a in range(x0, x1):
-                    first = second + offsets[U(0), U(x), U(a)]
-                    prefetch(motions, U(cells[U(first)] & NUMBERS))
-                    prefetch(motions, U(cells[U(first + 1)] & NUMBERS))
+        _ask_balls(motions, cells, offsets, _searched(grid, plan))
+        if plan.hit_at == plan.at:
+            _ask_cells(cells, offsets, _around(plans[U(plan.hit_who)]))
+        i = plan.next
+    i = heads[U(min(bin_ + CLOSE, bins - 1))]
+    while i != NOBODY:
+        plan = plans[U(i)]
+        if plan.hit_at == plan.at:
+            other = plans[U(plan.hit_who)]
+            if other.cx != plan.cx or other.cy != plan.cy or other.cz != plan.cz:
+                _ask_balls(motions, cells, offsets, _around(other))
         i = plan.next
