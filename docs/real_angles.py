@@ -3,7 +3,7 @@
     python docs/real_rebounds.py carom_tracks_50hz.csv --out rebounds.csv --stage rolling
     python docs/real_angles.py rebounds.csv --share 0.03 --least 0.01
 
-The sidespin of these balls is unknown and is averaged over: normal about zero, of a width that is fitted.
+The sidespin of these balls is unknown and is averaged over: normal, with a mean along the wall and a width that are fitted.
 """
 
 from __future__ import annotations
@@ -18,9 +18,10 @@ matplotlib.use("svg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-from carom.fitting import Setting, fit_law, make_problem
-from carom.fitting.fit import Fit, parameters_of, predict_law
-from carom.fitting.laws import laws_named
+from carom.fitting import Fit, Ranking, Setting, fit_laws, make_problem
+from carom.fitting.fit import predict_law
+from carom.fitting.output import with_error_bar
+from carom.fitting.parameters import INDEX
 from carom.rebounds import Rebounds, make_rebounds, read_rebounds
 
 IMAGES = Path(__file__).parent / "images"
@@ -29,20 +30,27 @@ CLOTH = 0.198  # measured on the same tracks (docs/real_rebounds.py)
 SLOWEST = 0.3  # m/s toward the cushion
 
 
-def fitted(rebounds: Rebounds, name: str, **changes: object) -> Fit:
+def ranked(rebounds: Rebounds, names: list[str] | None, **changes: object) -> Ranking:
+    """All laws, and what there is to say."""
     setting = Setting(radius=RADIUS, contact_height=NOSE, floor_friction=CLOTH, **changes)  # type: ignore[arg-type]
-    problem, _ = make_problem(rebounds, setting)
-    start = time.monotonic()
-    fit = fit_law(laws_named([name], "table", False)[0][0], problem)
-    said = ", ".join(
-        f"{key} {e.value:.4f}+-{e.stderr or 0:.4f}" if e.value is not None else f"{key} ?"
-        for key, e in fit.estimates.items()
-    )
+    start = time.process_time()
+    ranking = fit_laws(rebounds, setting, names, profiles=False, bootstrap=0)
+    print(f"\n{len(rebounds)} rebounds, {changes or 'as they are'}: {time.process_time() - start:.0f} s of processor")
+    for one in ranking.ranked:
+        fit = one.fit
+        said = ", ".join(f"{key} {with_error_bar(e)}" for key, e in fit.estimates.items())
+        print(
+            f"{fit.law.name:15s} AICc {fit.aicc:10.1f}  chi2 {fit.chi2:8.1f}/{fit.dof}  CV {one.score:8.3f}  {said}",
+            flush=True,
+        )
     print(
-        f"{name:15s} deviance {fit.deviance:10.1f}  AICc {fit.aicc:10.1f}  chi2 {fit.chi2:10.1f}/{fit.dof}  {said}"
-        f"  ({time.monotonic() - start:.0f} s)", flush=True
-    )  # fmt: skip
-    return fit
+        ranking.verdict,
+        *ranking.degenerate,
+        *(f"outlier: {o.row}, chi2 {o.chi2:.1f}" for o in ranking.outliers),
+        sep="\n",
+    )
+    print(*(note for note in ranking.notes if "heavy tails" in note), sep="\n", flush=True)
+    return ranking
 
 
 def widened(rebounds: Rebounds, share: float, least: float) -> Rebounds:
@@ -57,10 +65,10 @@ def widened(rebounds: Rebounds, share: float, least: float) -> Rebounds:
     return replace(rebounds, sigma=sigma)
 
 
-def at(fit: Fit, angle: np.ndarray, spin: float) -> np.ndarray:
+def at(fit: Fit, angle: np.ndarray, spin: float | np.ndarray) -> np.ndarray:
     """Reflection (degrees) once the ball rolls again, of a ball at 1 m/s with a sidespin in v/a."""
     n = len(angle)
-    v = {"v_n_in": np.cos(angle), "v_t_in": np.sin(angle), "spin_z_in": np.full(n, spin / RADIUS)}
+    v = {"v_n_in": np.cos(angle), "v_t_in": np.sin(angle), "spin_z_in": np.broadcast_to(spin / RADIUS, n)}
     columns = v | {"v_n_out": v["v_n_in"], "v_t_out": v["v_t_in"]}
     columns |= {f"sigma_{name}": np.full(n, 0.01) for name in ("v_n_out", "v_t_out")}
     problem, _ = make_problem(make_rebounds("table", columns, stage="rolling"), fit.problem.setting)
@@ -81,9 +89,9 @@ def folded(rebounds: Rebounds) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.n
     return a * sign, b * sign, error("in"), error("out")
 
 
-def width(fit: Fit) -> float:
-    free = parameters_of(fit.law, fit.problem)[0]
-    return float(fit.numbers[free["spin_width"][0]]) if "spin_width" in free else 0.0
+def prior(fit: Fit) -> tuple[float, float]:
+    """Mean (v_t/a) and width (v/a) of the sidespins that describe the data best."""
+    return float(fit.numbers[INDEX["spin_mean"]]), float(fit.numbers[INDEX["spin_width"]])
 
 
 def draw(rebounds: Rebounds, first: np.ndarray, fits: dict[str, Fit]) -> None:
@@ -100,12 +108,15 @@ def draw(rebounds: Rebounds, first: np.ndarray, fits: dict[str, Fit]) -> None:
         }  # fmt: skip
         for axes, (name, title) in zip(panels, titles.items(), strict=True):
             fit = fits[name]
-            w = width(fits["two-step"])  # one population of spins, the one that describes the data best
-            middle, one, other = (at(fit, line, s) for s in (0.0, w, -w))
+            c, w = prior(fits["two-step"])  # one population of spins, the one that describes the data best
+            none, middle, one, other = (
+                at(fit, line, s) for s in (0.0, c * np.sin(line), c * np.sin(line) + w, c * np.sin(line) - w)
+            )
             low, high = np.minimum(one, other), np.maximum(one, other)
-            within = f"sidespin within ±{w:.2f} v/a"
+            within = f"running side {c:.2f} v_t/a, ±{w:.2f} v/a"
+            axes.plot(np.degrees(line), none, color="#0072B2", lw=1.2, ls="--", label="without sidespin")
             axes.fill_between(np.degrees(line), low, high, color="#0072B2", alpha=0.15, lw=0, label=within)
-            axes.plot(np.degrees(line), middle, color="#0072B2", lw=1.5, label="without sidespin")
+            axes.plot(np.degrees(line), middle, color="#0072B2", lw=1.5, label="with the mean sidespin")
             for rows, ink, label in ((~first, "#222222", "other balls"), (first, "#D55E00", "first ball at a cushion")):
                 axes.errorbar(
                     a[rows],
@@ -139,17 +150,30 @@ def main() -> None:
     parser.add_argument("rebounds", type=Path)
     parser.add_argument("--share", type=float, default=0.0, help="scatter of a contact, of the speed")
     parser.add_argument("--least", type=float, default=0.0, help="and at least, m/s")
-    parser.add_argument("--quick", action="store_true", help="only laws that are quick")
+    parser.add_argument("--first", action="store_true", help="only with all rows, and without the outliers")
     given = parser.parse_args()
     table = read_rebounds(given.rebounds)
     table = table.select((table.stage == "rolling") & (table["v_n_in"] > SLOWEST))
     table = widened(table, given.share, given.least)
     print(f"{len(table)} rebounds of rolling balls, {len(np.unique(table.extra['shot']))} shots")
-    names = ["conventional", "two-step-paper", "mirror", "no-slip", "two-step-after", "contact"]
-    fits = {name: fitted(table, name) for name in (names if given.quick else ["two-step", *names])}
-    if given.quick:
+    everything = ranked(table, None)
+    names = [row.row for row in everything.outliers]
+    odd = np.isin(np.array(table.rows), names)
+    for i in np.flatnonzero(odd):
+        n, t, after, along = (table[name][i] for name in ("v_n_in", "v_t_in", "v_n_out", "v_t_out"))
+        where = ", ".join(str(table.extra[name][i]) for name in ("shot", "ball", "wall"))
+        print(f"left out: {where}: v_n {n:.2f}, v_t {t:.2f} m/s before, {after:.2f} and {along:.2f} after")
+    kept = table.select(~odd)
+    ranking = ranked(kept, None)
+    draw(kept, first_balls(table)[~odd], {one.fit.law.name: one.fit for one in ranking.ranked})
+    if given.first:
         return
-    draw(table, first_balls(table), fits)
+    two = ["two-step", "two-step-after", "contact", "no-slip"]
+    ranked(kept, two, spin_mean=0.0)
+    ranked(table, two, robust=True)
+    by_hand = first_balls(table)[~odd]
+    ranked(kept.select(by_hand), two[:2])
+    ranked(kept.select(~by_hand), two[:2])
 
 
 if __name__ == "__main__":

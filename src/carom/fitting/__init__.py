@@ -9,8 +9,9 @@ from __future__ import annotations
 from carom.fitting.data import Problem, Setting, make_problem
 from carom.fitting.fit import Estimate, Fit, fit_law
 from carom.fitting.laws import FITTED, FittedLaw
+from carom.fitting.outliers import Outlier
 from carom.fitting.profile import with_bootstrap, with_profiles
-from carom.fitting.rank import Outlier, Ranked, Ranking, fit_laws
+from carom.fitting.rank import Ranked, Ranking, fit_laws
 
 __all__ = [
     "FITTED",

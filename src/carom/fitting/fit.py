@@ -38,6 +38,8 @@ Array = NDArray[np.float64]
 FEW_STEPS = 40
 SEARCHED, SEARCHED_AVERAGED = 150, 40  # rows, of many, in which starts are tried
 FEW, MANY = 8, 12  # starts from which it goes down
+NEAR = (0.7, 0.82, 0.91, 0.96, 1.04, 1.1, 1.2, 1.4)  # times a friction: others to try
+ACROSS = 4  # times at most
 CLOSE = 30.0  # a start that ends so much higher has lost
 
 
@@ -93,6 +95,8 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     else:
         p, extra = _search(ways, problem, start, parameters), 0.0
     p, cost, _u, h = go(ways, problem, p, STEPS)
+    if problem.spins is not None and INDEX["friction"] in ways.free:
+        p, cost, h = _across(ways, problem, p, cost, h)
     best = int(np.argmin(cost))
     k = len(names) + len(scatter)
     fit = Fit(
@@ -120,6 +124,27 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
         info = info * max(problem.count - k, 1) / max(int(n_by[problem.estimated].sum()), 1)
     fit = replace(fit, chi2=float(least.sum()), dof=dof, by_row=least)
     return with_errors(fit, ways, parameters, info)
+
+
+def _across(ways: Ways, problem: Problem, p: Array, cost: Array, h: Array) -> tuple[Array, Array, Array]:
+    """The best of p, or what lies beyond the creases about it: where rows change between sticking and sliding, at the wall or at
+    the floor, the deviance has some, at whose bottom a way down can end. So other frictions are held, and left to go on."""
+    place = INDEX["friction"]
+    without = replace(ways, free=ways.free[ways.free != place])
+    best = int(np.argmin(cost))
+    p, cost, h = p[[best]], cost[[best]], h[[best]]
+    for _ in range(ACROSS):
+        others = np.tile(p, (len(NEAR), 1))
+        others[:, place] = np.clip(p[0, place] * np.array(NEAR), ways.low[place], ways.high[place])
+        others, held, _u, _h = go(without, problem, others, 12)
+        found, deviances, _u, curved = go(ways, problem, others[np.argsort(held, kind="stable")[:3]], STEPS)
+        first = int(np.argmin(deviances))
+        gained = float(cost[0] - deviances[first])
+        if gained > 0:
+            p, cost, h = found[[first]], deviances[[first]], curved[[first]]
+        if gained < 0.5:
+            break
+    return p, cost, h
 
 
 def _with_scatter(

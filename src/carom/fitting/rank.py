@@ -14,6 +14,7 @@ from carom.fitting.data import Setting, make_problem, require_settings
 from carom.fitting.fit import Fit, fit_law, refit, rows_of_fit
 from carom.fitting.kernels import TOGETHER
 from carom.fitting.laws import laws_named
+from carom.fitting.outliers import Outlier, outliers_of
 from carom.fitting.profile import with_bootstrap, with_profiles
 from carom.rebounds import Rebounds
 
@@ -22,20 +23,10 @@ __all__ = ["Outlier", "Ranked", "Ranking", "fit_laws"]
 Array = NDArray[np.float64]
 DECIDED, LEANS = 20.0, 3.0  # odds
 UNLIKELY = 1e-3  # a chi^2 that chance gives so rarely is a law that does not fit
-ODD = 0.05  # an outlier's chance, among all rows
 # Looks at rows (carom.fitting.data.Problem.work) up to which these are done unasked
 PROFILED, DRAWN, FOLDED, DRAWS = 3e4, 3e3, 4e5, 200
 FOLDS, MOST_FOLDED = 10, 20_000
 Say = Callable[[str, float], None]
-
-
-@dataclass(frozen=True)
-class Outlier:
-    """A row that the best law does not expect."""
-
-    row: str
-    chi2: float
-    why: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -127,10 +118,11 @@ def fit_laws(
     best = ranked[0].fit
     fits_well, enlarge = _goodness(best)
     odds, rival = _odds(fits, 1.0 if fits_well else enlarge)
-    tell("done", 1.0)
+    tell("outliers", 1.0)
+    outliers, said = outliers_of(best)
     return Ranking(
         tuple(ranked), _verdict(fits, odds, rival, fits_well, enlarge), odds, rival.law.name if rival else "",
-        fits_well, enlarge, tuple(_outliers(best, enlarge)), tuple(dict.fromkeys(notes)),
+        fits_well, enlarge, tuple(outliers), tuple(dict.fromkeys([*notes, *said])),
     )  # fmt: skip
 
 
@@ -235,32 +227,3 @@ def to_one(odds: float) -> str:
     if odds > 1e6:
         return "more than a million to 1"
     return f"{odds:,.0f} to 1" if odds >= 10 else f"{odds:.1f} to 1"
-
-
-def _outliers(fit: Fit, enlarge: float) -> list[Outlier]:
-    """Rows whose chi^2 chance would not give to one of all rows in twenty such tables."""
-    from scipy.stats import chi2 as distribution
-
-    d = np.isfinite(fit.problem.y).sum(axis=1)
-    rows = np.flatnonzero(d > 0)
-    if not len(rows):
-        return []
-    # where no law fits, a row is odd against the others, not against error bars that are wrong for all
-    scale = enlarge**2 if enlarge > 1 else 1.0
-    limit = distribution.isf(ODD / len(rows), np.maximum(d, 1))
-    names = fit.problem.rebounds.rows
-    found = [i for i in rows if fit.by_row[i] > limit[i] * scale]
-    found.sort(key=lambda i: -fit.by_row[i])
-    gap = fit.problem.y - fit.predicted()
-    size = np.abs(gap) / np.sqrt(fit.problem.vy)
-    what = ("v_n", "v_t", "spin")
-    return [
-        Outlier(
-            names[i] if names else f"row {i + 1}",
-            float(fit.by_row[i]),
-            f"{what[int(np.nanargmax(size[i]))]} after the wall is off by {gap[i][int(np.nanargmax(size[i]))]:.3g}"
-            if not fit.problem.unknown[i]
-            else "with any spin",
-        )
-        for i in found
-    ]
