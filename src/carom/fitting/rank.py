@@ -16,6 +16,7 @@ from carom.fitting.kernels import TOGETHER
 from carom.fitting.laws import laws_named
 from carom.fitting.outliers import Outlier, outliers_of
 from carom.fitting.profile import with_bootstrap, with_profiles
+from carom.fitting.ways import STEPS
 from carom.rebounds import Rebounds
 
 __all__ = ["Outlier", "Ranked", "Ranking", "fit_laws"]
@@ -25,7 +26,7 @@ DECIDED, LEANS = 20.0, 3.0  # odds
 UNLIKELY = 1e-3  # a chi^2 that chance gives so rarely is a law that does not fit
 # Looks at rows (carom.fitting.data.Problem.work) up to which these are done unasked
 PROFILED, DRAWN, FOLDED, DRAWS = 3e4, 3e3, 4e5, 200
-FOLDS, MOST_FOLDED = 10, 20_000
+FOLDS, MOST_FOLDED, FEW_STEPS = 10, 20_000, 6
 Say = Callable[[str, float], None]
 
 
@@ -153,7 +154,8 @@ def _score(fit: Fit) -> float:
     # neighbours, which tables often have in order of angle or speed, go to different folds
     fold = np.arange(n) % folds
     weights = (fold[None, :] != np.arange(folds)[:, None]).astype(float)
-    numbers, _cost = refit(fit, problem, weights)
+    # a fold is near the whole; where spins are averaged over looks are dear, and few do
+    numbers, _cost = refit(fit, problem, weights, most=STEPS if problem.spins is None else FEW_STEPS)
     total = 0.0
     for one in range(folds):
         part = problem.select(np.flatnonzero(fold == one))

@@ -207,13 +207,20 @@ def rows_of_fit(fit: Fit, problem: Problem, p: Array) -> tuple[Array, Array]:
 
 
 def refit(
-    fit: Fit, problem: Problem, weights: Array | None = None, p: Array | None = None, *, hold: str = ""
+    fit: Fit,
+    problem: Problem,
+    weights: Array | None = None,
+    p: Array | None = None,
+    *,
+    hold: str = "",
+    most: int = STEPS,
 ) -> tuple[Array, Array]:
-    """Fits of the law to (weighted) rows from numbers p (B, K): numbers and deviances; ``hold`` one number where it is."""
+    """Fits of the law to (weighted) rows from numbers p (B, K): numbers and deviances; ``hold`` one number where it is.
+    ``most`` looks."""
     ways, names, _start, _parameters = ways_of(fit.law, problem)
     if hold:
         ways = replace(ways, free=np.delete(ways.free, names.index(hold)))
     count = 1 if weights is None else len(weights)
     p = np.tile(fit.numbers, (count, 1)) if p is None else p
-    found, deviances, _u, _h = go(ways, problem, p, STEPS, weights)
+    found, deviances, _u, _h = go(ways, problem, p, most, weights)
     return found, deviances
