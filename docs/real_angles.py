@@ -108,12 +108,12 @@ def draw(rebounds: Rebounds, first: np.ndarray, fits: dict[str, Fit]) -> None:
         }  # fmt: skip
         for axes, (name, title) in zip(panels, titles.items(), strict=True):
             fit = fits[name]
-            c, w = prior(fits["two-step"])  # one population of spins, the one that describes the data best
+            c, w = prior(fits["two-step"])  # one population of spins for all: the one that describes the data best
             none, middle, one, other = (
                 at(fit, line, s) for s in (0.0, c * np.sin(line), c * np.sin(line) + w, c * np.sin(line) - w)
             )
             low, high = np.minimum(one, other), np.maximum(one, other)
-            within = f"running side {c:.2f} v_t/a, ±{w:.2f} v/a"
+            within = f"running side ${c:.2f}\\,v_t/a \\pm {w:.2f}\\,v/a$"
             axes.plot(np.degrees(line), none, color="#0072B2", lw=1.2, ls="--", label="without sidespin")
             axes.fill_between(np.degrees(line), low, high, color="#0072B2", alpha=0.15, lw=0, label=within)
             axes.plot(np.degrees(line), middle, color="#0072B2", lw=1.5, label="with the mean sidespin")
@@ -132,7 +132,7 @@ def draw(rebounds: Rebounds, first: np.ndarray, fits: dict[str, Fit]) -> None:
             axes.plot((0, 80), (0, 80), color="#999999", lw=0.6, ls=":")
             axes.set(xlim=(0, 80), ylim=(-40, 85), xlabel="incidence, degrees from the normal", title=title)
         panels[0].set_ylabel("reflection once it rolls again, degrees")
-        panels[0].legend(loc="upper left", fontsize=7)
+        panels[0].legend(loc="lower right", fontsize=7)
         figure.tight_layout()
         figure.savefig(IMAGES / "which_law.svg", metadata={"Date": None, "Creator": None})
 
