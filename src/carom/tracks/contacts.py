@@ -13,6 +13,7 @@ from carom.tracks.track import Track
 __all__ = ["Event", "Wall", "find_events", "find_walls", "turns", "wall_through"]
 
 Array = NDArray[np.float64]
+SHOWS = 0.06  # s in which a turn has to show
 TOUCH = 0.010  # m: a pass closer than this is taken for a meeting of balls, since the frames cannot tell
 SIDES = (("left", 0, 1), ("right", 0, -1), ("bottom", 1, 1), ("top", 1, -1))
 
@@ -61,12 +62,24 @@ class Event:
     """The wall's or the other ball's name."""
 
 
-def turns(d: Array, noise: float) -> NDArray[np.intp]:
-    """Where a distance (n,) has a sharp least value: it falls before and rises after, both well above the noise."""
+def reach_of(time: Array) -> int:
+    """How many frames to each side show whether a ball turns: three, or as many as there are in 60 ms.
+
+    At a high rate a ball moves less than the noise in three frames.
+    """
+    interval = float(np.median(np.diff(time))) if len(time) > 1 else np.inf
+    return max(3, round(SHOWS / interval)) if interval > 0 else 3
+
+
+def turns(d: Array, noise: float, reach: int = 3) -> NDArray[np.intp]:
+    """Where a distance (n,) has a sharp least value: it falls before and rises after, both well above the noise.
+
+    ``reach``: within so many frames.
+    """
     if len(d) < 4:
         return np.zeros(0, np.intp)
     inner = np.flatnonzero((d[1:-1] <= d[:-2]) & (d[1:-1] <= d[2:])) + 1
-    before, after = d[np.maximum(inner - 3, 0)] - d[inner], d[np.minimum(inner + 3, len(d) - 1)] - d[inner]
+    before, after = d[np.maximum(inner - reach, 0)] - d[inner], d[np.minimum(inner + reach, len(d) - 1)] - d[inner]
     return inner[(before > 6 * noise) & (after > 6 * noise)]
 
 
@@ -88,7 +101,7 @@ def find_walls(
         turned = False
         for track in tracks:
             d = sign * track.position[track.seen][:, axis] - edge
-            for i in turns(d, noise).tolist():
+            for i in turns(d, noise, reach_of(track.time[track.seen])).tolist():
                 step = max(abs(d[i] - d[i - 1]), abs(d[i + 1] - d[i]))
                 turned |= bool(d[i] < 0.75 * step + max(0.03 * size, 6 * noise))
         if not turned:
@@ -141,15 +154,16 @@ def _at_wall(time: Array, d: Array, wall: Wall, noise: float) -> list[Event]:
     near = d < 0.75 * step + max(0.002, 6 * noise)
     runs = np.flatnonzero(np.diff(np.concatenate([[False], near, [False]]).astype(int))).reshape(-1, 2).tolist()
     joined: list[list[int]] = []
+    reach = reach_of(time)
     for low, high in runs:
-        if joined and low - joined[-1][1] < 4:  # noise, at a high rate: no ball is back so soon
+        if joined and low - joined[-1][1] < max(4, reach):  # noise, at a high rate: no ball is back so soon
             joined[-1][1] = high
         else:
             joined.append([low, high])
     found = []
     for low, high in joined:
         i = low + int(np.argmin(d[low:high]))
-        before, after = d[max(low - 3, 0) : i + 1].max() - d[i], d[i : high + 3].max() - d[i]
+        before, after = d[max(low - reach, 0) : i + 1].max() - d[i], d[i : high + reach].max() - d[i]
         if 0 < i < len(d) - 1 and min(before, after) > 6 * noise:
             found.append(Event("wall", float(time[i - 1]), float(time[i + 1]), wall.name))
     return found

@@ -22,6 +22,8 @@ Array = NDArray[np.float64]
 FEWEST_BEFORE, FEWEST_AFTER = 4, 5
 # Frames on each side that a fit takes at most: beyond, model errors outweigh the noise.
 MOST = 500
+# More frames than this on a side are taken as means, in so many groups but for those next to the contact.
+MANY, GROUPS, NEAR = 160, 56, 8
 # A fit that scatters more than this many times as much as the others is no free motion beside a wall.
 STRANGE = 3.0
 Say = Callable[[int, int], None]
@@ -121,7 +123,8 @@ class Fits:
         x = wall.frame(track.position[rows])
         at = 0.0 if self.settings.hard else None
         if self.view == "above":
-            fit = fit_table(t, x, middle, self.noise, prior, at)
+            t, x, weight = thinned(t, x, middle)
+            fit = fit_table(t, x, middle, self.noise, prior, at, weight, None if old is None else old.fit)
         else:
             gravity = wall.turned(np.array([0.0, -self.settings.gravity]))
             fit = fit_flight(t, x, middle, self.noise, gravity, 0.05 * self.settings.gravity, at)
@@ -129,7 +132,12 @@ class Fits:
             return replace(bare, why="the fit found no way through these frames")
         scatter = fit.noise * float(np.sqrt(fit.chi2 / max(fit.dof, 1)))
         return replace(
-            bare, time=fit["t"], fit=fit, last=float(t[-1]), scatter=scatter, spin=_spin(track, rows, fit["t"])
+            bare,
+            time=fit["t"],
+            fit=fit,
+            last=float(track.time[rows[-1]]),
+            scatter=scatter,
+            spin=_spin(track, rows, fit["t"]),
         )
 
     def _rows(self, track: Track, events: list[Event], i: int, middle: float) -> tuple[NDArray[np.intp], str]:
@@ -148,7 +156,8 @@ class Fits:
         t, x = track.time[rows] - middle, track.position[rows]
         use = (t < -self.blind[0]) | (t > self.blind[1])
         for other_wall in self.walls.values():
-            if other_wall.clamped:
+            # a single frame on the line at which the places end may have been put there: no other row tells
+            if other_wall.clamped or other_wall.found:
                 use &= other_wall.frame(x)[:, 0] > 1e-6
         first, second = rows[use & (t < 0)], rows[use & (t >= 0)]
         rows = np.concatenate([first[-MOST:], second[:MOST]])
@@ -173,6 +182,31 @@ class Fits:
         if excess**2 > 1 + 3.1 * np.sqrt(2 / max(one.fit.dof, 1)) + 3 / max(one.fit.dof, 1):
             return replace(one, fit=one.fit.scaled(one.scatter))
         return replace(one, fit=one.fit.scaled(self.noise))
+
+
+def thinned(t: Array, x: Array, middle: float) -> tuple[Array, Array, Array]:
+    """Times, places and weights: where there are more than MANY frames on a side of the contact, means of neighbours.
+
+    The frames next to the contact stay as they are. Over a few ms a ball's way is straight to some micrometres, so a mean is as
+    good as its frames; and where their errors are not independent (pixels and no noise), means show it: they scatter more than
+    independent errors would.
+    """
+    times, places, weights = [], [], []
+    for side in (t < middle, t >= middle):
+        s, y = t[side], x[side]
+        size = max(1, (len(s) - NEAR) // GROUPS) if len(s) > MANY else 1
+        order = slice(None) if s[0] >= middle else slice(None, None, -1)  # counted from the contact
+        group = np.maximum((np.arange(len(s)) - NEAR) // size, -1)[order]
+        group = np.where(group < 0, np.arange(len(s))[order] - NEAR, group)
+        group -= group.min()
+        count = np.bincount(group)
+        keep = count > 0
+        means = [np.bincount(group, one)[keep] / count[keep] for one in (s, y[:, 0], y[:, 1])]
+        rows = np.argsort(means[0])
+        times.append(means[0][rows])
+        places.append(np.stack(means[1:], axis=-1)[rows])
+        weights.append(np.sqrt(count[keep][rows]))
+    return np.concatenate(times), np.concatenate(places), np.concatenate(weights)
 
 
 def blind_time(contacts: Sequence[Contact], interval: float) -> tuple[float, float]:

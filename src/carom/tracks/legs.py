@@ -7,7 +7,10 @@ from one state to the next; a fit wants whole arrays of times and parameters wit
 
 from __future__ import annotations
 
-from typing import NamedTuple
+import functools
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,44 +37,100 @@ def leg(v: Array, u: Array, t: Array, mu_g: float, c_g: float, k: float) -> Leg:
 
     ``mu_g`` and ``c_g`` are the decelerations while it slides and rolls, m/s^2; k = kappa / (1 + kappa), 2/7 if solid.
     """
-    slip = np.sqrt(u[0] * u[0] + u[1] * u[1]) + TINY
-    e = u / slip
+    way, velocity, slip = np.empty((len(t), 2)), np.empty((len(t), 2)), np.empty((len(t), 2))
+    numbers = (float(v[0]), float(v[1]), float(u[0]), float(u[1]), float(mu_g), float(c_g), float(k))
+    _compiled(_leg)(*numbers, np.ascontiguousarray(t), way, velocity, slip)
+    return Leg(way, velocity, slip)
+
+
+def _leg(
+    vx: float,
+    vy: float,
+    ux: float,
+    uy: float,
+    mu_g: float,
+    c_g: float,
+    k: float,
+    t: Any,
+    way: Any,
+    velocity: Any,
+    left: Any,
+) -> None:
+    """Fill ways, velocities and slips (n, 2), one time after the other."""
+    slip = math.sqrt(ux * ux + uy * uy) + TINY
+    ex, ey = ux / slip, uy / slip
     slides = k * slip / mu_g
-    first = np.minimum(t, slides)[:, None]
-    rolls = v - k * u
-    speed = np.sqrt(rolls[0] * rolls[0] + rolls[1] * rolls[1]) + TINY
-    then = np.minimum(np.maximum(t - slides, 0.0), speed / max(c_g, TINY))[:, None]
-    way = v * first - e * (mu_g / 2 * first * first) + rolls / speed * (speed * then - c_g / 2 * then * then)
-    left = np.maximum(slip - mu_g / k * t, 0.0)[:, None]
-    # the slip is k's share of what the ball still has to lose
-    velocity = rolls / speed * (speed - c_g * then) + k * left * e
-    return Leg(way, velocity, left * e)
+    rx, ry = vx - k * ux, vy - k * uy
+    speed = math.sqrt(rx * rx + ry * ry) + TINY
+    px, py = rx / speed, ry / speed
+    least = c_g if c_g > TINY else TINY
+    for i in range(t.shape[0]):
+        f = min(t[i], slides)
+        h = min(max(t[i] - slides, 0.0), speed / least)
+        far, size = speed * h - c_g / 2 * h * h, max(slip - mu_g / k * t[i], 0.0)
+        way[i, 0] = vx * f - ex * (mu_g / 2 * f * f) + px * far
+        way[i, 1] = vy * f - ey * (mu_g / 2 * f * f) + py * far
+        left[i, 0], left[i, 1] = size * ex, size * ey
+        # the slip is k's share of what the ball still has to lose
+        velocity[i, 0] = px * (speed - c_g * h) + k * left[i, 0]
+        velocity[i, 1] = py * (speed - c_g * h) + k * left[i, 1]
+
+
+def _rows(
+    vx: float,
+    vy: float,
+    ux: float,
+    uy: float,
+    mu_g: float,
+    c_g: float,
+    k: float,
+    t: Any,
+    way: Any,
+    velocity: Any,
+    slope: Any,
+) -> None:
+    """The same with slopes: fill ways (n, 2), velocities (n, 2), slopes (n, 2, 6), one time after the other."""
+    slip = math.sqrt(ux * ux + uy * uy) + TINY
+    ex, ey = ux / slip, uy / slip
+    slides = k * slip / mu_g
+    rx, ry = vx - k * ux, vy - k * uy
+    speed = math.sqrt(rx * rx + ry * ry) + TINY
+    px, py = rx / speed, ry / speed
+    least = c_g if c_g > TINY else TINY
+    for i in range(t.shape[0]):
+        f = min(t[i], slides)
+        h = min(max(t[i] - slides, 0.0), speed / least)
+        far = speed * h - c_g / 2 * h * h
+        left = max(slip - mu_g / k * t[i], 0.0)
+        way[i, 0] = vx * f - ex * (mu_g / 2 * f * f) + px * far
+        way[i, 1] = vy * f - ey * (mu_g / 2 * f * f) + py * far
+        # the slip is k's share of what the ball still has to lose
+        velocity[i, 0] = px * (speed - c_g * h) + k * left * ex
+        velocity[i, 1] = py * (speed - c_g * h) + k * left * ey
+        # what rolling adds, by the velocity r with which it begins; what the slide's end adds, by its time
+        bent, turned = c_g / (2 * speed) * h * h, mu_g / (2 * slip) * f * f
+        xx, xy, yy = h - (1 - px * px) * bent, px * py * bent, h - (1 - py * py) * bent
+        endx, endy = px * c_g * h, py * c_g * h
+        row = slope[i]
+        row[0, 0], row[0, 1], row[1, 0], row[1, 1] = f + xx, xy, xy, f + yy
+        row[0, 2] = -(1 - ex * ex) * turned - k * xx + endx * (k / mu_g) * ex
+        row[0, 3] = ex * ey * turned - k * xy + endx * (k / mu_g) * ey
+        row[1, 2] = ex * ey * turned - k * xy + endy * (k / mu_g) * ex
+        row[1, 3] = -(1 - ey * ey) * turned - k * yy + endy * (k / mu_g) * ey
+        row[0, 4], row[1, 4] = -ex * (f * f / 2) - endx * (slides / mu_g), -ey * (f * f / 2) - endy * (slides / mu_g)
+        row[0, 5], row[1, 5] = -px * (h * h / 2), -py * (h * h / 2)
+
+
+@functools.cache
+def _compiled(loop: Callable[..., None]) -> Callable[..., None]:
+    from carom.compiled import njit
+
+    return njit(loop)
 
 
 def slopes(v: Array, u: Array, t: Array, mu_g: float, c_g: float, k: float) -> tuple[Array, Array, Array]:
     """Of :func:`leg`, the way (n, 2), the velocity (n, 2), and the way's derivatives (n, 2, 6) by v, u, mu_g and c_g."""
-    slip = np.sqrt(u[0] * u[0] + u[1] * u[1]) + TINY
-    e = u / slip
-    slides = k * slip / mu_g
-    f = np.minimum(t, slides)[:, None]
-    r = v - k * u
-    speed = np.sqrt(r[0] * r[0] + r[1] * r[1]) + TINY
-    rho = r / speed
-    h = np.minimum(np.maximum(t - slides, 0.0), speed / max(c_g, TINY))[:, None]
-    way = v * f - e * (mu_g / 2 * f * f) + rho * (speed * h - c_g / 2 * h * h)
-    left = np.maximum(slip - mu_g / k * t, 0.0)[:, None]
-    velocity = rho * (speed - c_g * h) + k * left * e
-    slope = np.empty((len(t), 2, 6))
-    one = np.eye(2)
-    # what rolling adds, by the velocity r with which it begins
-    by_r = one * h[:, :, None] - (one - np.outer(rho, rho)) * (c_g / (2 * speed) * h * h)[:, :, None]
-    by_end = rho * (c_g * h)  # by the time at which the slide ends
-    slope[:, :, 0:2] = one * f[:, :, None] + by_r
-    slope[:, :, 2:4] = (
-        -(one - np.outer(e, e)) * (mu_g / (2 * slip) * f * f)[:, :, None]
-        - k * by_r
-        + by_end[:, :, None] * (k / mu_g * e)
-    )
-    slope[:, :, 4] = -e * (f * f / 2) - by_end * (slides / mu_g)
-    slope[:, :, 5] = -rho * (h * h / 2)
+    way, velocity, slope = np.empty((len(t), 2)), np.empty((len(t), 2)), np.empty((len(t), 2, 6))
+    numbers = (float(v[0]), float(v[1]), float(u[0]), float(u[1]), float(mu_g), float(c_g), float(k))
+    _compiled(_rows)(*numbers, np.ascontiguousarray(t), way, velocity, slope)
     return way, velocity, slope

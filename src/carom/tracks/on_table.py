@@ -24,6 +24,7 @@ EARNED = 9.21
 EARNED_ON = 6.63
 # chi2 that a slide all the way to the contact has to be worth, so that one that is there is seen with near certainty.
 SEEN = 20.0
+SLACK = 0.02  # s that a contact may be from where the frames turn, at most
 _NUMBERS = np.arange(13)
 # Which parameters are free: of a ball that rolls, that slides on until the contact, that slides and then rolls.
 ROLLING, SLIDING_ON, SLIDING = (_NUMBERS != 5) & (_NUMBERS != 6), _NUMBERS != 5, _NUMBERS >= 0
@@ -88,8 +89,9 @@ class _Table:
     """The least-squares problem of one contact."""
 
     def __init__(
-        self, time: Array, position: Array, near: float, noise: float, prior: Prior, wall: float | None
+        self, time: Array, position: Array, near: float, noise: float, prior: Prior, wall: float | None, weight: Array
     ) -> None:
+        self.weight = np.repeat(weight, 2)
         self.time, self.position, self.noise, self.prior, self.wall = time, position, noise, prior, wall
         self.k, self.since = prior.k, float(time[0])
         before, after = time < near, time >= near
@@ -99,7 +101,9 @@ class _Table:
         # no wall gives a ball more slip than its speed accounts for
         far = 0.2 + 2.0 * float(np.hypot(*start[3:5]))
         self.low, self.high = np.full(13, -np.inf), np.full(13, np.inf)
-        hole = np.diff(time).max()
+        # the frame nearest to the wall is that of the contact, but for its noise
+        hole = max(time[after][0] - time[before][-1], float(np.median(np.diff(time))))
+        hole += min(4 * noise / max(min(abs(start[3]), abs(start[5])), 1e-9), SLACK)
         self.low[0], self.high[0] = time[before][-1] - hole, time[after][0] + hole
         self.low[5], self.low[11], self.low[12] = 0.0, prior.mu_g / 20, 0.0
         self.high[11] = prior.mu_g * 20
@@ -115,12 +119,14 @@ class _Table:
     def residual(self, theta: Array) -> Array:
         """In standard deviations: frames, then what is known besides."""
         gap = (self.position - _table_places(theta, self.since, self.time, self.k)) / self.noise
-        return np.concatenate([gap.ravel(), [(theta[i] - value) / error for i, value, error in self.known]])
+        return np.concatenate(
+            [gap.ravel() * self.weight, [(theta[i] - value) / error for i, value, error in self.known]]
+        )
 
     def slope(self, theta: Array) -> Array:
         """Its derivatives."""
         places = _table_slope(theta, self.since, self.time, self.k)
-        return np.concatenate([places.reshape(-1, 13) / -self.noise, self.known_slope])
+        return np.concatenate([places.reshape(-1, 13) * (self.weight / -self.noise)[:, None], self.known_slope])
 
     def solve(self, start: Array, free: Free) -> tuple[Array, float]:
         """The best parameters from a start, of which only the free ones move, and the sum of squares."""
@@ -137,11 +143,16 @@ class _Table:
         )  # fmt: skip
         return whole(found), cost
 
-    def rolling(self) -> tuple[Array, tuple[Array, float]]:
+    def rolling(self, old: Fitted | None) -> tuple[Array, tuple[Array, float]]:
         """A ball that rolls before the contact: with the floor as it is known, and with the floor free.
 
-        Freed at once, a wrong floor would be found for what is a slide before the contact.
+        Freed at once, a wrong floor would be found for what is a slide before the contact. ``old``: where an earlier fit ended.
         """
+        if old is not None and not old.slid:
+            start = old.theta.copy()
+            start[11:] = self.start[11:]
+            first = self.solve(start, ROLLING & FLOOR_HELD)[0]
+            return first, self.solve(first, ROLLING)
         tries = []
         for spin_kept in (0.8, 0.2):
             start = self.start.copy()
@@ -157,10 +168,13 @@ class _Table:
         frames = self.time[self.time < on[0]]
         interval = float(np.median(np.diff(self.time)))
         v0 = on[3:5] + self.k * _slip(on)
+        tries = []
         for end in (0.9, 0.6, 0.3):
             start = on.copy()
             start[5] = on[11] * end * (on[0] - self.since) / self.k
             start[3:5] = v0 - self.k * _slip(start)
+            tries.append(start)
+        for start in tries:
             other, cost = self.solve(self.solve(start, SLIDING & FLOOR_HELD)[0], SLIDING)
             # where it ends with the last frames, none tells how much slip was left: sliding on says the same with less
             if self.k * other[5] / other[11] < frames[-1] - self.since - 1.5 * interval:
@@ -171,18 +185,24 @@ class _Table:
 
 
 def fit_table(
-    time: Array, position: Array, near: float, noise: float, prior: Prior, wall: float | None = None
-) -> Fitted:
+    time: Array, position: Array, near: float, noise: float, prior: Prior, wall: float | None = None,
+    weight: Array | None = None, old: Fitted | None = None,
+) -> Fitted:  # fmt: skip
     """A contact on a table, near the time ``near`` (s), from frames (n,) and places (n, 2) in the wall's frame (m).
+
+    ``weight`` (n,): a row that is the mean of m frames has sqrt(m), and its residual is told times that. ``old``: an earlier fit,
+    with another floor or noise, from which the search goes on.
 
     ``noise`` is that of one coordinate (m). With ``wall`` the motions meet at that distance, within the noise; else where
     they meet is free, which is right for a cushion that gives way.
     """
-    job = _Table(time, position, near, noise, prior, wall)
+    weight = np.ones(len(time)) if weight is None else weight
+    job = _Table(time, position, near, noise, prior, wall, weight)
     k, since = job.k, job.since
-    first, (best, cost) = job.rolling()
+    first, (best, cost) = job.rolling(old)
     found = [(best, cost, 0.0, ROLLING, False)]
-    start = _slide_before(time, position - _table_places(first, since, time, k), first, noise, k)
+    gap = (position - _table_places(first, since, time, k)) * weight[:, None]
+    start = _slide_before(time, gap, weight, first, noise, k)
     if start is not None:
         found += job.sliding(start)
     best, _cost, _penalty, free, on = min(found, key=lambda one: one[1] + one[2])
@@ -190,6 +210,7 @@ def fit_table(
         best, free, job.residual, job.slope(best), lambda theta: _table_outputs(theta, since, k),
         lambda t: _table_places(best, since, t, k), job.scale, time, noise, bool(free[6]), on,
     )  # fmt: skip
+    fitted = replace(fitted, theta=best)
     if on:
         # it may have come to roll so short a time before the wall that no frame shows it
         late = best[11] * (np.sqrt(5 * noise / best[11]) + float(np.median(np.diff(time))))
@@ -199,19 +220,19 @@ def fit_table(
     return fitted
 
 
-def _slide_before(time: Array, gap: Array, rolling: Array, noise: float, k: float) -> Array | None:
+def _slide_before(time: Array, gap: Array, weight: Array, rolling: Array, noise: float, k: float) -> Array | None:
     """Where to start from if the ball slides until the contact; None if the frames before it show no sign of sliding.
 
     Beside the line on which it rolls later, a ball that slides until T is -e mu g (T - t)^2 / 2 away: tried for some T.
     """
     rows = time < rolling[0]
-    s, gap = time[rows] - time[0], gap[rows] / noise
+    s, gap, weight = time[rows] - time[0], gap[rows] / noise, weight[rows, None]
     if len(s) < 6:
         return None
     span = rolling[0] - time[0]
     most, direction = EARNED_ON, np.nan
     for end in span * np.array([0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.5]):
-        columns = np.stack([np.ones_like(s), s, np.maximum(end - s, 0.0) ** 2], axis=-1)
+        columns = np.stack([np.ones_like(s), s, np.maximum(end - s, 0.0) ** 2], axis=-1) * weight
         if (columns[:, 2] > 0).sum() < 2:
             continue
         solved = np.linalg.lstsq(columns, gap, rcond=None)[0]
