@@ -224,3 +224,45 @@ def test_a_column_of_numbers_is_no_kind_of_rows(here, monkeypatch, capsys):
     code, _out, err = run(monkeypatch, capsys, "fit", str(file), "--radius", "0.02", "--laws", "contact", "--json",
                           "--bootstrap", "0", "--no-report")  # fmt: skip
     assert (code, "kinds of rows" in err) == (0, False)
+
+
+def test_sets_that_come_with_carom_are_fitted_by_name(here, monkeypatch, capsys):
+    code, out, err = run(monkeypatch, capsys, "fit", "kharaz", "--json", "--no-report", "--laws", "maw,contact,sliding")
+    assert code == 0, err
+    best = json.loads(out)["ranking"][0]
+    assert best["law"] == "maw"
+    assert best["parameters"]["friction"]["value"] == pytest.approx(0.0917, abs=0.001)
+    # not the authors' 0.98: what the digitised angles and tangential speeds give together
+    assert best["parameters"]["restitution"]["value"] == pytest.approx(0.995, abs=0.002)
+    options = ("--laws", "mirror", "--restitution", "line", "--json", "--no-report")
+    found = json.loads(run(monkeypatch, capsys, "fit", "mathavan", *options)[1])["ranking"][0]["parameters"]
+    assert found["restitution_slope"]["value"] == pytest.approx(0.8165, abs=5e-4)
+    assert found["restitution_offset"]["value"] == pytest.approx(0.0870, abs=5e-4)
+    code, out, err = run(monkeypatch, capsys, "fit", "alciatore")
+    assert (code, out, len(err.splitlines())) == (2, "", 1)
+    assert "got directions alone" in err
+    assert not list(here.iterdir())
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (b"", "got an empty file"),
+        (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0", "got a picture (PNG)"),
+        (b"\0\1\2\0", "no text"),
+    ],
+)
+def test_files_that_are_no_tables(here, monkeypatch, capsys, content, said):
+    (here / "bad.csv").write_bytes(content)
+    code, out, err = run(monkeypatch, capsys, "fit", "bad.csv", "--radius", "0.02")
+    assert (code, out, len(err.splitlines())) == (2, "", 1)
+    assert "expected a table of rebounds or a track" in err
+    assert said in err
+
+
+def test_no_laws_and_no_radius_are_faults(here, monkeypatch, capsys):
+    file = write(here / "bounces.csv", bounces(1, 20))
+    code, out, err = run(monkeypatch, capsys, "fit", str(file), "--laws", "")
+    assert (code, out, len(err.splitlines())) == (2, "", 2)
+    assert "--laws: expected names of laws" in err
+    assert "--radius: expected the ball's radius" in err

@@ -377,6 +377,37 @@ def test_one_angle_and_few_rows_are_said():
     assert any("only 10 rebounds" in note for note in ranking.notes)
 
 
+@pytest.mark.parametrize("n", [3, 6])
+def test_few_rows_without_error_bars_decide_nothing(n):
+    columns = {name: column for name, column in bounces(0, n).items() if not name.startswith("sigma")}
+    ranking = fit_laws(table(columns), SETTING, profiles=False, bootstrap=0)
+    assert ranking.verdict.startswith("These data cannot decide: too few rows")
+    assert math.isnan(ranking.odds)
+    assert ranking.as_dict()["odds"] is None
+
+
+def test_copies_of_rows_are_said():
+    columns = {name: np.append(column, column[:2]) for name, column in bounces(0, 20).items()}
+    notes = fit_laws(table(columns), SETTING, ["sliding"], profiles=False, bootstrap=0).notes
+    assert any("2 of 22 are copies of others (row 21, row 22)" in note for note in notes)
+    assert not any("copies" in note for note in fit_laws(table(bounces(0, 20)), SETTING, ["sliding"]).notes)
+
+
+def test_error_bars_that_reach_from_sticking_to_sliding_are_said():
+    def noisy(times):
+        columns = bounces(3, 40)
+        rng = np.random.default_rng(3)
+        for name in list(columns):
+            if name.startswith("sigma"):
+                of = name.removeprefix("sigma_")
+                columns[of] = columns[of] + math.sqrt(times**2 - 1) * columns[name] * rng.normal(size=40)
+                columns[name] = times * columns[name]
+        return fit_laws(table(columns), SETTING, ["contact"], profiles=False, bootstrap=0).notes
+
+    assert any("from sticking to sliding" in note for note in noisy(10.0))
+    assert not any("from sticking to sliding" in note for note in noisy(1.0))
+
+
 # --- which shot next ---------------------------------------------------------------------------------------------------
 
 

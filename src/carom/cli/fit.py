@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from carom.cli.fit_input import chosen, completed, own_set, read
 from carom.cli.fit_options import bounds_of, kappa_of, number, pairs, spin_of, split
 from carom.cli.ranking_table import show
 from carom.cli.shared import attempt
@@ -21,7 +22,6 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from carom.fitting import Ranking, Setting
-    from carom.rebounds import Rebounds
 
 BALL, DATA, LAWS, OUT = "The ball", "The table", "The laws", "What comes out"
 
@@ -32,11 +32,18 @@ def register(app: typer.Typer) -> None:
 
 
 def fit(
-    file: Annotated[Path, typer.Argument(help="a table of rebounds (CSV, Parquet), or a track")],
-    radius: Annotated[float, typer.Option(help="m", rich_help_panel=BALL)],
+    file: Annotated[
+        Path, typer.Argument(help="a table of rebounds (CSV, Parquet), a track, or a set of carom datasets")
+    ],
+    radius: Annotated[
+        float | None, typer.Option(help="m; a set that comes with carom has its own", rich_help_panel=BALL)
+    ] = None,
     inertia: Annotated[
-        str, typer.Option(metavar="solid|hollow|KAPPA", help="kappa = I/(m a^2)", rich_help_panel=BALL)
-    ] = "solid",
+        str | None,
+        typer.Option(
+            metavar="solid|hollow|KAPPA", help="kappa = I/(m a^2)", show_default="solid", rich_help_panel=BALL
+        ),
+    ] = None,
     laws: Annotated[
         list[str] | None,
         typer.Option(metavar="NAME,NAME", help="only these; may be repeated", rich_help_panel=LAWS),
@@ -66,17 +73,19 @@ def fit(
         bool, typer.Option("--robust", help="errors with heavy tails (Student's t)", rich_help_panel=LAWS)
     ] = False,
     contact_height: Annotated[
-        float,
+        float | None,
         typer.Option(
             "--contact-height",
             "--cushion-height",
             help="where the wall touches, radii: a cushion 1.2 to 1.4",
+            show_default="1.0",
             rich_help_panel=LAWS,
         ),
-    ] = 1.0,
+    ] = None,
     floor_friction: Annotated[
-        float, typer.Option(help="while a cushion presses the ball on it", rich_help_panel=LAWS)
-    ] = 0.2,
+        float | None,
+        typer.Option(help="while a cushion presses the ball on it", show_default="0.2", rich_help_panel=LAWS),
+    ] = None,
     floor_restitution: Annotated[float, typer.Option(rich_help_panel=LAWS)] = 0.0,
     roll: Annotated[
         float, typer.Option(help="share of rolling before the wall: 1, stunned 0", rich_help_panel=LAWS)
@@ -145,6 +154,8 @@ def fit(
     """Fit the laws of impact to measured rebounds, and say which the data prefer.
 
     carom fit bounces.csv --radius 0.02 --inertia hollow
+
+    carom fit kharaz
     """
     from rich.console import Console
 
@@ -154,7 +165,7 @@ def fit(
     from carom.tracks.formats.sheet import Given
 
     faults: list[str] = []
-    kappa = attempt(faults, kappa_of, inertia)
+    kappa = None if inertia is None else attempt(faults, kappa_of, inertia)
     every_spin, prior = attempt(faults, spin_of, spin) or (None, {})
     known = sorted({*INDEX, *(p.name for form in FORMS.values() for p in form.parameters), *(NUMBERS if whole else ())})
     fixed = {name: attempt(faults, number, "--fix", name, text) for name, text in pairs(faults, "--fix", fix, known)}
@@ -166,32 +177,36 @@ def fit(
     page = report or Path(f"{file.stem}-fit.html")
     if report is not None:
         attempt(faults, _writable, report)
+    names = [name for text in laws or [] for name in split(text)]
+    if laws and not names:
+        faults.append("--laws: expected names of laws, NAME,NAME, got none; leave it out for all of them")
+    own_faults: list[str] = []
+    ours = attempt(own_faults, own_set, file)
+    if radius is None and ours is None and not own_faults:
+        faults.append("--radius: expected the ball's radius, in m, got none; --radius 0.02 is a table-tennis ball")
+    given = {"radius": radius, "kappa": kappa, "contact_height": contact_height, "floor_friction": floor_friction}
+    ball = (
+        {"radius": 1.0}
+        | (ours.setting if ours else {})
+        | {key: value for key, value in given.items() if value is not None}
+    )
     setting = Setting(
-        radius=radius, kappa=kappa or 0.4, restitution=restitution, contact_height=contact_height,
-        floor_friction=floor_friction, floor_restitution=floor_restitution, roll=roll,
-        fit=extra, **prior,
+        **ball,
+        restitution=restitution, floor_restitution=floor_restitution, roll=roll, fit=extra, **prior,
         fixed={name: value for name, value in fixed.items() if value is not None},
         bounds={name: value for name, value in bounds.items() if value is not None}, robust=robust,
     )  # fmt: skip
     if whole:
-        names = [name for text in laws or [] for name in split(text)]
-        given, frames = Given(scale=scale, rate=rate), (view, where or [], cushions, noise)
         pages = (None if no_report else page, report is not None, as_json)
-        return fit_tracks(file, setting, names, given, frames, pages, faults, _bar)
+        frames = (view, where or [], cushions, noise)
+        return fit_tracks(file, setting, names, Given(scale=scale, rate=rate), frames, pages, faults, _bar)
     attempt(faults, _checked, setting)
     console = Console(stderr=True, highlight=False)
-    rebounds = None
-    if is_track(file):
-        if not faults:  # contacts take a while: the options first
-            with _bar(console) as say:
-                rebounds = _measured(file, setting, Given(scale=scale, rate=rate), view, stage, say)
-    else:
-        rebounds = attempt(faults, _read, file, kind, stage)
-    if faults or rebounds is None:
-        raise CaromError(*faults)
-    rebounds = _chosen(rebounds, where or [])
-    rebounds = _completed(rebounds, sigma_v, sigma_spin, every_spin)
-    names = [name for text in laws or [] for name in split(text)]
+    if own_faults or (ours and faults):
+        raise CaromError(*faults, *own_faults)
+    film = Given(scale=scale, rate=rate)
+    rebounds = ours.rebounds if ours else read(file, faults, setting, film, view, kind, stage, lambda: _bar(console))
+    rebounds = completed(chosen(rebounds, where or []), sigma_v, sigma_spin, every_spin)
     with _bar(console) as say:
         ranking = fit_laws(rebounds, setting, names or None, profiles=profiles, bootstrap=bootstrap, seed=seed, say=say)
         say("the page", 1.0)
@@ -210,115 +225,6 @@ def _checked(setting: Setting) -> None:
     from carom.fitting.data import require_settings
 
     require_settings(setting)
-
-
-def _read(file: Path, kind: str | None, stage: str | None) -> Rebounds:
-    from carom.rebounds import KINDS, read_rebounds
-
-    if kind is not None and kind not in KINDS:
-        raise CaromError(f"--kind: expected planar or table, got {kind!r}")
-    return read_rebounds(file, kind=kind, stage=stage)
-
-
-def _chosen(rebounds: Rebounds, where: list[str]) -> Rebounds:
-    """The rows that ``--where`` names; a note where a column of words says that there are rows of several kinds."""
-    from dataclasses import replace
-
-    import numpy as np
-
-    from carom.checks import nearest
-
-    faults = []
-    keep = np.ones(len(rebounds), bool)
-    for text in where:
-        name, _equals, value = text.partition("=")
-        column = rebounds.extra.get(name)
-        if column is None:
-            got = f"{text!r}; {nearest(name, list(rebounds.extra))}" if rebounds.extra else f"{text!r}; it has none"
-            faults.append(f"--where: expected COLUMN=VALUE, with a column of the table's own, got {got}")
-            continue
-        rows = column.astype(str) == value
-        if not rows.any():
-            found = ", ".join(sorted(set(column.astype(str).tolist()))[:8])
-            faults.append(f"--where {name}: expected one of its values ({found}), got {value!r}")
-        keep &= rows
-    if not faults and not keep.any():
-        faults.append("--where: expected conditions that some row meets, got none that meets all")
-    if faults:
-        raise CaromError(*faults)
-    rebounds = rebounds.select(keep)
-    kinds = {
-        name: sorted(set(column.tolist()))
-        for name, column in rebounds.extra.items()
-        if _words(column.tolist()) and 1 < len(set(column.tolist())) <= len(rebounds) // 5
-    }
-    notes = tuple(
-        f"{name}: {len(values)} kinds of rows are fitted as one ({', '.join(map(str, values[:4]))}"
-        f"{', ...' if len(values) > 4 else ''}); --where {name}={values[0]} fits one of them"
-        for name, values in kinds.items()
-    )
-    return replace(rebounds, notes=(*notes, *rebounds.notes))
-
-
-def _words(cells: list[Any]) -> bool:
-    """Whether a column holds names and not numbers."""
-    try:
-        return not [float(cell) for cell in cells]
-    except (TypeError, ValueError):
-        return True
-
-
-def is_track(file: Path) -> bool:
-    """Whether a file has no column of a rebound: then it is taken for a track."""
-    if file.suffix.lower() in (".parquet", ".pq") or not file.is_file():
-        return False
-    with file.open("rb") as opened:
-        raw = opened.read(4096)
-    utf16 = raw.startswith((b"\xff\xfe", b"\xfe\xff"))  # as spreadsheets save "Unicode text"
-    head = raw.decode("utf-16" if utf16 else "utf-8", errors="replace").lower()
-    return not any(name in head for name in ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in"))
-
-
-def _measured(file: Path, setting: Setting, given: Any, view: str | None, stage: str | None, say: Any) -> Rebounds:
-    """The rebounds of a track."""
-    from dataclasses import replace
-
-    from carom.tracks.contact import Settings
-    from carom.tracks.measure import measure
-    from carom.tracks.read import read_tracks
-    from carom.tracks.table import to_rebounds
-
-    if view not in (None, "above", "side"):
-        raise CaromError(f"--view: expected above (a ball on a table) or side (a ball in flight), got {view!r}")
-    if stage not in (None, "after_wall", "rolling"):
-        raise CaromError(f"--stage: expected after_wall or rolling, got {stage!r}")
-    read = read_tracks(file, given=given)
-    settings = Settings(radius=setting.radius, kappa=setting.kappa, view=view)  # type: ignore[arg-type]
-    measured = measure(read.tracks, settings, lambda done, total: say("contacts", done / max(total, 1)))
-    rebounds = to_rebounds(measured, stage or "best")  # type: ignore[arg-type]
-    notes = [
-        *getattr(read, "notes", ()),
-        *measured.notes,
-        f"{len(rebounds)} rebounds measured (carom tracks shows them)",
-    ]
-    return replace(rebounds, source=str(file), notes=(*notes, *rebounds.notes))
-
-
-def _completed(rebounds: Rebounds, sigma_v: float | None, sigma_spin: float | None, spin: float | None) -> Rebounds:
-    """Error bars and spins that the options give, where the table has none."""
-    from dataclasses import replace
-
-    import numpy as np
-
-    columns, sigma = dict(rebounds.columns), dict(rebounds.sigma)
-    for name, column in columns.items():
-        if spin is not None and name in ("spin_in", "spin_z_in"):
-            columns[name] = np.where(np.isnan(column), spin, column)
-        given = sigma_spin if name.startswith("spin") else sigma_v
-        exact = spin is not None and name in ("spin_in", "spin_z_in")
-        if given is not None and name not in sigma and np.isfinite(column).any() and not exact:
-            sigma[name] = np.full(len(column), given)
-    return replace(rebounds, columns=columns, sigma=sigma)
 
 
 def _writable(path: Path) -> None:

@@ -37,7 +37,7 @@ def fit_tracks(
     """
     from rich.console import Console
 
-    from carom.cli.fit import is_track
+    from carom.cli.fit_input import is_track
     from carom.fitting.whole_laws import WholeSetting
     from carom.fitting.whole_rank import fit_whole
     from carom.tracks.contact import Settings

@@ -174,9 +174,9 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
         faults.append(f"{rebounds.source}: rows: expected at least 3 rebounds to fit, got {len(rebounds)}; film more")
     if faults:
         raise CaromError(*faults)
-    if any(name not in rebounds.sigma for name in names[:3] if np.isfinite(rebounds[name]).any()) and rebounds.sigma:
-        lacks = ", ".join(f"sigma_{name}" for name in names[:3] if name not in rebounds.sigma)
-        notes.append(f"{lacks}: not given; taken as exact before the wall")
+    exact = [name for name in names[:3] if name not in rebounds.sigma and np.nan_to_num(rebounds[name]).any()]
+    if exact and rebounds.sigma:
+        notes.append(f"{', '.join(f'sigma_{name}' for name in exact)}: not given; taken as exact before the wall")
     stages = None if rebounds.stage is None else np.array([STAGES.index(str(s)) for s in rebounds.stage])
     problem = Problem(rebounds, setting, x, vx, y, vy, stages, None, estimated)
     if unknown.any():
@@ -205,6 +205,15 @@ def _look(problem: Problem, spin: str) -> list[str]:
     if n < 12:
         notes.append(
             f"rows: only {n} rebounds: error bars are those of a normal law of many; film more before you decide"
+        )
+    both = np.nan_to_num(np.concatenate([problem.x, problem.y], axis=1), nan=np.inf)
+    different, first = np.unique(both, axis=0, return_index=True)
+    if len(different) < n:
+        label = problem.rebounds.rows or tuple(f"row {i + 1}" for i in range(n))
+        copies = [label[i] for i in range(n) if i not in set(first.tolist())]
+        notes.append(
+            f"rows: {len(copies)} of {n} are copies of others ({', '.join(copies[:3])}{', ...' if len(copies) > 3 else ''}); each"
+            " counts as a measurement of its own and makes error bars smaller than they are: leave copies out"
         )
     angle = np.degrees(np.arctan2(problem.x[:, 1], problem.x[:, 0]))
     spun = problem.x[:, 2] * problem.setting.radius / np.hypot(problem.x[:, 0], problem.x[:, 1])

@@ -16,6 +16,7 @@ from carom.fitting.kernels import TOGETHER
 from carom.fitting.laws import laws_named
 from carom.fitting.outliers import Outlier, outliers_of
 from carom.fitting.profile import with_bootstrap, with_profiles
+from carom.fitting.told import bent
 from carom.fitting.ways import STEPS
 from carom.rebounds import Rebounds
 
@@ -23,6 +24,7 @@ __all__ = ["Outlier", "Ranked", "Ranking", "fit_laws"]
 
 Array = NDArray[np.float64]
 DECIDED, LEANS = 20.0, 3.0  # odds
+ENOUGH = 4  # measured numbers for each that is fitted, where the scatter is estimated
 UNLIKELY = 1e-3  # a chi^2 that chance gives so rarely is a law that does not fit
 # Looks at rows (carom.fitting.data.Problem.work) up to which these are done unasked
 PROFILED, DRAWN, FOLDED, DRAWS = 3e4, 3e3, 4e5, 200
@@ -49,7 +51,8 @@ class Ranking:
     verdict: str
     """A plain sentence."""
     odds: float
-    """Of the best law against the best that does not contain it; infinite where there is no other."""
+    """Of the best law against the best that does not contain it; infinite where there is no other, NaN where rows without error
+    bars are too few."""
     against: str
     fits: bool
     """Whether the best law fits: chi^2 as chance would have it (always so where the scatter was estimated)."""
@@ -119,8 +122,11 @@ def fit_laws(
     best = ranked[0].fit
     fits_well, enlarge = _goodness(best)
     odds, rival = _odds(fits, 1.0 if fits_well else enlarge)
+    few = rival is not None and any(_too_few(fit) for fit in (best, rival))
+    odds = math.nan if few else odds
     tell("outliers", 1.0)
     outliers, said = outliers_of(best)
+    said += [warning for warning in (bent(best),) if warning]
     return Ranking(
         tuple(ranked), _verdict(fits, odds, rival, fits_well, enlarge), odds, rival.law.name if rival else "",
         fits_well, enlarge, tuple(outliers), tuple(dict.fromkeys([*notes, *said])),
@@ -173,6 +179,12 @@ def _goodness(fit: Fit) -> tuple[bool, float]:
     return bool(distribution.sf(fit.chi2, fit.dof) > UNLIKELY), max(math.sqrt(fit.chi2 / fit.dof), 1.0)
 
 
+def _too_few(fit: Fit) -> bool:
+    """Whether the measured numbers are too few for AICc to mean anything: its correction is derived for errors whose scatter is
+    estimated from many more (Hurvich & Tsai 1989 go down to some three a number). Where error bars are given there is none."""
+    return bool(fit.scatter) and fit.problem.count < ENOUGH * fit.k
+
+
 def _contains(law: Fit, other: Fit) -> bool:
     """Whether the other law contains this one."""
     return other.law.name in law.law.within
@@ -206,7 +218,13 @@ def _verdict(fits: list[Fit], odds: float, rival: Fit | None, fits_well: bool, e
         if bigger
         else ""
     )
-    if rival is None:
+    if math.isnan(odds):
+        most = max(fit.k for fit in fits if fit in (best, rival))
+        said = (
+            f"these data cannot decide: too few rows, {best.problem.count} measured numbers for up to {most} fitted ones, scatter"
+            " among them; film more, or give error bars (--sigma-v, --sigma-spin)"
+        )
+    elif rival is None:
         said = f"the data are described by {best.law.called}; there was no other law to set against it{more}"
     elif odds >= DECIDED:
         said = f"the data prefer {best.law.called}, {to_one(odds)} over {rival.law.name}{more}"

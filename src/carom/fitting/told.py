@@ -9,11 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.fitting.parameters import INDEX, Parameter
-from carom.fitting.ways import Estimate, Fit, Ways, parameters_of, rows_of_fit
+from carom.fitting.ways import Estimate, Fit, Ways, parameters_of, predict_law, rows_of_fit
 
-__all__ = ["with_errors"]
+__all__ = ["bent", "with_errors"]
 
 Array = NDArray[np.float64]
+BENT, MANY = 0.3, 0.06  # of an error bar, by which a row's law bends; of the rows
 BLIND = 0.5  # a standard error of so much of a parameter's range, or of 1, tells nothing
 SHARE = 0.3  # of a direction that the data do not tell: a parameter with more of it is concerned
 
@@ -66,6 +67,35 @@ def with_errors(fit: Fit, ways: Ways, parameters: list[Parameter], info: Array) 
         estimates=estimates,
         degenerate=tuple(dict.fromkeys(sentences)),
         untold=tuple(untold),
+    )
+
+
+def bent(fit: Fit) -> str:
+    """A warning where the law bends within the error bars before the wall in many rows, or nothing.
+
+    What a row tells is taken from the law's slopes where it was measured. If one error bar to one side it sticks and to the other
+    it slides, these say little of where it really was, and of how well the row tells a number. Nor do profiles or the bootstrap.
+    """
+    problem, p = fit.problem, fit.numbers
+    if problem.estimated.any() or not problem.vx.any():
+        return ""
+    here = fit.predicted()
+    wide, turn = problem.vy.copy(), np.zeros(problem.y.shape)
+    for o in range(3):
+        step = np.zeros(3)
+        bar = np.sqrt(problem.vx[:, o])[:, None]
+        step[o] = 1.0
+        up, down = (predict_law(fit.law, replace(problem, x=problem.x + sign * bar * step), p) for sign in (1, -1))
+        wide += np.square((up - down) / 2)
+        turn = np.maximum(turn, np.abs(up + down - 2 * here))
+    seen = np.isfinite(problem.y)
+    share = np.where(seen, turn / np.sqrt(wide), 0.0).max(axis=1, initial=0.0)
+    many = int((share > BENT).sum())
+    if many < MANY * len(share):
+        return ""
+    return (
+        f"error bars before the wall: in {many} of {len(share)} rows they reach from sticking to sliding under {fit.law.name};"
+        " what is said to hold at 95 % does so at some 80 to 85 % then, bootstrap and profiles too; measure better before the wall"
     )
 
 

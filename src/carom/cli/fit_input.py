@@ -1,0 +1,172 @@
+"""What ``carom fit`` reads: a table of rebounds, a track, or a set that comes with carom."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from carom.cli.shared import attempt
+from carom.errors import CaromError
+
+if TYPE_CHECKING:
+    from carom.fitting import Setting
+    from carom.fitting.published import Published
+    from carom.rebounds import Rebounds
+
+__all__ = ["chosen", "completed", "is_track", "own_set", "read"]
+
+
+def own_set(file: Path) -> Published | None:
+    """The set that comes with carom which a word means, where there is no such file. CaromError where it cannot be fitted."""
+    from carom.fitting.published import published, published_name
+
+    name = None if file.exists() else published_name(str(file))
+    return None if name is None else published(name)
+
+
+def read(
+    file: Path,
+    faults: list[str],
+    setting: Setting,
+    given: Any,
+    view: str | None,
+    kind: str | None,
+    stage: str | None,
+    bar: Any,
+) -> Rebounds:
+    """The rebounds of a table or a track. CaromError with its faults and those that there are already."""
+    before = len(faults)
+    track = attempt(faults, is_track, file)
+    if track and not faults:  # contacts take a while: the options first
+        with bar() as say:
+            return measured(file, setting, given, view, stage, say)
+    rebounds: Rebounds | None = (
+        None if track or len(faults) > before else attempt(faults, read_table, file, kind, stage)
+    )
+    if faults or rebounds is None:
+        raise CaromError(*faults)
+    return rebounds
+
+
+def read_table(file: Path, kind: str | None, stage: str | None) -> Rebounds:
+    """The rebounds of a table."""
+    from carom.rebounds import KINDS, read_rebounds
+
+    if kind is not None and kind not in KINDS:
+        raise CaromError(f"--kind: expected planar or table, got {kind!r}")
+    return read_rebounds(file, kind=kind, stage=stage)
+
+
+def chosen(rebounds: Rebounds, where: list[str]) -> Rebounds:
+    """The rows that ``--where`` names; a note where a column of words says that there are rows of several kinds."""
+    from dataclasses import replace
+
+    import numpy as np
+
+    from carom.checks import nearest
+
+    faults = []
+    keep = np.ones(len(rebounds), bool)
+    for text in where:
+        name, _equals, value = text.partition("=")
+        column = rebounds.extra.get(name)
+        if column is None:
+            got = f"{text!r}; {nearest(name, list(rebounds.extra))}" if rebounds.extra else f"{text!r}; it has none"
+            faults.append(f"--where: expected COLUMN=VALUE, with a column of the table's own, got {got}")
+            continue
+        rows = column.astype(str) == value
+        if not rows.any():
+            found = ", ".join(sorted(set(column.astype(str).tolist()))[:8])
+            faults.append(f"--where {name}: expected one of its values ({found}), got {value!r}")
+        keep &= rows
+    if not faults and not keep.any():
+        faults.append("--where: expected conditions that some row meets, got none that meets all")
+    if faults:
+        raise CaromError(*faults)
+    rebounds = rebounds.select(keep)
+    kinds = {
+        name: sorted(set(column.tolist()))
+        for name, column in rebounds.extra.items()
+        if _words(column.tolist()) and 1 < len(set(column.tolist())) <= len(rebounds) // 5
+    }
+    notes = tuple(
+        f"{name}: {len(values)} kinds of rows are fitted as one ({', '.join(map(str, values[:4]))}"
+        f"{', ...' if len(values) > 4 else ''}); --where {name}={values[0]} fits one of them"
+        for name, values in kinds.items()
+    )
+    return replace(rebounds, notes=(*notes, *rebounds.notes))
+
+
+def _words(cells: list[Any]) -> bool:
+    """Whether a column holds names and not numbers."""
+    try:
+        return not [float(cell) for cell in cells]
+    except (TypeError, ValueError):
+        return True
+
+
+def is_track(file: Path) -> bool:
+    """Whether a file has no column of a rebound: then it is taken for a track. CaromError for a file that holds no text."""
+    if file.suffix.lower() in (".parquet", ".pq") or not file.is_file():
+        return False
+    with file.open("rb") as opened:
+        raw = opened.read(4096)
+    wanted = f"{file}: expected a table of rebounds or a track, as text"
+    if not raw.strip():
+        raise CaromError(f"{wanted}, got an empty file")
+    utf16 = raw.startswith((b"\xff\xfe", b"\xfe\xff"))  # as spreadsheets save "Unicode text"
+    if b"\0" in raw and not utf16:
+        raise CaromError(f"{wanted}, got {_what(raw)}; export it as CSV from the program that made it")
+    head = raw.decode("utf-16" if utf16 else "utf-8", errors="replace").lower()
+    return not any(name in head for name in ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in"))
+
+
+def _what(raw: bytes) -> str:
+    """What a file is that is not text, by its first bytes."""
+    kinds = {b"\x89PNG": "a picture (PNG)", b"\xff\xd8\xff": "a picture (JPEG)", b"GIF8": "a picture (GIF)",
+             b"PK\x03\x04": "a spreadsheet or another archive (zip)", b"\xd0\xcf\x11\xe0": "an old spreadsheet (xls)"}  # fmt: skip
+    if raw[4:8] == b"ftyp":
+        return "a film (MP4)"
+    return next((words for start, words in kinds.items() if raw.startswith(start)), "bytes that are no text")
+
+
+def measured(file: Path, setting: Setting, given: Any, view: str | None, stage: str | None, say: Any) -> Rebounds:
+    """The rebounds of a track."""
+    from dataclasses import replace
+
+    from carom.tracks.contact import Settings
+    from carom.tracks.measure import measure
+    from carom.tracks.read import read_tracks
+    from carom.tracks.table import to_rebounds
+
+    if view not in (None, "above", "side"):
+        raise CaromError(f"--view: expected above (a ball on a table) or side (a ball in flight), got {view!r}")
+    if stage not in (None, "after_wall", "rolling"):
+        raise CaromError(f"--stage: expected after_wall or rolling, got {stage!r}")
+    read = read_tracks(file, given=given)
+    settings = Settings(radius=setting.radius, kappa=setting.kappa, view=view)  # type: ignore[arg-type]
+    measured = measure(read.tracks, settings, lambda done, total: say("contacts", done / max(total, 1)))
+    rebounds = to_rebounds(measured, stage or "best")  # type: ignore[arg-type]
+    notes = [
+        *getattr(read, "notes", ()),
+        *measured.notes,
+        f"{len(rebounds)} rebounds measured (carom tracks shows them)",
+    ]
+    return replace(rebounds, source=str(file), notes=(*notes, *rebounds.notes))
+
+
+def completed(rebounds: Rebounds, sigma_v: float | None, sigma_spin: float | None, spin: float | None) -> Rebounds:
+    """Error bars and spins that the options give, where the table has none."""
+    from dataclasses import replace
+
+    import numpy as np
+
+    columns, sigma = dict(rebounds.columns), dict(rebounds.sigma)
+    for name, column in columns.items():
+        if spin is not None and name in ("spin_in", "spin_z_in"):
+            columns[name] = np.where(np.isnan(column), spin, column)
+        given = sigma_spin if name.startswith("spin") else sigma_v
+        exact = spin is not None and name in ("spin_in", "spin_z_in")
+        if given is not None and name not in sigma and np.isfinite(column).any() and not exact:
+            sigma[name] = np.full(len(column), given)
+    return replace(rebounds, columns=columns, sigma=sigma)
