@@ -22,6 +22,9 @@ WALLS = ("left", "right", "front", "back", "bottom", "top")
 SHAPES = ("periodic", "box", "circle", "sphere", "cylinder", "ellipse", "stadium", "polygon")
 JOIN = 1e-9  # of the size: so far bounded walls that go over into each other overlap
 
+# What an ellipse that bounds surfaces is told it was, and what to do.
+ROUNDISH = "'surface'; a polygon with many sides comes as near as one likes"
+
 
 @dataclass(frozen=True)
 class Wall:
@@ -142,6 +145,7 @@ def _section(faults: Faults, shape: str, size: Numbers, points: Any) -> tuple[li
     turns = edges[:, 0] * np.roll(edges[:, 1], -1) - edges[:, 1] * np.roll(edges[:, 0], -1)
     if not (turns > 0).all():
         faults.add("points", "the corners of a convex polygon, one after the other", f"{points!r:.60}")
+        faults.advise("points", "round obstacles (scatterers) make re-entrant rooms; carom simulate has any polygon")
         return [], 1.0
     length = np.hypot(edges[:, 0], edges[:, 1])
     return [
@@ -243,7 +247,7 @@ def container(
         faults.add("periodic", "a round room that ends, but for the axis of an upright one", f"{periodic!r}")
     if shape == "ellipse" and bounds == "surface":
         faults.add(
-            "bounds", "'centre' for an ellipse: no simple curve bounds the centres of balls that touch one", "'surface'"
+            "bounds", "'centre' for an ellipse: no simple curve bounds the centres of balls that touch one", ROUNDISH
         )
     volume, walls = math.prod(given), []
     if straight:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -269,7 +269,9 @@ def uniformity(
         raise CaromError(f"uniformity: table: expected one without a force, got {table}")
     found = follow(setup, starts(table, orbits, seed, ball=ball, law=law), bounces)
     good = np.asarray(found.count) == bounces
-    shape = setup.shape
+    # (what follows is told of the last bounce alone)
+    ends = {name: getattr(found, name)[:, -1:] for name in ("t", "position", "velocity", "spin", "piece")}
+    found, shape = replace(found, **ends), setup.shape
     side = good & ~np.isin(found.piece[:, -1], [k for k, f in enumerate(shape.faces) if f[0][2]])
     if shape.sphere is not None:
         arc = found.position[side, -1, 2] / (2 * shape.sphere) + 0.5
