@@ -193,9 +193,9 @@ def prior_in_words(setting: Setting) -> str:
     """What is assumed of spins that nobody measured."""
     uniform = setting.spin_prior == "uniform"
     mean = 0.0 if uniform and setting.spin_mean is None else setting.spin_mean
-    about = "a mean along v_t that is fitted" if mean is None else f"{mean:g} v_t/a" if mean else "0"
-    width = "a width that is fitted" if setting.spin_width is None else f"{setting.spin_width:g} v/a"
-    return f"uniform within {width} of {about}" if uniform else f"normal about {about}, width {width}"
+    about = "about a mean along v_t that is fitted" if mean is None else f"about {mean:g} v_t/a" if mean else "about 0"
+    width = "of a width that is fitted" if setting.spin_width is None else f"of width {setting.spin_width:g} v/a"
+    return f"uniform {about}, within {setting.spin_width:g} v/a" if uniform else f"normal {about}, {width}"
 
 
 def _look(problem: Problem, spin: str) -> list[str]:

@@ -126,9 +126,13 @@ def fit_laws(
     odds = math.nan if few else odds
     tell("outliers", 1.0)
     outliers, said = outliers_of(best)
+    verdict = _verdict(fits, odds, rival, fits_well, enlarge)
+    if said:  # a few rows have moved the numbers
+        which = f"{outliers[0].row} alone decides" if len(outliers) == 1 else f"{len(outliers)} outliers decide"
+        verdict = f"{verdict[:-1]}; but {which} this: leave out what was no such bounce, or fit with --robust."
     said += [warning for warning in (bent(best),) if warning]
     return Ranking(
-        tuple(ranked), _verdict(fits, odds, rival, fits_well, enlarge), odds, rival.law.name if rival else "",
+        tuple(ranked), verdict, odds, rival.law.name if rival else "",
         fits_well, enlarge, tuple(outliers), tuple(dict.fromkeys([*notes, *said])),
     )  # fmt: skip
 
@@ -139,10 +143,11 @@ def _heavy(fit: Fit) -> bool:
 
 def _with_error_bars(fit: Fit, profiles: bool | None, draws: int | None, seed: int) -> Fit:
     work = fit.problem.work(_heavy(fit))
-    if profiles or (profiles is None and work < PROFILED):
+    averaged = fit.problem.spins is not None  # then a profile takes as long as all the laws
+    if profiles or (profiles is None and work < PROFILED and not averaged):
         fit = with_profiles(fit)
     if draws is None:
-        draws = DRAWS if work < DRAWN else 0
+        draws = DRAWS if work < DRAWN and not averaged else 0
     return with_bootstrap(fit, draws, seed) if draws and fit.names else fit
 
 
