@@ -47,7 +47,10 @@ def show(ranking: Ranking) -> None:
         )
     console.print(table)
     console.print(
-        Text(ranking.verdict, style="bold green" if ranking.fits and ranking.odds >= 20 else "bold yellow"),
+        Text(
+            ranking.verdict,
+            style="bold green" if ranking.fits and ranking.odds >= 20 and not ranking.swayed else "bold yellow",
+        ),
         soft_wrap=True,
     )
     for sentence in ranking.degenerate:

@@ -62,6 +62,7 @@ def as_dict(ranking: Ranking) -> dict[str, Any]:
         "fits": ranking.fits,
         "enlarge_error_bars": ranking.enlarge,
         "outliers": [vars(outlier) for outlier in ranking.outliers],
+        "swayed_by_outliers": ranking.swayed,
         "notes": list(ranking.notes),
         "rows": len(ranking.best.problem.x),
     }

@@ -60,6 +60,8 @@ class Ranking:
     """By so much all error bars would have to be multiplied for the best law to fit; 1 where it does."""
     outliers: tuple[Outlier, ...]
     notes: tuple[str, ...]
+    swayed: bool = False
+    """Whether outliers have moved the best law's numbers by several error bars."""
 
     @property
     def best(self) -> Fit:
@@ -127,13 +129,14 @@ def fit_laws(
     tell("outliers", 1.0)
     outliers, said = outliers_of(best)
     verdict = _verdict(fits, odds, rival, fits_well, enlarge)
-    if said:  # a few rows have moved the numbers
-        which = f"{outliers[0].row} alone decides" if len(outliers) == 1 else f"{len(outliers)} outliers decide"
-        verdict = f"{verdict[:-1]}; but {which} this: leave out what was no such bounce, or fit with --robust."
+    swayed = bool(said)
+    if swayed:
+        which = f"{outliers[0].row} alone sways" if len(outliers) == 1 else f"{len(outliers)} outliers sway"
+        verdict = f"{verdict[:-1]}; {which} this: leave out what was no such bounce, or fit with --robust."
     said += [warning for warning in (bent(best),) if warning]
     return Ranking(
         tuple(ranked), verdict, odds, rival.law.name if rival else "",
-        fits_well, enlarge, tuple(outliers), tuple(dict.fromkeys([*notes, *said])),
+        fits_well, enlarge, tuple(outliers), tuple(dict.fromkeys([*notes, *said])), swayed,
     )  # fmt: skip
 
 

@@ -64,11 +64,20 @@ def _points(axes: Any, x: Any, y: Any, xerr: Any = None, yerr: Any = None) -> No
     )  # fmt: skip
 
 
+def _outliers(axes: Any, ranking: Ranking, x: Any, y: Any, label: str = "") -> None:
+    """Rings about the rows that are named as outliers."""
+    names = {outlier.row for outlier in ranking.outliers}
+    rows = [i for i, name in enumerate(ranking.best.problem.rebounds.rows) if name in names]
+    if rows:
+        axes.plot(x[rows], y[rows], "o", ms=9, mfc="none", mec="#D55E00", mew=1.2, label=label or "_", zorder=3)
+
+
 def _normal(axes: Any, ranking: Ranking) -> None:
     best = ranking.best
     rebounds = best.problem.rebounds
     v, out = rebounds["v_n_in"], rebounds["v_n_out"]
     _points(axes, v, out, _bars(best, "v_n_in"), _bars(best, "v_n_out"))
+    _outliers(axes, ranking, v, out, "outlier")
     predicted = best.predicted()[:, 0]
     order = np.argsort(v)
     axes.plot(
@@ -108,11 +117,12 @@ def _along(axes: Any, ranking: Ranking) -> None:
         yerr = _angle_error(best, "out")
     measured = np.stack([rebounds["v_n_out"], rebounds["v_t_out"], _spin_out(rebounds)], axis=-1)
     _points(axes, x * sign, place(measured) * sign, xerr, yerr)
+    _outliers(axes, ranking, x * sign, place(measured) * sign)
     order = np.argsort(x * sign)
     unknown = bool(best.problem.unknown.any())
     for one in ranking.ranked[:SHOWN]:
         ink, _dash = look[one.fit.law.name]
-        name = f"{one.fit.law.name} (no sidespin)" if unknown else one.fit.law.name
+        name = f"{one.fit.law.name} (mean sidespin)" if unknown else one.fit.law.name
         axes.plot(
             (x * sign)[order], (place(one.fit.predicted()) * sign)[order], ".", ms=2.5, color=ink, label=name, zorder=2
         )
@@ -235,7 +245,7 @@ def write_report(ranking: Ranking, path: str | Path) -> Path:
     path = Path(path)
     setting, best = ranking.best.problem.setting, ranking.best
     source = Path(best.problem.rebounds.source).name
-    good = ranking.fits and ranking.odds >= 20
+    good = ranking.fits and ranking.odds >= 20 and not ranking.swayed
     body = [
         f"<h1>Which law is right for {html.escape(source)}?</h1>",
         f'<p class="verdict">{html.escape(ranking.verdict)}</p>',
