@@ -17,7 +17,8 @@ from carom.kernel import Vec, kernel
 from carom.kernel import kernel as mark
 from carom.laws.contact import wall_contact
 from carom.laws.pair import pair_contact
-from carom.laws.two_step import first_impact, second_impact, two_step_final, two_step_plain
+from carom.laws.two_step import first_impact, second_impact, two_step_plain
+from carom.lockstep import ROOM, pressed_block
 
 __all__ = [
     "FEW",
@@ -116,15 +117,10 @@ def two_step_final_rows(v: Array, w: Array, n: Array, p: Array, together: bool, 
             v[i:k], w[i:k], normal, a, kappa, e, mu, beta, ef, muf, betaf, g, together,
             v3[i:k], w3[i:k], why[i // 3 : k // 3],
         )  # fmt: skip
-        for m in range(i // 3, k // 3):
-            if why[m] < 0:
-                q = 3 * m
-                x, y, why[m] = two_step_final(
-                    (v[q], v[q + 1], v[q + 2]), (w[q], w[q + 1], w[q + 2]), normal,
-                    a, kappa, e, mu, beta, ef, muf, betaf, g, h, together,
-                )  # fmt: skip
-                v3[q], v3[q + 1], v3[q + 2] = x
-                w3[q], w3[q + 1], w3[q + 2] = y
+        pressed_block(
+            v[i:k], w[i:k], normal, a, kappa, e, mu, beta, ef, muf, betaf, g, h, together,
+            v3[i:k], w3[i:k], why[i // 3 : k // 3], np.empty(ROOM),
+        )  # fmt: skip
 
 
 def first_rows(

@@ -34,7 +34,9 @@ from carom.laws.two_contacts import (
 )
 from carom.laws.wall_clock import gap_growth, remaining, touch_down
 
-__all__ = ["CARD", "JAM", "STALL", "pressed_down", "wall_and_floor"]
+__all__ = [
+    "AGAIN", "AT_REST", "CARD", "JAM", "STALL", "error_allowed", "go_on", "meet", "part", "pressed_down", "wall_and_floor"
+]  # fmt: skip
 
 CARD = Card(
     name="wall-and-floor",
@@ -54,7 +56,10 @@ CARD = Card(
     doi="10.1115/1.3171712",
 )
 
-JAM, STALL = 3, 4
+# Velocity, a times spin, the floor's impulse so far; the frame; law and slips; the speed of approach, and of all
+Met = tuple[Vec, Vec, Vec, Pair, Law, Slips, float, float]
+
+JAM, STALL, AGAIN = 3, 4, 6  # (5 is two_step.UNDEFINED)
 UP: Vec = (0.0, 0.0, 1.0)
 LEAST_FIRM = 1e3  # half of this: where a friction that was used can only have been an infinite one
 ROUNDING = 1e-15  # of the speeds: where a velocity of approach has ended
@@ -84,6 +89,12 @@ def pressed_down(v: Vec, w: Vec, n: Vec, a: float, mu: float, h: float) -> bool:
         return mu > 0
     # the sliding wall's impulse per unit of normal impulse has the vertical part n_z - mu u_z/|u_t|
     return mu * ut[2] > n[2] * math.sqrt(dot(ut, ut))
+
+
+@hot_kernel
+def error_allowed(speed: float, scale: float) -> float:
+    """The error of one step."""
+    return STEP_ERROR * (speed if speed > scale / 100 else scale / 100)
 
 
 @kernel
@@ -118,7 +129,7 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
     """A step of a pressed ball, its length, the next one's, whether the mode has come to its end, and whether it went."""
     c, m, _b, _k, _d, _e, _drive, muw, muf, heed = q
     zero = 0 * c
-    tiny, allowed = AT_REST * scale, max(STEP_ERROR * speed, STEP_ERROR * scale / 100)
+    tiny, allowed = AT_REST * scale, error_allowed(speed, scale)
     k1, spare = rates(y, q, wall, floor, dw, df, zero)
     un, along = _speed_of_approach(y, zero, q), c / (1 - m) * (k1[0] + k1[2])
     goal = math.inf
@@ -263,19 +274,24 @@ def _creeps(
 
 
 @kernel
-def _course(  # noqa: PLR0915  (one loop over events; its parts stand above)
-    y: Slips, vz: float, q: Law, e: float, kappa: float, ef: float, muf: float, betaf: float, speed: float, scale: float
-) -> tuple[Slips, float, float, int]:
-    """Slips, vertical velocity, the wall's normal impulse and its regime when the wall lets go."""
+def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
+    y: Slips, vz: float, q: Law, e: float, kappa: float, ef: float, muf: float, betaf: float, speed: float, scale: float,
+    p: float, compressing: bool, peak: float, waits: bool,
+) -> tuple[Slips, float, float, int, bool, float, Pair, Pair]:  # fmt: skip
+    """Slips, vertical velocity, the wall's normal impulse and its regime when the wall lets go.
+
+    It begins at the wall's impulse p, in compression or not, with so much energy to give back at first (``peak``). Who
+    ``waits`` is told where a contact that rested slips and both do (AGAIN); then the last four are what holds there.
+    """
     c, m, b, k, d, ee, _drive, muw, _muf, _heed = q
     zero = 0 * vz
     rough_wall, rough_floor = muw >= ENDLESS, q[8] >= ENDLESS
     tiny = AT_REST * scale
-    compressing, touching, decide = True, vz <= tiny, True
+    touching, decide = vz <= tiny, True
     wall, floor, level, regime, grade, rank = SLIDE, OFF, 0, STALL, 0, 0
     dw = df = (1 + zero, zero)
     law = q
-    p, gap, pace, peak, landings = zero, zero, math.inf, zero, 0
+    gap, pace, landings = zero, math.inf, 0
     for i in range(MOST_STEPS):
         if touching and vz != 0:
             y, vz = (y[0] - c * vz, y[1], y[2], y[3], y[4]), zero
@@ -317,6 +333,9 @@ def _course(  # noqa: PLR0915  (one loop over events; its parts stand above)
                 landings += 1
                 touching = vz <= 1e-9 * scale or landings > HUMS
             continue
+        if waits and wall == SLIDE and floor == FLOOR_SLIP and (size(y[0], y[1]) == 0 or size(y[2], y[3]) == 0):
+            regime = AGAIN
+            break
         if floor != OFF:
             y, h, pace, decide, went = _pressed_step(
                 y, law, wall, floor, dw, df, STIFF if i < LONG else STARTS, compressing, peak, pace, speed, scale
@@ -357,23 +376,17 @@ def _course(  # noqa: PLR0915  (one loop over events; its parts stand above)
             y, vz = _lands(y, vz, q, kappa, ef, muf, betaf)
             landings += 1
             touching = vz <= 1e-9 * scale or landings > HUMS
-    return y, zero if touching else vz, p, regime
+    return y, zero if touching else vz, p, regime, compressing, peak, dw, df
 
 
 @kernel
-def wall_and_floor(
-    v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, muw: float, ef: float, muf: float, betaf: float
-) -> tuple[Vec, Vec, Vec, Vec, int]:
-    """Velocity, spin, impulse (per mass) of the wall, of the floor, regime of the wall contact (or JAM, STALL)."""
+def meet(v: Vec, w: Vec, n: Vec, a: float, kappa: float, muw: float, ef: float, muf: float, betaf: float) -> Met:
+    """A ball as wall and floor see it: after the floor's first blow, in the frame of the wall, with a = m = 1."""
     zero = 0 * a
     s = (a * w[0], a * w[1], a * w[2])
     v1, s1, j = v, s, (zero, zero, zero)
     if v[2] < 0:  # a rigid floor answers first, and may send the ball away from the wall
         v1, s1, j, _required, _regime = wall_contact(v, s, UP, 1, kappa, ef, muf, betaf)
-    if not dot(v1, n) < 0:
-        return v1, (s1[0] / a, s1[1] / a, s1[2] / a), (zero, zero, zero), j, GRAZE
-    speed = -dot(v1, n)
-    scale = math.sqrt(dot(v1, v1)) + math.sqrt(dot(s1, s1))
     # the frame: x along the level part of the normal
     m, c = n[2], size(n[0], n[1])
     x, y = (n[0] / c, n[1] / c) if c > 0 else (1 + zero, zero)
@@ -381,11 +394,20 @@ def wall_and_floor(
     sx, sy, sz = x * s1[0] + y * s1[1], x * s1[1] - y * s1[0], s1[2]
     i = 1 / kappa
     q = (c, m, m * m + i, 1 + i, 1 + m * i, m + i, 1 + zero, min(muw, ENDLESS), min(muf, ENDLESS), 1 + zero)
-    before = (sy - m * vx + c * vz, vy - c * sz + m * sx, vx - sy, vy + sx, zero)
-    after, up, p, regime = _course(before, vz, q, e, kappa, ef, muf, betaf, speed, scale)
+    slips = (sy - m * vx + c * vz, vy - c * sz + m * sx, vx - sy, vy + sx, zero)
+    return v1, s1, j, (x, y), q, slips, -dot(v1, n), math.sqrt(dot(v1, v1)) + math.sqrt(dot(s1, s1))
+
+
+@kernel
+def part(
+    v: Vec, w: Vec, a: float, kappa: float, met: Met, after: Slips, up: float, p: float
+) -> tuple[Vec, Vec, Vec, Vec]:
+    """Velocity, spin, impulses of wall and floor, from the slips, v_z and the wall's normal impulse at the end."""
+    v1, s1, _j, (x, y), q, before, _speed, _scale = met
     # Impulses, from what they changed: wall friction f along (t, y), floor friction g along (x, y).
     c, m, b, k, d, ee, _drive, _muw, _muf, _heed = q
-    rise = up - vz
+    i = 1 / kappa
+    rise = up - v1[2]
     r1, r2 = after[0] - before[0] + m * c * p - c * rise, after[2] - before[2] - c * p
     ft, gx = (k * r1 + ee * r2) / (b * k - ee * ee), (ee * r1 + b * r2) / (b * k - ee * ee)
     r1, r2 = after[1] - before[1], after[3] - before[3]
@@ -401,4 +423,21 @@ def wall_and_floor(
         k = math.sqrt(had / has)
         v2, s2 = (k * v2[0], k * v2[1], k * v2[2]), (k * s2[0], k * s2[1], k * s2[2])
     floor = (v2[0] - v[0] - wall[0], v2[1] - v[1] - wall[1], v2[2] - v[2] - wall[2])
-    return v2, (s2[0] / a, s2[1] / a, s2[2] / a), wall, floor, regime
+    return v2, (s2[0] / a, s2[1] / a, s2[2] / a), wall, floor
+
+
+@kernel
+def wall_and_floor(
+    v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, muw: float, ef: float, muf: float, betaf: float
+) -> tuple[Vec, Vec, Vec, Vec, int]:
+    """Velocity, spin, impulse (per mass) of the wall, of the floor, regime of the wall contact (or JAM, STALL)."""
+    met = meet(v, w, n, a, kappa, muw, ef, muf, betaf)
+    v1, s1, j, _frame, q, before, speed, scale = met
+    if not speed > 0:
+        zero = 0 * a
+        return v1, (s1[0] / a, s1[1] / a, s1[2] / a), (zero, zero, zero), j, GRAZE
+    after, up, p, regime, _compressing, _peak, _dw, _df = go_on(
+        before, v1[2], q, e, kappa, ef, muf, betaf, speed, scale, 0 * a, True, 0 * a, False
+    )
+    v2, w2, wall, floor = part(v, w, a, kappa, met, after, up, p)
+    return v2, w2, wall, floor, regime

@@ -16,7 +16,7 @@ from carom.laws.contact import GRAZE, slip_velocity, wall_contact
 from carom.laws.landing import IN_FLIGHT, LOST, NO_GRAVITY, NO_LAW, ROLLS, ROUNDING, UP, fall, fate, rolls_at_last
 from carom.laws.simultaneous import LEAST_FIRM, STALL, pressed_down, wall_and_floor
 
-__all__ = ["CARD", "UNDEFINED", "first_impact", "second_impact", "two_step_final", "two_step_plain"]
+__all__ = ["CARD", "UNDEFINED", "first_impact", "rolling_after", "second_impact", "two_step_final", "two_step_plain"]
 
 CARD = Card(
     name="two-step",
@@ -135,14 +135,23 @@ def two_step_final(
     """Velocity and spin of the ball once it rolls again, and why it does not (then they are NaN)."""
     v1, w1, _j, _jf, _required, regime = first_impact(v, w, n, a, kappa, e, mu, beta, ef, muf, betaf, h, together)
     if regime == UNDEFINED:
-        why = NO_LAW
-    elif regime == STALL:
-        why = LOST
-    else:
-        why = fate(v1, w1, n, a, kappa, ef, muf, betaf, g, h)
+        x = math.nan
+        return (x, x, x), (x, x, x), NO_LAW
+    if regime == STALL:
+        x = math.nan
+        return (x, x, x), (x, x, x), LOST
+    return rolling_after(v1, w1, n, a, kappa, ef, muf, betaf, g, h)
+
+
+@hot_kernel
+def rolling_after(
+    v: Vec, w: Vec, n: Vec, a: float, kappa: float, ef: float, muf: float, betaf: float, g: float, h: float
+) -> tuple[Vec, Vec, int]:
+    """The rolling state of a ball that leaves the wall (normal n) in (v, w), and why there is none (then it is NaN)."""
+    why = fate(v, w, n, a, kappa, ef, muf, betaf, g, h)
     if why == ROLLS:
         # (39)
-        v3, w3 = rolls_at_last(v1, w1, a, kappa)
+        v3, w3 = rolls_at_last(v, w, a, kappa)
         return v3, w3, why
     x = math.nan
     return (x, x, x), (x, x, x), why

@@ -1,0 +1,197 @@
+"""Both contacts slide: the usual case of a pressed ball, in steps without branches, for one ball or for many in lockstep.
+
+The slips u at the wall and f at the floor change at rates that depend on their directions only, so the flow in the wall's
+impulse P is as smooth as they are long: it has branch points where u.u or f.f vanish, at complex P not farther than |u|/|u'|.
+In the variable s with dP = ds / (A/|u| + B/|f|) these move away (a slip that passes zero at a distance b on a straight line
+is b cosh s), and a step of order 8 goes several times as far. The ends are met exactly, by taking what has to vanish as the
+variable of the last step (Henon, Physica D 5, 412 (1982)): u_n at the end of compression, the wall's energy at the end.
+
+What is not this simple is left to :mod:`carom.laws.simultaneous`, from where it has come to: a slip that dies, a floor that is
+no longer pushed, steps that have to be short.
+"""
+
+from __future__ import annotations
+
+import math
+
+from carom.kernel import hot_kernel
+from carom.laws.two_contacts import LEVEL, Law, Pair
+
+__all__ = ["DONE", "GOES", "LEAVES", "Glide", "glide"]
+
+# The slips u_t, u_y, f_x, f_y, the energy in the wall's spring, the wall's impulse.
+Glide = tuple[float, float, float, float, float, float]
+GOES, DONE, LEAVES = 0, 1, 2
+REACH = 0.9  # of s, the first step
+ESTIMATE = 300  # by so much, and more, a step is better than the estimate of its error
+SHORT = 0.02  # of s: what needs shorter steps than this is left
+
+
+@hot_kernel
+def _to(y: Glide, h: float, a: float, p: Glide, b: float, q: Glide, c: float, r: Glide) -> Glide:
+    return (
+        y[0] + h * (a * p[0] + b * q[0] + c * r[0]),
+        y[1] + h * (a * p[1] + b * q[1] + c * r[1]),
+        y[2] + h * (a * p[2] + b * q[2] + c * r[2]),
+        y[3] + h * (a * p[3] + b * q[3] + c * r[3]),
+        y[4] + h * (a * p[4] + b * q[4] + c * r[4]),
+        y[5] + h * (a * p[5] + b * q[5] + c * r[5]),
+    )
+
+
+@hot_kernel
+def _rates(y: Glide, pw: Pair, pf: Pair, q: Law) -> tuple[float, float, float, float, float]:
+    """Rates of the slips per P, and the floor's push, from the directions of slip: see :mod:`carom.laws.two_contacts`."""
+    c, m, b, k, d, e, _drive, muw, muf, _heed = q
+    ft, fy = -muw * pw[0], -muw * pw[1]
+    push = -(m + c * ft)
+    gx, gy = -muf * push * pf[0], -muf * push * pf[1]
+    return b * ft - e * gx - m * c, k * fy + d * gy, c - e * ft + k * gx, d * fy + k * gy, push
+
+
+@hot_kernel
+def _flow(y: Glide, q: Law, by: tuple[float, float, float, float, float]) -> Glide:
+    """Rates per s, dP = ds / (a/|u| + b/|f| + base + x u_n' + z u_n)."""
+    a, b, base, x, z = by
+    u, f = 1 / math.sqrt(y[0] * y[0] + y[1] * y[1]), 1 / math.sqrt(y[2] * y[2] + y[3] * y[3])
+    r = _rates(y, (y[0] * u, y[1] * u), (y[2] * f, y[3] * f), q)
+    lever = q[0] / (1 - q[1])
+    un, along = lever * (y[0] + y[2]), lever * (r[0] + r[2])
+    g = 1 / (a * u + b * f + base + x * along + z * un)
+    return g * r[0], g * r[1], g * r[2], g * r[3], -g * un, g
+
+
+@hot_kernel
+def _stride(
+    y: Glide, k1: Glide, h: float, q: Law, by: tuple[float, float, float, float, float], long: float
+) -> tuple[Glide, float]:
+    """One step of Dormand & Prince 8(5,3) (Hairer, Norsett & Wanner, Solving ODEs I, II.5); its error.
+
+    Of slips shorter than ``long`` the error counts by the direction that it leaves wrong.
+    """
+    k2 = _flow(_to(y, h, 0.05260015195876773, k1, 0, k1, 0, k1), q, by)
+    k3 = _flow(_to(y, h, 0.0197250569845379, k1, 0.0591751709536137, k2, 0, k1), q, by)
+    k4 = _flow(_to(y, h, 0.02958758547680685, k1, 0.08876275643042054, k3, 0, k1), q, by)
+    x = _to(y, h, 0.2413651341592667, k1, -0.8845494793282861, k3, 0.924834003261792, k4)
+    k5 = _flow(x, q, by)
+    x = _to(y, h, 0.037037037037037035, k1, 0.17082860872947386, k4, 0.12546768756682242, k5)
+    k6 = _flow(x, q, by)
+    x = _to(y, h, 0.037109375, k1, 0.17025221101954405, k4, 0.06021653898045596, k5)
+    k7 = _flow(_to(x, h, -0.017578125, k6, 0, k6, 0, k6), q, by)
+    x = _to(y, h, 0.03709200011850479, k1, 0.17038392571223998, k4, 0.10726203044637328, k5)
+    k8 = _flow(_to(x, h, -0.015319437748624402, k6, 0.008273789163814023, k7, 0, k6), q, by)
+    x = _to(y, h, 0.6241109587160757, k1, -3.3608926294469414, k4, -0.868219346841726, k5)
+    k9 = _flow(_to(x, h, 27.59209969944671, k6, 20.154067550477894, k7, -43.48988418106996, k8), q, by)
+    x = _to(y, h, 0.47766253643826434, k1, -2.4881146199716677, k4, -0.590290826836843, k5)
+    x = _to(x, h, 21.230051448181193, k6, 15.279233632882423, k7, -33.28821096898486, k8)
+    k10 = _flow(_to(x, h, -0.020331201708508627, k9, 0, k9, 0, k9), q, by)
+    x = _to(y, h, -0.9371424300859873, k1, 5.186372428844064, k4, 1.0914373489967295, k5)
+    x = _to(x, h, -8.149787010746927, k6, -18.52006565999696, k7, 22.739487099350505, k8)
+    k11 = _flow(_to(x, h, 2.4936055526796523, k9, -3.0467644718982196, k10, 0, k9), q, by)
+    x = _to(y, h, 2.273310147516538, k1, -10.53449546673725, k4, -2.0008720582248625, k5)
+    x = _to(x, h, -17.9589318631188, k6, 27.94888452941996, k7, -2.8589982771350235, k8)
+    k12 = _flow(_to(x, h, -8.87285693353063, k9, 12.360567175794303, k10, 0.6433927460157636, k11), q, by)
+    x = _to(y, h, 0.054293734116568765, k1, 4.450312892752409, k6, 1.8915178993145003, k7)
+    x = _to(x, h, -5.801203960010585, k8, 0.3111643669578199, k9, -0.1521609496625161, k10)
+    x = _to(x, h, 0.20136540080403034, k11, 0.04471061572777259, k12, 0, k11)
+    zero = 0 * h
+    nought = (zero, zero, zero, zero, zero, zero)
+    fifth = _to(nought, h, 0.01312004499419488, k1, -1.2251564463762044, k6, -0.4957589496572502, k7)
+    fifth = _to(fifth, h, 1.6643771824549864, k8, -0.35032884874997366, k9, 0.3341791187130175, k10)
+    fifth = _to(fifth, h, 0.08192320648511571, k11, -0.022355307863886294, k12, 0, k11)
+    third = _to(nought, h, -0.18980075407240762, k1, 4.450312892752409, k6, 1.8915178993145003, k7)
+    third = _to(third, h, -5.801203960010585, k8, -0.4226823213237919, k9, -0.1521609496625161, k10)
+    third = _to(third, h, 0.20136540080403034, k11, 0.02265179219836082, k12, 0, k11)
+    u, f = long * long / (x[0] * x[0] + x[1] * x[1]), long * long / (x[2] * x[2] + x[3] * x[3])
+    u, f = (u if u > 1 else 1 + zero), (f if f > 1 else 1 + zero)
+    e5, e3 = _squares(fifth, u, f), _squares(third, u, f)
+    whole = math.sqrt(e5 + e3 / 100)
+    return x, e5 / whole if whole > 0 else zero
+
+
+@hot_kernel
+def _squares(x: Glide, u: float, f: float) -> float:
+    return u * (x[0] * x[0] + x[1] * x[1]) + f * (x[2] * x[2] + x[3] * x[3]) + x[5] * x[5]
+
+
+@hot_kernel
+def _pace(turn: float, fade: float) -> float:
+    """How fast a slip loses its direction: it turns, or fades; one that grows only moves away from where it was short."""
+    return turn + (fade if fade > 0 else -GROWS * fade)
+
+
+GROWS = 0.5
+LAST, NEAR = 0.7, 0.85
+
+
+@hot_kernel
+def glide(
+    y: Glide,
+    dw: Pair,
+    df: Pair,
+    compressing: bool,
+    peak: float,
+    reach: float,
+    allowed: float,
+    long: float,
+    least: float,
+    q: Law,
+    e: float,
+) -> tuple[Glide, bool, float, float, int]:
+    """One step: the state, whether it is still compressed, the energy to give back, the next step's reach; how it goes on.
+
+    dw and df are the directions in which a slip starts from nothing. A step is taken back if its error is above what is
+    ``allowed``; slips below ``least`` are left.
+    """
+    zero, one = 0 * reach, 1 + 0 * reach
+    u, f = math.sqrt(y[0] * y[0] + y[1] * y[1]), math.sqrt(y[2] * y[2] + y[3] * y[3])
+    starts_w, starts_f = u == 0, f == 0
+    iu, jf = 1 / (one if starts_w else u), 1 / (one if starts_f else f)
+    px, py = (dw[0] if starts_w else y[0] * iu), (dw[1] if starts_w else y[1] * iu)
+    qx, qy = (df[0] if starts_f else y[2] * jf), (df[1] if starts_f else y[3] * jf)
+    r0, r1, r2, r3, push = _rates(y, (px, py), (qx, qy), q)
+    lever = q[0] / (1 - q[1])
+    un, along = lever * (y[0] + y[2]), lever * (r0 + r2)
+    # (a, b, base): the pace at which the slips lose their directions, per P
+    a = zero if starts_w else _pace(abs(px * r1 - py * r0), -(px * r0 + py * r1))
+    b = zero if starts_f else _pace(abs(qx * r3 - qy * r2), -(qx * r2 + qy * r3))
+    back = un + math.sqrt(un * un + 2 * along * y[4])
+    goal = -un / along if compressing else 2 * y[4] / back
+    base = 0.2 / goal
+    rate = a * iu + b * jf + base
+    need = goal * rate
+    # the end of the restitution cannot be the variable where u_n is still small
+    last = (need <= LAST * reach) & (compressing | (un > 0.7 * (back - un)))
+    h = min(reach, NEAR * need if need <= reach else need / 2)
+    x, z = (one if compressing else zero) if last else zero, (zero if compressing else one) if last else zero
+    by = (zero if last else a, zero if last else b, zero if last else base, x, z)
+    step = (-un if compressing else y[4]) if last else h
+    g = (1 / along if compressing else 1 / un) if last else 1 / rate
+    new, error = _stride(y, (g * r0, g * r1, g * r2, g * r3, -g * un, g), step, q, by, long)
+    error = error / ESTIMATE
+    u1, f1 = math.sqrt(new[0] * new[0] + new[1] * new[1]), math.sqrt(new[2] * new[2] + new[3] * new[3])
+    un1 = lever * (new[0] + new[2])
+    ahead = (px * new[0] + py * new[1] > 0) & (qx * new[2] + qy * new[3] > 0)
+    within = last | ((un1 < 0) if compressing else (new[4] > 0))
+    good = (error <= allowed) & ahead & within
+    lasts = (u1 > least) & (f1 > least)
+    pushes = q[0] * q[7] * new[0] - q[1] * u1 > LEVEL * (1 + q[7]) * u1
+    # error ~ h^8
+    grow = 0.85 * math.sqrt(math.sqrt(math.sqrt(allowed / error))) if error > 0 else 2 * one
+    grow = min(max(grow, 0.2 * one), 2 * one)
+    took = min(need, reach) if last else h
+    wider = max(reach, took * grow)
+    if_bad = took * (grow if error > allowed else 0.5 * one)
+    fine = (along > 0) & (push > LEVEL * (1 + q[7]))
+    keeps = good & pushes & lasts & fine
+    ends = keeps & last & compressing
+    over = keeps & last & (not compressing)
+    peak1 = e * e * new[4] if ends else peak
+    out = over | (ends & (peak1 <= 0))
+    stuck = (not fine) | (good & (not (pushes & lasts))) | ((not good) & (if_bad < SHORT))
+    status = DONE if out else (LEAVES if stuck else GOES)
+    y = (
+        new[0] if keeps else y[0], new[1] if keeps else y[1], new[2] if keeps else y[2],
+        new[3] if keeps else y[3], (peak1 if ends else new[4]) if keeps else y[4], new[5] if keeps else y[5],
+    )  # fmt: skip
+    return y, (compressing & (not ends)), peak1, (wider if keeps else if_bad), status
