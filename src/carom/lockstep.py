@@ -1,7 +1,8 @@
 """Many pressed balls at once: the steps of :mod:`carom.laws.gliding` in lockstep, so that a processor takes several together.
 
-A block's balls that slide at both contacts stand in lanes; all take one step, those that are through make room for others.
-What a lane leaves open is asked again in full, with the same bits: every step is the one that a single ball takes.
+A block's balls that slide at both contacts stand in lanes; all take one step, those that are through make room for others. One
+whose slip dies is followed ball by ball from there (:func:`carom.laws.simultaneous.go_on`), until both slide again. No lane
+knows its neighbours, so a ball's answer has the same bits in any company.
 """
 
 from __future__ import annotations

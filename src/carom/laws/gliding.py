@@ -1,4 +1,4 @@
-"""Both contacts slide: the usual case of a pressed ball, in steps without branches, for one ball or for many in lockstep.
+"""Both contacts slide: the usual case of a pressed ball, in steps without branches, so that many balls can take them together.
 
 The slips u at the wall and f at the floor change at rates that depend on their directions only, so the flow in the wall's
 impulse P is as smooth as they are long: it has branch points where u.u or f.f vanish, at complex P not farther than |u|/|u'|.
@@ -6,8 +6,8 @@ In the variable s with dP = ds / (A/|u| + B/|f|) these move away (a slip that pa
 is b cosh s), and a step of order 8 goes several times as far. The ends are met exactly, by taking what has to vanish as the
 variable of the last step (Henon, Physica D 5, 412 (1982)): u_n at the end of compression, the wall's energy at the end.
 
-What is not this simple is left to :mod:`carom.laws.simultaneous`, from where it has come to: a slip that dies, a floor that is
-no longer pushed, steps that have to be short.
+What is not this simple is left, from where it has come to, to :mod:`carom.laws.simultaneous`: a slip that dies, a floor that is
+no longer pushed, steps that have to be short. :mod:`carom.lockstep` puts many balls together.
 """
 
 from __future__ import annotations
@@ -23,7 +23,10 @@ __all__ = ["DONE", "GOES", "LEAVES", "Glide", "glide"]
 Glide = tuple[float, float, float, float, float, float]
 GOES, DONE, LEAVES = 0, 1, 2
 REACH = 0.9  # of s, the first step
-ESTIMATE = 300  # by so much, and more, a step is better than the estimate of its error
+GROWS = 0.5  # a slip that grows counts by so much of what one that fades does
+# The last step is taken from so much of a reach on; the step before it, if one would do, ends short of the end by so much.
+LAST, NEAR = 0.7, 0.85
+ESTIMATE = 100  # by so much, and more, a step is better than the estimate of its error
 SHORT = 0.02  # of s: what needs shorter steps than this is left
 
 
@@ -53,7 +56,8 @@ def _rates(y: Glide, pw: Pair, pf: Pair, q: Law) -> tuple[float, float, float, f
 def _flow(y: Glide, q: Law, by: tuple[float, float, float, float, float]) -> Glide:
     """Rates per s, dP = ds / (a/|u| + b/|f| + base + x u_n' + z u_n)."""
     a, b, base, x, z = by
-    u, f = 1 / math.sqrt(y[0] * y[0] + y[1] * y[1]), 1 / math.sqrt(y[2] * y[2] + y[3] * y[3])
+    u, f = math.sqrt(y[0] * y[0] + y[1] * y[1]), math.sqrt(y[2] * y[2] + y[3] * y[3])
+    u, f = 1 / u if u > 0 else math.inf, 1 / f if f > 0 else math.inf
     r = _rates(y, (y[0] * u, y[1] * u), (y[2] * f, y[3] * f), q)
     lever = q[0] / (1 - q[1])
     un, along = lever * (y[0] + y[2]), lever * (r[0] + r[2])
@@ -118,10 +122,6 @@ def _squares(x: Glide, u: float, f: float) -> float:
 def _pace(turn: float, fade: float) -> float:
     """How fast a slip loses its direction: it turns, or fades; one that grows only moves away from where it was short."""
     return turn + (fade if fade > 0 else -GROWS * fade)
-
-
-GROWS = 0.5
-LAST, NEAR = 0.7, 0.85
 
 
 @hot_kernel
