@@ -145,3 +145,25 @@ def test_options_that_do_not_fit_the_file_are_told(
     assert "cloth friction" not in told  # nothing was measured: the literature's is no finding
     _code, _told, notes = run(capsys, monkeypatch, str(shot_file), "--view", "side")
     assert "is the scale (--scale)" in notes
+
+
+@pytest.mark.parametrize(
+    ("rows", "expected"),
+    [
+        ([(k, 1e3 if 20 <= k else 1.0) for k in range(40)], "suddenly"),
+        ([(k, 1e3 if k % 2 else 1.0) for k in range(40)], "go to and fro from row to row"),
+        ([(k, 0.0) for k in range(40)], "does not move"),
+        ([(k, 1.0) for k in range(5)], "5 places: too few for a contact"),
+    ],
+)
+def test_what_looks_like_another_unit_or_ball_is_told(
+    rows: list[tuple[int, float]], expected: str, tmp_path: Path, capsys: pytest.CaptureFixture[str],
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:  # fmt: skip
+    file = tmp_path / "odd.csv"
+    file.write_text(
+        "t,x,y\n" + "".join(f"{k / 50},{(0.5 + 0.02 * k) * unit},{(0.2 + 0.01 * k) * unit}\n" for k, unit in rows)
+    )
+    code, _told, notes = run(capsys, monkeypatch, str(file))
+    assert code == 0
+    assert expected in notes

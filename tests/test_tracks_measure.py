@@ -369,3 +369,18 @@ def test_the_script(
     assert set(table.extra["shot"]) <= {f"shot_{number}" for number in (3, 7, 43, 20, 21, 22)}
     assert table.stage is not None
     assert {"after_wall", "rolling"} == set(table.stage)
+
+
+@pytest.mark.parametrize("seed", [500, 501, 502])
+def test_slow_turns_show_at_a_high_rate(seed: int) -> None:
+    """In three frames of a thousand a second a ball moves less than the noise; a wall that is not seen makes nonsense."""
+    rng = np.random.default_rng(seed)
+    run = shot(rng)
+    told = truth(run)
+    found = measure([seen(run, Camera(1000, 3e-4), rng)], ABOVE)
+    assert len(found.contacts) == len(told)
+    assert found.noise == pytest.approx(3e-4, rel=0.1)
+    for one, true in zip(found.contacts, told, strict=True):
+        assert one.fit is not None
+        for name in ("vn_in", "vt_in", "vn_out", "vt_out"):
+            assert abs(one.fit[name] - true[name]) < 5 * one.fit.error(name), name

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import html
+from itertools import pairwise
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 
 __all__ = ["plot_whole", "write_whole_report"]
 
-SHOTS = 6  # drawn from above
+SHOTS, MORE = 6, 12  # drawn from above; of tables that are wide, so that more rows find room
 BALLS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 
 
@@ -27,7 +28,8 @@ def plot_whole(ranking: WholeRanking) -> Any:
     """Six shots from above, tracked and simulated; distances by shot and law; distances over time. A Matplotlib Figure."""
     best = ranking.best
     shots = list(dict.fromkeys(one.group for one in best.frames.stretches))
-    shown = shots[:SHOTS]
+    size = np.ptp(np.concatenate([one.position for one in best.frames.stretches]), axis=0)
+    shown = shots[: MORE if size[0] > 1.5 * size[1] else SHOTS]
     with style():
         figure = sheet(10.4, 6.6)
         left, right = figure.subfigures(1, 2, width_ratios=[1.55, 1])
@@ -39,7 +41,7 @@ def plot_whole(ranking: WholeRanking) -> Any:
             axes.set_axis_off()
         for axes, shot in zip(panels.flat, shown, strict=False):
             _from_above(axes, best, shot, names)
-        left.subplots_adjust(left=0.02, right=0.98, top=0.9, bottom=0.1, wspace=0.08, hspace=0.18)
+        left.subplots_adjust(left=0.02, right=0.98, top=0.91, bottom=0.03, wspace=0.08, hspace=0.2)
         more = f", {len(shown)} of {len(shots)} shots" if len(shots) > len(shown) else ""
         left.suptitle(f"Tracked (dots) and simulated by {best.law.name} (lines){more}", fontsize=9)
         upper, lower = right.subplots(2, 1, height_ratios=[1, 1])
@@ -105,7 +107,20 @@ def _over_time(axes: Any, fit: WholeFit) -> None:
     for n, one in enumerate(fit.frames.stretches):
         count = int(fit.frames.count[n])
         gap = 1e3 * np.hypot(*fit.gap[n, :count].T)
-        axes.plot(one.time[:count] - one.contacts[0], gap, color=INK, lw=0.5, alpha=0.4)
+        axes.plot(one.time[:count] - one.contacts[0], gap, color=INK, lw=0.4, alpha=0.3)
+    since = np.concatenate(
+        [one.time[: int(c)] - one.contacts[0] for one, c in zip(fit.frames.stretches, fit.frames.count, strict=True)]
+    )
+    every = 1e3 * np.concatenate([np.hypot(*fit.gap[n, : int(c)].T) for n, c in enumerate(fit.frames.count)])
+    edges = np.linspace(since.min(), since.max(), 25)
+    middles = [(a + b) / 2 for a, b in pairwise(edges) if ((since >= a) & (since < b)).sum() >= 10]
+    medians = [
+        np.median(every[(since >= a) & (since < b)])
+        for a, b in pairwise(edges)
+        if ((since >= a) & (since < b)).sum() >= 10
+    ]
+    axes.plot(middles, medians, color="#D55E00", lw=1.8, label="median")
+    axes.legend(fontsize=7, frameon=False, loc="upper left")
     axes.axvline(0, color=GREY, lw=0.8, ls=":")
     axes.set(yscale="log", xlabel="time since the first contact, s", ylabel="distance, mm")
     axes.set_title(f"Over time, {fit.law.name}", fontsize=9)

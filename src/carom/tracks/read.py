@@ -17,6 +17,9 @@ from carom.tracks.track import Track
 
 __all__ = ["FORMATS", "Format", "TrackFile", "read_tracks"]
 
+SHORT = 9  # places: fewer hold no contact
+JUMP = 30.0  # usual steps: no ball goes so far at once
+
 
 @dataclass(frozen=True)
 class Format:
@@ -125,12 +128,46 @@ def _in_order(track: Track, path: str, notes: list[str], faults: list[str]) -> T
 
 
 def _look(tracks: list[Track], notes: list[str]) -> None:
-    """What looks like a wrong unit."""
+    """What looks like a wrong unit, several units in one file, or a ball that was lost and found elsewhere."""
     size = max(float(np.ptp(track.position[track.seen], axis=0).max()) for track in tracks)
-    if not 5e-3 < size < 100:
+    if size == 0:
+        notes.append("the ball does not move: all its places are the same")
+    elif not 5e-3 < size < 100:
         notes.append(f"the tracks span {size:.3g} m: is that the unit? --scale sets it, m to one unit of the file")
+        spans = np.array([np.ptp(track.position[track.seen], axis=0) for track in tracks]).max(axis=0)
+        if spans.max() > 100 * spans.min() > 0:
+            notes.append(
+                f"the axes span {' and '.join(f'{x:.3g}' for x in spans)} m: are both columns in the same unit?"
+            )
     steps = np.concatenate([np.diff(track.time) for track in tracks])
     if len(steps) and not 1e-5 < float(np.median(steps)) < 0.5:
         notes.append(
             f"a frame every {np.median(steps):.3g} s: is that the unit? write it in the header, as in 't [ms]'"
         )
+    most = max(int(track.seen.sum()) for track in tracks)
+    if most < SHORT:
+        notes.append(f"{most} places: too few for a contact, which takes 4 before and 5 after; film longer")
+    for track in tracks:
+        notes += _jumps(track)
+
+
+def _jumps(track: Track) -> list[str]:
+    """Rows in which the ball is suddenly elsewhere, farther off than it goes in all its usual steps together."""
+    seen = track.pick(track.seen)
+    if len(seen) < SHORT:
+        return []
+    step = np.hypot(*np.diff(seen.position[:, :2], axis=0).T)
+    usual = float(np.median(step))
+    label = " ".join(filter(None, (track.group, track.name)))
+    if float(np.median(np.hypot(*(seen.position[2:, :2] - seen.position[:-2, :2]).T))) < 0.1 * usual:
+        return [f"{label}: the places go to and fro from row to row: are there rows in two units, or of two balls?"]
+    far = np.flatnonzero(
+        (step > JUMP * usual) & (step > 0.05) & (np.diff(seen.time) < 3 * np.median(np.diff(seen.time)))
+    )
+    if not len(far) or usual == 0:
+        return []
+    at = seen.time[far[0] + 1]
+    return [
+        f"{label}: {len(far)} times the ball is suddenly {step[far].max():.3g} m away, first at t = {at:.6g} s; its usual step"
+        f" is {usual:.2g} m: are there rows in another unit, or was another thing tracked? mend or delete these rows"
+    ]

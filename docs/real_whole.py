@@ -1,0 +1,76 @@
+"""Whole tracks of real three-cushion shots beside the laws: the picture and the tables of docs/howto/whole_tracks.md.
+
+    python docs/real_whole.py carom_tracks_50hz.csv [--cushions 1] [--laws NAME,NAME] [--picture FILE]
+
+The file is your own copy. The same numbers come from ``carom fit FILE --whole --radius 0.03075 --contact-height 1.2033``.
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+import numpy as np
+from rich.console import Console
+from rich.progress import Progress
+from scipy.stats import wilcoxon
+
+from carom.fitting.output import with_error_bar
+from carom.fitting.whole import WholeFit
+from carom.fitting.whole_laws import WholeSetting
+from carom.fitting.whole_rank import fit_whole
+from carom.plot.save import save
+from carom.plot.whole import plot_whole
+from carom.tracks.measure import Settings, measure
+from carom.tracks.read import read_tracks
+
+RADIUS, NOSE = 0.03075, 0.037
+
+
+def by_shot(fit: WholeFit) -> np.ndarray:
+    """RMS distance of each shot, m."""
+    groups = [one.group for one in fit.frames.stretches]
+    return np.array([fit.rms([n for n, g in enumerate(groups) if g == group]) for group in dict.fromkeys(groups)])
+
+
+def main() -> None:
+    """Tables on standard output, the picture to a file."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("tracks", type=Path)
+    parser.add_argument("--cushions", type=int, default=1)
+    parser.add_argument("--laws", default="two-step,two-step-after,no-slip,two-step-paper,mirror,conventional")
+    parser.add_argument("--picture", type=Path)
+    given = parser.parse_args()
+    with Progress(console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("", total=1.0)
+        measured = measure(read_tracks(given.tracks).tracks, Settings(radius=RADIUS, view="above"))
+        ranking = fit_whole(
+            measured, WholeSetting(radius=RADIUS, contact_height=NOSE / RADIUS, cushions=given.cushions), given.laws.split(","),
+            say=lambda what, done: bar.update(task, completed=done, description=what),
+        )  # fmt: skip
+    if given.picture:
+        save(plot_whole(ranking), given.picture)
+    best = ranking.best
+    print(ranking.verdict, *ranking.notes, sep="\n")
+    print(
+        "\n| law | numbers | median RMS of a shot, mm | quartiles | AICc above the best | nearer than the best in | chance |"
+    )
+    print("|---|---|---|---|---|---|---|")
+    for fit in ranking.fits:
+        size, first = by_shot(fit), by_shot(best)
+        numbers = ", ".join(f"{n} {with_error_bar(e)}" for n, e in fit.estimates.items() if not n.startswith("wall"))
+        low, middle, high = 1e3 * np.percentile(size, [25, 50, 75])
+        nearer = "–" if fit is best else f"{(size < first).sum()} of {len(size)}"
+        chance = "–" if fit is best else f"{wilcoxon(np.log(size / first)).pvalue:.2g}"
+        print(
+            f"| {fit.law.name} | {numbers} | {middle:.2f} | {low:.1f} to {high:.1f} | {fit.aicc - best.aicc:.0f} | {nearer} | {chance} |"
+        )
+    print("\n| shot, ball | contacts | frames | " + " | ".join(fit.law.name for fit in ranking.fits) + " |")
+    print("|---" * (3 + len(ranking.fits)) + "|")
+    for n, one in enumerate(best.frames.stretches):
+        cells = [f"{1e3 * fit.rms([n]):.1f}" for fit in ranking.fits]
+        print(f"| {one.label} | {len(one.contacts)} | {int(best.frames.count[n])} | " + " | ".join(cells) + " |")
+
+
+if __name__ == "__main__":
+    main()
