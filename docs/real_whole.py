@@ -63,7 +63,8 @@ def main() -> None:
         nearer = "–" if fit is best else f"{(size < first).sum()} of {len(size)}"
         chance = "–" if fit is best else f"{wilcoxon(np.log(size / first)).pvalue:.2g}"
         print(
-            f"| {fit.law.name} | {numbers} | {middle:.2f} | {low:.1f} to {high:.1f} | {fit.aicc - best.aicc:.0f} | {nearer} | {chance} |"
+            cells = [fit.law.name, numbers, f"{middle:.2f}", f"{low:.1f} to {high:.1f}", f"{fit.aicc - best.aicc:.0f}", nearer, chance]
+            print("| " + " | ".join(cells) + " |")
         )
     print("\n| shot, ball | contacts | frames | " + " | ".join(fit.law.name for fit in ranking.fits) + " |")
     print("|---" * (3 + len(ranking.fits)) + "|")

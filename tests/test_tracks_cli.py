@@ -150,7 +150,7 @@ def test_options_that_do_not_fit_the_file_are_told(
 @pytest.mark.parametrize(
     ("rows", "expected"),
     [
-        ([(k, 1e3 if 20 <= k else 1.0) for k in range(40)], "suddenly"),
+        ([(k, 1e3 if k >= 20 else 1.0) for k in range(40)], "suddenly"),
         ([(k, 1e3 if k % 2 else 1.0) for k in range(40)], "go to and fro from row to row"),
         ([(k, 0.0) for k in range(40)], "does not move"),
         ([(k, 1.0) for k in range(5)], "5 places: too few for a contact"),
