@@ -26,7 +26,7 @@ from carom.motion.phases import BOUNCING, FLIGHT, HELD, PIVOTING, ROLLING, SLIDI
 DEEP = 1e-9
 LEAST = 2e-3  # of the radius: the shortest step, which passes over no more than 1e-6 radii of a graze
 CLOSE = 1e-9  # of the radius, for contact; and of the speeds, for states
-PLANE, SHEET, BLOCK, PILLAR, TUBE, SPHERE, HOLLOW, ARC, STADIUM, WEDGE = range(10)
+PLANE, SHEET, BLOCK, PILLAR, TUBE, SPHERE, HOLLOW, ARC, STADIUM, WEDGE, ROUND, SLEEVE = range(12)
 FAULTS = (
     "", "deep in a wall", "deep in the floor", "deep in a ball", "no contact at the wall", "no approach at the wall",
     "no contact with the floor", "no approach to the floor", "no contact of the balls", "no approach of the balls",
@@ -69,12 +69,14 @@ def solids(scene: carom.Scene) -> Any:
             else:
                 rows.append([BLOCK, i, *low, *(low + size)])
         elif kind == "cylinder":
-            rows.append([TUBE if w.inside else PILLAR, i, *w.point, *unit(w.axis), w.radius])
+            kinds = (TUBE, PILLAR) if w.length == math.inf else (SLEEVE, ROUND)
+            rows.append([kinds[not w.inside], i, *w.point, *unit(w.axis), w.radius, w.length])
         elif kind == "sphere":
             rows.append([HOLLOW if w.inside else SPHERE, i, *w.center, w.radius])
         elif kind == "arc":
             span = math.radians(w.to_angle - w.from_angle)
             rows.append([ARC, i, *w.center, w.radius, math.radians(w.from_angle) + span / 2, span / 2])
+            rows[-1] += [w.low, w.height]
         elif kind == "stadium":
             turn = math.radians(w.angle)
             rows.append([STADIUM, i, *w.center, math.cos(turn), math.sin(turn), w.length / 2, w.radius])
@@ -120,14 +122,24 @@ def _gap(s: Any, x: float, y: float, z: float) -> float:  # noqa: PLR0911
     if kind in (SPHERE, HOLLOW):
         far = math.sqrt((x - s[2]) ** 2 + (y - s[3]) ** 2 + (z - s[4]) ** 2) - s[5]
         return far if kind == SPHERE else -far
+    if kind in (ROUND, SLEEVE):
+        rx, ry, rz = x - s[2], y - s[3], z - s[4]
+        h = rx * s[5] + ry * s[6] + rz * s[7]
+        p = math.sqrt((rx - h * s[5]) ** 2 + (ry - h * s[6]) ** 2 + (rz - h * s[7]) ** 2) - s[8]
+        q = max(-h, h - s[9])
+        if kind == SLEEVE:
+            return math.sqrt(p * p + max(q, 0.0) ** 2)
+        most = max(p, q)
+        return most if most < 0 else math.sqrt(max(p, 0.0) ** 2 + max(q, 0.0) ** 2)
     if kind == ARC:
+        up = max(s[7] - z, z - s[8], 0.0)
         angle = abs((math.atan2(y - s[3], x - s[2]) - s[5] + math.pi) % (2 * math.pi) - math.pi)
         if angle <= s[6]:
-            return abs(math.sqrt((x - s[2]) ** 2 + (y - s[3]) ** 2) - s[4])
+            return math.sqrt((math.sqrt((x - s[2]) ** 2 + (y - s[3]) ** 2) - s[4]) ** 2 + up * up)
         one, two = s[5] - s[6], s[5] + s[6]
         d1 = (x - s[2] - s[4] * math.cos(one)) ** 2 + (y - s[3] - s[4] * math.sin(one)) ** 2
         d2 = (x - s[2] - s[4] * math.cos(two)) ** 2 + (y - s[3] - s[4] * math.sin(two)) ** 2
-        return math.sqrt(min(d1, d2))
+        return math.sqrt(min(d1, d2) + up * up)
     if kind == STADIUM:
         p, q = (x - s[2]) * s[4] + (y - s[3]) * s[5], (y - s[3]) * s[4] - (x - s[2]) * s[5]
         return s[7] - math.sqrt(max(abs(p) - s[6], 0.0) ** 2 + q * q)
@@ -598,6 +610,17 @@ def random_scene(seed: int) -> carom.Scene:
             walls.append({"shape": "polygon", "points": ring, "closed": bool(rng.random() < 0.7)})
             if not upright and rng.random() < 0.4:
                 walls[-1]["height"] = float(rng.uniform(0.03, 0.3))
+    if not upright:
+        # (numbers of their own, so that all else of a seed stays as it was)
+        more = np.random.default_rng([seed, 1])
+        for wall in walls:
+            if wall["shape"] == "cylinder" and wall is not walls[0] and more.random() < 0.6:
+                wall["length"] = float(more.uniform(0.05, 0.6))
+                if more.random() < 0.4:
+                    wall["inside"] = True
+            elif wall["shape"] == "arc" and more.random() < 0.6:
+                low = [-math.inf, 0.0, float(more.uniform(0.05, 0.2))][more.integers(3)]
+                wall["low"], wall["height"] = low, float(max(low, 0.0) + more.uniform(0.0, 0.3))
     for wall in walls:
         wall.update(surface())
     data: dict[str, Any] = {"walls": walls, "run": {"law": law, "duration": 8.0, "max_events": 60}}

@@ -66,8 +66,24 @@ def to_tube(p: tuple[float, ...], axis: tuple[float, ...], radius: float) -> Dis
     return lambda x: float(abs(np.linalg.norm(np.cross(x - p, unit)) - radius))
 
 
-def to_arc(center: tuple[float, float], radius: float, first: float, last: float) -> Distance:
+def to_pillar(p: tuple[float, ...], axis: tuple[float, ...], radius: float, length: float, open: bool) -> Distance:  # noqa: A002
+    unit = np.array(axis) / np.linalg.norm(axis)
+
     def far(x: np.ndarray) -> float:
+        h = float((x - p) @ unit)
+        off, past = float(np.linalg.norm(x - p - h * unit)) - radius, max(-h, h - length, 0.0)
+        return math.hypot(off if open else max(off, 0.0), past)
+
+    return far
+
+
+def to_arc(
+    center: tuple[float, float], radius: float, first: float, last: float, low: float = -INF, high: float = INF
+) -> Distance:
+    def far(x: np.ndarray) -> float:
+        return math.hypot(flat(x), max(low - x[2], x[2] - high, 0.0))
+
+    def flat(x: np.ndarray) -> float:
         r = x[:2] - center
         turn = (math.degrees(math.atan2(r[1], r[0])) - first) % 360
         if turn <= last - first:
@@ -134,6 +150,22 @@ SHAPES: dict[str, tuple[Wall, Distance]] = {
     "cylinder": (Cylinder(point=(0, 1, 0), radius=0.7), to_tube((0, 1, 0), (0, 0, 1), 0.7)),
     "cylinder, tilted": (Cylinder(point=(0, 1, 0), axis=(1, 1, 0.5), radius=0.7), to_tube((0, 1, 0), (1, 1, 0.5), 0.7)),
     "tube": (Cylinder(point=(0, 1, 0), axis=(1, 1, 0.5), radius=2, inside=True), to_tube((0, 1, 0), (1, 1, 0.5), 2)),
+    "cylinder with ends": (
+        Cylinder(point=(0, 1, -0.5), axis=(1, 1, 0.5), radius=0.7, length=1.2),
+        to_pillar((0, 1, -0.5), (1, 1, 0.5), 0.7, 1.2, open=False),
+    ),
+    "open tube": (
+        Cylinder(point=(0, 1, -0.5), axis=(1, 1, 0.5), radius=0.9, length=1.2, inside=True),
+        to_pillar((0, 1, -0.5), (1, 1, 0.5), 0.9, 1.2, open=True),
+    ),
+    "arc, low": (
+        Arc(center=(0, 0.2), radius=1.5, from_angle=20, to_angle=110, low=-0.3, height=0.8),
+        to_arc((0, 0.2), 1.5, 20, 110, -0.3, 0.8),
+    ),
+    "arc, whole and low": (
+        Arc(center=(0, 0.2), radius=1.5, from_angle=0, to_angle=360, height=0.8),
+        to_arc((0, 0.2), 1.5, 0, 360, -INF, 0.8),
+    ),
     "arc": (Arc(center=(0, 0.2), radius=1.5, from_angle=20, to_angle=110), to_arc((0, 0.2), 1.5, 20, 110)),
     "arc, long": (Arc(center=(0, 0.2), radius=1.5, from_angle=-30, to_angle=250), to_arc((0, 0.2), 1.5, -30, 250)),
     "arc, whole": (Arc(center=(0, 0.2), radius=1.5, from_angle=0, to_angle=360), to_arc((0, 0.2), 1.5, 0, 360)),
@@ -169,7 +201,7 @@ def test_features_are_as_far_away_as_the_shape(name: str) -> None:
         slope = [(far(x + h * e) - far(x - h * e)) / (2 * h) for e in np.eye(3)]
         if abs(np.linalg.norm(slope) - 1) < 1e-6:  # not where two features are equally near
             assert n == pytest.approx(slope, abs=1e-4)
-    thin = name.startswith(("segment", "polygon", "arc", "screen"))
+    thin = name.startswith(("segment", "polygon", "arc", "screen", "open"))
     assert (blocked == 0) == thin
 
 
@@ -335,10 +367,12 @@ WRONG = {
         lambda: Box(size=(1, 1, 1), center=(0, 0, 0), corner=(0, 0, 0)),
         "Box: expected either center or corner (the lowest in x, y and z), got both",
     ),
-    "short cylinder": (
-        lambda: Cylinder(point=(0, 0, 0), radius=1, length=2),
-        "Cylinder: length: expected inf, or nothing, got 2.0; a cylinder has no ends, as rims are not among the things a"
-        " ball can touch; planes close one from inside",
+    "flat cylinder": (
+        lambda: Cylinder(point=(0, 0, 0), radius=1, length=0), "Cylinder: length: expected a length greater than 0 m, got 0.0",
+    ),
+    "arc upside down": (
+        lambda: Arc(center=(0, 0), radius=1, from_angle=0, to_angle=90, low=1, height=0.5),
+        "Arc: height: expected a height above low = 1 m, got 0.5",
     ),
     "closed wedge": (
         lambda: Wedge(apex=(0, 0, 0), from_angle=30, to_angle=30),

@@ -91,11 +91,12 @@ def njit(function: Callable[..., Any], signature: Any = None, **options: Any) ->
         return numba.njit(signature, **options)(function)  # type: ignore[no-any-return]
 
 
-def cfunc(function: Callable[..., Any], numbers: int) -> Any:
-    """Compile a function of so many floats and of a place to write floats to, for calls by its address."""
+def cfunc(function: Callable[..., Any], numbers: int, keep: bool = False) -> Any:
+    """Compile a function of so many floats and of a place to write floats to, for calls by its address; ``keep`` it."""
     import numba
     from numba import types
 
     register_kernels()
     signature = types.void(*[types.float64] * numbers, types.CPointer(types.float64))
-    return numba.cfunc(signature, error_model="numpy")(function)
+    with _numba_cache():
+        return numba.cfunc(signature, error_model="numpy", cache=keep)(function)

@@ -23,7 +23,7 @@ from carom.laws.simultaneous import STALL
 from carom.laws.two_step import UNDEFINED
 from carom.motion.phases import FLIGHT, REST, ROLLING, ROUNDING, SLIDING, grounded
 from carom.motion.restitution import restitution
-from carom.scene.features import feature_normal
+from carom.scene.features import contact_normal
 
 __all__ = ["DONE", "REFUSED_ROLLING", "REFUSED_STALL", "REFUSED_UNDEFINED", "meet_ball", "meet_floor", "meet_wall"]
 
@@ -94,7 +94,7 @@ def meet_wall(world: Any, f: Any, ball: Any, users: Any) -> Impulse:
     """A ball meets feature f: impulse of the wall and of the floor, required friction, regime, refusal."""
     a, kappa = ball.radius, ball.kappa
     v, w = vector(ball.v), vector(ball.w)
-    n = feature_normal(f, vector(ball.x))
+    n = contact_normal(f, vector(ball.x), v)
     approach = -dot(v, n)
     pushed = pushed_on_wall(world, f, ball, n, approach)
     e = 1.0 if pushed else restitution(f.form, vector(f.e), max(approach, 0.0))

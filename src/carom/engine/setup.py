@@ -10,7 +10,9 @@ from numpy.typing import NDArray
 
 from carom.engine.arrays import BALLS, WORLD
 from carom.engine.users import user_address
+from carom.scene.features import RIM
 from carom.scene.model import Scene
+from carom.scene.rims import rim_address
 
 __all__ = ["Setup", "set_up"]
 
@@ -62,7 +64,11 @@ def _set_up(scene: Scene) -> Setup:
         row["radius"], row["mass"], row["kappa"] = ball.radius, ball.mass, ball.ball.kappa
         row["x"], row["v"], row["w"] = ball.center, state.velocity, state.spin
     users = [user_address(law.kernel) for law in scene.own_laws if law.kernel is not None]
-    return Setup(world, scene.features(), balls, np.array(users, dtype=np.int64))
+    features = scene.features()
+    rims = features["kind"] == RIM
+    if rims.any():
+        features["at"][rims] = rim_address()
+    return Setup(world, features, balls, np.array(users, dtype=np.int64))
 
 
 def _surface(world: Any, name: str, contact: Any) -> None:

@@ -20,7 +20,7 @@ import math
 
 from carom.kernel import hot_kernel, kernel
 
-__all__ = ["accurate", "hit2", "hit4", "hit8", "next_hit4", "two_prod", "two_sum"]
+__all__ = ["accurate", "hit2", "hit4", "hit8", "next_hit4", "next_hit8", "two_prod", "two_sum"]
 
 Numbers = tuple[float, ...]
 
@@ -445,3 +445,12 @@ def hit8(c: Numbers, T: float, tol: float) -> float:
                 if c[i] > 0.0:
                     break
     return _search(c, ZERO9, T, 1e30)
+
+
+@kernel
+def next_hit8(c: Numbers, after: float, T: float) -> float:
+    """As next_hit4, of degree 8."""
+    start = after * (1.0 + 4e-12)
+    far = _far(c, 1e30)
+    stop = far if far < T else T
+    return _descend(c, ZERO9, start, stop, -1) if start < stop else NEVER

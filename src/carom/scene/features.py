@@ -1,10 +1,11 @@
-"""What a ball can touch, as numbers: faces, lines and points, each with the polynomial of its gap.
+"""What a ball can touch, as numbers: faces, lines, points and rims, each with the polynomial of its gap.
 
 Every wall is made of features. A feature is a core (a plane, a line, a point) and a distance R from it: a box has faces
 (planes), edges (lines, R = 0) and corners (points, R = 0); a cylinder is a line with R > 0, a sphere a point with R > 0,
 and a ball may be outside (side +1) or inside (side -1). A ball of radius a touches where its centre is R + side a from
 the core. Between events its centre moves on x + v s + acc s^2/2, so the gap is a polynomial in s: of degree 2 for a plane,
-and, as the square of the distance, of degree 4 for lines and points.
+and, as the square of the distance, of degree 4 for lines and points. A rim is a circle of radius R, in touch with balls whose
+centres are a from it; its gap is of degree 8 (:mod:`carom.scene.rims`).
 
 A thin wall is two faces back to back. The faces of a wall end at its edges, which are features of their own: the centre of
 a ball comes in over exactly one of them, and over both, with one normal, where they join.
@@ -20,19 +21,23 @@ import numpy as np
 
 from carom.kernel import Vec, cross, dot, hot_kernel, kernel, vector
 from carom.motion.roots import hit2, hit4, next_hit4
+from carom.scene.rims import call_rim, rim_gap, rim_normal, rim_way_in
 
-__all__ = ["FACE", "FEATURES", "LINE", "OVER", "POINT", "distance", "feature_hit", "feature_normal", "stays", "way_in"]
+__all__ = [
+    "FACE", "FEATURES", "LINE", "OVER", "POINT", "RIM", "contact_normal", "distance", "feature_hit", "feature_normal",
+    "stays", "way_in",
+]  # fmt: skip
 
-# Kinds. OVER is no wall: it is the upward continuation of a low one, and a ball whose centre passes it has cleared it.
-# Faces come before what is round, so that one comparison tells them apart.
-FACE, OVER, LINE, POINT = range(4)
+# Kinds. OVER is no wall: it is the upward continuation of a low one, and a ball whose centre passes it has cleared it; of a
+# round one, with R > 0. Faces come before what is round, so that one comparison tells them apart.
+FACE, OVER, LINE, POINT, RIM = range(5)
 
 FEATURES = np.dtype(
     [
         ("kind", "i8"),
         ("p", "f8", (3,)),  # a point of the core
         ("d", "f8", (3,)),  # the unit normal of a face (towards its balls), the unit direction of a line
-        ("R", "f8"),
+        ("R", "f8"),  # of a face: where it is a disc
         ("side", "f8"),  # +1 outside, -1 inside (faces: +1)
         ("u", "f8", (3,)),  # unit, perpendicular to d: the first direction along a face; the middle of an arc
         ("lo1", "f8"),  # extent of a face along u; of an arc, lo1 is the cosine of half its angle (-1: all round)
@@ -47,6 +52,7 @@ FEATURES = np.dtype(
         ("beta", "f8"),
         ("law", "i8"),
         ("ends", "i8"),  # whether a ball that clears the wall is followed no further
+        ("at", "i8"),  # of a rim: the address of carom.scene.rims.rim_hit
     ]
 )
 # Seams: a feature reaches this share of the ball's radius over its ends, so that no ball slips in between two.
@@ -69,8 +75,8 @@ def _within(f: Any, x: Vec, a: float) -> bool:
     r = (x[0] - p[0], x[1] - p[1], x[2] - p[2])
     seam = SEAM * a
     along = dot(r, d)
-    if f.kind == LINE:
-        if not f.lo2 - seam <= along <= f.hi2 + seam:
+    if f.kind >= LINE or (f.kind == OVER and f.R > 0):
+        if f.kind != RIM and not f.lo2 - seam <= along <= f.hi2 + seam:
             return False
         cosine = f.lo1
         if cosine <= -1:
@@ -78,6 +84,8 @@ def _within(f: Any, x: Vec, a: float) -> bool:
         across = (r[0] - along * d[0], r[1] - along * d[1], r[2] - along * d[2])
         return bool(dot(across, u) >= (cosine - SEAM) * math.sqrt(dot(across, across)))
     first, second = dot(r, u), dot(r, cross(d, u))
+    if f.R > 0:
+        return bool(first * first + second * second <= (f.R + seam) * (f.R + seam))
     return bool(f.lo1 - seam <= first <= f.hi1 + seam and f.lo2 - seam <= second <= f.hi2 + seam)
 
 
@@ -125,7 +133,7 @@ def _face_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: fl
 def _round_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: float) -> float:
     p, side = vector(f.p), f.side
     r = (x[0] - p[0], x[1] - p[1], x[2] - p[2])
-    if f.kind == LINE:  # only what is across the line counts
+    if f.kind != POINT:  # only what is across the line counts
         d = vector(f.d)
         c = dot(r, d)
         r = (r[0] - c * d[0], r[1] - c * d[1], r[2] - c * d[2])
@@ -135,7 +143,7 @@ def _round_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: f
         b = (acc[0] - c * d[0], acc[1] - c * d[1], acc[2] - c * d[2])
     else:
         v1, b = v, acc
-    reach = f.R + side * a
+    reach = f.R + side * a if f.kind != OVER else f.R + 0 * a
     far = math.sqrt(dot(r, r))
     # |r + v s + b s^2/2|^2 - reach^2, outside; the other way round inside
     c0, c1 = side * (far - reach) * (far + reach), side * 2 * dot(r, v1)
@@ -147,6 +155,8 @@ def _round_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: f
         s = next_hit4(c0, c1, c2, c3, c4, 0 * a, until)
     else:
         s = hit4(c0, c1, c2, c3, c4, until, 2 * reach * slow)
+    if f.kind == OVER and s == 0:  # it stands in the gate, having just come through
+        s = next_hit4(c0, c1, c2, c3, c4, 0 * a, until)
     for _ in range(2):
         if not s <= until:
             break
@@ -168,18 +178,22 @@ def feature_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: 
     ``slow`` is the speed of approach below which a ball in touch is not coming in: the rounding of one that moves along.
     """
     kind = f.kind
-    if kind >= LINE:
+    if kind == RIM:
+        return call_rim(f.at, vector(f.p), vector(f.d), f.R, vector(f.u), f.lo1, a, x, v, acc, until, slow)
+    if kind >= LINE or (kind == OVER and f.R > 0):
         return _round_hit(f, a, x, v, acc, until, slow)
     return _face_hit(f, a, x, v, acc, until, slow)
 
 
 @kernel
-def feature_normal(f: Any, x: Vec) -> Vec:
-    """Unit normal of feature f, towards the ball, where one centred at x touches it."""
+def contact_normal(f: Any, x: Vec, v: Vec) -> Vec:
+    """Unit normal of feature f, towards the ball, where one centred at x, that moves with v, touches it."""
     kind = f.kind
     d = vector(f.d)
     if kind < LINE:
         return d
+    if kind == RIM:
+        return rim_normal(vector(f.p), d, f.R, x, v)
     p, side = vector(f.p), f.side
     r = (x[0] - p[0], x[1] - p[1], x[2] - p[2])
     if kind == LINE:
@@ -190,6 +204,13 @@ def feature_normal(f: Any, x: Vec) -> Vec:
         return vector(f.u)
     c = side / size
     return (c * r[0], c * r[1], c * r[2])
+
+
+@kernel
+def feature_normal(f: Any, x: Vec) -> Vec:
+    """Unit normal of feature f at a ball that does not move (:func:`contact_normal`)."""
+    zero = 0 * x[0]
+    return contact_normal(f, x, (zero, zero, zero))
 
 
 @kernel
@@ -205,6 +226,8 @@ def distance(f: Any, a: float, x: Vec) -> float:
         return math.inf
     if kind == FACE:
         gap = dot(r, d) - a
+    elif kind == RIM:
+        gap = rim_gap(p, d, f.R, x) - a
     else:
         if kind == LINE:
             c = dot(r, d)
@@ -216,7 +239,9 @@ def distance(f: Any, a: float, x: Vec) -> float:
 @kernel
 def way_in(f: Any, x: Vec, v: Vec, acc: Vec) -> tuple[float, float]:
     """First and second derivative of the gap of a ball in touch with feature f."""
-    n = feature_normal(f, x)
+    if f.kind == RIM:
+        return rim_way_in(vector(f.p), vector(f.d), f.R, x, v, acc)
+    n = contact_normal(f, x, v)
     speed = dot(v, n)
     bend = _component(n, acc)
     kind = f.kind

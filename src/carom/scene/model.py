@@ -158,7 +158,7 @@ class Scene(Model):
         laws = [*LAW_NAMES, *dict.fromkeys(law for law in self.wall_laws if law not in LAW_NAMES)]
         rows = []
         for i, (wall, law) in enumerate(zip(self.walls, self.wall_laws, strict=True)):
-            surface = (*wall.contact, laws.index(law), wall.encloses)
+            surface = (*wall.contact, laws.index(law), wall.encloses, 0)
             rows += [(*feature, i, *surface) for feature in wall.features()]
         return np.array(rows, dtype=FEATURES)
 

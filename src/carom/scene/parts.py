@@ -12,11 +12,12 @@ from numpy.typing import NDArray
 
 from carom.kernel import cross, dot
 from carom.motion.roots import two_prod
-from carom.scene.features import FACE, LINE, OVER, POINT
+from carom.scene.features import FACE, LINE, OVER, POINT, RIM
 from carom.scene.quantities import Vector
 
 __all__ = [
-    "Feature", "Flat", "across", "circle", "corner", "frame", "line", "minus", "plane", "post", "unit", "upright",
+    "Feature", "Flat", "across", "circle", "corner", "disc", "frame", "line", "minus", "plane", "post", "rim", "unit",
+    "upright",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -125,6 +126,16 @@ def post(at: Flat, low: float = -math.inf, high: float = math.inf) -> Feature:
 def corner(p: Vector) -> Feature:
     """A point."""
     return Feature(POINT, p)
+
+
+def disc(p: Vector, normal: Vector, R: float) -> Feature:
+    """A round face; balls on the side of its unit normal."""
+    return Feature(FACE, p, normal, R, u=frame(normal)[0])
+
+
+def rim(p: Vector, d: Vector, R: float, u: Vector | None = None, cosine: float = -1.0) -> Feature:
+    """A circle around p, in the plane of unit normal d; or of it an arc on both sides of u, by the cosine of half its angle."""
+    return Feature(RIM, p, d, R, 1.0, frame(d)[0] if u is None else u, cosine)
 
 
 def _standing(kind: int, start: Flat, end: Flat, low: float, high: float) -> Feature:

@@ -15,12 +15,12 @@ from carom.scene.quantities import Components, Extent, Flag, Place, Size, Vector
 from carom.scene.wall import Outline, Wall, spelled
 from carom.units import length
 
-__all__ = ["Polygon", "Segment", "Table"]
+__all__ = ["Polygon", "Segment", "Standing", "Table"]
 
 Array = NDArray[np.float64]
 
 
-class _Standing(Wall):
+class Standing(Wall):
     """Between two heights: ``low`` (where it begins; left out: below everything) and ``height`` (where it ends)."""
 
     low: Extent = -math.inf
@@ -39,7 +39,7 @@ class _Standing(Wall):
         return f", {length(self.height)} high" if math.isfinite(self.height) else ""
 
 
-class Segment(_Standing):
+class Segment(Standing):
     """A thin upright wall from start to end (x, y), met from both sides and at its end posts."""
 
     shape: Literal["segment"] = "segment"
@@ -65,7 +65,7 @@ class Segment(_Standing):
         return f"a segment from {spelled(self.start)} to {spelled(self.end)}{self._tall()}"
 
 
-class Polygon(_Standing):
+class Polygon(Standing):
     """Thin upright walls from point to point (x, y) and, ``closed``, back to the first; met from both sides."""
 
     shape: Literal["polygon"] = "polygon"
