@@ -179,13 +179,15 @@ def _renamed(fault: str, names: dict[str, str]) -> str:
 
 def _run(scene: Scene, quiet: bool) -> Trajectory:
     from carom.engine.run import compiled_before, compiled_engine
+    from carom.engine.setup import set_up
     from carom.simulation import simulate as follow
 
     with _busy(quiet) as say:
-        if not quiet and not compiled_before():
+        if not quiet and not compiled_before(scene):
             say("compiling the engine, once", True)
         with _interruptible():
             compiled_engine()
+            set_up(scene)  # which compiles what only this scene needs: rims, laws of its own
         return follow(scene, lambda events, t: say(f"simulating: {events:,} events, {t:.4g} s", False))
 
 

@@ -14,7 +14,8 @@ from carom.engine.loop import QUIET, finish, run
 from carom.engine.pressed import PART, register_pressed
 from carom.engine.resolve import DONE
 from carom.engine.users import register_calls
-from carom.scene.features import FEATURES
+from carom.scene.features import FEATURES, RIM
+from carom.scene.model import Scene
 
 __all__ = ["Engine", "compiled_before", "compiled_engine", "compiled_many"]
 
@@ -55,11 +56,13 @@ def compiled_engine() -> Engine:
         )
 
 
-def compiled_before() -> bool:
-    """Whether the loop lies compiled in the cache: what is compiled last is there."""
+def compiled_before(scene: Scene | None = None) -> bool:
+    """Whether the loop lies compiled in the cache (what is compiled last is there), and rims, if the scene has any."""
     from carom.compiled import cache_folder
 
-    return any(cache_folder().glob("*/run._one_end-*.nbi"))
+    rims = scene is not None and any(feature.kind == RIM for wall in scene.walls for feature in wall.features())
+    wanted = ["run._one_end", "rims._entry"] if rims else ["run._one_end"]
+    return all(any(cache_folder().glob(f"*/{name}-*.nbi")) for name in wanted)
 
 
 # Entries, and nothing else: what is called from Python is compiled with other flags, and so would be all that it calls, which
