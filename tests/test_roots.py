@@ -17,7 +17,8 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from carom.compiled import njit
-from carom.motion.roots import _turn, accurate, hit2, hit4, hit8, next_hit4, two_prod, two_sum
+from carom.motion.polynomial import accurate, turning, two_prod, two_sum
+from carom.motion.roots import hit2, hit4, hit8, next_hit4
 
 COUNT = 3000
 WITHIN = Fraction(1, 10**12)
@@ -443,9 +444,9 @@ def test_the_rule(c, T, tol, expected):
 
 def test_the_extreme_value_is_taken_at_the_turn_not_beside_it():
     x = 1 + 2.0**-45
-    p, turn = _turn((1.0, -2.0, 1.0, 0.0, 0.0), (0.0,) * 5, x)  # (s - 1)^2
+    p, turn = turning((1.0, -2.0, 1.0, 0.0, 0.0), (0.0,) * 5, x)  # (s - 1)^2
     assert (p, turn) == (2.0**-90, 0.0)
-    p, turn = _turn((2.0**40 - 2.0**-13, -(2.0**41), 2.0**40, 0.0, 0.0), (0.0,) * 5, x)  # two roots 2^-26 beside 1
+    p, turn = turning((2.0**40 - 2.0**-13, -(2.0**41), 2.0**40, 0.0, 0.0), (0.0,) * 5, x)  # two roots 2^-26 beside 1
     assert turn == -(2.0**-13)
     assert p == 2.0**-50 - 2.0**-13
 

@@ -15,7 +15,7 @@ import numpy as np
 
 from carom.engine.swarm_arrays import NOBODY
 from carom.kernel import hot_kernel, kernel
-from carom.motion.roots import two_sum
+from carom.motion.polynomial import two_sum
 
 __all__ = ["S", "U", "enqueue", "fill", "take_out", "turn_over"]
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.kernel import cross, dot
-from carom.motion.roots import two_prod
+from carom.motion.polynomial import two_prod
 from carom.scene.features import FACE, LINE, OVER, POINT, RIM
 from carom.scene.quantities import Vector
 
