@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 from carom.kernel import Vec, kernel
 from carom.laws.contact import SLIDE
 from carom.laws.gliding import DONE, GOES, REACH, glide
-from carom.laws.simultaneous import AGAIN, AT_REST, STALL, error_allowed, go_on, meet, part, pressed_down
+from carom.laws.meeting import meet, part
+from carom.laws.simultaneous import AGAIN, AT_REST, STALL, error_allowed, go_on, pressed_down
 from carom.laws.two_contacts import FLOOR_SLIP, Law, Pair, Slips, decide_mode, size
 from carom.laws.two_step import rolling_after, two_step_final
 

@@ -16,7 +16,8 @@ import math
 
 from carom.kernel import Vec, dot, hot_kernel, kernel
 from carom.laws.card import Card
-from carom.laws.contact import GRAZE, SLIDE, STICK, contact, slip_velocity, wall_contact
+from carom.laws.contact import GRAZE, SLIDE, STICK, contact, slip_velocity
+from carom.laws.meeting import meet, part
 from carom.laws.stepping import creep, hop, stride
 from carom.laws.two_contacts import (
     ENDLESS,
@@ -35,7 +36,7 @@ from carom.laws.two_contacts import (
 from carom.laws.wall_clock import gap_growth, remaining, touch_down
 
 __all__ = [
-    "AGAIN", "AT_REST", "CARD", "JAM", "STALL", "error_allowed", "go_on", "meet", "part", "pressed_down", "wall_and_floor"
+    "AGAIN", "AT_REST", "CARD", "JAM", "STALL", "error_allowed", "go_on", "pressed_down", "wall_and_floor"
 ]  # fmt: skip
 
 CARD = Card(
@@ -56,11 +57,7 @@ CARD = Card(
     doi="10.1115/1.3171712",
 )
 
-# Velocity, a times spin, the floor's impulse so far; the frame; law and slips; the speed of approach, and of all
-Met = tuple[Vec, Vec, Vec, Pair, Law, Slips, float, float]
-
 JAM, STALL, AGAIN = 3, 4, 6  # (5 is two_step.UNDEFINED)
-UP: Vec = (0.0, 0.0, 1.0)
 LEAST_FIRM = 1e3  # half of this: where a friction that was used can only have been an infinite one
 ROUNDING = 1e-15  # of the speeds: where a velocity of approach has ended
 TINY = 1e-12
@@ -377,53 +374,6 @@ def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
             landings += 1
             touching = vz <= 1e-9 * scale or landings > HUMS
     return y, zero if touching else vz, p, regime, compressing, peak, dw, df
-
-
-@kernel
-def meet(v: Vec, w: Vec, n: Vec, a: float, kappa: float, muw: float, ef: float, muf: float, betaf: float) -> Met:
-    """A ball as wall and floor see it: after the floor's first blow, in the frame of the wall, with a = m = 1."""
-    zero = 0 * a
-    s = (a * w[0], a * w[1], a * w[2])
-    v1, s1, j = v, s, (zero, zero, zero)
-    if v[2] < 0:  # a rigid floor answers first, and may send the ball away from the wall
-        v1, s1, j, _required, _regime = wall_contact(v, s, UP, 1, kappa, ef, muf, betaf)
-    # the frame: x along the level part of the normal
-    m, c = n[2], size(n[0], n[1])
-    x, y = (n[0] / c, n[1] / c) if c > 0 else (1 + zero, zero)
-    vx, vy, vz = x * v1[0] + y * v1[1], x * v1[1] - y * v1[0], v1[2]
-    sx, sy, sz = x * s1[0] + y * s1[1], x * s1[1] - y * s1[0], s1[2]
-    i = 1 / kappa
-    q = (c, m, m * m + i, 1 + i, 1 + m * i, m + i, 1 + zero, min(muw, ENDLESS), min(muf, ENDLESS), 1 + zero)
-    slips = (sy - m * vx + c * vz, vy - c * sz + m * sx, vx - sy, vy + sx, zero)
-    return v1, s1, j, (x, y), q, slips, -dot(v1, n), math.sqrt(dot(v1, v1)) + math.sqrt(dot(s1, s1))
-
-
-@kernel
-def part(
-    v: Vec, w: Vec, a: float, kappa: float, met: Met, after: Slips, up: float, p: float
-) -> tuple[Vec, Vec, Vec, Vec]:
-    """Velocity, spin, impulses of wall and floor, from the slips, v_z and the wall's normal impulse at the end."""
-    v1, s1, _j, (x, y), q, before, _speed, _scale = met
-    # Impulses, from what they changed: wall friction f along (t, y), floor friction g along (x, y).
-    c, m, b, k, d, ee, _drive, _muw, _muf, _heed = q
-    i = 1 / kappa
-    rise = up - v1[2]
-    r1, r2 = after[0] - before[0] + m * c * p - c * rise, after[2] - before[2] - c * p
-    ft, gx = (k * r1 + ee * r2) / (b * k - ee * ee), (ee * r1 + b * r2) / (b * k - ee * ee)
-    r1, r2 = after[1] - before[1], after[3] - before[3]
-    fy, gy = (k * r1 - d * r2) / (k * k - d * d), (k * r2 - d * r1) / (k * k - d * d)
-    wx, wz = c * p - m * ft, m * p + c * ft
-    wall = (x * wx - y * fy, x * fy + y * wx, wz)
-    v2 = (v1[0] + wall[0] + x * gx - y * gy, v1[1] + wall[1] + x * gy + y * gx, up)
-    tx, ty = (m * fy + gy) * i, (ft - gx) * i
-    s2 = (s1[0] + x * tx - y * ty, s1[1] + x * ty + y * tx, s1[2] - c * fy * i)
-    # The steps' errors may leave a little more energy than there was, where nothing is lost: no law of impact makes any.
-    had, has = dot(v, v) + kappa * (a * a) * dot(w, w), dot(v2, v2) + kappa * dot(s2, s2)
-    if has > had:
-        k = math.sqrt(had / has)
-        v2, s2 = (k * v2[0], k * v2[1], k * v2[2]), (k * s2[0], k * s2[1], k * s2[2])
-    floor = (v2[0] - v[0] - wall[0], v2[1] - v[1] - wall[1], v2[2] - v[2] - wall[2])
-    return v2, (s2[0] / a, s2[1] / a, s2[2] / a), wall, floor
 
 
 @kernel
