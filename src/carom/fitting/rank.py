@@ -27,7 +27,7 @@ DECIDED, LEANS = 20.0, 3.0  # odds
 ENOUGH = 4  # measured numbers for each that is fitted, where the scatter is estimated
 UNLIKELY = 1e-3  # a chi^2 that chance gives so rarely is a law that does not fit
 # Looks at rows (carom.fitting.data.Problem.work) up to which these are done unasked
-PROFILED, DRAWN, FOLDED, DRAWS = 3e4, 3e3, 4e5, 200
+PROFILED, DRAWN, FOLDED, DRAWS = 3e3, 3e3, 4e5, 200
 FOLDS, MOST_FOLDED, FEW_STEPS = 10, 20_000, 6
 Say = Callable[[str, float], None]
 
