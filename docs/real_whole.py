@@ -62,10 +62,9 @@ def main() -> None:
         low, middle, high = 1e3 * np.percentile(size, [25, 50, 75])
         nearer = "–" if fit is best else f"{(size < first).sum()} of {len(size)}"
         chance = "–" if fit is best else f"{wilcoxon(np.log(size / first)).pvalue:.2g}"
-        print(
-            cells = [fit.law.name, numbers, f"{middle:.2f}", f"{low:.1f} to {high:.1f}", f"{fit.aicc - best.aicc:.0f}", nearer, chance]
-            print("| " + " | ".join(cells) + " |")
-        )
+        spread = f"{low:.1f} to {high:.1f}"
+        cells = [fit.law.name, numbers, f"{middle:.2f}", spread, f"{fit.aicc - best.aicc:.0f}", nearer, chance]
+        print("| " + " | ".join(cells) + " |")
     print("\n| shot, ball | contacts | frames | " + " | ".join(fit.law.name for fit in ranking.fits) + " |")
     print("|---" * (3 + len(ranking.fits)) + "|")
     for n, one in enumerate(best.frames.stretches):
