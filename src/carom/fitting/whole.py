@@ -30,6 +30,7 @@ Array = NDArray[np.float64]
 # chi^2 that a slide before the first contact has to earn: two numbers more, one chance in a hundred.
 EARNED = 9.21
 UNLIKELY, NOISY = 1e-3, 1.3  # a chi^2 that chance gives so rarely; a scatter of so many noises: the law does not follow
+FRICTIONS = (0.1, 0.3)  # where the search begins anew
 SIDES = 17  # sidespins that are tried
 TURNS = 4  # of sidespins tried anew and all numbers sought
 SLIP = 1.0  # v: a slip at the start is normal about zero with this width
@@ -116,8 +117,31 @@ class WholeFit:
 
 
 def fit_law_whole(law: WholeLaw, found: Sequence[Stretch], noise: float, tell: Callable[[float], None]) -> WholeFit:
-    """Fit one law to stretches; ``noise`` (m) of one coordinate of one frame."""
-    return _fit(law, Frames.of(found, law.setting.noise or noise), law.setting, noise, tell)
+    """Fit one law to stretches; ``noise`` (m) of one coordinate of one frame.
+
+    Where the law does not follow, the search may have ended beside the best place, with a wrong friction that a wrong sidespin makes up
+    for: it begins anew from other frictions, and the nearest is taken.
+    """
+    frames = Frames.of(found, law.setting.noise or noise)
+    best = _fit(law, frames, law.setting, noise, partial(_part, tell, 0))
+    if "friction" not in law.free:
+        return best
+    for turn, friction in enumerate(FRICTIONS, 1):
+        if best.follows:
+            break
+        parameter = law.free["friction"]
+        begun = replace(
+            law,
+            free=law.free | {"friction": replace(parameter, start=min(max(friction, parameter.low), parameter.high))},
+        )
+        other = _fit(begun, frames, law.setting, noise, partial(_part, tell, turn))
+        best = other if other.deviance < best.deviance else best
+    return best
+
+
+def _part(tell: Callable[[float], None], turn: int, done: float) -> None:
+    """How much is done, of a search that may have to begin anew."""
+    tell((turn + done) / (1 + len(FRICTIONS)))
 
 
 def first_numbers(measured: Measured) -> dict[str, float]:
