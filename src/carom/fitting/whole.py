@@ -130,10 +130,8 @@ def fit_law_whole(law: WholeLaw, found: Sequence[Stretch], noise: float, tell: C
         if best.follows:
             break
         parameter = law.free["friction"]
-        begun = replace(
-            law,
-            free=law.free | {"friction": replace(parameter, start=min(max(friction, parameter.low), parameter.high))},
-        )
+        inside = replace(parameter, start=min(max(friction, parameter.low), parameter.high))
+        begun = replace(law, free=law.free | {"friction": inside})
         other = _fit(begun, frames, law.setting, noise, partial(_part, tell, turn))
         best = other if other.deviance < best.deviance else best
     return best
