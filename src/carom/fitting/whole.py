@@ -119,8 +119,8 @@ class WholeFit:
 def fit_law_whole(law: WholeLaw, found: Sequence[Stretch], noise: float, tell: Callable[[float], None]) -> WholeFit:
     """Fit one law to stretches; ``noise`` (m) of one coordinate of one frame.
 
-    Where the law does not follow, the search may have ended beside the best place, with a wrong friction that a wrong sidespin makes up
-    for: it begins anew from other frictions, and the nearest is taken.
+    Where the law does not follow, the search may have ended beside the best place, with a wrong friction that a wrong sidespin
+    makes up for: it begins anew from other frictions, and the nearest is taken.
     """
     frames = Frames.of(found, law.setting.noise or noise)
     best = _fit(law, frames, law.setting, noise, partial(_part, tell, 0))
