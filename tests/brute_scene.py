@@ -386,10 +386,12 @@ def _judge(  # noqa: PLR0911
                     _strike(v, w, n, a, kappa, 1.0, math.inf, 1.0)
                 elif f[3] == 0:
                     _strike(v, w, n, a, kappa, f[0], f[1], f[2])
+                # (contact that lasts goes on in hops, which have no more than 1e-6 of the energy)
+                hop = 1e-3 * speed
                 # what a floor answers, and the conventional law, are judged elsewhere; grazes are for a better normal
                 if f[3] in (1, 4) or lies or un > -1e-3 * speed:
                     code = 0
-                elif _differ(v, r.v, 2e-4 * speed):
+                elif _differ(v, r.v, (2e-4 if v[0] * n[0] + v[1] * n[1] + v[2] * n[2] > hop else 1.2e-3) * speed):
                     code = 14
                 elif _differ(w, r.w, 2e-4 * speed / a):
                     code = 15

@@ -48,6 +48,17 @@ def test_scenes_that_were_once_wrong(seed: int) -> None:
     assert not fault, f"row {row}: {fault} ({size:.3g})"
 
 
+def test_a_ball_is_led_round_an_arc_that_returns_nothing() -> None:
+    # in hops of up to a thousandth of its speed, which the judge once took for another outcome
+    arc = {"shape": "arc", "center": [0, 0], "radius": 0.24, "from_angle": -90, "to_angle": 180, "restitution": 0}
+    ball = {"position": (0.1, -0.15, 0), "velocity": (1.2, 1.9, 0.0)}
+    world = scene(ball, walls=[arc], gravity=0, floor=None, run={"law": "mirror", "duration": 1, "max_events": 60})
+    run = carom.simulate(world)
+    fault, row, size, _steps = judge(run)
+    assert not fault, f"row {row}: {fault} ({size:.3g})"
+    assert len(run.events.of("wall")) > 10
+
+
 def test_brute_force_finds_what_is_wrong() -> None:
     # a run with one event taken out, put in twice, late, or with another outcome
     found = set()
