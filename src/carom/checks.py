@@ -10,7 +10,18 @@ import numpy as np
 
 from carom.errors import CaromError
 
-__all__ = ["LARGEST", "Faults", "expect", "first_index", "float_array", "meant", "nearest", "number", "require_shapes"]
+__all__ = [
+    "LARGEST",
+    "Faults",
+    "expect",
+    "few",
+    "first_index",
+    "float_array",
+    "meant",
+    "nearest",
+    "number",
+    "require_shapes",
+]
 
 # Squares of what a kernel takes must be finite: no ball is faster, heavier or larger than this.
 LARGEST = 1e100
@@ -104,3 +115,9 @@ def meant(name: str, names: list[str]) -> str:
     """``"; did you mean 'X'?"`` for a name that is close to a known one, else nothing: for a line that has listed them."""
     close = get_close_matches(name, names, n=1, cutoff=0.5)
     return f"; did you mean {close[0]!r}?" if close else ""
+
+
+def few(names: list[str], most: int = 8) -> str:
+    """Names in a line, the first of them where they are many: ``"a, b and 22 more"``."""
+    rest = f" and {len(names) - most} more" if len(names) > most else ""
+    return ", ".join(names[:most]) + rest

@@ -63,7 +63,7 @@ def chosen(rebounds: Rebounds, where: list[str]) -> Rebounds:
 
     import numpy as np
 
-    from carom.checks import nearest
+    from carom.checks import few, meant, nearest
 
     faults = []
     keep = np.ones(len(rebounds), bool)
@@ -76,8 +76,10 @@ def chosen(rebounds: Rebounds, where: list[str]) -> Rebounds:
             continue
         rows = column.astype(str) == value
         if not rows.any():
-            found = ", ".join(sorted(set(column.astype(str).tolist()))[:8])
-            faults.append(f"--where {name}: expected one of its values ({found}), got {value!r}")
+            known = sorted(set(column.astype(str).tolist()))
+            faults.append(
+                f"--where {name}: expected one of its values ({few(known)}), got {value!r}{meant(value, known)}"
+            )
         keep &= rows
     if not faults and not keep.any():
         faults.append("--where: expected conditions that some row meets, got none that meets all")

@@ -9,6 +9,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from carom.checks import few, meant
 from carom.cli.fit_options import length_of
 from carom.cli.shared import attempt
 from carom.errors import CaromError
@@ -87,7 +88,7 @@ def _chosen(tracks: Sequence[Track], where: Sequence[str]) -> list[Track]:
             continue
         known = list(dict.fromkeys(track.group if name == "shot" else track.name for track in tracks))
         if value not in known:
-            faults.append(f"--where {name}: expected one of {', '.join(known[:8])}, got {value!r}")
+            faults.append(f"--where {name}: expected one of {few(known)}, got {value!r}{meant(value, known)}")
         found = [track for track in found if (track.group if name == "shot" else track.name) == value]
     if faults:
         raise CaromError(*faults)
