@@ -185,16 +185,23 @@ def _run(scene: Scene, quiet: bool) -> Trajectory:
     with _busy(quiet) as say:
         if not quiet and not compiled_before(scene):
             say("compiling the engine, once", True)
-        with _interruptible():
+        with _interruptible() as asked:
+
+            def on_the_way(events: int, t: float) -> None:
+                if asked:  # and nothing came of it
+                    raise KeyboardInterrupt
+                say(f"simulating: {events:,} events, {t:.4g} s", False)
+
             compiled_engine()
             set_up(scene)  # which compiles what only this scene needs: rims, laws of its own
-        return follow(scene, lambda events, t: say(f"simulating: {events:,} events, {t:.4g} s", False))
+            return follow(scene, on_the_way)
 
 
 @contextlib.contextmanager
-def _interruptible() -> Iterator[None]:
-    """Ctrl-C ends the compiling too; where it comes inside a callback of LLVM, which swallows it, it comes again."""
-    asked = []
+def _interruptible() -> Iterator[list[bool]]:
+    """Ctrl-C ends the compiling and the run, once it has come (true in the list): Python swallows what is raised while it
+    clears away what LLVM and the compiling have left, and a run would go on until no memory is left."""
+    asked: list[bool] = []
 
     def note(_signal: int, _frame: Any) -> None:
         asked.append(True)
@@ -209,7 +216,7 @@ def _interruptible() -> Iterator[None]:
     hook, sys.unraisablehook = sys.unraisablehook, again
     before = signal.signal(signal.SIGINT, note)
     try:
-        yield
+        yield asked
     finally:
         signal.signal(signal.SIGINT, before)
         sys.unraisablehook = hook
