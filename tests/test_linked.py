@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import numba
@@ -34,6 +35,18 @@ def test_what_is_linked_gives_the_same_bits() -> None:
         assert made[0](x) == made[1](x) == third(x) + third(x + 1)
 
 
-def test_another_numba_is_met_by_the_ordinary_way(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_another_numba_is_met_by_the_ordinary_way(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr("carom.compiled.cache_folder", lambda: tmp_path)
     monkeypatch.setattr(linked, "_pipeline", object)  # not a compiler
     assert linked.linked_only.__wrapped__() == {}
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_one_trial_is_enough(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    tried = []
+    monkeypatch.setattr("carom.compiled.cache_folder", lambda: tmp_path / "new")
+    monkeypatch.setattr(linked, "_try", tried.append)
+    for _ in range(2):
+        assert list(linked.linked_only.__wrapped__()) == ["pipeline_class"]
+    assert len(tried) == 1
+    assert [path.name for path in (tmp_path / "new").iterdir()] == [f"linked_with_numba_{numba.__version__}"]

@@ -31,6 +31,7 @@ from carom.scene import (
     Table,
     load_scene,
     new_scene,
+    quantities,
 )
 from carom.scene.features import FEATURES
 from carom.scene.restitution import Exponential, Han2005, Polynomial, Power, Viscoelastic
@@ -717,3 +718,15 @@ def test_what_reads_no_scene_does_not_load_what_reads_scenes() -> None:
     )
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.splitlines()
     assert [json.loads(line) for line in out] == [[False, False], False]
+
+
+@pytest.mark.parametrize("unit", quantities.PLAIN)
+def test_plain_units_are_what_the_registry_says(unit: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    texts = [
+        f"{number} {name}"
+        for name in quantities.PLAIN[unit]
+        for number in ("61.5", "-1e-7", "0.1", "1_000.25", "3e99")
+    ]
+    quick = [quantities.Number("a number", unit)(text) for text in texts]
+    monkeypatch.setattr(quantities, "PLAIN", {})
+    assert [quantities.Number("a number", unit)(text) for text in texts] == quick

@@ -10,6 +10,7 @@ otherwise, kernels are compiled in the ordinary way, in twice the time (:func:`l
 
 from __future__ import annotations
 
+import contextlib
 import functools
 from typing import Any
 
@@ -22,9 +23,20 @@ LEFT_OUT = {"nopython_rewrites", "inline_closure_likes"}
 @functools.cache
 def linked_only() -> dict[str, Any]:
     """What to hand to ``numba.extending.register_jitable``; nothing, where Numba is not as it was."""
+    import numba
+
+    from carom.compiled import cache_folder
+
+    tried = (
+        cache_folder() / f"linked_with_numba_{numba.__version__}"
+    )  # (the trial takes longer than loading what is compiled)
     try:
         options = {"pipeline_class": _pipeline()}
-        _try(options)
+        if not tried.exists():
+            _try(options)
+            with contextlib.suppress(OSError):
+                tried.parent.mkdir(parents=True, exist_ok=True)
+                tried.touch()
     except Exception:  # whatever it is, there is the ordinary way
         return {}
     return options

@@ -29,6 +29,11 @@ EXAMPLES = {
     "m": "61.5 mm", "m/s": "2 m/s", "m/s^2": "9.81 m/s^2", "kg": "210 g", "s": "10 s", "rad/s": "30 rev/s", "degree": "0.5 rad",
     "J": "2 uJ", "1/s": "50 Hz",
 }  # fmt: skip
+# Powers of ten that need no registry, whose loading takes longer than most runs: what nearly every scene is written in.
+PLAIN = {
+    "m": {"m": 0, "cm": -2, "mm": -3}, "kg": {"kg": 0, "g": -3}, "s": {"s": 0, "ms": -3}, "m/s": {"m/s": 0, "mm/s": -3},
+    "m/s^2": {"m/s^2": 0}, "rad/s": {"rad/s": 0},
+}  # fmt: skip
 
 
 @functools.cache
@@ -46,6 +51,9 @@ def _in_unit(text: str, unit: str) -> float:
     found = QUANTITY.fullmatch(text)
     if found is None:
         raise ValueError
+    amount = Decimal(found[1].replace("_", ""))
+    if (power := PLAIN.get(unit, {}).get(found[2].strip())) is not None:
+        return float(amount.scaleb(power))
     units = _units()
     try:
         given = units.parse_units(found[2])
@@ -55,7 +63,7 @@ def _in_unit(text: str, unit: str) -> float:
         raise ValueError(f"{found[2]!r} is a unit of something else")
     if unit == "rad/s" and "hertz" in str(given):
         raise ValueError("'Hz' leaves open whether turns or radians are meant; write rev/s or rad/s")
-    return float(units.Quantity(Decimal(found[1].replace("_", "")), given).to(unit).magnitude)
+    return float(units.Quantity(amount, given).to(unit).magnitude)
 
 
 @dataclass(frozen=True)
