@@ -723,9 +723,7 @@ def test_what_reads_no_scene_does_not_load_what_reads_scenes() -> None:
 @pytest.mark.parametrize("unit", quantities.PLAIN)
 def test_plain_units_are_what_the_registry_says(unit: str, monkeypatch: pytest.MonkeyPatch) -> None:
     texts = [
-        f"{number} {name}"
-        for name in quantities.PLAIN[unit]
-        for number in ("61.5", "-1e-7", "0.1", "1_000.25", "3e99")
+        f"{number} {name}" for name in quantities.PLAIN[unit] for number in ("61.5", "-1e-7", "0.1", "1_000.25", "3e99")
     ]
     quick = [quantities.Number("a number", unit)(text) for text in texts]
     monkeypatch.setattr(quantities, "PLAIN", {})
