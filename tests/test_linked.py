@@ -20,9 +20,9 @@ def third(x: float) -> float:
     return half(x) / 3
 
 
-def test_what_is_linked_gives_the_same_bits() -> None:
+def test_what_is_linked_gives_the_same_bits(tmp_path: Path) -> None:
     made = []
-    for options in (linked.linked_only(), {}):
+    for options in (linked.linked_only(tmp_path), {}):
         space: dict[str, Any] = {}
         for function in (half, third):
             fresh = type(function)(function.__code__, {**globals(), **space}, function.__name__)
@@ -36,17 +36,15 @@ def test_what_is_linked_gives_the_same_bits() -> None:
 
 
 def test_another_numba_is_met_by_the_ordinary_way(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr("carom.compiled.cache_folder", lambda: tmp_path)
     monkeypatch.setattr(linked, "_pipeline", object)  # not a compiler
-    assert linked.linked_only.__wrapped__() == {}
+    assert linked.linked_only.__wrapped__(tmp_path) == {}
     assert list(tmp_path.iterdir()) == []
 
 
 def test_one_trial_is_enough(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     tried = []
-    monkeypatch.setattr("carom.compiled.cache_folder", lambda: tmp_path / "new")
     monkeypatch.setattr(linked, "_try", tried.append)
     for _ in range(2):
-        assert list(linked.linked_only.__wrapped__()) == ["pipeline_class"]
+        assert list(linked.linked_only.__wrapped__(tmp_path / "new")) == ["pipeline_class"]
     assert len(tried) == 1
     assert [path.name for path in (tmp_path / "new").iterdir()] == [f"linked_with_numba_{numba.__version__}"]

@@ -73,7 +73,7 @@ def register_kernels() -> None:
         if function not in _registered:
             # (a law of a user's own may do whatever Numba can)
             own = str(function.__module__).startswith("carom.")
-            options = {**KERNEL_OPTIONS, **linked_only()} if own else {**KERNEL_OPTIONS, "_nrt": True}
+            options = {**KERNEL_OPTIONS, **linked_only(cache_folder())} if own else {**KERNEL_OPTIONS, "_nrt": True}
             register_jitable(forceinline=function in HOT, **options)(function)
             _registered.add(function)
 

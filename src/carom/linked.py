@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import contextlib
 import functools
+from pathlib import Path
 from typing import Any
 
 __all__ = ["linked_only"]
@@ -21,15 +22,12 @@ LEFT_OUT = {"nopython_rewrites", "inline_closure_likes"}
 
 
 @functools.cache
-def linked_only() -> dict[str, Any]:
-    """What to hand to ``numba.extending.register_jitable``; nothing, where Numba is not as it was."""
+def linked_only(folder: Path) -> dict[str, Any]:
+    """What to hand to ``numba.extending.register_jitable``; nothing, where Numba is not as it was. ``folder``: of the cache."""
     import numba
 
-    from carom.compiled import cache_folder
-
-    tried = (
-        cache_folder() / f"linked_with_numba_{numba.__version__}"
-    )  # (the trial takes longer than loading what is compiled)
+    # (the trial takes longer than loading what is compiled)
+    tried = folder / f"linked_with_numba_{numba.__version__}"
     try:
         options = {"pipeline_class": _pipeline()}
         if not tried.exists():

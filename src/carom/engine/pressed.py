@@ -45,10 +45,10 @@ def register_pressed() -> None:
     """Tell the compiler what :func:`pressed` is."""
     from numba.extending import overload
 
-    from carom.compiled import KERNEL_OPTIONS
+    from carom.compiled import KERNEL_OPTIONS, cache_folder
     from carom.linked import linked_only
 
-    @overload(pressed, jit_options={**KERNEL_OPTIONS, **linked_only()})  # type: ignore[untyped-decorator]
+    @overload(pressed, jit_options={**KERNEL_OPTIONS, **linked_only(cache_folder())})  # type: ignore[untyped-decorator]
     def _pressed(
         v: Any, w: Any, n: Any, a: Any, kappa: Any, e: Any, mu: Any, beta: Any,
         floor_e: Any, floor_mu: Any, floor_beta: Any, together: Any,
