@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
 import os
-import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -15,7 +13,7 @@ import typer
 from carom.cli.fit_input import chosen, completed, own_set, read
 from carom.cli.fit_options import bounds_of, kappa_of, number, pairs, spin_of, split
 from carom.cli.ranking_table import show
-from carom.cli.shared import attempt
+from carom.cli.shared import attempt, tell
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -211,14 +209,7 @@ def fit(
         ranking = fit_laws(rebounds, setting, names or None, profiles=profiles, bootstrap=bootstrap, seed=seed, say=say)
         say("the page", 1.0)
         written = None if no_report else _page(ranking, page, insists=report is not None, console=console)
-    if as_json:
-        sys.stdout.write(json.dumps(ranking.as_dict(), indent=2, allow_nan=False) + "\n")
-    else:
-        show(ranking)
-    for note in ranking.notes:
-        console.print(f"note: {note}", style="yellow", markup=False, soft_wrap=True)
-    if written is not None:
-        console.print(f"written: {written}", markup=False, soft_wrap=True)
+    tell(ranking, show, as_json, console, written)
 
 
 def _checked(setting: Setting) -> None:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import sys
 from collections.abc import Callable
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from carom.errors import CaromError
@@ -11,7 +13,7 @@ from carom.errors import CaromError
 if TYPE_CHECKING:
     from rich.console import Console
 
-__all__ = ["attempt", "out", "tick"]
+__all__ = ["attempt", "out", "tell", "tick"]
 
 
 def attempt(found: list[str], action: Callable[..., Any], *args: Any) -> Any:
@@ -38,3 +40,15 @@ def tick(console: Console, good: bool) -> str:
     if console.encoding.startswith("utf"):
         return "✓" if good else "✗"
     return "yes" if good else "no"
+
+
+def tell(ranking: Any, show: Callable[[Any], None], as_json: bool, console: Console, written: Path | None) -> None:
+    """A ranking of laws on standard output, as JSON or shown; on the console its notes, and where its page is."""
+    if as_json:
+        sys.stdout.write(json.dumps(ranking.as_dict(), indent=2, allow_nan=False) + "\n")
+    else:
+        show(ranking)
+    for note in ranking.notes:
+        console.print(f"note: {note}", style="yellow", markup=False, soft_wrap=True)
+    if written is not None:
+        console.print(f"written: {written}", markup=False, soft_wrap=True)

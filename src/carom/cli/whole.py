@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import json
-import sys
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -11,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from carom.checks import few, meant
 from carom.cli.fit_options import length_of
-from carom.cli.shared import attempt
+from carom.cli.shared import attempt, tell
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -68,14 +66,7 @@ def fit_tracks(
         ranking = fit_whole(measured, setting, laws or None, say=lambda what, done: say(what, READ + (1 - READ) * done))
         say("the page", 1.0)
         written = None if page is None else _page(ranking, file, page, insists, console)
-    if as_json:
-        sys.stdout.write(json.dumps(ranking.as_dict(), indent=2, allow_nan=False) + "\n")
-    else:
-        _show(ranking)
-    for note in ranking.notes:
-        console.print(f"note: {note}", style="yellow", markup=False, soft_wrap=True)
-    if written is not None:
-        console.print(f"written: {written}", markup=False, soft_wrap=True)
+    tell(ranking, _show, as_json, console, written)
 
 
 def _chosen(tracks: Sequence[Track], where: Sequence[str]) -> list[Track]:
