@@ -232,8 +232,10 @@ def test_sets_that_come_with_carom_are_fitted_by_name(here, monkeypatch, capsys)
     best = json.loads(out)["ranking"][0]
     assert best["law"] == "maw"
     assert best["parameters"]["friction"]["value"] == pytest.approx(0.0917, abs=0.001)
-    # not the authors' 0.98: what the digitised angles and tangential speeds give together
+    # not the authors' 0.98: what the digitised angles and tangential speeds give together, but with whole series that are shifted
     assert best["parameters"]["restitution"]["value"] == pytest.approx(0.995, abs=0.002)
+    assert best["parameters"]["restitution"]["shared_stderr"] == pytest.approx(0.015, abs=0.002)
+    assert "0.25 degrees of all incidences" in err
     options = ("--laws", "mirror", "--restitution", "line", "--json", "--no-report")
     found = json.loads(run(monkeypatch, capsys, "fit", "mathavan", *options)[1])["ranking"][0]["parameters"]
     assert found["restitution_slope"]["value"] == pytest.approx(0.8165, abs=5e-4)

@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from rich.console import Console
 
     from carom.fitting import Ranking, Setting
+    from carom.rebounds import Rebounds
 
 BALL, DATA, LAWS, OUT = "The ball", "The table", "The laws", "What comes out"
 
@@ -160,6 +161,7 @@ def fit(
     from carom.cli.whole import NUMBERS, fit_tracks
     from carom.fitting import Setting, fit_laws
     from carom.fitting.parameters import FORMS, INDEX
+    from carom.fitting.shared import with_shared
     from carom.tracks.formats.sheet import Given
 
     faults: list[str] = []
@@ -204,9 +206,14 @@ def fit(
         raise CaromError(*faults, *own_faults)
     film = Given(scale=scale, rate=rate)
     rebounds = ours.rebounds if ours else read(file, faults, setting, film, view, kind, stage, lambda: _bar(console))
-    rebounds = completed(chosen(rebounds, where or []), sigma_v, sigma_spin, every_spin)
+
+    def ready(rows: Rebounds) -> Rebounds:
+        return completed(chosen(rows, where or []), sigma_v, sigma_spin, every_spin)
+
+    rebounds, shifted = ready(rebounds), [(words, ready(rows)) for words, rows in (ours.shifted if ours else ())]
     with _bar(console) as say:
         ranking = fit_laws(rebounds, setting, names or None, profiles=profiles, bootstrap=bootstrap, seed=seed, say=say)
+        ranking = with_shared(ranking, shifted)
         say("the page", 1.0)
         written = None if no_report else _page(ranking, page, insists=report is not None, console=console)
     tell(ranking, show, as_json, console, written)

@@ -22,6 +22,8 @@ def _estimate(estimate: Estimate) -> dict[str, Any]:
         found |= {"interval_68": list(estimate.interval_68), "interval_95": list(estimate.interval_95)}
     if estimate.bootstrap is not None:
         found["bootstrap_stderr"] = _finite(estimate.bootstrap)
+    if estimate.shared is not None:
+        found["shared_stderr"] = _finite(estimate.shared)
     if estimate.note:
         found["note"] = estimate.note
     return found
@@ -76,6 +78,8 @@ def with_error_bar(estimate: Estimate, *, interval: bool = False) -> str:
         return f"{estimate.value:.4g} ({estimate.note or 'at its bound'})"
     places = max(0, 1 - math.floor(math.log10(estimate.stderr)))
     said = f"{estimate.value:.{places}f} ± {estimate.stderr:.{places}f}"
+    if estimate.shared is not None:
+        said += f" ± {estimate.shared:.{places}f}"
     if interval and estimate.interval_95:
         said += f" (95 %: {estimate.interval_95[0]:.{places}f} to {estimate.interval_95[1]:.{places}f})"
     return said

@@ -22,6 +22,8 @@ class Published:
     rebounds: Rebounds
     setting: dict[str, Any]
     """Fields of a :class:`carom.fitting.Setting`: radius, kappa and others."""
+    shifted: tuple[tuple[str, Rebounds], ...] = ()
+    """What all rows may have wrong together: in words, and the rebounds with one standard error of it put in."""
 
 
 def published_name(text: str) -> str | None:
@@ -45,10 +47,30 @@ def _mathavan(data: Dataset) -> Published:
 
 
 KHARAZ_SPEED, KHARAZ_ANGLE = 3.9, 0.2  # m/s; degrees by which the series disagree about the angle of one shot
+KHARAZ_SHARED = 0.25  # degrees by which they disagree on the average of all shots, and two readers of one series do
 
 
 def _kharaz(data: Dataset) -> Published:
-    """Rows of one shot from two series: tangential speeds after over before, and angles of rebound.
+    """The rebounds of :func:`_kharaz_rows`; and what they are if all angles of a series were read wrongly, by one sign.
+
+    (The sign is that which lowers the restitution: upwards there is a bound.)
+    """
+    notes = (
+        "v_n_out: from the tangential speed and the angle of rebound, two series that were digitised apart; their angles are"
+        f" taken as right to {KHARAZ_ANGLE:g} degrees, by which the series disagree",
+        f"v_n_in, v_t_in: all shots taken at {KHARAZ_SPEED:g} m/s",
+    )
+    rebounds, incidence, turned = (
+        make_rebounds("planar", _kharaz_rows(data, *shift), source=data.name, notes=notes)
+        for shift in ((0.0, 0.0), (-KHARAZ_SHARED, 0.0), (0.0, KHARAZ_SHARED))
+    )
+    words = f"{KHARAZ_SHARED:g} degrees of all"
+    shifted = ((f"{words} incidences", incidence), (f"{words} angles of rebound", turned))
+    return Published(rebounds, {"radius": 0.0025, "kappa": 0.4}, shifted)
+
+
+def _kharaz_rows(data: Dataset, incidences: float, rebounds: float) -> dict[str, Any]:
+    """Columns of a shot from two series: tangential speeds after over before, and angles of rebound; shifted by degrees.
 
     tan(rebound) = v_t_out / v_n_out, so that both together give v_n_out, and with it the restitution.
     """
@@ -56,21 +78,16 @@ def _kharaz(data: Dataset) -> Published:
     kept, turned = series == "vt_out/vt_in (centre)", series == "rebound_angle_from_normal"
     # the same shots in both: of the angles of rebound the nearest by incidence
     place = np.argmin(np.abs(angle[kept][:, None] - angle[turned]), axis=1)
-    rebound, incidence, error = np.radians(value[turned][place]), np.radians(angle[kept]), np.radians(KHARAZ_ANGLE)
+    rebound, incidence = np.radians(value[turned][place] + rebounds), np.radians(angle[kept] + incidences)
+    error = np.radians(KHARAZ_ANGLE)
     v_n, v_t = KHARAZ_SPEED * np.cos(incidence), KHARAZ_SPEED * np.sin(incidence)
     v_t_out = value[kept] * v_t
     v_n_out = v_t_out / np.tan(rebound)
-    columns = {
+    return {
         "v_n_in": v_n, "v_t_in": v_t, "spin_in": np.zeros(len(v_n)), "v_n_out": v_n_out, "v_t_out": v_t_out,
         "sigma_v_n_in": v_t * error, "sigma_v_t_in": v_n * error, "sigma_v_t_out": 0.01 * np.abs(v_t_out) + 0.005,
         "sigma_v_n_out": v_n_out * error / (np.sin(rebound) * np.cos(rebound)),
     }  # fmt: skip
-    notes = (
-        "v_n_out: from the tangential speed and the angle of rebound, two series that were digitised apart; their angles are"
-        f" taken as right to {KHARAZ_ANGLE:g} degrees, by which the series disagree",
-        f"v_n_in, v_t_in: all shots taken at {KHARAZ_SPEED:g} m/s",
-    )
-    return Published(make_rebounds("planar", columns, source=data.name, notes=notes), {"radius": 0.0025, "kappa": 0.4})
 
 
 def _rackets(data: Dataset) -> Published:

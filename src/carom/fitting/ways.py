@@ -46,6 +46,8 @@ class Estimate:
     interval_95: tuple[float, float] | None = None
     bootstrap: float | None = None
     """Standard error from rows drawn anew."""
+    shared: float | None = None
+    """Standard error from what all rows may have wrong together (:mod:`carom.fitting.shared`), beside ``stderr``."""
 
 
 @dataclass(frozen=True, eq=False)
