@@ -314,6 +314,7 @@ BALL = "[[balls]]\nradius = 0.03\nmass = 0.2\nposition = [1, 0]\n"
 FLOOR = "[floor]\nfriction = 0.2\n"
 SOUND = FLOOR + PLANE + BALL
 FREE = "expected a place where the ball touches nothing, got"
+LAW = "expected one of two-step, conventional, no-slip, mirror, maw, stronge, or file.py:name"
 WRONG = {
     "unknown field": (
         SOUND.replace("mass", "mas"),
@@ -326,7 +327,7 @@ WRONG = {
     "a field of another shape": (
         SOUND.replace("friction = 0.2\n[[b", "friction = 0.2\nsize = 3\n[[b"),
         "walls[0].size: expected a field that is known here, got 'size'; known are restitution, friction,"
-        " tangential_restitution, law, name, shape, point, normal",
+        " tangential_restitution, stiffness_ratio, law, name, shape, point, normal",
     ),
     "unknown shape": (
         SOUND.replace("'plane'", "'plnae'"),
@@ -507,12 +508,12 @@ WRONG = {
     ),
     "law misspelt": (
         SOUND + "[run]\nlaw = 'two-stp'\n",
-        "run.law: expected one of two-step, conventional, no-slip, mirror, or file.py:name, got 'two-stp'; did you mean"
+        f"run.law: {LAW}, got 'two-stp'; did you mean"
         " 'two-step'?",
     ),
     "a wall's law misspelt": (
         SOUND.replace("friction = 0.2\n[[b", "friction = 0.2\nlaw = 'miror'\n[[b"),
-        "walls[0].law: expected one of two-step, conventional, no-slip, mirror, or file.py:name, got 'miror'; did you mean"
+        f"walls[0].law: {LAW}, got 'miror'; did you mean"
         " 'mirror'?",
     ),
     "conventional, tilted": (
@@ -539,7 +540,7 @@ WRONG = {
         "gravity: expected an acceleration in m/s^2, or 3 of them, got 'x'; units are written as in '9.81 m/s^2'",
         "walls[0].restitution: expected a number from 0 to 1, or a table { form = ... }, got 8",
         "balls[0].radius: expected a length in m, > 0, got -1",
-        "run.law: expected one of two-step, conventional, no-slip, mirror, or file.py:name, got 3; carom.wall_law(card,"
+        f"run.law: {LAW}, got 3; carom.wall_law(card,"
         " function) makes a law of a function",
     ),
     "several of the whole": (
@@ -598,7 +599,7 @@ def test_files_that_are_none(tmp_path: Path, capsys: pytest.CaptureFixture[str])
 def test_a_law_file_that_is_none(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file, law = tmp_path / "s.toml", tmp_path / "own.py"
     file.write_text(SOUND + "[run]\nlaw = 'own.py:soft'\n")
-    expected = f"carom: {file}: run.law: expected one of two-step, conventional, no-slip, mirror, or file.py:name, got"
+    expected = f"carom: {file}: run.law: {LAW}, got"
     assert fails(capsys, "scene", "check", str(file)) == [
         f"{expected} '{law}:soft', and {law}: expected a Python file, got: No such file or directory"
     ]

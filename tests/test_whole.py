@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,7 +14,7 @@ import carom
 from carom.cli import main
 from carom.errors import CaromError
 from carom.fitting.whole_follow import follow
-from carom.fitting.whole_laws import WholeSetting
+from carom.fitting.whole_laws import WholeSetting, whole_laws
 from carom.fitting.whole_rank import WholeRanking, fit_whole
 from carom.fitting.whole_runs import stretches
 from carom.scene.walls import Table
@@ -30,6 +31,30 @@ def measured(seed: int, shots: int, **how: float) -> Measured:
 @pytest.fixture(scope="module")
 def ranking() -> WholeRanking:
     return fit_whole(measured(1, 3), SETTING, ["two-step", "mirror"])
+
+
+def test_tracks_of_a_wall_with_springs_are_told_from_constant_restitution() -> None:
+    """Made with maw: its numbers within their error bars, and the law that has most of it otherwise far behind."""
+    seen = measured(3, 2, law="maw", stiffness_ratio=0.82, friction=0.3, seconds=1.2)
+    found = fit_whole(seen, replace(SETTING, cushions=2, after=0.6), ["maw", "contact"])
+    assert found.best.law.name == "maw"
+    assert found.odds > 20
+    assert found.best.follows
+    for name, value in (("restitution", 0.85), ("friction", 0.3), ("stiffness_ratio", 0.82)):
+        estimate = found.best.estimates[name]
+        assert estimate.value is not None
+        assert estimate.stderr is not None
+        assert abs(estimate.value - value) < 3.5 * estimate.stderr
+        assert estimate.stderr < 0.01
+
+
+def test_the_stiffness_is_sought_where_its_curve_is_known() -> None:
+    walls = measured(4, 1).walls
+    law = whole_laws(["maw"], WholeSetting(radius=RADIUS, kappa=0.1, noise=NOISE), walls, {})[0][0]
+    ends = law.free["stiffness_ratio"]
+    assert (ends.low, ends.high) == pytest.approx((0.3, 6 / 5.5))
+    for k in (ends.low, ends.start, ends.high):
+        law.scene({name: one.start for name, one in law.free.items()} | {"stiffness_ratio": k})
 
 
 @pytest.mark.parametrize("nose", [None, 0.037])
@@ -158,7 +183,7 @@ def test_from_the_command_line(
         (("--noise", "small", "--cushions", "0", "--restitution", "line", "--view", "side"),
          ["--noise: expected a length", "restitution: expected one of constant", "cushions: expected", "--view: expected above"]),
         (("--where", "shot=9"), ["--where shot: expected one of shot 0"]),
-        (("--laws", "maw"), ["maw: left out"]),
+        (("--laws", "mav"), ["did you mean 'maw'"]),
         (("--radius", "-1"), ["radius: expected the ball's radius"]),
     ],
 )  # fmt: skip

@@ -21,7 +21,8 @@ def film(
     """Tracks of one ball a shot, struck from about the middle of the table; ``height`` of the noses in radii."""
     at = TRUTH | truth
     nose = None if height == 1.0 else height * RADIUS
-    surface = {} if law == "conventional" else {"restitution": at["restitution"], "friction": at["friction"]}
+    names = () if law == "conventional" else ("restitution", "friction", "stiffness_ratio")
+    surface = {name: at[name] for name in names if name in at}
     wall = Table(length=LENGTH, width=WIDTH, center=(LENGTH / 2, WIDTH / 2), nose_height=nose, **surface)
     floor = carom.Floor(
         friction=at["floor_friction"],

@@ -88,11 +88,11 @@ class Law:
     objections: Callable[[Meeting, Answer], list[str]]
     """For one state: plain sentences on what is not admissible and why; none where the law can be true."""
     kernel: WallKernel | None = None
-    """What the wall alone does, for engines."""
+    """What the wall alone does, for engines; of a law that is ``compliant``, with the stiffness ratio of like solids."""
     in_flight: bool = False
     """It is about one contact: in a table without spins the ball is taken to fly."""
-    compliant: bool = False
-    """It reads the stiffness ratio, and no tangential restitution."""
+    compliant: WallKernel | None = None
+    """What a wall alone does that gives along its surface: it reads the stiffness ratio in the place of beta."""
 
     @property
     def name(self) -> str:
@@ -359,7 +359,7 @@ def _compliant_law(
             found.append("it has springs in the place of this wall's tangential restitution, which it does not read")
         return found
 
-    return Law(card, answer, conditions, objections, for_engines, in_flight=True, compliant=True)
+    return Law(card, answer, conditions, objections, for_engines, in_flight=True, compliant=kernel)
 
 
 def _maw_knows(meeting: Meeting) -> Condition:

@@ -27,7 +27,7 @@ class Setup(NamedTuple):
     balls: NDArray[np.void]
     """(B,) of BALLS, at the start."""
     users: NDArray[np.int64]
-    """Addresses of the laws of a user's own, in the order of ``scene.own_laws``."""
+    """Addresses of laws that are not compiled in, in the order of ``scene.own_laws``."""
 
 
 # The arrays of scenes that are alive: a run of a shot takes less time than making them. (Not kept in the scene itself, whose
@@ -63,7 +63,8 @@ def _set_up(scene: Scene) -> Setup:
         state = ball.state
         row["radius"], row["mass"], row["kappa"] = ball.radius, ball.mass, ball.ball.kappa
         row["x"], row["v"], row["w"] = ball.center, state.velocity, state.spin
-    users = [user_address(law.kernel) for law in scene.own_laws if law.kernel is not None]
+    kernels = [law.compliant or law.kernel for law in scene.own_laws]
+    users = [user_address(kernel) for kernel in kernels if kernel is not None]
     features = scene.features()
     rims = features["kind"] == RIM
     if rims.any():

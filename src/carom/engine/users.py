@@ -1,7 +1,7 @@
-"""A wall law of a user's own: compiled by itself, called by the engine through its address.
+"""A wall law that is not compiled into the engine, a user's own or one with springs: called by the engine through its address.
 
-So the engine is compiled once for all laws that will ever be written. (Numba's own functions as arguments would do as
-well, but each takes 75 us to hand over, longer than a whole shot.)
+So the engine is compiled once for all laws that will ever be written, and no longer for those that few ask for. (Numba's own
+functions as arguments would do as well, but each takes 75 us to hand over, longer than a whole shot.)
 """
 
 from __future__ import annotations
@@ -12,6 +12,8 @@ from typing import Any
 
 from carom.address import address_of, answer_at, register_answers
 from carom.kernel import Vec, kernel
+from carom.laws.maw import maw_contact
+from carom.laws.stronge import stronge_contact
 
 __all__ = ["call_user", "register_calls", "user_address"]
 
@@ -33,17 +35,43 @@ def call_user(
     return (r[0], r[1], r[2]), (r[3], r[4], r[5])
 
 
+@kernel
+def _write(out: Any, state: tuple[Vec, Vec]) -> None:
+    (out[0], out[1], out[2]), (out[3], out[4], out[5]) = state
+
+
+# (functions of the module, each with all its numbers: Numba keeps what it compiles of such, and of no other)
+def _maw(
+    vx: float, vy: float, vz: float, wx: float, wy: float, wz: float, nx: float, ny: float, nz: float,
+    a: float, kappa: float, e: float, mu: float, k: float, out: Any,
+) -> None:  # fmt: skip
+    _write(out, maw_contact((vx, vy, vz), (wx, wy, wz), (nx, ny, nz), a, kappa, e, mu, k))
+
+
+def _stronge(
+    vx: float, vy: float, vz: float, wx: float, wy: float, wz: float, nx: float, ny: float, nz: float,
+    a: float, kappa: float, e: float, mu: float, k: float, out: Any,
+) -> None:  # fmt: skip
+    _write(out, stronge_contact((vx, vy, vz), (wx, wy, wz), (nx, ny, nz), a, kappa, e, mu, k))
+
+
+_OURS: dict[WallKernel, Callable[..., None]] = {maw_contact: _maw, stronge_contact: _stronge}
+
+
 @functools.cache
 def user_address(law: WallKernel) -> int:
-    """Compile a law (0.1 to 0.3 s) and return where it lies. It stays there as long as the process lives."""
+    """Compile a law (0.1 to 0.3 s; one of carom's own is loaded from the second time on) and return where it lies.
+
+    It stays there as long as the process lives.
+    """
+    if law in _OURS:
+        return address_of(_OURS[law], NUMBERS, keep=True)
     kernel(law)
 
     def entry(
         vx: float, vy: float, vz: float, wx: float, wy: float, wz: float, nx: float, ny: float, nz: float,
         a: float, kappa: float, e: float, mu: float, beta: float, out: Any,
     ) -> None:  # fmt: skip
-        v, w = law((vx, vy, vz), (wx, wy, wz), (nx, ny, nz), a, kappa, e, mu, beta)
-        out[0], out[1], out[2] = v[0], v[1], v[2]
-        out[3], out[4], out[5] = w[0], w[1], w[2]
+        _write(out, law((vx, vy, vz), (wx, wy, wz), (nx, ny, nz), a, kappa, e, mu, beta))
 
     return address_of(entry, NUMBERS)

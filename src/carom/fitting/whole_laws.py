@@ -11,6 +11,7 @@ import numpy as np
 from carom.errors import CaromError
 from carom.fitting.laws import FittedLaw, laws_named
 from carom.fitting.parameters import FORMS, PARAMETERS, Parameter
+from carom.laws.maw import CHI, LIKE_SOLIDS
 from carom.scene.balls import SceneBall
 from carom.scene.model import Floor, Run, Scene
 from carom.scene.restitution import Bounce, Constant, Exponential, Polynomial, Viscoelastic
@@ -22,8 +23,7 @@ __all__ = ["WholeLaw", "WholeSetting", "side_of", "whole_laws"]
 FAR = 100.0  # m: where a table has its sides that no ball of the film meets
 GIVE = 0.01  # m: how far from where the frames turn a cushion is sought
 SPIN_LOSS = 10.0  # rad/s^2 of spin about the vertical; Alciatore has 5 to 15
-# Laws that the engine plays; the others need a contact that gives along its surface.
-PLAYED = ("mirror", "conventional", "two-step-paper", "no-slip", "two-step", "two-step-after", "contact")
+BEGIN = {"friction": 0.2, "tangential_restitution": 0.0, "stiffness_ratio": LIKE_SOLIDS}
 _NAMED = {parameter.name: parameter for parameter in PARAMETERS}
 # The numbers of the floor; while a cushion presses the ball on the cloth it is the same friction that acts.
 FLOOR = (
@@ -123,7 +123,7 @@ class WholeLaw:
         smooth, plain = self.name == "mirror", self.name == "conventional"
         center = ((x0 + x1) / 2, (y0 + y1) / 2)
         table = Table(
-            length=x1 - x0, width=y1 - y0, center=center, nose_height=nose,
+            length=x1 - x0, width=y1 - y0, center=center, nose_height=nose, stiffness_ratio=at["stiffness_ratio"],
             restitution=None if plain else _form(given.restitution if "restitution" in self.law.free else "constant", at),
             friction=None if plain else 0.0 if smooth else at["friction"],
             tangential_restitution=0.0 if plain or smooth else at["tangential_restitution"],
@@ -132,11 +132,12 @@ class WholeLaw:
             friction=at["floor_friction"], restitution=Constant(value=given.floor_restitution),
             rolling_resistance=at["rolling_resistance"], spin_friction=given.kappa * a * at["spin_loss"] / given.gravity,
         )  # fmt: skip
+        law = "conventional" if plain else "maw" if self.name == "maw" else "two-step"
         after = self.name in ("two-step-after", "contact", "no-slip", "mirror")
         return Scene(
             gravity=(0.0, 0.0, -given.gravity), floor=floor, walls=(table,),
             balls=(SceneBall(radius=a, mass=1.0, inertia=given.kappa, position=center),),
-            run=Run(law="conventional" if plain else "two-step", floor_contact="after" if after else "with", duration=duration),
+            run=Run(law=law, floor_contact="after" if after else "with", duration=duration),
         )  # fmt: skip
 
 
@@ -177,20 +178,13 @@ def whole_laws(
         raise CaromError(*faults)
     upright = setting.contact_height == 1.0
     chosen, notes = laws_named(list(names) if names else None, "table", upright)
-    notes += [
-        f"{law.name}: left out, the engine does not have it; carom fit without --whole fits it to rebounds"
-        for law in chosen
-        if law.name not in PLAYED
-    ]
-    chosen = [law for law in chosen if law.name in PLAYED]
-    if not chosen:
-        raise CaromError(*notes)
     return [_whole(law, setting, walls, start) for law in chosen], notes
 
 
 def _whole(law: FittedLaw, setting: WholeSetting, walls: Sequence[Wall], start: Mapping[str, float]) -> WholeLaw:
     free: dict[str, Parameter] = {}
-    held = {"friction": math.inf, "tangential_restitution": 0.0, "restitution": 1.0, "spin_loss": SPIN_LOSS}
+    held = {"friction": math.inf, "tangential_restitution": 0.0, "restitution": 1.0, "spin_loss": SPIN_LOSS,
+            "stiffness_ratio": LIKE_SOLIDS}  # fmt: skip
     for name in law.free:
         parameters = FORMS[setting.restitution].parameters if name == "restitution" else (_NAMED[name],)
         free |= {parameter.name: parameter for parameter in parameters}
@@ -210,11 +204,11 @@ def _whole(law: FittedLaw, setting: WholeSetting, walls: Sequence[Wall], start: 
             held[name] = value
     for name, parameter in free.items():
         low, high = setting.bounds.get(name, (parameter.low, parameter.high))
-        at = start.get(name, parameter.tried[len(parameter.tried) // 2] if parameter.tried else parameter.start)
-        if name == "friction":
-            at = start.get(name, 0.2)
-        if name == "tangential_restitution":
-            at = start.get(name, 0.0)
+        middle = parameter.tried[len(parameter.tried) // 2] if parameter.tried else parameter.start
+        at = start.get(name, BEGIN.get(name, middle))
+        if name == "stiffness_ratio":  # the law's curve is known where it, times this share, is within CHI
+            share = (1 + 1 / setting.kappa) / 2
+            low, high = max(low, CHI[0] / share), min(high, CHI[1] / share)
         inside = 0.02 * (high - low)
         free[name] = replace(parameter, low=low, high=high, start=float(np.clip(at, low + inside, high - inside)))
     return WholeLaw(law, setting, tuple(walls), free, held)

@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from carom.kernel import Vec
+from carom.law import LAWS, Law, Meeting
 from carom.scene.faults import Fault, Words
 from carom.scene.features import OVER, distance, feature_normal
 from carom.scene.parts import Feature
 from carom.scene.restitution import Constant
 from carom.scene.wall import spelled
+from carom.state import State
 from carom.units import length
 
 if TYPE_CHECKING:
@@ -65,13 +67,15 @@ def _law_faults(scene: Scene) -> list[Fault]:
     heights = [ball.radius for ball in scene.balls]
     for i, (wall, law) in enumerate(zip(scene.walls, scene.wall_laws, strict=True)):
         at = ("walls", i)
-        if law == "two-step":
+        springs = LAWS[law] if isinstance(law, str) and law in LAWS and LAWS[law].compliant else None
+        if law == "two-step" or springs:
+            advice = f"the law {law} reads it; no-slip, conventional and mirror do not need it"
             if wall.restitution is None:
-                advice = "the law two-step reads it; no-slip, conventional and mirror do not need it"
                 found.append(Fault("a number from 0 to 1, or a form", Words("nothing"), advice, (*at, "restitution")))
             if wall.friction is None:
-                advice = "the law two-step reads it; no-slip, conventional and mirror do not need it"
                 found.append(Fault("a number >= 0 (inf: never slips)", Words("nothing"), advice, (*at, "friction")))
+        if springs:
+            found += _spring_faults(scene, wall, springs, at)
         elif law == "conventional":
             if not all(wall.vertical(z) for z in (min(heights), max(heights))):
                 got = Words(wall.describe())
@@ -85,6 +89,23 @@ def _law_faults(scene: Scene) -> list[Fault]:
         k = scene.wall_laws.index("conventional")
         here: tuple[str | int, ...] = ("walls", k, "law") if scene.walls[k].law else ("run", "law")
         found.append(Fault("a [floor] for the law conventional", Words("none"), "its ball rolls all the time", here))
+    return found
+
+
+def _spring_faults(scene: Scene, wall: Wall, law: Law, at: tuple[str | int, ...]) -> list[Fault]:
+    """What a law with springs along the surface does not take: its own conditions, asked for each ball's inertia."""
+    found = []
+    for ball in {ball.ball.kappa: ball for ball in scene.balls}.values():
+        towards = State((-1.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+        for holds, expected in law.conditions(Meeting(ball.ball, towards, stiffness_ratio=wall.stiffness_ratio)):
+            if not np.all(holds):
+                found.append(
+                    Fault(f"for the law {law.name} {expected}", wall.stiffness_ratio, at=(*at, "stiffness_ratio"))
+                )
+    if wall.tangential_restitution != 0:
+        advice = "it has springs in its place; leave it out, and give stiffness_ratio"
+        expected = f"0 for the law {law.name}"
+        found.append(Fault(expected, wall.tangential_restitution, advice, (*at, "tangential_restitution")))
     return found
 
 

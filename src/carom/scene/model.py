@@ -18,7 +18,7 @@ from carom.scene.faults import Fault, Model, Words, refuse
 from carom.scene.features import FEATURES
 from carom.scene.quantities import Acceleration, Components, Friction, NotNegative, Number, Spring, Time
 from carom.scene.restitution import Bounce, Constant
-from carom.scene.wall import LAW_NAMES, Contact, LawChoice, contact, law_name
+from carom.scene.wall import BUILT_IN, Contact, LawChoice, contact, law_name
 from carom.scene.walls import AnyWall
 from carom.units import of_time
 
@@ -73,7 +73,7 @@ class Run(Model):
 
     Parameters
     ----------
-    law : what the walls do: "two-step", "conventional", "no-slip", "mirror", "file.py:name", or a carom.Law
+    law : what the walls do: "two-step", "conventional", "no-slip", "mirror", "maw", "stronge", "file.py:name", or a carom.Law
     duration : s, optional
     max_events : optional
     floor_contact : "with": wall and floor act at once on a ball that the wall presses on the floor; "after": one by one
@@ -141,8 +141,8 @@ class Scene(Model):
 
     @functools.cached_property
     def own_laws(self) -> tuple[Law, ...]:
-        """The laws of the user's own, each once, in the order of the walls."""
-        own = dict.fromkeys(law for law in self.wall_laws if law not in LAW_NAMES)
+        """The laws that the event loop calls by their address, the user's own too: each once, in the order of the walls."""
+        own = dict.fromkeys(law for law in self.wall_laws if law not in BUILT_IN)
         return tuple(law if isinstance(law, Law) else find_law(law) for law in own)
 
     @property
@@ -153,12 +153,16 @@ class Scene(Model):
     def features(self) -> NDArray[np.void]:
         """All that a ball can touch, (F,) of :data:`carom.scene.features.FEATURES`: the walls' features in their order.
 
-        ``law`` is the number of a built-in law, in the order of LAW_NAMES; from there on, of ``own_laws``.
+        ``law`` is the number of a built-in law, in the order of BUILT_IN; from there on, of ``own_laws``. A law with springs in
+        the place of the tangential restitution has their stiffness ratio there.
         """
-        laws = [*LAW_NAMES, *dict.fromkeys(law for law in self.wall_laws if law not in LAW_NAMES)]
+        laws = [*BUILT_IN, *dict.fromkeys(law for law in self.wall_laws if law not in BUILT_IN)]
         rows = []
         for i, (wall, law) in enumerate(zip(self.walls, self.wall_laws, strict=True)):
-            surface = (*wall.contact, laws.index(law), wall.encloses, 0)
+            number, contact = laws.index(law), wall.contact
+            if number >= len(BUILT_IN) and self.own_laws[number - len(BUILT_IN)].compliant:
+                contact = contact._replace(beta=wall.stiffness_ratio)
+            surface = (*contact, number, wall.encloses, 0)
             rows += [(*feature, i, *surface) for feature in wall.features()]
         return np.array(rows, dtype=FEATURES)
 

@@ -12,18 +12,21 @@ from pydantic import BeforeValidator, PlainSerializer
 
 from carom.checks import nearest
 from carom.errors import CaromError
-from carom.law import Law
+from carom.law import LAWS, Law
+from carom.laws.maw import LIKE_SOLIDS
 from carom.motion.restitution import CONSTANT
 from carom.own_law import find_law
 from carom.scene.faults import Fault, Model, Words
 from carom.scene.parts import Feature
-from carom.scene.quantities import Friction, Spring, Vector
+from carom.scene.quantities import Friction, PositiveNumber, Spring, Vector
 from carom.scene.restitution import Bounce, Restitution
 
-__all__ = ["LAW_NAMES", "Contact", "LawChoice", "Wall", "contact", "law_name", "spelled"]
+__all__ = ["BUILT_IN", "LAW_NAMES", "Contact", "LawChoice", "Wall", "contact", "law_name", "spelled"]
 
 Outline = list[NDArray[np.float64]]
-LAW_NAMES = ("two-step", "conventional", "no-slip", "mirror")
+# What the event loop has compiled in, in its order; and those besides that walls know by name, which it calls by their address.
+BUILT_IN = ("two-step", "conventional", "no-slip", "mirror")
+LAW_NAMES = (*BUILT_IN, *(name for name, law in LAWS.items() if law.compliant))
 
 
 class Contact(NamedTuple):
@@ -75,13 +78,15 @@ def spelled(v: tuple[float, ...]) -> str:
 
 
 class Wall(Model):
-    """A wall. Which of the surface's numbers it needs is its law's affair: two-step reads restitution and friction.
+    """A wall. Which of the surface's numbers it needs is its law's affair: two-step reads restitution and friction, maw and
+    stronge the stiffness ratio as well.
 
     Parameters
     ----------
     restitution : number from 0 to 1, or a form of the normal speed
     friction : number >= 0, or inf
     tangential_restitution : number from -1 to 1
+    stiffness_ratio : number > 0: how stiff the contact is along the surface, over normally; left out: of like solids, 14/17
     law : str or carom.Law, optional
         What this wall does; left out: the run's law.
     name : str, optional
@@ -92,6 +97,7 @@ class Wall(Model):
     restitution: Bounce | None = None
     friction: Friction | None = None
     tangential_restitution: Spring = 0.0
+    stiffness_ratio: PositiveNumber = LIKE_SOLIDS
     law: LawChoice | None = None
     name: str | None = None
 
