@@ -43,6 +43,8 @@ nb_execution_show_tb = True
 nb_render_markdown_format = "myst"  # tables and roles in what cells display
 # cells call the command `carom` of the interpreter that builds, and print without colours, on one width
 os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
+# and import the scripts that lie beside this file
+os.environ["PYTHONPATH"] = os.pathsep.join([str(Path(__file__).parent), *filter(None, [os.environ.get("PYTHONPATH")])])
 # (a kernel sets FORCE_COLOR for its children; TTY_COMPATIBLE comes before it)
 os.environ.update(NO_COLOR="1", TTY_COMPATIBLE="0", COLUMNS="100", PYTHONWARNINGS="default")
 

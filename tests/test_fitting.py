@@ -300,6 +300,54 @@ def test_mathavan_s_line():
     assert abs(best["restitution_slope"].value - 0.8178) < 2 * best["restitution_slope"].stderr
 
 
+def mathavan_s(form: str):
+    mathavan = published("mathavan2009")
+    setting = Setting(**mathavan.setting, restitution=form)
+    return fit_laws(mathavan.rebounds, setting, ["mirror"], bootstrap=0).best
+
+
+def test_a_form_of_restitution_that_ends_at_bounds_is_told():
+    """Exponential on Mathavan's shots: 1 at rest is a bound, and only how fast it falls at first is told."""
+    fit = mathavan_s("exponential")
+    assert fit.estimates["restitution_slow"].note == "at the most that it may be, 1"
+    assert fit.estimates["restitution_slow"].stderr is None
+    assert fit.untold == ("restitution_fast", "restitution_speed")
+    assert [fit.estimates[name].value for name in fit.untold] == [None, None]
+    assert "the data tell only a combination" in fit.degenerate[0]
+    # that combination, how fast it falls, is: with other levels to end at, and the speed that suits them, it says the same
+    v = fit.problem.rebounds["v_n_in"]
+    speeds = []
+    for level in (0.0, 0.3, 0.5):
+        setting = replace(fit.problem.setting, fixed={"restitution_fast": level})
+        held = fit_laws(fit.problem.rebounds, setting, ["mirror"], bootstrap=0).best
+        assert held.deviance < fit.deviance + 4
+        assert np.abs(held.predicted()[:, 0] - fit.predicted()[:, 0]).max() < 0.01 * v.max()
+        speed = held.estimates["restitution_speed"]
+        assert speed.stderr < 0.1 * speed.value
+        speeds.append(speed.value)
+    assert speeds[0] > 2 * speeds[2]
+
+
+def test_a_polynomial_finds_the_fall_of_either_kind():
+    """It is far better than the line; and never worse than the constant, which it contains."""
+    fit = mathavan_s("polynomial")
+    assert fit.aicc < mathavan_s("line").aicc - 30
+    v = fit.problem.rebounds["v_n_in"]
+    e = fit.predicted()[:, 0] / v
+    assert e[np.argsort(v)][[0, -1]] == pytest.approx([0.953, 0.802], abs=0.005)
+    rng = np.random.default_rng(2)
+    speed = rng.uniform(0.5, 5, 60)
+    for r0, r1, r2 in ((0.39, 0.257, -0.044), (0.95, -0.1, 0.009), (0.95, -0.02, -0.01), (0.5, 0.02, 0.01)):
+        turn = np.minimum(speed, -r1 / (2 * r2)) if r1 * r2 < 0 else speed
+        out = (r0 + r1 * turn + r2 * turn**2) * speed + rng.normal(0, 0.005, 60)
+        rows = make_rebounds("planar", {"v_n_in": speed, "v_n_out": out, "spin_in": 0 * speed, "sigma_v_n_out": 0.005})
+        found = fit_laws(rows, Setting(radius=0.02, restitution="polynomial"), ["mirror"], bootstrap=0).best
+        assert found.chi2 < 1.6 * found.dof
+        for name, true in (("restitution_0", r0), ("restitution_1", r1), ("restitution_2", r2)):
+            estimate = found.estimates[name]
+            assert abs(estimate.value - true) < 4 * estimate.stderr
+
+
 def test_kharaz_s_friction_at_large_angles():
     kharaz = published("kharaz2001")
     rows = kharaz.rebounds.select(np.degrees(kharaz.rebounds.angle_in) > 35)

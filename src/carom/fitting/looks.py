@@ -65,11 +65,11 @@ class Look:
 
 @kernel
 def set_steps(p: Any, free: Any, low: Any, high: Any, steps: Any) -> None:
-    """The step of each parameter's derivative, of its own size, inwards where its upper bound is near."""
+    """The step of each parameter's derivative, of its own size: away from zero, where forms have kinks, inwards at a bound."""
     for m in range(free.shape[0]):
         j = free[m]
         size = STEP * max(min(high[j] - low[j], 1.0), abs(p[j]) / 10)
-        steps[j] = size if p[j] + size <= high[j] else -size
+        steps[j] = size if (p[j] >= 0 and p[j] + size <= high[j]) or p[j] - size < low[j] else -size
 
 
 def _look(

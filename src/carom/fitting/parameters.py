@@ -73,7 +73,12 @@ FORMS = {
     ),
     "polynomial": Form(
         1,
-        (_e("restitution_0", 0.0, 1.0, 0.5, 0.8, 0.95), _e("restitution_1", -2.0, 2.0, 0.0), _e("restitution_2", -1.0, 1.0, 0.0)),
+        (
+            _e("restitution_0", 0.0, 1.0, 0.5, 0.8, 0.95),
+            # (from each side of zero: a rise that ends, a fall that ends and a fall that does not are valleys of their own)
+            _e("restitution_1", -2.0, 2.0, -0.1, 0.1),
+            _e("restitution_2", -1.0, 1.0, -0.02, 0.02),
+        ),
         "e = r0 + r1 v_n + r2 v_n^2, level beyond its vertex (Han 2005, eq. 26)",
     ),
     "viscoelastic": Form(

@@ -23,7 +23,10 @@ def with_errors(fit: Fit, ways: Ways, parameters: list[Parameter], info: Array) 
     """Covariance, and what the data do not tell."""
     k = len(fit.names)
     values = fit.numbers[ways.free]
-    ranges = np.array([min(parameter.high - parameter.low, 1.0) for parameter in parameters])
+    # (of a number that may be anything up to 100, such as a speed, its own size says what is little)
+    ranges = np.array([
+        min(p.high - p.low, max(abs(v), 1.0)) for v, p in zip(values.tolist(), parameters, strict=True)
+    ])  # fmt: skip
     close = 1e-9 * ranges
     bound = np.array(
         [v <= p.low + c or v >= p.high - c for v, p, c in zip(values, parameters, close, strict=True)], dtype=bool
@@ -137,7 +140,7 @@ def _sentence(fit: Fit, names: list[str]) -> str:
             said
             + "the data tell only a combination of them, no single value; measure more (spin, other angles) or fix one"
         )
-    return said + "nothing in these rows depends on it"
+    return said + "next to nothing in these rows depends on it"
 
 
 def _least_friction(fit: Fit) -> str:

@@ -23,7 +23,9 @@ __all__ = ["WholeLaw", "WholeSetting", "side_of", "whole_laws"]
 FAR = 100.0  # m: where a table has its sides that no ball of the film meets
 GIVE = 0.01  # m: how far from where the frames turn a cushion is sought
 SPIN_LOSS = 10.0  # rad/s^2 of spin about the vertical; Alciatore has 5 to 15
-BEGIN = {"friction": 0.2, "tangential_restitution": 0.0, "stiffness_ratio": LIKE_SOLIDS}
+BEGIN = {
+    "friction": 0.2, "tangential_restitution": 0.0, "stiffness_ratio": LIKE_SOLIDS, "restitution_1": 0.0, "restitution_2": 0.0,
+}  # fmt: skip
 _NAMED = {parameter.name: parameter for parameter in PARAMETERS}
 # The numbers of the floor; while a cushion presses the ball on the cloth it is the same friction that acts.
 FLOOR = (
