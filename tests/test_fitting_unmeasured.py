@@ -162,7 +162,7 @@ def test_what_sticks_does_not_tell_side_from_slip_given_back():
     problem, _ = make_problem(rebounds, SETTING)
     sticking, free = law("sticking"), law("contact")
     one = fit_law(sticking, problem)
-    c, w = one.estimates["spin_mean"].value, one.estimates["spin_width"].value
+    c, w = one.numbers[[INDEX["spin_mean"], INDEX["spin_width"]]]
     twice = numbers(restitution=one.estimates["restitution"].value, friction=math.inf, tangential_restitution=1.0)
     twice[[INDEX["spin_mean"], INDEX["spin_width"]]] = 1 - (1 - c) / 2, w / 2
     same, _ = rows_of_fit(one, problem, twice)

@@ -30,8 +30,32 @@ class Camera:
     """Whether places are put inside a line 2 mm within the one on which the balls turn."""
 
 
-def shot(rng: np.random.Generator, sliding: bool = False) -> Any:
-    """A ball that meets a cushion with a nose about half a second after the film begins."""
+@dataclass(frozen=True)
+class Surfaces:
+    """Of a table on which many shots are played, and the sidespin that its balls have when they come to the cushion."""
+
+    restitution: float
+    friction: float
+    cloth: float
+    rolling: float
+    floor_contact: str = "with"
+    """While the cushion presses the ball on the cloth: both at once, or "after"."""
+    spin_mean: float = 0.0
+    """v_t/a"""
+    spin_width: float = 0.3
+    """v/a; normal"""
+
+
+def surfaces(rng: np.random.Generator, floor_contact: str = "with") -> Surfaces:
+    """Some table."""
+    return Surfaces(
+        rng.uniform(0.7, 0.95), rng.uniform(0.1, 0.25), rng.uniform(0.12, 0.28), rng.uniform(0.004, 0.015), floor_contact,
+        rng.uniform(0.0, 0.6), rng.uniform(0.2, 0.5),
+    )  # fmt: skip
+
+
+def shot(rng: np.random.Generator, sliding: bool = False, on: Surfaces | None = None) -> Any:
+    """A ball that meets a cushion with a nose about half a second after the film begins; ``on`` a table, or any."""
     speed, angle = rng.uniform(0.6, 3.0), np.radians(rng.uniform(-60, 60))
     wall = rng.integers(4)
     n = np.array([(1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)][wall])
@@ -41,19 +65,24 @@ def shot(rng: np.random.Generator, sliding: bool = False) -> Any:
     reach = min(0.45 * speed * np.cos(angle), 0.6 if n[1] else 1.2)
     start = at + n * reach - np.array([-n[1], n[0]]) * rng.uniform(-0.1, 0.1)
     spin = rng.uniform(-0.5, 0.5) * speed / RADIUS
+    # (in the order in which these were always drawn)
+    restitution, friction = (
+        (rng.uniform(0.7, 0.95), rng.uniform(0.1, 0.25)) if on is None else (on.restitution, on.friction)
+    )
+    cloth, rolling = (rng.uniform(0.12, 0.28), rng.uniform(0.004, 0.015)) if on is None else (on.cloth, on.rolling)
+    if on is not None:
+        slowed = np.sqrt(speed**2 - 2 * rolling * 9.80665 * reach / np.cos(angle))
+        spin = (on.spin_mean * np.sin(angle) + on.spin_width * rng.normal()) * slowed / RADIUS
     cushion = Table(
-        length=LENGTH, width=WIDTH, center=(LENGTH / 2, WIDTH / 2), nose_height=NOSE,
-        restitution=rng.uniform(0.7, 0.95), friction=rng.uniform(0.1, 0.25),
+        length=LENGTH, width=WIDTH, center=(LENGTH / 2, WIDTH / 2), nose_height=NOSE, restitution=restitution, friction=friction
     )  # fmt: skip
     floor = carom.Floor(
-        friction=rng.uniform(0.12, 0.28),
-        restitution=0.0,
-        rolling_resistance=rng.uniform(0.004, 0.015),
-        spin_friction=0.01,
+        friction=cloth, restitution=0.0, rolling_resistance=rolling, spin_friction=0.01 if on is None else 0.0
     )
     roll = {"spin": (0.0, 0.0, spin)} if sliding else {"spin": (-velocity[1] / RADIUS, velocity[0] / RADIUS, spin)}
     ball = carom.SceneBall(radius=RADIUS, mass=MASS, position=tuple(start), velocity=(*velocity, 0.0), **roll)
-    return carom.simulate(carom.Scene(floor=floor, walls=[cushion], balls=[ball], run=carom.Run(duration=1.1)))
+    asked = carom.Run(duration=1.1, floor_contact="with" if on is None else on.floor_contact)
+    return carom.simulate(carom.Scene(floor=floor, walls=[cushion], balls=[ball], run=asked))
 
 
 def bounce(rng: np.random.Generator) -> Any:

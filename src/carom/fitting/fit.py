@@ -13,6 +13,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.fitting.averaged import with_averaged
 from carom.fitting.data import Problem
 from carom.fitting.kernels import TOGETHER, TURN
 from carom.fitting.laws import FittedLaw
@@ -39,6 +40,7 @@ FEW_STEPS = 40
 SEARCHED, SEARCHED_AVERAGED = 150, 40  # rows, of many, in which starts are tried
 FEW, MANY = 8, 12  # starts from which it goes down
 NEAR = (0.7, 0.82, 0.91, 0.96, 1.04, 1.1, 1.2, 1.4)  # times a friction: others to try
+ALL = (0.07, 0.1, 0.14, 0.18, 0.23, 0.3, 0.4)  # and, the first time, all kinds of them
 ACROSS = 4  # times at most
 CLOSE = 30.0  # a start that ends so much higher has lost
 
@@ -123,7 +125,8 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     if scatter:
         info = info * max(problem.count - k, 1) / max(int(n_by[problem.estimated].sum()), 1)
     fit = replace(fit, chi2=float(least.sum()), dof=dof, by_row=least)
-    return with_errors(fit, ways, parameters, info)
+    fit = with_errors(fit, ways, parameters, info)
+    return fit if problem.spins is None else with_averaged(fit)
 
 
 def _across(ways: Ways, problem: Problem, p: Array, cost: Array, h: Array) -> tuple[Array, Array, Array]:
@@ -133,9 +136,10 @@ def _across(ways: Ways, problem: Problem, p: Array, cost: Array, h: Array) -> tu
     without = replace(ways, free=ways.free[ways.free != place])
     best = int(np.argmin(cost))
     p, cost, h = p[[best]], cost[[best]], h[[best]]
-    for _ in range(ACROSS):
-        others = np.tile(p, (len(NEAR), 1))
-        others[:, place] = np.clip(p[0, place] * np.array(NEAR), ways.low[place], ways.high[place])
+    for turn in range(ACROSS):
+        frictions = np.append(p[0, place] * np.array(NEAR), ALL if turn == 0 else ())
+        others = np.tile(p, (len(frictions), 1))
+        others[:, place] = np.clip(frictions, ways.low[place], ways.high[place])
         others, held, _u, _h = go(without, problem, others, 12)
         found, deviances, _u, curved = go(ways, problem, others[np.argsort(held, kind="stable")[:3]], STEPS)
         first = int(np.argmin(deviances))

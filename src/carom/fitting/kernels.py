@@ -12,7 +12,7 @@ from typing import Any
 from carom.kernel import Vec, kernel
 from carom.laws.contact import wall_contact
 from carom.laws.conventional import conventional_reflection
-from carom.laws.landing import rolls_at_last
+from carom.laws.landing import ROUNDING, UP, rolls_at_last
 from carom.laws.maw import maw_contact
 from carom.laws.simultaneous import STALL
 from carom.laws.two_step import UNDEFINED, first_impact
@@ -77,4 +77,6 @@ def table(code: int, form: int, stage: int, x: Vec, a: float, p: Any) -> Vec:
     if stage == ROLLING:
         # (39)
         v1, w1 = rolls_at_last(v1, w1, a, p[5])
+    elif v1[2] < -ROUNDING * x[0]:  # pushed on the floor: it lands in the same instant, and leaves as the floor lets it
+        v1, w1, _j, _required, _regime = wall_contact(v1, w1, UP, a, p[5], p[9], p[8], zero)
     return v1[0], v1[1], w1[2]

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from carom.fitting.data import Problem
 from carom.fitting.descent import descend
-from carom.fitting.kernels import SMOOTH, TOGETHER
+from carom.fitting.kernels import MAW, SMOOTH, TOGETHER, TURN
 from carom.fitting.laws import FittedLaw
 from carom.fitting.looks import Rows, look, said
 from carom.fitting.parameters import FORMS, INDEX, NUMBERS, PARAMETERS, Parameter
@@ -150,7 +150,7 @@ def _matters(name: str, law: FittedLaw) -> bool:
     if name in law.pinned or (name == "contact_height" and (law.upright or law.kind == "planar")):
         return False
     if name in ("floor_friction", "floor_restitution"):
-        return law.code == TOGETHER
+        return law.code in (TOGETHER, TURN, MAW)
     return not (name == "roll" and law.kind == "planar")
 
 

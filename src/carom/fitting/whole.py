@@ -18,19 +18,18 @@ from numpy.typing import NDArray
 
 from carom.fitting.ways import Estimate
 from carom.fitting.whole_descent import Frames, Settled, Starts, descend, scan, settle, spin_loss, used_numbers
-from carom.fitting.whole_laws import WholeLaw, WholeSetting, side_of
-from carom.fitting.whole_runs import Stretch
+from carom.fitting.whole_laws import GIVE, WholeLaw, WholeSetting, side_of
 from carom.simulation import simulate
+from carom.tracks.contacts import Wall
 from carom.tracks.measure import Measured
 from carom.trajectory import Trajectory
 
-__all__ = ["WholeFit", "first_numbers", "fit_law_whole"]
+__all__ = ["WholeFit", "ended", "first_numbers", "fit_once", "sided"]
 
 Array = NDArray[np.float64]
 # chi^2 that a slide before the first contact has to earn: two numbers more, one chance in a hundred.
 EARNED = 9.21
 UNLIKELY, NOISY = 1e-3, 1.3  # a chi^2 that chance gives so rarely; a scatter of so many noises: the law does not follow
-FRICTIONS = (0.1, 0.3)  # where the search begins anew
 SIDES = 17  # sidespins that are tried
 TURNS = 4  # of sidespins tried anew and all numbers sought
 SLIP = 1.0  # v: a slip at the start is normal about zero with this width
@@ -116,34 +115,8 @@ class WholeFit:
         return simulate(scene.model_copy(update={"balls": (scene.balls[0].model_copy(update=moved),)}))
 
 
-def fit_law_whole(law: WholeLaw, found: Sequence[Stretch], noise: float, tell: Callable[[float], None]) -> WholeFit:
-    """Fit one law to stretches; ``noise`` (m) of one coordinate of one frame.
-
-    Where the law does not follow, the search may have ended beside the best place, with a wrong friction that a wrong sidespin
-    makes up for: it begins anew from other frictions, and the nearest is taken.
-    """
-    frames = Frames.of(found, law.setting.noise or noise)
-    best = _fit(law, frames, law.setting, noise, partial(_part, tell, 0))
-    if "friction" not in law.free:
-        return best
-    for turn, friction in enumerate(FRICTIONS, 1):
-        if best.follows:
-            break
-        parameter = law.free["friction"]
-        inside = replace(parameter, start=min(max(friction, parameter.low), parameter.high))
-        begun = replace(law, free=law.free | {"friction": inside})
-        other = _fit(begun, frames, law.setting, noise, partial(_part, tell, turn))
-        best = other if other.deviance < best.deviance else best
-    return best
-
-
-def _part(tell: Callable[[float], None], turn: int, done: float) -> None:
-    """How much is done, of a search that may have to begin anew."""
-    tell((turn + done) / (1 + len(FRICTIONS)))
-
-
 def first_numbers(measured: Measured) -> dict[str, float]:
-    """Numbers to begin with."""
+    """Numbers to begin with; give_SIDE: how far from there a wall is sought, where that is not GIVE (m)."""
     start = {}
     for name, label in (("floor_friction", "cloth friction"), ("rolling_resistance", "rolling resistance")):
         if label in measured.floor:
@@ -157,10 +130,26 @@ def first_numbers(measured: Measured) -> dict[str, float]:
         start["restitution"] = float(np.median(ratio))
     for wall in measured.walls:
         away = [one.fit["away"] for one in measured.contacts if one.fit is not None and one.wall.name == wall.name]
+        axis = int(abs(wall.normal[1]) > 0.5)
         if away:  # where the motions before and after meet: the frames themselves turn up to a step before it
-            axis = int(abs(wall.normal[1]) > 0.5)
             start[f"wall_{side_of(wall)}"] = wall.point[axis] + wall.normal[axis] * float(np.median(away))
+        else:  # met in a corner, say: it may lie as far beyond the frames as the ball goes from one to the next
+            far = _step_at(measured, wall)
+            start[f"wall_{side_of(wall)}"] = wall.point[axis] - wall.normal[axis] * far / 2
+            start[f"give_{side_of(wall)}"] = GIVE + far / 2
     return start
+
+
+def _step_at(measured: Measured, wall: Wall) -> float:
+    """How far (m) across a wall the balls go from frame to frame where they meet it, at most."""
+    steps = [0.0]
+    for track in measured.tracks:
+        d = wall.frame(track.position)[:, 0]
+        for event in measured.events[track.group, track.name]:
+            if event.kind == "wall" and event.what == wall.name:
+                at = int(np.searchsorted(track.time, (event.low + event.high) / 2))
+                steps += np.abs(np.diff(d[max(at - 3, 0) : at + 3])).tolist()
+    return max(steps)
 
 
 def _lines(frames: Frames) -> Array:
@@ -210,24 +199,33 @@ def _before(law: WholeLaw, frames: Frames, setting: WholeSetting, numbers: Mappi
     return q, _starts(frames, q, slides, setting)
 
 
-def _fit(
+def fit_once(
     law: WholeLaw, frames: Frames, setting: WholeSetting, least_noise: float, tell: Callable[[float], None]
 ) -> WholeFit:
+    """One search, from the law's starts: the frames before the first contact, then those before the second, and so on."""
     numbers = {name: parameter.start for name, parameter in law.free.items()}
     noise = frames.sigma
     q, starts = _before(law, frames, setting, numbers)
     most = max(len(one.contacts) for one in frames.stretches)
     for contacts in range(1, most + 1):
         part = frames.until(contacts)
-        q = _sided(law, part, starts, q, numbers, setting)
+        q = sided(law, part, starts, q, numbers, setting)
         part = _scattered(law, part, starts, q, numbers, noise, setting)
         numbers, settled = descend(law, part, starts, q, numbers, partial(tell, contacts / (most + 1)), exact=False)
         q = settled.q
+    return ended(law, frames, starts, q, numbers, least_noise, partial(tell, 0.95))
+
+
+def ended(
+    law: WholeLaw, frames: Frames, starts: Starts, q: Array, numbers: dict[str, float], least_noise: float, tell: Callable[[], None]
+) -> WholeFit:  # fmt: skip
+    """Down to the best place from here, sidespins tried anew and all numbers sought by turns."""
+    setting, noise = law.setting, np.full(len(q), law.setting.noise or least_noise)
     least = math.inf
     for _ in range(TURNS):
-        q = _sided(law, frames, starts, q, numbers, setting)
+        q = sided(law, frames, starts, q, numbers, setting)
         frames = _scattered(law, frames, starts, q, numbers, noise, setting)
-        numbers, settled = descend(law, frames, starts, q, numbers, partial(tell, 0.95))
+        numbers, settled = descend(law, frames, starts, q, numbers, tell)
         q = settled.q
         frames = _scattered(law, frames, starts, q, numbers, noise, setting)
         deviance = _deviance(settled, frames)
@@ -258,7 +256,7 @@ def _scattered(
     return replace(frames, sigma=np.maximum(scatter, noise))
 
 
-def _sided(
+def sided(
     law: WholeLaw, frames: Frames, starts: Starts, q: Array, numbers: Mapping[str, float], setting: WholeSetting
 ) -> Array:
     """Starts with the sidespin that these frames like best: the one so far, or another where that leads nearer."""

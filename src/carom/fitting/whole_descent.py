@@ -22,6 +22,7 @@ from carom.scene.model import Scene
 
 __all__ = [
     "Frames",
+    "Numbers",
     "Settled",
     "Starts",
     "descend",

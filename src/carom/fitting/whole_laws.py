@@ -18,7 +18,7 @@ from carom.scene.restitution import Bounce, Constant, Exponential, Polynomial, V
 from carom.scene.walls import Table
 from carom.tracks.contacts import Wall
 
-__all__ = ["WholeLaw", "WholeSetting", "side_of", "whole_laws"]
+__all__ = ["GIVE", "WholeLaw", "WholeSetting", "side_of", "whole_laws"]
 
 FAR = 100.0  # m: where a table has its sides that no ball of the film meets
 GIVE = 0.01  # m: how far from where the frames turn a cushion is sought
@@ -196,7 +196,8 @@ def _whole(law: FittedLaw, setting: WholeSetting, walls: Sequence[Wall], start: 
     for wall in walls:
         side = side_of(wall)
         at = start.get(f"wall_{side}", wall.point[0 if side in ("left", "right") else 1])
-        free[f"wall_{side}"] = Parameter(f"wall_{side}", at - GIVE, at + GIVE, (at,), at, "m", "where the centre turns")
+        give = start.get(f"give_{side}", GIVE)
+        free[f"wall_{side}"] = Parameter(f"wall_{side}", at - give, at + give, (at,), at, "m", "where the centre turns")
     for name, value in law.pinned.items():
         free.pop(name, None)
         held[name] = value

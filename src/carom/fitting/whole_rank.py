@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.fitting.rank import to_one
-from carom.fitting.whole import WholeFit, first_numbers, fit_law_whole
+from carom.fitting.whole import WholeFit, first_numbers
 from carom.fitting.whole_laws import WholeSetting, whole_laws
 from carom.fitting.whole_runs import stretches
+from carom.fitting.whole_search import fit_law_whole
 from carom.tracks.measure import Measured
 
 __all__ = ["WholeRanking", "fit_whole"]

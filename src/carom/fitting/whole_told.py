@@ -16,7 +16,7 @@ from carom.fitting.whole_descent import Settled, projected, settle, shared_slope
 if TYPE_CHECKING:
     from carom.fitting.whole import WholeFit
 
-__all__ = ["with_errors"]
+__all__ = ["or_else", "with_errors"]
 
 Array = NDArray[np.float64]
 EDGE = 1e-4  # of its range: a number so near its bound is at it
@@ -79,6 +79,22 @@ def with_errors(fit: WholeFit, settled: Settled) -> WholeFit:
     untold = tuple(names[i] for i in np.flatnonzero(concerned))
     return replace(
         fit, covariance=covariance, estimates=estimates, degenerate=tuple(dict.fromkeys(sentences)), untold=untold
+    )
+
+
+def or_else(fit: WholeFit, name: str, other: float) -> WholeFit:
+    """The fit without a number for what has two that fit alike."""
+    here = fit.numbers[name]
+    said = (
+        f"{fit.law.name}: {name}: {min(here, other):.4g} and {max(here, other):.4g} fit alike: a contact stands at the edge between"
+        " sliding and holding; film another shot"
+    )
+    covariance = fit.covariance.copy()
+    i = list(fit.law.free).index(name)
+    covariance[i, :] = covariance[:, i] = np.nan
+    estimates = fit.estimates | {name: Estimate(None, None, "the data do not tell it")}
+    return replace(
+        fit, covariance=covariance, estimates=estimates, degenerate=(*fit.degenerate, said), untold=(*fit.untold, name)
     )
 
 

@@ -161,6 +161,12 @@ class _Table:
         first = min(tries, key=lambda one: one[1])[0]
         return first, self.solve(first, ROLLING)
 
+    def again(self, old: Fitted) -> tuple[Array, float, float, Free, bool]:
+        """A ball that slides before the contact as an earlier fit found it: from other starts the slide after may be missed."""
+        start, free, penalty = old.theta.copy(), SLIDING_ON if old.on else SLIDING, EARNED_ON if old.on else EARNED
+        start[11:] = self.start[11:]
+        return (*self.solve(self.solve(start, free & FLOOR_HELD)[0], free), penalty, free, old.on)
+
     def sliding(self, start: Array) -> list[tuple[Array, float, float, Free, bool]]:
         """A ball that slides before the contact, all the way or not: parameters, sum of squares, penalty, what was free."""
         on = self.solve(start, SLIDING_ON & FLOOR_HELD)[0]
@@ -205,6 +211,8 @@ def fit_table(
     start = _slide_before(time, gap, weight, first, noise, k)
     if start is not None:
         found += job.sliding(start)
+    if old is not None and old.slid:
+        found.append(job.again(old))
     best, _cost, _penalty, free, on = min(found, key=lambda one: one[1] + one[2])
     fitted = told(
         best, free, job.residual, job.slope(best), lambda theta: _table_outputs(theta, since, k),

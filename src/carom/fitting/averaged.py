@@ -1,0 +1,76 @@
+"""Error bars where spins that nobody measured are averaged over: the curvature at the best place is not all there is to them.
+
+The prior's width is the scatter of few spins, and what is likeliest is too small on average: of n normal numbers about a mean
+that is fitted, with sum of squares S, it is the root of S/n, where that of S/(n - 3/2) is right on average (about a mean that is
+given, n - 1/2). The friction is the edge of a scatter, and the deviance has a crease at each row that stands there: its curvature
+between two creases is not how fast it rises across them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.fitting.parameters import INDEX
+from carom.fitting.ways import Fit, go, ways_of
+
+__all__ = ["with_averaged"]
+
+Array = NDArray[np.float64]
+ROUNDS, LOOKS = 4, 40
+
+
+def with_averaged(fit: Fit) -> Fit:
+    """The fit with such error bars, and a width that is right on average; ``fit.numbers`` stay what is likeliest."""
+    fit = _with_width(fit)
+    width = _friction(fit)
+    return fit if width is None else _scaled(fit, "friction", width / _stderr(fit, "friction"))
+
+
+def _stderr(fit: Fit, name: str) -> float:
+    estimate = fit.estimates.get(name)
+    return (estimate.stderr or 0.0) if estimate else 0.0
+
+
+def _scaled(fit: Fit, name: str, by: float) -> Fit:
+    """With an error bar so much larger, correlations as they are."""
+    i, covariance = fit.names.index(name), fit.covariance.copy()
+    covariance[i, :] *= by
+    covariance[:, i] *= by
+    wider = replace(fit.estimates[name], stderr=by * _stderr(fit, name))
+    return replace(fit, covariance=covariance, estimates=fit.estimates | {name: wider})
+
+
+def _with_width(fit: Fit) -> Fit:
+    """A relative error of 1/sqrt(2n) says how many rows tell the width: 3/2 times its square is what is missing."""
+    error = _stderr(fit, "spin_width")
+    if not error:
+        return fit
+    width = float(fit.numbers[INDEX["spin_width"]])
+    by = 1 + (1.5 if "spin_mean" in fit.names else 0.5) * (error / width) ** 2
+    fit = _scaled(fit, "spin_width", by)
+    estimates = fit.estimates | {"spin_width": replace(fit.estimates["spin_width"], value=by * width)}
+    return replace(fit, estimates=estimates)
+
+
+def _friction(fit: Fit) -> float | None:
+    """Half the width in which the deviance, all else fitted, rises by less than 1."""
+    step = _stderr(fit, "friction")
+    if not step:
+        return None
+    ways, names, _start, parameters = ways_of(fit.law, fit.problem)
+    place, parameter = INDEX["friction"], parameters[names.index("friction")]
+    held = replace(ways, free=ways.free[ways.free != place])
+    best = float(fit.numbers[place])
+    p, far = np.tile(fit.numbers, (2, 1)), np.array([-step, step])
+    for _ in range(ROUNDS):
+        p[:, place] = np.clip(best + far, parameter.low, parameter.high)
+        p, deviance, _u, _h = go(held, fit.problem, p, LOOKS)
+        # nearly a parabola: the next place follows from it
+        rise = np.sqrt(np.maximum(deviance - fit.deviance, 1e-3))
+        if (np.abs(rise - 1) < 0.02).all():
+            break
+        far = np.clip(best + far / np.clip(rise, 0.4, 2.5), parameter.low, parameter.high) - best
+    return float((far[1] - far[0]) / 2)
