@@ -133,7 +133,8 @@ def first_numbers(measured: Measured) -> dict[str, float]:
         axis = int(abs(wall.normal[1]) > 0.5)
         if away:  # where the motions before and after meet: the frames themselves turn up to a step before it
             start[f"wall_{side_of(wall)}"] = wall.point[axis] + wall.normal[axis] * float(np.median(away))
-        else:  # met in a corner, say: it may lie as far beyond the frames as the ball goes from one to the next
+        elif max(map(abs, wall.normal)) > 1 - 1e-9:
+            # met in a corner, say: it may lie as far beyond the frames as the ball goes from one to the next
             far = _step_at(measured, wall)
             start[f"wall_{side_of(wall)}"] = wall.point[axis] - wall.normal[axis] * far / 2
             start[f"give_{side_of(wall)}"] = GIVE + far / 2
