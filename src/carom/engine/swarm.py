@@ -11,7 +11,7 @@ import math
 from typing import Any
 
 from carom.engine.cells import around, cell_of, gather, leave_cell, put_in_cell
-from carom.engine.queue import S, U, enqueue, fill, take_out, turn_over
+from carom.engine.queue import PAGE, RING, S, U, enqueue, fill, full, open_page, page_of, take_out, turn_over
 from carom.engine.swarm_arrays import CALM, DONE, LIMIT, NOBODY, STUCK
 from carom.engine.swarm_predict import drift, next_turn, soonest
 from carom.engine.swarm_prefetch import look_ahead
@@ -23,8 +23,8 @@ from carom.kernel import hot_kernel, kernel
 __all__ = ["bring_to_now", "place", "refill", "run"]
 
 
-# So many balls fit into the processor's own memory; of more, the next ones are asked for ahead.
-NEAR_BALLS = 4000
+# So many balls are near enough in the processor's caches; of more, the next ones are asked for ahead.
+NEAR_BALLS = 16_000
 # Collisions within a share of a bin of the calendar, a ball and beyond that, after which time is said to stand still.
 STILL, STILL_HITS, STILL_MORE = 1e-9, 100, 100_000
 
@@ -45,10 +45,14 @@ def place(swarm: Any, box: Any, grid: Any, motions: Any, plans: Any, species: An
 
 
 @kernel
-def refill(grid: Any, motions: Any, plans: Any, cells: Any, links: Any) -> None:
-    """Put every ball into the cell that it is in: those of a swarm that is restored are empty."""
+def refill(
+    swarm: Any, grid: Any, motions: Any, plans: Any, heads: Any, tails: Any, leaves: Any, cells: Any, links: Any
+) -> None:
+    """Put every ball into the cell and the bin that it is in: those of a swarm that is restored are empty."""
     for i in range(motions.shape[0]):
         put_in_cell(grid, cells, links, plans[i], i)
+    if swarm.planned == swarm.count:
+        fill(plans, heads, tails, leaves, swarm.width, swarm.bins, swarm.bin)
 
 
 @hot_kernel
@@ -76,7 +80,7 @@ def _cross(box: Any, grid: Any, ball: Any, plan: Any, cells: Any, links: Any, i:
 
 
 @kernel
-def _begin(more: Any, swarm: Any, plans: Any, heads: Any) -> None:
+def _begin(more: Any, swarm: Any, plans: Any, heads: Any, tails: Any, leaves: Any) -> None:
     """All balls have their first event: set the calendar's width by them, and fill it."""
     total, count = 0.0, 0
     plans[swarm.count].at = wait_for_kick(more, swarm, swarm.now)
@@ -86,7 +90,7 @@ def _begin(more: Any, swarm: Any, plans: Any, heads: Any) -> None:
             count += 1
     # one event a bin, if the waits go on as they begin
     swarm.width = total / count / swarm.count if total > 0 else 1.0
-    fill(swarm, plans, heads)
+    fill(plans, heads, tails, leaves, swarm.width, swarm.bins, 0)
 
 
 @kernel
@@ -106,7 +110,8 @@ def _calm(grid: Any, cx: int, cy: int, cz: int) -> bool:
 
 @kernel
 def run(  # noqa: PLR0915  (the loop)
-    swarm: Any, motions: Any, plans: Any, bodies: Any, species: Any, pairs: Any, walls: Any, faces: Any, heads: Any,
+    swarm: Any, motions: Any, plans: Any, bodies: Any, species: Any, pairs: Any, walls: Any, faces: Any, heads: Any, tails: Any,
+    leaves: Any,
     box: Any, grid: Any, lists: Any, sets: Any, cells: Any, links: Any, offsets: Any, shifts: Any, found: Any, near: Any, work: Any,
     whole: Any, until: float, most: int, more: Any,
 ) -> int:  # fmt: skip
@@ -129,10 +134,16 @@ def run(  # noqa: PLR0915  (the loop)
             z0, z1 = 1, 2
         again = False
         if planned == count:
-            while current < bins and heads[U(current)] == NOBODY:
+            if full(tails):
+                fill(plans, heads, tails, leaves, width, bins, current)
+            while current < bins and heads[U(current & (RING - 1))] == NOBODY:
                 current += 1
-                if far:
-                    look_ahead(plans, motions, bodies, cells, offsets, grid, heads, current, bins)
+                if current & (PAGE - 1) == 0 and current < bins:
+                    page = page_of(current) + 1
+                    if far and (page + 2) * PAGE < bins:
+                        look_ahead(flat, grid, motions, plans, bodies, cells, offsets, tails, leaves, page)
+                    if page * PAGE < bins:
+                        open_page(plans, heads, tails, leaves, page)
             if current == bins:
                 if width * bins > end:
                     status = DONE
@@ -140,7 +151,8 @@ def run(  # noqa: PLR0915  (the loop)
                 now = max(now, width * bins)
                 swarm.now, swarm.popped = now, popped
                 sample(swarm, box, motions, bodies, species, now)
-                turn_over(swarm, motions, plans, bodies, faces, heads)
+                turn_over(swarm, motions, plans, bodies, faces)
+                fill(plans, heads, tails, leaves, swarm.width, bins, 0)
                 status = left_to_come(swarm, motions, plans, species, popped)
                 if settle(swarm, box, motions, species):
                     planned = 0
@@ -148,7 +160,7 @@ def run(  # noqa: PLR0915  (the loop)
                 swarm.mark, swarm.since = now, swarm.pair_hits + swarm.wall_hits
                 end = (until - swarm.base) - swarm.rest
                 continue
-            i = S(heads[U(current)])
+            i = S(heads[U(current & (RING - 1))])
             at = plans[U(i)].at
             k = plans[U(i)].next
             while k != NOBODY:
@@ -166,7 +178,7 @@ def run(  # noqa: PLR0915  (the loop)
             # (what ``more`` is: see swarm_walls)
             if more is not None and kicked:
                 plans[U(i)].at = wait_for_kick(more, swarm, now)
-                enqueue(plans, heads, i, width, bins, current)
+                enqueue(plans, heads, tails, leaves, i, width, bins, current)
                 i = S(whom_to_kick(swarm))
                 take_out(plans, heads, i)
             ball, plan = motions[U(i)], plans[U(i)]
@@ -241,10 +253,10 @@ def run(  # noqa: PLR0915  (the loop)
             if planned < count:
                 planned += 1
                 if planned == count:
-                    _begin(more, swarm, plans, heads)
+                    _begin(more, swarm, plans, heads, tails, leaves)
                     width = swarm.width
                 break
-            enqueue(plans, heads, i, width, bins, current)
+            enqueue(plans, heads, tails, leaves, i, width, bins, current)
             if j == NOBODY:
                 break
             i, j = j, NOBODY

@@ -1,4 +1,9 @@
-"""Asking for memory before it is needed: a million balls lie far from the processor, and what comes next is known."""
+"""Asking for memory before it is needed: a million balls lie far from the processor, and what comes next is known.
+
+It is asked for page by page of the calendar, some hundred events ahead: the balls that are noted on one; a page later, when
+these have come, the cells around them and whom they will meet; another page later, who is in those cells. To ask event by event,
+some events ahead, costs more than it saves at 10,000 balls, since the processor cannot guess what a bin holds.
+"""
 
 from __future__ import annotations
 
@@ -6,15 +11,15 @@ import functools
 from typing import Any
 
 from carom.engine.cells import NUMBERS
-from carom.engine.queue import S, U
-from carom.engine.swarm_arrays import NOBODY
-from carom.kernel import hot_kernel
+from carom.engine.queue import LEAF, S, U, is_noted
+from carom.kernel import hot_kernel, kernel
 
 __all__ = ["look_ahead", "prefetch", "register_prefetch"]
 
-# So many bins, of one event each, before their time the balls are asked for, then the cells around them, then who is there;
-# last who is around their partners.
-FAR, MIDDLE, NEAR, CLOSE = 20, 12, 6, 3
+Region = tuple[int, int, int, int, int, int, int, int, int]
+PLANS, CELLS, BALLS = range(3)  # what is asked for, in turn
+# Into the second cache: the first is too small for all that some hundred events need.
+SECOND = 2
 FACES = 6  # of a cell: the least ``turn`` that is no way out of it
 
 
@@ -44,8 +49,8 @@ def register_prefetch() -> None:
                 ir.FunctionType(ir.VoidType(), [byte.as_pointer(), word, word, word]),
                 "llvm.prefetch.p0",
             )
-            # for reading, to be kept, data
-            builder.call(function, [address, *(ir.Constant(word, number) for number in (0, 3, 1))])
+            # for reading, into which cache, data
+            builder.call(function, [address, *(ir.Constant(word, number) for number in (0, SECOND, 1))])
             return context.get_dummy_value()
 
         return types.void(array, index), build
@@ -59,43 +64,46 @@ def register_prefetch() -> None:
 
 
 @hot_kernel
-def _around(plan: Any) -> tuple[int, int, int, int, int, int, int, int, int]:
+def _around(flat: bool, plan: Any) -> Region:
     """All the cells around that of a ball."""
-    return S(plan.cx), S(plan.cy), S(plan.cz), 0, 3, 0, 3, 0, 3
+    return S(plan.cx), S(plan.cy), S(plan.cz), 0, 3, 0, 3, 1 if flat else 0, 2 if flat else 3
 
 
 @hot_kernel
-def _searched(grid: Any, plan: Any) -> tuple[int, int, int, int, int, int, int, int, int]:
+def _round(place: int, n: int) -> int:
+    return place - n if place >= n else (place + n if place < 0 else place)
+
+
+@hot_kernel
+def _searched(flat: bool, grid: Any, plan: Any) -> Region:
     """The cell around which a ball will look at its next event, and which of the three places along each axis."""
-    x, y, z = S(plan.cx), S(plan.cy), S(plan.cz)
+    x, y, z, x0, x1, y0, y1, z0, z1 = _around(flat, plan)
     which = S(plan.turn)
     if plan.hit_at == plan.at or which >= FACES:
-        return _around(plan)
+        return x, y, z, x0, x1, y0, y1, z0, z1
     # it goes over to the next cell, and looks at those beyond
     up = which & 1
     step, first = 2 * up - 1, 2 * up
     if which < 2:
-        return (x + step) % grid[U(0)], y, z, first, first + 1, 0, 3, 0, 3
+        return _round(x + step, grid[U(0)]), y, z, first, first + 1, y0, y1, z0, z1
     if which < 4:
-        return x, (y + step) % grid[U(1)], z, 0, 3, first, first + 1, 0, 3
-    return x, y, (z + step) % grid[U(2)], 0, 3, 0, 3, first, first + 1
+        return x, _round(y + step, grid[U(1)]), z, x0, x1, first, first + 1, z0, z1
+    return x, y, _round(z + step, grid[U(2)]), x0, x1, y0, y1, first, first + 1
 
 
 @hot_kernel
-def _ask_cells(cells: Any, offsets: Any, there: Any) -> None:
-    """Ask for cells: for the first and the last of each row."""
-    x, y, z, x0, x1, y0, y1, z0, z1 = there
-    left, right = offsets[U(0), U(x), U(x0)], offsets[U(0), U(x), U(x1 - 1)] + 1
+def _ask_rows(cells: Any, offsets: Any, there: Region) -> None:
+    """Ask for cells: for the first of each row, whose others are beside it."""
+    x, y, z, x0, _x1, y0, y1, z0, z1 = there
+    left = offsets[U(0), U(x), U(x0)]
     for c in range(z0, z1):
-        third = offsets[U(2), U(z), U(c)]
+        third = offsets[U(2), U(z), U(c)] + left
         for b in range(y0, y1):
-            first = third + offsets[U(1), U(y), U(b)]
-            prefetch(cells, U(first + left))
-            prefetch(cells, U(first + right))
+            prefetch(cells, U(third + offsets[U(1), U(y), U(b)]))
 
 
 @hot_kernel
-def _ask_balls(motions: Any, cells: Any, offsets: Any, there: Any) -> None:
+def _ask_balls(motions: Any, cells: Any, offsets: Any, there: Region) -> None:
     """Ask for the first two balls of each cell."""
     x, y, z, x0, x1, y0, y1, z0, z1 = there
     for c in range(z0, z1):
@@ -109,39 +117,52 @@ def _ask_balls(motions: Any, cells: Any, offsets: Any, there: Any) -> None:
 
 
 @hot_kernel
+def _ask(
+    stage: int, flat: bool, grid: Any, motions: Any, plans: Any, bodies: Any, cells: Any, offsets: Any, tails: Any, leaves: Any,
+    page: int,
+) -> None:  # fmt: skip
+    """Ask for a part of what the balls that are noted on a page will need."""
+    tail = S(tails[U(page)])
+    while tail != 0:
+        while tail & (LEAF - 1) != 0:
+            i = leaves[U(tail)]
+            tail -= 1
+            if stage == PLANS:
+                prefetch(plans, U(i))
+                prefetch(motions, U(i))
+                continue
+            plan = plans[U(i)]
+            if not is_noted(plan, page):
+                continue
+            j, meets = plan.hit_who, plan.hit_at == plan.at
+            if stage == BALLS:
+                _ask_balls(motions, cells, offsets, _searched(flat, grid, plan))
+                if meets:
+                    _ask_balls(motions, cells, offsets, _around(flat, plans[U(j)]))
+                continue
+            _ask_rows(cells, offsets, _searched(flat, grid, plan))
+            if meets:
+                prefetch(plans, U(j))
+                prefetch(motions, U(j))
+                prefetch(bodies, U(i))
+                prefetch(bodies, U(j))
+        tail = S(leaves[U(tail)])
+
+
+@kernel
 def look_ahead(
-    plans: Any, motions: Any, bodies: Any, cells: Any, offsets: Any, grid: Any, heads: Any, bin_: int, bins: int
+    flat: bool,
+    grid: Any,
+    motions: Any,
+    plans: Any,
+    bodies: Any,
+    cells: Any,
+    offsets: Any,
+    tails: Any,
+    leaves: Any,
+    page: int,
 ) -> None:
-    """Ask for what the balls of the bins ahead of bin_ will need: the first of each bin, and the next ones as they show."""
-    i = heads[U(min(bin_ + FAR, bins - 1))]
-    if i != NOBODY:
-        prefetch(plans, U(i))
-        prefetch(motions, U(i))
-    i = heads[U(min(bin_ + MIDDLE, bins - 1))]
-    while i != NOBODY:
-        plan = plans[U(i)]
-        if plan.hit_at == plan.at:
-            j = plan.hit_who
-            prefetch(plans, U(j))
-            prefetch(motions, U(j))
-            prefetch(bodies, U(i))
-            prefetch(bodies, U(j))
-        _ask_cells(cells, offsets, _searched(grid, plan))
-        i = plan.next
-        if i != NOBODY:
-            prefetch(motions, U(i))
-    i = heads[U(min(bin_ + NEAR, bins - 1))]
-    while i != NOBODY:
-        plan = plans[U(i)]
-        _ask_balls(motions, cells, offsets, _searched(grid, plan))
-        if plan.hit_at == plan.at:
-            _ask_cells(cells, offsets, _around(plans[U(plan.hit_who)]))
-        i = plan.next
-    i = heads[U(min(bin_ + CLOSE, bins - 1))]
-    while i != NOBODY:
-        plan = plans[U(i)]
-        if plan.hit_at == plan.at:
-            other = plans[U(plan.hit_who)]
-            if other.cx != plan.cx or other.cy != plan.cy or other.cz != plan.cz:
-                _ask_balls(motions, cells, offsets, _around(other))
-        i = plan.next
+    """Ask for what the balls that are noted on a page and on the two after it will need, page by page as it can be known."""
+    _ask(PLANS, flat, grid, motions, plans, bodies, cells, offsets, tails, leaves, page + 2)
+    _ask(CELLS, flat, grid, motions, plans, bodies, cells, offsets, tails, leaves, page + 1)
+    _ask(BALLS, flat, grid, motions, plans, bodies, cells, offsets, tails, leaves, page)

@@ -12,18 +12,19 @@ from numpy.typing import NDArray
 
 from carom.engine import swarm
 from carom.engine.cells import SLOTS, tables
+from carom.engine.queue import calendar
 from carom.engine.swarm_arrays import BODY, MOTION, PLAN, PLANE
 from carom.engine.swarm_lists import walls_of_cells
 from carom.engine.swarm_prefetch import register_prefetch
 
-__all__ = ["STATE", "Arrays", "advance", "balls_at", "make", "restore"]
+__all__ = ["STATE", "Arrays", "advance", "balls_at", "make", "restore", "saved"]
 
 BINS = 4  # of the calendar, a ball
 LINE = 64  # bytes of a cache line
 
 
 class Arrays(NamedTuple):
-    """All of a swarm. The first nine are its state, to be saved; the rest follows from them."""
+    """All of a swarm. The first eight are its state, to be saved; the rest follows from them."""
 
     swarm: NDArray[np.void]
     motions: NDArray[np.void]
@@ -34,6 +35,8 @@ class Arrays(NamedTuple):
     walls: NDArray[np.void]
     faces: NDArray[np.void]
     heads: NDArray[np.uint32]
+    tails: NDArray[np.uint32]
+    leaves: NDArray[np.uint32]
     box: NDArray[np.float64]
     grid: NDArray[np.int64]
     lists: NDArray[np.int32]
@@ -48,7 +51,7 @@ class Arrays(NamedTuple):
     whole: NDArray[np.int64]
 
 
-STATE = Arrays._fields[:9]
+STATE = Arrays._fields[:8]
 
 
 class _Compiled(NamedTuple):
@@ -68,11 +71,34 @@ def _compiled() -> _Compiled:
     return _Compiled(*(njit(getattr(swarm, name), _nrt=False) for name in _Compiled._fields))
 
 
-def _aligned(count: int, kind: np.dtype[Any]) -> NDArray[Any]:
-    """Zeros that begin on a cache line, so that no record of 64 bytes lies on two."""
-    raw = np.zeros(count * kind.itemsize + LINE, np.uint8)
-    skip = -raw.ctypes.data % LINE
-    return raw[skip : skip + count * kind.itemsize].view(kind)
+def _memory(one: Any, species: Any) -> dict[str, NDArray[Any]]:
+    """Zeros for all large arrays, in one piece: for one that is large NumPy asks for large pages, which saves looking them up.
+
+    Each begins on a cache line, so that no record of 64 bytes lies on two.
+    """
+    count = int(one["count"])
+    number, ball = np.dtype("f8"), np.dtype("u4")
+    heads, tails, leaves = calendar(count, int(one["bins"]))
+    # (both slots of the last cell are written, and whole blocks of eight)
+    room = _most_around(one, species) + SLOTS + 8 & -8
+    # (the last plan is the thermostat's)
+    wanted = {
+        "motions": (count, MOTION), "plans": (count + 1, PLAN), "bodies": (count, BODY), "heads": (heads, ball),
+        "tails": (tails, ball), "leaves": (leaves, ball), "cells": (SLOTS * math.prod(_layers(one)), ball),
+        "links": (count, ball), "found": (room, ball), "work": (4 * room, number),
+    }  # fmt: skip
+    sizes = [-(-n * kind.itemsize // LINE) * LINE for n, kind in wanted.values()]
+    raw = np.zeros(sum(sizes) + LINE, np.uint8)
+    at, found = -raw.ctypes.data % LINE, {}
+    for (name, (n, kind)), size in zip(wanted.items(), sizes, strict=True):
+        found[name] = raw[at : at + n * kind.itemsize].view(kind)
+        at += size
+    return found
+
+
+def _layers(one: Any) -> list[int]:
+    """Cells along each axis: beyond a wall lies a layer of cells without balls."""
+    return [int(n) + (0 if periodic else 1) for n, periodic in zip(one["cells"], one["periodic"], strict=True)]
 
 
 def _most_around(one: Any, species: Any) -> int:
@@ -85,35 +111,28 @@ def _most_around(one: Any, species: Any) -> int:
     )
 
 
-def _cells(state: tuple[Any, ...]) -> tuple[Any, ...]:
-    """The cells, empty, and what is looked up and written while they are searched."""
-    one, (calm, lists, sets) = (
-        state[0][0],
-        walls_of_cells(*(state[Arrays._fields.index(k)] for k in ("swarm", "faces", "walls"))),
-    )
-    # beyond a wall lies a layer of cells without balls
-    shape = [int(n) + (0 if periodic else 1) for n, periodic in zip(one["cells"], one["periodic"], strict=True)]
+def _whole(state: tuple[Any, ...], memory: dict[str, NDArray[Any]]) -> Arrays:
+    """All arrays of a swarm of this state, with calendar and cells empty."""
+    named = dict(zip(STATE, state, strict=True))
+    one = named["swarm"][0]
+    calm, lists, sets = walls_of_cells(named["swarm"], named["faces"], named["walls"])
+    shape = _layers(one)
     one["stride"] = (SLOTS, SLOTS * shape[0], SLOTS * shape[0] * shape[1])
     offsets, shifts = tables(one)
-    cells, links = _aligned(SLOTS * math.prod(shape), np.dtype("u4")), _aligned(int(one["count"]), np.dtype("u4"))
-    # (both slots of the last cell are written, and whole blocks of eight)
-    room = _most_around(one, state[Arrays._fields.index("species")]) + SLOTS + 8 & -8
-    work = _aligned(4 * room, np.dtype("f8")).reshape(4, room)
-    box = np.concatenate([one["side"], one["size"], one["pull"]])
-    grid = np.concatenate([one["cells"], one["stride"], one["periodic"], calm])
-    return (
-        box,
-        grid,
-        lists,
-        sets,
-        cells,
-        links,
-        offsets,
-        shifts,
-        np.zeros(room, np.uint32),
-        np.zeros(12),
-        work,
-        work.view(np.int64),
+    work = memory["work"].reshape(4, -1)
+    rest = {name: memory[name] for name in ("heads", "tails", "leaves", "cells", "links", "found")}
+    return Arrays(
+        **named,
+        **rest,
+        box=np.concatenate([one["side"], one["size"], one["pull"]]),
+        grid=np.concatenate([one["cells"], one["stride"], one["periodic"], calm]),
+        lists=lists,
+        sets=sets,
+        offsets=offsets,
+        shifts=shifts,
+        near=np.zeros(12),
+        work=work,
+        whole=work.view(np.int64),
     )
 
 
@@ -132,31 +151,43 @@ def make(world: Any, species: Any, pairs: Any, walls: Any, faces: Any, kinds: An
     count = len(x)
     world[0]["free"] = _free(world[0], faces, walls)
     world["count"], world["kinds"], world["bins"] = count, len(species), BINS * count
-    motions, plans, bodies = _aligned(count, MOTION), _aligned(count + 1, PLAN), _aligned(count, BODY)
+    memory = _memory(world[0], species)
+    motions, plans, bodies = (memory[name] for name in ("motions", "plans", "bodies"))
     turns = np.where(world["periodic"][0] == 1, np.floor(x / world["side"][0]), 0)
     x = x - turns * world["side"][0]
     for k, axis in enumerate("xyz"):
         motions[axis], motions["v" + axis], bodies["w" + axis] = x[:, k], v[:, k], w[:, k]
     motions["kind"] = kinds
     bodies["met"], plans["image"][:count] = -math.inf, turns
-    # (the last plan is the thermostat's)
     plans[count]["at"], plans[count]["hit_at"] = math.inf, -math.inf
-    heads = _aligned(BINS * count + 1, np.dtype("u4"))
-    state = (world, motions, plans, bodies, species, pairs, walls, faces, heads)
-    arrays = Arrays(*state, *_cells(state))
+    state = (world, motions, plans, bodies, species, pairs, walls, faces)
+    arrays = _whole(state, memory)
     _compiled().place(world[0], arrays.box, arrays.grid, motions, plans, species, arrays.cells, arrays.links)
     return arrays
 
 
 def restore(state: tuple[Any, ...]) -> Arrays:
-    """A swarm from its saved state (the first nine arrays): it goes on with the same bits."""
+    """A swarm from its saved state (the first eight arrays): it goes on with the same bits."""
+    named = dict(zip(STATE, state, strict=True))
+    memory = _memory(named["swarm"][0], named["species"])
     copies = []
-    for array in state:
-        copies.append(_aligned(len(array), array.dtype))
+    for name, array in named.items():
+        copies.append(memory.get(name, np.empty_like(array)))
         copies[-1][:] = array
-    arrays = Arrays(*copies, *_cells(tuple(copies)))
-    _compiled().refill(arrays.grid, arrays.motions, arrays.plans, arrays.cells, arrays.links)
+    arrays = _whole(tuple(copies), memory)
+    _compiled().refill(
+        arrays.swarm[0], arrays.grid, arrays.motions, arrays.plans, arrays.heads, arrays.tails, arrays.leaves, arrays.cells,
+        arrays.links,
+    )  # fmt: skip
     return arrays
+
+
+def saved(arrays: Arrays) -> dict[str, NDArray[Any]]:
+    """The state, copied: without the places in the calendar, which another run would fill in another order."""
+    state = {name: getattr(arrays, name).copy() for name in STATE}
+    for name in ("bin", "next", "previous"):
+        state["plans"][name] = 0
+    return state
 
 
 def _more(arrays: Arrays) -> int | None:

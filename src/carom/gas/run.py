@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.checks import Faults
 from carom.engine.swarm_arrays import DONE
-from carom.engine.swarm_run import STATE, Arrays, advance, balls_at, make, restore
+from carom.engine.swarm_run import STATE, Arrays, advance, balls_at, make, restore, saved
 from carom.errors import CaromError
 from carom.gas.container import Container, room_of
 from carom.gas.drive import Drive, Thermostat
@@ -172,8 +172,7 @@ class Gas:
 
     def state(self) -> dict[str, NDArray[Any]]:
         """Everything that a later run needs to go on with the same bits: a few arrays, copied."""
-        state = {name: getattr(self._arrays, name).copy() for name in STATE}
-        return state | {"time": np.array([self._time]), "names": np.array(self._names, dtype="U32")}
+        return saved(self._arrays) | {"time": np.array([self._time]), "names": np.array(self._names, dtype="U32")}
 
     def _begin(self, arrays: Arrays) -> None:
         self._arrays = arrays
