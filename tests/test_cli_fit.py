@@ -268,3 +268,30 @@ def test_no_laws_and_no_radius_are_faults(here, monkeypatch, capsys):
     assert (code, out, len(err.splitlines())) == (2, "", 2)
     assert "--laws: expected names of laws" in err
     assert "--radius: expected the ball's radius" in err
+
+
+@pytest.mark.parametrize("whole", [(), ("--whole",)])
+def test_what_was_noted_of_a_file_goes_with_its_fault(here, monkeypatch, capsys, whole):
+    """Lengths without a unit, in mm: no contact is found, and the notes say why."""
+    t = np.arange(40) / 60
+    rows = "".join(f"{a:.4f},{900 + 1200 * a:.1f},{500 + 300 * a:.1f}\n" for a in t)
+    (here / "far.csv").write_text(f"t,x,y\n{rows}")
+    code, out, err = run(monkeypatch, capsys, "fit", "far.csv", "--radius", "0.03", "--no-report", *whole)
+    assert (code, out) == (2, "")
+    fault, *notes = err.splitlines()
+    assert fault.startswith("carom: ")
+    assert all(note.startswith("note: ") for note in notes)
+    assert "note: no unit in 't', 'x', 'y': taken as m and s" in notes
+    assert any("is that the unit?" in note for note in notes)
+    assert len(set(notes)) == len(notes)
+
+
+def test_notes_go_with_faults_of_the_table_too(here, monkeypatch, capsys):
+    """Two rows of numbers without error bars: the fault is that they are two, and what was noted stays."""
+    (here / "two.csv").write_text("v_n_in,v_t_in,spin_in,v_n_out,v_t_out\n1,1,0,0.8,0.7\n2,1,0,1.6,0.7\n")
+    code, out, err = run(monkeypatch, capsys, "fit", "two.csv", "--radius", "0.03", "--no-report")
+    assert (code, out) == (2, "")
+    fault, *notes = err.splitlines()
+    assert "expected at least 3 rebounds" in fault
+    assert len(notes) == 1
+    assert notes[0].startswith("note: no sigma_ columns")

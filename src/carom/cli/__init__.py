@@ -54,6 +54,8 @@ def main() -> None:
         sys.exit(app(standalone_mode=False) or 0)
     except CaromError as error:
         _tell(*error.faults)
+        for note in getattr(error, "__notes__", ()):
+            sys.stderr.write(f"note: {note}\n")
     except Exception as error:  # usage errors: Typer's own class has no public name in all its versions
         if not hasattr(error, "format_message"):
             raise

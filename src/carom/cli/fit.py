@@ -13,7 +13,7 @@ import typer
 from carom.cli.fit_input import chosen, completed, own_set, read
 from carom.cli.fit_options import bounds_of, kappa_of, number, pairs, spin_of, split
 from carom.cli.ranking_table import show
-from carom.cli.shared import attempt, tell
+from carom.cli.shared import attempt, noting, tell
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -211,7 +211,7 @@ def fit(
         return completed(chosen(rows, where or []), sigma_v, sigma_spin, every_spin)
 
     rebounds, shifted = ready(rebounds), [(words, ready(rows)) for words, rows in (ours.shifted if ours else ())]
-    with _bar(console) as say:
+    with noting(rebounds.notes), _bar(console) as say:
         ranking = fit_laws(rebounds, setting, names or None, profiles=profiles, bootstrap=bootstrap, seed=seed, say=say)
         ranking = with_shared(ranking, shifted)
         say("the page", 1.0)

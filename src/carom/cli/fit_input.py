@@ -5,7 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from carom.cli.shared import attempt
+from carom.cli.shared import attempt, noting
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -147,13 +147,11 @@ def measured(file: Path, setting: Setting, given: Any, view: str | None, stage: 
         raise CaromError(f"--stage: expected after_wall or rolling, got {stage!r}")
     read = read_tracks(file, given=given)
     settings = Settings(radius=setting.radius, kappa=setting.kappa, view=view)  # type: ignore[arg-type]
-    measured = measure(read.tracks, settings, lambda done, total: say("contacts", done / max(total, 1)))
-    rebounds = to_rebounds(measured, stage or "best")  # type: ignore[arg-type]
-    notes = [
-        *getattr(read, "notes", ()),
-        *measured.notes,
-        f"{len(rebounds)} rebounds measured (carom tracks shows them)",
-    ]
+    with noting(read.notes):
+        measured = measure(read.tracks, settings, lambda done, total: say("contacts", done / max(total, 1)))
+    with noting((*read.notes, *measured.notes)):
+        rebounds = to_rebounds(measured, stage or "best")  # type: ignore[arg-type]
+    notes = (*read.notes, *measured.notes, f"{len(rebounds)} rebounds measured (carom tracks shows them)")
     return replace(rebounds, source=str(file), notes=(*notes, *rebounds.notes))
 
 

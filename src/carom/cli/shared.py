@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -13,7 +14,7 @@ from carom.errors import CaromError
 if TYPE_CHECKING:
     from rich.console import Console
 
-__all__ = ["attempt", "out", "tell", "tick"]
+__all__ = ["attempt", "noting", "out", "tell", "tick"]
 
 
 def attempt(found: list[str], action: Callable[..., Any], *args: Any) -> Any:
@@ -23,6 +24,17 @@ def attempt(found: list[str], action: Callable[..., Any], *args: Any) -> Any:
     except CaromError as error:
         found += error.faults
         return None
+
+
+@contextmanager
+def noting(notes: Iterable[str]) -> Iterator[None]:
+    """What was noted of a file before it failed further on: it goes with the error, and often says why."""
+    try:
+        yield
+    except CaromError as error:
+        for note in notes:
+            error.add_note(note)
+        raise
 
 
 def out() -> Console:

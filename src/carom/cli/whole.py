@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from carom.checks import few, meant
 from carom.cli.fit_options import length_of
-from carom.cli.shared import attempt, tell
+from carom.cli.shared import attempt, noting, tell
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -59,11 +59,15 @@ def fit_tracks(
     console = Console(stderr=True, highlight=False)
     with bar(console) as say:
         read = read_tracks(file, given=reading)
-        tracks = _chosen(read.tracks, where)
         settings = Settings(radius=setting.radius, kappa=setting.kappa, view="above", noise=setting.noise)
-        measured = measure(tracks, settings, lambda done, total: say("contacts", READ * done / max(total, 1)))
+        with noting(read.notes):
+            tracks = _chosen(read.tracks, where)
+            measured = measure(tracks, settings, lambda done, total: say("contacts", READ * done / max(total, 1)))
         measured = replace(measured, notes=(*read.notes, *measured.notes))
-        ranking = fit_whole(measured, setting, laws or None, say=lambda what, done: say(what, READ + (1 - READ) * done))
+        with noting(measured.notes):
+            ranking = fit_whole(
+                measured, setting, laws or None, say=lambda what, done: say(what, READ + (1 - READ) * done)
+            )
         say("the page", 1.0)
         written = None if page is None else _page(ranking, file, page, insists, console)
     tell(ranking, _show, as_json, console, written)
