@@ -67,6 +67,53 @@ def ellipse(a, b):
     return lambda x, _a, t: 1 - ((x[:, 0] - a) / a) ** 2 - ((x[:, 1] - b) / b) ** 2, normal, still
 
 
+def full_ellipse(a, b):
+    """As the distance from the nearest of its points, by their angle: a grid, then Newton's steps."""
+    grid = np.linspace(0, 2 * math.pi, 721)[:-1]
+
+    def nearest(x):
+        x = np.atleast_2d(x)[:, :2] - (a, b)
+        far = (a * np.cos(grid) - x[:, :1]) ** 2 + (b * np.sin(grid) - x[:, 1:2]) ** 2
+        u = grid[far.argmin(axis=1)]
+        for _ in range(12):
+            c, s = np.cos(u), np.sin(u)
+            slope = -a * s * (a * c - x[:, 0]) + b * c * (b * s - x[:, 1])
+            bend = a * a * s * s + b * b * c * c - a * c * (a * c - x[:, 0]) - b * s * (b * s - x[:, 1])
+            u = u - np.clip(slope / np.where(bend > 0, bend, np.inf), -0.01, 0.01)
+        return np.stack((a * np.cos(u), b * np.sin(u)), axis=1), x
+
+    def distance(x, radius, t):
+        point, x = nearest(x)
+        inside = (x[:, 0] / a) ** 2 + (x[:, 1] / b) ** 2 < 1
+        return np.where(inside, 1, -1) * np.hypot(*(x - point).T) - radius
+
+    def normal(x):
+        point, x = nearest(x)
+        return np.array([*(x - point)[0], 0]) / np.hypot(*(x - point)[0])
+
+    return distance, normal, still
+
+
+def outline(*corners):
+    """As the distance from the nearest point of all sides."""
+    p = np.array(corners, float)
+    e = np.roll(p, -1, axis=0) - p
+
+    def nearest(x):
+        r = np.atleast_2d(x)[:, None, :2] - p
+        u = np.clip((r * e).sum(-1) / (e * e).sum(-1), 0, 1)
+        d = r - u[..., None] * e
+        far = np.hypot(d[..., 0], d[..., 1])
+        k = far.argmin(axis=1)
+        return far[np.arange(len(k)), k], d[np.arange(len(k)), k]
+
+    def normal(x):
+        far, d = nearest(x)
+        return np.array([*d[0], 0]) / far[0]
+
+    return lambda x, a, t: nearest(x)[0] - a, normal, still
+
+
 def swinging(amplitude, frequency, phase):
     """The floor z = 0, going up and down on parabolas."""
 
@@ -83,6 +130,28 @@ def swinging(amplitude, frequency, phase):
     return lambda x, a, t: x[:, 2] - place(t) - a, lambda x: np.array([0, 0, 1.0]), speed
 
 
+def plane_through(point, n):
+    n = np.array([*n, 0.0]) / np.hypot(*n)
+    return lambda x, a, t: (x[:, :2] - point) @ n[:2] - a, lambda x: n, still
+
+
+# (arms so narrow that the large balls can just go round the corner)
+ELBOW = [(0, 0), (7.0, 0), (7.0, 3.0), (3.2, 3.0), (3.2, 8.0), (0, 8.0)]
+COMB = [
+    (0, 0),
+    (2.5, 0),
+    (2.5, 4),
+    (3.0, 4),
+    (3.0, 0),
+    (5.5, 0),
+    (5.5, 4),
+    (6.0, 3.0),
+    (6.5, 0),
+    (9, 0.5),
+    (9, 7),
+    (4, 8),
+    (0, 7),
+]
 FLAT_ENDS = [plane(2, 0.0, 1.0), plane(2, 4.0, -1.0)]
 CASES = {
     "circle": (container("circle", (7.0, 7.0)), [inside((3.5, 3.5, 0), 3.5, 2)], (0.0, 0.0), {}),
@@ -107,6 +176,23 @@ CASES = {
             (lambda x, a, t: (7 * x[:, 0] - 4 * x[:, 1]) / 65**0.5 - a, lambda x: np.array([7, -4, 0]) / 65**0.5, still),
         ],
         (0.0, -1.0), {},
+    ),
+    "elbow": (container("polygon", points=ELBOW), [outline(*ELBOW)], (0.0, 0.0), {}),
+    "elbow, the other way round, with gravity": (container("polygon", points=ELBOW[::-1]), [outline(*ELBOW)], (0.7, -2.0), {}),
+    "comb with gravity": (container("polygon", points=COMB), [outline(*COMB)], (-0.4, -2.0), {}),
+    "upright elbow": (
+        container("polygon", (4.0,), points=ELBOW), [outline(*ELBOW), *FLAT_ENDS], (1.0, -0.5, -2.0), {},
+    ),
+    "wedge": (
+        container("wedge", (8.0, 7.0)),
+        [*(plane_through((4.0, 0.0), (way * math.sqrt(33), 4)) for way in (1, -1)), inside((4.0, 0, 0), 7.0, 2)],
+        (0.3, -2.0), {},
+    ),
+    "ellipse that bounds surfaces": (container("ellipse", (8.0, 5.0)), [full_ellipse(4.0, 2.5)], (0.0, 0.0), {}),
+    "the same with gravity, upright": (container("ellipse", (5.0, 8.0)), [full_ellipse(2.5, 4.0)], (0.4, -2.0), {}),
+    "one that is sharper than the balls": (container("ellipse", (13.0, 3.4)), [full_ellipse(6.5, 1.7)], (-1.5, -0.5), {}),
+    "elliptic cylinder": (
+        container("ellipse", (6.0, 4.5, 4.0)), [full_ellipse(3.0, 2.25), *FLAT_ENDS], (0.5, 0.5, -2.0), {},
     ),
     "obstacles": (
         container("periodic", (7.0, 7.0), scatterers=[(3.0, 3.5, 1.1), (6.8, 0.3, 0.7)]),
@@ -192,6 +278,81 @@ def test_energy_and_angular_momentum_are_kept(room, gravity, axes):
     assert abs(run.energy_drift) < 1e-11
     assert np.abs((angular_momentum(gas) - before)[axes]).max() < 1e-9
     assert room.clearance(gas._arrays.species["radius"][gas.balls().species], gas.balls().position).min() > -1e-13
+
+
+STAR = [
+    (r * math.cos(k * math.pi / 5) + 8, r * math.sin(k * math.pi / 5) + 8) for k in range(10) for r in [8 - k % 2 * 4.5]
+]
+
+
+@pytest.mark.parametrize(
+    ("room", "pull"),
+    [
+        (container("polygon", points=STAR), (0.3, -1.0)),
+        (container("polygon", points=STAR, bounds="centre"), (0.0, 0.0)),
+        (container("polygon", (5.0,), points=STAR), (0.2, -0.3, -1.0)),
+        (container("wedge", (12.0, 14.0)), (0.0, -1.0)),
+        (container("ellipse", (16.0, 10.0)), (0.0, -1.0)),
+        (container("ellipse", (30.0, 5.0)), (-0.5, 0.0)),  # sharper than the balls at its ends
+        (container("ellipse", (7.0, 10.0, 6.0), periodic=(False, False, True)), (0.2, -0.3, 0.0)),
+    ],
+)
+def test_no_ball_gets_out_and_none_loses_energy(room, pull):
+    made = Disc if len(room.size) == 2 else Ball
+    gas = Gas(
+        [Species(made(0.5, 1.0, 0.4), 20, "a"), Species(made(0.3, 0.4, 0.3), 20, "b")], room, gravity=pull, contacts=ROUGH, seed=1
+    )  # fmt: skip
+    radius = gas._arrays.species["radius"][gas.balls().species]
+    for _ in range(20):
+        run = gas.run(3_000)
+        assert abs(run.energy_drift) < 1e-11
+        assert room.clearance(radius, gas.balls().position).min() > -1e-12
+    corners = [k for k, wall in enumerate(room.walls) if wall.part and wall.reach == 0 and wall.area == 0]
+    assert len(corners) == (5 if room.outline is not None and room.walls[0].thick else 0)
+    assert all(gas._arrays.faces["hits"][corners] > 20)
+
+
+@pytest.mark.parametrize(
+    "room", [container("polygon", points=STAR), container("wedge", (12.0, 14.0)), container("ellipse", (16.0, 10.0))]
+)
+def test_the_pressure_of_an_ideal_gas(room):
+    # discs so small that they hardly meet: N k T over the area, on every wall
+    gas = Gas([Species(Disc(0.01, 1.0, 0.5), 300)], room, contacts=SMOOTH, seed=2)
+    gas.run(30_000)
+    run = gas.run(300_000)
+    for found in run.wall_pressure.values():
+        assert found == pytest.approx(300 * run.temperature_translational / room.volume, rel=0.04)
+
+
+@pytest.mark.parametrize(
+    ("size", "half"),
+    [
+        ((16.0, 10.0), 8.0 - 0.5),
+        # sharper than the disc: two points of the ellipse are at its radius from there
+        ((30.0, 5.0), math.sqrt(15**2 - 2.5**2) * math.sqrt(1 - (0.5 / 2.5) ** 2)),
+    ],
+)
+def test_how_far_a_disc_goes_along_the_long_axis_of_an_ellipse(size, half):
+    gas = Gas(
+        [Species(Disc(0.5, 1.0, 0.5), 1)], container("ellipse", size), contacts=SMOOTH,
+        position=[(size[0] / 2, size[1] / 2)], velocity=[(1.0, 0.0)],
+    )  # fmt: skip
+    gas.run(1)
+    assert gas.time == pytest.approx(half, rel=1e-12)
+
+
+def test_sides_of_a_polygon_are_named_as_its_corners_are_given():
+    clockwise = container("polygon", points=[(0, 0), (0, 4), (4, 4), (4, 0)])
+    assert [wall.across[:2] for wall in clockwise.walls] == [(1, 0), (0, -1), (-1, 0), (0, 1)]
+    assert [wall.name for wall in clockwise.walls] == ["edge1", "edge2", "edge3", "edge4"]
+    # a side in two parts: each counts its own
+    split = container("polygon", points=[(0, 0), (6, 0), (9, 0), (9, 9), (0, 9)])
+    gas = Gas([Species(Disc(0.01, 1.0, 0.5), 200)], split, contacts=SMOOTH, seed=2)
+    gas.run(20_000)
+    run = gas.run(200_000)
+    hits = dict(zip(gas.faces, gas._arrays.faces["hits"], strict=True))
+    assert hits["edge1"] == pytest.approx(2 * hits["edge2"], rel=0.06)
+    assert run.wall_pressure["edge1"] == pytest.approx(run.wall_pressure["edge2"], rel=0.08)
 
 
 def test_the_pressure_on_a_round_wall():
@@ -316,6 +477,10 @@ def test_thermostat_holds_an_inelastic_gas_below_its_temperature():
         (container("circle", (9.0, 9.0)), (0, 0)),
         (container("sphere", (6.0,) * 3), (0, 0, -1.0)),
         (container("box", (6.0,) * 3), (0, 0, -1.0)),
+        (container("ellipse", (9.0, 6.0)), (0.1, -1.0)),
+        (container("ellipse", (9.0, 6.0)), (0, 0)),
+        (container("polygon", points=[(0, 0), (6, 0), (6, 3), (4, 2), (4, 7), (0, 7)]), (0.3, -1.0)),
+        (container("wedge", (6.0, 8.0)), (0, -1.0)),
     ],
 )
 def test_balls_that_walls_would_hold_go_on_in_hops(restitution, room, gravity):
@@ -384,9 +549,12 @@ def test_saved_and_restored_with_everything_on():
         ({"shape": "sphere", "size": (4.0, 4.0)}, "three lengths"),
         ({"shape": "spher", "size": (4.0, 4.0, 4.0)}, "did you mean 'sphere'"),
         ({"shape": "circle", "size": (4.0, 5.0)}, "ellipse"),
-        ({"shape": "ellipse", "size": (4.0, 5.0)}, "centre"),
         ({"shape": "stadium", "size": (4.0, 5.0)}, "along x"),
-        ({"shape": "polygon", "points": [(0, 0), (4, 0), (1, 1), (0, 4)]}, "convex"),
+        ({"shape": "polygon", "points": [(0, 0), (4, 4), (4, 0), (0, 4)]}, "around some area"),
+        ({"shape": "polygon", "points": [(0, 0), (4, 4), (4, 0), (0, 5)]}, "do not cross"),
+        ({"shape": "polygon", "points": [(0, 0), (4, 0), (4, 4), (4, 1), (0, 1)]}, "do not cross"),
+        ({"shape": "polygon", "points": [(0, 0), (4, 0), (4, 0), (0, 5)]}, "some length"),
+        ({"shape": "wedge", "size": (8.0, 4.0)}, "twice as wide as deep"),
         ({"shape": "polygon", "points": [(0, 0), (4, 0)]}, "three or more"),
         ({"shape": "circle", "size": (4.0, 4.0), "periodic": True}, "periodic"),
         ({"shape": "periodic", "size": (4.0, 4.0), "scatterers": [(1, 1)]}, "x, y, radius"),
@@ -396,6 +564,17 @@ def test_saved_and_restored_with_everything_on():
 def test_rooms_that_cannot_be(given, said):
     with pytest.raises(CaromError, match=said):
         container(**given)
+
+
+def test_sides_that_swing():
+    room, floor = container("polygon", points=[(0, 0), (9, 0), (9, 5), (5, 5), (5, 9), (0, 9)]), Drive(0.1, 2.0)
+    gas = Gas([Species(Disc(0.3, 1.0, 0.5), 10)], room, contacts=ROUGH, drives={"edge1": floor})
+    assert gas.run(2_000).energy_from_walls["edge1"] > 0
+    for edge, said in (("edge3", "re-entrant corner|goes on behind"), ("edge4", "goes on behind")):
+        with pytest.raises(CaromError, match=said):
+            Gas([Species(Disc(0.3, 1.0, 0.5), 10)], room, contacts=ROUGH, drives={edge: floor})
+    with pytest.raises(CaromError, match="smaller half axis"):
+        Gas([Species(Disc(2.0, 1.0, 0.5), 1)], container("ellipse", (9.0, 4.0)), contacts=ROUGH)
 
 
 @pytest.mark.parametrize(

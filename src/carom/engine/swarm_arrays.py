@@ -11,7 +11,7 @@ import numpy as np
 
 __all__ = [
     "BODY", "CALM", "CHANNEL", "CODES", "DONE", "FACE", "FAINT", "INSIDE", "LIMIT", "MOST_BALLS", "MOTION",
-    "NOBODY", "OUTSIDE", "PAIR", "PERIODIC", "PLAN", "PLANE", "PULL", "SIZE", "SPECIES", "STRIDE", "STUCK", "SWARM", "WALL",
+    "NOBODY", "OUTSIDE", "OVAL", "PAIR", "PERIODIC", "PLAN", "PLANE", "PULL", "SIZE", "SPECIES", "STRIDE", "STUCK", "SWARM", "WALL",
 ]  # fmt: skip
 
 # How a call of the loop ends: at its time, or because nothing will ever happen; after its collisions or steps; because time
@@ -86,16 +86,19 @@ PAIR = np.dtype(
 
 # A wall: where it keeps balls, how it moves, how warm it is, what it has done.
 # The gap of a ball at x is n.(x - m) - d before a plane (PLANE), d^2 - |q (x - m)|^2 within a round wall (INSIDE) and
-# |q (x - m)|^2 - d^2 around one (OUTSIDE): q is 0 along the axis of a cylinder, 1 across it; d depends on the species.
-PLANE, INSIDE, OUTSIDE = range(3)
+# |q (x - m)|^2 - d^2 around one (OUTSIDE): q is 0 along the axis of a cylinder, 1 across it; d depends on the species. Within an
+# ellipse that bounds surfaces (OVAL) it is the distance from it, less d.
+PLANE, INSIDE, OUTSIDE, OVAL = range(4)
 FACE = np.dtype(
     [
         ("form", "i8"),
-        *((name, _NUMBER) for name in ("nx", "ny", "nz")),  # a plane's normal, or q
+        *((name, _NUMBER) for name in ("nx", "ny", "nz")),  # a plane's normal, or q; of an OVAL its half axes
         *((name, _NUMBER) for name in ("mx", "my", "mz")),
         # only where the centre is from low to high along this direction is there a wall
         ("bounded", "i8"),
         *((name, _NUMBER) for name in ("ax", "ay", "az", "low", "high")),
+        # behind such a plane by more than this and its radius a ball is in another part of the room
+        ("deep", _NUMBER),
         # A plane that swings: parabolas up and down the normal, of this height, half a period each; ``start`` is when one up
         # the normal began.
         ("swing", _NUMBER),

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.engine.swarm_arrays import INSIDE, PLANE
+from carom.engine.swarm_arrays import INSIDE, OVAL, PLANE
+from carom.engine.swarm_oval import inner_axes
 
 __all__ = ["walls_of_cells"]
 
@@ -24,33 +25,48 @@ def _spans(one: Any, axis: int) -> tuple[Any, Any]:
 
 def _touched(one: Any, face: Any, keep: float) -> NDArray[np.bool_]:
     """The cells (z, y, x) that a wall with this least d (or, of an outside, largest) reaches into."""
+    scale = _within(face, keep) if face["form"] == OVAL else None
     least: Any = 0.0
+    most: Any = 0.0
     along_low: Any = 0.0
     along_high: Any = 0.0
     for axis, name in enumerate("xyz"):
         low, high = _spans(one, axis)
         n, m, a = float(face["n" + name]), float(face["m" + name]), float(face["a" + name])
+        if scale is not None:
+            n = scale[axis]
         near, far = n * (low - m), n * (high - m)
         if face["form"] == PLANE:
             part = np.minimum(near, far)
-        elif face["form"] == INSIDE:
+        elif face["form"] in {INSIDE, OVAL}:
             part = -np.maximum(near * near, far * far)
         else:
             part = np.where((near < 0) != (far < 0), 0.0, np.minimum(near * near, far * far))
         shape = [1, 1, 1]
         shape[2 - axis] = -1
         least = least + part.reshape(shape)
+        most = most + np.maximum(near, far).reshape(shape)
         along_low = along_low + np.minimum(a * low, a * high).reshape(shape)
         along_high = along_high + np.maximum(a * low, a * high).reshape(shape)
     if face["form"] == PLANE:
         touched = least <= keep + face["swing"]
     elif face["form"] == INSIDE:
         touched = least + keep * keep <= 0
+    elif face["form"] == OVAL:
+        touched = least + 1 <= 0
     else:
         touched = least <= keep * keep
     if face["bounded"]:
         touched = touched & (along_low <= face["high"]) & (along_high >= face["low"])
+        if face["form"] == PLANE:
+            touched = touched & (most >= -face["deep"])
     return np.asarray(touched)
+
+
+def _within(face: Any, keep: float) -> tuple[float, float, float]:
+    """One over the half axes of the ellipse within the curve that centres at this distance from an OVAL keep to."""
+    inner = inner_axes(float(face["nx"]), float(face["ny"]), keep)
+    return 1 / inner[0], 1 / inner[1], 0.0
 
 
 def _calm_block(walled: NDArray[np.bool_]) -> list[int]:

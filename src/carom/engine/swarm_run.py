@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from carom.engine import swarm
 from carom.engine.cells import SLOTS, tables
 from carom.engine.queue import calendar
-from carom.engine.swarm_arrays import BODY, MOTION, PLAN, PLANE
+from carom.engine.swarm_arrays import BODY, MOTION, OVAL, PLAN, PLANE
 from carom.engine.swarm_lists import walls_of_cells
 from carom.engine.swarm_prefetch import register_prefetch
 
@@ -190,11 +190,16 @@ def saved(arrays: Arrays) -> dict[str, NDArray[Any]]:
     return state
 
 
-def _more(arrays: Arrays) -> int | None:
-    """None where there are only planes at rest; 1 for the loop that can do more, whose compiling takes twice as long."""
+def _more(arrays: Arrays) -> tuple[int, int | None] | None:
+    """None where there are only planes at rest; a pair for the loop that can do more, whose compiling takes twice as long.
+
+    The pair is (1, 1) where a wall is an ellipse that bounds surfaces, else (1, None): that takes some seconds more.
+    """
     one, faces = arrays.swarm[0], arrays.faces
     moves = (faces["form"] != PLANE) | (faces["bounded"] != 0) | (faces["swing"] != 0) | (faces["warm"] >= 0)
-    return 1 if moves.any() or one["growth"] != 0 or one["rate"] != 0 else None
+    if not (moves.any() or one["growth"] != 0 or one["rate"] != 0):
+        return None
+    return 1, 1 if (faces["form"] == OVAL).any() else None
 
 
 def advance(arrays: Arrays, until: float, most: int) -> None:

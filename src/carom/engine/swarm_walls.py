@@ -1,9 +1,10 @@
 """Many balls and what holds them: planes, swinging planes, round walls; when a ball reaches one, and what that does.
 
-All walls are one mechanism: a gap that is a polynomial of time, of degree 2 before a plane or where nothing pulls across a
-round wall, of degree 4 where something does. Each cell has a list of the walls that a ball in it can touch; in most cells it
-is empty, and a block of those is left out altogether. What only round walls, walls that swing or are warm, balls that grow
-and a thermostat need is compiled only for a gas that has some of them (``more``): it takes as long as all the rest.
+All walls but one are one mechanism: a gap that is a polynomial of time, of degree 2 before a plane or where nothing pulls across
+a round wall, of degree 4 where something does; an ellipse that bounds surfaces has its own (:mod:`carom.engine.swarm_oval`). Each
+cell has a list of the walls that a ball in it can touch; in most cells it is empty, and a block of those is left out altogether.
+What only round walls, walls that swing or are warm, balls that grow and a thermostat need is compiled only for a gas that has some
+of them (``more``): it takes as long as all the rest.
 """
 
 from __future__ import annotations
@@ -13,7 +14,8 @@ from typing import Any
 
 from carom.engine.queue import S, U
 from carom.engine.random import exponential, normals, uniform
-from carom.engine.swarm_arrays import OUTSIDE, PLANE, PULL
+from carom.engine.swarm_arrays import OUTSIDE, OVAL, PLANE, PULL
+from carom.engine.swarm_oval import oval_depth, oval_hit
 from carom.engine.swarm_resolve import book, put_velocity, square
 from carom.kernel import Vec, dot, kernel
 from carom.laws.contact import one_contact
@@ -105,15 +107,53 @@ def _swing_hit(face: Any, c: tuple[float, ...], now: float, most: float, slow: f
 
 
 @kernel
+def _oval_hit(
+    ovals: Any, face: Any, wall: Any, box: Any, ball: Any, scale: float, growth: float, most: float, slow: float
+) -> float:
+    """When a ball reaches an ellipse that bounds its surface. ``ovals`` is None where there is none."""
+    if ovals is None:
+        return math.inf
+    return oval_hit(
+        face.nx, face.ny, wall.keep + wall.thick * (scale - 1.0), wall.thick * growth, wall.keep, ball.x - face.mx,
+        ball.y - face.my, ball.vx, ball.vy, box[U(PULL)], box[U(PULL + 1)], most, slow,
+    )  # fmt: skip
+
+
+@kernel
+def _oval_normal(ovals: Any, face: Any, ball: Any) -> Vec:
+    """The normal of an ellipse at the point that is nearest to a ball, towards it."""
+    if ovals is None:
+        return (1.0, 0.0, 0.0)
+    found = oval_depth(face.nx, face.ny, ball.x - face.mx, ball.y - face.my)
+    return (found[1], found[2], 0.0)
+
+
+@kernel
+def _oval_press(ovals: Any, face: Any, box: Any, ball: Any) -> float:
+    """How fast the approach of a ball to an ellipse grows: by the force, and by its way along the curve."""
+    if ovals is None:
+        return 0.0
+    depth, nx, ny, rho = oval_depth(face.nx, face.ny, ball.x - face.mx, ball.y - face.my)
+    along = ball.vx * ny - ball.vy * nx
+    # (at the end of a long axis a ball can be as large as the circle of curvature: it is held there by both sides)
+    return along * along / max(rho - depth, 1e-9 * rho) - (  # type: ignore[no-any-return]
+        nx * box[U(PULL)] + ny * box[U(PULL + 1)]
+    )
+
+
+@kernel
 def wall_hit(
     more: Any, face: Any, wall: Any, box: Any, ball: Any, scale: float, growth: float, now: float, most: float
 ) -> Any:
     """When a ball, brought forward to now, reaches a wall, within ``most`` from now; or until when it does not, and False.
 
-    ``more`` is None where all walls are planes at rest: the rest is left out, then, when this is compiled.
+    ``more`` is None where all walls are planes at rest: the rest is left out, then, when this is compiled. Else it is a pair whose
+    second is None where no wall is an OVAL.
     """
-    c = _gap(more, face, wall, box, ball, scale, growth)
     slow = SLOW * math.sqrt(square((ball.vx, ball.vy, ball.vz)))
+    if more is not None and face.form == OVAL:
+        return _oval_hit(more[1], face, wall, box, ball, scale, growth, most, slow), True
+    c = _gap(more, face, wall, box, ball, scale, growth)
     if more is None:
         return hit2(c[0], c[1], c[2], most, slow), True
     if face.form != PLANE:
@@ -121,7 +161,11 @@ def wall_hit(
         slow = 2.0 * slow * max(face.nx, face.ny, face.nz) * (wall.keep + abs(wall.thick))
     if face.swing != 0.0:
         return _swing_hit(face, c, now, most, slow)
-    s = hit4(c[0], c[1], c[2], c[3], c[4], most, slow)
+    if face.bounded != 0 and face.form == PLANE and c[0] < -(face.deep + wall.thick * scale):
+        # it is behind, in another part of the room: only from before it does it come to touch it
+        s = next_hit4(c[0], c[1], c[2], 0.0, 0.0, 0.0, most) if c[1] > 0.0 and c[2] < 0.0 else math.inf
+    else:
+        s = hit4(c[0], c[1], c[2], c[3], c[4], most, slow)
     if face.bounded != 0:
         while s < math.inf and not _there(face, box, ball, s):
             s = next_hit4(c[0], c[1], c[2], c[3], c[4], s, most)
@@ -159,10 +203,12 @@ def next_wall(
 
 
 @kernel
-def _normal(face: Any, ball: Any) -> Vec:
+def _normal(more: Any, face: Any, ball: Any) -> Vec:
     """The normal of a wall where a ball touches it, towards the ball."""
     if face.form == PLANE:
         return (face.nx, face.ny, face.nz)
+    if face.form == OVAL:
+        return _oval_normal(more[1], face, ball)
     # (the gradient of the gap: q twice)
     x, y, z = (
         face.nx * face.nx * (ball.x - face.mx),
@@ -207,6 +253,8 @@ def _leave_warm(swarm: Any, face: Any, body: Any, one: Any, n: Vec, v0: Vec, w0:
 @kernel
 def _least(more: Any, face: Any, wall: Any, box: Any, ball: Any, n: Vec, soft: float) -> float:
     """The speed at which a ball that is pressed on a wall, by a force or its curvature, comes back after a time ``soft``."""
+    if more is not None and face.form == OVAL:
+        return max(_oval_press(more[1], face, box, ball), 0.0) * soft / 2.0
     c = _gap(more, face, wall, box, ball, 1.0, 0.0)
     press = -2.0 * c[2]
     if more is None:
@@ -263,7 +311,7 @@ def meet_wall(
         n = (face.nx, face.ny, face.nz)
         v, spin, pn = _bounce(more, swarm, box, face, wall, ball, body, one, n, v0, w0, now)
     else:
-        n = _normal(face, ball)
+        n = _normal(more, face, ball)
         speed = 0.0
         if face.swing != 0.0:
             speed = _swung(face, now)[1]

@@ -7,7 +7,7 @@ import math
 from typing import TYPE_CHECKING
 
 from carom.checks import nearest
-from carom.engine.swarm_arrays import MOST_BALLS, PLANE
+from carom.engine.swarm_arrays import MOST_BALLS
 from carom.gas.container import WALLS
 from carom.gas.dense import CLOSEST
 from carom.scene.faults import Fault, Words
@@ -98,9 +98,9 @@ def _drive_faults(scene: GasScene) -> list[Fault]:
             found.append(Fault("the name of a wall", drive.wall, nearest(drive.wall, list(room.names)), at))
         elif drive.wall in [one.wall for one in scene.drives[:i]]:
             found.append(Fault("one drive for each wall", Words(f"another one for {drive.wall!r}"), at=at))
-        elif drive.amplitude > 0 and any(wall.name == drive.wall and wall.form != PLANE for wall in room.walls):
+        elif drive.amplitude > 0 and (why := [w.still for w in room.walls if w.name == drive.wall and w.still]):
             at = ("drives", i, "amplitude")
-            found.append(Fault("a plane wall to swing", Words(f"{drive.wall!r}, which is round"), at=at))
+            found.append(Fault("a plane wall to swing", Words(f"{drive.wall!r}, {why[0]}"), at=at))
     return found
 
 

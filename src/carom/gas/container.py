@@ -12,55 +12,16 @@ from numpy.typing import NDArray
 
 from carom.checks import Faults, nearest
 from carom.engine.swarm_arrays import INSIDE, OUTSIDE, PLANE
+from carom.gas.section import section
+from carom.gas.wall import Numbers, Wall
+from carom.outlines import polygon_depth
 
 __all__ = ["SHAPES", "WALLS", "Container", "Wall", "container", "room_of"]
 
 Array = NDArray[np.float64]
-Numbers = tuple[float, ...]
 # The walls of a box, the lower and the upper one along each axis.
 WALLS = ("left", "right", "front", "back", "bottom", "top")
-SHAPES = ("periodic", "box", "circle", "sphere", "cylinder", "ellipse", "stadium", "polygon")
-JOIN = 1e-9  # of the size: so far bounded walls that go over into each other overlap
-
-# What an ellipse that bounds surfaces is told it was, and what to do.
-ROUNDISH = "'surface'; a polygon with many sides comes as near as one likes"
-
-
-@dataclass(frozen=True)
-class Wall:
-    """A plane through ``centre`` with normal ``across`` into the gas, or a round wall with ``across`` 1 where it curves.
-
-    A round wall is the surface |across (x - centre)| = reach, held within or (a scatterer) kept outside. ``along``, ``low``,
-    ``high``: it is there only where low <= along . x <= high. ``thick``: it bounds the balls' surfaces, not their centres.
-    """
-
-    name: str
-    form: int
-    across: Numbers
-    centre: Numbers
-    area: float
-    reach: float = 0.0
-    thick: bool = True
-    along: Numbers = (0.0, 0.0, 0.0)
-    low: float = -math.inf
-    high: float = math.inf
-
-    def keep(self, radius: Any) -> tuple[Any, Any]:
-        """The engine's d, and how much of it is the ball's radius."""
-        part = radius * (float(self.thick) * (-1.0 if self.form == INSIDE else 1.0))
-        return self.reach + part, part
-
-    def clearance(self, radius: Any, x: Array) -> Array:
-        """How far balls (N,) at x (N, 3) are from touching it, less than 0 if they overlap; infinite where it is not."""
-        keep = self.keep(radius)[0]
-        r = np.asarray(self.across) * (x - self.centre)
-        if self.form == PLANE:
-            gap = r.sum(axis=1) - keep
-        else:
-            far = np.sqrt((r * r).sum(axis=1))
-            gap = (keep - far if self.form == INSIDE else far - keep) / max(self.across)
-        along = x @ np.asarray(self.along)
-        return np.where((along >= self.low) & (along <= self.high), gap, math.inf)
+SHAPES = ("periodic", "box", "circle", "sphere", "cylinder", "ellipse", "stadium", "wedge", "polygon")
 
 
 @dataclass(frozen=True)
@@ -73,6 +34,8 @@ class Container:
     walls: tuple[Wall, ...]
     volume: float
     """Area, in the plane. Of the room that the walls bound."""
+    outline: Array | None = None
+    """The corners of a polygon that is not convex, (N, 2): what lies behind one of its sides may be within."""
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -82,8 +45,12 @@ class Container:
     def clearance(self, radius: Any, x: Array) -> Array:
         """How far balls (N,) at x (N, 3) are from touching the walls (N,)."""
         least = np.full(len(x), math.inf)
+        if self.outline is not None:
+            thick = next(wall.thick for wall in self.walls if wall.part)
+            least = polygon_depth(self.outline, x) - radius * thick
         for wall in self.walls:
-            least = np.minimum(least, wall.clearance(radius, x))
+            if not wall.part:
+                least = np.minimum(least, wall.clearance(radius, x))
         return least
 
 
@@ -102,56 +69,6 @@ def _planes(size: Numbers, periodic: Sequence[bool], area: float | None = None) 
         if not periodic[axis] and (area is None or axis == 2)
         for up in (0, 1)
     ]
-
-
-def _ellipse_length(a: float, b: float) -> float:
-    """Circumference of an ellipse, by the midpoint rule: it converges at once, the integrand being periodic."""
-    t = (np.arange(256) + 0.5) * (2 * math.pi / 256)
-    return float(np.hypot(a * np.sin(t), b * np.cos(t)).mean() * 2 * math.pi)
-
-
-def _section(faults: Faults, shape: str, size: Numbers, points: Any) -> tuple[list[Wall], float]:
-    """Walls of a plane figure, with their lengths as areas; its area."""
-    (width, depth), (x, y) = size[:2], (size[0] / 2, size[1] / 2)
-    if shape in {"circle", "cylinder"}:
-        if width != depth:
-            faults.add("size", "the same width and depth for a circle", f"{size}; shape = 'ellipse' has two")
-        r = width / 2
-        wall = Wall("side", INSIDE, (1.0, 1.0, 0.0), (x, y, 0.0), 2 * math.pi * r, r)
-        return [wall], math.pi * r * r
-    if shape == "ellipse":
-        a, b = width / 2, depth / 2
-        wall = Wall("side", INSIDE, (1 / a, 1 / b, 0.0), (x, y, 0.0), _ellipse_length(a, b), 1.0)
-        return [wall], math.pi * a * b
-    if shape == "stadium":
-        if width < depth:
-            faults.add("size", "a stadium along x: no shorter than it is wide", f"{size}")
-        r, straight = depth / 2, width - depth
-        join, end = JOIN * depth, math.pi * r
-        walls = [
-            Wall("front", PLANE, (0.0, 1.0, 0.0), (0.0, 0.0, 0.0), straight),
-            Wall("back", PLANE, (0.0, -1.0, 0.0), (0.0, depth, 0.0), straight),
-            Wall("left", INSIDE, (1.0, 1.0, 0.0), (r, y, 0.0), end, r, True, (1.0, 0.0, 0.0), -math.inf, r + join),
-            Wall(
-                "right", INSIDE, (1.0, 1.0, 0.0), (width - r, y, 0.0), end, r, True, (1.0, 0.0, 0.0), width - r - join
-            ),
-        ]
-        return walls, straight * depth + math.pi * r * r
-    corners = np.array(points, dtype=float)
-    edges = np.roll(corners, -1, axis=0) - corners
-    area = float((corners[:, 0] * np.roll(corners[:, 1], -1) - corners[:, 1] * np.roll(corners[:, 0], -1)).sum() / 2)
-    if area < 0:
-        corners, edges, area = corners[::-1], -np.roll(edges[::-1], -1, axis=0), -area
-    turns = edges[:, 0] * np.roll(edges[:, 1], -1) - edges[:, 1] * np.roll(edges[:, 0], -1)
-    if not (turns > 0).all():
-        faults.add("points", "the corners of a convex polygon, one after the other", f"{points!r:.60}")
-        faults.advise("points", "round obstacles (scatterers) make re-entrant rooms; carom simulate has any polygon")
-        return [], 1.0
-    length = np.hypot(edges[:, 0], edges[:, 1])
-    return [
-        Wall(f"edge{k + 1}", PLANE, (-edge[1] / s, edge[0] / s, 0.0), (*corner.tolist(), 0.0), float(s))
-        for k, (corner, edge, s) in enumerate(zip(corners, edges, length, strict=True))
-    ], area
 
 
 def _scatterers(faults: Faults, given: Any, size: Numbers, periodic: Sequence[bool]) -> tuple[list[Wall], float]:
@@ -195,19 +112,23 @@ def container(
     ----------
     shape : str
         One of :data:`SHAPES`. ``size`` has two numbers for discs or three for balls, and is that of the box around it: a
-        circle has (d, d), a sphere (d, d, d). Given three numbers, circle (or cylinder), ellipse, stadium and polygon stand
-        upright along z, between flat ends.
+        circle has (d, d), a sphere (d, d, d). Given three numbers, circle (or cylinder), ellipse, stadium, wedge and polygon
+        stand upright along z, between flat ends. A wedge is a sector with its tip in the middle of y = 0, which opens along y up
+        to an arc about the tip: of an angle A and a radius R it has the size (2 R sin(A/2), R).
     periodic : bool, or one for each axis
         A "box" may be periodic along some axes, what stands upright along z. Left out: False.
     points : rows of x, y
-        The corners of a convex "polygon", which need no size in the plane: (height,) is enough, or nothing.
+        The corners of a "polygon", in order, which need no size in the plane: (height,) is enough, or nothing. It need not be
+        convex: balls meet its re-entrant corners as they are.
     scatterers : rows of x, y, radius, or x, y, z, radius
         Round obstacles: with "periodic", a Lorentz gas or Sinai billiard.
     bounds : "surface" or "centre"
-        What the walls bound: the balls' surfaces, or their centres. An ellipse only centres.
+        What the walls bound: the balls' surfaces, or their centres.
 
     The walls of a box are called left, right, front, back, bottom, top; round ones side; ends bottom and top; those of a
-    stadium front, back, left, right; of a polygon edge1, edge2, ...; obstacles scatterer. Raises CaromError.
+    stadium front, back, left, right; of a wedge left, right, and its arc side; of a polygon edge1, edge2, ..., of which edge1 goes
+    from the first corner to the second, and a re-entrant corner belongs to the side that ends there; obstacles scatterer. Raises
+    CaromError.
     """
     faults = Faults("container")
     if shape not in SHAPES:
@@ -245,11 +166,7 @@ def container(
         faults.add("periodic", "a box without walls, or shape 'box'", f"{periodic!r}")
     elif not straight and (any(closed[:2]) or (shape == "sphere" and any(closed))):
         faults.add("periodic", "a round room that ends, but for the axis of an upright one", f"{periodic!r}")
-    if shape == "ellipse" and bounds == "surface":
-        faults.add(
-            "bounds", "'centre' for an ellipse: no simple curve bounds the centres of balls that touch one", ROUNDISH
-        )
-    volume, walls = math.prod(given), []
+    volume, walls, outline = math.prod(given), [], None
     if straight:
         walls = _planes(given, closed)
     elif shape == "sphere":
@@ -259,7 +176,7 @@ def container(
         volume = 4 / 3 * math.pi * r**3
         walls = [Wall("side", INSIDE, (1.0, 1.0, 1.0), (r, r, r), 4 * math.pi * r * r, r)]
     else:
-        walls, area = _section(faults, shape, given, points)
+        walls, area, outline = section(faults, shape, given, points, bounds)
         height = given[2] if axes == 3 else 1.0
         volume = area * height
         walls = [replace(wall, area=wall.area * height) for wall in walls]
@@ -267,7 +184,7 @@ def container(
     obstacles, taken = _scatterers(faults, scatterers, given, closed)
     faults.done()
     every = tuple(replace(wall, thick=bounds == "surface") for wall in (*walls, *obstacles))
-    return Container(shape, given, closed, every, volume - taken)
+    return Container(shape, given, closed, every, volume - taken, outline)
 
 
 def room_of(side: Sequence[float] | Container, periodic: bool | Sequence[bool]) -> Container:

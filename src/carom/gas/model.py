@@ -64,7 +64,7 @@ class GasContainer(Model):
     shape : one of carom.gas.SHAPES
     size : of the box around it, along x, y and z; two lengths: discs in a plane
     periodic : axes without walls, such as ["x", "y"]; left out: none, or all for "periodic"
-    points : corners of a polygon, rows of x, y
+    points : corners of a polygon in order, rows of x, y
     scatterers : round obstacles, rows of x, y, radius or x, y, z, radius
     bounds : "surface" or "centre": what the walls bound of the balls
     """

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 
 from carom.ball import Ball
 from carom.checks import Faults, expect, nearest
-from carom.engine.swarm_arrays import FACE, MOST_BALLS, PAIR, PLANE, SPECIES, SWARM, WALL
+from carom.engine.swarm_arrays import FACE, MOST_BALLS, OVAL, PAIR, SPECIES, SWARM, WALL
 from carom.gas.container import WALLS, Container
 from carom.gas.drive import Drive, Thermostat
+from carom.gas.section import JOIN
 from carom.surface import Surface
 
 __all__ = ["WALLS", "Contacts", "Records", "Species", "world_records"]
@@ -23,6 +24,8 @@ Contacts = Surface | Mapping[tuple[str, str], Surface]
 NONE = (0, 0.0, 0.0, 0.0)  # what a channel has counted at first
 # Cells hold about this many balls where the balls are small against their distances.
 FILLING = 0.5
+# Of the largest radius: centres so far behind a wall that bounds centres overlap it (snapshots are in single precision).
+DEEP = 1e-4
 
 
 class Records(NamedTuple):
@@ -80,7 +83,7 @@ def _cells(faults: Faults, one: Any, room: Container, widest: float, count: int)
         one["cells"][axis], one["size"][axis] = n, size[axis] / max(n, 1)
 
 
-def _faces(faults: Faults, room: Container, drives: Mapping[str, Drive]) -> NDArray[np.void]:
+def _faces(faults: Faults, room: Container, drives: Mapping[str, Drive], widest: float) -> NDArray[np.void]:
     """Records of the walls, with what drives them."""
     faces = np.zeros(len(room.walls), FACE)
     for name in sorted(set(drives) - set(room.names)):
@@ -90,13 +93,15 @@ def _faces(faults: Faults, room: Container, drives: Mapping[str, Drive]) -> NDAr
         for part, numbers in (("n", wall.across), ("m", wall.centre), ("a", wall.along)):
             for axis, number in zip("xyz", numbers, strict=True):
                 face[part + axis] = number
-        face["bounded"], face["low"], face["high"] = any(wall.along), wall.low, wall.high
+        face["bounded"], face["low"], face["high"] = wall.ends, wall.low, wall.high
+        if not wall.thick:
+            face["deep"] = DEEP * widest
         drive = drives.get(wall.name)
         if drive is None:
             continue
         if drive.amplitude > 0:
-            if wall.form != PLANE:
-                faults.add("drives", "an amplitude for plane walls only", f"one for {wall.name!r}, which is round")
+            if wall.still:
+                faults.add("drives", "an amplitude for plane walls only", f"one for {wall.name!r}, {wall.still}")
             face["swing"], face["half"] = drive.amplitude, 0.5 / drive.frequency
             face["start"] = -drive.phase / drive.frequency
         if drive.temperature is not None:
@@ -152,8 +157,14 @@ def world_records(
         one["rate"], one["warm"] = thermostat.rate * count, thermostat.temperature
         rotational = thermostat.temperature_rotational
         one["warm_spin"] = thermostat.temperature if rotational is None else rotational
-    _cells(faults, one, room, 2 * max(float(one.ball.radius) for one in species), count)
-    faces = _faces(faults, room, drives)
+    widest = max(float(one.ball.radius) for one in species)
+    _cells(faults, one, room, 2 * widest, count)
+    for wall in room.walls:
+        if wall.form == OVAL and not widest < min(wall.across[:2]) * (1 - JOIN):
+            faults.add(
+                "species", f"radii below {min(wall.across[:2]):g}, the ellipse's smaller half axis", f"{widest:g}"
+            )
+    faces = _faces(faults, room, drives, widest)
     kinds = np.zeros(len(species), SPECIES)
     pairs, walls = np.zeros(len(species) ** 2, PAIR), np.zeros(len(faces) * len(species), WALL)
     for i, first in enumerate(species):

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.orbits.arrays import PIECES, WORLD
+from carom.outlines import ellipse_depth, polygon_depth
 
 __all__ = ["Shape", "face", "quadrature"]
 
@@ -254,7 +255,7 @@ class Shape:
         x = np.concatenate([x, np.zeros((*x.shape[:-1], 3 - x.shape[-1]))], axis=-1)
         gap: Array = np.full(x.shape[:-1], INF)
         if self.vertices is not None:
-            gap = _within(self.vertices, x) - self.clearance
+            gap = polygon_depth(self.vertices, x) - self.clearance
         elif self.faces:
             for n, c, *_ in self.faces:
                 gap = np.minimum(gap, x @ np.array(n) - c)
@@ -268,25 +269,11 @@ class Shape:
         for cx, cy, r, *_ in [*self.outside, *self.images]:
             gap = np.minimum(gap, np.hypot(x[..., 0] - cx, x[..., 1] - cy) - r)
         if self.ellipse is not None:
-            gap = np.minimum(gap, _within_ellipse(*self.ellipse, x))
+            p, q, inset = self.ellipse
+            gap = np.minimum(gap, ellipse_depth(p, q, x) - inset)
         if self.sphere is not None:
             gap = np.minimum(gap, self.sphere - np.linalg.norm(x, axis=-1))
         return gap
-
-
-def _within(vertices: Array, x: Array) -> Array:
-    """Signed distance to a polygon: positive inside."""
-    here, nxt = vertices, np.roll(vertices, -1, axis=0)
-    p = x[..., None, :2] - here
-    e = nxt - here
-    u = np.clip((p * e).sum(-1) / (e * e).sum(-1), 0, 1)
-    distance = np.linalg.norm(p - u[..., None] * e, axis=-1).min(-1)
-    above, after = here[:, 1] > x[..., None, 1], nxt[:, 1] > x[..., None, 1]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        cut = here[:, 0] + (x[..., None, 1] - here[:, 1]) * e[:, 0] / e[:, 1]
-    odd = ((above != after) & (x[..., None, 0] < cut)).sum(-1) % 2 == 1
-    found: Array = np.where(odd, distance, -distance)
-    return found
 
 
 def _ellipse_walls(p: float, q: float, a: float, x: Array) -> Array:
@@ -297,21 +284,4 @@ def _ellipse_walls(p: float, q: float, a: float, x: Array) -> Array:
         m += 0.5 * (c * c + s * s - 1) / (c * c / (p * p + m) + s * s / (q * q + m))
     n = np.stack([-x[:, 0] / (p * p + m), -x[:, 1] / (q * q + m), np.zeros(len(x))], axis=-1)
     found: Array = n / np.linalg.norm(n, axis=-1, keepdims=True)
-    return found
-
-
-def _within_ellipse(p: float, q: float, inset: float, x: Array) -> Array:
-    """Distance to an ellipse, positive inside, less the inset."""
-    (p, u), (q, v) = sorted([(p, np.abs(x[..., 0])), (q, np.abs(x[..., 1]))], key=lambda pair: -pair[0])
-    # the nearest point is (p^2 u/(p^2 + m), q^2 v/(q^2 + m)), where (p u/(p^2 + m))^2 + (q v/(q^2 + m))^2 = 1 and m > -q^2
-    low, high = np.full(u.shape, -q * q), p * u + q * v
-    with np.errstate(divide="ignore", invalid="ignore"):
-        for _ in range(60):
-            m = (low + high) / 2
-            beyond = (p * u / (p * p + m)) ** 2 + (q * v / (q * q + m)) ** 2 > 1
-            low, high = np.where(beyond, m, low), np.where(beyond, high, m)
-        eu = np.minimum(p * p * u / (p * p + high), p) if p > q else p * u / np.maximum(np.hypot(u, v), 1e-300)
-    ev = q * np.sqrt(1 - (eu / p) ** 2)
-    distance = np.hypot(eu - u, ev - v)
-    found: Array = np.where((u / p) ** 2 + (v / q) ** 2 < 1, distance, -distance) - inset
     return found

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from carom.checks import Faults, float_array, nearest, number
 from carom.errors import CaromError
 from carom.orbits.shape import Shape, face
+from carom.outlines import crosses
 
 __all__ = [
     "BOUNDS", "Bounds", "Table", "acceleration_of", "check_bounds", "circle", "ellipse", "need_room", "periodic_strip",
@@ -145,7 +146,7 @@ def polygon(vertices: ArrayLike, *, bounds: Bounds = "centre", name: str = "poly
     lengths = np.hypot(sides[:, 0], sides[:, 1])
     if not (lengths > 1e-9 * lengths.max()).all() or area < 1e-12 * lengths.max() ** 2:
         faults.add("vertices", "sides of some length around some area", "sides or an area of none")
-    elif _crosses(corners):
+    elif crosses(corners):
         faults.add("vertices", "sides that do not cross", "two that do")
     faults.done()
     t = sides / lengths[:, None]
@@ -183,18 +184,6 @@ def polygon(vertices: ArrayLike, *, bounds: Bounds = "centre", name: str = "poly
         )  # fmt: skip
 
     return Table(name, bounds, 2, make, {"vertices": [[float(x), float(y)] for x, y in corners]})
-
-
-def _crosses(p: Array) -> bool:
-    """Whether two sides that are no neighbours meet."""
-    q = np.roll(p, -1, axis=0)
-    for i in range(len(p)):
-        for j in range(i + 2, len(p) - (i == 0)):
-            d, e, f = q[i] - p[i], q[j] - p[j], p[j] - p[i]
-            det = d[0] * e[1] - d[1] * e[0]
-            if det and 0 <= (f[0] * e[1] - f[1] * e[0]) / det <= 1 and 0 <= (f[0] * d[1] - f[1] * d[0]) / det <= 1:
-                return True
-    return False
 
 
 def regular(sides: int, radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
