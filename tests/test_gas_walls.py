@@ -479,7 +479,6 @@ def test_thermostat_holds_an_inelastic_gas_below_its_temperature():
         (container("box", (6.0,) * 3), (0, 0, -1.0)),
         (container("ellipse", (9.0, 6.0)), (0.1, -1.0)),
         (container("ellipse", (9.0, 6.0)), (0, 0)),
-        (container("polygon", points=[(0, 0), (6, 0), (6, 3), (4, 2), (4, 7), (0, 7)]), (0.3, -1.0)),
         (container("wedge", (6.0, 8.0)), (0, -1.0)),
     ],
 )

@@ -25,6 +25,7 @@ from carom.motion.roots import hit4
 __all__ = ["inner_axes", "oval_depth", "oval_hit"]
 
 SMALL = 1e-16  # of the half axis: so short a way is none
+NOISE = 4e-16  # of the half axes: so much of a gap is rounding
 BEYOND = 1.0 + 1e-9  # so much is surely more than what rounding does
 
 
@@ -45,7 +46,7 @@ def oval_depth(p: float, q: float, x: float, y: float) -> tuple[float, float, fl
             f = a * a + b * b - 1.0
             step = 0.5 * f / (a * a / (t + e) + b * b / t)
             t = t + step
-            if step <= 2e-16 * t:
+            if step <= 1e-15 * t:  # (so much is rounding)
                 break
         fx, fy = x / (t + e), y / t
         size = math.sqrt(fx * fx + fy * fy)
@@ -122,13 +123,15 @@ def _root(
 @kernel
 def _first(
     p: float, q: float, d: float, dd: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float,
-    s0: float, g0: float, u0: float, end: float, pull: float, tiny: float,
+    s0: float, g0: float, u0: float, right: float, end: float, pull: float, tiny: float,
 ) -> float:  # fmt: skip
-    """The first root from s0, where the gap is g0 >= 0 and its rate u0, to the end; or infinity."""
-    right = end
+    """The first root from s0, where the gap is g0 > 0 and its rate u0, to the end, first up to right; or infinity."""
+    if g0 <= 0.0:  # (by rounding)
+        return s0
     while s0 < end:
         g1, u1 = _at(p, q, d, dd, x, y, vx, vy, gx, gy, right)
         length = right - s0
+        short = length <= max(tiny, 4e-16 * right)
         if g1 > 0.0:
             # least of the chord less pull t (length - t)/2
             t = length / 2.0
@@ -137,16 +140,45 @@ def _first(
             least = min(g0, g1)
             if 0.0 < t < length:
                 least = g0 + (g1 - g0) * (t / length) - pull * t * (length - t) / 2.0
-            if least >= 0.0 or length <= tiny:
+            if least >= 0.0 or short:
                 s0, g0, u0 = right, g1, u1
-                right = min(right + 2.0 * length, end)
+                right = min(right + 2.0 * max(length, tiny, 4e-16 * right), end)
                 continue
         elif u0 + pull * length < 0.0 or pull == 0.0:
             return _root(p, q, d, dd, x, y, vx, vy, gx, gy, s0, right, g1, u1)
-        elif length <= tiny:
+        elif short:
             return right
         right = s0 + length / 2.0
     return math.inf
+
+
+@kernel
+def _bend(p: float, q: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float) -> float:
+    """The gap's second derivative."""
+    depth, nx, ny, rho = oval_depth(p, q, x, y)
+    along = vx * ny - vy * nx
+    return nx * gx + ny * gy - along * along / max(rho - depth, SMALL * q)
+
+
+@kernel
+def _off(
+    p: float, q: float, d: float, dd: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float,
+    end: float, near: float, tiny: float,
+) -> tuple[float, float, float, bool]:  # fmt: skip
+    """From a touch on: when the gap is more than rounding, gap and rate then, and True; or when it comes down before, and False.
+
+    The rate is known better than the gap, which at first is nothing but rounding.
+    """
+    s, step = 0.0, tiny
+    while s < end:
+        s = min(s + step, end)
+        g, u = _at(p, q, d, dd, x, y, vx, vy, gx, gy, s)
+        if g > near:
+            return s, g, u, True
+        if u < 0.0:
+            return s, g, u, False
+        step = step + step
+    return math.inf, 0.0, 0.0, False
 
 
 @kernel
@@ -161,31 +193,32 @@ def oval_hit(
     """
     pull = math.sqrt(gx * gx + gy * gy)
     speed = math.sqrt(vx * vx + vy * vy)
-    g0, u0 = _at(p, q, d, dd, x, y, vx, vy, gx, gy, 0.0)
-    s0 = 0.0
-    if g0 <= 0.0:
-        if u0 < -slow:
-            return 0.0
-        if u0 <= 0.0:
-            depth, nx, ny, rho = oval_depth(p, q, x, y)
-            along = vx * ny - vy * nx
-            if nx * gx + ny * gy - along * along / max(rho - depth, SMALL * q) < 0.0:
-                return 0.0
-        g0 = 0.0
     if speed == 0.0 and pull == 0.0 and dd == 0.0:
         return math.inf
+    g, u = _at(p, q, d, dd, x, y, vx, vy, gx, gy, 0.0)
+    s, near, bend = 0.0, NOISE * (p + q), 0.0
+    touches = g <= near
+    if touches:
+        bend = _bend(p, q, x, y, vx, vy, gx, gy)
+        if u < -slow or (u <= 0.0 and bend < 0.0):
+            return 0.0
     # outside of this one it has met the wall, which it has too when nothing is left for its centre
     end = min(most, _leaves((p - d) * BEYOND, (q - d) * BEYOND, x, y, vx, vy, gx, gy, most))
     if dd > 0.0:
         end = min(end, (min(p, q) - d) / dd)
-    if g0 > 0.0:
-        a, b = inner_axes(p, q, last)
-        s0 = _leaves(a, b, x, y, vx, vy, gx, gy, most)
-        if s0 >= most:
-            return math.inf
-        if s0 > 0.0:
-            g0, u0 = _at(p, q, d, dd, x, y, vx, vy, gx, gy, s0)
-            if g0 <= 0.0:
-                return s0
     tiny = SMALL * q / (speed + pull * end + abs(dd))
-    return _first(p, q, d, dd, x, y, vx, vy, gx, gy, s0, g0, u0, end, pull, tiny)
+    right = end
+    if touches:
+        hop = -3.0 * u / bend if bend < 0.0 else math.inf
+        s, g, u, off = _off(p, q, d, dd, x, y, vx, vy, gx, gy, end, near, tiny)
+        if not off:
+            return s
+        right = min(end, s + hop)
+    else:
+        a, b = inner_axes(p, q, last)
+        s = _leaves(a, b, x, y, vx, vy, gx, gy, most)
+        if s >= most:
+            return math.inf
+        if s > 0.0:
+            g, u = _at(p, q, d, dd, x, y, vx, vy, gx, gy, s)
+    return _first(p, q, d, dd, x, y, vx, vy, gx, gy, s, g, u, right, end, pull, tiny)
