@@ -14,7 +14,7 @@ from carom.fitting.parameters import FORMS, PARAMETERS
 from carom.fitting.unmeasured import Spins, places_of_sigma
 from carom.rebounds import COLUMNS, STAGES, Rebounds
 
-__all__ = ["Problem", "Setting", "make_problem", "prior_in_words", "require_settings"]
+__all__ = ["Problem", "Setting", "make_problem", "prior_in_words", "require_settings", "table_faults"]
 
 Array = NDArray[np.float64]
 MOST_WIDTH = 5.0  # of spins before the wall, in v/a: no ball has more
@@ -51,24 +51,28 @@ class Setting:
     """Errors with heavy tails: Student's t with 4 degrees of freedom in place of the normal."""
 
 
+def table_faults(radius: float, contact_height: float, floor_restitution: float) -> list[str]:
+    """What is wrong with the numbers of ball and table that rebounds and whole tracks both need, a line a fault."""
+    faults = []
+    if not 0 < radius < 10:
+        faults.append(f"radius: expected the ball's radius in m, above 0, got {radius!r}")
+    if not 1 <= contact_height < 2:
+        faults.append(f"contact_height: expected 1 (level with the centre) to 2, in radii, got {contact_height!r}")
+    if not 0 <= floor_restitution <= 1:
+        faults.append(f"floor_restitution: expected 0 to 1, got {floor_restitution!r}")
+    return faults
+
+
 def require_settings(setting: Setting) -> None:
     """CaromError where the setting cannot be, with all its faults."""
-    faults = []
-    if not 0 < setting.radius < 10:
-        faults.append(f"radius: expected the ball's radius in m, above 0, got {setting.radius!r}")
+    faults = table_faults(setting.radius, setting.contact_height, setting.floor_restitution)
     if not 0 < setting.kappa <= 1:
         faults.append(f"inertia: expected solid, hollow or kappa = I/(m a^2) above 0, up to 1, got {setting.kappa!r}")
     if setting.restitution not in FORMS:
         faults.append(f"restitution: expected one of {', '.join(FORMS)}, got {setting.restitution!r}")
-    if not 1 <= setting.contact_height < 2:
-        faults.append(
-            f"contact_height: expected 1 (level with the centre) to 2, in radii, got {setting.contact_height!r}"
-        )
     for name, value in (("floor_friction", setting.floor_friction), ("roll", setting.roll)):
         if not 0 <= value < math.inf:
             faults.append(f"{name}: expected a number of at least 0, got {value!r}")
-    if not 0 <= setting.floor_restitution <= 1:
-        faults.append(f"floor_restitution: expected 0 to 1, got {setting.floor_restitution!r}")
     limits = {p.name: p for p in (*PARAMETERS, *(p for form in FORMS.values() for p in form.parameters))}
     for name, value in setting.fixed.items():
         if name in limits and not limits[name].low <= value <= limits[name].high:

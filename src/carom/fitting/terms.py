@@ -17,7 +17,7 @@ from typing import Any
 
 from carom.kernel import Vec, kernel
 
-__all__ = ["NO_ANSWER", "ROOM", "SPIN_MEAN", "SPIN_WIDTH", "STEP", "ask", "known_row", "precision"]
+__all__ = ["NO_ANSWER", "ROOM", "SPIN_MEAN", "SPIN_WIDTH", "STEP", "ask", "how_many", "known_row", "precision"]
 
 NO_ANSWER = 1e8  # the deviance of a row to which a law has no answer
 STEP = 1e-4  # of a derivative, in the parameter's own size
@@ -89,6 +89,16 @@ def precision(i: int, y: Any, vx: Any, vy: Any, jac: Any, first: int, inputs: in
 
 
 @kernel
+def how_many(y: Any, i: int) -> int:
+    """How much was measured of a row after the wall."""
+    d = 0
+    for m in range(3):
+        if y[i, m] == y[i, m]:
+            d += 1
+    return d
+
+
+@kernel
 def known_row(
     law: Any, code: int, form: int, stage: int, i: int, a: float, x: Any, vx: Any, y: Any, vy: Any, nu: float, p: Any, free: Any,
     steps: Any, u: Any, h: Any, room: Any,
@@ -98,10 +108,7 @@ def known_row(
     s, q, said, work = room[0], room[1], room[2], room[3]
     u[:] = 0
     h[:] = 0
-    d = 0
-    for m in range(3):
-        if y[i, m] == y[i, m]:
-            d += 1
+    d = how_many(y, i)
     if d == 0:
         return 0 * a, 0 * a
     x0, x1, x2 = x[i, 0], x[i, 1], x[i, 2]

@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.fitting.terms import NO_ANSWER, SPIN_MEAN, SPIN_WIDTH, ask, precision
+from carom.fitting.terms import NO_ANSWER, SPIN_MEAN, SPIN_WIDTH, ask, how_many, precision
 from carom.kernel import kernel
 
 __all__ = ["COLUMNS", "SMALL", "Spins", "places_of_sigma", "unmeasured_row"]
@@ -165,10 +165,7 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
     k, count = free.shape[0], spins.places.shape[0]
     u[:] = 0
     h[:] = 0
-    d = 0
-    for m in range(3):
-        if y[i, m] == y[i, m]:
-            d += 1
+    d = how_many(y, i)
     if d == 0:
         return 0 * a, 0 * a
     s, q, mid, r = small[0], small[1], small[2], small[3]

@@ -9,6 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from carom.errors import CaromError
+from carom.fitting.data import table_faults
 from carom.fitting.laws import FittedLaw, laws_named
 from carom.fitting.parameters import FORMS, PARAMETERS, Parameter
 from carom.laws.maw import CHI, LIKE_SOLIDS
@@ -63,17 +64,11 @@ class WholeSetting:
 
     def check(self) -> None:
         """CaromError, a line a fault."""
-        faults = []
-        if not 0 < self.radius < 10:
-            faults.append(f"radius: expected the ball's radius in m, above 0, got {self.radius!r}")
+        faults = table_faults(self.radius, self.contact_height, self.floor_restitution)
         if not 0 < self.kappa <= 2 / 3 * (1 + 1e-12):
             faults.append(f"inertia: expected solid, hollow or kappa in (0, 2/3], got {self.kappa!r}")
         if self.noise is not None and not 0 < self.noise < 1:
             faults.append(f"noise: expected a length above 0 (m), got {self.noise!r}")
-        if not 1 <= self.contact_height < 2:
-            faults.append(f"contact_height: expected radii above the floor, 1 to below 2, got {self.contact_height!r}")
-        if not 0 <= self.floor_restitution <= 1:
-            faults.append(f"floor_restitution: expected 0 to 1, got {self.floor_restitution!r}")
         if self.restitution not in FORMS or self.restitution == "line":
             forms = ", ".join(name for name in FORMS if name != "line")
             faults.append(f"restitution: expected one of {forms} for whole tracks, got {self.restitution!r}")

@@ -17,7 +17,10 @@ import math
 from carom.kernel import Vec, cross, dot, hot_kernel, kernel
 from carom.laws.card import Card
 
-__all__ = ["CARD", "GRAZE", "REGIMES", "SLIDE", "STICK", "contact", "one_contact", "slip_velocity", "wall_contact"]
+__all__ = [
+    "CARD", "GRAZE", "REGIMES", "SLIDE", "STICK", "contact", "one_contact", "slip_velocity",
+    "struck_along", "wall_contact",
+]  # fmt: skip
 
 CARD = Card(
     name="contact",
@@ -73,6 +76,16 @@ def contact(
         regime = GRAZE
     required = hold * slip / pn if presses else un - un
     return pn, (c * ut[0], c * ut[1], c * ut[2]), required, regime
+
+
+@kernel
+def struck_along(v: Vec, w: Vec, n: Vec, a: float, kappa: float, pn: float, f: float, ut: Vec) -> tuple[Vec, Vec]:
+    """Velocity and spin of a ball after the impulse pn n + f ut of a unit of mass, ut its slip."""
+    j = (pn * n[0] + f * ut[0], pn * n[1] + f * ut[1], pn * n[2] + f * ut[2])
+    # (28), as below
+    t = cross(n, (f * ut[0], f * ut[1], f * ut[2]))
+    c = 1 / (kappa * a)
+    return (v[0] + j[0], v[1] + j[1], v[2] + j[2]), (w[0] - t[0] * c, w[1] - t[1] * c, w[2] - t[2] * c)
 
 
 @hot_kernel

@@ -23,9 +23,9 @@ from typing import Any
 
 import numpy as np
 
-from carom.kernel import Vec, cross, dot, kernel
+from carom.kernel import Vec, dot, kernel
 from carom.laws.card import Card
-from carom.laws.contact import slip_velocity
+from carom.laws.contact import slip_velocity, struck_along
 
 __all__ = ["CARD", "CHI", "LIKE_SOLIDS", "maw_contact", "maw_kernel", "slip_kept", "solve"]
 
@@ -146,11 +146,7 @@ def maw_contact(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: fl
         kept = slip_kept(2 * k * slip / most, chi) if most < math.inf else slip_kept(0 * k, chi)
         f = (kept - 1) * kappa / (1 + kappa)
         f = max(f, -most / slip)
-    j = (pn * n[0] + f * ut[0], pn * n[1] + f * ut[1], pn * n[2] + f * ut[2])
-    # (28), as for every contact
-    t = cross(n, (f * ut[0], f * ut[1], f * ut[2]))
-    c = 1 / (kappa * a)
-    return (v[0] + j[0], v[1] + j[1], v[2] + j[2]), (w[0] - t[0] * c, w[1] - t[1] * c, w[2] - t[2] * c)
+    return struck_along(v, w, n, a, kappa, pn, f, ut)
 
 
 @kernel

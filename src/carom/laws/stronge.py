@@ -19,9 +19,9 @@ from __future__ import annotations
 
 import math
 
-from carom.kernel import Vec, cross, dot, kernel
+from carom.kernel import Vec, dot, kernel
 from carom.laws.card import Card
-from carom.laws.contact import LEAST, slip_velocity
+from carom.laws.contact import LEAST, slip_velocity, struck_along
 from carom.laws.maw import LIKE_SOLIDS
 
 __all__ = ["CARD", "STIFFNESS", "kept_slip", "stronge_contact", "stronge_kernel"]
@@ -159,11 +159,7 @@ def stronge_contact(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu
             f = -mu * pn / slip
         else:
             f = (kept_slip(slip / most if mu < math.inf else f, kappa, e, k) - 1) * kappa / (1 + kappa)
-    j = (pn * n[0] + f * ut[0], pn * n[1] + f * ut[1], pn * n[2] + f * ut[2])
-    # (28), as for every contact
-    t = cross(n, (f * ut[0], f * ut[1], f * ut[2]))
-    c = 1 / (kappa * a)
-    return (v[0] + j[0], v[1] + j[1], v[2] + j[2]), (w[0] - t[0] * c, w[1] - t[1] * c, w[2] - t[2] * c)
+    return struck_along(v, w, n, a, kappa, pn, f, ut)
 
 
 @kernel
