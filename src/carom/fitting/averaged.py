@@ -22,10 +22,13 @@ Array = NDArray[np.float64]
 ROUNDS, LOOKS = 4, 40
 
 
-def with_averaged(fit: Fit) -> Fit:
-    """The fit with such error bars, and a width that is right on average; ``fit.numbers`` stay what is likeliest."""
+def with_averaged(fit: Fit, extra: float = 0.0) -> Fit:
+    """The fit with such error bars, and a width that is right on average; ``fit.numbers`` stay what is likeliest.
+
+    ``extra``: the part of the deviance that is not the rows'.
+    """
     fit = _with_width(fit)
-    width = _friction(fit)
+    width = _friction(fit, fit.deviance - extra)
     return fit if width is None else _scaled(fit, "friction", width / _stderr(fit, "friction"))
 
 
@@ -55,7 +58,7 @@ def _with_width(fit: Fit) -> Fit:
     return replace(fit, estimates=estimates)
 
 
-def _friction(fit: Fit) -> float | None:
+def _friction(fit: Fit, base: float) -> float | None:
     """Half the width in which the deviance, all else fitted, rises by less than 1."""
     step = _stderr(fit, "friction")
     if not step:
@@ -69,7 +72,7 @@ def _friction(fit: Fit) -> float | None:
         p[:, place] = np.clip(best + far, parameter.low, parameter.high)
         p, deviance, _u, _h = go(held, fit.problem, p, LOOKS)
         # nearly a parabola: the next place follows from it
-        rise = np.sqrt(np.maximum(deviance - fit.deviance, 1e-3))
+        rise = np.sqrt(np.maximum(deviance - base, 1e-3))
         if (np.abs(rise - 1) < 0.02).all():
             break
         far = np.clip(best + far / np.clip(rise, 0.4, 2.5), parameter.low, parameter.high) - best

@@ -17,6 +17,7 @@ from carom.rebounds import COLUMNS, STAGES, Rebounds
 __all__ = ["Problem", "Setting", "make_problem", "prior_in_words", "require_settings", "table_faults"]
 
 Array = NDArray[np.float64]
+MOST_CLOTH = 0.95  # of a variance, that rows share by the cloth: the rest is a row's own
 MOST_WIDTH = 5.0  # of spins before the wall, in v/a: no ball has more
 
 
@@ -109,6 +110,8 @@ class Problem:
     """What is assumed of spins that were not measured; None: all were."""
     estimated: NDArray[np.bool_]
     """(3,) outputs without error bars: their scatter is estimated."""
+    cloth: Array | None = None
+    """(N, 6) by how much one error bar of the cloth's friction moves what was measured before and after, in all rows together."""
 
     @property
     def count(self) -> int:
@@ -129,7 +132,8 @@ class Problem:
         """Some of the rows."""
         stages = None if self.stages is None else np.ascontiguousarray(self.stages[rows])
         x, vx, y, vy = (np.ascontiguousarray(array[rows]) for array in (self.x, self.vx, self.y, self.vy))
-        return replace(self, rebounds=self.rebounds.select(rows), stages=stages, x=x, vx=vx, y=y, vy=vy)
+        cloth = None if self.cloth is None else np.ascontiguousarray(self.cloth[rows])
+        return replace(self, rebounds=self.rebounds.select(rows), stages=stages, x=x, vx=vx, y=y, vy=vy, cloth=cloth)
 
     def work(self, heavy: bool) -> float:
         """How many times one look at all rows asks a cheap law."""
@@ -182,7 +186,13 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
     if exact and rebounds.sigma:
         notes.append(f"{', '.join(f'sigma_{name}' for name in exact)}: not given; taken as exact before the wall")
     stages = None if rebounds.stage is None else np.array([STAGES.index(str(s)) for s in rebounds.stage])
-    problem = Problem(rebounds, setting, x, vx, y, vy, stages, None, estimated)
+    cloth = _cloth(rebounds, names)
+    if cloth is not None:  # and each row has what is left
+        vx, vy = (v - np.minimum(np.square(s), MOST_CLOTH * v) for v, s in ((vx, cloth[:, :3]), (vy, cloth[:, 3:])))
+        notes.append(
+            "cloth_ columns: the velocities share the error of the cloth's friction; it is fitted with every law"
+        )
+    problem = Problem(rebounds, setting, x, vx, y, vy, stages, None, estimated, cloth)
     if unknown.any():
         problem = replace(problem, spins=Spins(places_of_sigma(), setting.spin_prior == "uniform"))
         notes.append(
@@ -191,6 +201,19 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
         )
     notes += _look(problem, spins)
     return problem, notes
+
+
+def _cloth(rebounds: Rebounds, names: tuple[str, ...]) -> Array | None:
+    """(N, 6): the columns cloth_ of a table that carom made of a film; None where there are none, or they are no numbers."""
+    columns = [rebounds.extra.get(f"cloth_{name}") for name in names]
+    if all(column is None for column in columns):
+        return None
+    try:
+        found = [np.zeros(len(rebounds)) if column is None else column.astype(float) for column in columns]
+    except ValueError:
+        return None
+    cloth = np.nan_to_num(np.stack(found, axis=-1))
+    return cloth if cloth.any() else None
 
 
 def prior_in_words(setting: Setting) -> str:

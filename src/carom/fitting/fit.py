@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.fitting.averaged import with_averaged
+from carom.fitting.cloth import best_shift, with_cloth
 from carom.fitting.data import Problem
 from carom.fitting.kernels import TOGETHER, TURN
 from carom.fitting.laws import FittedLaw
@@ -100,6 +101,11 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     if problem.spins is not None and INDEX["friction"] in ways.free:
         p, cost, h = _across(ways, problem, p, cost, h)
     best = int(np.argmin(cost))
+    follows, variance = np.zeros(p.shape[1]), 0.0
+    if problem.cloth is not None and not scatter:
+        problem, more, follows, variance = best_shift(ways, problem, p[best])
+        p, cost, _u, h = go(ways, problem, p[[best]], STEPS)
+        best, extra = 0, extra + more
     k = len(names) + len(scatter)
     fit = Fit(
         law,
@@ -124,9 +130,10 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     info = h[best] * ((4 + d) / (6 + d) if problem.nu else 1.0)
     if scatter:
         info = info * max(problem.count - k, 1) / max(int(n_by[problem.estimated].sum()), 1)
-    fit = replace(fit, chi2=float(least.sum()), dof=dof, by_row=least)
+    fit = replace(fit, chi2=float(least.sum()) + (extra if variance else 0.0), dof=dof, by_row=least)
     fit = with_errors(fit, ways, parameters, info)
-    return fit if problem.spins is None else with_averaged(fit)
+    fit = fit if problem.spins is None else with_averaged(fit, extra)
+    return with_cloth(fit, ways, follows, variance) if variance else fit
 
 
 def _across(ways: Ways, problem: Problem, p: Array, cost: Array, h: Array) -> tuple[Array, Array, Array]:

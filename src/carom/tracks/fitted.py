@@ -73,6 +73,10 @@ class Fitted:
         i = OUTPUTS.index(name)
         return float(np.sqrt(max(self.covariance[i, i], 0.0)))
 
+    def covaries(self, name: str, other: str) -> float:
+        """The covariance of two values."""
+        return float(self.covariance[OUTPUTS.index(name), OUTPUTS.index(other)])
+
     def told(self, name: str) -> bool:
         """Whether the frames tell a value: not the slip of a ball that slides on until the contact, or until its last frame."""
         if name in ("un_in", "ut_in"):

@@ -45,6 +45,8 @@ class Measured:
     floor: dict[str, tuple[float, float]] = field(default_factory=dict)
     """What the fits say of the floor (friction, rolling resistance) or of gravity, each with its error."""
     notes: tuple[str, ...] = ()
+    gravity: float = 9.80665
+    """m/s^2, by which the friction of the floor is told."""
 
     @property
     def measured(self) -> list[Contact]:
@@ -89,7 +91,7 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, say: Say 
     notes += _doubts(walls, events, job.floor, settings)
     return Measured(
         tuple(seen), view, walls, events, tuple(found), job.noise, settings.noise is not None, step, interval, job.blind,
-        job.floor, tuple(notes),
+        job.floor, tuple(notes), settings.gravity,
     )  # fmt: skip
 
 

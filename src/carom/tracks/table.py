@@ -58,7 +58,7 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
     rows: list[dict[str, Any]] = []
     for number, one in enumerate(measured.contacts):
         for name in chosen(one, stage, sliding)[0]:
-            rows.append(_row(one, number + 1, name, spin))  # noqa: PERF401
+            rows.append(_row(one, number + 1, name, spin) | _cloth(one, name, measured))  # noqa: PERF401
     if not rows:
         raise CaromError(_nothing(measured, stage, sliding))
     numbers = [f"{side}_{which}" for which in ("in", "out") for side in ("v_n", "v_t", spin)]
@@ -97,6 +97,25 @@ def _row(one: Contact, number: int, stage: str, spin: str) -> dict[str, Any]:
                 row[f"slip_{axis}_{side}"] = sign * fit[f"u{axis}_{side}"] if told else np.nan
                 row[f"sigma_slip_{axis}_{side}"] = fit.error(f"u{axis}_{side}") if told else np.nan
     return row
+
+
+def _cloth(one: Contact, stage: str, measured: Measured) -> dict[str, float]:
+    """By how much the velocities move with one error bar of the cloth's friction, as all contacts together measure it.
+
+    The way that a ball slides after the wall is extrapolated to the contact with that friction, so all rows share its error.
+    """
+    fit = one.fit
+    if fit is None or "cloth friction" not in measured.floor:
+        return {}
+    error, own = measured.floor["cloth friction"][1] * measured.gravity, fit.error("mu_g")
+    out = ("vn_roll", "vt_roll") if stage == "rolling" else ("vn_out", "vt_out")
+    names = {"v_n_in": "vn_in", "v_t_in": "vt_in", "v_n_out": out[0], "v_t_out": out[1]}
+    # what its own frames say of the cloth it does not share
+    share = min(error / own**2, 1 / error) if own and error else 0.0
+    return {
+        f"cloth_{name}": (-share if name == "v_n_in" else share) * fit.covaries(inner, "mu_g")
+        for name, inner in names.items()
+    }
 
 
 def _spin_source(one: Contact) -> str:

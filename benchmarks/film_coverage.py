@@ -1,0 +1,105 @@
+"""From film to numbers: how often the error bars of fitted restitution and friction hold the truth, the whole way.
+
+    python benchmarks/film_coverage.py [N] [--only NAME] [--rows FILE] [--shots 20]
+
+N tables (200) a camera, with surfaces drawn at random. On each, 20 balls are rolled against cushions with noses by the engine,
+and filmed: 30 to 1000 frames a second, noise, pixels, missing frames, places clamped at the cushion. ``carom.tracks`` finds and
+measures the contacts in the films alone; nobody measured a sidespin; ``carom.fitting`` fits the law by which the balls were played.
+"""
+
+from __future__ import annotations
+
+import argparse
+import sys
+import time
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from coverage_rows import Kept, shares
+
+sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
+from track_truth import NOSE, RADIUS, Camera, seen, shot, surfaces
+
+from carom.errors import CaromError
+from carom.fitting import Setting, fit_law, make_problem
+from carom.fitting.laws import laws_named
+from carom.tracks.measure import Settings, measure
+from carom.tracks.table import to_rebounds
+
+NUMBERS = ("restitution", "friction", "spin_mean", "spin_width")
+CAMERAS = {
+    "30 fps": Camera(30, 3e-4),
+    "50 fps": Camera(50, 3e-4),
+    "240 fps": Camera(240, 3e-4),
+    "1000 fps": Camera(1000, 3e-4),
+    "50 fps, pixels of 3 mm": Camera(50, 3e-4, pixel=3e-3),
+    "120 fps, 20 % missing": Camera(120, 3e-4, missing=0.2),
+    "50 fps, clamped at the wall": Camera(50, 3e-4, clamp=True),
+}
+# The law that is played and fitted, and what the engine calls it
+LAWS = {"two-step-after": "after", "two-step": "with"}
+KINDS = {f"{law}, {name}": (law, camera) for law in LAWS for name, camera in CAMERAS.items()}
+
+
+def one(law: str, camera: Camera, seed: int, shots: int) -> dict[str, Any]:
+    """A table: (fitted - true) / error of each number, None where the fit gives none; what the films say of the cloth."""
+    rng = np.random.default_rng(seed)
+    on = surfaces(rng, LAWS[law])
+    took = time.process_time()
+    films = [replace(seen(shot(rng, on=on), camera, rng), group=f"shot {k}") for k in range(shots)]
+    try:
+        measured = measure(films, Settings(radius=0.0, view="above"))
+        rebounds = to_rebounds(measured)
+    except CaromError as error:
+        return {"why": error.faults[0]}
+    # of each shot the first contact: the sidespins after it are another population
+    first = [i for i, name in enumerate(rebounds.extra["shot"]) if name not in rebounds.extra["shot"][:i]]
+    cloth = measured.floor.get("cloth friction", (0.2, 0.0))
+    setting = Setting(radius=RADIUS, contact_height=NOSE / RADIUS, floor_friction=cloth[0])
+    fit = fit_law(laws_named([law], "table", False)[0][0], make_problem(rebounds.select(np.array(first)), setting)[0])
+    truth = {
+        "restitution": on.restitution,
+        "friction": on.friction,
+        "spin_mean": on.spin_mean,
+        "spin_width": on.spin_width,
+    }
+    found: dict[str, Any] = {
+        "rows": len(first), "chi2": fit.chi2, "dof": fit.dof, "cloth": (cloth[0] - on.cloth) / cloth[1] if cloth[1] else None,
+        "seconds": time.process_time() - took, "errors": {}, "values": {},
+    }  # fmt: skip
+    for name in NUMBERS:
+        estimate = fit.estimates[name]
+        told = estimate.value is not None and bool(estimate.stderr)
+        found[name] = (estimate.value - truth[name]) / estimate.stderr if told else None
+        found["errors"][name], found["values"][name] = estimate.stderr, estimate.value
+    return found
+
+
+def main() -> None:
+    """A line a number on standard output."""
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("count", nargs="?", type=int, default=200)
+    parser.add_argument("--only", default="", help="kinds whose names begin so, or are this: LAW, CAMERA")
+    parser.add_argument("--rows", type=Path, help="keep every table here, a line each; go on from what is there")
+    parser.add_argument("--shots", type=int, default=20)
+    given = parser.parse_args()
+    kept = Kept(given.rows)
+    for name, (law, camera) in KINDS.items():
+        if not (name == given.only or (given.only not in KINDS and name.startswith(given.only))):
+            continue
+        rows = kept.fill(
+            name, range(given.count), lambda seed, law=law, camera=camera: one(law, camera, seed, given.shots)
+        )
+        good = [row for row in rows if "why" not in row]
+        print(f"{name}: {len(good)} of {len(rows)} tables fitted, {np.mean([row['rows'] for row in good]):.1f} contacts each,"
+              f" {np.mean([row['seconds'] for row in good]):.2f} s")  # fmt: skip
+        for number in (*NUMBERS, "cloth"):
+            sizes = [row["errors"].get(number) for row in good]
+            middle = np.median([size for size in sizes if size] or [np.nan])
+            print(f"    {number:12} {shares([row[number] for row in good])}; median error {middle:.4f}", flush=True)
+
+
+if __name__ == "__main__":
+    main()
