@@ -14,14 +14,27 @@ from typing import Any
 import numpy as np
 
 from carom.engine.queue import S, U
-from carom.engine.swarm_arrays import CODES, NOBODY, SIZE, STRIDE
+from carom.engine.swarm_arrays import CODES, NOBODY, SIZE
 from carom.kernel import hot_kernel, kernel
 
-__all__ = ["NUMBERS", "SLOTS", "around", "cell_of", "gather", "leave_cell", "put_in_cell", "tables"]
+__all__ = ["NUMBERS", "SLOTS", "around", "blocks", "cell_of", "gather", "leave_cell", "put_in_cell", "tables"]
 
 SLOTS = 2  # of a cell
 NUMBERS = (1 << CODES) - 1
+# A cache line is a block of 2 x 2 x 2 cells, of discs 4 x 2: of the cells around one there are eight lines, and four.
+BLOCK = 3
+BLOCK_BITS = {3: (1, 1, 1), 2: (2, 1, 0)}
 MORE = 3  # the code of a cell with more balls than slots
+
+
+def blocks(swarm: Any) -> tuple[list[int], int]:
+    """Strides between blocks of cells along each axis, and how many slots there are in all."""
+    strides, slots = [], SLOTS << BLOCK
+    for n, periodic, bits in zip(swarm["cells"], swarm["periodic"], BLOCK_BITS[int(swarm["axes"])], strict=True):
+        strides.append(slots)
+        # (beyond a wall lies a layer of cells without balls)
+        slots *= (int(n) + (0 if periodic else 1) + (1 << bits) - 1) >> bits
+    return strides, slots
 
 
 def tables(swarm: Any) -> Any:
@@ -31,6 +44,7 @@ def tables(swarm: Any) -> Any:
     shifts = np.zeros((3, most, 3))
     for axis in range(3):
         n, stride, side = int(swarm["cells"][axis]), int(swarm["stride"][axis]), float(swarm["side"][axis])
+        bits, inner = BLOCK_BITS[int(swarm["axes"])][axis], SLOTS << sum(BLOCK_BITS[int(swarm["axes"])][:axis])
         for place in range(n):
             for k in range(3):
                 there = place + k - 1
@@ -40,7 +54,7 @@ def tables(swarm: Any) -> Any:
                     there %= n
                 elif there < 0:
                     there = n  # the empty layer
-                offsets[axis, place, k] = there * stride
+                offsets[axis, place, k] = (there >> bits) * stride + (there & ((1 << bits) - 1)) * inner
     return offsets, shifts
 
 
@@ -50,10 +64,17 @@ def cell_of(box: Any, grid: Any, axis: int, x: float) -> Any:
     return max(S(0), min(S(x / box[U(SIZE + axis)]), grid[U(axis)] - 1))
 
 
+@hot_kernel
+def _slot(offsets: Any, plan: Any) -> int:
+    """The first slot of a ball's cell."""
+    x, y, z = U(plan.cx), U(plan.cy), U(plan.cz)
+    return S(offsets[U(0), x, U(1)] + offsets[U(1), y, U(1)] + offsets[U(2), z, U(1)])  # type: ignore[no-any-return]
+
+
 @kernel
-def put_in_cell(grid: Any, cells: Any, links: Any, plan: Any, i: int) -> None:
+def put_in_cell(offsets: Any, cells: Any, links: Any, plan: Any, i: int) -> None:
     """Ball i enters its cell."""
-    first = plan.cx * grid[U(STRIDE)] + plan.cy * grid[U(STRIDE + 1)] + plan.cz * grid[U(STRIDE + 2)]
+    first = _slot(offsets, plan)
     front, second = S(cells[U(first)]), S(cells[U(first + 1)])
     code = front >> CODES
     if code == 0:
@@ -67,9 +88,9 @@ def put_in_cell(grid: Any, cells: Any, links: Any, plan: Any, i: int) -> None:
 
 
 @kernel
-def leave_cell(grid: Any, cells: Any, links: Any, plan: Any, i: int) -> None:
+def leave_cell(offsets: Any, cells: Any, links: Any, plan: Any, i: int) -> None:
     """Ball i leaves its cell; the first one of the chain takes its place, or the second of two."""
-    first = plan.cx * grid[U(STRIDE)] + plan.cy * grid[U(STRIDE + 1)] + plan.cz * grid[U(STRIDE + 2)]
+    first = _slot(offsets, plan)
     front, second = S(cells[U(first)]), S(cells[U(first + 1)])
     code, one = front >> CODES, front & NUMBERS
     if code < MORE:

@@ -34,7 +34,7 @@ __all__ = [
 U: Any = np.uint64
 S: Any = np.int64
 
-PAGE_BITS = 6
+PAGE_BITS = 5
 PAGE = 1 << PAGE_BITS  # bins of a page
 RING = 2 * PAGE  # bins that are there
 LEAF = 16  # numbers of a leaf

@@ -14,7 +14,7 @@ from carom.engine.cells import around, cell_of, gather, leave_cell, put_in_cell
 from carom.engine.queue import PAGE, RING, S, U, enqueue, fill, full, open_page, page_of, take_out, turn_over
 from carom.engine.swarm_arrays import CALM, DONE, LIMIT, NOBODY, STUCK
 from carom.engine.swarm_predict import drift, next_turn, soonest
-from carom.engine.swarm_prefetch import look_ahead
+from carom.engine.swarm_prefetch import look_ahead, next_pages
 from carom.engine.swarm_resolve import meet
 from carom.engine.swarm_turn import left_to_come, sample, set_slow, settle
 from carom.engine.swarm_walls import FIRST_WALL, LOOK, kick, meet_wall, next_wall, wait_for_kick, whom_to_kick
@@ -30,7 +30,9 @@ STILL, STILL_HITS, STILL_MORE = 1e-9, 100, 100_000
 
 
 @kernel
-def place(swarm: Any, box: Any, grid: Any, motions: Any, plans: Any, species: Any, cells: Any, links: Any) -> None:
+def place(
+    swarm: Any, box: Any, grid: Any, motions: Any, plans: Any, species: Any, cells: Any, links: Any, offsets: Any
+) -> None:
     """Put every ball into its cell."""
     settle(swarm, box, motions, species)
     energy = 0.0
@@ -40,26 +42,28 @@ def place(swarm: Any, box: Any, grid: Any, motions: Any, plans: Any, species: An
         plan.cx = cell_of(box, grid, 0, ball.x)
         plan.cy = cell_of(box, grid, 1, ball.y)
         plan.cz = cell_of(box, grid, 2, ball.z)
-        put_in_cell(grid, cells, links, plan, i)
+        put_in_cell(offsets, cells, links, plan, i)
     set_slow(swarm, species, energy)
 
 
 @kernel
 def refill(
-    swarm: Any, grid: Any, motions: Any, plans: Any, heads: Any, tails: Any, leaves: Any, cells: Any, links: Any
+    swarm: Any, motions: Any, plans: Any, heads: Any, tails: Any, leaves: Any, cells: Any, links: Any, offsets: Any
 ) -> None:
     """Put every ball into the cell and the bin that it is in: those of a swarm that is restored are empty."""
     for i in range(motions.shape[0]):
-        put_in_cell(grid, cells, links, plans[i], i)
+        put_in_cell(offsets, cells, links, plans[i], i)
     if swarm.planned == swarm.count:
         fill(plans, heads, tails, leaves, swarm.width, swarm.bins, swarm.bin)
 
 
 @hot_kernel
-def _cross(box: Any, grid: Any, ball: Any, plan: Any, cells: Any, links: Any, i: int, which: int, place: int) -> None:
+def _cross(
+    box: Any, grid: Any, ball: Any, plan: Any, cells: Any, links: Any, offsets: Any, i: int, which: int, place: int
+) -> None:
     """Ball i goes on to the next cell."""
     axis, up = which >> 1, which & 1
-    leave_cell(grid, cells, links, plan, i)
+    leave_cell(offsets, cells, links, plan, i)
     there = place + (1 if up else -1)
     n = grid[U(axis)]
     rounds = 1 if there >= n else (-1 if there < 0 else 0)
@@ -76,7 +80,7 @@ def _cross(box: Any, grid: Any, ball: Any, plan: Any, cells: Any, links: Any, i:
         ball.z -= shift
     if rounds != 0:
         plan.image[axis] += rounds
-    put_in_cell(grid, cells, links, plan, i)
+    put_in_cell(offsets, cells, links, plan, i)
 
 
 @kernel
@@ -109,6 +113,15 @@ def _calm(grid: Any, cx: int, cy: int, cz: int) -> bool:
 
 
 @kernel
+def _turns(swarm: Any, pairs: Any) -> bool:
+    """Whether collisions read more of a ball than its motion."""
+    rough = swarm.soft > 0.0
+    for k in range(pairs.shape[0]):
+        rough = rough or pairs[k].smooth == 0
+    return rough  # type: ignore[no-any-return]
+
+
+@kernel
 def run(  # noqa: PLR0915  (the loop)
     swarm: Any, motions: Any, plans: Any, bodies: Any, species: Any, pairs: Any, walls: Any, faces: Any, heads: Any, tails: Any,
     leaves: Any,
@@ -123,9 +136,10 @@ def run(  # noqa: PLR0915  (the loop)
     flat, kinds, slow, scale, growth = swarm.axes == 2, swarm.kinds, swarm.slow, swarm.scale, swarm.growth
     rb, ru, rc, times = work[0], work[1], work[2], work[3]
     bits = whole[3]
-    far = count > NEAR_BALLS
+    far, spins = count > NEAR_BALLS, _turns(swarm, pairs)
     virial = swarm.virial  # (summed on, so that the sum is the same in one piece or in many)
     status = LIMIT
+    ahead = (0, 0, 0)
     while swarm.pair_hits + swarm.wall_hits < last and status == LIMIT:
         # whose next event is to be planned, and which cells around are to be searched: all, or those that come into reach
         i, j = planned, NOBODY
@@ -135,15 +149,16 @@ def run(  # noqa: PLR0915  (the loop)
         again = False
         if planned == count:
             if full(tails):
+                ahead = (0, 0, 0)
                 fill(plans, heads, tails, leaves, width, bins, current)
             while current < bins and heads[U(current & (RING - 1))] == NOBODY:
                 current += 1
-                if current & (PAGE - 1) == 0 and current < bins:
-                    page = page_of(current) + 1
-                    if far and (page + 2) * PAGE < bins:
-                        look_ahead(flat, grid, motions, plans, bodies, cells, offsets, tails, leaves, page)
-                    if page * PAGE < bins:
-                        open_page(plans, heads, tails, leaves, page)
+                page = page_of(current)
+                if current & (PAGE - 1) == 0 and (page + 1) * PAGE < bins:
+                    open_page(plans, heads, tails, leaves, page + 1)
+                    ahead = next_pages(tails, page, bins)
+                if far:
+                    ahead = look_ahead(flat, spins, grid, motions, plans, bodies, cells, offsets, leaves, page, ahead)
             if current == bins:
                 if width * bins > end:
                     status = DONE
@@ -153,6 +168,7 @@ def run(  # noqa: PLR0915  (the loop)
                 sample(swarm, box, motions, bodies, species, now)
                 turn_over(swarm, motions, plans, bodies, faces)
                 fill(plans, heads, tails, leaves, swarm.width, bins, 0)
+                ahead = (0, 0, 0)
                 status = left_to_come(swarm, motions, plans, species, popped)
                 if settle(swarm, box, motions, species):
                     planned = 0
@@ -202,7 +218,7 @@ def run(  # noqa: PLR0915  (the loop)
                     swarm.crossings += 1
                     axis, up = which >> 1, which & 1
                     place = plan.cx if axis == 0 else (plan.cy if axis == 1 else plan.cz)
-                    _cross(box, grid, ball, plan, cells, links, i, which, S(place))
+                    _cross(box, grid, ball, plan, cells, links, offsets, i, which, S(place))
                     if axis == 0:
                         x0, x1 = 2 * up, 2 * up + 1
                     elif axis == 1:

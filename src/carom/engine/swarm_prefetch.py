@@ -1,8 +1,8 @@
 """Asking for memory before it is needed: a million balls lie far from the processor, and what comes next is known.
 
-It is asked for page by page of the calendar, some hundred events ahead: the balls that are noted on one; a page later, when
-these have come, the cells around them and whom they will meet; another page later, who is in those cells. To ask event by event,
-some events ahead, costs more than it saves at 10,000 balls, since the processor cannot guess what a bin holds.
+It is asked for page by page of the calendar, some hundred events ahead, a note or two at a time: the balls that are noted there;
+a page later, when these have come, the cells around them and whom they will meet; another page later, who is in those cells. It
+goes into the second cache; the first is too small for all that.
 """
 
 from __future__ import annotations
@@ -11,15 +11,15 @@ import functools
 from typing import Any
 
 from carom.engine.cells import NUMBERS
-from carom.engine.queue import LEAF, S, U, is_noted
-from carom.kernel import hot_kernel, kernel
+from carom.engine.queue import LEAF, PAGE, S, U, is_noted
+from carom.kernel import hot_kernel
 
-__all__ = ["look_ahead", "prefetch", "register_prefetch"]
+__all__ = ["look_ahead", "next_pages", "prefetch", "register_prefetch"]
 
 Region = tuple[int, int, int, int, int, int, int, int, int]
 PLANS, CELLS, BALLS = range(3)  # what is asked for, in turn
-# Into the second cache: the first is too small for all that some hundred events need.
-SECOND = 2
+NOTES = 2  # so many at once
+SECOND = 2  # cache, as LLVM counts: 3 is the first
 FACES = 6  # of a cell: the least ``turn`` that is no way out of it
 
 
@@ -92,77 +92,101 @@ def _searched(flat: bool, grid: Any, plan: Any) -> Region:
 
 
 @hot_kernel
-def _ask_rows(cells: Any, offsets: Any, there: Region) -> None:
-    """Ask for cells: for the first of each row, whose others are beside it."""
-    x, y, z, x0, _x1, y0, y1, z0, z1 = there
-    left = offsets[U(0), U(x), U(x0)]
-    for c in range(z0, z1):
-        third = offsets[U(2), U(z), U(c)] + left
-        for b in range(y0, y1):
-            prefetch(cells, U(third + offsets[U(1), U(y), U(b)]))
+def _ask_cells(cells: Any, offsets: Any, there: Region) -> None:
+    """Ask for cells: those in the corners are in all the blocks that there are."""
+    x, y, z, x0, x1, y0, y1, z0, z1 = there
+    left, right = offsets[U(0), U(x), U(x0)], offsets[U(0), U(x), U(x1 - 1)]
+    front, back = offsets[U(1), U(y), U(y0)], offsets[U(1), U(y), U(y1 - 1)]
+    for c in range(2):
+        third = offsets[U(2), U(z), U(z1 - 1 if c else z0)]
+        prefetch(cells, U(third + front + left))
+        prefetch(cells, U(third + front + right))
+        prefetch(cells, U(third + back + left))
+        prefetch(cells, U(third + back + right))
+
+
+@hot_kernel
+def _ask_two(motions: Any, cells: Any, first: int) -> None:
+    """Ask for the first two balls of a cell."""
+    prefetch(motions, U(cells[U(first)] & NUMBERS))
+    prefetch(motions, U(cells[U(first + 1)] & NUMBERS))
 
 
 @hot_kernel
 def _ask_balls(motions: Any, cells: Any, offsets: Any, there: Region) -> None:
     """Ask for the first two balls of each cell."""
     x, y, z, x0, x1, y0, y1, z0, z1 = there
+    left, middle, right = offsets[U(0), U(x), U(0)], offsets[U(0), U(x), U(1)], offsets[U(0), U(x), U(2)]
+    ahead = right if x0 == 2 else left
     for c in range(z0, z1):
         third = offsets[U(2), U(z), U(c)]
         for b in range(y0, y1):
             second = third + offsets[U(1), U(y), U(b)]
-            for a in range(x0, x1):
-                first = second + offsets[U(0), U(x), U(a)]
-                prefetch(motions, U(cells[U(first)] & NUMBERS))
-                prefetch(motions, U(cells[U(first + 1)] & NUMBERS))
+            if x1 - x0 == 3:
+                _ask_two(motions, cells, second + left)
+                _ask_two(motions, cells, second + middle)
+                _ask_two(motions, cells, second + right)
+            else:
+                _ask_two(motions, cells, second + ahead)
 
 
 @hot_kernel
 def _ask(
-    stage: int, flat: bool, grid: Any, motions: Any, plans: Any, bodies: Any, cells: Any, offsets: Any, tails: Any, leaves: Any,
-    page: int,
-) -> None:  # fmt: skip
-    """Ask for a part of what the balls that are noted on a page will need."""
-    tail = S(tails[U(page)])
-    while tail != 0:
-        while tail & (LEAF - 1) != 0:
-            i = leaves[U(tail)]
-            tail -= 1
-            if stage == PLANS:
-                prefetch(plans, U(i))
-                prefetch(motions, U(i))
-                continue
-            plan = plans[U(i)]
-            if not is_noted(plan, page):
-                continue
-            j, meets = plan.hit_who, plan.hit_at == plan.at
-            if stage == BALLS:
-                _ask_balls(motions, cells, offsets, _searched(flat, grid, plan))
-                if meets:
-                    _ask_balls(motions, cells, offsets, _around(flat, plans[U(j)]))
-                continue
-            _ask_rows(cells, offsets, _searched(flat, grid, plan))
-            if meets:
-                prefetch(plans, U(j))
-                prefetch(motions, U(j))
+    stage: int, flat: bool, spins: bool, grid: Any, motions: Any, plans: Any, bodies: Any, cells: Any, offsets: Any, leaves: Any,
+    page: int, tail: int,
+) -> int:  # fmt: skip
+    """Ask for a part of what the next balls noted on a page will need; ``tail``: where its notes end that are not done yet."""
+    for _ in range(NOTES):
+        if tail & (LEAF - 1) == 0:
+            tail = S(leaves[U(tail)]) if tail != 0 else 0
+            if tail == 0:
+                return 0
+        i = leaves[U(tail)]
+        tail -= 1
+        if stage == PLANS:
+            prefetch(plans, U(i))
+            prefetch(motions, U(i))
+            continue
+        plan = plans[U(i)]
+        if not is_noted(plan, page):
+            continue
+        j, meets = plan.hit_who, plan.hit_at == plan.at
+        if stage == BALLS:
+            _ask_balls(motions, cells, offsets, _searched(flat, grid, plan))
+            if meets and motions[U(j)].count == plan.hit_count:
+                _ask_balls(motions, cells, offsets, _around(flat, plans[U(j)]))
+            continue
+        _ask_cells(cells, offsets, _searched(flat, grid, plan))
+        if meets:
+            prefetch(plans, U(j))
+            prefetch(motions, U(j))
+            if spins:
                 prefetch(bodies, U(i))
                 prefetch(bodies, U(j))
-        tail = S(leaves[U(tail)])
+    return tail
 
 
-@kernel
+@hot_kernel
+def next_pages(tails: Any, page: int, bins: int) -> tuple[int, int, int]:
+    """Where the notes end of the three pages that are asked for while this one lasts; 0 where the turn has no more pages.
+
+    (What never happens is on the last page of all, which is not asked for.)
+    """
+    if (page + 4) * PAGE >= bins:
+        return 0, 0, 0
+    return S(tails[U(page + 2)]), S(tails[U(page + 3)]), S(tails[U(page + 4)])
+
+
+@hot_kernel
 def look_ahead(
-    flat: bool,
-    grid: Any,
-    motions: Any,
-    plans: Any,
-    bodies: Any,
-    cells: Any,
-    offsets: Any,
-    tails: Any,
-    leaves: Any,
-    page: int,
-) -> None:
-    """Ask for what the balls that are noted on a page and on the two after it will need, page by page as it can be known."""
-    _ask(PLANS, flat, grid, motions, plans, bodies, cells, offsets, tails, leaves, page + 2)
-    _ask(CELLS, flat, grid, motions, plans, bodies, cells, offsets, tails, leaves, page + 1)
-    _ask(BALLS, flat, grid, motions, plans, bodies, cells, offsets, tails, leaves, page)
+    flat: bool, spins: bool, grid: Any, motions: Any, plans: Any, bodies: Any, cells: Any, offsets: Any, leaves: Any, page: int,
+    tails: tuple[int, int, int],
+) -> tuple[int, int, int]:  # fmt: skip
+    """Ask for what some balls of the next pages will need; where their notes end that are not done yet. Once a bin."""
+    plain = _ask(PLANS, flat, spins, grid, motions, plans, bodies, cells, offsets, leaves, page + 4, tails[2])
+    known = _ask(CELLS, flat, spins, grid, motions, plans, bodies, cells, offsets, leaves, page + 3, tails[1])
+    return (
+        _ask(BALLS, flat, spins, grid, motions, plans, bodies, cells, offsets, leaves, page + 2, tails[0]),
+        known,
+        plain,
+    )

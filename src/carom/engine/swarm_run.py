@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.engine import swarm
-from carom.engine.cells import SLOTS, tables
+from carom.engine.cells import SLOTS, blocks, tables
 from carom.engine.queue import calendar
 from carom.engine.swarm_arrays import BODY, MOTION, OVAL, PLAN, PLANE
 from carom.engine.swarm_lists import walls_of_cells
@@ -84,7 +84,7 @@ def _memory(one: Any, species: Any) -> dict[str, NDArray[Any]]:
     # (the last plan is the thermostat's)
     wanted = {
         "motions": (count, MOTION), "plans": (count + 1, PLAN), "bodies": (count, BODY), "heads": (heads, ball),
-        "tails": (tails, ball), "leaves": (leaves, ball), "cells": (SLOTS * math.prod(_layers(one)), ball),
+        "tails": (tails, ball), "leaves": (leaves, ball), "cells": (blocks(one)[1], ball),
         "links": (count, ball), "found": (room, ball), "work": (4 * room, number),
     }  # fmt: skip
     sizes = [-(-n * kind.itemsize // LINE) * LINE for n, kind in wanted.values()]
@@ -94,11 +94,6 @@ def _memory(one: Any, species: Any) -> dict[str, NDArray[Any]]:
         found[name] = raw[at : at + n * kind.itemsize].view(kind)
         at += size
     return found
-
-
-def _layers(one: Any) -> list[int]:
-    """Cells along each axis: beyond a wall lies a layer of cells without balls."""
-    return [int(n) + (0 if periodic else 1) for n, periodic in zip(one["cells"], one["periodic"], strict=True)]
 
 
 def _most_around(one: Any, species: Any) -> int:
@@ -116,8 +111,7 @@ def _whole(state: tuple[Any, ...], memory: dict[str, NDArray[Any]]) -> Arrays:
     named = dict(zip(STATE, state, strict=True))
     one = named["swarm"][0]
     calm, lists, sets = walls_of_cells(named["swarm"], named["faces"], named["walls"])
-    shape = _layers(one)
-    one["stride"] = (SLOTS, SLOTS * shape[0], SLOTS * shape[0] * shape[1])
+    one["stride"] = blocks(one)[0]
     offsets, shifts = tables(one)
     work = memory["work"].reshape(4, -1)
     rest = {name: memory[name] for name in ("heads", "tails", "leaves", "cells", "links", "found")}
@@ -162,7 +156,9 @@ def make(world: Any, species: Any, pairs: Any, walls: Any, faces: Any, kinds: An
     plans[count]["at"], plans[count]["hit_at"] = math.inf, -math.inf
     state = (world, motions, plans, bodies, species, pairs, walls, faces)
     arrays = _whole(state, memory)
-    _compiled().place(world[0], arrays.box, arrays.grid, motions, plans, species, arrays.cells, arrays.links)
+    _compiled().place(
+        world[0], arrays.box, arrays.grid, motions, plans, species, arrays.cells, arrays.links, arrays.offsets
+    )
     return arrays
 
 
@@ -176,8 +172,8 @@ def restore(state: tuple[Any, ...]) -> Arrays:
         copies[-1][:] = array
     arrays = _whole(tuple(copies), memory)
     _compiled().refill(
-        arrays.swarm[0], arrays.grid, arrays.motions, arrays.plans, arrays.heads, arrays.tails, arrays.leaves, arrays.cells,
-        arrays.links,
+        arrays.swarm[0], arrays.motions, arrays.plans, arrays.heads, arrays.tails, arrays.leaves, arrays.cells, arrays.links,
+        arrays.offsets,
     )  # fmt: skip
     return arrays
 
