@@ -27,6 +27,11 @@ SPIN_LOSS = 10.0  # rad/s^2 of spin about the vertical; Alciatore has 5 to 15
 BEGIN = {
     "friction": 0.2, "tangential_restitution": 0.0, "stiffness_ratio": LIKE_SOLIDS, "restitution_1": 0.0, "restitution_2": 0.0,
 }  # fmt: skip
+# What the engine plays and rebounds are not fitted to; by name alone, for it says nearly what maw does.
+STRONGE = FittedLaw(
+    "stronge", "table", -1, ("restitution", "friction", "stiffness_ratio"), "two springs (Stronge), then the floor"
+)
+SPRINGS = ("maw", STRONGE.name)
 _NAMED = {parameter.name: parameter for parameter in PARAMETERS}
 # The numbers of the floor; while a cushion presses the ball on the cloth it is the same friction that acts.
 FLOOR = (
@@ -129,7 +134,7 @@ class WholeLaw:
             friction=at["floor_friction"], restitution=Constant(value=given.floor_restitution),
             rolling_resistance=at["rolling_resistance"], spin_friction=given.kappa * a * at["spin_loss"] / given.gravity,
         )  # fmt: skip
-        law = "conventional" if plain else "maw" if self.name == "maw" else "two-step"
+        law = "conventional" if plain else self.name if self.name in SPRINGS else "two-step"
         after = self.name in ("two-step-after", "contact", "no-slip", "mirror")
         return Scene(
             gravity=(0.0, 0.0, -given.gravity), floor=floor, walls=(table,),
@@ -174,7 +179,10 @@ def whole_laws(
     if faults:
         raise CaromError(*faults)
     upright = setting.contact_height == 1.0
-    chosen, notes = laws_named(list(names) if names else None, "table", upright)
+    others = [name for name in names or () if name != STRONGE.name]
+    chosen, notes = laws_named(others or None, "table", upright) if others or not names else ([], [])
+    if names and STRONGE.name in names:
+        chosen.append(STRONGE)
     return [_whole(law, setting, walls, start) for law in chosen], notes
 
 
@@ -204,7 +212,9 @@ def _whole(law: FittedLaw, setting: WholeSetting, walls: Sequence[Wall], start: 
         low, high = setting.bounds.get(name, (parameter.low, parameter.high))
         middle = parameter.tried[len(parameter.tried) // 2] if parameter.tried else parameter.start
         at = start.get(name, BEGIN.get(name, middle))
-        if name == "stiffness_ratio":  # the law's curve is known where it, times this share, is within CHI
+        if (
+            name == "stiffness_ratio" and law.name == "maw"
+        ):  # the law's curve is known where it, times this share, is within CHI
             share = (1 + 1 / setting.kappa) / 2
             low, high = max(low, CHI[0] / share), min(high, CHI[1] / share)
         inside = 0.02 * (high - low)
