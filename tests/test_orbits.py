@@ -416,7 +416,6 @@ BAD = {
     "lies in space": lambda: orbits.orbit(orbits.sphere(), ((0, 0, 0), (0, 1, 0), (0, 0, 0)), 5, ball=carom.Disc()),
     "which are kept": lambda: orbits.orbit(orbits.circle(), ((0, 0), (0, 1), 0), 10**9),
     "expected a table": lambda: orbits.orbit("circle", ((0, 0), (0, 1), 0), 5),
-    "none where there are lids": lambda: orbits.cylinder(1.0, 2.0, acceleration=-9.81),
     "centres within the cell": lambda: orbits.torus((1, 1), ((2, 0, 0.1),)),
     "wall of some length": lambda: orbits.starts(orbits.strip(), 5),
     "undoes itself": lambda: orbits.reverse(

@@ -69,7 +69,10 @@ def orbit(
     side: Annotated[float | None, _size("of Sinai's square cell")] = None,
     period: Annotated[float | None, _size("of a periodic strip")] = None,
     distance: Annotated[float | None, _size("between plates")] = None,
-    acceleration: Annotated[float | None, _size("along a strip (x), plates or a cylinder (z), m/s^2")] = None,
+    acceleration: Annotated[
+        str | None,
+        _size("of a constant force, m/s^2: x,y or x,y,z; or a number, along a strip (x), plates, a cylinder (z)"),
+    ] = None,
     kappa: Annotated[
         float | None, typer.Option(help="I/(m a^2)", show_default="0.5; in space 0.4", rich_help_panel=BALL)
     ] = None,
@@ -153,6 +156,7 @@ def _table(name: str, given: dict[str, Any], bounds: str) -> Table:
     from carom.checks import meant
 
     over, colon, flat = name.partition(":")
+    given, pull = _force(name, given)
     kind = flat if colon else name
     known = [*SIZES, "cylinder:circle"]
     if kind not in SIZES or (colon and (over != "cylinder" or kind in SOLIDS)):
@@ -170,9 +174,21 @@ def _table(name: str, given: dict[str, Any], bounds: str) -> Table:
     axial = {"acceleration", "height"} - ({"height"} & set(SIZES[kind])) if colon else set()
     solid = {key: sizes.pop(key) for key in axial & set(sizes)}
     section = _make(orbits, kind, sizes, bounds)
-    if not colon:
-        return section
-    return orbits.cylinder(section, **solid)
+    made = orbits.cylinder(section, **solid) if colon else section
+    return made if pull is None else orbits.under(made, pull)
+
+
+def _force(name: str, given: dict[str, Any]) -> tuple[dict[str, Any], tuple[float, ...] | None]:
+    """The sizes, with an acceleration along the table as a number among them; one with components apart from them."""
+    text = given.get("acceleration")
+    if text is None:
+        return given, None
+    rest = {key: value for key, value in given.items() if key != "acceleration"}
+    over, colon, flat = name.partition(":")
+    axial = bool(colon) or "acceleration" in SIZES.get(flat or over, ())
+    if axial and "," not in text:
+        return rest | {"acceleration": _numbers("--acceleration", text, 1)[0]}, None
+    return rest, _numbers("--acceleration", text, 3 if colon or over in SOLIDS else 2)
 
 
 def _make(orbits: Any, kind: str, sizes: dict[str, Any], bounds: Any) -> Table:  # noqa: PLR0911  (one return a table)

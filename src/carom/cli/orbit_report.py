@@ -33,18 +33,23 @@ def orbit_facts(
     whole = made == found.t.shape[-1]
     if made.max(initial=0) > 0:
         speed = np.atleast_2d(found.speed)
-        last = speed[np.arange(len(made)), np.maximum(made, 1) - 1]
         facts["mean_time_between_bounces"] = float(np.nansum(found.last[..., 0]) / made.sum())
-        if found.setup.keeps and not any(table.pull):
-            facts["energy_drift"] = float(np.nanmax(np.abs((last / speed[:, 0]) ** 2 - 1)))
+        if found.setup.keeps:
+            fall = 2 * (found.position @ np.array(table.pull[: table.dimension])).reshape(speed.shape)
+            lost = speed**2 - fall
+            lost = lost[np.arange(len(made)), np.maximum(made, 1) - 1] - lost[:, 0]
+            facts["energy_drift"] = float(np.nanmax(np.abs(lost) / np.nanmax(speed**2, axis=1)))
     if whole.all():
         periods = np.atleast_1d(orbits.period(found))
         names, counts = np.unique(periods, return_counts=True)
         facts["periods"] = {str(p): int(c) for p, c in zip(names.tolist(), counts.tolist(), strict=True) if p}
-        if table.name == "circle" or (table.name == "cylinder" and table.sizes["section"] == "circle"):
+        falls = bool(found.setup.world["falls"][0])
+        round_ = table.name == "circle" or (table.name == "cylinder" and table.sizes["section"] == "circle")
+        if round_ and not falls:
             caustics = orbits.caustics(found)
             facts["caustics"] = np.atleast_2d(caustics.radii)[0].tolist() if len(made) == 1 else None
-        if (any(table.pull) or table.name in ("strip", "plates", "cylinder")) and found.t.shape[-1] >= 4:
+        along = any(table.pull) or table.name in ("strip", "plates", "cylinder")
+        if along and not falls and found.t.shape[-1] >= 4:
             axis = 2 if table.name in ("plates", "cylinder") else 0
             drift = orbits.drift(found, axis)
             names_ = ("extent", "velocity", "acceleration", "growth")

@@ -39,6 +39,7 @@ from carom.orbits.tables import (
     stadium,
     strip,
     torus,
+    under,
     wedge,
 )
 from carom.orbits.verbs import final, orbit, reverse, starts
@@ -81,6 +82,7 @@ __all__ = [
     "strip",
     "tangent_map",
     "torus",
+    "under",
     "uniformity",
     "wedge",
 ]

@@ -66,8 +66,12 @@ class Caustics:
 def caustics(found: Orbit, centre: Sequence[float] = (0.0, 0.0)) -> Caustics:
     """How near to a centre every second flight passes: the envelopes of an orbit in a circle.
 
-    In space the orbit is seen along z.
+    In space the orbit is seen along z. CaromError where a force bends the flights.
     """
+    if any(found.setup.table.pull[:2]):
+        raise CaromError(
+            f"caustics: table: expected one whose flights are straight (seen along z), got {found.setup.table}"
+        )
     x, v = found.position[..., :2] - np.asarray(centre, float), found.velocity[..., :2]
     distance = np.abs(x[..., 0] * v[..., 1] - x[..., 1] * v[..., 0]) / np.hypot(v[..., 0], v[..., 1])
     both = [distance[..., k::2] for k in (0, 1)]

@@ -53,7 +53,8 @@ WORLD = np.dtype(
         ("keeps", "i8"),  # 1: the law conserves the energy
         ("law", "i8"),
         ("user", "i8"),
-        ("pull", "f8", (3,)),  # acceleration, along all walls
+        ("falls", "i8"),  # 1: it has a part across a wall
+        ("pull", "f8", (3,)),  # acceleration
         ("a", "f8"),
         ("kappa", "f8"),
         ("e", "f8"),

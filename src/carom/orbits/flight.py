@@ -1,8 +1,9 @@
 """The next piece that a flying ball meets, and the wall's normal and curvature there.
 
-One ball needs no queue: its next event is the nearest of the table's pieces. All pieces bound the ball's centre, and no
-force acts across them, so what is met is met on a straight line: linear for a face, quadratic for a circle, a sphere, an
-ellipse. The curve at a distance from an ellipse, of degree eight, is met through its normal (:func:`inset_exit`).
+One ball needs no queue: its next event is the nearest of the table's pieces. All pieces bound the ball's centre. Where no force
+acts across them, what is met is met on a straight line: linear for a face, quadratic for a circle, a sphere, an ellipse (else see
+:mod:`carom.orbits.falling`). The curve at a distance from an ellipse, of degree eight, is met through its normal
+(:func:`inset_exit`).
 """
 
 from __future__ import annotations

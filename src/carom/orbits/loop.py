@@ -16,7 +16,8 @@ from carom.laws.contact import wall_contact
 from carom.laws.conventional import conventional_reflection
 from carom.laws.no_slip import no_slip_bounce
 from carom.orbits.arrays import CELLS, CONTACT, CORNER, DONE, ESCAPED, FREE, GRAZED, NO_SLIP, ROLLING
-from carom.orbits.flight import meeting, wall_at
+from carom.orbits.falling import next_meeting
+from carom.orbits.flight import wall_at
 
 __all__ = ["compiled", "follow", "follow_many"]
 
@@ -95,7 +96,7 @@ def follow(  # noqa: PLR0915  (one ball's way, from the first line to the last)
     energy = kinetic(v, w, a, kappa) - rise(world, x, ax, ay)
     ended = DONE
     while k < bounces:
-        dt, i = meeting(world, pieces, x, v)
+        dt, i = next_meeting(world, pieces, x, v)
         if i < 0 or not dt < math.inf:
             ended = ESCAPED
             break

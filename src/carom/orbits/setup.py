@@ -99,7 +99,7 @@ def setup_of(table: Table, ball: Ball | None, law: Any, surface: Surface | None,
     world, pieces = shape.arrays()
     world["planar"], world["corners"], world["law"] = table.dimension == 2, corners == "end", number
     world["a"], world["kappa"], world["e"], world["mu"], world["beta"] = ball.radius, ball.kappa, e, mu, beta
-    world["pull"] = table.pull
+    world["pull"], world["falls"] = table.pull, shape.crossed_by(table.pull)
     keeps = number in (NO_SLIP, ROLLING) or (
         number == CONTACT and e == 1 and (mu == 0 or beta == -1 or (beta == 1 and mu == math.inf))
     )

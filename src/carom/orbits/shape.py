@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -96,6 +97,13 @@ class Shape:
         world["spheres"] = len(rows)
         world["limited"], world["near"] = self.limited, 1e-12 * self.size
         return world, np.array(rows, PIECES)
+
+    def crossed_by(self, pull: Sequence[float]) -> bool:
+        """Whether an acceleration has a part across a wall (or a window)."""
+        flat = bool(pull[0] or pull[1])
+        if any(n[0] * pull[0] + n[1] * pull[1] + n[2] * pull[2] for n, *_ in [*self.faces, *self.windows]):
+            return True
+        return flat if self.inside or self.outside or self.ellipse else self.sphere is not None and any(pull)
 
     # --- arc length ---------------------------------------------------------------------------------------------------
 

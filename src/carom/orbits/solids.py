@@ -52,7 +52,8 @@ def plates(distance: float = 1.0, *, bounds: Bounds = "centre", acceleration: Se
 def cylinder(section: Table | float = 1.0, height: float | None = None, *, acceleration: float = 0.0) -> Table:
     """A cylinder along z over a table of the plane (a number: over a circle of that radius), open or with two lids.
 
-    ``acceleration`` along the axis, for open ones: gravity is -9.81. What the section bounds, the cylinder bounds.
+    ``acceleration`` along the axis: gravity is -9.81. What the section bounds, the cylinder bounds, and what pulls there pulls
+    here too.
     """
     faults = Faults("cylinder")
     if isinstance(section, int | float):
@@ -63,10 +64,6 @@ def cylinder(section: Table | float = 1.0, height: float | None = None, *, accel
     if height is not None:
         height = positive(faults, "height", height)
     (g,) = acceleration_of(faults, acceleration)
-    if height is not None and g:
-        faults.add(
-            "acceleration", "none where there are lids, for a force acts along all walls only", repr(acceleration)
-        )
     faults.done()
 
     def make(inset: float) -> Shape:
@@ -80,7 +77,7 @@ def cylinder(section: Table | float = 1.0, height: float | None = None, *, accel
 
     sizes = {"section": section.name, **section.sizes}
     sizes |= ({} if height is None else {"height": height}) | ({"acceleration": g} if g else {})
-    return Table("cylinder", section.bounds, 3, make, sizes, (section.pull[0], 0.0, g))
+    return Table("cylinder", section.bounds, 3, make, sizes, (section.pull[0], section.pull[1], g))
 
 
 def box(size: Sequence[float] = (1.0, 1.0, 1.0), *, bounds: Bounds = "centre") -> Table:

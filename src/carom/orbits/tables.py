@@ -17,7 +17,7 @@ from carom.outlines import crosses
 
 __all__ = [
     "BOUNDS", "Bounds", "Table", "acceleration_of", "check_bounds", "circle", "ellipse", "need_room", "periodic_strip",
-    "polygon", "positive", "rectangle", "regular", "sinai", "stadium", "strip", "torus", "wedge",
+    "polygon", "positive", "rectangle", "regular", "sinai", "stadium", "strip", "torus", "under", "wedge",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -42,7 +42,7 @@ class Table:
     sizes: dict[str, Any]
     """What it was made of."""
     pull: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    """A constant acceleration, along all walls, m/s^2."""
+    """A constant acceleration, m/s^2."""
 
     def shape(self, radius: float) -> Shape:
         """What bounds the centre of a ball of that radius."""
@@ -56,6 +56,21 @@ class Table:
         """Its name and its sizes, in a line."""
         sizes = ", ".join(f"{key} {value}" for key, value in self.sizes.items())
         return f"{self.name} ({sizes}; bounds the {self.bounds})"
+
+
+def under(table: Table, acceleration: Sequence[float]) -> Table:
+    """The same table with a force on the ball: a constant acceleration (x, y), in space (x, y, z), m/s^2, across walls as well.
+
+    It takes the place of the one that the table had. The ball flies on parabolas; gravity in a wedge, in a circle.
+    """
+    faults = Faults("under")
+    if not isinstance(table, Table):
+        faults.add("table", "a table, as carom.orbits.circle() makes one", f"{table!r:.60}")
+        faults.done()
+    g = acceleration_of(faults, acceleration, table.dimension)
+    faults.done()
+    sizes = {key: value for key, value in table.sizes.items() if key != "acceleration"} | {"acceleration": list(g)}
+    return replace(table, sizes=sizes, pull=(g[0], g[1], g[2] if table.dimension == 3 else 0.0))
 
 
 def positive(faults: Faults, field: str, value: Any, most: float = math.inf) -> float:

@@ -15,7 +15,8 @@ from carom.engine.users import register_calls
 from carom.kernel import Vec, cross, dot, hot_kernel, kernel
 from carom.laws.contact import LEAST, slip_velocity
 from carom.orbits.arrays import CORNER, DONE, ESCAPED, GRAZED, ROLLING
-from carom.orbits.flight import ellipse_wall, meeting, wall_at
+from carom.orbits.falling import next_meeting
+from carom.orbits.flight import ellipse_wall, wall_at
 from carom.orbits.loop import at_corner, bounce, fly
 
 __all__ = ["compiled_tangent", "push", "spread", "spread_many"]
@@ -131,7 +132,7 @@ def spread(
         i = -1
         u = v
         while True:
-            dt, i = meeting(world, pieces, x, u)
+            dt, i = next_meeting(world, pieces, x, u)
             if i < 0 or not dt < math.inf:
                 ended = ESCAPED
                 break

@@ -25,6 +25,7 @@ __all__ = ["final", "follow", "orbit", "reverse", "starts", "whole"]
 Array = NDArray[np.float64]
 MOST = 4e9  # bytes of bounces that are kept
 ROW = 400  # bytes a start needs while it is drawn and followed
+TRIED = 20_000  # places of a wall, for the greatest energy on it
 SHARE = 10_000_000  # bounces between two reports of progress
 
 
@@ -164,7 +165,9 @@ def starts(
 
     Evenly along the wall (of a cylinder: at z = 0); the velocities along the wall and the spins, each times the root of its
     inertia, evenly in the unit ball, so that what is left to the velocity across has the density ``|v.n|``. ``speed`` is
-    sqrt(2 energy / m). Closed tables only: a strip and a wedge have no end.
+    sqrt(2 energy / m). Under a force across walls it is that of a ball at the origin (or of one that would get there), and places
+    count by the kinetic energy left there: in the plane by it, in space by its power 5/2. Closed tables only: a strip and a wedge
+    have no end.
     """
     setup = setup_of(table, ball, law, Surface() if law == "contact" else None, "end")
     count, seed = whole("count", count), whole("seed", seed, 0)
@@ -175,21 +178,45 @@ def starts(
     rng = np.random.default_rng(seed)
     radius, kappa = float(setup.ball.radius), float(setup.ball.kappa)
     planar = setup.planar
-    x, n = _on_the_wall(table, setup.shape, count, rng)
     # a point of the unit ball of all components but the one across: 2 in the plane, 5 in space
     free = 2 if planar else 5
+    if setup.world["falls"][0]:
+        x, n, pace = _by_energy(table, setup.shape, count, rng, speed, 1.0 if planar else 2.5)
+    else:
+        x, n = _on_the_wall(table, setup.shape, count, rng)
+        pace = np.full((count, 1), float(speed))
     u = rng.normal(size=(count, free))
     u *= (rng.uniform(size=count) ** (1 / free) / np.linalg.norm(u, axis=1))[:, None]
     across = np.sqrt(1 - (u * u).sum(1))
     t = np.cross(n, np.where(np.abs(n[:, 2:]) < 0.9, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]))
     t /= np.linalg.norm(t, axis=1, keepdims=True)
     rolls = math.sqrt(1 + kappa) if setup.law == "rolling" else 1.0
-    v = speed * (across[:, None] * n + u[:, :1] * t) / rolls
+    v = pace * (across[:, None] * n + u[:, :1] * t) / rolls
     inertia = math.sqrt(kappa) * radius
     if planar:
-        return Start(x[:, :2], v[:, :2], speed * u[:, 1] / inertia)
-    v += speed * u[:, 1:2] * np.cross(n, t)
-    return Start(x, v, speed * u[:, 2:] / inertia)
+        return Start(x[:, :2], v[:, :2], pace[:, 0] * u[:, 1] / inertia)
+    v += pace * u[:, 1:2] * np.cross(n, t)
+    return Start(x, v, pace * u[:, 2:] / inertia)
+
+
+def _by_energy(
+    table: Table, shape: Shape, count: int, rng: np.random.Generator, speed: float, power: float
+) -> tuple[Array, Array, Array]:
+    """Points (count, 3) of the wall by a power of the kinetic energy there, the normals, sqrt(2 kinetic energy / m) (count, 1)."""
+    pull = np.array(table.pull)
+    x, n = np.empty((0, 3)), np.empty((0, 3))
+    # no place of the wall has more than the highest of so many, and the way between two of them
+    some = _on_the_wall(table, shape, TRIED, np.random.default_rng(0))[0] @ pull
+    most = speed**2 + 2 * (some.max() + 0.02 * np.ptp(some))
+    if not most > 0 or not np.isfinite(speed):
+        raise CaromError(f"starts: speed: expected one at the origin with which a ball gets to a wall, got {speed!r}")
+    while len(x) < count:
+        y, m = _on_the_wall(table, shape, 2 * count + 100, rng)
+        left = np.maximum(speed**2 + 2 * y @ pull, 0)
+        on = rng.uniform(size=len(y)) < (left / most) ** power
+        x, n = np.concatenate([x, y[on]]), np.concatenate([n, m[on]])
+    x, n = x[:count], n[:count]
+    return x, n, np.sqrt(speed**2 + 2 * x @ pull)[:, None]
 
 
 def _on_the_wall(table: Table, shape: Shape, count: int, rng: np.random.Generator) -> tuple[Array, Array]:

@@ -41,7 +41,7 @@ def plot_orbit(found: Orbit, which: Any = None) -> Any:
         np.asarray(found.start.spin, float), found.spin[..., 0].shape if setup.planar else found.spin[..., 0, :].shape
     )[which]
     spins = np.append(first if setup.planar else first[2], spin) * float(setup.ball.radius)
-    points = 1 if not any(setup.table.pull[:2]) else 12
+    points = 1 if not any(setup.table.pull[:2]) else 24
     path = found.path(which, points)[: count * points + 1]
     lines, owner = _flights(setup.shape, path[:, :2], points)
     with style():
