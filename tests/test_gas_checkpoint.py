@@ -177,9 +177,21 @@ def test_checkpoints_of_a_later_carom(tmp_path, kept):
     later = tmp_path / "later.npz"
     np.savez(later, carom_checkpoint=np.array(json.dumps(about | {"format": 99, "carom": "9.9"})), **arrays)
     assert "expected a checkpoint of format 3, got format 99 of carom 9.9; go on with that one" in refused(later)
-    del arrays["gas.plans"]
     np.savez(later, carom_checkpoint=np.array(json.dumps(about)), **arrays)
-    assert "expected a checkpoint of this carom" in refused(later)
+    told = []
+    load_checkpoint(later, compiling=lambda: told.append("now"))
+    assert told == ["now"]
+    # what is missing is told of before anything is compiled
+    for name in ("gas.plans", "gas.time", "session", "clock"):
+        part = {key: array for key, array in arrays.items() if key != name}
+        np.savez(later, carom_checkpoint=np.array(json.dumps(about)), **part)
+        with pytest.raises(CaromError, match="expected a checkpoint of this carom"):
+            load_checkpoint(later, compiling=lambda: told.append("too early"))
+    other = arrays | {"gas.bodies": np.zeros(len(arrays["gas.bodies"]))}
+    np.savez(later, carom_checkpoint=np.array(json.dumps(about)), **other)
+    with pytest.raises(CaromError, match="other records of 'bodies'"):
+        load_checkpoint(later, compiling=lambda: told.append("too early"))
+    assert told == ["now"]
 
 
 # --- a full disk ---------------------------------------------------------------------------------------------------

@@ -229,12 +229,12 @@ def _session(path: Path | None, scene: GasScene | None, resume: Path | None, pro
     from carom.gas.checkpoint import load_checkpoint
     from carom.gas.session import Session
 
-    progress.note_compiling()
     if resume is not None:
-        session = load_checkpoint(resume, scene)
+        session = load_checkpoint(resume, scene, compiling=progress.note_compiling)
         progress.say(f"going on from {resume}: {session.gas.collisions:,} collisions, t = {session.gas.time:.6g}")
         return session
     assert scene is not None
+    progress.note_compiling()
     return Session(scene, str(path), progress.growing)
 
 

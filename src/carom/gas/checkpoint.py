@@ -10,6 +10,7 @@ from __future__ import annotations
 import json
 import os
 import zipfile
+from collections.abc import Callable
 from importlib.metadata import version
 from pathlib import Path
 from typing import Any
@@ -55,11 +56,14 @@ def require_checkpoint(path: Path) -> None:
         raise CaromError(f"{path}: expected a checkpoint or a new file, got another file that is there; name a new one")
 
 
-def load_checkpoint(path: str | Path, scene: GasScene | None = None) -> Session:
+def load_checkpoint(
+    path: str | Path, scene: GasScene | None = None, *, compiling: Callable[[], None] | None = None
+) -> Session:
     """The session of a checkpoint, to go on with the same bits.
 
     ``scene`` has to be the one of the checkpoint, but for ``max_events`` and ``duration``: with larger ones the run goes on
-    for longer; left out, it is the checkpoint's own. Raises CaromError, one line, for a file that is missing, not whole, no
+    for longer; left out, it is the checkpoint's own. ``compiling`` is called when the file is known to be right, before
+    the loop that goes on with it is compiled. Raises CaromError, one line, for a file that is missing, not whole, no
     checkpoint, of a newer carom, or of another scene.
     """
     path = Path(path)
@@ -80,7 +84,7 @@ def load_checkpoint(path: str | Path, scene: GasScene | None = None) -> Session:
             " only run.max_events and run.duration may change"
         )
     try:
-        return Session.restore(own if scene is None else scene, state)
+        return Session.restore(own if scene is None else scene, state, compiling)
     except (KeyError, ValueError, IndexError, TypeError) as error:
         raise CaromError(
             f"{path}: expected a checkpoint of this carom, got one of carom {about['carom']} that it cannot go on with"

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.engine.swarm_arrays import BODY, FACE, MOTION, PAIR, PLAN, SPECIES, SWARM, WALL
+from carom.engine.swarm_run import STATE
 from carom.errors import CaromError
 from carom.gas.build import build
 from carom.gas.ends import refuse_rest
@@ -213,10 +215,16 @@ class Session:
         return found
 
     @classmethod
-    def restore(cls, scene: GasScene, state: State) -> Session:
-        """The session of :meth:`state`, to go on with."""
+    def restore(cls, scene: GasScene, state: State, compiling: Callable[[], None] | None = None) -> Session:
+        """The session of :meth:`state`, to go on with. ``compiling`` is called once all that it needs is known to be there."""
+        gas = _part(state, "gas.")
+        _require(gas)
+        if lost := [name for name in ("session", "clock") if name not in state]:
+            raise KeyError(lost[0])
+        if compiling is not None:
+            compiling()
         found = object.__new__(cls)
-        found._enter(scene, Gas.restore(_part(state, "gas.")))
+        found._enter(scene, Gas.restore(gas))
         found.begun, found.last_collisions, found.step, found.frames, timed = map(int, state["session"])
         found.due, found.last_time, found.shot = map(float, state["clock"])
         found.timed = bool(timed)
@@ -234,6 +242,16 @@ class Session:
             )
             found.measures = Measures.restore(found.gas, found.names, scene.container.room, measures)
         return found
+
+
+def _require(gas: State) -> None:
+    """KeyError or TypeError where an array of a gas is missing, or its records are others than now: before all is compiled."""
+    kinds = dict(zip(STATE, (SWARM, MOTION, PLAN, BODY, SPECIES, PAIR, WALL, FACE), strict=True))
+    for name in (*STATE, "names", "time"):
+        if name not in gas:
+            raise KeyError(name)
+        if name in kinds and gas[name].dtype != kinds[name]:
+            raise TypeError(f"other records of {name!r}")
 
 
 def _patience(scene: GasScene, gas: Gas) -> float:
