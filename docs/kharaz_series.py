@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +21,9 @@ from numpy.typing import NDArray
 from carom.datasets import load
 from carom.fitting.kernels import CONTACT, MAW, planar
 from carom.fitting.parameters import INDEX, PARAMETERS
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 SERIES = {
@@ -137,11 +141,11 @@ SETS = {
 }
 
 
-def show(given: float = 0.98) -> None:
-    """The table of the page."""
-    print(f"{'':29s}{'each reading by itself':32s}series may be shifted, 0.25 degrees")
+def table(given: float = 0.98) -> str:
+    """Restitution and friction by series and law, without and with shifts; and what a given restitution does to the rest."""
+    lines = [f"{'':29s}{'each reading by itself':32s}series may be shifted, {SHARED:g} degrees"]
     for slides in (False, True):
-        print("all slide, 29 degrees and more" if slides else "tangential compliance, all angles")
+        lines.append("all slide, 29 degrees and more" if slides else "tangential compliance, all angles")
         for words, names in SETS.items():
             line = f"  {words:27s}"
             for shared in (0.0, SHARED):
@@ -150,12 +154,12 @@ def show(given: float = 0.98) -> None:
                     f"{letter} {one.values[name]:.3f} ± {one.errors[name]:.3f}   "
                     for letter, name in (("e", "restitution"), ("μ", "friction"))
                 )
-            print(line.rstrip())
-    print(f"restitution {given:g} given, all four series, tangential compliance")
+            lines.append(line.rstrip())
+    lines.append(f"restitution {given:g} given, all four series, tangential compliance")
     for shared in (0.0, SHARED):
         free = fit_series(SETS["all four"], shared=shared)
         held = fit_series(SETS["all four"], shared=shared, fixed={"restitution": given}, scatter=free.scatter)
-        print(
+        lines.append(
             f"  shifts of {shared:4g} degrees: μ {held.values['friction']:.4f} ± {held.errors['friction']:.4f},"
             f" stiffness ratio {held.values['stiffness_ratio']:.2f} ± {held.errors['stiffness_ratio']:.2f},"
             f" chi² {held.chi2:.1f} against {free.chi2:.1f} with restitution free"
@@ -166,13 +170,48 @@ def show(given: float = 0.98) -> None:
         ("their incidences", ("rebound", "incidence"), 1),
     ):
         one = fit_series(("kept", "rebound"), shared=10.0, only=moved, fixed={"restitution": given})
-        print(
+        lines.append(
             f"  with the tangential speeds: it takes a shift of all {words} by {sign * one.shifts[moved]:+.2f} degrees"
         )
     for words, names in (("tangential speed", ("kept",)), ("spin", ("spin",))):
         one = fit_series(names, fixed={"restitution": given})
-        print(f"  {words} alone: μ {one.values['friction']:.4f} ± {one.errors['friction']:.4f}")
+        lines.append(f"  {words} alone: μ {one.values['friction']:.4f} ± {one.errors['friction']:.4f}")
+    return "\n".join(lines)
+
+
+def draw(given: float = 0.98) -> Figure:
+    """Restitution and friction by series, under tangential compliance, beside the published ones."""
+    import matplotlib.pyplot as plt
+
+    figure, axes = plt.subplots(1, 2, figsize=(8, 3), sharey=True, layout="constrained")
+    for shared, colour, down in ((0.0, "#888888", -0.12), (SHARED, "#1f5fa8", 0.12)):
+        found = [fit_series(names, shared=shared) for names in SETS.values()]
+        for axis, name in zip(axes, ("restitution", "friction"), strict=True):
+            axis.errorbar(
+                [one.values[name] for one in found], np.arange(len(found)) + down, xerr=[one.errors[name] for one in found],
+                fmt="o", ms=4, color=colour, label=f"series may be shifted, {shared:g}°" if shared else "readings by themselves",
+            )  # fmt: skip
+    # (printed to so many digits, and so it may be half of the last one off)
+    for axis, published, last, words in zip(
+        axes, (given, 0.09), (0.005, 0.005), ("restitution", "friction"), strict=True
+    ):
+        axis.axvspan(
+            published - last,
+            published + last,
+            color="#c0392b",
+            alpha=0.12,
+            lw=0,
+            zorder=0,
+            label="published, as rounded",
+        )
+        axis.locator_params(axis="x", nbins=6)
+        axis.set_xlabel(words)
+        axis.spines[["top", "right"]].set_visible(False)
+    axes[0].set_yticks(range(len(SETS)), list(SETS))
+    axes[0].invert_yaxis()
+    figure.legend(*axes[0].get_legend_handles_labels(), loc="outside upper center", ncols=3, frameon=False, fontsize=9)
+    return figure
 
 
 if __name__ == "__main__":
-    show()
+    print(table())
