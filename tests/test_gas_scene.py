@@ -246,6 +246,14 @@ WRONG = {
         ROUGH.replace('"periodic"', '"circle"'),
         "container.size: expected the same width and depth for a circle, got (8.0, 7.5, 7.0); shape = 'ellipse' has two",
     ),
+    "a wedge too wide": (
+        ROUGH.replace('"periodic"', '"wedge"').replace("[8.0, 7.5, 7.0]", "[8.0, 4.0, 7.0]"),
+        "container.size: expected a wedge less than twice as wide as deep, got (8.0, 4.0, 7.0)",
+    ),
+    "sides that cross": (
+        ROUGH.replace('"periodic"', '"polygon"\npoints = [[0, 0], [8, 8], [8, 0], [0, 7]]'),
+        "container.points: expected sides that do not cross each other",
+    ),
     "gravity": (
         MIXED.replace("gravity = 0.2", "gravity = [0, 0, 1]"),
         "gravity: expected one number, or 2, got 3 numbers",
@@ -260,6 +268,15 @@ WRONG = {
     ),
     "contact time": (MIXED.replace("1e-6", "-1"), "contact_time: expected a time >= 0, got -1"),
 }
+
+
+def test_a_ball_as_wide_as_an_ellipse(tmp_path):
+    wall = '[[contacts]]\nbetween = ["a", "wall"]\nrestitution = 1\nfriction = 0\n[run]'
+    text = ROUGH.replace('"periodic"', '"ellipse"').replace("[8.0, 7.5, 7.0]", "[8.0, 1.0, 7.0]").replace("[run]", wall)
+    assert any(
+        "radius: expected a radius below the ellipse's smaller half axis, 0.5, got 0.5" in line
+        for line in faults(tmp_path, text)
+    )
 
 
 @pytest.mark.parametrize("what", WRONG)

@@ -6,10 +6,13 @@ import itertools
 import math
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from carom.checks import nearest
-from carom.engine.swarm_arrays import MOST_BALLS
+from carom.engine.swarm_arrays import MOST_BALLS, OVAL
 from carom.gas.container import WALLS
 from carom.gas.dense import CLOSEST
+from carom.gas.section import JOIN
 from carom.scene.faults import Fault, Words
 from carom.units import number
 
@@ -129,6 +132,11 @@ def _room_faults(scene: GasScene) -> list[Fault]:
             why = "in a shorter periodic box a ball could meet another and its image" if around else ""
             expected = f"at least {least}, {number(3 * widest if around else widest, 6)}"
             found.append(Fault(expected, length, why, ("container", "size", axis)))
+    narrow = min((min(wall.across[:2]) for wall in room.walls if wall.form == OVAL), default=math.inf)
+    if not found and widest / 2 > narrow * (1 - JOIN):
+        i = int(np.argmax([one.radius for one in scene.species]))
+        expected = f"a radius below the ellipse's smaller half axis, {number(narrow, 6)}"
+        found.append(Fault(expected, scene.species[i].radius, at=("species", i, "radius")))
     if found or scene.container.bounds == "centre":  # (balls may then stand out)
         return found
     several = len({one.radius for one in scene.species}) > 1

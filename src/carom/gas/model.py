@@ -102,6 +102,8 @@ class GasContainer(Model):
         """One phrase."""
         sides = " x ".join(number(x, 6) for x in self.room.size)
         what = {"periodic": "periodic"}.get(self.shape, f"{'an' if self.shape == 'ellipse' else 'a'} {self.shape}")
+        if self.shape == "wedge":
+            what += f" of {number(math.degrees(2 * math.asin(self.room.size[0] / self.room.size[1] / 2)), 4)}°,"
         along = f", periodic along {' and '.join(self.periodic)}" if self.periodic else ""
         count = len(self.scatterers)
         obstacles = f" with {count} obstacle{'s' if count > 1 else ''}" if count else ""
