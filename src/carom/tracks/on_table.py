@@ -24,6 +24,7 @@ EARNED = 9.21
 EARNED_ON = 6.63
 # chi2 that a slide all the way to the contact has to be worth, so that one that is there is seen with near certainty.
 SEEN = 20.0
+FEW_AFTER = 15  # frames
 SLACK = 0.02  # s that a contact may be from where the frames turn, at most
 _NUMBERS = np.arange(13)
 # Which parameters are free: of a ball that rolls, that slides on until the contact, that slides and then rolls.
@@ -95,6 +96,7 @@ class _Table:
         self.time, self.position, self.noise, self.prior, self.wall = time, position, noise, prior, wall
         self.k, self.since = prior.k, float(time[0])
         before, after = time < near, time >= near
+        self.after = int(after.sum())
         start = guess(time, position, before, after, near)
         self.start = np.concatenate([start[:5], [0.0, 0.0], start[5:], [0.0, 0.0], [prior.mu_g, prior.c_g]])
         self.scale = np.array([1e-3, 1e-3, 1e-3, *[0.05] * 2, 0.3, 0.3, *[0.05] * 2, *[0.3] * 2, 0.2, 0.03])
@@ -148,16 +150,17 @@ class _Table:
 
         Freed at once, a wrong floor would be found for what is a slide before the contact. ``old``: where an earlier fit ended.
         """
+        tries = []
         if old is not None and not old.slid:
             start = old.theta.copy()
             start[11:] = self.start[11:]
-            first = self.solve(start, ROLLING & FLOOR_HELD)[0]
-            return first, self.solve(first, ROLLING)
-        tries = []
-        for spin_kept in (0.8, 0.2):
-            start = self.start.copy()
-            start[9:11] = start[7:9] - spin_kept * start[3:5]
             tries.append(self.solve(start, ROLLING & FLOOR_HELD))
+        # few frames after can be had by a slide of some ms as well as by one that lasts, before the cloth is known
+        if not tries or self.after < FEW_AFTER:
+            for spin_kept in (0.8, 0.2):
+                start = self.start.copy()
+                start[9:11] = start[7:9] - spin_kept * start[3:5]
+                tries.append(self.solve(start, ROLLING & FLOOR_HELD))
         first = min(tries, key=lambda one: one[1])[0]
         return first, self.solve(first, ROLLING)
 
