@@ -22,7 +22,7 @@ from carom.fitting.whole_told import or_else
 
 __all__ = ["fit_law_whole"]
 
-NEAR = (0.7, 0.82, 0.91, 0.96, 1.04, 1.1, 1.2, 1.4)  # times a friction: others that are held
+NEAR = (0.7, 0.82, 0.91, 0.96, 0.98, 1.02, 1.04, 1.1, 1.2, 1.4)  # times a friction: others that are held
 ALL = (0.1, 0.15, 0.2, 0.25, 0.3, 0.4)  # and where the law does not follow
 ACROSS, FREED = 3, 3  # times at most; of those held, freed each time
 AGAIN = (0.1, 0.3)  # frictions with which the search begins anew
@@ -54,14 +54,14 @@ def fit_law_whole(law: WholeLaw, found: Sequence[Stretch], noise: float, tell: C
     return _friction_told(law, best, others) if best.follows else best
 
 
-def _across(law: WholeLaw, best: WholeFit, noise: float) -> tuple[WholeFit, list[WholeFit]]:
-    """The best, or what lies beyond the creases about it; and the other places that were found the last time.
+def _across(law: WholeLaw, best: WholeFit, noise: float) -> tuple[WholeFit, list[tuple[float, float]]]:
+    """The best, or what lies beyond the creases about it; and other frictions, each with its chi^2, that were looked at last.
 
     Held are near frictions, from where the search is, and, where the law does not follow, all kinds of them with the walls where
     the tracks room has them.
     """
     walls = {name: one.start for name, one in law.free.items() if name.startswith("wall_")}
-    others: list[WholeFit] = []
+    seen: list[tuple[float, float]] = []
     for _ in range(ACROSS):
         here = best.numbers["friction"]
         tried = [(share * here, best.numbers) for share in NEAR]
@@ -76,11 +76,13 @@ def _across(law: WholeLaw, best: WholeFit, noise: float) -> tuple[WholeFit, list
         ]
         held = sorted(held, key=lambda one: one[0])[:FREED]
         others = [ended(law, best.frames, best.starts, q, numbers, noise, _silent) for _cost, numbers, q in held]
+        seen = [(numbers["friction"], cost) for cost, numbers, _q in held]
+        seen += [(fit.numbers["friction"], fit.chi2) for fit in others]
         nearest = min([best, *others], key=lambda fit: fit.deviance)
         gained, best = best.deviance - nearest.deviance, nearest
         if gained < max(1.0, 1e-3 * abs(best.deviance)):
             break
-    return best, others
+    return best, seen
 
 
 def _held(law: WholeLaw, best: WholeFit, friction: float, numbers: Numbers) -> tuple[float, Numbers, np.ndarray]:
@@ -95,15 +97,14 @@ def _held(law: WholeLaw, best: WholeFit, friction: float, numbers: Numbers) -> t
     return float(settled.cost.sum()), {name: (others | {"friction": friction})[name] for name in law.free}, settled.q
 
 
-def _friction_told(law: WholeLaw, best: WholeFit, others: Sequence[WholeFit]) -> WholeFit:
+def _friction_told(law: WholeLaw, best: WholeFit, others: Sequence[tuple[float, float]]) -> WholeFit:
     """With the friction's error bar by profile likelihood: half the width in which chi^2, all else fitted, rises by less than 1;
     and no number where another friction, on the other side of a crease, does as well."""
     step = best.estimates["friction"].stderr
     if not step:
         return best
     here = best.numbers["friction"]
-    alike = [fit.numbers["friction"] for fit in others if fit.chi2 < best.chi2 + ALIKE]
-    alike = [one for one in alike if abs(one - here) > APART * step]
+    alike = [one for one, chi2 in others if chi2 < best.chi2 + ALIKE and abs(one - here) > APART * step]
     if alike:
         return or_else(best, "friction", alike[0])
     parameter = law.free["friction"]
