@@ -17,6 +17,7 @@ import carom
 from carom.gas import Gas, Species
 
 DENSITY = 0.5
+SURFACES = {"smooth": carom.Surface(1, 0, -1), "rough": carom.Surface(1, math.inf, 1)}
 
 
 def gas(balls: int, surface: carom.Surface) -> Gas:
@@ -35,14 +36,13 @@ def main() -> None:
     parser.add_argument("--beside", default="")
     parser.add_argument("--repeats", type=int, default=4)
     given = parser.parse_args()
-    surfaces = {"smooth": carom.Surface(1, 0, -1), "rough": carom.Surface(1, math.inf, 1)}
     begin = time.process_time()
-    gas(100, surfaces["rough"]).run(10)
+    gas(100, SURFACES["rough"]).run(10)
     print(f"compiled, or loaded, in {time.process_time() - begin:.1f} s of CPU time")
     first: dict[str, float] = {}
     for balls in map(int, given.balls.split(",")):
-        found = dict.fromkeys(surfaces, 0.0)
-        made = {name: gas(balls, surface) for name, surface in surfaces.items()}
+        found = dict.fromkeys(SURFACES, 0.0)
+        made = {name: gas(balls, surface) for name, surface in SURFACES.items()}
         for one in made.values():
             one.run(min(20 * balls, 10_000_000))
         collisions = max(300_000, balls)
@@ -52,7 +52,7 @@ def main() -> None:
                 found[name] = max(found[name], collisions / one.run(collisions).cpu_seconds / 1000)
             if given.beside:
                 other = max(other, beside(given.beside, balls))
-        for name in surfaces:
+        for name in SURFACES:
             first.setdefault(name, found[name])
         line = "  ".join(f"{name} {rate:7.0f} k/s (x {first[name] / rate:.2f})" for name, rate in found.items())
         size = made["rough"].bytes_per_ball

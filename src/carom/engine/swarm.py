@@ -24,7 +24,7 @@ __all__ = ["bring_to_now", "place", "refill", "run"]
 
 
 # So many balls are near enough in the processor's caches; of more, the next ones are asked for ahead.
-NEAR_BALLS = 16_000
+NEAR_BALLS = 10_000
 # Collisions within a share of a bin of the calendar, a ball and beyond that, after which time is said to stand still.
 STILL, STILL_HITS, STILL_MORE = 1e-9, 100, 100_000
 
