@@ -598,3 +598,18 @@ def test_faults_of_drives():
         Drive()
     with pytest.raises(CaromError, match="rate"):
         Thermostat(1.0, 0.0)
+
+
+@pytest.mark.parametrize("room", [
+    container("box", (7, 5, 3)), container("circle", (6, 6)), container("wedge", (6, 5)), container("sphere", (4, 4, 4)),
+    container("polygon", (6, 4), points=[[0, 0], [6, 0], [6, 4], [3, 1], [0, 4]]),
+    container("periodic", (6, 6), scatterers=[[3, 3, 2]]),
+], ids=lambda room: room.shape)  # fmt: skip
+def test_a_profile_divides_by_the_room_in_each_slice(room):
+    from carom.plot.gas import _slices
+
+    for axis in range(len(room.size)):
+        space = _slices(room, axis, 24)
+        assert space.sum() == pytest.approx(room.volume, rel=5e-3)
+    if room.shape == "wedge":  # a sector about (3, 0)
+        assert space[0] < 0.1 * space[12]

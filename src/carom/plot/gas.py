@@ -292,6 +292,20 @@ def _displacement(axes: Any, session: Session, measures: Measures) -> None:
     axes.set_ylim(bottom=0)
 
 
+def _slices(room: Container, axis: int, bins: int) -> Array:
+    """The volume of the room in each of so many slices across an axis, from a lattice of points in the middle of its cells."""
+    shape = [61] * len(room.size)  # (a prime: slanted walls do not go through point after point)
+    shape[axis] = 4 * bins
+    middles = [(np.arange(n) + 0.5) * (size / n) for n, size in zip(shape, room.size, strict=True)]
+    x = np.zeros((math.prod(shape), 3))
+    for k, grid in enumerate(np.meshgrid(*middles, indexing="ij")):
+        x[:, k] = grid.ravel()
+    within = room.clearance(0.0, x) > 0
+    share = np.moveaxis(within.reshape(shape), axis, 0).reshape(bins, -1).mean(axis=1)
+    volume: Array = share * math.prod(room.size) / bins
+    return volume
+
+
 def _profile(axes: Any, session: Session, measures: Measures) -> None:
     """The number density between the walls at the end, along gravity or the first axis with walls."""
     scene = session.scene
@@ -303,9 +317,11 @@ def _profile(axes: Any, session: Session, measures: Measures) -> None:
     side, count = room.size[axis], len(balls.species)
     bins = int(np.clip(math.sqrt(count), 8, 60))
     edges = np.linspace(0, side, bins + 1)
+    space = _slices(room, axis, bins)
     for k, name in enumerate(session.names):
         found, _ = np.histogram(balls.position[balls.species == k, axis], edges)
-        density = found * bins / math.prod(room.size)
+        with np.errstate(invalid="ignore"):  # (a slice that no ball gets into has no density)
+            density = found / space
         axes.stairs(density, edges, baseline=None, color=COLOURS[k % len(COLOURS)], linewidth=1.0, label=name)
     axes.set_xlim(0, side)
     axes.set_ylim(bottom=0)
