@@ -62,6 +62,10 @@ def test_the_cloth_s_error_is_one_for_all_rows():
     assert together.stderr == pytest.approx(np.sqrt(own**2 / n + shared**2) / v, rel=0.01)
     assert abs(together.value - 0.8) < 1.5 * together.stderr
     assert abs(by_itself.value - 0.8) > 2 * by_itself.stderr
+    # (a law with an infinite friction: what is infinite does not follow, and no one is warned of it)
+    holds = laws_named(["no-slip"], "table", True)[0][0]
+    rebounds = make_rebounds("table", columns, stage="rolling", extra=moved)
+    assert np.isfinite(fit_law(holds, make_problem(rebounds, Setting(radius=0.03))[0]).covariance).all()
 
 
 def test_from_a_film_to_restitution_and_friction():

@@ -31,19 +31,19 @@ def moved(problem: Problem, z: float) -> Problem:
 
 
 def best_shift(ways: Ways, problem: Problem, p: Array) -> tuple[Problem, float, Array, float]:
-    """Near the best numbers p (K,): the rows with z where the law likes it best, z^2, by how much each number follows z, and the
-    variance of z."""
+    """Near the best numbers p (K,): the rows with z where the law likes it best, z^2, by how much each free number follows z, and
+    the variance of z."""
     ends = [go(ways, moved(problem, z), p[None], LOOKS) for z in (-1.0, 0.0, 1.0)]
     low, middle, high = (float(end[1][0]) + z * z for end, z in zip(ends, (-1.0, 0.0, 1.0), strict=True))
     slope, curve = (high - low) / 2, max(high + low - 2 * middle, 2.0)  # of the deviance; its own z^2 makes 2
     z = float(np.clip(-slope / curve, -FURTHEST, FURTHEST))
-    return moved(problem, z), z * z, (ends[2][0][0] - ends[0][0][0]) / 2, 2 / curve
+    follows = (ends[2][0][0, ways.free] - ends[0][0][0, ways.free]) / 2
+    return moved(problem, z), z * z, follows, 2 / curve
 
 
-def with_cloth(fit: Fit, ways: Ways, follows: Array, variance: float) -> Fit:
+def with_cloth(fit: Fit, follows: Array, variance: float) -> Fit:
     """The fit with error bars to which that of the cloth is added."""
-    by = follows[ways.free]
-    covariance = fit.covariance + variance * np.outer(by, by)
+    covariance = fit.covariance + variance * np.outer(follows, follows)
     estimates = dict(fit.estimates)
     for i, name in enumerate(fit.names):
         if estimates[name].stderr:

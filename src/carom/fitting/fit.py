@@ -101,7 +101,7 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     if problem.spins is not None and INDEX["friction"] in ways.free:
         p, cost, h = _across(ways, problem, p, cost, h)
     best = int(np.argmin(cost))
-    follows, variance = np.zeros(p.shape[1]), 0.0
+    follows, variance = np.zeros(len(ways.free)), 0.0
     if problem.cloth is not None and not scatter:
         problem, more, follows, variance = best_shift(ways, problem, p[best])
         p, cost, _u, h = go(ways, problem, p[[best]], STEPS)
@@ -133,7 +133,7 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     fit = replace(fit, chi2=float(least.sum()) + (extra if variance else 0.0), dof=dof, by_row=least)
     fit = with_errors(fit, ways, parameters, info)
     fit = fit if problem.spins is None else with_averaged(fit, extra)
-    return with_cloth(fit, ways, follows, variance) if variance else fit
+    return with_cloth(fit, follows, variance) if variance else fit
 
 
 def _across(ways: Ways, problem: Problem, p: Array, cost: Array, h: Array) -> tuple[Array, Array, Array]:
