@@ -10,11 +10,12 @@ import sys
 from pathlib import Path
 
 import pytest
+from commands import fails
 from test_compare import BAD
 from typer.testing import CliRunner
 
 import carom
-from carom.cli import app, main
+from carom.cli import app
 
 runner = CliRunner()
 
@@ -28,21 +29,6 @@ def carom_command(*arguments: str, **environment: str) -> subprocess.CompletedPr
         [sys.executable, "-c", "from carom.cli import main; main()", *arguments],
         capture_output=True, text=True, check=False, encoding="utf-8", env={**os.environ, **environment},
     )  # fmt: skip
-
-
-def fails(capsys: pytest.CaptureFixture[str], *arguments: str) -> list[str]:
-    """Run the command in this process; it must fail with code 2 and say nothing but lines on standard error."""
-    before = sys.argv
-    sys.argv = ["carom", *arguments]
-    try:
-        with pytest.raises(SystemExit) as end:
-            main()
-    finally:
-        sys.argv = before
-    out, err = capsys.readouterr()
-    assert end.value.code == 2
-    assert out == ""
-    return err.splitlines()
 
 
 def test_json_is_the_librarys_answer_in_full() -> None:

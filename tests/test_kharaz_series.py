@@ -2,24 +2,16 @@
 
 from __future__ import annotations
 
-import importlib.util
-import sys
-from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 import pytest
-
-FILE = Path(__file__).parents[1] / "docs" / "kharaz_series.py"
+from commands import script
 
 
 @pytest.fixture(scope="module")
 def series() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("kharaz_series", FILE)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["kharaz_series"] = module
-    spec.loader.exec_module(module)
-    return module
+    return script("kharaz_series")
 
 
 ALL = ("kept", "spin", "rebound", "patch")

@@ -3,28 +3,22 @@
 from __future__ import annotations
 
 import csv
-import importlib.util
-import sys
 from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 import pytest
+from commands import script
 
 import carom
 
-FILE = Path(__file__).parents[1] / "docs" / "real_shots.py"
 GRAIN = np.array([2.84, 1.42]) / 10018  # what the tracks are rounded to
 LEFT, RIGHT = ((0.1, 1.3), (0.2, 1.3)), ((2.5, 1.3), (2.6, 1.3))
 
 
 @pytest.fixture(scope="module")
 def real_shots() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("real_shots", FILE)
-    module = importlib.util.module_from_spec(spec)
-    sys.modules["real_shots"] = module
-    spec.loader.exec_module(module)
-    return module
+    return script("real_shots")
 
 
 @pytest.fixture(scope="module")

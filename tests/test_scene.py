@@ -11,10 +11,11 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from commands import fails
 from typer.testing import CliRunner
 
 import carom
-from carom.cli import app, main
+from carom.cli import app
 from carom.law import LAWS
 from carom.scene import (
     Arc,
@@ -292,21 +293,6 @@ def test_its_commented_lines_are_sound_too(tmp_path: Path) -> None:
 
 
 # --- what is said of those that mean nothing ----------------------------------------------------------------------
-
-
-def fails(capsys: pytest.CaptureFixture[str], *arguments: str) -> list[str]:
-    """Run the command; it must end with code 2 and say nothing but lines on standard error."""
-    before = sys.argv
-    sys.argv = ["carom", *arguments]
-    try:
-        with pytest.raises(SystemExit) as end:
-            main()
-    finally:
-        sys.argv = before
-    out, err = capsys.readouterr()
-    assert end.value.code == 2
-    assert out == ""
-    return err.splitlines()
 
 
 PLANE = "[[walls]]\nshape = 'plane'\npoint = [0, 0, 0]\nnormal = [1, 0, 0]\nrestitution = 0.8\nfriction = 0.2\n"

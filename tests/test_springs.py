@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 import json
-import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from commands import command
 
 import carom
-from carom.cli import main
 from carom.law import LAWS, Meeting
 from carom.laws.maw import LIKE_SOLIDS, maw_contact
 from carom.laws.stronge import stronge_contact
@@ -141,18 +140,6 @@ rolling = true
 law = "stronge"
 duration = 5.0
 """
-
-
-def command(capsys: pytest.CaptureFixture[str], *words: str) -> tuple[int, str, str]:
-    before = sys.argv
-    sys.argv = ["carom", *words]
-    try:
-        with pytest.raises(SystemExit) as end:
-            main()
-    finally:
-        sys.argv = before
-    told = capsys.readouterr()
-    return int(end.value.code or 0), told.out, told.err
 
 
 def test_a_scene_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
