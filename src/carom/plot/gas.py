@@ -131,7 +131,8 @@ def _outline(axes: Any, room: Container, pair: list[int], low: Array, window: Ar
     A fine grid tells where the walls are: every shape there is, and all that scatterers cut out, by one mechanism.
     """
     n = 400
-    steps = [np.linspace(low[k], low[k] + window[k], n) for k in range(2)]
+    over = 0.002 * window  # so that a wall along the border has the grid on both sides
+    steps = [np.linspace(low[k] - over[k], low[k] + window[k] + over[k], n) for k in range(2)]
     x = np.zeros((n * n, 3))
     x[:, 1] = room.size[1] / 2
     u, v = np.meshgrid(*steps)
