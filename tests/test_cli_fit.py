@@ -270,6 +270,14 @@ def test_no_laws_and_no_radius_are_faults(here, monkeypatch, capsys):
     assert "--radius: expected the ball's radius" in err
 
 
+def test_whole_tracks_look_at_the_floor_s_friction_too(here, monkeypatch, capsys):
+    (here / "far.csv").write_text("t,x,y\n0,0,0\n")
+    words = ("fit", "far.csv", "--radius", "0.03", "--whole", "--floor-friction", "-1")
+    code, _out, err = run(monkeypatch, capsys, *words)
+    assert code == 2
+    assert "floor_friction: expected a number of at least 0, got -1.0" in err
+
+
 @pytest.mark.parametrize("whole", [(), ("--whole",)])
 def test_what_was_noted_of_a_file_goes_with_its_fault(here, monkeypatch, capsys, whole):
     """Lengths without a unit, in mm: no contact is found, and the notes say why."""

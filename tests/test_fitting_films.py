@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import json
 from dataclasses import replace
 
 import numpy as np
 import pytest
+from commands import command
 from track_truth import NOSE, RADIUS, Camera, seen, shot, surfaces, truth
 from verdict_truth import TRUTHS, verdict
 
@@ -13,6 +15,7 @@ from carom.fitting import Setting, fit_law, make_problem
 from carom.fitting.kernels import AFTER_WALL, ROLLING, TOGETHER, TURN, table
 from carom.fitting.laws import laws_named
 from carom.fitting.parameters import INDEX, PARAMETERS
+from carom.fitting.ways import parameters_of
 from carom.rebounds import make_rebounds
 from carom.tracks.measure import Settings, measure
 from carom.tracks.table import to_rebounds
@@ -116,3 +119,83 @@ def test_the_true_law_wins_when_it_can(name, noise, says):
     if "true" in says:
         assert all(one["right"] for one in found)
         assert sum(one["verdict"] == "true" for one in found) >= 2
+
+
+def rolling(n: int = 12, **extra: object) -> dict[str, object]:
+    """Columns of balls that roll at a cushion, of a file."""
+    v_n, v_t = np.linspace(0.8, 2.5, n), np.linspace(-1, 1.2, n)
+    columns: dict[str, object] = {
+        "v_n_in": v_n,
+        "v_t_in": v_t,
+        "v_n_out": 0.6 * v_n,
+        "v_t_out": 0.8 * v_t,
+        "spin_z_in": 0 * v_n,
+    }
+    return columns | {f"sigma_{name}": np.full(n, 0.01) for name in ("v_n_out", "v_t_out")} | extra
+
+
+def test_the_floor_is_what_the_film_says():
+    def floor(setting: Setting | None = None, **extra: np.ndarray) -> tuple[float | None, str]:
+        rebounds = make_rebounds("table", rolling(), stage="rolling", extra=extra)  # type: ignore[arg-type]
+        problem, notes = make_problem(rebounds, setting or Setting(radius=RADIUS))
+        return problem.setting.floor_friction, " ".join(note for note in notes if note.startswith("floor_friction"))
+
+    says = {"cloth_friction": np.full(12, "0.23"), "sigma_cloth_friction": np.full(12, "0.004")}  # as a file has it
+    assert floor() == (
+        0.2,
+        "floor_friction: nothing says what it is; taken as 0.2; give it with --floor-friction or --fit it",
+    )
+    value, said = floor(**says)
+    assert value == 0.23
+    assert "0.23 ± 0.004, as the film says" in said
+    assert floor(Setting(radius=RADIUS, floor_friction=0.3), **says) == (0.3, "")
+    assert floor(Setting(radius=RADIUS, fit=("floor_friction",)), **says) == (0.23, "")
+    # of two films the one that knows better counts more; a film that did not measure it has no say
+    two = {
+        "cloth_friction": np.repeat([0.2, 0.24, np.nan], 4),
+        "sigma_cloth_friction": np.repeat([0.01, 0.02, np.nan], 4),
+    }
+    value, said = floor(**two)
+    assert value == pytest.approx((4 * 0.2 + 0.24) / 5)
+    assert "2 films" in said
+    # a number that is held without being fitted is held
+    problem, _ = make_problem(
+        make_rebounds("table", rolling(), stage="rolling", extra=says),  # type: ignore[arg-type]
+        Setting(radius=RADIUS, fixed={"floor_friction": 0.1}),
+    )
+    law = laws_named(["two-step"], "table", True)[0][0]
+    assert parameters_of(law, problem)[1][INDEX["floor_friction"]] == 0.1
+
+
+def test_a_film_says_it_as_far_as_the_page(tmp_path, monkeypatch, capsys):
+    rng = np.random.default_rng(11)
+    on = replace(surfaces(rng, "after"), cloth=0.26)
+    films = [replace(seen(shot(rng, on=on), CAMERA, rng), group=f"shot {k}") for k in range(4)]
+    measured = measure(films, Settings(radius=0.0, view="above"))
+    to_rebounds(measured).save(tmp_path / "rebounds.csv")
+    value, error = measured.floor["cloth friction"]
+    assert abs(value - 0.26) < 4 * error < 0.1
+    monkeypatch.chdir(tmp_path)
+    words = ("fit", "rebounds.csv", "--radius", str(RADIUS), "--laws", "mirror", "--contact-height", "1.2", "--json")
+    code, out, err = command(capsys, *words)
+    assert code == 0
+    assert json.loads(out)["setting"]["floor_friction"] == value
+    assert f"floor_friction: {value:.4g} ± {error:.2g}, as the film says" in err
+    page = (tmp_path / "rebounds-fit.html").read_text()
+    assert f"friction of the cloth {value:.4g}" in page
+    assert f"{value:.4g} ± {error:.2g}, as the film says" in page
+    code, out, err = command(capsys, *words, "--floor-friction", "0.3", "--no-report")
+    assert json.loads(out)["setting"]["floor_friction"] == 0.3
+    assert "as the film says" not in err
+    shots = (
+        "design",
+        "rebounds.csv",
+        "--radius",
+        str(RADIUS),
+        "--laws",
+        "two-step,contact",
+        "--kind",
+        "table",
+        "--json",
+    )
+    assert "spins in every row" in command(capsys, *shots)[2]

@@ -32,7 +32,9 @@ def design(
         list[str] | None, typer.Option(metavar="NAME=VALUE", help="numbers of the first law", rich_help_panel=WALL)
     ] = None,
     contact_height: Annotated[float, typer.Option(help="where the wall touches, radii", rich_help_panel=WALL)] = 1.0,
-    floor_friction: Annotated[float, typer.Option(rich_help_panel=WALL)] = 0.2,
+    floor_friction: Annotated[
+        float | None, typer.Option(show_default="what FILE says, else 0.2", rich_help_panel=WALL)
+    ] = None,
     angles: Annotated[str, typer.Option(metavar="LOW:HIGH", help="degrees from the normal", rich_help_panel=SHOTS)] = "5:75",
     speeds: Annotated[str, typer.Option(metavar="LOW:HIGH", help="m/s", rich_help_panel=SHOTS)] = "1:3",
     spins: Annotated[str, typer.Option(metavar="LOW:HIGH", help="rad/s before the wall", rich_help_panel=SHOTS)] = "0:0",
@@ -92,6 +94,8 @@ def design(
         sys.stdout.write(json.dumps(plan.as_dict(), indent=2, allow_nan=False) + "\n")
     else:
         _show(plan)
+    for note in plan.notes:
+        sys.stderr.write(f"note: {note}\n")
 
 
 def _range(option: str, text: str) -> tuple[float, float]:

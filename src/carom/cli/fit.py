@@ -83,7 +83,7 @@ def fit(
     ] = None,
     floor_friction: Annotated[
         float | None,
-        typer.Option(help="while a cushion presses the ball on it", show_default="0.2", rich_help_panel=LAWS),
+        typer.Option(help="of the cloth", show_default="what the film says, else 0.2", rich_help_panel=LAWS),
     ] = None,
     floor_restitution: Annotated[float, typer.Option(rich_help_panel=LAWS)] = 0.0,
     roll: Annotated[

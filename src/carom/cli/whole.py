@@ -44,12 +44,16 @@ def fit_tracks(
     from carom.tracks.read import read_tracks
 
     (view, where, cushions, noise), (page, insists, as_json) = frames, pages
+    # (a number of the table like others there: fitted unless it is told)
+    fixed = given.fixed if given.floor_friction is None else {"floor_friction": given.floor_friction} | given.fixed
     setting = WholeSetting(
         radius=given.radius, kappa=given.kappa, noise=attempt(faults, length_of, "noise", noise),
         contact_height=given.contact_height, restitution=given.restitution, floor_restitution=given.floor_restitution,
-        cushions=cushions, spin_width=given.spin_width or 1.25, fit=given.fit, fixed=given.fixed, bounds=given.bounds,
+        cushions=cushions, spin_width=given.spin_width or 1.25, fit=given.fit, fixed=fixed, bounds=given.bounds,
     )  # fmt: skip
     attempt(faults, setting.check)
+    if given.floor_friction is not None and not 0 <= given.floor_friction < float("inf"):
+        faults.append(f"floor_friction: expected a number of at least 0, got {given.floor_friction!r}")
     if file.is_file() and not is_track(file):
         faults.append(f"{file}: expected a track with --whole, got a table of rebounds; leave out --whole")
     if view == "side":

@@ -18,6 +18,7 @@ __all__ = ["Problem", "Setting", "make_problem", "prior_in_words", "require_sett
 
 Array = NDArray[np.float64]
 MOST_CLOTH = 0.95  # of a variance, that rows share by the cloth: the rest is a row's own
+CLOTH = 0.2  # a billiard table's, where nothing else is known
 MOST_WIDTH = 5.0  # of spins before the wall, in v/a: no ball has more
 
 
@@ -33,7 +34,9 @@ class Setting:
     """One of :data:`carom.fitting.parameters.FORMS`."""
     contact_height: float = 1.0
     """Where the wall touches, in radii above the floor; a billiard cushion 1.2 to 1.4. Table rebounds."""
-    floor_friction: float = 0.2
+    floor_friction: float | None = None
+    """While the wall presses the ball on it, and when it lands; None: what the film says that the table was measured in (its
+    columns cloth_friction and sigma_cloth_friction), else 0.2."""
     floor_restitution: float = 0.0
     roll: float = 1.0
     """Share of rolling with which balls on a table arrive; 0: without roll (stunned)."""
@@ -72,7 +75,7 @@ def require_settings(setting: Setting) -> None:
     if setting.restitution not in FORMS:
         faults.append(f"restitution: expected one of {', '.join(FORMS)}, got {setting.restitution!r}")
     for name, value in (("floor_friction", setting.floor_friction), ("roll", setting.roll)):
-        if not 0 <= value < math.inf:
+        if value is not None and not 0 <= value < math.inf:
             faults.append(f"{name}: expected a number of at least 0, got {value!r}")
     limits = {p.name: p for p in (*PARAMETERS, *(p for form in FORMS.values() for p in form.parameters))}
     for name, value in setting.fixed.items():
@@ -192,6 +195,8 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
         notes.append(
             "cloth_ columns: the velocities share the error of the cloth's friction; it is fitted with every law"
         )
+    setting, floor = _with_floor(rebounds, setting)
+    notes += floor
     problem = Problem(rebounds, setting, x, vx, y, vy, stages, None, estimated, cloth)
     if unknown.any():
         problem = replace(problem, spins=Spins(places_of_sigma(), setting.spin_prior == "uniform"))
@@ -214,6 +219,46 @@ def _cloth(rebounds: Rebounds, names: tuple[str, ...]) -> Array | None:
         return None
     cloth = np.nan_to_num(np.stack(found, axis=-1))
     return cloth if cloth.any() else None
+
+
+def _with_floor(rebounds: Rebounds, setting: Setting) -> tuple[Setting, list[str]]:
+    """The setting with a friction of the floor, and where it is from."""
+    if setting.floor_friction is not None:
+        return setting, []
+    if rebounds.kind == "planar":
+        return replace(setting, floor_friction=CLOTH), []
+    found = film_says(rebounds, "cloth_friction")
+    fitted = "floor_friction" in setting.fit or "floor_friction" in setting.fixed
+    if found is None:
+        said = f"floor_friction: nothing says what it is; taken as {CLOTH:g}; give it with --floor-friction or --fit it"
+        return replace(setting, floor_friction=CLOTH), [] if fitted else [said]
+    value, error, films = found
+    bar = f" ± {error:.2g}" if error else ""
+    of = "the film says" if films == 1 else f"{films} films say on average"
+    said = f"floor_friction: {value:.4g}{bar}, as {of} (column cloth_friction); --floor-friction overrules"
+    return replace(setting, floor_friction=value), [] if fitted else [said]
+
+
+def film_says(rebounds: Rebounds, name: str) -> tuple[float, float, int] | None:
+    """What films say of a number of the table: value, error (0: not known) and in how many films; None where none says anything.
+
+    A table that carom makes of a film has it in a column, the same in all rows; several films, one after the other in a table, are
+    weighted by their errors.
+    """
+    columns = [rebounds.extra.get(column) for column in (name, f"sigma_{name}")]
+    try:
+        value, error = (
+            np.full(len(rebounds), np.nan) if c is None else np.where(c == "", "nan", c).astype(float) for c in columns
+        )
+    except ValueError:
+        return None
+    films = np.unique(np.stack([value, np.nan_to_num(error)], axis=-1)[np.isfinite(value) & (value >= 0)], axis=0)
+    if not len(films):
+        return None
+    if len(films) == 1 or not (films[:, 1] > 0).all():
+        return float(films[:, 0].mean()), float(films[:, 1].max()), len(films)
+    weights = films[:, 1] ** -2
+    return float((weights * films[:, 0]).sum() / weights.sum()), float(weights.sum() ** -0.5), len(films)
 
 
 def prior_in_words(setting: Setting) -> str:

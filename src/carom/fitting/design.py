@@ -82,6 +82,8 @@ class Plan:
     gain: Array
     """(angles, speeds, spins): what one more shot there is expected to add to 2 log odds."""
     sentence: str
+    notes: tuple[str, ...] = ()
+    """What was taken of the table."""
 
     def as_dict(self) -> dict[str, object]:
         """For JSON."""
@@ -100,6 +102,7 @@ class Plan:
                 "gain": self.gain.tolist(),
             },
             "sentence": self.sentence,
+            "notes": list(self.notes),
         }
 
 
@@ -125,10 +128,13 @@ def design(
         raise CaromError(f"laws: expected two that differ for a {kind} rebound, got {laws[0]} and {laws[1]}")
     true, other = chosen
     grid, axes = _grid(kind, shots)
-    problem, _ = make_problem(grid, setting)
-    have = 0
+    have, already = 0, None
+    remarks: list[str] = []
     if filmed is not None:
-        already, _ = make_problem(filmed, setting)
+        already, remarks = make_problem(filmed, setting)
+        setting = already.setting  # what the film says of the floor is so of the next shots
+    problem, _ = make_problem(grid, setting)
+    if already is not None:
         if already.estimated.any() or already.unknown.any():
             raise CaromError(
                 "filmed: expected error bars and spins in every row, to say what they tell; leave the file out"
@@ -167,7 +173,8 @@ def design(
     count = len(order) if total >= target else None
     if count is None and total > SAME * len(order) and order:
         count = math.ceil(len(order) * target / total)
-    return _plan(fit, true, problem, p, best[0], order, told, have, axes, count, total, odds, price, grid)
+    plan = _plan(fit, true, problem, p, best[0], order, told, have, axes, count, total, odds, price, grid)
+    return replace(plan, notes=tuple(note for note in remarks if note.startswith("floor_friction")))
 
 
 def _require(shots: Shots, odds: float, laws: tuple[str, str]) -> None:

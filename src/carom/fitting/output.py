@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+from carom.fitting.ways import GIVEN
+
 if TYPE_CHECKING:
     from carom.fitting.fit import Estimate, Fit
     from carom.fitting.rank import Ranked, Ranking
@@ -67,6 +69,7 @@ def as_dict(ranking: Ranking) -> dict[str, Any]:
         "swayed_by_outliers": ranking.swayed,
         "notes": list(ranking.notes),
         "rows": len(ranking.best.problem.x),
+        "setting": {name: getattr(ranking.best.problem.setting, name) for name in ("radius", *GIVEN)},
     }
 
 

@@ -92,7 +92,7 @@ def bent(fit: Fit) -> str:
         wide += np.square((up - down) / 2)
         turn = np.maximum(turn, np.abs(up + down - 2 * here))
     seen = np.isfinite(problem.y)
-    share = np.where(seen, turn / np.sqrt(wide), 0.0).max(axis=1, initial=0.0)
+    share = np.where(seen, turn / np.sqrt(np.where(seen, wide, 1.0)), 0.0).max(axis=1, initial=0.0)
     many = int((share > BENT).sum())
     if many < MANY * len(share):
         return ""

@@ -16,6 +16,7 @@ from carom.fitting.looks import Rows, look, said
 from carom.fitting.parameters import FORMS, INDEX, NUMBERS, PARAMETERS, Parameter
 
 __all__ = [
+    "GIVEN",
     "Estimate",
     "Fit",
     "Ways",
@@ -30,6 +31,13 @@ __all__ = [
 
 Array = NDArray[np.float64]
 STEPS = 200
+GIVEN = (
+    "kappa",
+    "contact_height",
+    "floor_friction",
+    "floor_restitution",
+    "roll",
+)  # by the setting, where they are not fitted
 
 
 @dataclass(frozen=True)
@@ -102,7 +110,7 @@ def parameters_of(law: FittedLaw, problem: Problem) -> tuple[dict[str, tuple[int
     """The law's free numbers (place and bounds by name), all numbers as they start, and the form of restitution."""
     setting = problem.setting
     start = np.array([p.start for p in PARAMETERS])
-    for name in ("kappa", "contact_height", "floor_friction", "floor_restitution", "roll"):
+    for name in GIVEN:
         start[INDEX[name]] = getattr(setting, name)
     for name in ("spin_width", "spin_mean"):
         if getattr(setting, name) is not None:
@@ -132,6 +140,8 @@ def parameters_of(law: FittedLaw, problem: Problem) -> tuple[dict[str, tuple[int
     for name, value in setting.fixed.items():
         if name in free:
             start[free.pop(name)[0]] = value
+        elif name in GIVEN and name not in law.pinned:
+            start[INDEX[name]] = value
     if law.upright:
         start[INDEX["contact_height"]] = 1.0
     return free, start, form.code

@@ -237,6 +237,14 @@ def listed(title: str, lines: list[str]) -> str:
     return f"<h2>{title}</h2><ul>{items}</ul>" if lines else ""
 
 
+def _table(fit: Fit) -> str:
+    """What was taken of cushion and cloth, of a ball on a table."""
+    setting = fit.problem.setting
+    if fit.law.kind == "planar":
+        return ""
+    return f"; the cushion touches it at {setting.contact_height:.4g} radii, friction of the cloth {setting.floor_friction:.4g}"
+
+
 def write_report(ranking: Ranking, path: str | Path) -> Path:
     """A page with everything in it: verdict, pictures, table, what is not told, outliers. Whole or not at all."""
     from carom import __version__
@@ -250,7 +258,7 @@ def write_report(ranking: Ranking, path: str | Path) -> Path:
         f"<h1>Which law is right for {html.escape(source)}?</h1>",
         f'<p class="verdict">{html.escape(ranking.verdict)}</p>',
         f"<p>{len(best.problem.x)} rebounds ({best.law.kind}), {best.problem.count} numbers measured after the wall. Ball of"
-        f" radius {setting.radius * 1e3:.4g} mm, moment of inertia {setting.kappa:.4g} m a².</p>",
+        f" radius {setting.radius * 1e3:.4g} mm, moment of inertia {setting.kappa:.4g} m a²{_table(best)}.</p>",
         svg(plot_fit(ranking)), "<h2>The laws, best first</h2>", _laws(ranking),
         "<h2>What is left</h2>", svg(plot_residuals(ranking)),
         listed("What these data do not tell", ranking.degenerate),

@@ -48,8 +48,9 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
     ``stage`` best: as the ball leaves the wall where the track tells that, else once it rolls again; both: two rows, which
     are not independent. ``sliding`` keeps balls that still slide when they meet the wall: the columns slip_n_in, slip_t_in
     then say by how much. Extra columns: shot, ball, wall, contact (its number), t (s), spin_source, and of a table the slips
-    on the floor (velocity less that of rolling, m/s, in the axes and signs of v_n and v_t) with their errors. spin_source says
-    where the spin before the contact is from: tracked, rolling (inferred), sliding (fitted), or none. Raises CaromError where
+    on the floor (velocity less that of rolling, m/s, in the axes and signs of v_n and v_t) with their errors, and what the film
+    says of the cloth's friction. spin_source says where the spin before the contact is from: tracked, rolling (inferred), sliding
+    (fitted), or none. Raises CaromError where
     no contact could be measured.
     """
     planar = measured.view == "side"
@@ -112,7 +113,8 @@ def _cloth(one: Contact, stage: str, measured: Measured) -> dict[str, float]:
     names = {"v_n_in": "vn_in", "v_t_in": "vt_in", "v_n_out": out[0], "v_t_out": out[1]}
     # what its own frames say of the cloth it does not share
     share = min(error / own**2, 1 / error) if own and error else 0.0
-    return {
+    value, sigma = measured.floor["cloth friction"]
+    return {"cloth_friction": value, "sigma_cloth_friction": sigma} | {
         f"cloth_{name}": (-share if name == "v_n_in" else share) * fit.covaries(inner, "mu_g")
         for name, inner in names.items()
     }
