@@ -34,6 +34,11 @@ def test_radius_and_mass(value):
     refused(lambda: carom.Ball(mass=value), "Ball: mass", "kg, > 0")
 
 
+def test_a_number_that_is_only_too_large_is_told_how_large_it_may_be():
+    assert "expected a length in m, > 0, at most 1e+100 in size, got 1e+300" in refused(lambda: carom.Ball(1e300))
+    assert "at most" not in refused(lambda: carom.Ball(INF))
+
+
 @pytest.mark.parametrize("value", [0.0, -0.4, 0.7, NAN, INF, None, [0.4, 0.9], "sold"])
 def test_kappa(value):
     refused(lambda: carom.Ball(inertia=value), "Ball: inertia")

@@ -123,6 +123,9 @@ def test_the_command(tmp_path, monkeypatch, capsys):
     assert (code, out) == (2, "")
     assert "did you mean 'mathavan2009'" in err
     assert "expected the name of a table" in run("--out", "x.csv")[2]
+    named = tmp_path / "t.parquet"
+    assert run("tt_rackets", "--out", str(named))[0] == 2
+    assert not named.exists()
 
 
 def test_the_contact_law_is_impact_and_says_what_it_leaves_out():

@@ -414,6 +414,7 @@ def test_the_command(tmp_path, carom_run):
         (("--floor-contact", "never"), "expected 'with'"),
         (("--gravity", "-1"), "expected a number >= 0"),
         (("--json",), "--out: expected a file"),
+        (("--speed", "2"), "--speed: expected it beside incidence_deg"),
     ],
 )
 def test_options_that_make_no_sense(tmp_path, carom_run, args, why):
@@ -421,6 +422,26 @@ def test_options_that_make_no_sense(tmp_path, carom_run, args, why):
     assert ran.code == 2
     assert why in ran.err
     assert ran.out == ""
+
+
+def test_columns_that_are_nearly_read_are_told(tmp_path):
+    notes = predict(tmp_path, "v_n_in_km_h,v_t_in_parsec,fricton,v_n_out,marker\n1,1,0.3,1,a\n", given={})[1].notes
+    told = [note for note in notes if note.startswith("not read")]
+    assert [note.split(";")[0] for note in told] == ["not read: column 'v_t_in_parsec'", "not read: column 'fricton'"]
+    assert "'v_t_in'" in told[0]
+    assert "'friction'" in told[1]
+
+
+def test_a_floor_that_a_flying_ball_does_not_meet_is_told(tmp_path):
+    _, summary = predict(tmp_path, "v_n_in,v_t_in\n1,1\n", "contact", given={"floor_friction": 0.3, "friction": 0.2})
+    assert summary.notes[-1] == "not used, as the ball is in flight: floor_friction"
+
+
+def test_bytes_that_are_no_text_and_an_empty_suffix(tmp_path):
+    assert faults(tmp_path, b"\x89\x1b\x02\xff\xfe\n\x00") == (
+        f"{tmp_path / 'in.csv'}: expected a CSV file, a line of text with names first, got bytes that are no text",
+    )
+    assert predict(tmp_path, "v_n_in\n1\n", suffix="")[1].added[0] == "v_n_out"
 
 
 def test_all_faults_of_the_options_at_once(tmp_path, carom_run):

@@ -378,7 +378,7 @@ WRONG = {
     ),
     "nan": (SOUND.replace("[1, 0]", "[nan, 0]"), "balls[0].position[0]: expected a length in m, got nan"),
     "inf": (SOUND.replace("[1, 0]", "[inf, 0]"), "balls[0].position[0]: expected a length in m, got inf"),
-    "huge": (SOUND.replace("0.03", "1e200"), "balls[0].radius: expected a length in m, > 0, got 1e+200"),
+    "huge": (SOUND.replace("0.03", "1e200"), "balls[0].radius: expected a length in m, > 0, at most 1e+100 in size, got 1e+200"),
     "huge whole number": (
         SOUND.replace("0.03", "1" + 400 * "0"),
         "balls[0].radius: expected a length in m, > 0, got 1" + 76 * "0" + "...",
@@ -680,6 +680,8 @@ def test_new_writes_and_check_says_what_it_is(tmp_path: Path, capsys: pytest.Cap
     result = runner.invoke(app, ["scene", "new", str(file)])
     assert (result.exit_code, result.stdout) == (0, "")
     assert file.read_text() == new_scene()
+    assert result.stderr == f"written: {file}\n"
+    file.write_bytes(b"\xef\xbb\xbf" + new_scene().replace("\n", "\r\n").encode())  # as Notepad saves it
     result = runner.invoke(app, ["scene", "check", str(file)])
     assert result.exit_code == 0
     assert result.stdout == (

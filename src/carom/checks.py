@@ -21,6 +21,7 @@ __all__ = [
     "nearest",
     "number",
     "require_shapes",
+    "within",
 ]
 
 # Squares of what a kernel takes must be finite: no ball is faster, heavier or larger than this.
@@ -72,7 +73,7 @@ def number(
     if type(value) is float or type(value) is int:  # the common case, without arrays
         if holds(value) and (value <= LARGEST or (infinite and value == np.inf)):
             return float(value)
-        faults.add(field, expected, f"{value!r}")
+        faults.add(field, within(expected, value), f"{value!r}")
         return 1.0
     try:
         array = float_array(value)
@@ -82,9 +83,15 @@ def number(
     good = holds(array) & ((array <= LARGEST) | (infinite & (array == np.inf)))
     bad = ~np.asarray(good)
     if bad.any():
-        faults.add(field, expected, f"{float(array[bad].flat[0])!r}{first_index(bad)}")
+        first = float(array[bad].flat[0])
+        faults.add(field, within(expected, first), f"{first!r}{first_index(bad)}")
         return 1.0
     return float(array) if array.ndim == 0 else array
+
+
+def within(expected: str, value: float) -> str:
+    """What is expected; for a number that is only too large, how large it may be."""
+    return f"{expected}, at most {LARGEST:g} in size" if LARGEST < abs(value) < np.inf else expected
 
 
 def require_shapes(*shapes: tuple[int, ...]) -> tuple[int, ...]:

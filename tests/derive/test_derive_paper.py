@@ -167,7 +167,9 @@ def test_one_equation_with_its_steps():
         (("--equation", "99"), "the paper has no 99"),
         (("--json", "--tex"), "exclude each other"),
         (("out.tex",), "goes with --json or --tex"),
-        (("--tex", "no/such/folder/out.tex"), "its folder does not exist"),
+        (("--tex", "no/such/folder/out.tex"), "expected a folder that exists"),
+        (("--json", "out.tex"), "expected a name that ends with .json"),
+        (("--tex", "x.tex/../"), "expected a name that ends with .tex"),
     ],
 )
 def test_bad_input_is_one_line_and_exit_code_2(arguments, message):

@@ -25,11 +25,14 @@ def datasets(
 ) -> None:
     """Published measurements that come with carom: list them, print one, or write it to a file."""
     from carom.datasets import load, names
+    from carom.files import require_place
 
     if name is None and out is not None:
         raise CaromError(
             f"--out {out}: expected the name of a table before it, got none; known are {', '.join(names())}"
         )
+    if out is not None:
+        require_place(out, (".csv", ".txt"))
     chosen = [load(one) for one in (names() if name is None else [name])]
     if json_:
         cards = [
@@ -50,6 +53,8 @@ def datasets(
     console = Console(stderr=True, highlight=False)
     console.print(f"{one.citation}{' doi ' + one.doi if one.doi else ''}", markup=False, soft_wrap=True)
     console.print(one.notes, markup=False, style="dim", soft_wrap=True)
+    if out is not None:
+        console.print(f"written: {out}", markup=False, soft_wrap=True)
 
 
 def _list(chosen: list[Any]) -> None:

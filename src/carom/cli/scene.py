@@ -24,6 +24,7 @@ def new(
 ) -> None:
     """Write a commented scene that runs as it stands: one ball on a carom table; or a gas."""
     from carom.errors import CaromError
+    from carom.files import whole
     from carom.gas.toml import new_gas
     from carom.scene.toml import new_scene
 
@@ -31,13 +32,13 @@ def new(
     if file is None:
         sys.stdout.write(text)
         return
-    try:
-        with file.open("w" if force else "x", encoding="utf-8") as out:
-            out.write(text)
-    except FileExistsError:
-        raise CaromError(f"{file}: expected a new file, got one that is there; --force writes over it") from None
-    except OSError as error:
-        raise CaromError(f"{file}: expected a place to write to, got: {error.strerror}") from None
+    if file.is_dir():
+        raise CaromError(f"{file}: expected a file to write, got a folder; name a file in it")
+    if file.exists() and not force:
+        raise CaromError(f"{file}: expected a new file, got one that is there; --force writes over it")
+    with whole(file) as part:
+        part.write_text(text, encoding="utf-8")
+    sys.stderr.write(f"written: {file}\n")
 
 
 def check(file: Annotated[Path, typer.Argument(metavar="FILE", help="A scene, as TOML.")]) -> None:

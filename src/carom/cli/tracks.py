@@ -239,11 +239,9 @@ def _tell(console: Console, found: TrackFile, measured: Measured, stage: str, sl
     if len(found.tracks) > MOST_TRACKS:
         facts.add_row("", f"and {len(found.tracks) - MOST_TRACKS} more tracks")
     facts.add_row("camera", f"{1 / measured.interval:.4g} frames a second" if measured.interval > 0 else "no clock")
-    steps = ", ".join(length(x) if x else "none found" for x in measured.step)
-    facts.add_row(
-        "noise",
-        f"{length(measured.noise)} {'as given' if measured.noise_given else 'found'}; places rounded to {steps}",
-    )
+    steps = ", ".join(length(x) if x else "no step" for x in measured.step)
+    rounded = f"; places rounded to {steps}" if any(measured.step) else ""
+    facts.add_row("noise", f"{length(measured.noise)} {'as given' if measured.noise_given else 'found'}{rounded}")
     facts.add_row("seen from", "above: a ball on a table" if measured.view == "above" else "the side: a ball in flight")
     for wall in measured.walls:
         n = wall.normal

@@ -14,6 +14,7 @@ import numpy as np
 from carom.checks import meant
 from carom.datasets.sources import SOURCES
 from carom.errors import CaromError
+from carom.files import whole
 
 __all__ = ["Dataset", "load", "names"]
 
@@ -41,10 +42,9 @@ class Dataset:
 
     def to_csv(self, path: str | Path) -> Path:
         """Write the table as it is to a new file, and return its path; CaromError where it cannot be written."""
-        try:
-            return Path(shutil.copyfile(self.path, path))
-        except OSError as error:
-            raise CaromError(f"{path}: expected a file that can be written, got: {error.strerror}") from None
+        with whole(Path(path)) as part:
+            shutil.copyfile(self.path, part)
+        return Path(path)
 
 
 def _column(cells: list[str]) -> Any:

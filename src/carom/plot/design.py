@@ -15,6 +15,8 @@ __all__ = ["plot_design"]
 
 def plot_design(plan: Plan) -> Any:
     """What one more shot would tell, over angle and speed, and over angle and spin where spins vary; the plan's shots on it."""
+    from matplotlib.patheffects import withStroke  # a circle on the border is half on white
+
     angles, speeds, spins = plan.axes
     with style():
         panels = [(speeds, "speed, m/s", plan.gain.max(axis=2), "speed")]
@@ -28,7 +30,8 @@ def plot_design(plan: Plan) -> Any:
                 drawn = axes.contourf(angles, values, gain.T, levels=12, cmap="viridis")
                 for shot in plan.shots:
                     axes.plot(shot.angle_deg, getattr(shot, name), "o", ms=7 + 2 * min(shot.repeat, 6) ** 0.5, mfc="none",
-                              mec="white", mew=1.4, clip_on=False, zorder=3)  # fmt: skip
+                              mec="white", mew=1.4, clip_on=False, zorder=3,
+                              path_effects=[withStroke(linewidth=2.6, foreground=INK)])  # fmt: skip
                 bar = figure.colorbar(drawn, ax=axes, pad=0.03)
                 bar.set_label("one more shot adds to 2 log odds")
                 bar.outline.set_visible(False)

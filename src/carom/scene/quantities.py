@@ -14,7 +14,7 @@ from typing import Annotated, Any
 import numpy as np
 from pydantic import AfterValidator, BeforeValidator, Strict
 
-from carom.checks import LARGEST
+from carom.checks import LARGEST, within
 from carom.scene.faults import Fault
 
 __all__ = [
@@ -95,7 +95,7 @@ class Number:
             x = float(value)
         held = self.least < x if self.above else self.least <= x
         if not (held and x <= self.most and (abs(x) <= LARGEST or (self.infinite and math.isinf(x)))):
-            raise Fault(self.what, value, advice).error()
+            raise Fault(within(self.what, x), value, advice).error()
         return x
 
 

@@ -39,7 +39,7 @@ def load_scene(path: str | Path) -> Scene:
 def read_toml(path: Path, remedy: str) -> dict[str, Any]:
     """The table that a TOML file holds; CaromError, one line, where it holds none. ``remedy`` writes one."""
     try:
-        text = path.read_bytes().decode()
+        text = path.read_bytes().decode("utf-8-sig")  # with or without a byte-order mark
     except OSError as error:
         advice = f"; {remedy} writes one" if isinstance(error, FileNotFoundError) else ""
         raise CaromError(f"{path}: expected a scene file, got: {error.strerror}{advice}") from None

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from dataclasses import dataclass, field
+from difflib import get_close_matches
 from typing import Literal
 
 import numpy as np
@@ -95,6 +96,8 @@ def make_plan(headers: list[str], settings: Settings) -> Plan:
     form = _form(headers, columns, settings, faults)
     if faults:
         raise CaromError(*faults)
+    if "speed" in settings.given and form != "angle":
+        faults.append("--speed: expected it beside incidence_deg, got a table that has the velocity; leave it out")
     wanted, missing = _wanted(form, columns, settings)
     faults += [_missing(name, form, headers) for name in missing]
     air = form != "vector" and _in_air(columns, settings)
@@ -108,7 +111,15 @@ def make_plan(headers: list[str], settings: Settings) -> Plan:
         raise CaromError(*faults)
     rolls = not air and _has_steps(settings.law)
     added, note, renamed = _added(headers, form, air, rolls, columns, settings)
-    notes = [_reading(form, air, sources), *remarks, *_assumed(constants, settings, air), *renamed]
+    notes = [
+        _reading(form, air, sources),
+        *remarks,
+        *_assumed(constants, settings, air),
+        *_unread(headers, wanted, columns),
+        *renamed,
+    ]
+    unused = [name for name in settings.given if air and name.startswith(("floor", "height"))]
+    notes += [f"not used, as the ball is in flight: {', '.join(unused)}"] if unused else []
     return Plan(settings, form, air, spin, sources, constants, added, rolls, note, [text for text in notes if text])
 
 
@@ -163,6 +174,22 @@ def _missing(name: str, form: str, headers: list[str]) -> str:
     return f"column {name!r}: expected it for the {form} form, got none" + (
         f"; did you mean {near!r}?" if near else f"; the table has {', '.join(map(repr, headers))}"
     )
+
+
+def _unread(headers: list[str], wanted: list[str], columns: Columns) -> list[str]:
+    """Columns that pass through and have nearly the name of one that is not there: a slip of the pen, a unit unknown."""
+    free = [name for name in (*wanted, *PARAMETERS) if name not in columns]
+    notes = []
+    for header in headers:
+        name = bare(header)
+        if heading(header) is not None or "out" in name.split("_"):
+            continue
+        near = [known for known in free if name.startswith(known + "_")] or get_close_matches(
+            name, free, n=1, cutoff=0.85
+        )
+        if near:
+            notes.append(f"not read: column {header!r}; did you mean {near[0]!r}, or that and a unit that is known?")
+    return notes
 
 
 def _wanted(form: str, columns: Columns, settings: Settings) -> tuple[list[str], list[str]]:
@@ -297,10 +324,10 @@ def _added(
             add("rolling", ["v_n", "v_t"], ["spin_z"])
 
     there = {bare(header) for header in headers}
-    asked = None if settings.suffix is None else settings.suffix.strip("_")
-    tail, remarks = ("", []) if asked is None else ("_" + asked, [])
+    asked = None if not settings.suffix else settings.suffix.strip("_")
+    tail, remarks = ("", []) if not asked else ("_" + asked, [])
     bases = [f"{name}_{stage}" for name, stage, _ in names] + ["note"]
-    if asked is None and any(base in there for base in bases):
+    if not asked and any(base in there for base in bases):
         tail = "_predicted"
         clash = [base for base in bases if base in there]
         remarks = [f"the table has {', '.join(clash)} already: what is added is named ..._predicted"]

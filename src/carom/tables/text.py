@@ -99,6 +99,10 @@ class CsvTable:
         first = next((line for line in self.lines if line.strip()), "")
         if not first:
             raise CaromError(f"{path}: expected a header line and rows, got an empty file")
+        if any(sign < " " and sign not in "\t\r\n" for sign in first):
+            raise CaromError(
+                f"{path}: expected a CSV file, a line of text with names first, got bytes that are no text"
+            )
         self.end = first[len(first.rstrip("\r\n")) :] or "\n"
         self.delimiter = max(DELIMITERS, key=first.count)
         self.lines.give_back([first])
