@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal
 
 import typer
 
+from carom.cli.places import require_drawable
 from carom.cli.shared import attempt
 from carom.errors import CaromError
 
@@ -95,7 +96,7 @@ def compare(
     # every fault at once, and before anything is written
     found: list[str] = []
     if plot is not None:
-        attempt(found, _require_drawable, plot)
+        attempt(found, require_drawable, plot)
     laws = [attempt(found, find_law, name) for name in law] if law else None
     meeting = attempt(found, lambda: library.incoming(**settings))
     if found:
@@ -112,13 +113,6 @@ def compare(
         from carom.cli.comparison_table import show
 
         show(comparison)
-
-
-def _require_drawable(path: Path) -> None:
-    from carom.plot import require_matplotlib, require_writable
-
-    require_writable(path)
-    require_matplotlib()
 
 
 def _inertia(text: str) -> str | float:

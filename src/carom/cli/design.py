@@ -10,6 +10,7 @@ from typing import Annotated, Any
 import typer
 
 from carom.cli.fit_options import kappa_of, number, pairs, split
+from carom.cli.places import require_drawable
 from carom.cli.shared import attempt
 from carom.errors import CaromError
 
@@ -74,7 +75,7 @@ def design(
     if stage not in STAGES:
         faults.append(f"--stage: expected after_wall or rolling, got {stage!r}")
     if plot is not None:
-        attempt(faults, _drawable, plot)
+        attempt(faults, require_drawable, plot)
     if faults:
         raise CaromError(*faults)
     filmed = None if file is None else read_rebounds(file)
@@ -104,13 +105,6 @@ def _range(option: str, text: str) -> tuple[float, float]:
         return float(low), float(high if colon else low)
     except ValueError:
         raise CaromError(f"{option}: expected LOW:HIGH, such as 5:75, got {text!r}") from None
-
-
-def _drawable(path: Path) -> None:
-    from carom.plot.save import require_matplotlib, require_writable
-
-    require_writable(path)
-    require_matplotlib()
 
 
 def _show(plan: Any) -> None:

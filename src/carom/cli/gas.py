@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from carom.cli.places import require_places
 from carom.cli.shared import attempt
 from carom.errors import CaromError
 
@@ -85,7 +86,7 @@ def gas(
         "--checkpoint": checkpoint,
         "--resume": resume if checkpoint is None and resume and resume.exists() else None,
     }
-    _places(found, {"--plot": plot, "--measures": measures, "--snapshots": snapshots, **kept})
+    _places(found, plot, measures, snapshots, kept)
     if snapshots is not None and resume is None and not force and snapshots.is_file():
         found.append(f"--snapshots {snapshots}: expected a new file, got one that is there; --force writes over it")
     rhythm = attempt(found, _rhythm, "--checkpoint-every", checkpoint_every)
@@ -134,35 +135,24 @@ def gas(
 # --- what is asked for ---------------------------------------------------------------------------------------------
 
 
-def _places(found: list[str], named: dict[str, Path | None]) -> None:
+def _places(
+    found: list[str], plot: Path | None, measures: Path | None, snapshots: Path | None, kept: dict[str, Path | None]
+) -> None:
     """Faults of the files that are to be written, or of libraries that they need."""
-    from carom.files import library, require_place
+    from carom.files import library
     from carom.gas.checkpoint import require_checkpoint
 
-    kinds = {"--measures": (".json",), "--snapshots": (".gsd",)}
-    seen: dict[Path, str] = {}
-    for option, path in named.items():
-        if path is None:
-            continue
-        if option == "--plot":
-            attempt(found, _require_drawable, path)
-        else:
-            faults: list[str] = []
-            attempt(faults, require_place, path, kinds.get(option, (path.suffix.lower(),)))
-            if option == "--checkpoint" and not faults:
-                attempt(faults, require_checkpoint, path)
-            found += [f"{option} {fault}" for fault in faults]
-        if option == "--snapshots":
-            attempt(found, library, "gsd.hoomd", "gsd", "--snapshots")
-        if (other := seen.setdefault(path.absolute(), option)) != option:
-            found.append(f"{option} {path}: expected another file than {other}'s, got the same; name a new one")
-
-
-def _require_drawable(path: Path) -> None:
-    from carom.plot.save import require_matplotlib, require_writable
-
-    require_writable(path)
-    require_matplotlib()
+    # (a checkpoint has any name)
+    kinds = {option: (path.suffix.lower(),) for option, path in kept.items() if path is not None}
+    named = {"--plot": plot, "--measures": measures, "--snapshots": snapshots, **kept}
+    require_places(found, named, {"--measures": (".json",), "--snapshots": (".gsd",), **kinds})
+    checkpoint = kept["--checkpoint"]
+    if checkpoint is not None and not any(fault.startswith("--checkpoint ") for fault in found):
+        faults: list[str] = []
+        attempt(faults, require_checkpoint, checkpoint)
+        found += [f"--checkpoint {fault}" for fault in faults]
+    if snapshots is not None:
+        attempt(found, library, "gsd.hoomd", "gsd", "--snapshots")
 
 
 def _rhythm(option: str, text: str) -> int | float:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.orbit_report import every_bounce, orbit_facts, tell_orbit
+from carom.cli.places import require_places
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -122,16 +123,10 @@ def orbit(
 
     Without a start one is drawn from the invariant measure. Sizes left out are about 1.
     """
-    from carom.plot import require_matplotlib, require_writable
-
-    pictures = {"--plot": plot, "--portrait": portrait, "--boundary": boundary}
-    seen: dict[Path, str] = {}
-    for option, path in pictures.items():
-        if path is not None:
-            require_matplotlib()
-            require_writable(path)
-            if (other := seen.setdefault(path.absolute(), option)) != option:
-                raise CaromError(f"{option} {path}: expected another file than {other}'s, got the same; name a new one")
+    faults: list[str] = []
+    require_places(faults, {"--plot": plot, "--portrait": portrait, "--boundary": boundary})
+    if faults:
+        raise CaromError(*faults)
     given = {
         "radius": radius, "major": major, "minor": minor, "straight": straight, "sides": sides, "vertices": vertices,
         "width": width, "height": height, "depth": depth, "angle": angle, "side": side, "period": period,

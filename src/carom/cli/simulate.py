@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from carom.cli.places import require_places
 from carom.cli.shared import attempt
 from carom.errors import CaromError
 
@@ -70,10 +71,13 @@ def simulate(
     ] = None,
 ) -> None:
     """Follow the balls of a scene from event to event: the run in words, its events, where it ends."""
+    from carom.storage import KINDS_OF_FILE
+
     try:
         found: list[str] = []
         most, times = attempt(found, _most, events), attempt(found, _times, at)
-        _places(found, plot, animate, save, table)
+        kinds = {"--animate": ANIMATIONS, "--save": KINDS_OF_FILE, "--table": TABLES}
+        require_places(found, {"--plot": plot, "--animate": animate, "--save": save, "--table": table}, kinds)
         given = attempt(found, _scene, scene, {"law": law, "duration": duration, "max_events": max_events})
         if found:
             raise CaromError(*found)
@@ -116,33 +120,6 @@ def _times(texts: list[str] | None) -> list[float]:
             raise CaromError(f"--at: expected times >= 0 in s, such as 0.5 or 0.5,1,2, got {text!r}")
         found.append(t)
     return sorted(found)
-
-
-def _places(found: list[str], plot: Path | None, animate: Path | None, save: Path | None, table: Path | None) -> None:
-    """Faults of the files that are to be written."""
-    from carom.storage import KINDS_OF_FILE, require_place
-
-    named = {"--plot": plot, "--animate": animate, "--save": save, "--table": table}
-    kinds = {"--animate": ANIMATIONS, "--save": KINDS_OF_FILE, "--table": TABLES}
-    seen: dict[Path, str] = {}
-    for option, path in named.items():
-        if path is None:
-            continue
-        if option == "--plot":
-            attempt(found, _require_drawable, path)
-        else:
-            faults: list[str] = []
-            attempt(faults, require_place, path, kinds[option])
-            found += [f"{option} {fault}" for fault in faults]
-        if (other := seen.setdefault(path.absolute(), option)) != option:
-            found.append(f"{option} {path}: expected another file than {other}'s, got the same; name a new one")
-
-
-def _require_drawable(path: Path) -> None:
-    from carom.plot.save import require_matplotlib, require_writable
-
-    require_writable(path)
-    require_matplotlib()
 
 
 def _scene(path: Path, changes: dict[str, Any]) -> Scene:

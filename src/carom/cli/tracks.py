@@ -13,6 +13,7 @@ from rich.console import Console
 from rich.markup import escape
 
 from carom.cli.fit_options import length_of
+from carom.cli.places import require_drawable
 from carom.cli.shared import attempt
 from carom.cli.shared import out as stdout
 from carom.errors import CaromError
@@ -89,7 +90,6 @@ def show(
     ] = None,
 ) -> None:
     """What a track file holds: format, tracks, clock, noise; the contacts in it, measured by fitting the physics."""
-    from carom.plot.save import require_matplotlib, require_writable
     from carom.tracks.formats.sheet import Given
     from carom.tracks.measure import Settings, measure
     from carom.tracks.read import read_tracks
@@ -107,11 +107,10 @@ def show(
     ):
         if value is not None and value not in known:
             faults.append(f"--{name}: expected one of {', '.join(known)}, got {value!r}")
+    if plot is not None:
+        attempt(faults, require_drawable, plot)
     if faults:
         raise CaromError(*faults)
-    if plot is not None:
-        require_matplotlib()
-        require_writable(plot)
     found = read_tracks(file, format_, Given(lengths["scale"], rate, down))
     walls = None if not wall else tuple(_wall(text, found) for text in wall)
     settings = Settings(
