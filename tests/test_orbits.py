@@ -13,8 +13,8 @@ from carom.kernel import dot
 from carom.laws.no_slip import no_slip_bounce, no_slip_reflection
 from carom.orbits.arrays import ENDS
 from carom.orbits.loop import follow
+from carom.orbits.oval import quadrature
 from carom.orbits.setup import prepare, setup_of
-from carom.orbits.shape import quadrature
 
 L_SHAPE = [(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)]
 SPIKES = [(0, 0), (1, 0.4), (2, 0), (1.5, 1), (2, 2), (1, 1.6), (0, 2), (0.5, 1)]
@@ -22,6 +22,9 @@ PLANE = {
     "circle": orbits.circle,
     "ellipse": orbits.ellipse,
     "tall ellipse": lambda **o: orbits.ellipse(0.7, 1.1, **o),
+    # (for the balls of these tests wide: they do not come to the ends)
+    "narrow ellipse": lambda **o: orbits.ellipse(1.1, 0.25, **o),
+    "tall narrow ellipse": lambda **o: orbits.ellipse(0.25, 1.1, **o),
     "triangle": lambda **o: orbits.regular(3, **o),
     "seven": lambda **o: orbits.regular(7, **o),
     "rectangle": orbits.rectangle,
@@ -90,6 +93,8 @@ CLEARANCE = {
     "circle": lambda x: 1 - np.hypot(x[:, 0], x[:, 1]),
     "ellipse": lambda x: ellipse_distance(1.0, 0.8, x),
     "tall ellipse": lambda x: ellipse_distance(0.7, 1.1, x),
+    "narrow ellipse": lambda x: ellipse_distance(1.1, 0.25, x),
+    "tall narrow ellipse": lambda x: ellipse_distance(0.25, 1.1, x),
     "triangle": lambda x: segments([(math.cos(a), math.sin(a)) for a in np.radians([-150, -30, 90])], x),
     "rectangle": lambda x: segments([(-1, -0.5), (1, -0.5), (1, 0.5), (-1, 0.5)], x),
     "stadium": stadium_distance,
@@ -393,8 +398,8 @@ BAD = {
     "polygon: sides": lambda: orbits.regular(2),
     "sides that do not cross": lambda: orbits.polygon([(0, 0), (2, 2), (2, 0), (0, 1)]),
     "three or more points": lambda: orbits.polygon([(0, 0), (1, 1)]),
-    "radius of curvature": lambda: orbits.orbit(
-        orbits.ellipse(1, 0.3, bounds="surface"), ((0, 0), (1, 0), 0), 3, ball=carom.Disc(0.1)
+    "room in the ellipse": lambda: orbits.orbit(
+        orbits.ellipse(1, 0.3, bounds="surface"), ((0, 0), (1, 0), 0), 3, ball=carom.Disc(0.3)
     ),
     "room in the circle": lambda: orbits.orbit(
         orbits.circle(bounds="surface"), ((0, 0), (1, 0), 0), 3, ball=carom.Disc(2.0)

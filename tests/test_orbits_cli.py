@@ -209,7 +209,7 @@ BAD = [
     (["polygon", "--vertices", "0,0 1,x 2,2"], "--vertices: expected two numbers"),
     (["circle", "--plot", "nowhere/a.svg"], "expected a folder that exists"),
     (["circle", "--law", "contact", "--restitution", "2", *START], "Surface: restitution"),
-    (["ellipse", "--minor", "0.2", "--bounds", "surface"], "radius of curvature"),
+    (["ellipse", "--minor", "0.1", "--bounds", "surface"], "expected one that has room in the ellipse, got 0.1"),
     (["circle", "--law", "contact", "--restitution", "0.5", "--reverse"], "undoes itself"),
 ]
 

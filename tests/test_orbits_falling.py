@@ -18,6 +18,8 @@ TABLES = {
     "circle": orbits.under(orbits.circle(bounds="surface"), FALL),
     "ellipse": orbits.under(orbits.ellipse(), FALL),
     "ellipse-surface": orbits.under(orbits.ellipse(bounds="surface"), FALL),
+    "narrow ellipse": orbits.under(orbits.ellipse(1.1, 0.25, bounds="surface"), FALL),
+    "tall narrow ellipse": orbits.under(orbits.ellipse(0.25, 1.1, bounds="surface"), FALL),
     "L": orbits.under(orbits.polygon([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)], bounds="surface"), FALL),
     "stadium": orbits.under(orbits.stadium(), FALL),
     "sinai": orbits.under(orbits.sinai(), (0.02, -0.03)),
@@ -88,7 +90,7 @@ def test_a_million_bounces_keep_their_energy():
         assert abs(energy[1] - energy[0]) < 3e-12 * (abs(energy[0]) + np.square(state.velocity).sum())
 
 
-@pytest.mark.parametrize("name", ["circle", "ellipse-surface", "L", "sphere"])
+@pytest.mark.parametrize("name", ["circle", "ellipse-surface", "narrow ellipse", "L", "sphere"])
 def test_comes_back(name):
     """Twelve bounces and back, before chaos has multiplied what rounding took."""
     _back, error = orbits.reverse(orbits.orbit(TABLES[name], orbits.starts(TABLES[name], 20, 2, speed=2.5), 12))

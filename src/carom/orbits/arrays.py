@@ -21,14 +21,16 @@ __all__ = [
 ]
 
 # A piece of the curve (or surface) that bounds the ball's CENTRE. ``n`` is a face's normal, towards the ball, or the centre
-# of a circle; ``c`` is the face's distance n.x = c, a circle's 1/r, an ellipse's first half axis; ``r`` is a radius, an
-# ellipse's second half axis, or how far two windows lie apart. Along a face the tangent is (ny, -nx): the ball on its left.
+# of a circle, or of an arc in an ellipse the outward normal at its corners; ``c`` is the face's distance n.x = c, a circle's 1/r,
+# an ellipse's first half axis; ``r`` is a radius, an ellipse's second half axis, or how far two windows lie apart. Along a face the
+# tangent is (ny, -nx): the ball on its left.
 PIECES = np.dtype(
     [
         ("n", "f8", (3,)),
         ("c", "f8"),
         ("r", "f8"),
-        # where a face begins and ends; of an arc, begin = -1 or 1: only where x is left or right of the centre
+        # where a face begins and ends; of an arc, begin = -1 or 1: only where x is left or right of the centre; of one in an
+        # ellipse, on which side of the long axis it lies (0: all of it), and how far from the middle its corners are
         ("begin", "f8"),
         ("end", "f8"),
         # where it begins and ends with a corner; infinite where it does not
@@ -48,6 +50,7 @@ WORLD = np.dtype(
         ("ellipses", "i8"),
         ("spheres", "i8"),
         ("limited", "i8"),  # 1: faces have ends that count (the table is not convex)
+        ("arcs", "i8"),  # 1: the centre's curve in the ellipse has corners
         ("planar", "i8"),
         ("corners", "i8"),  # 1: the orbit ends at a corner
         ("keeps", "i8"),  # 1: the law conserves the energy

@@ -59,6 +59,15 @@ def _exit(p: Any, near: float, x: float, y: float, u: float, v: float, g: float,
 
 
 @kernel
+def _below(p: Any, near: float, x: Vec, v: Vec, g: Any, t: float) -> bool:
+    """Whether it is the second of an ellipse's two arcs that is met; in their corner, the one to which the ball flies."""
+    k = 1 if p.c > p.r else 0
+    side, rate = x[k] + (v[k] + 0.5 * g[k] * t) * t, v[k] + g[k] * t
+    second: bool = (side if abs(side) > near else rate) < 0.0
+    return second
+
+
+@kernel
 def falling(world: Any, pieces: Any, x: Vec, v: Vec) -> tuple[float, int]:
     """The time to the next piece and which it is, under a force; infinity and -1 where none lies ahead."""
     best = NEVER
@@ -88,12 +97,14 @@ def falling(world: Any, pieces: Any, x: Vec, v: Vec) -> tuple[float, int]:
         t = hit4(-c[0], -c[1], -c[2], -c[3], -c[4], NEVER, 0.0)
         if t < best:
             best, which = t, i
-    for i in range(world.outside, world.ellipses):
-        p = pieces[i]
+    if world.outside < world.ellipses:
+        p, i = pieces[world.outside], world.outside
         if world.inset > 0.0:
             slow = SLOW * math.sqrt(v[0] * v[0] + v[1] * v[1])
             a = world.inset
             t = oval_hit(p.c, p.r, a, 0.0, a, x[0], x[1], v[0], v[1], g0, g1, NEVER, slow)
+            if world.arcs != 0 and t < NEVER and _below(p, world.near, x, v, g, t):
+                i += 1
         else:
             c = _round(x[0] / p.c, x[1] / p.r, v[0] / p.c, v[1] / p.r, g0 / p.c, g1 / p.r, 1.0)
             t = hit4(c[0], c[1], c[2], c[3], c[4], NEVER, 0.0)

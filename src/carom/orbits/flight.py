@@ -2,8 +2,7 @@
 
 One ball needs no queue: its next event is the nearest of the table's pieces. All pieces bound the ball's centre. Where no force
 acts across them, what is met is met on a straight line: linear for a face, quadratic for a circle, a sphere, an ellipse (else see
-:mod:`carom.orbits.falling`). The curve at a distance from an ellipse, of degree eight, is met through its normal
-(:func:`inset_exit`).
+:mod:`carom.orbits.falling`). The curve at a distance from an ellipse, of degree eight, has :mod:`carom.orbits.oval`.
 """
 
 from __future__ import annotations
@@ -11,9 +10,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.kernel import Vec, hot_kernel, kernel
+from carom.kernel import Vec, hot_kernel
+from carom.orbits.oval import arc_exit, arc_wall
 
-__all__ = ["inset_exit", "meeting", "wall_at"]
+__all__ = ["meeting", "wall_at"]
 
 NEVER = math.inf
 
@@ -66,50 +66,6 @@ def sphere_exit(x: Vec, v: Vec, r: float) -> float:
     return depth / (root + b) if root + b > 0.0 else NEVER
 
 
-@kernel
-def inset_exit(
-    x: float, y: float, u: float, v: float, p: float, q: float, a: float
-) -> tuple[float, float, float, float]:
-    """When a ball of radius a within the ellipse (x/p)^2 + (y/q)^2 = 1 touches it: the time, the normal, its 1/curvature.
-
-    A convex curve is known by its normal N: the ellipse has the point (p^2 Nx, q^2 Ny)/h, h = sqrt(p^2 Nx^2 + q^2 Ny^2), and
-    the ball's centre is then at P(N) = (p^2 Nx, q^2 Ny)/h - a N, where the curve's radius is rho = p^2 q^2/h^3 - a > 0. The
-    line x + v t leaves the curve where v x (P(N) - x) = 0 on the half of the normals with N.v > 0; there that function grows
-    with the normal's angle, at the rate rho cos(angle from v). So one root lies between two known ends, and Newton's step,
-    or halving where it leads outside, finds it: without trigonometry, with N = ((1 - k^2) e + 2 k f)/(1 + k^2), -1 < k < 1,
-    e along v and f across it.
-    """
-    speed = math.sqrt(u * u + v * v)
-    eu, ev = u / speed, v / speed
-    low, high = -1.0, 1.0
-    k = 0.0
-    nx, ny = eu, ev
-    rho = a
-    px, py = x, y
-    for _ in range(100):
-        w = 1.0 / (1.0 + k * k)
-        cos, sin = (1.0 - k * k) * w, 2.0 * k * w
-        nx, ny = cos * eu - sin * ev, cos * ev + sin * eu
-        h = math.sqrt(p * p * nx * nx + q * q * ny * ny)
-        px, py = (p * p / h - a) * nx, (q * q / h - a) * ny
-        rho = p * p * q * q / (h * h * h) - a
-        g = eu * (py - y) - ev * (px - x)
-        if g < 0.0:
-            low = k
-        else:
-            high = k
-        # d(angle) = 2 dk/(1 + k^2)
-        step = g / (2.0 * rho * cos * w) if cos > 0.0 else NEVER
-        new = k - step
-        if not (low < new < high):
-            new = 0.5 * (low + high)
-            step = k - new
-        if abs(step) < 2e-16 * (1.0 + abs(k)) or g == 0.0:
-            break
-        k = new
-    return (eu * (px - x) + ev * (py - y)) / speed, nx, ny, rho
-
-
 @hot_kernel
 def meeting(world: Any, pieces: Any, x: Vec, v: Vec) -> tuple[float, int]:
     """The time to the next piece and which it is; infinity and -1 where none lies ahead."""
@@ -152,7 +108,7 @@ def meeting(world: Any, pieces: Any, x: Vec, v: Vec) -> tuple[float, int]:
     for i in range(world.outside, world.ellipses):
         p = pieces[i]
         if world.inset > 0.0:
-            t = inset_exit(x[0], x[1], v[0], v[1], p.c, p.r, world.inset)[0]
+            t = arc_exit(x[0], x[1], v[0], v[1], p, world.inset)
         else:
             t = circle_exit(x[0] / p.c, x[1] / p.r, v[0] / p.c, v[1] / p.r, 1.0)
         if t < best:
@@ -180,28 +136,6 @@ def wall_at(world: Any, pieces: Any, i: int, x: Vec) -> Vec:
             return (-dx * w, -dy * w, 0.0)
         return (dx * w, dy * w, 0.0)
     if i < world.ellipses:
-        return ellipse_wall(p.c, p.r, world.inset, x[0], x[1])[0]
+        return arc_wall(p, world.inset, x[0], x[1])[0]
     w = (1.5 - (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]) * (0.5 * p.c * p.c)) * p.c
     return (-x[0] * w, -x[1] * w, -x[2] * w)
-
-
-@kernel
-def ellipse_wall(p: float, q: float, a: float, x: float, y: float) -> tuple[Vec, float]:
-    """Normal towards the ball, and radius of the centre's curve, where the centre is at (x, y) on it."""
-    nx, ny = x / (p * p), y / (q * q)
-    if a > 0.0:
-        # x = ((p^2/h - a) Nx, (q^2/h - a) Ny): with m = -a h, (p x/(p^2 + m))^2 + (q y/(q^2 + m))^2 = 1. The left side falls
-        # and is convex in m; h is at most the greater half axis, so Newton's steps come from the left and never pass the root
-        m = -a * (p if p > q else q)
-        for _ in range(60):
-            c, s = p * x / (p * p + m), q * y / (q * q + m)
-            g = c * c + s * s - 1.0
-            step = 0.5 * g / (c * c / (p * p + m) + s * s / (q * q + m))
-            m = m + step
-            if abs(step) <= 1e-16 * abs(m):
-                break
-        nx, ny = x / (p * p + m), y / (q * q + m)
-    size = math.sqrt(nx * nx + ny * ny)
-    nx, ny = nx / size, ny / size
-    h = math.sqrt(p * p * nx * nx + q * q * ny * ny)
-    return (-nx, -ny, 0.0), p * p * q * q / (h * h * h) - a

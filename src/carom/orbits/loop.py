@@ -71,8 +71,12 @@ def restored(v: Vec, w: Vec, should: float, has: float) -> tuple[Vec, Vec]:
 
 @hot_kernel
 def at_corner(world: Any, pieces: Any, i: int, x: Vec) -> bool:
-    """Whether a ball that meets face i is at its end."""
+    """Whether a ball that meets face i, or an arc of a curve in an ellipse, is at its end."""
     p = pieces[i]
+    if i >= world.faces:
+        # (the arc's corners lie on the long axis)
+        across: bool = abs(x[1] if p.c > p.r else x[0]) < world.near
+        return across
     s = p.n[1] * x[0] - p.n[0] * x[1]
     at: bool = s < p.low + world.near or s > p.high - world.near
     return at
@@ -102,7 +106,7 @@ def follow(  # noqa: PLR0915  (one ball's way, from the first line to the last)
             break
         x, v = fly(world, x, v, dt)
         t += dt
-        if i < world.faces:
+        if i < world.faces or world.arcs != 0:
             if world.corners and at_corner(world, pieces, i, x):
                 ended = CORNER
                 break

@@ -11,12 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.orbits.arrays import PIECES, WORLD
+from carom.orbits.oval import Arc, arc_along, arc_length, arc_normals, arc_place, arcs
 from carom.outlines import ellipse_depth, polygon_depth
 
-__all__ = ["Shape", "face", "quadrature"]
+__all__ = ["Shape", "face"]
 
 Array = NDArray[np.float64]
 INF = math.inf
+NONE = (1.0, 1.0, 0.0)  # an ellipse where there is none
 
 
 def face(
@@ -32,24 +34,6 @@ def face(
 ) -> tuple[Any, ...]:
     """A face n.x = c with the ball at n.x > c; it ends with corners unless low or high say that it goes on smoothly."""
     return (nx, ny, nz), c, 0.0, begin, end, begin if low is None else low, end if high is None else high
-
-
-def quadrature(p: float, q: float, angle: Any) -> Any:
-    """Arc length of the ellipse (p cos u, q sin u) from u = 0 to so many angles: Gauss's rule on 64 pieces of the circle."""
-    nodes, weights = np.polynomial.legendre.leggauss(12)
-    step = math.tau / 64
-    # whole pieces, once; then what is left
-    middle = (np.arange(64)[:, None] + 0.5 + nodes / 2) * step
-    whole = np.concatenate([[0.0], np.cumsum((_rate(p, q, middle) @ weights) * step / 2)])
-    angle = np.asarray(angle, float)
-    k = np.clip((angle // step).astype(int), 0, 63)
-    rest = angle - k * step
-    inner = k[..., None] * step + rest[..., None] * (nodes + 1) / 2
-    return whole[k] + (_rate(p, q, inner) @ weights) * rest / 2
-
-
-def _rate(p: float, q: float, u: Any) -> Any:
-    return np.sqrt((p * np.sin(u)) ** 2 + (q * np.cos(u)) ** 2)
 
 
 @dataclass
@@ -88,10 +72,9 @@ class Shape:
         rows += [((x, y, 0.0), 1 / r, r, 0.0, 0.0, -INF, INF) for x, y, r, *_ in [*self.outside, *self.images]]
         world["outside"] = len(rows)
         if self.ellipse is not None:
-            p, q, inset = self.ellipse
-            rows.append(((0.0, 0.0, 0.0), p, q, 0.0, 0.0, -INF, INF))
-            world["inset"] = inset
-        world["ellipses"] = len(rows)
+            p, q, world["inset"] = self.ellipse
+            rows += [((*arc.corner, 0.0), p, q, arc.half, arc.reach, -INF, INF) for arc in self.arcs]
+        world["arcs"], world["ellipses"] = len(self.arcs) > 1, len(rows)
         if self.sphere is not None:
             rows.append(((0.0, 0.0, 0.0), 1 / self.sphere, self.sphere, 0.0, 0.0, -INF, INF))
         world["spheres"] = len(rows)
@@ -105,6 +88,11 @@ class Shape:
             return True
         return flat if self.inside or self.outside or self.ellipse else self.sphere is not None and any(pull)
 
+    @property
+    def arcs(self) -> list[Arc]:
+        """What the centre's curve in an ellipse consists of."""
+        return [] if self.ellipse is None else arcs(*self.ellipse)
+
     # --- arc length ---------------------------------------------------------------------------------------------------
 
     @property
@@ -113,9 +101,7 @@ class Shape:
         found = [f[4] - f[3] for f in self.faces]
         found += [(math.pi if half else math.tau) * r for _x, _y, r, half in self.inside]
         found += [span * r for _x, _y, r, _first, span in self.outside]
-        if self.ellipse is not None:
-            p, q, inset = self.ellipse
-            found.append(4 * float(quadrature(p, q, math.pi / 2)) - math.tau * inset)
+        found += [arc_length(*(self.ellipse or NONE), arc) for arc in self.arcs]
         return np.array(found)
 
     @property
@@ -130,7 +116,7 @@ class Shape:
     def _number(self, piece: NDArray[np.int64]) -> NDArray[np.int64]:
         """Pieces counted without windows and images."""
         faces, circles = len(self.faces), len(self.inside) + len(self.outside)
-        table = np.arange(-1, faces + len(self.windows) + circles + len(self.images) + 1)
+        table = np.arange(-1, faces + len(self.windows) + circles + len(self.images) + max(1, len(self.arcs)))
         # (row 0 is for no piece)
         table[1 + faces + len(self.windows) :] -= len(self.windows)
         first = 1 + faces + len(self.windows) + circles
@@ -160,17 +146,11 @@ class Shape:
             d = self.folded(x[here][:, :2] - (cx, cy))
             s[here] = starts[k] + r * ((first - np.arctan2(d[:, 1], d[:, 0])) % math.tau)
             k += 1
-        if self.ellipse is not None:
+        for arc in self.arcs:
             here = number == k
-            u, turned = self._angles(x[here])
-            s[here] = starts[k] + quadrature(*self.ellipse[:2], u) - self.ellipse[2] * turned
+            s[here] = starts[k] + arc_along(*(self.ellipse or NONE), arc, x[here])
+            k += 1
         return s
-
-    def _angles(self, x: Array) -> tuple[Array, Array]:
-        """Of points on the centre's curve in an ellipse: the parameter of the point of contact, the angle of the normal."""
-        p, q, inset = self.ellipse or (1.0, 1.0, 0.0)
-        n = _ellipse_walls(p, q, inset, x)
-        return np.arctan2(-q * n[:, 1], -p * n[:, 0]) % math.tau, np.arctan2(-n[:, 1], -n[:, 0]) % math.tau
 
     def place(self, s: Any) -> tuple[NDArray[np.int64], Array, Array]:
         """The piece, the point (..., 2) and the normal (..., 2) at an arc length (...); of closed curves."""
@@ -199,21 +179,10 @@ class Shape:
             n[here] = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
             x[here] = np.array([cx, cy]) + r * n[here]
             m += 1
-        if self.ellipse is not None:
-            p, q, inset = self.ellipse
+        for arc in self.arcs:
             here = k == m
-            u = np.linspace(0, math.tau, 4001)
-            table = quadrature(p, q, u) - inset * (np.arctan2(p * np.sin(u), q * np.cos(u)) % math.tau)
-            table[-1] = lengths[m]
-            u = np.interp(along[here], table, u)
-            for _ in range(4):  # Newton; ds/du = rho dN: |E'| - inset d(normal's angle)/du
-                turned = np.arctan2(p * np.sin(u), q * np.cos(u)) % math.tau
-                rate = _rate(p, q, u) - inset * p * q / _rate(p, q, u) ** 2
-                u = np.clip(u - (quadrature(p, q, u) - inset * turned - along[here]) / rate, 0, math.tau)
-            out = np.stack([q * np.cos(u), p * np.sin(u)], axis=-1)
-            out /= np.linalg.norm(out, axis=-1, keepdims=True)
-            n[here] = -out
-            x[here] = np.stack([p * np.cos(u), q * np.sin(u)], axis=-1) - inset * out
+            x[here], n[here] = arc_place(*(self.ellipse or NONE), arc, along[here])
+            m += 1
         piece = np.where(k >= len(self.faces), k + len(self.windows), k)
         return (
             np.where(k >= len(self.faces) + len(self.inside) + len(self.outside), piece + len(self.images), piece),
@@ -236,9 +205,9 @@ class Shape:
                 d = self.folded(x[here][:, :2] - (cx, cy)) / r
                 n[here] = np.concatenate([sign * d, np.zeros((len(d), 1))], axis=-1)
                 k += 1
-        if self.ellipse is not None:
+        for arc in self.arcs:
             here = number == k
-            n[here] = _ellipse_walls(*self.ellipse, x[here])
+            n[here, :2], n[here, 2] = arc_normals(*(self.ellipse or NONE)[:2], arc, x[here]), 0.0
             k += 1
         if self.sphere is not None:
             here = number == k
@@ -282,14 +251,3 @@ class Shape:
         if self.sphere is not None:
             gap = np.minimum(gap, self.sphere - np.linalg.norm(x, axis=-1))
         return gap
-
-
-def _ellipse_walls(p: float, q: float, a: float, x: Array) -> Array:
-    """Normals (N, 3) towards the ball: :func:`carom.orbits.flight.ellipse_wall` of many points."""
-    m = np.full(len(x), -a * max(p, q))
-    for _ in range(40 if a > 0 else 0):
-        c, s = p * x[:, 0] / (p * p + m), q * x[:, 1] / (q * q + m)
-        m += 0.5 * (c * c + s * s - 1) / (c * c / (p * p + m) + s * s / (q * q + m))
-    n = np.stack([-x[:, 0] / (p * p + m), -x[:, 1] / (q * q + m), np.zeros(len(x))], axis=-1)
-    found: Array = n / np.linalg.norm(n, axis=-1, keepdims=True)
-    return found

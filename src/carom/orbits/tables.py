@@ -241,21 +241,17 @@ def ellipse(major: float = 1.0, minor: float = 0.8, *, bounds: Bounds = "centre"
     """The inside of the ellipse (x/major)^2 + (y/minor)^2 = 1.
 
     With bounds="surface" the centre keeps to the parallel curve, no ellipse, and is followed on it exactly (flights that
-    leave the wall at less than 1e-8 rad end as "grazed"). A ball that is not smaller than the ellipse's smallest radius of
-    curvature cannot touch it everywhere, and is refused.
+    leave the wall at less than 1e-8 rad end as "grazed"). A ball that is larger than the ellipse's smallest radius of
+    curvature does not come to the ends of the long axis: its centre's curve has two arcs, and a corner where it touches both
+    sides at once. One as large as the smaller half axis has no room.
     """
     faults = Faults("ellipse")
     p, q = positive(faults, "major", major), positive(faults, "minor", minor)
     check_bounds(faults, bounds)
     faults.done()
-    sharpest = min(p, q) ** 2 / max(p, q)
 
     def make(inset: float) -> Shape:
-        if not inset < (1 - 1e-9) * sharpest:
-            raise CaromError(
-                f"ellipse: radius of the ball: expected one below {sharpest:.6g}, the smallest radius of curvature, so that the"
-                f" ball can touch the ellipse everywhere, got {inset!r}; take a smaller ball or bounds='centre'"
-            )
+        need_room("ellipse", min(p, q) - inset, "in the ellipse", inset)
         return Shape(ellipse=(p, q, inset), size=max(p, q))
 
     return Table("ellipse", bounds, 2, make, {"major": p, "minor": q})

@@ -16,8 +16,9 @@ from carom.kernel import Vec, cross, dot, hot_kernel, kernel
 from carom.laws.contact import LEAST, slip_velocity
 from carom.orbits.arrays import CORNER, DONE, ESCAPED, GRAZED, ROLLING
 from carom.orbits.falling import next_meeting
-from carom.orbits.flight import ellipse_wall, wall_at
+from carom.orbits.flight import wall_at
 from carom.orbits.loop import at_corner, bounce, fly
+from carom.orbits.oval import arc_wall
 
 __all__ = ["compiled_tangent", "push", "spread", "spread_many"]
 
@@ -31,7 +32,7 @@ def bend(world: Any, pieces: Any, i: int, x: Vec) -> float:
     elif world.inside <= i < world.outside:
         found = -found
     elif world.outside <= i < world.ellipses:
-        found = 1.0 / ellipse_wall(pieces[i].c, pieces[i].r, world.inset, x[0], x[1])[1]
+        found = 1.0 / arc_wall(pieces[i], world.inset, x[0], x[1])[1]
     return found
 
 
@@ -144,7 +145,7 @@ def spread(
             x = (x[0] + p.r * p.n[0], x[1] + p.r * p.n[1], x[2])
         if ended != DONE:
             break
-        if i < world.faces and world.corners and at_corner(world, pieces, i, x):
+        if (i < world.faces or world.arcs != 0) and world.corners and at_corner(world, pieces, i, x):
             ended = CORNER
             break
         n = wall_at(world, pieces, i, x)

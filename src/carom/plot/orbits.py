@@ -150,7 +150,8 @@ def _curve(shape: Shape) -> Array:
     from dataclasses import replace
 
     flat = replace(shape, faces=[f for f in shape.faces if not f[0][2]])
-    return flat.place(np.linspace(0, flat.lengths.sum(), 2001)[:-1])[1]
+    s = np.linspace(0, flat.lengths.sum(), 2001)[:-1]
+    return flat.place(np.union1d(s, flat.starts))[1]  # (with its corners)
 
 
 def _draw_table(axes: Any, found: Orbit, low: Array, high: Array) -> None:
