@@ -31,6 +31,7 @@ Array = NDArray[np.float64]
 EARNED = 9.21
 UNLIKELY, NOISY = 1e-3, 1.3  # a chi^2 that chance gives so rarely; a scatter of so many noises: the law does not follow
 SIDES = 17  # sidespins that are tried
+SOON = 4  # rounds in which the rest of a start follows one
 TURNS = 4  # of sidespins tried anew and all numbers sought
 SLIP = 1.0  # v: a slip at the start is normal about zero with this width
 
@@ -206,11 +207,12 @@ def fit_once(
     """One search, from the law's starts: the frames before the first contact, then those before the second, and so on."""
     numbers = {name: parameter.start for name, parameter in law.free.items()}
     noise = frames.sigma
-    q, starts = _before(law, frames, setting, numbers)
+    first, starts = _before(law, frames, setting, numbers)
+    q = first
     most = max(len(one.contacts) for one in frames.stretches)
     for contacts in range(1, most + 1):
         part = frames.until(contacts)
-        q = sided(law, part, starts, q, numbers, setting)
+        q = _begun_anew(law, part, starts, q, first, numbers, setting)
         part = _scattered(law, part, starts, q, numbers, noise, setting)
         numbers, settled = descend(law, part, starts, q, numbers, partial(tell, contacts / (most + 1)), exact=False)
         q = settled.q
@@ -255,6 +257,25 @@ def _scattered(
     gap = settle(law.scene(numbers), frames, starts, q, 0).gap * frames.sigma[:, None]
     scatter = np.sqrt((gap * gap).sum(axis=1) / np.maximum(2 * frames.count - 7, 1))
     return replace(frames, sigma=np.maximum(scatter, noise))
+
+
+def _begun_anew(
+    law: WholeLaw, frames: Frames, starts: Starts, q: Array, first: Array, numbers: Mapping[str, float], setting: WholeSetting
+) -> Array:  # fmt: skip
+    """Starts that these frames like best: those so far, or from the first ones with any sidespin, each brought to its own place.
+
+    Two contacts in one window (a corner, say) bend a start far from what the frames before them tell, where those so far were
+    sought with numbers that are not yet right; and a sidespin shows what it is good for when the rest of the start has followed it.
+    """
+    scene = law.scene(numbers)
+    so_far = settle(scene, frames, starts, q)
+    unit = np.maximum(np.hypot(first[:, 2], first[:, 3]), 0.1) / setting.radius
+    n, every = len(q), np.repeat(np.arange(len(q)), SIDES)
+    begin = first[every]
+    begin[:, 6] = (unit[:, None] * np.linspace(-1, 1, SIDES) * setting.spin_width).ravel()
+    tried = settle(scene, frames.pick(every), starts.pick(every), begin, SOON)
+    best = np.arange(n) * SIDES + np.argmin(tried.cost.reshape(n, SIDES), axis=1)
+    return np.where((tried.cost[best] < so_far.cost)[:, None], tried.q[best], so_far.q)
 
 
 def sided(

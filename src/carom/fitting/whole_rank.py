@@ -16,6 +16,7 @@ from carom.fitting.whole import WholeFit, first_numbers
 from carom.fitting.whole_laws import WholeSetting, whole_laws
 from carom.fitting.whole_runs import stretches
 from carom.fitting.whole_search import fit_law_whole
+from carom.fitting.whole_told import TOO_SMALL
 from carom.tracks.measure import Measured
 
 __all__ = ["WholeRanking", "fit_whole"]
@@ -194,9 +195,12 @@ def _verdict(
     first = ""
     if not best.follows:
         scatter = length(float(np.median(best.scatter)))
-        first = (
-            f"No law follows the tracks to their noise of {length(best.noise)}: the best, {called}, leaves {scatter}. "
-        )
+        leaves = f"leaves {scatter}" + (f", chi^2 {best.chi2:.0f} where {best.dof:.0f} is due" if best.known else "")
+        worst = best.frames.stretches[int(np.argmax(best.scatter))].label
+        first = f"No law follows the tracks to their noise of {length(best.noise)}: the best, {called}, {leaves}"
+        first += f", most in {worst}" if len(best.scatter) > 1 else ""
+        loose = any(estimate.note == TOO_SMALL for estimate in best.estimates.values())
+        first += "; do not rely on its numbers, which may be off by many error bars. " if loose else ". "
     if rival is None:
         return f"{first}There was no other law to set against {called}."
     name = rival.law.name

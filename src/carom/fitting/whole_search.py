@@ -14,6 +14,7 @@ from functools import partial
 
 import numpy as np
 
+from carom.errors import CaromError
 from carom.fitting.whole import WholeFit, ended, fit_once, sided
 from carom.fitting.whole_descent import Frames, Numbers, descend
 from carom.fitting.whole_laws import WholeLaw
@@ -31,6 +32,10 @@ APART = 3.0  # error bars, from where on it is another
 ROUNDS = 3
 
 
+_Held = tuple[float, Numbers, np.ndarray]
+"""Chi^2, numbers and starts with a friction held."""
+
+
 def fit_law_whole(law: WholeLaw, found: Sequence[Stretch], noise: float, tell: Callable[[float], None]) -> WholeFit:
     """Fit one law to stretches; ``noise`` (m) of one coordinate of one frame; ``tell`` how much is done."""
     frames = Frames.of(found, law.setting.noise or noise)
@@ -41,16 +46,16 @@ def fit_law_whole(law: WholeLaw, found: Sequence[Stretch], noise: float, tell: C
     best = fit_once(law, frames, law.setting, noise, partial(part, 0))
     if "friction" not in law.free:
         return best
-    best, others = _across(law, best, noise)
     parameter = law.free["friction"]
-    for turn, friction in enumerate(AGAIN, 2):
+    for turn, friction in enumerate(AGAIN, 1):
         if best.follows:
             break
         inside = replace(parameter, start=min(max(friction, parameter.low), parameter.high))
         begun = replace(law, free=law.free | {"friction": inside})
         other = fit_once(begun, frames, law.setting, noise, partial(part, turn))
         if other.deviance < best.deviance:
-            best, others = _across(law, other, noise)
+            best = other
+    best, others = _across(law, replace(best, law=law), noise)
     return _friction_told(law, best, others) if best.follows else best
 
 
@@ -67,15 +72,8 @@ def _across(law: WholeLaw, best: WholeFit, noise: float) -> tuple[WholeFit, list
         tried = [(share * here, best.numbers) for share in NEAR]
         tried += [] if best.follows else [(friction, best.numbers | walls) for friction in ALL]
         held = [_held(law, best, friction, numbers) for friction, numbers in tried]
-        # a parabola about the best place would be so high there; what is half as high belongs to another valley
-        error = best.estimates["friction"].stderr or math.inf
-        held = [
-            one
-            for one in held
-            if not best.follows or one[0] < best.chi2 + ((one[1]["friction"] - here) / error) ** 2 / 2
-        ]
-        held = sorted(held, key=lambda one: one[0])[:FREED]
-        others = [ended(law, best.frames, best.starts, q, numbers, noise, _silent) for _cost, numbers, q in held]
+        freed = sorted(_elsewhere(best, held) if best.follows else held, key=lambda one: one[0])[:FREED]
+        others = [ended(law, best.frames, best.starts, q, numbers, noise, _silent) for _cost, numbers, q in freed]
         seen = [(numbers["friction"], cost) for cost, numbers, _q in held]
         seen += [(fit.numbers["friction"], fit.chi2) for fit in others]
         nearest = min([best, *others], key=lambda fit: fit.deviance)
@@ -85,7 +83,32 @@ def _across(law: WholeLaw, best: WholeFit, noise: float) -> tuple[WholeFit, list
     return best, seen
 
 
-def _held(law: WholeLaw, best: WholeFit, friction: float, numbers: Numbers) -> tuple[float, Numbers, np.ndarray]:
+def _elsewhere(best: WholeFit, held: Sequence[_Held]) -> list[_Held]:
+    """Of those that are held: what is in another valley than the best.
+
+    Along the friction, what is lower than its neighbours; and the lowest of each piece of the deviance in which other contacts
+    slide: between creases it is smooth, and has one valley as a rule, which may be too narrow to show along the friction.
+    """
+    line = sorted([(best.chi2, best.numbers, best.q), *held], key=lambda one: one[1]["friction"])
+    height = np.array([math.inf, *(one[0] for one in line), math.inf])
+    low = (height[1:-1] < height[:-2]) & (height[1:-1] <= height[2:])
+    pieces: dict[object, float] = {_slides(best): -math.inf, None: -math.inf}
+    for one in line:
+        piece = _slides(replace(best, numbers=one[1], q=one[2]))
+        pieces[piece] = min(one[0], pieces.get(piece, math.inf))
+    there = [one for one, is_low in zip(line, low, strict=True) if is_low or one[0] in pieces.values()]
+    return [one for one in there if one[1] is not best.numbers]
+
+
+def _slides(fit: WholeFit) -> tuple[tuple[str, ...], ...] | None:
+    """Of the contacts of each stretch, whether they slide or hold; None where a start lies in a wall."""
+    try:
+        return tuple(tuple(event.regime for event in fit.simulate(n).events.of("wall")) for n in range(len(fit.q)))
+    except CaromError:
+        return None
+
+
+def _held(law: WholeLaw, best: WholeFit, friction: float, numbers: Numbers) -> _Held:
     """Chi^2, numbers and starts with a friction held and all else following."""
     parameter = law.free["friction"]
     friction = min(max(friction, parameter.low), parameter.high)

@@ -16,11 +16,12 @@ from carom.fitting.whole_descent import Settled, projected, settle, shared_slope
 if TYPE_CHECKING:
     from carom.fitting.whole import WholeFit
 
-__all__ = ["or_else", "with_errors"]
+__all__ = ["TOO_SMALL", "or_else", "with_errors"]
 
 Array = NDArray[np.float64]
 EDGE = 1e-4  # of its range: a number so near its bound is at it
 FLAT = 5.0  # of chi^2, five error bars away, where 25 is due
+TOO_SMALL = "error bar too small: the law does not follow the frames"
 SPARE = 4  # shots more than numbers, from which on the shots' own scatter makes the error bars
 
 
@@ -74,7 +75,7 @@ def with_errors(fit: WholeFit, settled: Settled) -> WholeFit:
             edge = low[i] if what == "least" else high[i]
             estimates[name] = Estimate(float(edge), None, f"at the {what} that it may be, {edge:g}")
         else:
-            note = "" if fit.follows or by_shots else "error bar too small: the law does not follow the frames"
+            note = "" if fit.follows or by_shots else TOO_SMALL
             estimates[name] = Estimate(float(values[i]), float(math.sqrt(covariance[i, i])), note)
     untold = tuple(names[i] for i in np.flatnonzero(concerned))
     return replace(
