@@ -164,7 +164,7 @@ def _lines(frames: Frames) -> Array:
     return q
 
 
-def _starts(frames: Frames, q: Array, slides: NDArray[np.bool_], setting: WholeSetting) -> Starts:
+def _starts(q: Array, slides: NDArray[np.bool_], setting: WholeSetting) -> Starts:
     speed = np.maximum(np.hypot(q[:, 2], q[:, 3]), 0.1)
     ones = np.ones_like(speed)
     scale = np.stack([1e-2 * ones, 1e-2 * ones, *[speed] * 4, speed / setting.radius], axis=-1)
@@ -176,17 +176,17 @@ def _starts(frames: Frames, q: Array, slides: NDArray[np.bool_], setting: WholeS
     return Starts(free, weight, scale)
 
 
-def _before(law: WholeLaw, frames: Frames, setting: WholeSetting, numbers: Mapping[str, float]) -> tuple[Array, Starts]:
+def _before(law: WholeLaw, frames: Frames, numbers: Mapping[str, float]) -> tuple[Array, Starts]:
     """Starts from the frames before the first contact; whether a ball slides there."""
-    first = frames.until(0)
+    first, setting = frames.until(0), law.setting
     q = _lines(frames)
     scene = law.scene(numbers)
     none = np.zeros(len(q), bool)
-    rolling = _starts(frames, q, none, setting)
+    rolling = _starts(q, none, setting)
     rolls = settle(scene, first, rolling, q)
     if law.rolls:
-        return rolls.q, _starts(frames, rolls.q, none, setting)
-    sliding = _starts(frames, q, ~none, setting)
+        return rolls.q, _starts(rolls.q, none, setting)
+    sliding = _starts(q, ~none, setting)
     begin = rolls.q.copy()
     tries = []
     for share in (0.15, 0.7):  # a little left, or all of it
@@ -198,22 +198,20 @@ def _before(law: WholeLaw, frames: Frames, setting: WholeSetting, numbers: Mappi
     just = np.array([one.slides for one in frames.stretches])
     slides = just | (rolls.cost - cost > EARNED)
     q = np.where(slides[:, None], slid, rolls.q)
-    return q, _starts(frames, q, slides, setting)
+    return q, _starts(q, slides, setting)
 
 
-def fit_once(
-    law: WholeLaw, frames: Frames, setting: WholeSetting, least_noise: float, tell: Callable[[float], None]
-) -> WholeFit:
+def fit_once(law: WholeLaw, frames: Frames, least_noise: float, tell: Callable[[float], None]) -> WholeFit:
     """One search, from the law's starts: the frames before the first contact, then those before the second, and so on."""
     numbers = {name: parameter.start for name, parameter in law.free.items()}
     noise = frames.sigma
-    first, starts = _before(law, frames, setting, numbers)
+    first, starts = _before(law, frames, numbers)
     q = first
     most = max(len(one.contacts) for one in frames.stretches)
     for contacts in range(1, most + 1):
         part = frames.until(contacts)
-        q = _begun_anew(law, part, starts, q, first, numbers, setting)
-        part = _scattered(law, part, starts, q, numbers, noise, setting)
+        q = _begun_anew(law, part, starts, q, first, numbers)
+        part = _scattered(law, part, starts, q, numbers, noise)
         numbers, settled = descend(law, part, starts, q, numbers, partial(tell, contacts / (most + 1)), exact=False)
         q = settled.q
     return ended(law, frames, starts, q, numbers, least_noise, partial(tell, 0.95))
@@ -223,14 +221,14 @@ def ended(
     law: WholeLaw, frames: Frames, starts: Starts, q: Array, numbers: dict[str, float], least_noise: float, tell: Callable[[], None]
 ) -> WholeFit:  # fmt: skip
     """Down to the best place from here, sidespins tried anew and all numbers sought by turns."""
-    setting, noise = law.setting, np.full(len(q), law.setting.noise or least_noise)
+    noise = np.full(len(q), law.setting.noise or least_noise)
     least = math.inf
     for _ in range(TURNS):
-        q = sided(law, frames, starts, q, numbers, setting)
-        frames = _scattered(law, frames, starts, q, numbers, noise, setting)
+        q = sided(law, frames, starts, q, numbers)
+        frames = _scattered(law, frames, starts, q, numbers, noise)
         numbers, settled = descend(law, frames, starts, q, numbers, tell)
         q = settled.q
-        frames = _scattered(law, frames, starts, q, numbers, noise, setting)
+        frames = _scattered(law, frames, starts, q, numbers, noise)
         deviance = _deviance(settled, frames)
         if not deviance < least - max(1.0, 1e-4 * abs(least)):
             break
@@ -249,10 +247,9 @@ def _scattered(
     q: Array,
     numbers: Mapping[str, float],
     noise: Array,
-    setting: WholeSetting,
 ) -> Frames:
     """With the scatter of each stretch, where no noise is given: what the law leaves over, never less than its frames have."""
-    if setting.noise is not None:
+    if law.setting.noise is not None:
         return frames
     gap = settle(law.scene(numbers), frames, starts, q, 0).gap * frames.sigma[:, None]
     scatter = np.sqrt((gap * gap).sum(axis=1) / np.maximum(2 * frames.count - 7, 1))
@@ -260,7 +257,7 @@ def _scattered(
 
 
 def _begun_anew(
-    law: WholeLaw, frames: Frames, starts: Starts, q: Array, first: Array, numbers: Mapping[str, float], setting: WholeSetting
+    law: WholeLaw, frames: Frames, starts: Starts, q: Array, first: Array, numbers: Mapping[str, float]
 ) -> Array:  # fmt: skip
     """Starts that these frames like best: those so far, or from the first ones with any sidespin, each brought to its own place.
 
@@ -269,23 +266,25 @@ def _begun_anew(
     """
     scene = law.scene(numbers)
     so_far = settle(scene, frames, starts, q)
-    unit = np.maximum(np.hypot(first[:, 2], first[:, 3]), 0.1) / setting.radius
     n, every = len(q), np.repeat(np.arange(len(q)), SIDES)
     begin = first[every]
-    begin[:, 6] = (unit[:, None] * np.linspace(-1, 1, SIDES) * setting.spin_width).ravel()
+    begin[:, 6] = _sidespins(first, law.setting).ravel()
     tried = settle(scene, frames.pick(every), starts.pick(every), begin, SOON)
     best = np.arange(n) * SIDES + np.argmin(tried.cost.reshape(n, SIDES), axis=1)
     return np.where((tried.cost[best] < so_far.cost)[:, None], tried.q[best], so_far.q)
 
 
-def sided(
-    law: WholeLaw, frames: Frames, starts: Starts, q: Array, numbers: Mapping[str, float], setting: WholeSetting
-) -> Array:
+def _sidespins(q: Array, setting: WholeSetting) -> Array:
+    """(N, SIDES) rad/s that are tried."""
+    speed = np.maximum(np.hypot(q[:, 2], q[:, 3]), 0.1)
+    return np.asarray(speed[:, None] / setting.radius * np.linspace(-1, 1, SIDES) * setting.spin_width)
+
+
+def sided(law: WholeLaw, frames: Frames, starts: Starts, q: Array, numbers: Mapping[str, float]) -> Array:
     """Starts with the sidespin that these frames like best: the one so far, or another where that leads nearer."""
     scene = law.scene(numbers)
     so_far = settle(scene, frames, starts, q)
-    unit = np.maximum(np.hypot(so_far.q[:, 2], so_far.q[:, 3]), 0.1) / setting.radius
-    tried = unit[:, None] * np.linspace(-1, 1, SIDES) * setting.spin_width
+    tried = _sidespins(so_far.q, law.setting)
     costs = scan(scene, frames, so_far.q, tried)
     other = so_far.q.copy()
     other[:, 6] = tried[np.arange(len(q)), np.argmin(costs, axis=1)]

@@ -43,7 +43,7 @@ def fit_law_whole(law: WholeLaw, found: Sequence[Stretch], noise: float, tell: C
     def part(turn: int, done: float) -> None:
         tell((turn + done) / (2 + len(AGAIN)))
 
-    best = fit_once(law, frames, law.setting, noise, partial(part, 0))
+    best = fit_once(law, frames, noise, partial(part, 0))
     if "friction" not in law.free:
         return best
     parameter = law.free["friction"]
@@ -52,7 +52,7 @@ def fit_law_whole(law: WholeLaw, found: Sequence[Stretch], noise: float, tell: C
             break
         inside = replace(parameter, start=min(max(friction, parameter.low), parameter.high))
         begun = replace(law, free=law.free | {"friction": inside})
-        other = fit_once(begun, frames, law.setting, noise, partial(part, turn))
+        other = fit_once(begun, frames, noise, partial(part, turn))
         if other.deviance < best.deviance:
             best = other
     best, others = _across(law, replace(best, law=law), noise)
@@ -112,12 +112,16 @@ def _held(law: WholeLaw, best: WholeFit, friction: float, numbers: Numbers) -> _
     """Chi^2, numbers and starts with a friction held and all else following."""
     parameter = law.free["friction"]
     friction = min(max(friction, parameter.low), parameter.high)
-    free = {name: one for name, one in law.free.items() if name != "friction"}
-    held = replace(law, free=free, held=law.held | {"friction": friction})
-    others = {name: numbers[name] for name in free}
-    q = sided(held, best.frames, best.starts, best.q, others, law.setting)
+    held = _holding(law, friction)
+    others = {name: numbers[name] for name in held.free}
+    q = sided(held, best.frames, best.starts, best.q, others)
     others, settled = descend(held, best.frames, best.starts, q, others, _silent, exact=False)
     return float(settled.cost.sum()), {name: (others | {"friction": friction})[name] for name in law.free}, settled.q
+
+
+def _holding(law: WholeLaw, friction: float) -> WholeLaw:
+    free = {name: one for name, one in law.free.items() if name != "friction"}
+    return replace(law, free=free, held=law.held | {"friction": friction})
 
 
 def _friction_told(law: WholeLaw, best: WholeFit, others: Sequence[tuple[float, float]]) -> WholeFit:
@@ -135,9 +139,8 @@ def _friction_told(law: WholeLaw, best: WholeFit, others: Sequence[tuple[float, 
     for _ in range(ROUNDS):
         rises = []
         for one in (here + far).tolist():
-            free = {name: one for name, one in law.free.items() if name != "friction"}
-            held = replace(law, free=free, held=law.held | {"friction": one})
-            numbers = {name: best.numbers[name] for name in free}
+            held = _holding(law, one)
+            numbers = {name: best.numbers[name] for name in held.free}
             numbers, settled = descend(held, best.frames, best.starts, best.q, numbers, _silent)
             rises.append(max(float(settled.cost.sum()) - best.chi2, 1e-3))
         rise = np.sqrt(rises)

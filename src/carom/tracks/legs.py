@@ -37,26 +37,28 @@ def leg(v: Array, u: Array, t: Array, mu_g: float, c_g: float, k: float) -> Leg:
 
     ``mu_g`` and ``c_g`` are the decelerations while it slides and rolls, m/s^2; k = kappa / (1 + kappa), 2/7 if solid.
     """
-    way, velocity, slip = np.empty((len(t), 2)), np.empty((len(t), 2)), np.empty((len(t), 2))
+    return _filled(v, u, t, mu_g, c_g, k, np.empty((0, 2, 6)))
+
+
+def slopes(v: Array, u: Array, t: Array, mu_g: float, c_g: float, k: float) -> tuple[Array, Array, Array]:
+    """Of :func:`leg`, the way (n, 2), the velocity (n, 2), and the way's derivatives (n, 2, 6) by v, u, mu_g and c_g."""
+    slope = np.empty((len(t), 2, 6))
+    found = _filled(v, u, t, mu_g, c_g, k, slope)
+    return found.way, found.velocity, slope
+
+
+def _filled(v: Array, u: Array, t: Array, mu_g: float, c_g: float, k: float, slope: Array) -> Leg:
+    found = Leg(np.empty((len(t), 2)), np.empty((len(t), 2)), np.empty((len(t), 2)))
     numbers = (float(v[0]), float(v[1]), float(u[0]), float(u[1]), float(mu_g), float(c_g), float(k))
-    _compiled(_leg)(*numbers, np.ascontiguousarray(t), way, velocity, slip)
-    return Leg(way, velocity, slip)
+    _compiled()(*numbers, np.ascontiguousarray(t), *found, slope)
+    return found
 
 
-def _leg(
-    vx: float,
-    vy: float,
-    ux: float,
-    uy: float,
-    mu_g: float,
-    c_g: float,
-    k: float,
-    t: Any,
-    way: Any,
-    velocity: Any,
-    left: Any,
-) -> None:
-    """Fill ways, velocities and slips (n, 2), one time after the other."""
+def _fill(
+    vx: float, vy: float, ux: float, uy: float, mu_g: float, c_g: float, k: float, t: Any,
+    way: Any, velocity: Any, left: Any, slope: Any,
+) -> None:  # fmt: skip
+    """Fill ways, velocities and slips (n, 2), one time after the other, and slopes (n, 2, 6), or none (0, 2, 6)."""
     slip = math.sqrt(ux * ux + uy * uy) + TINY
     ex, ey = ux / slip, uy / slip
     slides = k * slip / mu_g
@@ -74,39 +76,8 @@ def _leg(
         # the slip is k's share of what the ball still has to lose
         velocity[i, 0] = px * (speed - c_g * h) + k * left[i, 0]
         velocity[i, 1] = py * (speed - c_g * h) + k * left[i, 1]
-
-
-def _rows(
-    vx: float,
-    vy: float,
-    ux: float,
-    uy: float,
-    mu_g: float,
-    c_g: float,
-    k: float,
-    t: Any,
-    way: Any,
-    velocity: Any,
-    slope: Any,
-) -> None:
-    """The same with slopes: fill ways (n, 2), velocities (n, 2), slopes (n, 2, 6), one time after the other."""
-    slip = math.sqrt(ux * ux + uy * uy) + TINY
-    ex, ey = ux / slip, uy / slip
-    slides = k * slip / mu_g
-    rx, ry = vx - k * ux, vy - k * uy
-    speed = math.sqrt(rx * rx + ry * ry) + TINY
-    px, py = rx / speed, ry / speed
-    least = c_g if c_g > TINY else TINY
-    for i in range(t.shape[0]):
-        f = min(t[i], slides)
-        h = min(max(t[i] - slides, 0.0), speed / least)
-        far = speed * h - c_g / 2 * h * h
-        left = max(slip - mu_g / k * t[i], 0.0)
-        way[i, 0] = vx * f - ex * (mu_g / 2 * f * f) + px * far
-        way[i, 1] = vy * f - ey * (mu_g / 2 * f * f) + py * far
-        # the slip is k's share of what the ball still has to lose
-        velocity[i, 0] = px * (speed - c_g * h) + k * left * ex
-        velocity[i, 1] = py * (speed - c_g * h) + k * left * ey
+        if slope.shape[0] == 0:
+            continue
         # what rolling adds, by the velocity r with which it begins; what the slide's end adds, by its time
         bent, turned = c_g / (2 * speed) * h * h, mu_g / (2 * slip) * f * f
         xx, xy, yy = h - (1 - px * px) * bent, px * py * bent, h - (1 - py * py) * bent
@@ -122,15 +93,7 @@ def _rows(
 
 
 @functools.cache
-def _compiled(loop: Callable[..., None]) -> Callable[..., None]:
+def _compiled() -> Callable[..., None]:
     from carom.compiled import njit
 
-    return njit(loop)
-
-
-def slopes(v: Array, u: Array, t: Array, mu_g: float, c_g: float, k: float) -> tuple[Array, Array, Array]:
-    """Of :func:`leg`, the way (n, 2), the velocity (n, 2), and the way's derivatives (n, 2, 6) by v, u, mu_g and c_g."""
-    way, velocity, slope = np.empty((len(t), 2)), np.empty((len(t), 2)), np.empty((len(t), 2, 6))
-    numbers = (float(v[0]), float(v[1]), float(u[0]), float(u[1]), float(mu_g), float(c_g), float(k))
-    _compiled(_rows)(*numbers, np.ascontiguousarray(t), way, velocity, slope)
-    return way, velocity, slope
+    return njit(_fill)
