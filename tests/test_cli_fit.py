@@ -187,6 +187,21 @@ def test_design_says_which_shots(here, monkeypatch, capsys):
     assert len(err.splitlines()) == 3
 
 
+def test_design_refuses_what_it_would_not_read(here, monkeypatch, capsys):
+    words = ("--stage", "rolling", "--contact-height", "1.2", "--floor-friction", "0.2")
+    code, out, err = run(monkeypatch, capsys, "design", "--laws", "contact,sliding", *words)
+    assert (code, out) == (2, "")
+    assert [line.split(":")[1].strip() for line in err.splitlines()] == [
+        "--stage",
+        "--contact-height",
+        "--floor-friction",
+    ]
+    file = write(here / "bounces.csv", bounces(1, 20))
+    code, out, err = run(monkeypatch, capsys, "design", str(file), "--kind", "table")
+    assert (code, out) == (2, "")
+    assert "--kind: expected planar" in err
+
+
 def test_a_table_in_utf_16_is_not_taken_for_a_track(here, monkeypatch, capsys):
     file = write(here / "bounces.csv", bounces(1, 20))
     (here / "unicode.csv").write_bytes(file.read_text().encode("utf-16"))

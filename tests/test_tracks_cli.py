@@ -110,6 +110,9 @@ def test_walls_that_are_given(
         ((str(HERE / "tracker_single.txt"), "--plot", "picture.gif"), ["expected a name that ends with"]),
         ((str(HERE / "tracker_single.txt"), "--wall", "x=nan"), ["--wall: expected x=0.03"]),
         ((str(HERE / "tracker_single.txt"), "--inertia", "5"), ["kappa: expected kappa = I/(m a^2), at most 1"]),
+        ((str(HERE / "trackpy.csv"), "--out", "none/rebounds.json"), ["--out none/rebounds.json: expected a name that ends"]),
+        ((str(HERE / "trackpy.csv"), "--out", "none/rebounds.csv"), ["--out none/rebounds.csv: expected a folder that exists"]),
+        ((str(HERE / "trackpy.csv"), "--out", str(HERE / "trackpy.csv")), ["expected another file than the track itself"]),
         (("nowhere.csv",), ["No such file"]),
     ],
 )  # fmt: skip

@@ -27,7 +27,10 @@ def design(
     laws: Annotated[str, typer.Option(metavar="TRUE,OTHER", help="the first is taken for true")] = "contact,sliding",
     radius: Annotated[float, typer.Option(help="m", rich_help_panel=BALL)] = 0.02625,
     inertia: Annotated[str, typer.Option(metavar="solid|hollow|KAPPA", rich_help_panel=BALL)] = "solid",
-    kind: Annotated[str, typer.Option(help="planar (in flight) or table (rolling)", rich_help_panel=BALL)] = "planar",
+    kind: Annotated[
+        str | None,
+        typer.Option(help="planar (in flight) or table (rolling)", show_default="FILE's, else planar", rich_help_panel=BALL),
+    ] = None,
     stage: Annotated[str, typer.Option(help="table: after_wall or rolling", rich_help_panel=BALL)] = "after_wall",
     truth: Annotated[
         list[str] | None, typer.Option(metavar="NAME=VALUE", help="numbers of the first law", rich_help_panel=WALL)
@@ -70,7 +73,7 @@ def design(
     pair = split(laws)
     if len(pair) != 2:
         faults.append(f"--laws: expected two laws, the one taken for true first, such as maw,contact, got {laws!r}")
-    if kind not in KINDS:
+    if kind not in (None, *KINDS):
         faults.append(f"--kind: expected planar or table, got {kind!r}")
     if stage not in STAGES:
         faults.append(f"--stage: expected after_wall or rolling, got {stage!r}")
@@ -79,10 +82,16 @@ def design(
     if faults:
         raise CaromError(*faults)
     filmed = None if file is None else read_rebounds(file)
+    if filmed is not None:
+        if kind not in (None, filmed.kind):
+            raise CaromError(f"--kind: expected {filmed.kind}, as {file} is, got {kind}; leave it out")
+        kind = filmed.kind
+    if kind != "table":
+        _no_table(stage != STAGES[0], contact_height != 1, floor_friction is not None)
     shots = Shots(ranges[0], ranges[1], ranges[2], sigma_v, sigma_spin, stage)
     setting = Setting(radius=radius, kappa=kappa, contact_height=contact_height, floor_friction=floor_friction)
     plan = plan_shots(
-        filmed.kind if filmed is not None else kind,  # type: ignore[arg-type]
+        kind or "planar",  # type: ignore[arg-type]
         setting, (pair[0], pair[1]), shots, {k: v for k, v in numbers.items() if v is not None} or None, odds=odds, filmed=filmed,
     )  # fmt: skip
     if plot is not None:
@@ -97,6 +106,18 @@ def design(
         _show(plan)
     for note in plan.notes:
         sys.stderr.write(f"note: {note}\n")
+
+
+def _no_table(stage: bool, contact_height: bool, floor_friction: bool) -> None:
+    """CaromError for options of a ball on a table that were given for one in flight, where they would do nothing."""
+    given = {"--stage": stage, "--contact-height": contact_height, "--floor-friction": floor_friction}
+    faults = [
+        f"{option}: expected a ball on a table, got one in flight; --kind table, or leave it out"
+        for option, there in given.items()
+        if there
+    ]
+    if faults:
+        raise CaromError(*faults)
 
 
 def _range(option: str, text: str) -> tuple[float, float]:

@@ -13,7 +13,7 @@ from rich.console import Console
 from rich.markup import escape
 
 from carom.cli.fit_options import length_of
-from carom.cli.places import require_drawable
+from carom.cli.places import require_places
 from carom.cli.shared import attempt
 from carom.cli.shared import out as stdout
 from carom.errors import CaromError
@@ -107,8 +107,9 @@ def show(
     ):
         if value is not None and value not in known:
             faults.append(f"--{name}: expected one of {', '.join(known)}, got {value!r}")
-    if plot is not None:
-        attempt(faults, require_drawable, plot)
+    require_places(faults, {"--plot": plot, "--out": out}, {"--out": (".csv", ".txt", ".parquet", ".pq")})
+    if out is not None and out.exists() and file.exists() and out.samefile(file):
+        faults.append(f"--out {out}: expected another file than the track itself, got the same; name a new one")
     if faults:
         raise CaromError(*faults)
     found = read_tracks(file, format_, Given(lengths["scale"], rate, down))
