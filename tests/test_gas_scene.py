@@ -252,7 +252,7 @@ WRONG = {
     ),
     "sides that cross": (
         ROUGH.replace('"periodic"', '"polygon"\npoints = [[0, 0], [8, 8], [8, 0], [0, 7]]'),
-        "container.points: expected sides that do not cross each other",
+        "container.points: expected sides that do not cross, got those from corner 1 to 2 and from corner 3 to 4, which meet at",
     ),
     "gravity": (
         MIXED.replace("gravity = 0.2", "gravity = [0, 0, 1]"),

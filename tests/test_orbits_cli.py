@@ -207,6 +207,10 @@ BAD = [
     (["circle", "--corners", "stop"], "corners: expected 'end' or 'pass', got 'stop'"),
     (["strip"], "give --position and --velocity"),
     (["polygon", "--vertices", "0,0 1,x 2,2"], "--vertices: expected two numbers"),
+    (
+        ["polygon", "--vertices", "0,0 4,0 4,4 2,4 2,2 2,4 0,4"],
+        "the side from corner 5 to 6 back along that from 4 to 5",
+    ),
     (["circle", "--plot", "nowhere/a.svg"], "expected a folder that exists"),
     (["circle", "--law", "contact", "--restitution", "2", *START], "Surface: restitution"),
     (["ellipse", "--minor", "0.1", "--bounds", "surface"], "expected one that has room in the ellipse, got 0.1"),

@@ -39,6 +39,10 @@ class Faults:
         """One fault: which field, what was expected, what came."""
         self.found[field] = f"{self.where}: {field}: expected {expected}, got {got}"
 
+    def also(self, field: str, expected: str, got: str) -> None:
+        """One fault more of a field that may have several."""
+        self.found[f"{field} {len(self.found)}"] = f"{self.where}: {field}: expected {expected}, got {got}"
+
     def advise(self, field: str, remedy: str) -> None:
         """What to do about a fault that was added."""
         self.found[field] += f"; {remedy}"

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from carom.checks import Faults
 from carom.engine.swarm_arrays import INSIDE, OUTSIDE, OVAL, PLANE
 from carom.gas.wall import Numbers, Wall
-from carom.outlines import crosses
+from carom.outlines import outline_faults
 
 __all__ = ["Section", "section"]
 
@@ -20,7 +20,6 @@ Array = NDArray[np.float64]
 Section = tuple[list[Wall], float, Array | None]
 JOIN = 1e-9  # of the size: so far bounded walls that go over into each other overlap
 STRAIGHT = 1e-12  # sine of the angle by which two sides of a polygon that are one may turn
-NO_TURN = 1e-9  # length of a side against the longest, below which it is none
 
 
 def section(faults: Faults, shape: str, size: Numbers, points: Any, bounds: str) -> Section:
@@ -94,14 +93,12 @@ def _wedge(faults: Faults, size: Numbers) -> Section:
 def _polygon(faults: Faults, points: Any, bounds: str) -> Section:
     """Sides, and at re-entrant corners the points that a ball meets there; side k goes from corner k to the next."""
     corners = np.array(points, dtype=float)
+    for expected, got in outline_faults(corners):
+        faults.also("points", expected, got)
+    faults.done()
     edges = np.roll(corners, -1, axis=0) - corners
     length = np.hypot(edges[:, 0], edges[:, 1])
     area = float((corners[:, 0] * np.roll(corners[:, 1], -1) - corners[:, 1] * np.roll(corners[:, 0], -1)).sum() / 2)
-    if not (length > NO_TURN * length.max()).all() or abs(area) < STRAIGHT * length.max() ** 2:
-        faults.add("points", "sides of some length around some area", f"{points!r:.60}")
-    elif crosses(corners):
-        faults.add("points", "sides that do not cross each other", f"{points!r:.60}")
-    faults.done()
     way = 1.0 if area > 0 else -1.0
     along = edges / length[:, None]
     inward = way * np.stack([-along[:, 1], along[:, 0]], axis=1)

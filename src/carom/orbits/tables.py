@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from carom.checks import Faults, float_array, nearest, number
 from carom.errors import CaromError
 from carom.orbits.shape import Shape, face
-from carom.outlines import crosses
+from carom.outlines import outline_faults
 
 __all__ = [
     "BOUNDS", "Bounds", "Table", "acceleration_of", "check_bounds", "circle", "ellipse", "need_room", "periodic_strip",
@@ -144,7 +144,11 @@ def wedge(angle: float, *, bounds: Bounds = "centre") -> Table:
 
 
 def polygon(vertices: ArrayLike, *, bounds: Bounds = "centre", name: str = "polygon") -> Table:
-    """Any polygon, from its vertices (N, 2) in order. A polygon need not be convex; its sides must not cross."""
+    """Any polygon, from its vertices (N, 2) in order. It need not be convex; its sides must not meet but at its corners.
+
+    What is wrong with one is told with the numbers of the corners, counted from 1: corners in one place, sides that cross, lie
+    on each other or run back (a slit has a width).
+    """
     faults = Faults(name)
     check_bounds(faults, bounds)
     try:
@@ -154,16 +158,14 @@ def polygon(vertices: ArrayLike, *, bounds: Bounds = "centre", name: str = "poly
     if corners.ndim != 2 or corners.shape[1:] != (2,) or len(corners) < 3 or not np.isfinite(corners).all():
         faults.add("vertices", "three or more points (x, y)", f"{vertices!r:.60}")
         faults.done()
-    area = float(np.sum(corners[:, 0] * np.roll(corners[:, 1], -1) - corners[:, 1] * np.roll(corners[:, 0], -1)) / 2)
-    if area < 0:
-        corners, area = corners[::-1].copy(), -area
+    for expected, got in outline_faults(corners):
+        faults.also("vertices", expected, got)
+    faults.done()
+    x, y = (corners - corners[0]).T
+    if np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) < 0:
+        corners = corners[::-1].copy()
     sides = np.roll(corners, -1, axis=0) - corners
     lengths = np.hypot(sides[:, 0], sides[:, 1])
-    if not (lengths > 1e-9 * lengths.max()).all() or area < 1e-12 * lengths.max() ** 2:
-        faults.add("vertices", "sides of some length around some area", "sides or an area of none")
-    elif crosses(corners):
-        faults.add("vertices", "sides that do not cross", "two that do")
-    faults.done()
     t = sides / lengths[:, None]
     turn = t[:, 0] * np.roll(t[:, 1], -1) - t[:, 1] * np.roll(t[:, 0], -1)  # at the end of each side
     reflex = turn < -1e-12
