@@ -57,7 +57,7 @@ def one(law: str, camera: Camera, seed: int, shots: int) -> dict[str, Any]:
     # of each shot the first contact: the sidespins after it are another population
     first = [i for i, name in enumerate(rebounds.extra["shot"]) if name not in rebounds.extra["shot"][:i]]
     cloth = measured.floor.get("cloth friction", (0.2, 0.0))
-    setting = Setting(radius=RADIUS, contact_height=NOSE / RADIUS, floor_friction=cloth[0])
+    setting = Setting(radius=RADIUS, contact_height=NOSE / RADIUS)  # the floor is as the film says
     fit = fit_law(laws_named([law], "table", False)[0][0], make_problem(rebounds.select(np.array(first)), setting)[0])
     truth = {
         "restitution": on.restitution,

@@ -11,7 +11,7 @@ from commands import command
 from track_truth import NOSE, RADIUS, Camera, seen, shot, surfaces, truth
 from verdict_truth import TRUTHS, verdict
 
-from carom.fitting import Setting, fit_law, make_problem
+from carom.fitting import Setting, fit_law, make_problem, with_bootstrap, with_profiles
 from carom.fitting.kernels import AFTER_WALL, ROLLING, TOGETHER, TURN, table
 from carom.fitting.laws import laws_named
 from carom.fitting.parameters import INDEX, PARAMETERS
@@ -71,6 +71,94 @@ def test_the_cloth_s_error_is_one_for_all_rows():
     assert np.isfinite(fit_law(holds, make_problem(rebounds, Setting(radius=0.03))[0]).covariance).all()
 
 
+def shifted(seed: int, n: int = 25, v: float = 2.0, own: float = 0.01, cloth: float = 0.03, rolling: float = 0.0):
+    """Balls square on to a cushion, restitution 0.8, all with two errors in common; the rows and what errors do to them."""
+    rng = np.random.default_rng(seed)
+    z = rng.normal(size=2)
+    columns = {"v_n_in": np.full(n, v), "v_t_in": np.zeros(n), "spin_z_in": np.zeros(n), "v_t_out": np.zeros(n)}
+    columns["v_n_out"] = 0.8 * v + cloth * z[0] + rolling * z[1] + own * rng.normal(size=n)
+    columns |= {f"sigma_{name}": np.full(n, np.sqrt(own**2 + cloth**2 + rolling**2)) for name in ("v_n_out", "v_t_out")}
+    extra = {"cloth_v_n_out": np.full(n, cloth), "rolling_v_n_out": np.full(n, rolling)}
+    return make_rebounds("table", columns, stage="rolling", extra=extra)
+
+
+@pytest.mark.parametrize("rolling", [0.0, 0.02])
+def test_profiles_and_bootstrap_have_the_errors_that_all_rows_share(rolling):
+    own, cloth, v, n = 0.01, 0.03, 2.0, 25
+    mirror = laws_named(["mirror"], "table", True)[0][0]
+    fit = fit_law(mirror, make_problem(shifted(1, rolling=rolling), Setting(radius=0.03))[0])
+    wanted = np.sqrt(own**2 / n + cloth**2 + rolling**2) / v
+    one = with_bootstrap(with_profiles(fit), 400).estimates["restitution"]
+    assert one.stderr == pytest.approx(wanted, rel=0.01)
+    assert one.bootstrap == pytest.approx(wanted, rel=0.12)
+    assert np.ptp(one.interval_68) / 2 == pytest.approx(wanted, rel=0.02)
+    assert np.ptp(one.interval_95) / 2 == pytest.approx(1.96 * wanted, rel=0.02)
+    # where all rows are off together no row is: what the law says is measured lies amid what was
+    assert abs((fit.problem.y - fit.predicted())[:, 0].mean()) < 4 * own / np.sqrt(n)
+    assert [one.name for one in fit.problem.shared] == ["cloth friction", "rolling resistance"][: 1 + (rolling > 0)]
+
+
+def test_error_bars_hold_with_shared_errors():
+    mirror = laws_named(["mirror"], "table", True)[0][0]
+    off = []
+    for seed in range(300):
+        fit = fit_law(mirror, make_problem(shifted(seed, rolling=0.02), Setting(radius=0.03))[0])
+        off.append((fit.estimates["restitution"].value - 0.8) / fit.estimates["restitution"].stderr)
+    assert np.mean(np.abs(off) < 1) == pytest.approx(0.683, abs=3 * np.sqrt(0.683 * 0.317 / 300))
+    assert np.mean(np.abs(off) < 1.96) == pytest.approx(0.95, abs=3 * np.sqrt(0.95 * 0.05 / 300))
+
+
+def test_the_film_s_error_of_the_floor_is_the_law_s_too():
+    # the law with the floor's friction one error bar to either side: by so much its numbers are uncertain
+    rng = np.random.default_rng(2)
+    law = laws_named(["two-step-after"], "table", False)[0][0]
+    p = np.array([parameter.start for parameter in PARAMETERS])
+    p[INDEX["restitution"]], p[INDEX["friction"]], p[INDEX["contact_height"]] = 0.85, 0.15, 1.2
+    v_n, v_t, spin = rng.uniform(0.8, 2.5, 30), rng.uniform(-1.5, 1.5, 30), rng.normal(0, 15, 30)
+    said = np.array([table(TURN, 0, AFTER_WALL, row, RADIUS, p) for row in zip(v_n, v_t, spin, strict=True)])
+    columns = {"v_n_in": v_n, "v_t_in": v_t, "spin_z_in": spin, "v_n_out": said[:, 0], "v_t_out": said[:, 1]}
+    columns |= {f"sigma_{name}": np.full(30, 0.002) for name in ("v_n_out", "v_t_out")}
+    film = {
+        "cloth_friction": np.full(30, 0.2),
+        "sigma_cloth_friction": np.full(30, 0.02),
+        "cloth_v_n_out": np.full(30, 1e-9),
+    }
+    rebounds = make_rebounds("table", columns, stage="after_wall", extra=film)
+    height = 1.2
+    told, low, high = (
+        fit_law(law, make_problem(rebounds, Setting(radius=RADIUS, contact_height=height, floor_friction=floor))[0])
+        for floor in (None, 0.18, 0.22)
+    )
+    held = fit_law(law, make_problem(rebounds, Setting(radius=RADIUS, contact_height=height, floor_friction=0.2))[0])
+    assert abs(told.numbers[len(PARAMETERS)]) < 0.1
+    ends = np.array([[fit.estimates["restitution"].value, fit.deviance] for fit in (low, high)])
+    follows, curve = (ends[1, 0] - ends[0, 0]) / 2, ends[:, 1].mean() - held.deviance + 1
+    wanted = np.sqrt(held.estimates["restitution"].stderr ** 2 + follows**2 / curve)
+    assert told.estimates["restitution"].stderr == pytest.approx(wanted, rel=0.05)
+    assert told.estimates["restitution"].stderr > 1.3 * held.estimates["restitution"].stderr
+
+
+def test_what_rolling_resistance_does_to_the_rows_is_what_it_does():
+    rng = np.random.default_rng(5)
+    on = surfaces(rng, "after")
+    films = [replace(seen(shot(rng, on=on), CAMERA, rng), group=f"shot {k}") for k in range(4)]
+    free = measure(films, Settings(radius=0.0, view="above", noise=3e-4))
+    value, error = free.floor["rolling resistance"]
+    table = to_rebounds(free)
+    cloth = free.floor["cloth friction"][0]
+    ends = [
+        to_rebounds(measure(films, Settings(radius=0.0, view="above", noise=3e-4, cloth=cloth, rolling=value + step)))
+        for step in (-error, error)
+    ]
+    assert np.array_equal(ends[0].extra["contact"], table.extra["contact"])
+    for name in ("v_n_in", "v_n_out"):
+        moves = (ends[1][name] - ends[0][name]) / 2
+        said = table.extra[f"rolling_{name}"]
+        assert np.abs(moves).max() > 2e-4
+        assert np.corrcoef(moves, said)[0, 1] > 0.98
+        assert np.dot(moves, said) / np.dot(moves, moves) == pytest.approx(1, abs=0.3)
+
+
 def test_from_a_film_to_restitution_and_friction():
     # here the cloth is measured 1.6 of its error bars too low, and with it every speed after the cushion
     rng = np.random.default_rng(7)
@@ -89,7 +177,10 @@ def test_from_a_film_to_restitution_and_friction():
     assert fit.chi2 < fit.dof + 3 * np.sqrt(2 * fit.dof)
     # what is likeliest of a width is too small on average
     assert fit.estimates["spin_width"].value > fit.numbers[INDEX["spin_width"]]
-    bare = replace(rebounds, extra={name: one for name, one in rebounds.extra.items() if not name.startswith("cloth_")})
+    bare = replace(
+        rebounds,
+        extra={name: one for name, one in rebounds.extra.items() if not name.startswith(("cloth_", "rolling_"))},
+    )
     alone = fit_law(law, make_problem(bare, setting)[0]).estimates["restitution"]
     assert abs(alone.value - on.restitution) > 3 * alone.stderr
 

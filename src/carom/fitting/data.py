@@ -14,10 +14,12 @@ from carom.fitting.parameters import FORMS, PARAMETERS
 from carom.fitting.unmeasured import Spins, places_of_sigma
 from carom.rebounds import COLUMNS, STAGES, Rebounds
 
-__all__ = ["Problem", "Setting", "make_problem", "prior_in_words", "require_settings", "table_faults"]
+__all__ = ["Problem", "Setting", "Shared", "make_problem", "prior_in_words", "require_settings", "table_faults"]
 
 Array = NDArray[np.float64]
-MOST_CLOTH = 0.95  # of a variance, that rows share by the cloth: the rest is a row's own
+MOST_SHARED = 0.95  # of a variance, that rows share: the rest is a row's own
+# What a film measures once for all its rows: the beginning of their columns, and what it is
+SHARED = {"cloth": "cloth friction", "rolling": "rolling resistance"}
 CLOTH = 0.2  # a billiard table's, where nothing else is known
 MOST_WIDTH = 5.0  # of spins before the wall, in v/a: no ball has more
 
@@ -96,6 +98,17 @@ def require_settings(setting: Setting) -> None:
 
 
 @dataclass(frozen=True)
+class Shared:
+    """An error that all rows have in common, because the film measures it once: a number z, normal with width 1."""
+
+    name: str
+    rows: Array
+    """(N, 6) by how much one error bar of it moves what was measured before and after."""
+    floor: float = 0.0
+    """By how much it moves the floor's friction, where that is from the film too."""
+
+
+@dataclass(frozen=True)
 class Problem:
     """N rebounds as arrays."""
 
@@ -113,8 +126,8 @@ class Problem:
     """What is assumed of spins that were not measured; None: all were."""
     estimated: NDArray[np.bool_]
     """(3,) outputs without error bars: their scatter is estimated."""
-    cloth: Array | None = None
-    """(N, 6) by how much one error bar of the cloth's friction moves what was measured before and after, in all rows together."""
+    shared: tuple[Shared, ...] = ()
+    """Errors that all rows have in common."""
 
     @property
     def count(self) -> int:
@@ -135,8 +148,8 @@ class Problem:
         """Some of the rows."""
         stages = None if self.stages is None else np.ascontiguousarray(self.stages[rows])
         x, vx, y, vy = (np.ascontiguousarray(array[rows]) for array in (self.x, self.vx, self.y, self.vy))
-        cloth = None if self.cloth is None else np.ascontiguousarray(self.cloth[rows])
-        return replace(self, rebounds=self.rebounds.select(rows), stages=stages, x=x, vx=vx, y=y, vy=vy, cloth=cloth)
+        shared = tuple(replace(one, rows=np.ascontiguousarray(one.rows[rows])) for one in self.shared)
+        return replace(self, rebounds=self.rebounds.select(rows), stages=stages, x=x, vx=vx, y=y, vy=vy, shared=shared)
 
     def work(self, heavy: bool) -> float:
         """How many times one look at all rows asks a cheap law."""
@@ -189,15 +202,15 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
     if exact and rebounds.sigma:
         notes.append(f"{', '.join(f'sigma_{name}' for name in exact)}: not given; taken as exact before the wall")
     stages = None if rebounds.stage is None else np.array([STAGES.index(str(s)) for s in rebounds.stage])
-    cloth = _cloth(rebounds, names)
-    if cloth is not None:  # and each row has what is left
-        vx, vy = (v - np.minimum(np.square(s), MOST_CLOTH * v) for v, s in ((vx, cloth[:, :3]), (vy, cloth[:, 3:])))
-        notes.append(
-            "cloth_ columns: the velocities share the error of the cloth's friction; it is fitted with every law"
-        )
-    setting, floor = _with_floor(rebounds, setting)
+    setting, floor, error = _with_floor(rebounds, setting)
     notes += floor
-    problem = Problem(rebounds, setting, x, vx, y, vy, stages, None, estimated, cloth)
+    shared = () if estimated.any() else _shared(rebounds, names, error)
+    if shared:  # and each row has what is left
+        square = np.sum([np.square(one.rows) for one in shared], axis=0)
+        vx, vy = (v - np.minimum(s, MOST_SHARED * v) for v, s in ((vx, square[:, :3]), (vy, square[:, 3:])))
+        words = " and of its ".join(f"{one.name}" for one in shared)
+        notes.append(f"velocities of all rows share the error of the film's {words}: fitted with every law")
+    problem = Problem(rebounds, setting, x, vx, y, vy, stages, None, estimated, shared)
     if unknown.any():
         problem = replace(problem, spins=Spins(places_of_sigma(), setting.spin_prior == "uniform"))
         notes.append(
@@ -208,35 +221,43 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
     return problem, notes
 
 
-def _cloth(rebounds: Rebounds, names: tuple[str, ...]) -> Array | None:
-    """(N, 6): the columns cloth_ of a table that carom made of a film; None where there are none, or they are no numbers."""
-    columns = [rebounds.extra.get(f"cloth_{name}") for name in names]
-    if all(column is None for column in columns):
-        return None
+def _shared(rebounds: Rebounds, names: tuple[str, ...], floor: float) -> tuple[Shared, ...]:
+    """What the columns cloth_ and rolling_ of a table say that carom made of a film; ``floor``: one error bar of the floor's
+    friction, where the cloth's is taken for it."""
+    found = []
+    for prefix, name in SHARED.items():
+        columns = [_numbers(rebounds, f"{prefix}_{column}") for column in names]
+        rows = np.nan_to_num(np.stack(columns, axis=-1))
+        if rows.any():
+            found.append(Shared(name, rows, floor if prefix == "cloth" else 0.0))
+    return tuple(found)
+
+
+def _numbers(rebounds: Rebounds, name: str) -> Array:
+    """An extra column; NaN where it has no number, or there is none."""
+    column = rebounds.extra.get(name)
     try:
-        found = [np.zeros(len(rebounds)) if column is None else column.astype(float) for column in columns]
+        return np.full(len(rebounds), np.nan) if column is None else np.where(column == "", "nan", column).astype(float)
     except ValueError:
-        return None
-    cloth = np.nan_to_num(np.stack(found, axis=-1))
-    return cloth if cloth.any() else None
+        return np.full(len(rebounds), np.nan)
 
 
-def _with_floor(rebounds: Rebounds, setting: Setting) -> tuple[Setting, list[str]]:
-    """The setting with a friction of the floor, and where it is from."""
+def _with_floor(rebounds: Rebounds, setting: Setting) -> tuple[Setting, list[str], float]:
+    """The setting with a friction of the floor, where it is from, and its error bar if that is a film that has one."""
     if setting.floor_friction is not None:
-        return setting, []
+        return setting, [], 0.0
     if rebounds.kind == "planar":
-        return replace(setting, floor_friction=CLOTH), []
+        return replace(setting, floor_friction=CLOTH), [], 0.0
     found = film_says(rebounds, "cloth_friction")
     fitted = "floor_friction" in setting.fit or "floor_friction" in setting.fixed
     if found is None:
         said = f"floor_friction: nothing says what it is; taken as {CLOTH:g}; give it with --floor-friction or --fit it"
-        return replace(setting, floor_friction=CLOTH), [] if fitted else [said]
+        return replace(setting, floor_friction=CLOTH), [] if fitted else [said], 0.0
     value, error, films = found
     bar = f" ± {error:.2g}" if error else ""
     of = "the film says" if films == 1 else f"{films} films say on average"
     said = f"floor_friction: {value:.4g}{bar}, as {of} (column cloth_friction); --floor-friction overrules"
-    return replace(setting, floor_friction=value), [] if fitted else [said]
+    return replace(setting, floor_friction=value), [] if fitted else [said], 0.0 if fitted else error
 
 
 def film_says(rebounds: Rebounds, name: str) -> tuple[float, float, int] | None:
@@ -245,13 +266,7 @@ def film_says(rebounds: Rebounds, name: str) -> tuple[float, float, int] | None:
     A table that carom makes of a film has it in a column, the same in all rows; several films, one after the other in a table, are
     weighted by their errors.
     """
-    columns = [rebounds.extra.get(column) for column in (name, f"sigma_{name}")]
-    try:
-        value, error = (
-            np.full(len(rebounds), np.nan) if c is None else np.where(c == "", "nan", c).astype(float) for c in columns
-        )
-    except ValueError:
-        return None
+    value, error = _numbers(rebounds, name), _numbers(rebounds, f"sigma_{name}")
     films = np.unique(np.stack([value, np.nan_to_num(error)], axis=-1)[np.isfinite(value) & (value >= 0)], axis=0)
     if not len(films):
         return None

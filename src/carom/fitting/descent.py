@@ -19,14 +19,21 @@ ENOUGH_AVERAGED = 1e-4  # the same where a spin is averaged over, as exactly as 
 MOST_FAILS = 12  # steps in a row that lead up
 
 
-def descend(rows: Rows, p: Array, most: int, weights: Array | None = None) -> tuple[Array, Array, Array, Array]:
+def descend(
+    rows: Rows, p: Array, most: int, weights: Array | None = None, middles: Array | None = None
+) -> tuple[Array, Array, Array, Array]:
     """Down from each of p (B, K), with weights (B or 1, N) of the rows: places, deviances (B,), scores (B, k) and information
-    (B, k, k) there. ``most`` looks; 1: only what it is where it stands."""
+    (B, k, k) there. ``most`` looks; 1: only what it is where it stands.
+
+    A shared error is normal, with width 1, about 0 or ``middles`` (B, S).
+    """
     free = rows.free
     low, high = rows.low[free], rows.high[free]
     enough = ENOUGH if rows.spins is None else ENOUGH_AVERAGED
     p = np.array(p, dtype=float)
-    count, k = len(p), len(free)
+    count, k, own = len(p), len(free), rows.moves.shape[1]
+    middles = np.zeros((count, len(rows.moves))) if middles is None else middles
+    prior = np.diag((free >= own).astype(float))
     tried, alive = p.copy(), np.arange(count)
     now, gained = np.full(count, np.inf), np.full(count, np.inf)
     damp, fails = np.full(count, 1e-3), np.zeros(count, int)
@@ -35,10 +42,14 @@ def descend(rows: Rows, p: Array, most: int, weights: Array | None = None) -> tu
         some = weights if weights is None or len(weights) == 1 else weights[alive]
         seen = look(rows, tried[alive], some)
         then = seen.deviance.sum(axis=1) if some is None else (seen.deviance * some).sum(axis=1)
+        off = tried[alive, own:] - middles[alive]
+        then = then + np.square(off).sum(axis=1)
+        pull = np.zeros((len(alive), k))
+        pull[:, free >= own] = off[:, free[free >= own] - own]
         better = then < now[alive]
         up, down = alive[~better], alive[better]
         gained[down], now[down], fails[down] = now[down] - then[better], then[better], 0
-        p[down], u[down], h[down] = tried[down], seen.scores[better], seen.information[better]
+        p[down], u[down], h[down] = tried[down], (seen.scores - pull)[better], seen.information[better] + prior
         damp[down] = np.maximum(damp[down] / 10, 1e-9)
         fails[up] += 1
         damp[up] = np.maximum(damp[up] * 8, 1e-4)

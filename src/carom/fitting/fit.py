@@ -14,11 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.fitting.averaged import with_averaged
-from carom.fitting.cloth import best_shift, with_cloth
 from carom.fitting.data import Problem
 from carom.fitting.kernels import TOGETHER, TURN
 from carom.fitting.laws import FittedLaw
-from carom.fitting.parameters import INDEX, Parameter
+from carom.fitting.parameters import INDEX, NUMBERS, Parameter
 from carom.fitting.told import with_errors
 from carom.fitting.ways import (
     STEPS,
@@ -91,21 +90,23 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     ways, names, start, parameters = ways_of(law, problem)
     scatter: dict[str, float] = {}
     n_by = np.isfinite(problem.y).sum(axis=0)
+    own = ways.own
     if problem.estimated.any():
         p, problem, extra = _with_scatter(ways, problem, start, parameters)
         where = {0: "v_n_out", 1: "v_t_out", 2: "spin_out" if law.kind == "planar" else "spin_z_out"}
         scatter = {where[int(j)]: math.sqrt(problem.vy[0, j]) for j in np.flatnonzero(problem.estimated)}
     else:
-        p, extra = _search(ways, problem, start, parameters), 0.0
-    p, cost, _u, h = go(ways, problem, p, STEPS)
+        p, extra = _search(own, problem, start, parameters), 0.0
+    p, cost, _u, h = go(own, problem, p, STEPS)
     if problem.spins is not None and INDEX["friction"] in ways.free:
-        p, cost, h = _across(ways, problem, p, cost, h)
+        p, cost, h = _across(own, problem, p, cost, h)
     best = int(np.argmin(cost))
-    follows, variance = np.zeros(len(ways.free)), 0.0
-    if problem.cloth is not None and not scatter:
-        problem, more, follows, variance = best_shift(ways, problem, p[best])
-        p, cost, _u, h = go(ways, problem, p[[best]], STEPS)
-        best, extra = 0, extra + more
+    if problem.shared:  # a crease may be in the way: from either side too
+        z = np.eye(len(problem.shared))
+        p = np.tile(p[best], (1 + 2 * len(z), 1))
+        p[1:, NUMBERS:] = np.concatenate([z, -z])
+        p, cost, _u, h = go(ways, problem, p, STEPS)
+        best = int(np.argmin(cost))
     k = len(names) + len(scatter)
     fit = Fit(
         law,
@@ -127,13 +128,26 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
         dof -= int(problem.unknown.sum())
     # Student's errors widen the error bars: their information is (nu + d)/(nu + d + 2) of the curvature
     d = np.isfinite(problem.y).sum(axis=1).mean()
-    info = h[best] * ((4 + d) / (6 + d) if problem.nu else 1.0)
+    info = _told(h[best], len(names)) * ((4 + d) / (6 + d) if problem.nu else 1.0)
     if scatter:
         info = info * max(problem.count - k, 1) / max(int(n_by[problem.estimated].sum()), 1)
-    fit = replace(fit, chi2=float(least.sum()) + (extra if variance else 0.0), dof=dof, by_row=least)
-    fit = with_errors(fit, ways, parameters, info)
-    fit = fit if problem.spins is None else with_averaged(fit, extra)
-    return with_cloth(fit, follows, variance) if variance else fit
+    # an error that all rows share is one more number, and what the film says of it one more datum
+    chi2 = float(least.sum() + np.square(fit.numbers[NUMBERS:]).sum())
+    fit = replace(fit, chi2=chi2, dof=dof, by_row=least)
+    fit = with_errors(fit, own, parameters, info)
+    return fit if problem.spins is None else with_averaged(fit, extra)
+
+
+def _told(h: Array, k: int) -> Array:
+    """Information of the law's k numbers, whatever the errors are that all rows share."""
+    if len(h) == k:
+        return h
+    plain, cross = h[:k, :k], h[:k, k:]
+    through = cross.T @ np.linalg.pinv(plain, hermitian=True) @ cross
+    # what rows say of a shared error, beside what the film says, 1: less than nothing only where creases are in the way
+    strength, direction = np.linalg.eigh(h[k:, k:] - through)
+    left = direction @ np.diag(np.maximum(strength, 1.0)) @ direction.T
+    return plain - cross @ np.linalg.solve(left + through, cross.T)
 
 
 def _across(ways: Ways, problem: Problem, p: Array, cost: Array, h: Array) -> tuple[Array, Array, Array]:

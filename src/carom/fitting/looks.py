@@ -7,9 +7,10 @@ tables. Rows are looked at in so many parts whatever the number of cores, and su
 from __future__ import annotations
 
 import functools
+import itertools
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -26,6 +27,7 @@ __all__ = ["Look", "Rows", "look", "said"]
 
 Array = NDArray[np.float64]
 PARTS = 8
+NEAR = 0.25  # of an error bar: a step of a shared error
 WORTH = 4000  # rows, or so many looks at a place of a spin: fewer are looked at on one core
 
 
@@ -45,8 +47,13 @@ class Rows:
     vy: Array
     nu: float
     free: NDArray[np.int64]
+    """Places of the numbers that are fitted: the law's, then those of shared errors, from NUMBERS on."""
     low: Array
     high: Array
+    moved: Array
+    """(S, N, 6) by how much shared errors move the rows."""
+    moves: Array
+    """(S, NUMBERS) and the numbers."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -74,10 +81,15 @@ def set_steps(p: Any, free: Any, low: Any, high: Any, steps: Any) -> None:
 
 def _look(
     law: Any, code: int, form: int, stages: Any, a: float, spins: Any, x: Any, vx: Any, y: Any, vy: Any, nu: float,
-    weights: Any, p: Any, free: Any, low: Any, high: Any, first: int, last: int, c: Any, best: Any, u: Any, h: Any,
+    weights: Any, p: Any, free: Any, low: Any, high: Any, moved: Any, moves: Any, first: int, last: int, c: Any, best: Any, u: Any,
+    h: Any,
 ) -> None:  # fmt: skip
     """Rows first to last under each of p (B, K): c and best (B, N); u (B, k) and h (B, k, k) of these rows."""
     k, one, count = free.shape[0], min(weights.shape[0] - 1, 1), 0
+    shared, told = moves.shape
+    at_x, at_y = x, y
+    if shared > 0:
+        at_x, at_y = x.copy(), y.copy()
     if spins is not None:
         count = spins.places.shape[0]
     w = max(k, 3)
@@ -90,6 +102,9 @@ def _look(
     for b in range(p.shape[0]):
         for j in range(p.shape[1]):
             numbers[j] = p[b, j]
+        for s in range(shared):
+            for j in range(told):
+                numbers[j] += p[b, told + s] * moves[s, j]
         set_steps(numbers, free, low, high, steps)
         for i in range(first, last):
             weight = weights[b * one, i]
@@ -97,13 +112,19 @@ def _look(
                 c[b, i] = best[b, i] = 0
                 continue
             stage = stages[i]
+            if shared > 0:
+                for m in range(3):
+                    at_x[i, m], at_y[i, m] = x[i, m], y[i, m]
+                    for s in range(shared):
+                        at_x[i, m] += p[b, told + s] * moved[s, i, m]
+                        at_y[i, m] += p[b, told + s] * moved[s, i, 3 + m]
             if spins is not None and x[i, 2] != x[i, 2]:
                 c[b, i], best[b, i] = unmeasured_row(
-                    law, code, form, stage, i, a, spins, x, vx, y, vy, nu, numbers, free, steps, ui, hi, desk
+                    law, code, form, stage, i, a, spins, at_x, vx, at_y, vy, nu, numbers, free, steps, ui, hi, desk
                 )
             else:
                 c[b, i], best[b, i] = known_row(
-                    law, code, form, stage, i, a, x, vx, y, vy, nu, numbers, free, steps, ui, hi, room
+                    law, code, form, stage, i, a, at_x, vx, at_y, vy, nu, numbers, free, steps, ui, hi, room
                 )
             for j in range(k):
                 u[b, j] += weight * ui[j]
@@ -149,7 +170,7 @@ def _looking(averaged: bool) -> Callable[..., None]:
     t = _types()
     one, two, three = (t["array"](n) for n in (1, 2, 3))
     head = (t["law"], t["whole"], t["whole"], t["wholes"], t["real"], t["spins"] if averaged else t["none"])
-    rows = (two, two, two, two, t["real"], two, two, t["wholes"], one, one, t["whole"], t["whole"])
+    rows = (two, two, two, two, t["real"], two, two, t["wholes"], one, one, three, two, t["whole"], t["whole"])
     return njit(_look, t["void"](*head, *rows, two, two, two, three), nogil=True)
 
 
@@ -174,11 +195,49 @@ def _whole(rows: NDArray[np.int64] | None, n: int) -> NDArray[np.int64]:
 
 
 def look(rows: Rows, p: Array, weights: Array | None = None) -> Look:
-    """Deviances, scores and information of B sets of numbers p (B, K), with weights (B or 1, N) of the rows."""
+    """Deviances, scores and information of B sets of numbers p (B, K), with weights (B or 1, N) of the rows.
+
+    How the law goes on with a shared error is told by differences: all rows move with it, and numbers of the law may.
+    """
+    own = rows.free < rows.moves.shape[1]
+    if own.all():
+        return _plain(rows, p, weights)
+    count, k, z = len(p), len(rows.free), rows.free[~own]
+    law, n = replace(rows, free=rows.free[own]), int(own.sum())
+    # where it stands; each shared error forward and back; two at a time forward
+    steps = [(), *((j,) for j in z), *((j,) for j in z), *itertools.combinations(z, 2)]
+    back = range(1 + len(z), 1 + 2 * len(z))
+    q = np.tile(p, (len(steps), 1, 1))
+    for at, (step, places) in enumerate(zip(q, steps, strict=True)):
+        step[:, list(places)] += -NEAR if at in back else NEAR
+    seen = _plain(
+        law,
+        q.reshape(-1, p.shape[1]),
+        weights if weights is None or len(weights) == 1 else np.tile(weights, (len(q), 1)),
+    )
+    deviance = seen.deviance.reshape(len(q), count, -1)
+    some = deviance if weights is None else deviance * weights
+    total, scores = some.sum(axis=2), seen.scores.reshape(len(q), count, n)
+    u, h = np.zeros((count, k)), np.zeros((count, k, k))
+    u[:, :n], h[:, :n, :n] = scores[0], seen.information.reshape(len(q), count, n, n)[0]
+    for i in range(len(z)):
+        up, down = 1 + i, 1 + len(z) + i
+        u[:, n + i] = (total[down] - total[up]) / (4 * NEAR)
+        h[:, :n, n + i] = h[:, n + i, :n] = (scores[down] - scores[up]) / (2 * NEAR)
+        h[:, n + i, n + i] = np.maximum(total[up] + total[down] - 2 * total[0], 0.0) / (2 * NEAR**2)
+    for at, (i, j) in enumerate(itertools.combinations(range(len(z)), 2), 1 + 2 * len(z)):
+        both = (total[at] - total[1 + i] - total[1 + j] + total[0]) / (2 * NEAR**2)
+        h[:, n + i, n + j] = h[:, n + j, n + i] = both
+    return Look(deviance[0], seen.least.reshape(len(q), count, -1)[0], u, h)
+
+
+def _plain(rows: Rows, p: Array, weights: Array | None) -> Look:
+    """The same where no shared error is fitted."""
     p = np.ascontiguousarray(p, float)
     (n, count), k = (len(rows.x), len(p)), len(rows.free)
     weights = np.ones((1, n)) if weights is None else np.ascontiguousarray(weights, float)
     stages = _whole(rows.stages, n)
+    moved, moves = np.ascontiguousarray(rows.moved, float), np.ascontiguousarray(rows.moves, float)
     fixed = [np.ascontiguousarray(array, float) for array in (rows.x, rows.vx, rows.y, rows.vy)]
     loop, law = _looking(rows.spins is not None), _law(rows.kind)
     c, best = np.empty((count, n)), np.empty((count, n))
@@ -193,7 +252,7 @@ def look(rows: Rows, p: Array, weights: Array | None = None) -> Look:
         w = weights if len(weights) == 1 else weights[some]
         loop(
             law, rows.code, rows.form, stages, rows.radius, rows.spins, *fixed, rows.nu, w, p[some], rows.free, rows.low,
-            rows.high, edges[m], edges[m + 1], c[some], best[some], u[m, some], h[m, some],
+            rows.high, moved, moves, edges[m], edges[m + 1], c[some], best[some], u[m, some], h[m, some],
         )  # fmt: skip
 
     tasks = [(slice(blocks[i], blocks[i + 1]), m) for i in range(sets) for m in range(parts)]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+from carom.fitting.parameters import NUMBERS
 from carom.fitting.ways import GIVEN
 
 if TYPE_CHECKING:
@@ -48,6 +49,9 @@ def _law(one: Ranked) -> dict[str, Any]:
         "parameters": {name: _estimate(estimate) for name, estimate in fit.estimates.items()},
         "covariance": {"names": list(fit.names), "matrix": _covariance(fit)},
         "scatter": fit.scatter,
+        "shared_errors": dict(
+            zip((one.name for one in fit.problem.shared), fit.numbers[NUMBERS:].tolist(), strict=True)
+        ),
     }
 
 

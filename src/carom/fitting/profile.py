@@ -59,14 +59,15 @@ def with_profiles(fit: Fit) -> Fit:
 
 
 def with_bootstrap(fit: Fit, draws: int, seed: int = 0) -> Fit:
-    """Standard errors from fits to rows drawn with replacement (Efron 1979)."""
+    """Standard errors from fits to rows drawn with replacement (Efron 1979), and errors that all rows share drawn anew."""
     free, _start, _form = parameters_of(fit.law, fit.problem)
     n = len(fit.problem.x)
     rng = np.random.default_rng(seed)
     found = []
     for first in range(0, draws, 250):
         weights = rng.multinomial(n, np.full(n, 1 / n), size=min(250, draws - first)).astype(float)
-        found.append(refit(fit, fit.problem, weights)[0])
+        middles = rng.normal(size=(len(weights), len(fit.problem.shared)))
+        found.append(refit(fit, fit.problem, weights, middles=middles)[0])
     spread = np.nan_to_num(np.concatenate(found), posinf=0.0).std(axis=0, ddof=1)
     estimates = {
         name: one if one.value is None else replace(one, bootstrap=float(spread[free[name][0]]))

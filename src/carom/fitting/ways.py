@@ -31,6 +31,7 @@ __all__ = [
 
 Array = NDArray[np.float64]
 STEPS = 200
+FURTHEST = 5.0  # error bars of what rows share
 GIVEN = (
     "kappa",
     "contact_height",
@@ -68,7 +69,7 @@ class Fit:
     """Of the free numbers."""
     estimates: dict[str, Estimate]
     numbers: Array
-    """(K,) all numbers, in carom's order, at the best place."""
+    """(K,) all numbers, in carom's order, at the best place; then the errors that all rows share, in their error bars."""
     deviance: float
     """-2 log likelihood, but for a constant that is the same for all laws."""
     chi2: float
@@ -109,7 +110,7 @@ class Fit:
 def parameters_of(law: FittedLaw, problem: Problem) -> tuple[dict[str, tuple[int, Parameter]], Array, int]:
     """The law's free numbers (place and bounds by name), all numbers as they start, and the form of restitution."""
     setting = problem.setting
-    start = np.array([p.start for p in PARAMETERS])
+    start = np.array([p.start for p in PARAMETERS] + [0.0] * len(problem.shared))
     for name in GIVEN:
         start[INDEX[name]] = getattr(setting, name)
     for name in ("spin_width", "spin_mean"):
@@ -171,8 +172,16 @@ class Ways:
     law: FittedLaw
     form: int
     free: NDArray[np.int64]
+    """Places of the law's free numbers, then those of the errors that all rows share."""
     low: Array
     high: Array
+    moves: Array
+    """(S, NUMBERS) by how much shared errors move numbers."""
+
+    @property
+    def own(self) -> Ways:
+        """With shared errors where they are."""
+        return replace(self, free=self.free[self.free < NUMBERS])
 
 
 def ways_of(law: FittedLaw, problem: Problem) -> tuple[Ways, tuple[str, ...], Array, list[Parameter]]:
@@ -181,8 +190,20 @@ def ways_of(law: FittedLaw, problem: Problem) -> tuple[Ways, tuple[str, ...], Ar
     low, high = np.full(NUMBERS, -math.inf), np.full(NUMBERS, math.inf)
     for place, parameter in free.values():
         low[place], high[place] = parameter.low, parameter.high
-    places = np.array([place for place, _ in free.values()], dtype=np.int64)
-    return Ways(law, form, places, low, high), tuple(free), start, [parameter for _, parameter in free.values()]
+    moves = _moves(law, problem, free)
+    floor = INDEX["floor_friction"]
+    least = [max(-FURTHEST, 0.01 - start[floor] / move[floor]) if move[floor] else -FURTHEST for move in moves]
+    low, high = np.append(low, least), np.append(high, np.full(len(moves), FURTHEST))
+    places = np.array([*(place for place, _ in free.values()), *range(NUMBERS, len(start))], dtype=np.int64)
+    return Ways(law, form, places, low, high, moves), tuple(free), start, [parameter for _, parameter in free.values()]
+
+
+def _moves(law: FittedLaw, problem: Problem, free: dict[str, tuple[int, Parameter]]) -> Array:
+    """(S, NUMBERS): by how much shared errors move a law's numbers."""
+    moves = np.zeros((len(problem.shared), NUMBERS))
+    if "floor_friction" not in free and "floor_friction" not in law.pinned:
+        moves[:, INDEX["floor_friction"]] = [one.floor for one in problem.shared]
+    return moves
 
 
 def _rows(ways: Ways, problem: Problem) -> Rows:
@@ -192,23 +213,30 @@ def _rows(ways: Ways, problem: Problem) -> Rows:
         x, spins = np.nan_to_num(x), None
     return Rows(
         ways.law.kind, ways.law.code, ways.form, problem.stages, problem.setting.radius, spins, x, problem.vx, problem.y,
-        problem.vy, problem.nu, ways.free, ways.low, ways.high,
+        problem.vy, problem.nu, ways.free, ways.low, ways.high, _moved(problem), ways.moves,
     )  # fmt: skip
 
 
+def _moved(problem: Problem) -> Array:
+    """(S, N, 6): by how much shared errors move the rows."""
+    return np.stack([one.rows for one in problem.shared]) if problem.shared else np.empty((0, len(problem.x), 6))
+
+
 def go(
-    ways: Ways, problem: Problem, p: Array, most: int, weights: Array | None = None
+    ways: Ways, problem: Problem, p: Array, most: int, weights: Array | None = None, middles: Array | None = None
 ) -> tuple[Array, Array, Array, Array]:
     """Down from each of p (B, K): places, deviances, scores, information."""
-    return descend(_rows(ways, problem), p, most, weights)
+    return descend(_rows(ways, problem), p, most, weights, middles)
 
 
 def predict_law(law: FittedLaw, problem: Problem, p: Array) -> Array:
-    """What a law with numbers p says of each row, (N, 3); a spin that was not measured is taken at its mean."""
-    x = problem.x.copy()
+    """What a law with numbers p says is measured of each row, (N, 3); a spin that was not measured is taken at its mean."""
+    ways, moved = ways_of(law, problem)[0], np.tensordot(p[NUMBERS:], _moved(problem), 1)
+    p = np.append(p[:NUMBERS] + p[NUMBERS:] @ ways.moves, 0 * p[NUMBERS:])
+    x = problem.x + moved[:, :3]
     mean = np.atleast_2d(p)[:, INDEX["spin_mean"]] * x[:, 1] / problem.setting.radius
     x[:, 2] = np.where(np.isnan(x[:, 2]), mean, x[:, 2])
-    return said(_rows(ways_of(law, problem)[0], problem), x, p)
+    return said(_rows(ways, problem), x, p) - moved[:, 3:]
 
 
 def rows_of_fit(fit: Fit, problem: Problem, p: Array) -> tuple[Array, Array]:
@@ -226,13 +254,14 @@ def refit(
     *,
     hold: str = "",
     most: int = STEPS,
+    middles: Array | None = None,
 ) -> tuple[Array, Array]:
     """Fits of the law to (weighted) rows from numbers p (B, K): numbers and deviances; ``hold`` one number where it is.
-    ``most`` looks."""
+    ``most`` looks; ``middles`` (B, S) of shared errors."""
     ways, names, _start, _parameters = ways_of(fit.law, problem)
     if hold:
         ways = replace(ways, free=np.delete(ways.free, names.index(hold)))
     count = 1 if weights is None else len(weights)
     p = np.tile(fit.numbers, (count, 1)) if p is None else p
-    found, deviances, _u, _h = go(ways, problem, p, most, weights)
+    found, deviances, _u, _h = go(ways, problem, p, most, weights, middles)
     return found, deviances

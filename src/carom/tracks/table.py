@@ -13,6 +13,8 @@ from carom.tracks.measure import Contact, Measured
 __all__ = ["Stage", "chosen", "to_rebounds"]
 
 Stage = Literal["best", "after_wall", "rolling", "both"]
+# Of the floor: what it is called, in a fit, and in columns
+FLOOR = (("cloth friction", "mu_g", "cloth"), ("rolling resistance", "c_g", "rolling"))
 
 
 def chosen(one: Contact, stage: Stage, sliding: bool = False) -> tuple[list[str], str]:
@@ -49,7 +51,7 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
     are not independent. ``sliding`` keeps balls that still slide when they meet the wall: the columns slip_n_in, slip_t_in
     then say by how much. Extra columns: shot, ball, wall, contact (its number), t (s), spin_source, and of a table the slips
     on the floor (velocity less that of rolling, m/s, in the axes and signs of v_n and v_t) with their errors, and what the film
-    says of the cloth's friction. spin_source says where the spin before the contact is from: tracked, rolling (inferred), sliding
+    says of the floor. spin_source says where the spin before the contact is from: tracked, rolling (inferred), sliding
     (fitted), or none. Raises CaromError where
     no contact could be measured.
     """
@@ -59,7 +61,7 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
     rows: list[dict[str, Any]] = []
     for number, one in enumerate(measured.contacts):
         for name in chosen(one, stage, sliding)[0]:
-            rows.append(_row(one, number + 1, name, spin) | _cloth(one, name, measured))  # noqa: PERF401
+            rows.append(_row(one, number + 1, name, spin) | _floor(one, name, measured))  # noqa: PERF401
     if not rows:
         raise CaromError(_nothing(measured, stage, sliding))
     numbers = [f"{side}_{which}" for which in ("in", "out") for side in ("v_n", "v_t", spin)]
@@ -100,24 +102,25 @@ def _row(one: Contact, number: int, stage: str, spin: str) -> dict[str, Any]:
     return row
 
 
-def _cloth(one: Contact, stage: str, measured: Measured) -> dict[str, float]:
-    """By how much the velocities move with one error bar of the cloth's friction, as all contacts together measure it.
+def _floor(one: Contact, stage: str, measured: Measured) -> dict[str, float]:
+    """What all contacts together say of the floor, and by how much the velocities move with one error bar of that.
 
-    The way that a ball slides after the wall is extrapolated to the contact with that friction, so all rows share its error.
+    The ways that a ball slides and rolls are extrapolated to the contact with these numbers, so all rows share their errors.
     """
-    fit = one.fit
-    if fit is None or "cloth friction" not in measured.floor:
-        return {}
-    error, own = measured.floor["cloth friction"][1] * measured.gravity, fit.error("mu_g")
+    found: dict[str, float] = {}
     out = ("vn_roll", "vt_roll") if stage == "rolling" else ("vn_out", "vt_out")
     names = {"v_n_in": "vn_in", "v_t_in": "vt_in", "v_n_out": out[0], "v_t_out": out[1]}
-    # what its own frames say of the cloth it does not share
-    share = min(error / own**2, 1 / error) if own and error else 0.0
-    value, sigma = measured.floor["cloth friction"]
-    return {"cloth_friction": value, "sigma_cloth_friction": sigma} | {
-        f"cloth_{name}": (-share if name == "v_n_in" else share) * fit.covaries(inner, "mu_g")
-        for name, inner in names.items()
-    }
+    for label, inner, prefix in FLOOR:
+        if one.fit is None or label not in measured.floor:
+            continue
+        value, sigma = measured.floor[label]
+        found |= {label.replace(" ", "_"): value, f"sigma_{label.replace(' ', '_')}": sigma}
+        error, own = sigma * measured.gravity, one.fit.error(inner)
+        # what its own frames say of it it does not share
+        share = min(error / own**2, 1 / error) if own and error else 0.0
+        for name, of in names.items():
+            found[f"{prefix}_{name}"] = (-share if name == "v_n_in" else share) * one.fit.covaries(of, inner)
+    return found
 
 
 def _spin_source(one: Contact) -> str:
