@@ -202,6 +202,28 @@ def test_design_refuses_what_it_would_not_read(here, monkeypatch, capsys):
     assert "--kind: expected planar" in err
 
 
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (("--seed", "-1"), "--seed: expected a whole number >= 0"),
+        (("--report", "bounces.csv"), "--report bounces.csv: expected a name that ends with .html"),
+        (("--report", "page.html", "--no-report"), "--no-report: expected no --report"),
+        (("--contact-height", "1.3"), "--contact-height: expected rebounds of a ball on a table"),
+        (("--roll", "0.5"), "--roll: expected rebounds of a ball on a table"),
+        (("--cushions", "2"), "--cushions: expected --whole beside it"),
+        (("--whole", "--sigma-v", "0.1"), "--sigma-v: expected no --whole"),
+        (("--rate", "50"), "--rate: expected a track, got rebounds"),
+    ],
+)
+def test_fit_refuses_what_it_would_not_read(here, monkeypatch, capsys, words, said):
+    file = write(here / "bounces.csv", bounces(1, 20))
+    before = file.read_bytes()
+    code, out, err = run(monkeypatch, capsys, "fit", "bounces.csv", "--radius", "0.02", *words)
+    assert (code, out) == (2, "")
+    assert said in err.splitlines()[0]
+    assert file.read_bytes() == before
+
+
 def test_a_table_in_utf_16_is_not_taken_for_a_track(here, monkeypatch, capsys):
     file = write(here / "bounces.csv", bounces(1, 20))
     (here / "unicode.csv").write_bytes(file.read_text().encode("utf-16"))

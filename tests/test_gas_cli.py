@@ -214,6 +214,8 @@ def test_faults_are_lines_and_nothing_runs(folder, capsys, monkeypatch):
     assert line == "SCENE.toml: expected a scene, got none; carom scene new --gas FILE writes one"
     (line,) = refusal(capsys, monkeypatch, "rough.toml", "--every", "5")
     assert line == "--every: expected --snapshots FILE.gsd beside it, got none"
+    (line,) = refusal(capsys, monkeypatch, "rough.toml", "--checkpoint-every", "5")
+    assert line == "--checkpoint-every: expected --checkpoint FILE beside it, got none"
     (line,) = refusal(capsys, monkeypatch, "rough.toml", "--max-events", "0")
     assert line == "--max-events: expected a whole number >= 1, got 0"
 

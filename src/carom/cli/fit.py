@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -10,8 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.fit_input import chosen, completed, own_set, read
-from carom.cli.fit_options import bounds_of, kappa_of, number, pairs, spin_of, split
+from carom.cli.fit_input import chosen, completed, is_track, own_set, read
+from carom.cli.fit_options import bounds_of, kappa_of, number, pairs, spin_of, split, unread
+from carom.cli.places import require_places
 from carom.cli.ranking_table import show
 from carom.cli.shared import attempt, noting, tell
 from carom.errors import CaromError
@@ -175,8 +175,15 @@ def fit(
         if value is not None and not value > 0:
             faults.append(f"{name}: expected an error bar above 0, got {value:g}")
     page = report or Path(f"{file.stem}-fit.html")
-    if report is not None:
-        attempt(faults, _writable, report)
+    _pages(faults, report, no_report)
+    if seed < 0:
+        faults.append(f"--seed: expected a whole number >= 0, got {seed}")
+    faults += unread(
+        whole,
+        {"--sigma-v": sigma_v, "--sigma-spin": sigma_spin, "--bootstrap": bootstrap, "--profiles": profiles,
+         "--kind": kind, "--stage": stage},
+        {"--noise": noise, "--cushions": cushions if cushions != 3 else None},
+    )  # fmt: skip
     names = [name for text in laws or [] for name in split(text)]
     if laws and not names:
         faults.append("--laws: expected names of laws, NAME,NAME, got none; leave it out for all of them")
@@ -207,6 +214,10 @@ def fit(
     film = Given(scale=scale, rate=rate)
     rebounds = ours.rebounds if ours else read(file, faults, setting, film, view, kind, stage, lambda: _bar(console))
 
+    _read(rebounds, ours is None and is_track(file), {"--scale": scale, "--rate": rate, "--view": view},
+          {"--contact-height": contact_height, "--floor-friction": floor_friction,
+           "--floor-restitution": floor_restitution or None, "--roll": None if roll == 1 else roll})  # fmt: skip
+
     def ready(rows: Rebounds) -> Rebounds:
         return completed(chosen(rows, where or []), sigma_v, sigma_spin, every_spin)
 
@@ -225,12 +236,22 @@ def _checked(setting: Setting) -> None:
     require_settings(setting)
 
 
-def _writable(path: Path) -> None:
-    folder = path.absolute().parent
-    if path.is_dir() or not folder.is_dir() or not os.access(folder, os.W_OK):
-        raise CaromError(
-            f"--report: {path}: expected a file in a folder that exists and can be written to; make it first"
-        )
+def _pages(faults: list[str], report: Path | None, no_report: bool) -> None:
+    require_places(faults, {"--report": report}, {"--report": (".html", ".htm")})
+    if report is not None and no_report:
+        faults.append("--no-report: expected no --report beside it, got one; give one of them")
+
+
+def _read(rebounds: Rebounds, track: bool, of_tracks: dict[str, Any], of_tables: dict[str, Any]) -> None:
+    """CaromError for options that were given and would do nothing: of a track, or of a ball on a table, where there is none."""
+    faults = (
+        [] if track else [f"{name}: expected a track, got rebounds" for name, x in of_tracks.items() if x is not None]
+    )
+    if rebounds.kind == "planar":
+        said = "expected rebounds of a ball on a table, got planar ones"
+        faults += [f"{name}: {said}" for name, value in of_tables.items() if value is not None]
+    if faults:
+        raise CaromError(*(f"{fault}; leave it out" for fault in faults))
 
 
 @contextmanager

@@ -8,7 +8,7 @@ from typing import Any
 
 from carom.errors import CaromError
 
-__all__ = ["bounds_of", "kappa_of", "length_of", "number", "pairs", "spin_of", "split"]
+__all__ = ["bounds_of", "kappa_of", "length_of", "number", "pairs", "spin_of", "split", "unread"]
 
 
 def split(text: str) -> list[str]:
@@ -94,3 +94,10 @@ def bounds_of(name: str, text: str) -> tuple[float, float]:
     if not found[0] < found[1]:
         raise CaromError(f"--bound: {name}: expected LOW:HIGH, LOW below HIGH, got {text!r}")
     return found
+
+
+def unread(whole: bool, of_contacts: dict[str, Any], of_frames: dict[str, Any]) -> list[str]:
+    """The faults of options that were given and would do nothing: of contacts with ``--whole``, of whole tracks without it."""
+    wanted = "no --whole, which fits frames and not contacts" if whole else "--whole beside it"
+    given = of_contacts if whole else of_frames
+    return [f"{name}: expected {wanted}; leave it out" for name, value in given.items() if value is not None]

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from carom.gas.snapshots import Snapshots
 
 RUN, SHOWN, FILES, KEPT = "The run", "What is shown", "Files", "Stop and go on"
+RHYTHM = "10 min"  # of checkpoints
 SNAPSHOTS = 100  # in a run, if it is not said how often
 
 
@@ -73,7 +74,7 @@ def gas(
     ] = None,
     checkpoint_every: Annotated[
         str, typer.Option(metavar="T", help="How often: '10 min', or '1000000 events'.", rich_help_panel=KEPT)
-    ] = "10 min",
+    ] = RHYTHM,
     resume: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Go on from a checkpoint.", rich_help_panel=KEPT)
     ] = None,
@@ -90,6 +91,8 @@ def gas(
     if snapshots is not None and resume is None and not force and snapshots.is_file():
         found.append(f"--snapshots {snapshots}: expected a new file, got one that is there; --force writes over it")
     rhythm = attempt(found, _rhythm, "--checkpoint-every", checkpoint_every)
+    if rhythm is not None and checkpoint_every != RHYTHM and checkpoint is None and resume is None:
+        found.append("--checkpoint-every: expected --checkpoint FILE beside it, got none")
     changes = {"max_events": max_events, "duration": duration, "seed": seed}
     given = attempt(found, _scene, scene, resume, changes)
     frames = attempt(found, _rhythm, "--every", every) if every is not None else None
