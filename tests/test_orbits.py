@@ -422,7 +422,12 @@ BAD = {
     "which are kept": lambda: orbits.orbit(orbits.circle(), ((0, 0), (0, 1), 0), 10**9),
     "expected a table": lambda: orbits.orbit("circle", ((0, 0), (0, 1), 0), 5),
     "centres within the cell": lambda: orbits.torus((1, 1), ((2, 0, 0.1),)),
-    "wall of some length": lambda: orbits.starts(orbits.strip(), 5),
+    "brings back every ball, got wedge (angle 1.0; bounds the centre)": lambda: orbits.starts(orbits.wedge(1.0), 5),
+    "along a wall they go out for ever": lambda: orbits.starts(orbits.under(orbits.wedge(2.0), (-0.2, -1.0)), 5),
+    "with which a ball gets to a wall": lambda: orbits.starts(
+        orbits.under(orbits.wedge(1.0, bounds="surface"), (-1.0, 0.0)), 5, speed=0.1
+    ),
+    "one whose wall has an end": lambda: orbits.uniformity(orbits.strip(), 100),
     "undoes itself": lambda: orbits.reverse(
         orbits.orbit(orbits.circle(), ((0, 0), (0, 1), 0), 5, law="contact", surface=carom.Surface(0.5))
     ),

@@ -205,7 +205,7 @@ BAD = [
     (["circle", "--orbits", "100000000000"], "starts: count: expected no more than 10,000,000, got 100,000,000,000"),
     (["circle", "--bounds", "center"], "did you mean 'centre'?"),
     (["circle", "--corners", "stop"], "corners: expected 'end' or 'pass', got 'stop'"),
-    (["strip"], "give --position and --velocity"),
+    (["wedge"], "give a force towards the vertex, or --position and --velocity"),
     (["polygon", "--vertices", "0,0 1,x 2,2"], "--vertices: expected two numbers"),
     (
         ["polygon", "--vertices", "0,0 4,0 4,4 2,4 2,2 2,4 0,4"],

@@ -20,6 +20,12 @@ TABLES = {
     "ellipse-surface": orbits.under(orbits.ellipse(bounds="surface"), FALL),
     "narrow ellipse": orbits.under(orbits.ellipse(1.1, 0.25, bounds="surface"), FALL),
     "tall narrow ellipse": orbits.under(orbits.ellipse(0.25, 1.1, bounds="surface"), FALL),
+    "wedge": orbits.under(orbits.wedge(1.2), (-1.0, 0.3)),
+    "strip": orbits.under(orbits.strip(), FALL),
+    "level strip": orbits.under(orbits.strip(), (0.0, -1.3)),
+    "plates": orbits.under(orbits.plates(), (0.0, -1.3, 0.0)),
+    "channel": orbits.cylinder(orbits.under(orbits.strip(), (0.0, -1.3)), 1.5),
+    "prism": orbits.cylinder(orbits.under(orbits.wedge(1.2, bounds="surface"), (-1.0, 0.3)), 1.5),
     "L": orbits.under(orbits.polygon([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)], bounds="surface"), FALL),
     "stadium": orbits.under(orbits.stadium(), FALL),
     "sinai": orbits.under(orbits.sinai(), (0.02, -0.03)),
@@ -130,8 +136,11 @@ def test_the_gas_of_one_disc_goes_the_same_way():
         np.testing.assert_allclose(balls.spin[0, 2], found.spin[k], atol=1e-6)
 
 
+MEASURED = ("circle", "stadium", "sphere", "cylinder with lids", "wedge", "level strip", "plates", "channel", "prism")
+
+
 @pytest.mark.parametrize("law", ["no-slip", "mirror"])
-@pytest.mark.parametrize("name", ["circle", "stadium", "sphere", "cylinder with lids"])
+@pytest.mark.parametrize("name", MEASURED)
 def test_the_measure_is_kept(name, law):
     """Starts drawn by the energy left there, thirty bounces on: heights and velocities across are spread as they were."""
     table, count = TABLES[name], 20_000
@@ -139,10 +148,28 @@ def test_the_measure_is_kept(name, law):
     found = orbits.orbit(table, orbits.starts(table, count, 3, law=law, speed=1.2), 31, law=law)
     assert (found.ended == "bounces").mean() > 0.999
     for value in (found.position @ g, found.across, found.speed):
-        first, last = (np.sort(value[:, k]) for k in (0, -1))
+        # (rounded: two plates are two places)
+        first, last = (np.sort(np.round(value[:, k], 9)) for k in (0, -1))
         both = np.sort(np.concatenate([first, last]))
         apart = np.abs(np.searchsorted(first, both, "right") - np.searchsorted(last, both, "right")).max() / count
         assert apart < 1.95 * math.sqrt(2 / count)  # (a chance of 1e-3)
+
+
+def test_a_wedge_is_as_long_as_a_ball_gets():
+    """Places count by what is left there, K in the plane and K^(5/2) in space, which goes down to nothing in a line."""
+    g, angle, speed = np.array([-1.0, 0.3]), 1.2, 1.7
+    along = np.array([[math.cos(angle / 2), math.sin(angle / 2)], [math.cos(angle / 2), -math.sin(angle / 2)]])
+    reach = -(speed**2) / (2 * along @ g)
+    for power, table in ((1.0, orbits.wedge(angle)), (2.5, orbits.cylinder(orbits.under(orbits.wedge(angle), g)))):
+        table = orbits.under(table, g) if table.dimension == 2 else table  # noqa: PLW2901
+        x = orbits.starts(table, 40_000, 6, speed=speed).position
+        s, upper = np.linalg.norm(x[:, :2], axis=1), x[:, 1] > 0
+        assert upper.mean() == pytest.approx(reach[0] / reach.sum(), abs=0.01)
+        for one, length in ((upper, reach[0]), (~upper, reach[1])):
+            assert s[one].max() < length
+            # (the k-th moment of (1 - u)^power on (0, 1))
+            assert (s[one] / length).mean() == pytest.approx(1 / (power + 2), abs=0.005)
+            assert ((s[one] / length) ** 2).mean() == pytest.approx(2 / ((power + 2) * (power + 3)), abs=0.004)
 
 
 def test_the_gravitational_wedge():

@@ -277,10 +277,8 @@ def _start(
         try:
             return orbits.starts(table, count, seed, ball=ball, law=law)
         except CaromError as error:
-            if "wall of some length" not in str(error):
-                raise
             raise CaromError(
-                f"orbit: start: {table.name} has no end, so none can be drawn; give --position and --velocity"
+                *(fault.replace("starts of your own", "--position and --velocity") for fault in error.faults)
             ) from None
     if count != 1:
         raise CaromError(f"--orbits: expected 1 where a start is given, got {count}; left out, starts are drawn")

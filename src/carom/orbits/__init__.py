@@ -23,6 +23,7 @@ from carom.orbits.analysis import (
     uniformity,
 )
 from carom.orbits.arrays import ENDS
+from carom.orbits.draw import starts
 from carom.orbits.result import Orbit
 from carom.orbits.setup import LAWS, Start
 from carom.orbits.solids import box, cylinder, plates, sphere
@@ -42,7 +43,7 @@ from carom.orbits.tables import (
     under,
     wedge,
 )
-from carom.orbits.verbs import final, orbit, reverse, starts
+from carom.orbits.verbs import final, orbit, reverse
 
 __all__ = [
     "ENDS",

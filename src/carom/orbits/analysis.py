@@ -14,10 +14,11 @@ from carom.ball import Ball
 from carom.checks import float_array
 from carom.errors import CaromError
 from carom.orbits.arrays import DONE, ESCAPED
+from carom.orbits.draw import starts
 from carom.orbits.result import Orbit
 from carom.orbits.setup import setup_of
 from carom.orbits.tables import Table
-from carom.orbits.verbs import follow, starts, whole
+from carom.orbits.verbs import follow, whole
 from carom.surface import Surface
 
 __all__ = [
@@ -271,6 +272,8 @@ def uniformity(
     setup = setup_of(table, ball, law, surface, "pass")
     if any(table.pull):
         raise CaromError(f"uniformity: table: expected one without a force, got {table}")
+    if any(math.isinf(f[4] - f[3]) for f in setup.shape.faces if not f[0][2]):
+        raise CaromError(f"uniformity: table: expected one whose wall has an end, got {table}")
     found = follow(setup, starts(table, orbits, seed, ball=ball, law=law), bounces)
     good = np.asarray(found.count) == bounces
     # (what follows is told of the last bounce alone)

@@ -77,6 +77,8 @@ def cylinder(section: Table | float = 1.0, height: float | None = None, *, accel
 
     sizes = {"section": section.name, **section.sizes}
     sizes |= ({} if height is None else {"height": height}) | ({"acceleration": g} if g else {})
+    if any(section.pull):
+        sizes["acceleration"] = [section.pull[0], section.pull[1], g]
     return Table("cylinder", section.bounds, 3, make, sizes, (section.pull[0], section.pull[1], g))
 
 

@@ -1,10 +1,8 @@
-"""The verbs: follow orbits, start them, reverse them."""
+"""The verbs: follow orbits, reverse them."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
-from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -16,16 +14,13 @@ from carom.orbits.arrays import DONE
 from carom.orbits.loop import compiled
 from carom.orbits.result import Orbit
 from carom.orbits.setup import Setup, Start, prepare, setup_of
-from carom.orbits.shape import Shape
 from carom.orbits.tables import Table
 from carom.surface import Surface
 
-__all__ = ["final", "follow", "orbit", "reverse", "starts", "whole"]
+__all__ = ["MOST", "final", "follow", "orbit", "reverse", "whole"]
 
 Array = NDArray[np.float64]
 MOST = 4e9  # bytes of bounces that are kept
-ROW = 400  # bytes a start needs while it is drawn and followed
-TRIED = 20_000  # places of a wall, for the greatest energy on it
 SHARE = 10_000_000  # bounces between two reports of progress
 
 
@@ -156,100 +151,6 @@ def _loop(
         kept[..., 1 : 1 + d] += shift[:, None, :d]
         last[:, 1:4] += shift
     return last, ends
-
-
-def starts(
-    table: Table, count: int, seed: int = 0, *, ball: Ball | None = None, law: Any = "no-slip", speed: float = 1.0
-) -> Start:
-    """Starts just after a bounce, drawn from the invariant measure: ``|v.n|`` ds d(velocities of one energy).
-
-    Evenly along the wall (of a cylinder: at z = 0); the velocities along the wall and the spins, each times the root of its
-    inertia, evenly in the unit ball, so that what is left to the velocity across has the density ``|v.n|``. ``speed`` is
-    sqrt(2 energy / m). Under a force across walls it is that of a ball at the origin (or of one that would get there), and places
-    count by the kinetic energy left there: in the plane by it, in space by its power 5/2. Closed tables only: a strip and a wedge
-    have no end.
-    """
-    setup = setup_of(table, ball, law, Surface() if law == "contact" else None, "end")
-    count, seed = whole("count", count), whole("seed", seed, 0)
-    if count * ROW > MOST:
-        raise CaromError(
-            f"starts: count: expected no more than {int(MOST / ROW):,}, got {count:,}; draw a share at a time"
-        )
-    rng = np.random.default_rng(seed)
-    radius, kappa = float(setup.ball.radius), float(setup.ball.kappa)
-    planar = setup.planar
-    # a point of the unit ball of all components but the one across: 2 in the plane, 5 in space
-    free = 2 if planar else 5
-    if setup.world["falls"][0]:
-        x, n, pace = _by_energy(table, setup.shape, count, rng, speed, 1.0 if planar else 2.5)
-    else:
-        x, n = _on_the_wall(table, setup.shape, count, rng)
-        pace = np.full((count, 1), float(speed))
-    u = rng.normal(size=(count, free))
-    u *= (rng.uniform(size=count) ** (1 / free) / np.linalg.norm(u, axis=1))[:, None]
-    across = np.sqrt(1 - (u * u).sum(1))
-    t = np.cross(n, np.where(np.abs(n[:, 2:]) < 0.9, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]))
-    t /= np.linalg.norm(t, axis=1, keepdims=True)
-    rolls = math.sqrt(1 + kappa) if setup.law == "rolling" else 1.0
-    v = pace * (across[:, None] * n + u[:, :1] * t) / rolls
-    inertia = math.sqrt(kappa) * radius
-    if planar:
-        return Start(x[:, :2], v[:, :2], pace[:, 0] * u[:, 1] / inertia)
-    v += pace * u[:, 1:2] * np.cross(n, t)
-    return Start(x, v, pace * u[:, 2:] / inertia)
-
-
-def _by_energy(
-    table: Table, shape: Shape, count: int, rng: np.random.Generator, speed: float, power: float
-) -> tuple[Array, Array, Array]:
-    """Points (count, 3) of the wall by a power of the kinetic energy there, the normals, sqrt(2 kinetic energy / m) (count, 1)."""
-    pull = np.array(table.pull)
-    x, n = np.empty((0, 3)), np.empty((0, 3))
-    # no place of the wall has more than the highest of so many, and the way between two of them
-    some = _on_the_wall(table, shape, TRIED, np.random.default_rng(0))[0] @ pull
-    most = speed**2 + 2 * (some.max() + 0.02 * np.ptp(some))
-    if not most > 0 or not np.isfinite(speed):
-        raise CaromError(f"starts: speed: expected one at the origin with which a ball gets to a wall, got {speed!r}")
-    while len(x) < count:
-        y, m = _on_the_wall(table, shape, 2 * count + 100, rng)
-        left = np.maximum(speed**2 + 2 * y @ pull, 0)
-        on = rng.uniform(size=len(y)) < (left / most) ** power
-        x, n = np.concatenate([x, y[on]]), np.concatenate([n, m[on]])
-    x, n = x[:count], n[:count]
-    return x, n, np.sqrt(speed**2 + 2 * x @ pull)[:, None]
-
-
-def _on_the_wall(table: Table, shape: Shape, count: int, rng: np.random.Generator) -> tuple[Array, Array]:
-    """Points (count, 3) evenly on the wall, with the normals there."""
-    if shape.sphere is not None:
-        out = rng.normal(size=(count, 3))
-        out /= np.linalg.norm(out, axis=1, keepdims=True)
-        return shape.sphere * out, -out
-    lids = [f for f in shape.faces if f[0][2]]
-    side = replace(shape, faces=[f for f in shape.faces if not f[0][2]])
-    if not np.isfinite(side.lengths).all():
-        raise CaromError(
-            f"starts: table: expected one with a wall of some length, got {table.name}; give starts of your own"
-        )
-    around = float(side.lengths.sum())
-    _k, x2, n2 = side.place(rng.uniform(0, around, count))
-    x, n = (np.concatenate([p, np.zeros((count, 1))], axis=1) for p in (x2, n2))
-    if lids:
-        high = -float(lids[0][1])
-        x[:, 2] = rng.uniform(-high, high, count)
-        # how many lie on the lids: by area
-        curve = side.place(np.linspace(0, around, 20_001)[:-1])[1]
-        a, b = curve, np.roll(curve, -1, axis=0)
-        area = float((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum() / 2)
-        on = np.flatnonzero(rng.uniform(size=count) < area / (area + around * high))
-        low, size = curve.min(0), np.ptp(curve, axis=0)
-        left = on
-        while len(left):
-            x[left, :2] = low + rng.uniform(size=(len(left), 2)) * size
-            left = left[side.gap(x[left, :2]) < 0]
-        up = np.where(rng.uniform(size=len(on)) < 0.5, 1.0, -1.0)
-        x[on, 2], n[on] = high * up, np.stack([np.zeros(len(on)), np.zeros(len(on)), -up], axis=1)
-    return x, n
 
 
 def reverse(found: Orbit) -> tuple[Orbit, Array]:
