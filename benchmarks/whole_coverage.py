@@ -29,6 +29,7 @@ from carom.tracks.measure import Settings, measure
 
 NUMBERS = ("restitution", "friction", "floor_friction", "rolling_resistance")
 NOISE, HEIGHT = 3e-4, 1.2
+FAR = 4.0  # error bars
 
 
 def one(seed: int, known: bool) -> dict[str, Any]:
@@ -100,6 +101,11 @@ def main() -> None:
         error = 100 * np.sqrt(0.6827 * 0.3173 / len(z))
         print(f"{name:20} {100 * (z < 1).mean():5.1f} / {100 * (z < 1.96).mean():5.1f} % of {len(z)} (68.3 / 95.0 ± {error:.1f});"
               f" median error {100 * size:.3f} %; {int((z > 5).sum())} beyond 5")  # fmt: skip
+    astray = [row["seed"] for row in good if not row["follows"]]
+    off = [row["seed"] for row in good if row["follows"] and max(map(abs, row["pulls"].values()), default=0) > FAR]
+    print(
+        f"seeds that do not follow: {astray}; seeds that follow with a number more than {FAR:g} error bars off: {off}"
+    )
     if given.plot:
         plot(good, given.plot)
 

@@ -25,6 +25,7 @@ from carom.tracks.measure import Settings, measure
 from carom.tracks.read import read_tracks
 
 RADIUS, NOSE = 0.03075, 0.037
+LAWS = "two-step-after,two-step,contact,maw,no-slip,two-step-paper,mirror,conventional"
 
 
 def by_shot(fit: WholeFit) -> np.ndarray:
@@ -38,7 +39,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("tracks", type=Path)
     parser.add_argument("--cushions", type=int, default=1)
-    parser.add_argument("--laws", default="two-step,two-step-after,no-slip,two-step-paper,mirror,conventional")
+    parser.add_argument("--laws", default=LAWS)
     parser.add_argument("--picture", type=Path)
     given = parser.parse_args()
     with Progress(console=Console(stderr=True), transient=True) as bar:
@@ -65,11 +66,22 @@ def main() -> None:
         spread = f"{low:.1f} to {high:.1f}"
         cells = [fit.law.name, numbers, f"{middle:.2f}", spread, f"{fit.aicc - best.aicc:.0f}", nearer, chance]
         print("| " + " | ".join(cells) + " |")
-    print("\n| shot, ball | contacts | frames | " + " | ".join(fit.law.name for fit in ranking.fits) + " |")
-    print("|---" * (3 + len(ranking.fits)) + "|")
-    for n, one in enumerate(best.frames.stretches):
-        cells = [f"{1e3 * fit.rms([n]):.1f}" for fit in ranking.fits]
-        print(f"| {one.label} | {len(one.contacts)} | {int(best.frames.count[n])} | " + " | ".join(cells) + " |")
+    groups = [one.group for one in best.frames.stretches]
+    shots = list(dict.fromkeys(groups))
+    each = np.array([by_shot(fit) for fit in ranking.fits])
+    print("\n| shot | stretches | contacts | frames | " + " | ".join(fit.law.name for fit in ranking.fits) + " |")
+    print("|---" * (4 + len(ranking.fits)) + "|")
+    for shot, sizes in zip(shots, each.T, strict=True):
+        which = [n for n, group in enumerate(groups) if group == shot]
+        contacts = sum(len(best.frames.stretches[n].contacts) for n in which)
+        cells = [
+            shot,
+            len(which),
+            contacts,
+            int(best.frames.count[which].sum()),
+            *(f"{1e3 * size:.1f}" for size in sizes),
+        ]
+        print("| " + " | ".join(map(str, cells)) + " |")
 
 
 if __name__ == "__main__":

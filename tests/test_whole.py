@@ -274,6 +274,17 @@ def test_a_search_comes_to_the_best_place(seed: int) -> None:
         assert abs(best.estimates[name].value - value) < 3 * best.estimates[name].stderr, name
 
 
+def test_a_friction_that_is_hardly_told_is_sought_in_its_range() -> None:
+    # friction and restitution show in combination only; an error bar by slopes reaches below a friction of zero
+    truth: dict[str, float] = {}
+    best = made(228, truth).best
+    assert best.follows
+    friction = best.estimates["friction"]
+    assert 0 < friction.stderr < friction.value
+    for name, value in truth.items():
+        assert abs(best.estimates[name].value - value) < 3 * best.estimates[name].stderr, name
+
+
 def test_a_fit_that_does_not_follow_says_so() -> None:
     setting = replace(SETTING, cushions=1, fixed={"restitution": 0.7, "friction": 0.18, "rolling_resistance": 0.008})
     found = fit_whole(measured(1, 2), setting, ["two-step"])

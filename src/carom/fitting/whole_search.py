@@ -135,7 +135,7 @@ def _friction_told(law: WholeLaw, best: WholeFit, others: Sequence[tuple[float, 
     if alike:
         return or_else(best, "friction", alike[0])
     parameter = law.free["friction"]
-    far = np.array([-step, step])
+    far = np.clip(here + np.array([-step, step]), parameter.low, parameter.high) - here
     for _ in range(ROUNDS):
         rises = []
         for one in (here + far).tolist():
