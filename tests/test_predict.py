@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import csv
+import errno
 import json
 import math
+import os
 import sys
 from pathlib import Path
 
@@ -16,6 +18,7 @@ from carom.cli import main
 from carom.own_law import find_law
 from carom.predict import Settings, predict_table
 from carom.tables import text
+from carom.tables.output import whole_file
 from carom.tables.units import heading
 
 BALL = carom.Ball()
@@ -381,6 +384,20 @@ def test_nothing_half_written_when_it_is_interrupted(tmp_path, monkeypatch, erro
         predict_table(source, out, Settings(find_law("mirror")), progress=progress)
     assert out.read_text() == "before\n"
     assert sorted(p.name for p in tmp_path.iterdir()) == ["in.csv", "out.csv"]
+
+
+@pytest.mark.parametrize("number", [errno.ENOSPC, errno.EDQUOT, errno.EFBIG])
+def test_a_disk_that_is_full_is_one_line(tmp_path, number):
+    out = tmp_path / "out.csv"
+
+    def fill() -> None:
+        with whole_file(out) as file:
+            file.write(b"some")
+            raise OSError(number, os.strerror(number))
+
+    with pytest.raises(carom.CaromError, match=r"--out .*out.csv: expected room for what is written, got: "):
+        fill()
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_the_command(tmp_path, carom_run):

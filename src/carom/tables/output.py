@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import errno
 import os
 import shutil
 import sys
@@ -17,6 +18,20 @@ from carom.errors import CaromError
 __all__ = ["whole_file"]
 
 
+FULL = (errno.ENOSPC, errno.EDQUOT, errno.EFBIG)
+
+
+@contextmanager
+def _room(where: str) -> Iterator[None]:
+    """CaromError where there is no room for what the block writes; all else that goes wrong in it goes its way."""
+    try:
+        yield
+    except OSError as error:
+        if error.errno not in FULL:
+            raise
+        raise CaromError(f"{where}: expected room for what is written, got: {error.strerror}") from None
+
+
 @contextmanager
 def whole_file(out: Path | None, source: Path | None = None) -> Iterator[BinaryIO]:
     """A binary file to write, which becomes ``out`` (None: standard output) only when the block ends without an error.
@@ -24,7 +39,7 @@ def whole_file(out: Path | None, source: Path | None = None) -> Iterator[BinaryI
     Raises CaromError where ``out`` is ``source`` itself, a folder, or in a folder that is not there or not writable.
     """
     if out is None:
-        with tempfile.TemporaryFile() as file:
+        with _room("standard output, put together in a temporary file"), tempfile.TemporaryFile() as file:
             yield file
             file.seek(0)
             # a reader that has seen enough, such as `head`, is no fault
@@ -50,7 +65,7 @@ def whole_file(out: Path | None, source: Path | None = None) -> Iterator[BinaryI
         raise CaromError(f"--out {out}: expected a folder that can be written to, got: {error.strerror}") from None
     part = Path(name)
     try:
-        with os.fdopen(handle, "wb") as file:
+        with _room(f"--out {out}"), os.fdopen(handle, "wb") as file:
             yield file
         mask = os.umask(0)
         os.umask(mask)
