@@ -98,6 +98,18 @@ def test_states(value):
         refused(lambda: carom.State((0, 0, 0), (0, 0, 0), value), "State: position", "in m")
 
 
+def test_masked_numbers_are_no_numbers():
+    masked = np.ma.masked_array([1.0, 2.0, 3.0], [False, True, False])
+    refused(lambda: carom.State(masked), "State: velocity")
+    assert carom.State(np.ma.masked_array([1.0, 2.0, 3.0])).velocity[1] == 2.0
+
+
+def test_what_came_is_one_line_however_large_it_is():
+    text = refused(lambda: carom.State(np.full((40, 3), "x")), "State: velocity")
+    assert len(text.splitlines()) == 1
+    assert len(text) < 300
+
+
 def test_where_of_many():
     v = np.zeros((4, 5, 3))
     v[2, 3, 1] = NAN

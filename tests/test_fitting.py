@@ -539,3 +539,15 @@ def test_refit_starts_where_the_fit_ended():
     assert deviance[0] == pytest.approx(fit.deviance, abs=1e-6)
     place = parameters_of(fit.law, fit.problem)[0]["friction"][0]
     assert again[0, place] == pytest.approx(fit.numbers[place], abs=1e-5)
+
+
+def test_what_fit_laws_cannot_take_is_one_line():
+    rows, setting = table(bounces(1, 20)), Setting(radius=0.02)
+    for call, said in (
+        (lambda: fit_laws(None, setting), "rebounds: expected a Rebounds, got NoneType"),
+        (lambda: fit_laws(rows, {"radius": 0.02}), "setting: expected a Setting, got dict"),
+        (lambda: fit_laws(rows, setting, "maw"), "laws: expected a sequence of names, got 'maw'"),
+        (lambda: fit_laws(rows, setting, ["maw"], seed=-1), "seed: expected a whole number >= 0, got -1"),
+    ):
+        with pytest.raises(carom.CaromError, match=said):
+            call()

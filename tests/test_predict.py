@@ -454,6 +454,12 @@ def test_a_floor_that_a_flying_ball_does_not_meet_is_told(tmp_path):
     assert summary.notes[-1] == "not used, as the ball is in flight: floor_friction"
 
 
+def test_a_law_by_its_name_only_is_refused(tmp_path):
+    source = write(tmp_path / "in.csv", "v_n_in\n1\n")
+    with pytest.raises(carom.CaromError, match="Settings: law: expected a Law, got str 'two-step'"):
+        predict_table(source, tmp_path / "out.csv", Settings("two-step"))
+
+
 def test_bytes_that_are_no_text_and_an_empty_suffix(tmp_path):
     assert faults(tmp_path, b"\x89\x1b\x02\xff\xfe\n\x00") == (
         f"{tmp_path / 'in.csv'}: expected a CSV file, a line of text with names first, got bytes that are no text",

@@ -384,3 +384,15 @@ def test_slow_turns_show_at_a_high_rate(seed: int) -> None:
         assert one.fit is not None
         for name in ("vn_in", "vt_in", "vn_out", "vt_out"):
             assert abs(one.fit[name] - true[name]) < 5 * one.fit.error(name), name
+
+
+@pytest.mark.parametrize("tracks", [(), "x", [1]])
+def test_what_is_no_track(tracks) -> None:
+    with pytest.raises(CaromError, match="measure: tracks: expected one or more"):
+        measure(tracks)
+
+
+def test_settings_of_another_kind() -> None:
+    with pytest.raises(CaromError) as error:
+        Settings(view="below", window="x", radius="y").check()  # type: ignore[arg-type]
+    assert [line.split(":")[1] for line in error.value.faults] == [" window", " radius", " view"]

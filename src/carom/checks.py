@@ -26,6 +26,7 @@ __all__ = [
 
 # Squares of what a kernel takes must be finite: no ball is faster, heavier or larger than this.
 LARGEST = 1e100
+LONGEST = 200  # signs of what came that a fault shows
 
 
 class Faults:
@@ -37,11 +38,11 @@ class Faults:
 
     def add(self, field: str, expected: str, got: str) -> None:
         """One fault: which field, what was expected, what came."""
-        self.found[field] = f"{self.where}: {field}: expected {expected}, got {got}"
+        self.found[field] = f"{self.where}: {field}: expected {expected}, got {_line(got)}"
 
     def also(self, field: str, expected: str, got: str) -> None:
         """One fault more of a field that may have several."""
-        self.found[f"{field} {len(self.found)}"] = f"{self.where}: {field}: expected {expected}, got {got}"
+        self.found[f"{field} {len(self.found)}"] = f"{self.where}: {field}: expected {expected}, got {_line(got)}"
 
     def advise(self, field: str, remedy: str) -> None:
         """What to do about a fault that was added."""
@@ -57,6 +58,12 @@ class Faults:
             raise CaromError(*self.found.values())
 
 
+def _line(got: str) -> str:
+    """What came, on one line, however many an array is written in."""
+    text = " ".join(got.split())
+    return text if len(text) <= LONGEST else text[: LONGEST - 3] + "..."
+
+
 def first_index(bad: np.ndarray[Any, Any]) -> str:
     """Where an array is first at fault: ``" at index (3,)"``; empty for a scalar."""
     return "" if bad.ndim == 0 else f" at index {tuple(int(i) for i in np.argwhere(bad)[0])} ({int(bad.sum())} in all)"
@@ -64,6 +71,8 @@ def first_index(bad: np.ndarray[Any, Any]) -> str:
 
 def float_array(value: Any) -> np.ndarray[Any, np.dtype[np.float64]]:
     """An array of floats, a copy; TypeError or ValueError for what is not made of numbers, text and None among it."""
+    if isinstance(value, np.ma.MaskedArray) and np.ma.getmaskarray(value).any():
+        raise TypeError("numbers that are masked are none")
     array = np.asarray(value)
     if array.dtype.kind not in "biuf":
         raise TypeError("not numbers")

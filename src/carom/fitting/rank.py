@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.checks import expect
 from carom.errors import CaromError
 from carom.fitting.data import Setting, make_problem, require_settings
 from carom.fitting.fit import Fit, fit_law, refit, rows_of_fit
@@ -95,6 +96,12 @@ def fit_laws(
     ``laws``: names, all by default. ``profiles`` and ``bootstrap`` (draws): by default where they are cheap. ``say`` is told
     what is being done and how much of all is done, 0 to 1. Raises CaromError for tables and settings that cannot be fitted.
     """
+    expect("fit_laws", "rebounds", rebounds, Rebounds)
+    expect("fit_laws", "setting", setting, Setting)
+    if isinstance(laws, str):
+        raise CaromError(f"fit_laws: laws: expected a sequence of names, got {laws!r}; write [{laws!r}]")
+    if seed < 0:
+        raise CaromError(f"fit_laws: seed: expected a whole number >= 0, got {seed}")
     require_settings(setting)
     if bootstrap is not None and (bootstrap < 0 or bootstrap == 1):
         raise CaromError(f"bootstrap: expected 0 (none) or a number of draws, 2 or more, got {bootstrap}")

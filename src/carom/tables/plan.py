@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 
 from carom.ball import Ball
-from carom.checks import nearest
+from carom.checks import expect, nearest
 from carom.errors import CaromError
 from carom.law import Law, Meeting
 from carom.laws.maw import LIKE_SOLIDS
@@ -91,6 +91,7 @@ class Plan:
 
 def make_plan(headers: list[str], settings: Settings) -> Plan:
     """The plan for a table with these headers; CaromError, a line a fault, where it cannot be read."""
+    expect("Settings", "law", settings.law, Law)
     faults: list[str] = []
     columns = _meanings(headers, settings, faults)
     form = _form(headers, columns, settings, faults)

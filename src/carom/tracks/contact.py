@@ -15,6 +15,7 @@ from carom.tracks.on_table import tells_rolling
 __all__ = ["Contact", "Settings", "View"]
 
 View = Literal["above", "side"]
+NUMBERS = (int, float, np.integer, np.floating)
 
 
 @dataclass(frozen=True)
@@ -47,14 +48,16 @@ class Settings:
         faults = Faults("tracks")
         for name, low in (("kappa", 0.0), ("gravity", 0.0), ("window", 0.0), ("noise", 0.0), ("cloth", 0.0)):
             value = getattr(self, name)
-            if value is not None and not low < value < np.inf:
+            if value is not None and not (isinstance(value, NUMBERS) and low < value < np.inf):
                 faults.add(name, "a number above 0", repr(value))
-        if 1 < self.kappa < np.inf:
+        if isinstance(self.kappa, NUMBERS) and 1 < self.kappa < np.inf:
             faults.add("kappa", "kappa = I/(m a^2), at most 1", repr(self.kappa))
         for name in ("radius", "rolling", "blind"):
             value = getattr(self, name)
-            if value is not None and not 0 <= value < np.inf:
+            if value is not None and not (isinstance(value, NUMBERS) and 0 <= value < np.inf):
                 faults.add(name, "a number of at least 0", repr(value))
+        if self.view not in (None, "above", "side"):
+            faults.add("view", "'above' or 'side'", repr(self.view))
         faults.done()
 
 

@@ -63,6 +63,8 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, say: Say 
     settings = settings or Settings()
     require_scipy()
     settings.check()
+    if not tracks or not all(isinstance(track, Track) for track in tracks):
+        raise CaromError(f"measure: tracks: expected one or more of carom.tracks' tracks, got {tracks!r:.60}")
     notes: list[str] = []
     seen, interval = prepared(tracks, notes)
     step = (step_of([t.position[:, 0] for t in seen]), step_of([t.position[:, 1] for t in seen]))
