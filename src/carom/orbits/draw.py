@@ -35,8 +35,8 @@ def starts(
     there: in the plane by it, in space by its power 5/2.
 
     Along an axis on which the table is everywhere the same, starts lie in one place: of a cylinder at z = 0, of a strip at x = 0,
-    of plates at x = z = 0. A wedge has such a measure under a force that brings back every ball: its walls count as far as one of
-    that energy gets. Without such a force CaromError says so.
+    of plates at x = z = 0; in a periodic cell they lie in the first. A wedge has such a measure under a force that brings back
+    every ball: its walls count as far as one of that energy gets. Without such a force CaromError says so.
     """
     setup = setup_of(table, ball, law, Surface() if law == "contact" else None, "end")
     count, seed = whole("count", count), whole("seed", seed, 0)
