@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
 
 import carom
 from carom.fitting import Setting, fit_law, fit_laws, make_problem
-from carom.fitting.fit import rows_of_fit
+from carom.fitting.fit import refit, rows_of_fit
 from carom.fitting.laws import laws_named
 from carom.fitting.looks import look
 from carom.fitting.parameters import INDEX, PARAMETERS
@@ -17,6 +18,7 @@ from carom.fitting.ways import _rows, ways_of
 from carom.rebounds import make_rebounds
 
 A, KAPPA = 0.02, 2 / 3
+NAMES = ("v_n_in", "v_t_in", "spin_in", "v_n_out", "v_t_out", "spin_out")
 BALL = carom.Ball(radius=A, mass=0.0027, inertia="hollow")
 SETTING = Setting(radius=A, kappa=KAPPA)
 TRUTH = {"restitution": 0.8, "friction": 0.2, "spin_mean": 0.4, "spin_width": 0.35}
@@ -154,6 +156,44 @@ def test_error_bars_of_unmeasured_spins_are_those_of_the_scatter():
     for name, found in pulls.items():  # three standard errors of a count of 40
         assert np.mean(np.abs(found) < 1) == pytest.approx(0.683, abs=3 * math.sqrt(0.683 * 0.317 / 40)), name
         assert np.mean(np.abs(found) < 1.96) == pytest.approx(0.95, abs=3 * math.sqrt(0.95 * 0.05 / 40)), name
+
+
+def edge(seed: int, friction: float, n: int = 60) -> object:
+    """Rebounds without any spin, some of which slide all the way unless the friction is large."""
+    rng = np.random.default_rng(seed)
+    vn, vt = rng.uniform(1, 4, n), rng.uniform(-3, 3, n)
+    spin = 0.4 * vt / A + TRUTH["spin_width"] * np.hypot(vn, vt) / A * rng.normal(size=n)
+    true = (vn, vt, spin, *after(vn, vt, spin, mu=friction))
+    columns = {}
+    for name, values, sigma in zip(NAMES, true, (0.03, 0.03, 2.0) * 2, strict=True):
+        seen = values + sigma * rng.normal(size=n)
+        columns |= {name: np.full(n, np.nan)} if "spin" in name else {name: seen, f"sigma_{name}": np.full(n, sigma)}
+    return make_rebounds("planar", columns)
+
+
+@pytest.mark.parametrize("seed", [20, 44])
+def test_a_row_at_a_crease_does_not_hide_the_friction(seed):
+    # the curvature just there says that nothing tells it, the deviance rises to both sides
+    problem = make_problem(edge(seed, 0.2), SETTING)[0]
+    fit = fit_law(law("sliding"), problem)
+    estimate = fit.estimates["friction"]
+    assert not fit.untold
+    assert abs(estimate.value - 0.2) < 2 * estimate.stderr < 0.02
+    for sign in (-1, 1):
+        p = fit.numbers.copy()[None]
+        p[0, INDEX["friction"]] += sign * estimate.stderr
+        assert refit(fit, problem, p=p, hold="friction")[1][0] - fit.deviance == pytest.approx(1, abs=0.7)
+
+
+@pytest.mark.parametrize("seed", [20, 21])
+def test_friction_that_no_row_feels_stays_untold(seed):
+    # the row that slips most always looks a little like one that slides
+    fit = fit_law(law("sliding"), make_problem(edge(seed, 3.0), SETTING)[0])
+    assert fit.untold == ("friction",)
+    assert fit.estimates["friction"].value is None
+    assert re.search(
+        r"friction: what lies beyond 0\.[34].* fits nearly as well: 0\.[34].* or more \(95 %\)", fit.degenerate[0]
+    )
 
 
 def test_what_sticks_does_not_tell_side_from_slip_given_back():

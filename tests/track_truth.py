@@ -71,8 +71,13 @@ def shot(rng: np.random.Generator, sliding: bool = False, on: Surfaces | None = 
     )
     cloth, rolling = (rng.uniform(0.12, 0.28), rng.uniform(0.004, 0.015)) if on is None else (on.cloth, on.rolling)
     if on is not None:
-        slowed = np.sqrt(speed**2 - 2 * rolling * 9.80665 * reach / np.cos(angle))
-        spin = (on.spin_mean * np.sin(angle) + on.spin_width * rng.normal()) * slowed / RADIUS
+        # running side is that of the cushion which is met first: of one ball in twelve another than it was sent to
+        ways = (np.where(velocity > 0, HIGH, LOW) - start) / velocity
+        first = int(np.argmin(ways))
+        n = -np.sign(velocity[first]) * np.eye(2)[first]
+        along = (n[0] * velocity[1] - n[1] * velocity[0]) / speed
+        slowed = np.sqrt(speed**2 - 2 * rolling * 9.80665 * speed * ways[first])
+        spin = (on.spin_mean * along + on.spin_width * rng.normal()) * slowed / RADIUS
     cushion = Table(
         length=LENGTH, width=WIDTH, center=(LENGTH / 2, WIDTH / 2), nose_height=NOSE, restitution=restitution, friction=friction
     )  # fmt: skip

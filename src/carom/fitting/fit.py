@@ -13,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.fitting.averaged import with_averaged
+from carom.fitting.averaged import with_averaged, with_profile
 from carom.fitting.data import Problem
 from carom.fitting.kernels import TOGETHER, TURN
 from carom.fitting.laws import FittedLaw
@@ -134,7 +134,10 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     # an error that all rows share is one more number, and what the film says of it one more datum
     chi2 = float(least.sum() + np.square(fit.numbers[NUMBERS:]).sum())
     fit = replace(fit, chi2=chi2, dof=dof, by_row=least)
-    fit = with_errors(fit, own, parameters, info)
+    told = with_errors(fit, own, parameters, info)
+    if problem.spins is not None and "friction" in told.untold:
+        told = with_errors(fit, own, parameters, with_profile(fit, info, extra))
+    fit = told
     return fit if problem.spins is None else with_averaged(fit, extra)
 
 

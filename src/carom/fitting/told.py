@@ -15,6 +15,7 @@ __all__ = ["bent", "with_errors"]
 
 Array = NDArray[np.float64]
 BENT, MANY = 0.3, 0.06  # of an error bar, by which a row's law bends; of the rows
+SURE = 3.8415  # of the deviance: 95 % of one number
 BLIND = 0.5  # a standard error of so much of a parameter's range, or of 1, tells nothing
 SHARE = 0.3  # of a direction that the data do not tell: a parameter with more of it is concerned
 
@@ -119,7 +120,9 @@ def _flat(fit: Fit, place: int, parameter: Parameter, stderr: float) -> str:
     for sign, word in ((1, "more"), (-1, "less")):
         p = fit.numbers.copy()
         p[place] = min(max(p[place] + sign * 5 * stderr, parameter.low), parameter.high)
-        if abs(p[place] - fit.numbers[place]) > 4 * stderr and rows_of_fit(fit, fit.problem, p)[0].sum() < base + 1:
+        if abs(p[place] - fit.numbers[place]) > 4 * stderr and rows_of_fit(fit, fit.problem, p)[0].sum() < base + SURE:
+            if parameter.name == "friction" and word == "more":
+                return f"what lies beyond {fit.numbers[place]:.3g} fits nearly as well" + _least_friction(fit)
             return f"{fit.numbers[place]:.3g} or {word} is all that can be told; what lies beyond fits as well"
     return ""
 
