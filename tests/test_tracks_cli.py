@@ -170,3 +170,19 @@ def test_what_looks_like_another_unit_or_ball_is_told(
     code, _told, notes = run(capsys, monkeypatch, str(file))
     assert code == 0
     assert expected in notes
+
+
+def test_no_line_of_a_contact_runs_through_a_legend(shot_file: Path) -> None:
+    from carom.plot.tracks import plot_tracks
+    from carom.tracks.measure import Settings, measure
+    from carom.tracks.read import read_tracks
+
+    figure = plot_tracks(measure(read_tracks(str(shot_file)).tracks, Settings(view="above")))
+    figure.canvas.draw()
+    panels = [axes for axes in figure.axes if axes.get_title(loc="left").startswith(("Speed", "Tracked"))]
+    assert len(panels) == 2
+    for axes in panels:
+        low = axes.get_legend().get_window_extent().y0
+        upright = [line for line in axes.lines if len(line.get_xdata()) == 2 and len(set(line.get_xdata())) == 1]
+        assert upright
+        assert all(line.get_window_extent().y1 < low for line in upright)

@@ -20,6 +20,7 @@ Array = NDArray[np.float64]
 BLUE, ORANGE = "#0072B2", "#D55E00"
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 FRAMES = 12.0
+BELOW_LEGEND = 0.87  # of a panel: how high the lines of contacts go
 
 
 def plot_tracks(measured: Measured) -> Any:
@@ -125,7 +126,7 @@ def _speeds(axes: Any, measured: Measured) -> None:
             rate = np.hypot(*np.diff(way, axis=0).T) / np.diff(t)
             axes.plot((t[1:] + t[:-1]) / 2, rate, color=ORANGE, lw=1.2, label=label)
             label = None
-        axes.axvline(fit["t"], color=INK, lw=0.5, ls=(0, (2, 2)))
+        axes.axvline(fit["t"], ymax=BELOW_LEGEND, color=INK, lw=0.5, ls=(0, (2, 2)))
     told = " ".join(filter(None, (track.group, track.name)))
     axes.set_title(f"Speed of {told}", loc="left")
     axes.set(
@@ -152,6 +153,6 @@ def _residuals(axes: Any, measured: Measured) -> None:
         most = max(4.5e3 * measured.noise, 1.1 * float(np.quantile(np.abs(gap[near]), 0.995)))
         axes.set_ylim(-most, 1.35 * most)
         axes.legend(loc="upper right", frameon=False, fontsize=7.5, ncols=2)
-    axes.axvline(0, color=INK, lw=0.5, ls=(0, (2, 2)))
+    axes.axvline(0, ymax=BELOW_LEGEND, color=INK, lw=0.5, ls=(0, (2, 2)))
     axes.set_title(f"Tracked less fitted; band: noise {1e3 * measured.noise:.2g} mm", loc="left")
     axes.set(xlabel="frames from the contact", ylabel="mm", xlim=(-FRAMES, FRAMES))
