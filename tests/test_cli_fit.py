@@ -181,7 +181,9 @@ def test_design_says_which_shots(here, monkeypatch, capsys):
     assert plan["shots_needed"] == sum(shot["repeat"] for shot in plan["shots"])
     assert plan["expected_2_log_odds"] >= 2 * np.log(20)
     assert np.shape(plan["map"]["gain"]) == tuple(len(plan["map"][key]) for key in ("angle_deg", "speed", "spin"))
-    assert (here / "map.svg").read_text().startswith("<?xml")
+    drawn = (here / "map.svg").read_text()
+    assert drawn.startswith("<?xml")
+    assert drawn.count("stroke-width: 2.6") == len(plan["shots"])  # dark rims: circles on the border are seen on white
     code, out, err = run(monkeypatch, capsys, "design", "--laws", "contact", "--angles", "low:high", "--kind", "flat")
     assert (code, out) == (2, "")
     assert len(err.splitlines()) == 3

@@ -551,3 +551,9 @@ def test_what_fit_laws_cannot_take_is_one_line():
     ):
         with pytest.raises(carom.CaromError, match=said):
             call()
+
+
+def test_a_law_is_called_by_its_name_once():
+    from carom.fitting.laws import FITTED
+
+    assert not [law.called for law in FITTED if ") (" in law.called]

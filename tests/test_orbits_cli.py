@@ -229,3 +229,8 @@ def test_a_fault_is_a_line(
 
 def test_all_faults_at_once(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
     assert len(fails(monkeypatch, capsys, "stadium", "--sides", "4", "--angle", "3")) == 2
+
+
+def test_how_orbits_end_is_told_in_words() -> None:
+    assert "ended: after all bounces" in run("circle", "--bounces", "3", *START).stdout
+    assert "ended: 2 after all bounces" in run("circle", "--bounces", "3", "--orbits", "2").stdout

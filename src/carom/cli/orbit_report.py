@@ -10,6 +10,8 @@ if TYPE_CHECKING:
 
 __all__ = ["every_bounce", "orbit_facts", "tell_orbit"]
 
+TOLD = {"bounces": "after all bounces"}  # for people, how an orbit ended
+
 
 def orbit_facts(
     found: Orbit, table: Table, begin: Any, options: dict[str, Any], *, lyapunov: bool, back: bool
@@ -123,7 +125,8 @@ def tell_orbit(facts: dict[str, Any], found: Orbit) -> None:
     grid.add_row(
         "ball", f"kappa {facts['ball']['kappa']:.6g}, radius {facts['ball']['radius']:.6g} m; law {facts['law']}"
     )
-    ends = ", ".join(f"{count} {name}" if facts["orbits"] > 1 else name for name, count in facts["ended"].items())
+    told = {TOLD.get(name, name): count for name, count in facts["ended"].items()}
+    ends = ", ".join(f"{count} {name}" if facts["orbits"] > 1 else name for name, count in told.items())
     grid.add_row(
         "bounces", f"{facts['count']:,} of {facts['orbits']:,} orbit{'s' * (facts['orbits'] > 1)}; ended: {ends}"
     )

@@ -32,7 +32,7 @@ class FittedLaw:
     @property
     def called(self) -> str:
         """Its words, with the name that the command knows where they lack it."""
-        return self.words if self.name in self.words else f"{self.words} ({self.name})"
+        return self.words if self.name in self.words.lower() else f"{self.words} ({self.name})"
 
 
 ANY = {"friction": math.inf}
