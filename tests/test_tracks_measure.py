@@ -181,6 +181,23 @@ def test_a_corner_is_not_guessed() -> None:
     assert all("cannot tell apart" in one.why for one in measured.contacts)
 
 
+def test_a_corner_is_not_guessed_where_frames_are_missing() -> None:
+    # the turn shows at one wall only, if at all, and the way there and back goes through one place
+    walls = (Wall("top", (0.0, 0.0), (0.0, 1.0)), Wall("right", (0.0, 0.0), (1.0, 0.0)))
+    rng, vx, vy, at = np.random.default_rng(0), 2.4, 1.4, 0.4
+    found = []
+    for lost in (1, 2, 4):
+        for later in (0.0, 0.002, 0.004, 0.008):
+            t = np.delete(np.arange(100), np.arange(48 - lost // 2, 48 - lost // 2 + lost)) / 120
+            x = np.where(t < at + later / vx, vx * (at - t) + later, 0.7 * vx * (t - at - later / vx))
+            y = np.where(t < at, vy * (at - t), 0.7 * vy * (t - at))
+            places = np.stack([x, y], axis=-1) + rng.normal(0, 3e-4, (len(t), 2))
+            measured = measure([Track("ball", t, places)], Settings(view="above", radius=0.0, walls=walls))
+            found.append([one.why for one in measured.contacts])
+    assert sum(len(one) == 1 for one in found) >= 4  # where no frame says of the other wall
+    assert all("cannot tell apart" in why for one in found for why in one)
+
+
 def test_a_given_wall_at_an_angle() -> None:
     rng = np.random.default_rng(3)
     run = shot(rng)

@@ -9,14 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.fitting.parameters import INDEX, Parameter
-from carom.fitting.ways import Estimate, Fit, Ways, parameters_of, predict_law, rows_of_fit
+from carom.fitting.ways import Estimate, Fit, Ways, parameters_of, predict_law, refit, rows_of_fit
 
 __all__ = ["bent", "with_errors"]
 
 Array = NDArray[np.float64]
 BENT, MANY = 0.3, 0.06  # of an error bar, by which a row's law bends; of the rows
-SURE = 3.8415  # of the deviance: 95 % of one number
 BLIND = 0.5  # a standard error of so much of a parameter's range, or of 1, tells nothing
+FAR = (5.0, 50.0)  # error bars from the best place, where is looked whether the deviance has risen
+NO_RISE = 6.63  # of the deviance: 99 % of one number
+ONE_SIDE = 2.706  # 95 % of one number on one side
 SHARE = 0.3  # of a direction that the data do not tell: a parameter with more of it is concerned
 
 
@@ -51,7 +53,7 @@ def with_errors(fit: Fit, ways: Ways, parameters: list[Parameter], info: Array) 
         _strength, _direction, inner = _directions(info[np.ix_(inside, inside)], ranges[inside])
         covariance[np.ix_(inside, inside)] = inner
         for i in inside.tolist():
-            flat = _flat(fit, int(ways.free[i]), parameters[i], math.sqrt(covariance[i, i]))
+            flat = _flat(fit, fit.names[i], int(ways.free[i]), parameters[i], math.sqrt(covariance[i, i]))
             if flat:
                 untold.append(fit.names[i])
                 sentences.append(f"{fit.law.name}: {fit.names[i]}: {flat}")
@@ -111,19 +113,24 @@ def _directions(info: Array, ranges: Array) -> tuple[Array, Array, Array]:
     return strength, direction, good @ good.T * np.outer(ranges, ranges)
 
 
-def _flat(fit: Fit, place: int, parameter: Parameter, stderr: float) -> str:
+def _flat(fit: Fit, name: str, place: int, parameter: Parameter, stderr: float) -> str:
     """What to say where the deviance does not rise on one side, though the curvature at the best place says that it should.
 
-    So it is where the last row that tells a number stands just at the edge between sticking and sliding.
+    So it is where the last row that tells a number stands just at the edge between sticking and sliding. Five error bars away it
+    should have risen by 25; where it has not by half of that, the rest is fitted anew, there and ten times as far.
     """
     base = float(rows_of_fit(fit, fit.problem, fit.numbers)[0].sum())
+    best = float(fit.numbers[place])
     for sign, word in ((1, "more"), (-1, "less")):
-        p = fit.numbers.copy()
-        p[place] = min(max(p[place] + sign * 5 * stderr, parameter.low), parameter.high)
-        if abs(p[place] - fit.numbers[place]) > 4 * stderr and rows_of_fit(fit, fit.problem, p)[0].sum() < base + SURE:
-            if parameter.name == "friction" and word == "more":
-                return f"what lies beyond {fit.numbers[place]:.3g} fits nearly as well" + _least_friction(fit)
-            return f"{fit.numbers[place]:.3g} or {word} is all that can be told; what lies beyond fits as well"
+        p = np.tile(fit.numbers, (2, 1))
+        p[:, place] = np.clip(best + sign * stderr * np.array(FAR), parameter.low, parameter.high)
+        if abs(p[0, place] - best) < 0.8 * FAR[0] * stderr:
+            continue  # the bound is near
+        near = float(rows_of_fit(fit, fit.problem, p[0])[0].sum()) - base
+        if near < FAR[0] ** 2 / 2 and (refit(fit, fit.problem, p=p, hold=name)[1] - base < NO_RISE).all():
+            end = _last(fit, place, -sign, base)
+            said = f"what lies beyond {best:.3g} fits nearly as well"
+            return f"{said}: {end:.3g} or {word} (95 %) is all that can be told"
     return ""
 
 
@@ -148,13 +155,17 @@ def _sentence(fit: Fit, names: list[str]) -> str:
 
 def _least_friction(fit: Fit) -> str:
     """The friction below which the law is worse by 2.7 (95 %, one side), with the rest where it is."""
-    place = INDEX["friction"]
-    high = float(fit.numbers[place])
-    low = 0.0
     base = float(rows_of_fit(fit, fit.problem, fit.numbers)[0].sum())
+    return f": {_last(fit, INDEX['friction'], -1, base):.3g} or more (95 %)"
+
+
+def _last(fit: Fit, place: int, sign: int, base: float) -> float:
+    """How far down (or up) a number may be until the law is worse by what 95 % allow on one side, the rest where it is."""
+    parameter = next(one for where, one in parameters_of(fit.law, fit.problem)[0].values() if where == place)
+    inside, outside = float(fit.numbers[place]), parameter.low if sign < 0 else parameter.high
     for _ in range(30):
         p = fit.numbers.copy()
-        p[place] = middle = (low + high) / 2
-        deviance = float(rows_of_fit(fit, fit.problem, p)[0].sum())
-        low, high = (low, middle) if deviance < base + 2.706 else (middle, high)
-    return f": {high:.3g} or more (95 %)"
+        p[place] = middle = (inside + outside) / 2
+        rise = float(rows_of_fit(fit, fit.problem, p)[0].sum()) - base
+        inside, outside = (inside, middle) if rise >= ONE_SIDE else (middle, outside)
+    return (inside + outside) / 2

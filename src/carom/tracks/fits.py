@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from carom.tracks.contact import Contact, Settings, View
 from carom.tracks.contacts import Event, Wall
-from carom.tracks.fitted import Prior
+from carom.tracks.fitted import Fitted, Prior
 from carom.tracks.floor import cloth, weight
 from carom.tracks.in_flight import fit_flight
 from carom.tracks.on_table import fit_table
@@ -171,6 +171,9 @@ class Fits:
         """A fit with the noise of all; larger error bars where it scatters more, no answer where it scatters far more."""
         if one.fit is None:
             return one
+        corner = self._corner(one, one.fit)
+        if corner:
+            return replace(one, fit=None, why=corner)
         excess = one.scatter / self.noise
         if excess > STRANGE:
             why = (
@@ -182,6 +185,25 @@ class Fits:
         if excess**2 > 1 + 3.1 * np.sqrt(2 / max(one.fit.dof, 1)) + 3 / max(one.fit.dof, 1):
             return replace(one, fit=one.fit.scaled(one.scatter))
         return replace(one, fit=one.fit.scaled(self.noise))
+
+    def _corner(self, one: Contact, fit: Fitted) -> str:
+        """Whether the ball may have met another wall too between the two frames: it went there before, comes from there after, and
+        had the time."""
+        time, t = fit.time, fit["t"]
+        gap = float(time[time >= t].min(initial=np.inf) - time[time < t].max(initial=-np.inf))
+        n = np.array(one.wall.normal)
+        across = np.array([-n[1], n[0]])
+        place = one.wall.back(np.array([[fit["away"], fit["along"]]]))
+        for other in self.walls.values():
+            if other.name == one.wall.name:
+                continue
+            before, after = (
+                other.turned(fit[f"vn_{side}"] * n + fit[f"vt_{side}"] * across)[0] for side in ("in", "out")
+            )
+            if before < 0 < after and other.frame(place)[0, 0] < -before * gap + 6 * self.noise:
+                name = NAMES["wall"].format(other.name)
+                return f"{name} is met within two frames: contacts that the frames cannot tell apart"
+        return ""
 
 
 def thinned(t: Array, x: Array, middle: float) -> tuple[Array, Array, Array]:
