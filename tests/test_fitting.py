@@ -233,7 +233,7 @@ def test_a_friction_that_one_row_tells_but_not_surely_has_no_error_bar():
         assert fit.untold == ("friction",), off
         assert fit.estimates["friction"].value is None
         least = 0.2 - (off + np.sqrt(2.706)) * bar  # 95 % on the side where it does rise
-        assert f"friction: {least:.3g} or more (95 %)" in fit.degenerate[0]
+        assert f"fits nearly as well: {least:.3g} or more (95 %)" in fit.degenerate[0]
     fit = fitted("sliding", on_the_edge(4.0))
     assert fit.untold == ()
     assert fit.estimates["friction"].value == pytest.approx(0.2 - 4 * bar, abs=0.1 * bar)
