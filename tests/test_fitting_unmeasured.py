@@ -257,3 +257,28 @@ def test_any_number_of_threads_gives_the_same_bits(monkeypatch):
         found.append((seen.deviance, seen.scores, seen.information))
     for one, other in zip(*found, strict=True):
         assert np.array_equal(one, other)
+
+
+def test_rows_near_the_edge_are_as_likely_to_slide_as_they_are():
+    # errors before the wall are not the same after a slide and after none: all that may have been, summed up plainly
+    rebounds, p = edge(0, 0.2, n=24), numbers(restitution=0.8, spin_mean=0.4, spin_width=0.35)
+    fit = fit_law(law("sliding"), make_problem(rebounds, SETTING)[0])
+    blur, (dn, dt, z) = (
+        0.03,
+        np.meshgrid(np.linspace(-4, 4, 33), np.linspace(-4, 4, 33), np.linspace(-5, 5, 501), indexing="ij"),
+    )
+    far = np.exp(-(dn**2 + dt**2 + z**2) / 2).ravel()
+    found, plain = np.zeros((2, 2))
+    for k, friction in enumerate((0.185, 0.215)):
+        p[INDEX["friction"]] = friction
+        found[k] = rows_of_fit(fit, fit.problem, p)[0].sum()
+        for i in range(len(rebounds)):
+            vn, vt = (rebounds[name][i] + blur * by.ravel() for name, by in (("v_n_in", dn), ("v_t_in", dt)))
+            spin = (0.4 * vt + 0.35 * np.hypot(vn, vt) * z.ravel()) / A
+            out = after(vn, vt, spin, mu=friction)
+            c = sum(
+                np.square((rebounds[name][i] - one) / 0.03)
+                for name, one in zip(("v_n_out", "v_t_out"), out[:2], strict=True)
+            )
+            plain[k] -= 2 * math.log(float((far * np.exp(-c / 2)).sum()))
+    assert found[1] - found[0] == pytest.approx(plain[1] - plain[0], abs=0.3)

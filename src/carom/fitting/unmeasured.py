@@ -3,14 +3,16 @@
 The spin is sigma v/a, v the ball's speed, with a prior density of sigma: normal about mean v_t/v with a width, or uniform
 within a width of it. The row's deviance is
 
-    -2 log of the integral of exp(-c(sigma)/2) rho(sigma) d sigma,
+    -2 log of the integral of exp(-c(sigma)/2) (det S_0 / det S(sigma))^(1/2) rho(sigma) d sigma,
 
-c as in :mod:`carom.fitting.terms`. The law is asked at places of sigma that do not depend on any number that is fitted, and
-once more between two where they matter, at the bend if there is one; between two places what it says is straight and S the
-same. There c is a parabola in sigma, and so is the logarithm of a normal prior: each stretch is a piece of a bell, whose
-moments are Gauss sums over the part of it that is not nothing. All slopes of c and of log rho are parabolas too, so that
-scores and Louis's curvature (J. R. Stat. Soc. B 44, 226 (1982)) need these moments and nothing else. The law's slopes in
-its own numbers are asked only where the row's spin may have been.
+c and S as in :mod:`carom.fitting.terms`, S_0 where there is no slip along the wall; scores leave that root's slope out.
+
+The law is asked at places of sigma that do not depend on any number that is fitted, and once more between two where they
+matter, at the bend if there is one; between two places what it says is straight and S the same. There c is a parabola in
+sigma, and so is the logarithm of a normal prior: each stretch is a piece of a bell, whose moments are Gauss sums over the
+part of it that is not nothing. All slopes of c and of log rho are parabolas too, so that scores and Louis's curvature (J.
+R. Stat. Soc. B 44, 226 (1982)) need these moments and nothing else. The law's slopes in its own numbers are asked only
+where the row's spin may have been.
 """
 
 from __future__ import annotations
@@ -155,6 +157,16 @@ def _form(q: Any, r: Any, s: Any) -> float:
 
 
 @kernel
+def _determinant(s: Any) -> float:
+    """Of a symmetric matrix, 3 by 3."""
+    return float(
+        s[0, 0] * (s[1, 1] * s[2, 2] - s[1, 2] * s[1, 2])
+        - s[0, 1] * (s[0, 1] * s[2, 2] - s[1, 2] * s[0, 2])
+        + s[0, 2] * (s[0, 1] * s[1, 2] - s[1, 1] * s[0, 2])
+    )
+
+
+@kernel
 def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its integral)
     law: Any, code: int, form: int, stage: int, i: int, a: float, spins: Any, x: Any, vx: Any, y: Any, vy: Any, nu: float, p: Any,
     free: Any, steps: Any, u: Any, h: Any, desk: Any,
@@ -220,6 +232,15 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
             made += 1
         used += 1
 
+    # A density has a root of det S: of one that slides it is not that of one that sticks, and these are added
+    whole = 0 * a  # of a ball without slip along the wall; a det S that all have in common has no place here (terms.py)
+    if blurred:
+        ask(law, code, form, stage, i, a, (v_n, v_t, v_t / a), size, vx, p, free, steps, 2, 1, 0, 3, inner)
+        for m in range(6):
+            mid[m // 3, m % 3] = inner[1 + m // 3, m % 3]
+        precision(i, y, vx, vy, mid, 0, 2, s, q)
+        whole = _determinant(s)
+
     # Each stretch's integral
     least, best = math.inf, math.inf
     for e in range(count - 1, made):
@@ -244,6 +265,8 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
         for m in range(6):
             mid[m // 3, m % 3] = row[COLUMNS - 6 + m]
         precision(i, y, vx, vy, mid, 0, 2, s, q)
+        share = whole / _determinant(s) if blurred else 1 + 0 * a
+        row[2] = math.sqrt(share) if 0 < share < math.inf else 1 + 0 * a
         c2, c1, c0 = _form(q, r[1], r[1]), _form(q, r[0], r[1]), _form(q, r[0], r[0])
         z0, z1 = (places[one] - mean) * bell, far * bell
         best = min(best, _least(c2 + z1 * z1, c1 + z0 * z1, c0 + z0 * z0, low, high))
@@ -254,7 +277,7 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
     for e in range(count - 1, made):
         row = stretches[e]
         if row[4] < math.inf:
-            w = norm * (places[int(row[1])] - places[int(row[0])]) * math.exp((least - row[4]) / 2)
+            w = row[2] * norm * (places[int(row[1])] - places[int(row[0])]) * math.exp((least - row[4]) / 2)
             for n in range(5, 20):
                 row[n] *= w
             total += row[5]
