@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.fitting.parameters import INDEX, Parameter
+from carom.fitting.parameters import INDEX, NUMBERS, Parameter
 from carom.fitting.ways import Estimate, Fit, Ways, parameters_of, predict_law, refit, rows_of_fit
 
 __all__ = ["bent", "with_errors"]
@@ -120,14 +120,14 @@ def _flat(fit: Fit, name: str, place: int, parameter: Parameter, stderr: float) 
     should have risen by 25; where it has not by half of that, the rest is fitted anew, there and ten times as far.
     """
     base = float(rows_of_fit(fit, fit.problem, fit.numbers)[0].sum())
-    best = float(fit.numbers[place])
+    best, shared = float(fit.numbers[place]), float(np.square(fit.numbers[NUMBERS:]).sum())
     for sign, word in ((1, "more"), (-1, "less")):
         p = np.tile(fit.numbers, (2, 1))
         p[:, place] = np.clip(best + sign * stderr * np.array(FAR), parameter.low, parameter.high)
         if abs(p[0, place] - best) < 0.8 * FAR[0] * stderr:
             continue  # the bound is near
         near = float(rows_of_fit(fit, fit.problem, p[0])[0].sum()) - base
-        if near < FAR[0] ** 2 / 2 and (refit(fit, fit.problem, p=p, hold=name)[1] - base < NO_RISE).all():
+        if near < FAR[0] ** 2 / 2 and (refit(fit, fit.problem, p=p, hold=name)[1] - base - shared < NO_RISE).all():
             end = _last(fit, place, -sign, base)
             said = f"what lies beyond {best:.3g} fits nearly as well"
             return f"{said}: {end:.3g} or {word} (95 %) is all that can be told"
