@@ -23,12 +23,13 @@ sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
 from track_truth import NOSE, RADIUS, Camera, seen, shot, surfaces
 
 from carom.errors import CaromError
-from carom.fitting import Setting, fit_law, make_problem
+from carom.fitting import Setting, fit_law, make_problem, with_profiles
 from carom.fitting.laws import laws_named
 from carom.tracks.measure import Settings, measure
 from carom.tracks.table import to_rebounds
 
 NUMBERS = ("restitution", "friction", "spin_mean", "spin_width")
+INTERVALS = ("restitution", "friction")  # those that `carom fit` gives by profile likelihood too
 CAMERAS = {
     "30 fps": Camera(30, 3e-4),
     "50 fps": Camera(50, 3e-4),
@@ -44,7 +45,7 @@ KINDS = {f"{law}, {name}": (law, camera) for law in LAWS for name, camera in CAM
 
 
 def one(law: str, camera: Camera, seed: int, shots: int) -> dict[str, Any]:
-    """A table: (fitted - true) / error of each number, None where the fit gives none; what the films say of the cloth."""
+    """A table: (fitted - true) / error of each number, None where there is none; whether intervals hold the truth; the cloth."""
     rng = np.random.default_rng(seed)
     on = surfaces(rng, LAWS[law])
     took = time.process_time()
@@ -59,6 +60,7 @@ def one(law: str, camera: Camera, seed: int, shots: int) -> dict[str, Any]:
     cloth = measured.floor.get("cloth friction", (0.2, 0.0))
     setting = Setting(radius=RADIUS, contact_height=NOSE / RADIUS)  # the floor is as the film says
     fit = fit_law(laws_named([law], "table", False)[0][0], make_problem(rebounds.select(np.array(first)), setting)[0])
+    fit = with_profiles(fit, INTERVALS)
     truth = {
         "restitution": on.restitution,
         "friction": on.friction,
@@ -74,6 +76,10 @@ def one(law: str, camera: Camera, seed: int, shots: int) -> dict[str, Any]:
         told = estimate.value is not None and bool(estimate.stderr)
         found[name] = (estimate.value - truth[name]) / estimate.stderr if told else None
         found["errors"][name], found["values"][name] = estimate.stderr, estimate.value
+    for name in INTERVALS:
+        ends = fit.estimates[name].interval_68, fit.estimates[name].interval_95
+        # (of a number of which only the least is told, too, the interval says where it is)
+        found[f"{name} (profile)"] = [end is not None and end[0] <= truth[name] <= end[1] for end in ends]
     return found
 
 
@@ -95,10 +101,14 @@ def main() -> None:
         good = [row for row in rows if "why" not in row]
         print(f"{name}: {len(good)} of {len(rows)} tables fitted, {np.mean([row['rows'] for row in good]):.1f} contacts each,"
               f" {np.mean([row['seconds'] for row in good]):.2f} s")  # fmt: skip
+        for number in INTERVALS:
+            profile = f"{number} (profile)"
+            told = [row[profile] for row in good if row["values"][number] is not None and profile in row]
+            print(f"    {profile:21} {shares(told)}", flush=True)
         for number in (*NUMBERS, "cloth"):
             sizes = [row["errors"].get(number) for row in good]
             middle = np.median([size for size in sizes if size] or [np.nan])
-            print(f"    {number:12} {shares([row[number] for row in good])}; median error {middle:.4f}", flush=True)
+            print(f"    {number:21} {shares([row[number] for row in good])}; median error {middle:.4f}", flush=True)
 
 
 if __name__ == "__main__":

@@ -28,7 +28,7 @@ DECIDED, LEANS = 20.0, 3.0  # odds
 ENOUGH = 4  # measured numbers for each that is fitted, where the scatter is estimated
 UNLIKELY = 1e-3  # a chi^2 that chance gives so rarely is a law that does not fit
 # Looks at rows (carom.fitting.data.Problem.work) up to which these are done unasked
-PROFILED, DRAWN, FOLDED, DRAWS = 3e3, 3e3, 4e5, 200
+PROFILED, PROFILED_AVERAGED, DRAWN, FOLDED, DRAWS = 3e3, 5e3, 3e3, 4e5, 200
 FOLDS, MOST_FOLDED, FEW_STEPS = 10, 20_000, 6
 Say = Callable[[str, float], None]
 
@@ -127,7 +127,7 @@ def fit_laws(
     ranked = []
     for i, (fit, weight) in enumerate(zip(fits, weights.tolist(), strict=True)):
         tell(f"error bars of {fit.law.name}", 0.6 + 0.4 * i / len(fits))
-        ranked.append(Ranked(_with_error_bars(fit, profiles, bootstrap, seed), weight, _score(fit)))
+        ranked.append(Ranked(_with_error_bars(fit, profiles, bootstrap, seed, i == 0), weight, _score(fit)))
     best = ranked[0].fit
     fits_well, enlarge = _goodness(best)
     odds, rival = _odds(fits, 1.0 if fits_well else enlarge)
@@ -151,11 +151,14 @@ def _heavy(fit: Fit) -> bool:
     return fit.law.code == TOGETHER
 
 
-def _with_error_bars(fit: Fit, profiles: bool | None, draws: int | None, seed: int) -> Fit:
+def _with_error_bars(fit: Fit, profiles: bool | None, draws: int | None, seed: int, best: bool) -> Fit:
     work = fit.problem.work(_heavy(fit))
-    averaged = fit.problem.spins is not None  # then a profile takes as long as all the laws
+    averaged = fit.problem.spins is not None
     if profiles or (profiles is None and work < PROFILED and not averaged):
         fit = with_profiles(fit)
+    elif profiles is None and averaged and best and work < PROFILED_AVERAGED:
+        # A profile takes as long as the fit; but next to a crease a number may go ten times as far to one side as to the other.
+        fit = with_profiles(fit, [name for name in fit.names if not name.startswith("spin_")])
     if draws is None:
         draws = DRAWS if work < DRAWN and not averaged else 0
     return with_bootstrap(fit, draws, seed) if draws and fit.names else fit
