@@ -15,7 +15,7 @@ from carom.fitting import Setting, fit_law, make_problem, with_bootstrap, with_p
 from carom.fitting.kernels import AFTER_WALL, ROLLING, TOGETHER, TURN, table
 from carom.fitting.laws import laws_named
 from carom.fitting.parameters import INDEX, PARAMETERS
-from carom.fitting.ways import parameters_of
+from carom.fitting.ways import parameters_of, predict_law
 from carom.rebounds import make_rebounds
 from carom.tracks.measure import Settings, measure
 from carom.tracks.table import to_rebounds
@@ -96,6 +96,17 @@ def test_profiles_and_bootstrap_have_the_errors_that_all_rows_share(rolling):
     # where all rows are off together no row is: what the law says is measured lies amid what was
     assert abs((fit.problem.y - fit.predicted())[:, 0].mean()) < 4 * own / np.sqrt(n)
     assert [one.name for one in fit.problem.shared] == ["cloth friction", "rolling resistance"][: 1 + (rolling > 0)]
+
+
+def test_a_fit_with_shared_errors_speaks_of_rows_without():
+    mirror = laws_named(["mirror"], "table", True)[0][0]
+    fit = fit_law(mirror, make_problem(shifted(1), Setting(radius=0.03))[0])
+    assert len(fit.numbers) > len(PARAMETERS)
+    plain = make_rebounds("table", {name: np.full(3, 2.0) for name in ("v_n_in", "v_n_out")} | {
+        name: np.zeros(3) for name in ("v_t_in", "v_t_out", "spin_z_in")
+    }, stage="rolling")  # fmt: skip
+    said = predict_law(mirror, make_problem(plain, Setting(radius=0.03))[0], fit.numbers)
+    assert said[0, 0] == pytest.approx(2.0 * fit.estimates["restitution"].value)
 
 
 def test_error_bars_hold_with_shared_errors():

@@ -230,9 +230,13 @@ def go(
 
 
 def predict_law(law: FittedLaw, problem: Problem, p: Array) -> Array:
-    """What a law with numbers p says is measured of each row, (N, 3); a spin that was not measured is taken at its mean."""
-    ways, moved = ways_of(law, problem)[0], np.tensordot(p[NUMBERS:], _moved(problem), 1)
-    p = np.append(p[:NUMBERS] + p[NUMBERS:] @ ways.moves, 0 * p[NUMBERS:])
+    """What a law with numbers p says is measured of each row, (N, 3); a spin that was not measured is taken at its mean.
+
+    The numbers may be of a fit to other rows: what those have wrong together is none of these ones' errors.
+    """
+    ways, shared = ways_of(law, problem)[0], p[NUMBERS : NUMBERS + len(problem.shared)]
+    moved = np.tensordot(shared, _moved(problem), 1)
+    p = np.append(p[:NUMBERS] + shared @ ways.moves, 0 * shared)
     x = problem.x + moved[:, :3]
     mean = np.atleast_2d(p)[:, INDEX["spin_mean"]] * x[:, 1] / problem.setting.radius
     x[:, 2] = np.where(np.isnan(x[:, 2]), mean, x[:, 2])
