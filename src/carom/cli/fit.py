@@ -13,7 +13,7 @@ from carom.cli.fit_input import chosen, completed, is_track, own_set, read
 from carom.cli.fit_options import bounds_of, kappa_of, number, pairs, spin_of, split, unread
 from carom.cli.places import require_places
 from carom.cli.ranking_table import show
-from carom.cli.shared import attempt, noting, tell
+from carom.cli.shared import attempt, noting, page_of, tell
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -226,7 +226,7 @@ def fit(
         ranking = fit_laws(rebounds, setting, names or None, profiles=profiles, bootstrap=bootstrap, seed=seed, say=say)
         ranking = with_shared(ranking, shifted)
         say("the page", 1.0)
-        written = None if no_report else _page(ranking, page, insists=report is not None, console=console)
+        written = None if no_report else page_of(lambda: _page(ranking, page), report is not None, console)
     tell(ranking, show, as_json, console, written)
 
 
@@ -268,20 +268,7 @@ def _bar(console: Console) -> Iterator[Any]:
         yield lambda what, done: progress.update(task, completed=done, description=what)
 
 
-def _page(ranking: Ranking, path: Path, *, insists: bool, console: Console) -> Path | None:
-    import importlib.util
-
-    if importlib.util.find_spec("matplotlib") is None:
-        if insists:
-            raise CaromError("--report: needs Matplotlib, which is not installed; run: pip install matplotlib")
-        console.print("no report: Matplotlib is not installed (pip install matplotlib)", style="yellow")
-        return None
+def _page(ranking: Ranking, path: Path) -> Path:
     from carom.plot.fit import write_report
 
-    try:
-        return write_report(ranking, path)
-    except CaromError as error:
-        if insists:
-            raise
-        console.print(f"no report: {error}", style="yellow", markup=False, soft_wrap=True)
-        return None
+    return write_report(ranking, path)

@@ -14,7 +14,7 @@ from carom.errors import CaromError
 if TYPE_CHECKING:
     from rich.console import Console
 
-__all__ = ["attempt", "noting", "out", "tell", "tick"]
+__all__ = ["attempt", "noting", "out", "page_of", "tell", "tick"]
 
 
 def attempt(found: list[str], action: Callable[..., Any], *args: Any) -> Any:
@@ -64,3 +64,21 @@ def tell(ranking: Any, show: Callable[[Any], None], as_json: bool, console: Cons
         console.print(f"note: {note}", style="yellow", markup=False, soft_wrap=True)
     if written is not None:
         console.print(f"written: {written}", markup=False, soft_wrap=True)
+
+
+def page_of(write: Callable[[], Path], insists: bool, console: Console) -> Path | None:
+    """Where a page was written; None, and why, where none can be and nobody asked for it (``insists``)."""
+    import importlib.util
+
+    if importlib.util.find_spec("matplotlib") is None:
+        if insists:
+            raise CaromError("--report: needs Matplotlib, which is not installed; run: pip install matplotlib")
+        console.print("no report: Matplotlib is not installed (pip install matplotlib)", style="yellow")
+        return None
+    try:
+        return write()
+    except CaromError as error:
+        if insists:
+            raise
+        console.print(f"no report: {error}", style="yellow", markup=False, soft_wrap=True)
+        return None

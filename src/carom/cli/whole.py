@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from carom.checks import few, meant
 from carom.cli.fit_options import length_of
-from carom.cli.shared import attempt, noting, tell
+from carom.cli.shared import attempt, noting, page_of, tell
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -73,7 +73,7 @@ def fit_tracks(
                 measured, setting, laws or None, say=lambda what, done: say(what, READ + (1 - READ) * done)
             )
         say("the page", 1.0)
-        written = None if page is None else _page(ranking, file, page, insists, console)
+        written = None if page is None else page_of(lambda: _page(ranking, file, page), insists, console)
     tell(ranking, _show, as_json, console, written)
 
 
@@ -94,23 +94,10 @@ def _chosen(tracks: Sequence[Track], where: Sequence[str]) -> list[Track]:
     return found
 
 
-def _page(ranking: WholeRanking, file: Path, page: Path, insists: bool, console: Any) -> Path | None:
-    import importlib.util
-
-    if importlib.util.find_spec("matplotlib") is None:
-        if insists:
-            raise CaromError("--report: needs Matplotlib, which is not installed; run: pip install matplotlib")
-        console.print("no report: Matplotlib is not installed (pip install matplotlib)", style="yellow")
-        return None
+def _page(ranking: WholeRanking, file: Path, page: Path) -> Path:
     from carom.plot.whole import write_whole_report
 
-    try:
-        return write_whole_report(ranking, str(file), page)
-    except CaromError as error:
-        if insists:
-            raise
-        console.print(f"no report: {error}", style="yellow", markup=False, soft_wrap=True)
-        return None
+    return write_whole_report(ranking, str(file), page)
 
 
 def _show(ranking: WholeRanking) -> None:
