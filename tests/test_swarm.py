@@ -8,6 +8,7 @@ from swarm_brute import Brute
 
 from carom import Ball, CaromError, Disc, Surface
 from carom.engine.swarm import NEAR_BALLS
+from carom.engine.swarm_order import EVERY
 from carom.gas import WALLS, Gas, Species, lattice
 
 ROUGH, SMOOTH = Surface(1, math.inf, 1), Surface(1, 0, 0)
@@ -138,15 +139,17 @@ def test_the_same_bits_however_it_is_cut_into_chunks_saved_and_restored():
             assert one[name].tobytes() == other[name].tobytes(), name
 
 
-def test_the_same_bits_of_so_many_balls_that_they_are_asked_for_ahead():
+def test_the_same_bits_of_so_many_balls_that_they_are_asked_for_ahead_and_put_in_order():
     count = NEAR_BALLS + 1
     side = (count / 0.5) ** (1 / 3)
     whole, parts = (Gas([Species(Ball(0.5, 1.0, 0.4), count)], (side,) * 3, contacts=ROUGH, seed=1) for _ in range(2))
-    whole.run(30_000)
-    parts.run(17_000)
+    whole.run(300_000)
+    parts.run(170_000)
     parts = Gas.restore(parts.state())
-    parts.run(13_000)
+    parts.run(130_000)
     assert parts.time == whole.time
+    assert whole._arrays.swarm[0]["turns"] > EVERY
+    assert (whole._arrays.numbers != np.arange(count)).any()
     assert whole._arrays.swarm[0]["overtaken"] > 1000
     for name in ("position", "velocity", "spin"):
         assert getattr(parts.balls(), name).tobytes() == getattr(whole.balls(), name).tobytes()

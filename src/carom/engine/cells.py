@@ -12,39 +12,47 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from carom.engine.queue import S, U
 from carom.engine.swarm_arrays import CODES, NOBODY, SIZE
 from carom.kernel import hot_kernel, kernel
 
-__all__ = ["NUMBERS", "SLOTS", "around", "blocks", "cell_of", "gather", "leave_cell", "put_in_cell", "tables"]
+__all__ = ["NUMBERS", "SLOTS", "along_curve", "around", "cell_of", "gather", "leave_cell", "put_in_cell", "tables"]
 
 SLOTS = 2  # of a cell
 NUMBERS = (1 << CODES) - 1
-# A cache line is a block of 2 x 2 x 2 cells, of discs 4 x 2: of the cells around one there are eight lines, and four.
-BLOCK = 3
-BLOCK_BITS = {3: (1, 1, 1), 2: (2, 1, 0)}
+# Cells lie in memory along Morton's curve: those near each other in the room are near there too. By axes: that along which the
+# curve steps with each bit of a cell's place, within a tile of 8 x 8 x 8 cells, 4 kB, of discs 16 x 16; tiles follow row by row.
+# So a cache line is a block of 2 x 2 x 2 cells, of discs 4 x 2, and of the cells around one there are eight lines, and four.
+CURVE = {3: (0, 1, 2) * 3, 2: (0, 0, 1, 1, 0, 1, 0, 1)}
 MORE = 3  # the code of a cell with more balls than slots
 
 
-def blocks(swarm: Any) -> tuple[list[int], int]:
-    """Strides between blocks of cells along each axis, and how many slots there are in all."""
-    strides, slots = [], SLOTS << BLOCK
-    for n, periodic, bits in zip(swarm["cells"], swarm["periodic"], BLOCK_BITS[int(swarm["axes"])], strict=True):
-        strides.append(slots)
-        # (beyond a wall lies a layer of cells without balls)
-        slots *= (int(n) + (0 if periodic else 1) + (1 << bits) - 1) >> bits
-    return strides, slots
+def along_curve(swarm: Any) -> tuple[list[NDArray[np.int64]], int]:
+    """By axis, what each place along it adds to where a cell's slots begin; and how many slots there are in all."""
+    # (beyond a wall lies a layer of cells without balls)
+    rooms = [int(n) + (0 if periodic else 1) for n, periodic in zip(swarm["cells"], swarm["periodic"], strict=True)]
+    found = [np.zeros(room, np.int64) for room in rooms]
+    bits, slots = [0, 0, 0], SLOTS
+    for axis in CURVE[int(swarm["axes"])]:
+        if 1 << bits[axis] < rooms[axis]:
+            found[axis] += (np.arange(rooms[axis]) >> bits[axis] & 1) * slots
+            bits[axis] += 1
+            slots *= 2
+    for axis, room in enumerate(rooms):
+        found[axis] += (np.arange(room) >> bits[axis]) * slots
+        slots *= (room - 1 >> bits[axis]) + 1
+    return found, slots
 
 
 def tables(swarm: Any) -> Any:
     """For each axis and place along it the three slots' offsets, and the shifts of the three images: two arrays."""
-    most = int(swarm["cells"].max())
+    most, places = int(swarm["cells"].max()), along_curve(swarm)[0]
     offsets = np.zeros((3, most, 3), np.int64)
     shifts = np.zeros((3, most, 3))
     for axis in range(3):
-        n, stride, side = int(swarm["cells"][axis]), int(swarm["stride"][axis]), float(swarm["side"][axis])
-        bits, inner = BLOCK_BITS[int(swarm["axes"])][axis], SLOTS << sum(BLOCK_BITS[int(swarm["axes"])][:axis])
+        n, side = int(swarm["cells"][axis]), float(swarm["side"][axis])
         for place in range(n):
             for k in range(3):
                 there = place + k - 1
@@ -54,7 +62,7 @@ def tables(swarm: Any) -> Any:
                     there %= n
                 elif there < 0:
                     there = n  # the empty layer
-                offsets[axis, place, k] = (there >> bits) * stride + (there & ((1 << bits) - 1)) * inner
+                offsets[axis, place, k] = places[axis][there]
     return offsets, shifts
 
 

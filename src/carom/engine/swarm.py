@@ -2,7 +2,7 @@
 
 One event a ball is planned: its earliest collision, or its way out of its cell. A collision stands with the ball that found
 it; that is enough, for of two balls one was the last to look. A ball whose partner has met another meanwhile looks again
-when the planned time comes. Ties go to the ball with the lower number, so the same start gives the same bits.
+when the planned time comes. Ties go to the ball that lies first, so the same start gives the same bits.
 """
 
 from __future__ import annotations
@@ -13,6 +13,7 @@ from typing import Any
 from carom.engine.cells import around, cell_of, gather, leave_cell, put_in_cell
 from carom.engine.queue import PAGE, RING, S, U, enqueue, fill, full, open_page, page_of, take_out, turn_over
 from carom.engine.swarm_arrays import CALM, DONE, LIMIT, NOBODY, STUCK
+from carom.engine.swarm_order import EVERY, put_in_order
 from carom.engine.swarm_predict import drift, next_turn, soonest
 from carom.engine.swarm_prefetch import look_ahead, next_pages
 from carom.engine.swarm_resolve import meet
@@ -123,8 +124,8 @@ def _turns(swarm: Any, pairs: Any) -> bool:
 
 @kernel
 def run(  # noqa: PLR0915  (the loop)
-    swarm: Any, motions: Any, plans: Any, bodies: Any, species: Any, pairs: Any, walls: Any, faces: Any, heads: Any, tails: Any,
-    leaves: Any,
+    swarm: Any, motions: Any, plans: Any, bodies: Any, numbers: Any, species: Any, pairs: Any, walls: Any, faces: Any, heads: Any,
+    tails: Any, leaves: Any, spare: Any,
     box: Any, grid: Any, lists: Any, sets: Any, cells: Any, links: Any, offsets: Any, shifts: Any, found: Any, near: Any, work: Any,
     whole: Any, until: float, most: int, more: Any,
 ) -> int:  # fmt: skip
@@ -167,6 +168,8 @@ def run(  # noqa: PLR0915  (the loop)
                 swarm.now, swarm.popped = now, popped
                 sample(swarm, box, motions, bodies, species, now)
                 turn_over(swarm, motions, plans, bodies, faces)
+                if far and swarm.turns % EVERY == 0:
+                    put_in_order(motions, plans, bodies, numbers, spare, cells, links, offsets, leaves)
                 fill(plans, heads, tails, leaves, swarm.width, bins, 0)
                 ahead = (0, 0, 0)
                 status = left_to_come(swarm, motions, plans, species, popped)

@@ -11,7 +11,7 @@ import numpy as np
 
 __all__ = [
     "BODY", "CALM", "CHANNEL", "CODES", "DONE", "FACE", "FAINT", "INSIDE", "LIMIT", "MOST_BALLS", "MOTION",
-    "NOBODY", "OUTSIDE", "OVAL", "PAIR", "PERIODIC", "PLAN", "PLANE", "PULL", "SIZE", "SPECIES", "STRIDE", "STUCK", "SWARM", "WALL",
+    "NOBODY", "OUTSIDE", "OVAL", "PAIR", "PERIODIC", "PLAN", "PLANE", "PULL", "SIZE", "SPECIES", "STUCK", "SWARM", "WALL",
 ]  # fmt: skip
 
 # How a call of the loop ends: at its time, or because nothing will ever happen; after its collisions or steps; because time
@@ -21,10 +21,9 @@ NOBODY = 0xFFFFFFFF  # no ball: the end of a list, no collision in sight
 # In the list of neighbours a ball's number has 26 bits, the image that is near the other 6.
 CODES = 26
 # What the loop is told of the box, as plain arrays: lengths (9,), three each of the sides, a cell's sizes (from SIZE) and
-# gravity (PULL); whole numbers (15,): cells, strides between them in slots (STRIDE), whether periodic (PERIODIC), and the first
-# and last places of the block of cells that no wall is near (CALM).
-SIZE, PULL = STRIDE, PERIODIC = 3, 6
-CALM = 9
+# gravity (PULL); whole numbers (12,): cells, whether periodic (PERIODIC), and the first and last places of the block of cells
+# that no wall is near (CALM).
+SIZE, PULL = PERIODIC, CALM = 3, 6
 MOST_BALLS = (1 << CODES) - 1
 
 _NUMBER, _INDEX, _VECTOR = "f8", "u4", ("f8", (3,))
@@ -135,7 +134,6 @@ SWARM = np.dtype(
         ("periodic", "i8", (3,)),
         ("cells", "i8", (3,)),
         ("size", *_VECTOR),  # of a cell
-        ("stride", "i8", (3,)),  # from a cell to the next along an axis, in slots
         ("axes", "i8"),  # 3, or 2: discs
         ("pull", *_VECTOR),  # gravity
         ("soft", _NUMBER),  # TC: a contact within this time after a ball's last one gives all back

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.engine import swarm
-from carom.engine.cells import SLOTS, blocks, tables
+from carom.engine.cells import SLOTS, along_curve, tables
 from carom.engine.queue import calendar
 from carom.engine.swarm_arrays import BODY, MOTION, OVAL, PLAN, PLANE
 from carom.engine.swarm_lists import walls_of_cells
@@ -24,12 +24,14 @@ LINE = 64  # bytes of a cache line
 
 
 class Arrays(NamedTuple):
-    """All of a swarm. The first eight are its state, to be saved; the rest follows from them."""
+    """All of a swarm. The first nine are its state, to be saved; the rest follows from them."""
 
     swarm: NDArray[np.void]
     motions: NDArray[np.void]
     plans: NDArray[np.void]
     bodies: NDArray[np.void]
+    numbers: NDArray[np.uint32]
+    """Which ball it is whose records lie at a place."""
     species: NDArray[np.void]
     pairs: NDArray[np.void]
     walls: NDArray[np.void]
@@ -37,6 +39,8 @@ class Arrays(NamedTuple):
     heads: NDArray[np.uint32]
     tails: NDArray[np.uint32]
     leaves: NDArray[np.uint32]
+    spare: tuple[NDArray[Any], ...]
+    """Room for one more motion, plan, body and number."""
     box: NDArray[np.float64]
     grid: NDArray[np.int64]
     lists: NDArray[np.int32]
@@ -51,7 +55,7 @@ class Arrays(NamedTuple):
     whole: NDArray[np.int64]
 
 
-STATE = Arrays._fields[:8]
+STATE = Arrays._fields[:9]
 
 
 class _Compiled(NamedTuple):
@@ -83,8 +87,8 @@ def _memory(one: Any, species: Any) -> dict[str, NDArray[Any]]:
     room = _most_around(one, species) + SLOTS + 8 & -8
     # (the last plan is the thermostat's)
     wanted = {
-        "motions": (count, MOTION), "plans": (count + 1, PLAN), "bodies": (count, BODY), "heads": (heads, ball),
-        "tails": (tails, ball), "leaves": (leaves, ball), "cells": (blocks(one)[1], ball),
+        "motions": (count, MOTION), "plans": (count + 1, PLAN), "bodies": (count, BODY), "numbers": (count, ball),
+        "heads": (heads, ball), "tails": (tails, ball), "leaves": (leaves, ball), "cells": (along_curve(one)[1], ball),
         "links": (count, ball), "found": (room, ball), "work": (4 * room, number),
     }  # fmt: skip
     sizes = [-(-n * kind.itemsize // LINE) * LINE for n, kind in wanted.values()]
@@ -111,15 +115,15 @@ def _whole(state: tuple[Any, ...], memory: dict[str, NDArray[Any]]) -> Arrays:
     named = dict(zip(STATE, state, strict=True))
     one = named["swarm"][0]
     calm, lists, sets = walls_of_cells(named["swarm"], named["faces"], named["walls"])
-    one["stride"] = blocks(one)[0]
     offsets, shifts = tables(one)
     work = memory["work"].reshape(4, -1)
     rest = {name: memory[name] for name in ("heads", "tails", "leaves", "cells", "links", "found")}
     return Arrays(
         **named,
         **rest,
+        spare=tuple(np.zeros(1, kind) for kind in (MOTION, PLAN, BODY, np.uint32)),
         box=np.concatenate([one["side"], one["size"], one["pull"]]),
-        grid=np.concatenate([one["cells"], one["stride"], one["periodic"], calm]),
+        grid=np.concatenate([one["cells"], one["periodic"], calm]),
         lists=lists,
         sets=sets,
         offsets=offsets,
@@ -154,7 +158,9 @@ def make(world: Any, species: Any, pairs: Any, walls: Any, faces: Any, kinds: An
     motions["kind"] = kinds
     bodies["met"], plans["image"][:count] = -math.inf, turns
     plans[count]["at"], plans[count]["hit_at"] = math.inf, -math.inf
-    state = (world, motions, plans, bodies, species, pairs, walls, faces)
+    numbers = memory["numbers"]
+    numbers[:] = np.arange(count)
+    state = (world, motions, plans, bodies, numbers, species, pairs, walls, faces)
     arrays = _whole(state, memory)
     _compiled().place(
         world[0], arrays.box, arrays.grid, motions, plans, species, arrays.cells, arrays.links, arrays.offsets
@@ -163,7 +169,7 @@ def make(world: Any, species: Any, pairs: Any, walls: Any, faces: Any, kinds: An
 
 
 def restore(state: tuple[Any, ...]) -> Arrays:
-    """A swarm from its saved state (the first eight arrays): it goes on with the same bits."""
+    """A swarm from its saved state (the first nine arrays): it goes on with the same bits."""
     named = dict(zip(STATE, state, strict=True))
     memory = _memory(named["swarm"][0], named["species"])
     copies = []
@@ -203,9 +209,11 @@ def advance(arrays: Arrays, until: float, most: int) -> None:
     _compiled().run(arrays.swarm[0], *arrays[1:], until, most, _more(arrays))
 
 
-def balls_at(arrays: Arrays, time: float) -> tuple[NDArray[np.void], NDArray[np.void]]:
-    """Copies of motions and bodies, brought to a time not before the last event."""
+def balls_at(arrays: Arrays, time: float) -> tuple[NDArray[np.void], NDArray[np.void], NDArray[np.int32]]:
+    """Copies of motions and bodies, brought to a time not before the last event, and images, all by the balls' numbers."""
     world, motions = arrays.swarm.copy(), arrays.motions.copy()
     world["now"] = max(world[0]["now"], (time - world[0]["base"]) - world[0]["rest"])
     _compiled().bring_to_now(world[0], arrays.box, motions)
-    return motions, arrays.bodies.copy()
+    place = np.empty_like(arrays.numbers)
+    place[arrays.numbers] = np.arange(len(place))
+    return motions[place], arrays.bodies[place], arrays.plans["image"][place]

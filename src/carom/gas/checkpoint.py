@@ -25,7 +25,7 @@ from carom.scene.faults import told
 
 __all__ = ["FORMAT", "load_checkpoint", "require_checkpoint", "save_checkpoint"]
 
-FORMAT = 3
+FORMAT = 4
 # How long it is measured may change: the run then goes on for longer.
 FREE = ("max_events", "duration")
 

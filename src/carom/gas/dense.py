@@ -78,7 +78,7 @@ def dense(
         one = arrays.swarm[0]
         done = one["status"] == DONE
         time = (1 - scale) / rate if done else float(one["base"] + (one["rest"] + one["now"]))
-        motions, _bodies = balls_at(arrays, time)
+        motions, _bodies, _images = balls_at(arrays, time)
         x = np.stack([motions[name] for name in ("x", "y", "z")], axis=1)
         if done:
             return x

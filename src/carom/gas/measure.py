@@ -144,7 +144,7 @@ class Measures:
 
     def look(self, gas: Gas, *, pairs: bool = True) -> None:
         """Count what there is to count now; the pairs, if they are wanted, take the most time."""
-        motions, bodies = balls_at(gas._arrays, gas.time)
+        motions, bodies, images = balls_at(gas._arrays, gas.time)
         # (fourth powers of what has cooled for long would leave the range of numbers)
         units = np.array([_to_unit(motions, ("vx", "vy", "vz")), _to_unit(bodies, ("wx", "wy", "wz"))])
         sums = count_sums(motions, bodies, len(self.names))
@@ -168,7 +168,7 @@ class Measures:
             (gas.time, float(gas.collisions), *map(float, (count * heat).sum(axis=0) / number), height / number)
         )
         if self.diffuses:
-            x += gas._arrays.plans["image"][:number] * self.side
+            x += images * self.side
             followed = np.arange(min(number, MOST_FOLLOWED)) * number // min(number, MOST_FOLLOWED)
             self.ways.append((x[followed] - mass @ x / mass.sum())[:, : self.axes])
         self.looks += 1

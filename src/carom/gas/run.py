@@ -207,9 +207,9 @@ class Gas:
 
     def balls(self) -> GasBalls:
         """All balls now."""
-        motions, bodies = balls_at(self._arrays, self._time)
+        motions, bodies, images = balls_at(self._arrays, self._time)
         x, v = (np.stack([motions[name] for name in names], axis=1) for names in (("x", "y", "z"), ("vx", "vy", "vz")))
-        images, one = self._arrays.plans["image"][: len(motions)].copy(), self._arrays.swarm[0]
+        one = self._arrays.swarm[0]
         if one["frame"].any():
             x, v = x + one["frame"] * self._time, v + one["frame"]
             turns = np.floor(x / one["side"])
@@ -239,7 +239,7 @@ class Gas:
     @property
     def bytes_per_ball(self) -> float:
         """Memory of all arrays, a ball."""
-        return sum(array.nbytes for array in self._arrays) / len(self._arrays.motions)
+        return sum(array.nbytes for array in self._arrays if isinstance(array, np.ndarray)) / len(self._arrays.motions)
 
     def run(
         self,

@@ -246,7 +246,7 @@ class Session:
 
 def _require(gas: State) -> None:
     """KeyError or TypeError where an array of a gas is missing, or its records are others than now: before all is compiled."""
-    kinds = dict(zip(STATE, (SWARM, MOTION, PLAN, BODY, SPECIES, PAIR, WALL, FACE), strict=True))
+    kinds = dict(zip(STATE, (SWARM, MOTION, PLAN, BODY, np.dtype("u4"), SPECIES, PAIR, WALL, FACE), strict=True))
     for name in (*STATE, "names", "time"):
         if name not in gas:
             raise KeyError(name)
