@@ -7,10 +7,9 @@ tables. Rows are looked at in so many parts whatever the number of cores, and su
 from __future__ import annotations
 
 import functools
-import itertools
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -27,7 +26,7 @@ __all__ = ["Look", "Rows", "look", "said"]
 
 Array = NDArray[np.float64]
 PARTS = 8
-NEAR = 0.25  # of an error bar: a step of a shared error
+NEAR = 0.03  # of an error bar: the step of a slope in a shared error
 WORTH = 4000  # rows, or so many looks at a place of a spin: fewer are looked at on one core
 
 
@@ -71,10 +70,14 @@ class Look:
 
 
 @kernel
-def set_steps(p: Any, free: Any, low: Any, high: Any, steps: Any) -> None:
-    """The step of each parameter's derivative, of its own size: away from zero, where forms have kinks, inwards at a bound."""
+def set_steps(p: Any, free: Any, low: Any, high: Any, own: int, steps: Any) -> None:
+    """The step of each parameter's derivative, of its own size: away from zero, where forms have kinks, inwards at a bound; of an
+    error that all rows share a part of its error bar, which is little."""
     for m in range(free.shape[0]):
         j = free[m]
+        if j >= own:
+            steps[j] = NEAR
+            continue
         size = STEP * max(min(high[j] - low[j], 1.0), abs(p[j]) / 10)
         steps[j] = size if (p[j] >= 0 and p[j] + size <= high[j]) or p[j] - size < low[j] else -size
 
@@ -93,7 +96,8 @@ def _look(
     if spins is not None:
         count = spins.places.shape[0]
     w = max(k, 3)
-    numbers, steps = np.zeros(p.shape[1]), np.zeros(p.shape[1])
+    numbers, steps, further = np.zeros(p.shape[1]), np.zeros(p.shape[1]), np.zeros(moves.shape)
+    fitted = (free, steps, moved, further)
     ui, hi, room = np.zeros(k), np.zeros((k, k)), np.zeros((ROOM, 4 + k, w))
     desk = (
         np.zeros(2 * count), np.zeros((2 * count, 3)), np.zeros((3 * count, COLUMNS)), np.zeros((SMALL, w, w)),
@@ -105,7 +109,10 @@ def _look(
         for s in range(shared):
             for j in range(told):
                 numbers[j] += p[b, told + s] * moves[s, j]
-        set_steps(numbers, free, low, high, steps)
+        set_steps(numbers, free, low, high, told, steps)
+        for s in range(shared):
+            for j in range(told):
+                further[s, j] = numbers[j] + NEAR * moves[s, j]
         for i in range(first, last):
             weight = weights[b * one, i]
             if weight == 0:
@@ -120,11 +127,11 @@ def _look(
                         at_y[i, m] += p[b, told + s] * moved[s, i, 3 + m]
             if spins is not None and x[i, 2] != x[i, 2]:
                 c[b, i], best[b, i] = unmeasured_row(
-                    law, code, form, stage, i, a, spins, at_x, vx, at_y, vy, nu, numbers, free, steps, ui, hi, desk
+                    law, code, form, stage, i, a, spins, at_x, vx, at_y, vy, nu, numbers, fitted, ui, hi, desk
                 )
             else:
                 c[b, i], best[b, i] = known_row(
-                    law, code, form, stage, i, a, at_x, vx, at_y, vy, nu, numbers, free, steps, ui, hi, room
+                    law, code, form, stage, i, a, at_x, vx, at_y, vy, nu, numbers, fitted, ui, hi, room
                 )
             for j in range(k):
                 u[b, j] += weight * ui[j]
@@ -195,44 +202,7 @@ def _whole(rows: NDArray[np.int64] | None, n: int) -> NDArray[np.int64]:
 
 
 def look(rows: Rows, p: Array, weights: Array | None = None) -> Look:
-    """Deviances, scores and information of B sets of numbers p (B, K), with weights (B or 1, N) of the rows.
-
-    How the law goes on with a shared error is told by differences: all rows move with it, and numbers of the law may.
-    """
-    own = rows.free < rows.moves.shape[1]
-    if own.all():
-        return _plain(rows, p, weights)
-    count, k, z = len(p), len(rows.free), rows.free[~own]
-    law, n = replace(rows, free=rows.free[own]), int(own.sum())
-    # where it stands; each shared error forward and back; two at a time forward
-    steps = [(), *((j,) for j in z), *((j,) for j in z), *itertools.combinations(z, 2)]
-    back = range(1 + len(z), 1 + 2 * len(z))
-    q = np.tile(p, (len(steps), 1, 1))
-    for at, (step, places) in enumerate(zip(q, steps, strict=True)):
-        step[:, list(places)] += -NEAR if at in back else NEAR
-    seen = _plain(
-        law,
-        q.reshape(-1, p.shape[1]),
-        weights if weights is None or len(weights) == 1 else np.tile(weights, (len(q), 1)),
-    )
-    deviance = seen.deviance.reshape(len(q), count, -1)
-    some = deviance if weights is None else deviance * weights
-    total, scores = some.sum(axis=2), seen.scores.reshape(len(q), count, n)
-    u, h = np.zeros((count, k)), np.zeros((count, k, k))
-    u[:, :n], h[:, :n, :n] = scores[0], seen.information.reshape(len(q), count, n, n)[0]
-    for i in range(len(z)):
-        up, down = 1 + i, 1 + len(z) + i
-        u[:, n + i] = (total[down] - total[up]) / (4 * NEAR)
-        h[:, :n, n + i] = h[:, n + i, :n] = (scores[down] - scores[up]) / (2 * NEAR)
-        h[:, n + i, n + i] = np.maximum(total[up] + total[down] - 2 * total[0], 0.0) / (2 * NEAR**2)
-    for at, (i, j) in enumerate(itertools.combinations(range(len(z)), 2), 1 + 2 * len(z)):
-        both = (total[at] - total[1 + i] - total[1 + j] + total[0]) / (2 * NEAR**2)
-        h[:, n + i, n + j] = h[:, n + j, n + i] = both
-    return Look(deviance[0], seen.least.reshape(len(q), count, -1)[0], u, h)
-
-
-def _plain(rows: Rows, p: Array, weights: Array | None) -> Look:
-    """The same where no shared error is fitted."""
+    """Deviances, scores and information of B sets of numbers p (B, K), with weights (B or 1, N) of the rows."""
     p = np.ascontiguousarray(p, float)
     (n, count), k = (len(rows.x), len(p)), len(rows.free)
     weights = np.ones((1, n)) if weights is None else np.ascontiguousarray(weights, float)

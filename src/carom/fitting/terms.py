@@ -27,27 +27,42 @@ ROOM = 4  # scratch arrays of a row
 
 @kernel
 def ask(
-    law: Any, code: int, form: int, stage: int, i: int, a: float, x: Vec, size: float, vx: Any, p: Any, free: Any, steps: Any,
+    law: Any, code: int, form: int, stage: int, i: int, a: float, x: Vec, size: float, vx: Any, p: Any, fitted: Any,
     inputs: int, each: int, first: int, last: int, said: Any,
 ) -> None:  # fmt: skip
     """The law at x, turn by turn, in said[turn]: 0 what it says; up to ``inputs`` its slope in each input; then of each free
     number its slope and, where ``each`` is above 1, how the slopes in the inputs change with it. ``law`` is a function of
-    :mod:`carom.fitting.kernels`."""
+    :mod:`carom.fitting.kernels`; ``fitted``: places of the free numbers, steps of their slopes, by how much errors that all rows
+    share move these, and the law's numbers a step of each such error on.
+
+    The slope in a shared error is that of what the law says less what was measured. (It moves a row by so little that the slopes
+    in the inputs stay; a spin that is so many v/a goes on being that.)
+    """
+    free, steps, moved, further = fitted
     for turn in range(first, last):
-        j, moved = -1, turn
+        j, to = -1, turn
         if turn > inputs:
-            j, moved = free[(turn - inputs - 1) // each], (turn - inputs - 1) % each
-        if (moved > 0 and not vx[i, moved - 1] > 0) or j in (SPIN_WIDTH, SPIN_MEAN):
+            j, to = free[(turn - inputs - 1) // each], (turn - inputs - 1) % each
+        z = j - further.shape[1]
+        if (to > 0 and (z >= 0 or not vx[i, to - 1] > 0)) or j in (SPIN_WIDTH, SPIN_MEAN):
             for n in range(3):
                 said[turn, n] = 0
             continue
-        h = STEP * (size if moved < 3 else size / a)
-        at0 = x[0] + h if moved == 1 else x[0]
-        at1 = x[1] + h if moved == 2 else x[1]
-        at2 = x[2] + h if moved == 3 else x[2]
-        was, step = 0 * a, 0 * a
+        h = STEP * (size if to < 3 else size / a)
+        at0 = x[0] + h if to == 1 else x[0]
+        at1 = x[1] + h if to == 2 else x[1]
+        at2 = x[2] + h if to == 3 else x[2]
+        step = steps[j] if j >= 0 else 0 * a
+        if z >= 0:
+            at0, at1, at2 = at0 + step * moved[z, i, 0], at1 + step * moved[z, i, 1], at2 + step * moved[z, i, 2]
+            if inputs == 2:
+                at2 *= math.sqrt(at0 * at0 + at1 * at1) / size
+            g = law(code, form, stage, (at0, at1, at2), a, further[z])
+            for n in range(3):
+                said[turn, n] = (g[n] - said[0, n]) / step - moved[z, i, 3 + n]
+            continue
+        was = p[j] if j >= 0 else 0 * a
         if j >= 0:
-            was, step = p[j], steps[j]
             p[j] = was + step
         g = law(code, form, stage, (at0, at1, at2), a, p)
         if j >= 0:
@@ -57,10 +72,10 @@ def ask(
                 said[0, n] = g[n]
             elif j < 0:
                 said[turn, n] = (g[n] - said[0, n]) / h
-            elif moved == 0:
+            elif to == 0:
                 said[turn, n] = (g[n] - said[0, n]) / step
             else:  # d/dp of the slope in the input
-                said[turn, n] = ((g[n] - said[0, n]) / step - said[turn - moved, n]) / h - said[moved, n] / step
+                said[turn, n] = ((g[n] - said[0, n]) / step - said[turn - to, n]) / h - said[to, n] / step
 
 
 @kernel
@@ -100,11 +115,11 @@ def how_many(y: Any, i: int) -> int:
 
 @kernel
 def known_row(
-    law: Any, code: int, form: int, stage: int, i: int, a: float, x: Any, vx: Any, y: Any, vy: Any, nu: float, p: Any, free: Any,
-    steps: Any, u: Any, h: Any, room: Any,
+    law: Any, code: int, form: int, stage: int, i: int, a: float, x: Any, vx: Any, y: Any, vy: Any, nu: float, p: Any, fitted: Any,
+    u: Any, h: Any, room: Any,
 ) -> tuple[float, float]:  # fmt: skip
     """A row's deviance, its scores (-1/2 of its slope) in u and its curvature (information) in h; and its c."""
-    k = free.shape[0]
+    k = fitted[0].shape[0]
     s, q, said, work = room[0], room[1], room[2], room[3]
     u[:] = 0
     h[:] = 0
@@ -113,7 +128,7 @@ def known_row(
         return 0 * a, 0 * a
     x0, x1, x2 = x[i, 0], x[i, 1], x[i, 2]
     size = math.sqrt(x0 * x0 + x1 * x1)
-    ask(law, code, form, stage, i, a, (x0, x1, x2), size, vx, p, free, steps, 3, 1, 0, 4, said)
+    ask(law, code, form, stage, i, a, (x0, x1, x2), size, vx, p, fitted, 3, 1, 0, 4, said)
     precision(i, y, vx, vy, said, 1, 3, s, q)
     r, qr = work[0], work[1]
     for m in range(3):
@@ -129,8 +144,8 @@ def known_row(
         x0 = max(x0 + vx[i, 0] * (said[1, 0] * qr[0] + said[1, 1] * qr[1] + said[1, 2] * qr[2]), x0 / 2)
         x1 += vx[i, 1] * (said[2, 0] * qr[0] + said[2, 1] * qr[1] + said[2, 2] * qr[2])
         x2 += vx[i, 2] * (said[3, 0] * qr[0] + said[3, 1] * qr[1] + said[3, 2] * qr[2])
-        ask(law, code, form, stage, i, a, (x0, x1, x2), size, vx, p, free, steps, 3, 1, 0, 1, said)
-        ask(law, code, form, stage, i, a, (x0, x1, x2), size, vx, p, free, steps, 3, 1, 4, 4 + k, said)
+        ask(law, code, form, stage, i, a, (x0, x1, x2), size, vx, p, fitted, 3, 1, 0, 1, said)
+        ask(law, code, form, stage, i, a, (x0, x1, x2), size, vx, p, fitted, 3, 1, 4, 4 + k, said)
     t = (nu + d) / (nu + c) if nu > 0 else 1 + 0 * a
     for j in range(k):
         g = said[4 + j]

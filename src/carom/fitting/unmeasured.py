@@ -34,7 +34,7 @@ WIDER = 4.0  # no law magnifies an error in speed by more than its root
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
 # of a stretch: its two places, the least of its exponent (4), its moments (3 by 5, from 5), slopes in v_n and v_t (last 6)
 COLUMNS = 26
-SMALL = 12  # scratch arrays
+SMALL = 13  # scratch arrays
 PIECES = np.array(
     [-math.inf, -80.0, -20.0, -6.0, -2.0, 2.0, 6.0, 20.0, 80.0, math.inf]
 )  # of Student's t, in its widths
@@ -169,11 +169,12 @@ def _determinant(s: Any) -> float:
 @kernel
 def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its integral)
     law: Any, code: int, form: int, stage: int, i: int, a: float, spins: Any, x: Any, vx: Any, y: Any, vy: Any, nu: float, p: Any,
-    free: Any, steps: Any, u: Any, h: Any, desk: Any,
+    fitted: Any, u: Any, h: Any, desk: Any,
 ) -> tuple[float, float]:  # fmt: skip
     """A row's deviance, scores and information as :func:`carom.fitting.terms.known_row` gives them; and the least of c + z^2, z the
     distance from the prior's mean in its widths (of a uniform prior 0)."""
     places, said, stretches, small, inner = desk
+    free, _steps, moved, further = fitted
     k, count = free.shape[0], spins.places.shape[0]
     u[:] = 0
     h[:] = 0
@@ -189,7 +190,7 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
     blurred = vx[i, 0] > 0 or vx[i, 1] > 0
     for n in range(count):
         places[n] = spins.places[n]
-        ask(law, code, form, stage, i, a, (v_n, v_t, places[n] * unit), size, vx, p, free, steps, 2, 1, 0, 1, inner)
+        ask(law, code, form, stage, i, a, (v_n, v_t, places[n] * unit), size, vx, p, fitted, 2, 1, 0, 1, inner)
         for m in range(3):
             said[n, m] = inner[0, m]
 
@@ -224,7 +225,7 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
         if not stretches[n, 4] < sure + HOPELESS:
             continue
         places[used] = places[n] + _bend(y, vy, i, places, said, n, count) * (places[n + 1] - places[n])
-        ask(law, code, form, stage, i, a, (v_n, v_t, places[used] * unit), size, vx, p, free, steps, 2, 1, 0, 1, inner)
+        ask(law, code, form, stage, i, a, (v_n, v_t, places[used] * unit), size, vx, p, fitted, 2, 1, 0, 1, inner)
         for m in range(3):
             said[used, m] = inner[0, m]
         for one, two in ((n, used), (used, n + 1)):
@@ -235,7 +236,7 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
     # A density has a root of det S: of one that slides it is not that of one that sticks, and these are added
     whole = 0 * a  # of a ball without slip along the wall; a det S that all have in common has no place here (terms.py)
     if blurred:
-        ask(law, code, form, stage, i, a, (v_n, v_t, v_t / a), size, vx, p, free, steps, 2, 1, 0, 3, inner)
+        ask(law, code, form, stage, i, a, (v_n, v_t, v_t / a), size, vx, p, fitted, 2, 1, 0, 3, inner)
         for m in range(6):
             mid[m // 3, m % 3] = inner[1 + m // 3, m % 3]
         precision(i, y, vx, vy, mid, 0, 2, s, q)
@@ -259,7 +260,7 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
             row[m] = 0
         if blurred:
             spin = (places[one] + places[two]) / 2 * unit
-            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, free, steps, 2, 1, 0, 3, inner)
+            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, fitted, 2, 1, 0, 3, inner)
             for m in range(6):
                 row[COLUMNS - 6 + m] = inner[1 + m // 3, m % 3]
         for m in range(6):
@@ -285,9 +286,15 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
         return NO_ANSWER, NO_ANSWER
 
     # Slopes: of each number its score is a parabola in t, in score[j]; what the law says moves by g[j, 0] + g[j, 1] t
-    score, curve, outer = small[4], small[5], small[6]
+    # (of the law, and of the prior, whose mean goes with v_t/v: by pull for each number)
+    score, curve, outer, prior, pull = small[4], small[5], small[6], small[11], small[12, 0]
     curve[:] = 0
     outer[:] = 0
+    for j in range(k):
+        pull[j] = along if free[j] == SPIN_MEAN else 0.0
+        z = free[j] - further.shape[1]
+        if z >= 0 and not spins.uniform:
+            pull[j] = p[SPIN_MEAN] * v_n * (v_n * moved[z, i, 1] - v_t * moved[z, i, 0]) / (size * size * size)
     for e in range(count - 1, made if k > 0 else 0):
         row = stretches[e]
         if not (row[4] < math.inf and row[5] > SHARE * total):
@@ -309,23 +316,20 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
         for end in range(2):
             t = 0.25 + 0.5 * end
             spin = ((1 - t) * places[one] + t * places[two]) * unit
-            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, free, steps, 2, 1, 0, 1, inner)
-            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, free, steps, 2, 1, 3, 3 + k, inner)
+            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, fitted, 2, 1, 0, 1, inner)
+            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, fitted, 2, 1, 3, 3 + k, inner)
             for j in range(k):
                 for m in range(3):
                     slope[j, m] = 2 * (inner[3 + j, m] - start[j, m]) if end == 1 else 0.0
                     start[j, m] = start[j, m] - slope[j, m] / 4 if end == 1 else inner[3 + j, m]
         if blurred:
             spin = (places[one] + places[two]) / 2 * unit
-            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, free, steps, 2, 3, 0, 3 + 3 * k, inner)
+            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, fitted, 2, 3, 0, 3 + 3 * k, inner)
         for j in range(k):
-            if free[j] == SPIN_MEAN:
-                t = along / width
-                score[j, 0], score[j, 1], score[j, 2] = t * z0, t * z1, 0.0
-                continue
+            t = pull[j] / width
+            prior[j, 0], prior[j, 1], prior[j, 2] = t * z0, t * z1, 0.0
             if free[j] == SPIN_WIDTH:
-                score[j, 0], score[j, 1], score[j, 2] = (z0 * z0 - 1) / width, 2 * z0 * z1 / width, z1 * z1 / width
-                continue
+                prior[j, 0], prior[j, 1], prior[j, 2] = (z0 * z0 - 1) / width, 2 * z0 * z1 / width, z1 * z1 / width
             for o in range(2 if blurred else 0):
                 for m in range(3):
                     start[j, m] += inner[4 + 3 * j + o, m] * move[0, o]
@@ -336,27 +340,23 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
                 score[j, 1] += start[j, m] * qr[1, m] + slope[j, m] * qr[0, m]
                 score[j, 2] += slope[j, m] * qr[1, m]
         for j in range(k):
-            mine = 0 if free[j] == SPIN_MEAN or free[j] == SPIN_WIDTH else 1
             for n in range(3):
-                u[j] += score[j, n] * row[5 + 5 * mine + n]
+                u[j] += prior[j, n] * row[5 + n] + score[j, n] * row[10 + n]
             for m in range(j + 1):
-                other = 0 if free[m] == SPIN_MEAN or free[m] == SPIN_WIDTH else 1
-                at = 5 + 5 * (mine + other)
                 for n in range(3):
                     for o in range(3):
-                        outer[j, m] += score[j, n] * score[m, o] * row[at + n + o]
-                if mine == 1 and other == 1:
-                    curve[j, m] += _form(q, start[j], start[m]) * row[10]
-                    curve[j, m] += (_form(q, start[j], slope[m]) + _form(q, slope[j], start[m])) * row[11]
-                    curve[j, m] += _form(q, slope[j], slope[m]) * row[12]
-                elif mine == 0 and other == 0:
-                    t = 1 / (width * width)
-                    if free[j] == SPIN_MEAN and free[m] == SPIN_MEAN:
-                        curve[j, m] += along * along * t * row[5]
-                    elif free[j] == free[m]:
-                        curve[j, m] += t * ((3 * z0 * z0 - 1) * row[5] + 6 * z0 * z1 * row[6] + 3 * z1 * z1 * row[7])
-                    else:
-                        curve[j, m] += 2 * along * t * (z0 * row[5] + z1 * row[6])
+                        outer[j, m] += prior[j, n] * prior[m, o] * row[5 + n + o] + score[j, n] * score[m, o] * row[15 + n + o]
+                        outer[j, m] += (prior[j, n] * score[m, o] + score[j, n] * prior[m, o]) * row[10 + n + o]
+                curve[j, m] += _form(q, start[j], start[m]) * row[10]
+                curve[j, m] += (_form(q, start[j], slope[m]) + _form(q, slope[j], start[m])) * row[11]
+                curve[j, m] += _form(q, slope[j], slope[m]) * row[12]
+                t = 1 / (width * width)
+                if free[j] == SPIN_WIDTH and free[m] == SPIN_WIDTH:
+                    curve[j, m] += t * ((3 * z0 * z0 - 1) * row[5] + 6 * z0 * z1 * row[6] + 3 * z1 * z1 * row[7])
+                elif free[j] == SPIN_WIDTH or free[m] == SPIN_WIDTH:
+                    curve[j, m] += 2 * (pull[j] + pull[m]) * t * (z0 * row[5] + z1 * row[6])
+                else:
+                    curve[j, m] += pull[j] * pull[m] * t * row[5]
     for j in range(k):
         u[j] /= total
     for j in range(k):
