@@ -6,10 +6,12 @@ nobody measured is no sum of squares. So this one is carom's own; tests hold it 
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.fitting.looks import Rows, look
+from carom.fitting.looks import Look, Rows, look
 
 __all__ = ["descend"]
 
@@ -38,18 +40,28 @@ def descend(
     now, gained = np.full(count, np.inf), np.full(count, np.inf)
     damp, fails = np.full(count, 1e-3), np.zeros(count, int)
     u, h = np.zeros((count, k)), np.zeros((count, k, k))
+    bare = replace(rows, free=free[:0])
+
+    def seen(rows: Rows, which: NDArray[np.int64]) -> tuple[Array, Look]:
+        some = weights if weights is None or len(weights) == 1 else weights[which]
+        look_ = look(rows, tried[which], some)
+        deviance = look_.deviance if some is None else look_.deviance * some
+        return deviance.sum(axis=1) + np.square(tried[which, own:] - middles[which]).sum(axis=1), look_
+
     for _ in range(most):
-        some = weights if weights is None or len(weights) == 1 else weights[alive]
-        seen = look(rows, tried[alive], some)
-        then = seen.deviance.sum(axis=1) if some is None else (seen.deviance * some).sum(axis=1)
-        off = tried[alive, own:] - middles[alive]
-        then = then + np.square(off).sum(axis=1)
-        pull = np.zeros((len(alive), k))
-        pull[:, free >= own] = off[:, free[free >= own] - own]
-        better = then < now[alive]
-        up, down = alive[~better], alive[better]
+        # where a step led up the next one may as well, and slopes take longer than the deviance: they wait until it leads down
+        wary = alive[fails[alive] > 0]
+        worth = alive[fails[alive] == 0]
+        if len(wary):
+            worth = np.sort(np.append(worth, wary[seen(bare, wary)[0] < now[wary]]))
+        then, there_ = seen(rows, worth)
+        better = then < now[worth]
+        down = worth[better]
+        up = np.setdiff1d(alive, down)
+        pull = np.zeros((len(worth), k))
+        pull[:, free >= own] = (tried[worth, own:] - middles[worth])[:, free[free >= own] - own]
         gained[down], now[down], fails[down] = now[down] - then[better], then[better], 0
-        p[down], u[down], h[down] = tried[down], (seen.scores - pull)[better], seen.information[better] + prior
+        p[down], u[down], h[down] = tried[down], (there_.scores - pull)[better], there_.information[better] + prior
         damp[down] = np.maximum(damp[down] / 10, 1e-9)
         fails[up] += 1
         damp[up] = np.maximum(damp[up] * 8, 1e-4)
