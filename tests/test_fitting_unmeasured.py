@@ -134,6 +134,32 @@ def test_scores_are_the_deviance_s_slopes(robust):
         assert seen.scores[0, m] / scale == pytest.approx(slope / scale, abs=0.05), PARAMETERS[place].name
 
 
+@pytest.mark.parametrize("spin_seen", [True, False])
+def test_scores_of_errors_that_all_rows_share_are_the_deviance_s_slopes(spin_seen):
+    # (a floor that is from the film too, and errors large enough that the mean of the spins turns with them)
+    rng = np.random.default_rng(4)
+    n = 30
+    vn, vt, spin = rng.uniform(1, 3, n), rng.uniform(-2, 2, n), rng.normal(0, 10, n)
+    columns = {"v_n_in": vn, "v_t_in": vt, "v_n_out": 0.75 * vn, "v_t_out": 0.7 * vt, "spin_z_in": spin}
+    if not spin_seen:
+        columns |= {"spin_z_in": np.full(n, np.nan)}
+    columns |= {f"sigma_{name}": np.full(n, 0.05) for name in ("v_n_in", "v_t_in", "v_n_out", "v_t_out")}
+    film = {"cloth_friction": np.full(n, 0.2), "sigma_cloth_friction": np.full(n, 0.02), "cloth_v_n_out": 0.01 * vn}
+    film |= {"cloth_v_t_out": 0.01 * vt, "rolling_v_n_in": -0.01 * vt, "rolling_v_t_in": 0.02 * vn}
+    setting = Setting(radius=0.03, contact_height=1.2)
+    problem, _ = make_problem(make_rebounds("table", columns, stage="after_wall", extra=film), setting)
+    ways = ways_of(laws_named(["two-step-after"], "table", False)[0][0], problem)[0]
+    rows = _rows(ways, problem)
+    p = np.append(numbers(restitution=0.8, friction=0.2, spin_mean=0.6, spin_width=0.4), [0.7, -0.4])
+    p[[INDEX["kappa"], INDEX["contact_height"], INDEX["floor_friction"]]] = 0.4, 1.2, 0.2
+    seen, h = look(rows, p[None]), 1e-3
+    assert ways.moves[:, INDEX["floor_friction"]].tolist() == [0.02, 0.0]
+    for m in (-2, -1):
+        up, down = (look(rows, (p + sign * h * np.eye(len(p))[m])[None]).deviance.sum() for sign in (1, -1))
+        scale = math.sqrt(1 + abs(seen.information[0, m, m]))
+        assert seen.scores[0, m] / scale == pytest.approx((down - up) / (4 * h) / scale, abs=0.05), m
+
+
 def test_numbers_and_prior_come_back_and_the_true_law_wins():
     ranking = fit_laws(bounces(6), SETTING, ["sliding", "sticking", "no-slip", "mirror"], bootstrap=0)
     best = ranking.best

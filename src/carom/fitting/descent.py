@@ -43,10 +43,11 @@ def descend(
     bare = replace(rows, free=free[:0])
 
     def seen(rows: Rows, which: NDArray[np.int64]) -> tuple[Array, Look]:
+        """Deviances of some, with those of shared errors; and all that there is to see."""
         some = weights if weights is None or len(weights) == 1 else weights[which]
-        look_ = look(rows, tried[which], some)
-        deviance = look_.deviance if some is None else look_.deviance * some
-        return deviance.sum(axis=1) + np.square(tried[which, own:] - middles[which]).sum(axis=1), look_
+        at = look(rows, tried[which], some)
+        deviance = at.deviance if some is None else at.deviance * some
+        return deviance.sum(axis=1) + np.square(tried[which, own:] - middles[which]).sum(axis=1), at
 
     for _ in range(most):
         # where a step led up the next one may as well, and slopes take longer than the deviance: they wait until it leads down
@@ -54,14 +55,14 @@ def descend(
         worth = alive[fails[alive] == 0]
         if len(wary):
             worth = np.sort(np.append(worth, wary[seen(bare, wary)[0] < now[wary]]))
-        then, there_ = seen(rows, worth)
+        then, found = seen(rows, worth)
         better = then < now[worth]
         down = worth[better]
         up = np.setdiff1d(alive, down)
         pull = np.zeros((len(worth), k))
         pull[:, free >= own] = (tried[worth, own:] - middles[worth])[:, free[free >= own] - own]
         gained[down], now[down], fails[down] = now[down] - then[better], then[better], 0
-        p[down], u[down], h[down] = tried[down], (there_.scores - pull)[better], there_.information[better] + prior
+        p[down], u[down], h[down] = tried[down], (found.scores - pull)[better], found.information[better] + prior
         damp[down] = np.maximum(damp[down] / 10, 1e-9)
         fails[up] += 1
         damp[up] = np.maximum(damp[up] * 8, 1e-4)

@@ -32,8 +32,9 @@ HOPELESS = 30.0  # a deviance so far above the least has no share: exp(-15)
 SHARE = 1e-5  # of a row's integral: stretches with less do not ask for slopes
 WIDER = 4.0  # no law magnifies an error in speed by more than its root
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
-# of a stretch: its two places, the least of its exponent (4), its moments (3 by 5, from 5), slopes in v_n and v_t (last 6)
-COLUMNS = 26
+# of a stretch: its two places, the least of its exponent (4), its moments (3 by 5, from 5); in its middle what the law says and
+# slopes in v_n and v_t (last 9)
+COLUMNS = 29
 SMALL = 13  # scratch arrays
 PIECES = np.array(
     [-math.inf, -80.0, -20.0, -6.0, -2.0, 2.0, 6.0, 20.0, 80.0, math.inf]
@@ -256,13 +257,13 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
         _line(y, i, said, one, two, r)
         if not (low < high and abs(r[0, 0] + r[0, 1] + r[1, 0] + r[1, 1]) < math.inf):
             continue
-        for m in range(COLUMNS - 6, COLUMNS):
+        for m in range(COLUMNS - 9, COLUMNS):
             row[m] = 0
         if blurred:
             spin = (places[one] + places[two]) / 2 * unit
             ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, fitted, 2, 1, 0, 3, inner)
-            for m in range(6):
-                row[COLUMNS - 6 + m] = inner[1 + m // 3, m % 3]
+            for m in range(9):
+                row[COLUMNS - 9 + m] = inner[m // 3, m % 3]
         for m in range(6):
             mid[m // 3, m % 3] = row[COLUMNS - 6 + m]
         precision(i, y, vx, vy, mid, 0, 2, s, q)
@@ -324,7 +325,9 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
                     start[j, m] = start[j, m] - slope[j, m] / 4 if end == 1 else inner[3 + j, m]
         if blurred:
             spin = (places[one] + places[two]) / 2 * unit
-            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, fitted, 2, 3, 0, 3 + 3 * k, inner)
+            for m in range(9):
+                inner[m // 3, m % 3] = row[COLUMNS - 9 + m]
+            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, fitted, 2, 3, 3, 3 + 3 * k, inner)
         for j in range(k):
             t = pull[j] / width
             prior[j, 0], prior[j, 1], prior[j, 2] = t * z0, t * z1, 0.0
@@ -345,7 +348,9 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
             for m in range(j + 1):
                 for n in range(3):
                     for o in range(3):
-                        outer[j, m] += prior[j, n] * prior[m, o] * row[5 + n + o] + score[j, n] * score[m, o] * row[15 + n + o]
+                        outer[j, m] += (
+                            prior[j, n] * prior[m, o] * row[5 + n + o] + score[j, n] * score[m, o] * row[15 + n + o]
+                        )
                         outer[j, m] += (prior[j, n] * score[m, o] + score[j, n] * prior[m, o]) * row[10 + n + o]
                 curve[j, m] += _form(q, start[j], start[m]) * row[10]
                 curve[j, m] += (_form(q, start[j], slope[m]) + _form(q, slope[j], start[m])) * row[11]
