@@ -12,7 +12,7 @@ import carom
 from carom.datasets import load
 from carom.fitting import Setting, fit_law, fit_laws, make_problem
 from carom.fitting.design import Shots, design
-from carom.fitting.fit import parameters_of, refit
+from carom.fitting.fit import parameters_of, refit, rows_of_fit
 from carom.fitting.laws import laws_named
 from carom.fitting.profile import with_bootstrap, with_profiles
 from carom.fitting.published import published
@@ -588,3 +588,61 @@ def test_a_law_is_called_by_its_name_once():
     from carom.fitting.laws import FITTED
 
     assert not [law.called for law in FITTED if ") (" in law.called]
+
+
+def hit(angle_deg: float, spins, seed: int, n: int, e=0.8, mu=0.3, beta=0.2, speed=2.0, sigma=0.03):
+    """n measured shots at one angle, each with a spin that nobody measured, drawn by `spins` of a generator and the velocity."""
+    rng = np.random.default_rng(seed)
+    v = np.tile([-speed * np.cos(np.radians(angle_deg)), speed * np.sin(np.radians(angle_deg)), 0.0], (n, 1))
+    spin = np.stack([0 * v[:, 0], 0 * v[:, 0], spins(rng, v)], -1)
+    ball = carom.Ball(radius=A, mass=0.0027, inertia="hollow")
+    after = carom.impact(ball, carom.State(v, spin), surface=carom.Surface(e, mu, beta)).after.velocity
+    true = {"v_n_in": -v[:, 0], "v_t_in": v[:, 1], "v_n_out": after[:, 0], "v_t_out": after[:, 1]}
+    columns = {name: x + sigma * rng.normal(size=n) for name, x in true.items()}
+    columns |= {f"sigma_{name}": np.full(n, sigma) for name in true}
+    return table(columns | dict.fromkeys(("spin_in", "spin_out"), np.full(n, np.nan)))
+
+
+@pytest.mark.parametrize("angle_deg", [20.0, 40.0, 55.0, 70.0])
+def test_a_shot_whose_spin_nobody_will_know_is_worth_what_many_such_shots_tell_on_average(angle_deg):
+    setting = replace(SETTING, spin_width=0.3, spin_mean=0.2)
+    truth = {"restitution": 0.8, "friction": 0.3, "tangential_restitution": 0.2}
+    shots = Shots(angles=(angle_deg, angle_deg), speeds=(2, 2), spins=None, sigma_v=0.03, counts=(1, 1, 1))
+    plan = design("planar", setting, ("contact", "sliding"), shots, truth)
+    assert plan.as_dict()["map"]["spin"] == [None]
+    assert all(shot.spin is None for shot in plan.shots)
+    played = hit(angle_deg, lambda rng, v: (0.2 * v[:, 1] + 0.3 * 2.0 * rng.normal(size=len(v))) / A, 1, 20_000)
+    problem = make_problem(played, setting)[0]
+    told = []
+    for name, numbers in (("contact", plan.truth), ("sliding", plan.other)):
+        p = parameters_of(law(name), problem)[1]
+        for number, (place, _) in parameters_of(law(name), problem)[0].items():
+            p[place] = numbers[number]
+        told.append(rows_of_fit(replace(fitted("sliding", bounces(1, 5)), law=law(name)), problem, p)[0])
+    each = told[1] - told[0]
+    error = each.std() / math.sqrt(len(each))
+    assert plan.gain[0, 0, 0] == pytest.approx(each.mean(), abs=4 * error + 0.15 * each.mean())
+
+
+def test_what_was_filmed_without_spins_counts_and_the_plan_goes_on_from_there():
+    setting = replace(SETTING, spin_width=0.3, spin_mean=0.0)
+
+    def spins(rng, v):
+        return 0.3 * 2.0 * rng.normal(size=len(v)) / A
+
+    shots = Shots(speeds=(2, 2), spins=(-60, 60), sigma_v=0.03, counts=(15, 1, 5))
+    few, many = hit(40.0, spins, 3, 12), hit(40.0, spins, 3, 400)
+    plan = design("planar", setting, ("contact", "sliding"), shots, filmed=few)
+    ranking = fit_laws(few, setting, ["contact", "sliding"], profiles=False, bootstrap=0)
+    by_name = {one.fit.law.name: one.fit for one in ranking.ranked}
+    # what the film tells is what the fits of it say
+    aic = by_name["sliding"].deviance - by_name["contact"].deviance + 2 * (2 - 3)
+    assert plan.filmed == pytest.approx(aic, abs=1e-3)
+    assert plan.count > 0
+    assert plan.sentence.startswith("The film")
+    assert "more shot" in plan.sentence
+    enough = design("planar", setting, ("contact", "sliding"), shots, filmed=many)
+    assert enough.filmed > 2 * math.log(20)
+    assert enough.count == 0
+    assert enough.shots == ()
+    assert "no more shots are needed" in enough.sentence

@@ -41,7 +41,9 @@ def design(
     ] = None,
     angles: Annotated[str, typer.Option(metavar="LOW:HIGH", help="degrees from the normal", rich_help_panel=SHOTS)] = "5:75",
     speeds: Annotated[str, typer.Option(metavar="LOW:HIGH", help="m/s", rich_help_panel=SHOTS)] = "1:3",
-    spins: Annotated[str, typer.Option(metavar="LOW:HIGH", help="rad/s before the wall", rich_help_panel=SHOTS)] = "0:0",
+    spins: Annotated[
+        str, typer.Option(metavar="LOW:HIGH|unknown", help="rad/s before the wall, if anybody will know", rich_help_panel=SHOTS)
+    ] = "0:0",
     sigma_v: Annotated[float, typer.Option(help="error bar of a speed, m/s", rich_help_panel=SHOTS)] = 0.02,
     sigma_spin: Annotated[
         float | None, typer.Option(help="of a spin, rad/s", show_default="spin not measured", rich_help_panel=SHOTS)
@@ -63,7 +65,7 @@ def design(
     faults: list[str] = []
     kappa = attempt(faults, kappa_of, inertia)
     ranges = [
-        attempt(faults, _range, name, text)
+        None if name == "--spins" and text == "unknown" else attempt(faults, _range, name, text)
         for name, text in (("--angles", angles), ("--speeds", speeds), ("--spins", spins))
     ]
     known = sorted({*INDEX, *(p.name for form in FORMS.values() for p in form.parameters)})
@@ -88,7 +90,7 @@ def design(
         kind = filmed.kind
     if kind != "table":
         _no_table(stage != STAGES[0], contact_height != 1, floor_friction is not None)
-    shots = Shots(ranges[0], ranges[1], ranges[2], sigma_v, sigma_spin, stage)
+    shots = Shots(ranges[0], ranges[1], ranges[2], sigma_v, sigma_spin, stage)  # type: ignore[arg-type]
     setting = Setting(radius=radius, kappa=kappa, contact_height=contact_height, floor_friction=floor_friction)
     plan = plan_shots(
         kind or "planar",  # type: ignore[arg-type]
@@ -147,7 +149,11 @@ def _show(plan: Any) -> None:
             table.add_column(head, justify="right")
         for shot in plan.shots:
             table.add_row(
-                f"{shot.angle_deg:.4g}", f"{shot.speed:.4g}", f"{shot.spin:.4g}", str(shot.repeat), f"{shot.gain:.3g}"
+                f"{shot.angle_deg:.4g}",
+                f"{shot.speed:.4g}",
+                "unknown" if shot.spin is None else f"{shot.spin:.4g}",
+                str(shot.repeat),
+                f"{shot.gain:.3g}",
             )
         console.print(table)
     console.print(Text(plan.sentence, style="bold green" if plan.count else "bold yellow"), soft_wrap=True)

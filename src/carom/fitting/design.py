@@ -5,6 +5,8 @@ the one that the fitted other law misses by most error bars. What is missed in a
 law's chi^2, is what 2 log odds are expected to be, but for the price of each law's own numbers:
 
     E(AIC of the other - AIC of the true) = lambda + k_other - k_true.
+
+What was filmed already counts as it was measured. A shot with a spin that nobody will know counts as the mean over such spins.
 """
 
 from __future__ import annotations
@@ -17,10 +19,11 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.fitting.data import Problem, Setting, make_problem, require_settings
-from carom.fitting.fit import Fit, fit_law, parameters_of, refit, rows_of_fit
+from carom.fitting.fit import fit_law, parameters_of, refit, rows_of_fit
 from carom.fitting.laws import FittedLaw, laws_named
-from carom.fitting.parameters import INDEX
-from carom.rebounds import COLUMNS, Kind, Rebounds, make_rebounds
+from carom.fitting.parameters import INDEX, NUMBERS
+from carom.fitting.shot_rows import candidates
+from carom.rebounds import Kind, Rebounds
 
 __all__ = ["Plan", "Shot", "Shots", "design"]
 
@@ -37,8 +40,8 @@ class Shots:
     """Incidence from the wall's normal, degrees."""
     speeds: tuple[float, float] = (1.0, 3.0)
     """m/s."""
-    spins: tuple[float, float] = (0.0, 0.0)
-    """rad/s before the wall."""
+    spins: tuple[float, float] | None = (0.0, 0.0)
+    """rad/s before the wall; None: nobody will know them, as of a film without marks on the ball."""
     sigma_v: float = 0.02
     """Error bar of each speed, before and after, m/s."""
     sigma_spin: float | None = None
@@ -55,7 +58,8 @@ class Shot:
 
     angle_deg: float
     speed: float
-    spin: float
+    spin: float | None
+    """None: nobody will know it."""
     repeat: int
     gain: float
     """What each is expected to add to 2 log odds."""
@@ -73,17 +77,19 @@ class Plan:
     """With these the other law comes closest."""
     shots: tuple[Shot, ...]
     count: int | None
-    """Shots for the odds; None where no number of them is enough."""
+    """Shots for the odds, beside what was filmed; None where no number of them is enough."""
     odds: float
     expected: float
-    """2 log odds that the plan is expected to give."""
+    """2 log odds that the plan is expected to give, with what was filmed."""
     axes: tuple[Array, Array, Array]
-    """Angles (degrees), speeds and spins of the map."""
+    """Angles (degrees), speeds and spins of the map; one spin, NaN, where nobody will know it."""
     gain: Array
     """(angles, speeds, spins): what one more shot there is expected to add to 2 log odds."""
     sentence: str
     notes: tuple[str, ...] = ()
     """What was taken of the table."""
+    filmed: float | None = None
+    """2 log odds of what was filmed already."""
 
     def as_dict(self) -> dict[str, object]:
         """For JSON."""
@@ -92,13 +98,14 @@ class Plan:
             "truth": self.truth,
             "other": self.other,
             "odds": self.odds,
+            "filmed_2_log_odds": self.filmed,
             "shots_needed": self.count,
             "expected_2_log_odds": self.expected,
             "shots": [vars(shot) for shot in self.shots],
             "map": {
                 "angle_deg": self.axes[0].tolist(),
                 "speed": self.axes[1].tolist(),
-                "spin": self.axes[2].tolist(),
+                "spin": [None if math.isnan(spin) else spin for spin in self.axes[2].tolist()],
                 "gain": self.gain.tolist(),
             },
             "sentence": self.sentence,
@@ -127,60 +134,88 @@ def design(
     if len(chosen) != 2:
         raise CaromError(f"laws: expected two that differ for a {kind} rebound, got {laws[0]} and {laws[1]}")
     true, other = chosen
-    grid, axes = _grid(kind, shots)
-    have, already = 0, None
+    already: Problem | None = None
     remarks: list[str] = []
     if filmed is not None:
         already, remarks = make_problem(filmed, setting)
         setting = already.setting  # what the film says of the floor is so of the next shots
-    problem, _ = make_problem(grid, setting)
-    if already is not None:
-        if already.estimated.any() or already.unknown.any():
+        if already.estimated.any():
             raise CaromError(
-                "filmed: expected error bars and spins in every row, to say what they tell; leave the file out"
+                f"{filmed.source}: expected error bars (sigma_...) in every row, to say what they tell; got none in some"
+                " columns; add them, or leave the file out"
             )
-        truth = truth or {
-            name: float(e.value) for name, e in fit_law(true, already).estimates.items() if e.value is not None
-        }
-        problem, have = _joined(already, problem), len(already.x)
-    p = _numbers(true, problem, truth or {})
-    problem = replace(problem, y=_seen(true, problem, p))
-    names = parameters_of(true, problem)[0]
-    price = len(parameters_of(other, problem)[0]) - len(names)
+
+    def numbers(problem: Problem) -> Array:
+        return (
+            fit_law(true, already).numbers
+            if already is not None and not truth
+            else _numbers(true, problem, truth or {})
+        )
+
+    rows = candidates(kind, setting, shots, true, numbers, already)
+    problem, p, have = rows.problem, rows.truth, rows.have
+    price = len(parameters_of(other, problem)[0]) - len(parameters_of(true, problem)[0])
+    if have:  # both have been fitted to what was filmed: Akaike's own price
+        price *= 2
     target = 2 * math.log(odds) - price
+    fit = fit_law(other, problem if already is None else already)
+    # what the true law itself leaves of each row: nothing, but where a row was measured or its spin is unknown
+    plain = rows_of_fit(replace(fit, law=true), problem, p)[0]
+    owed = float(np.square(p[NUMBERS:]).sum())
     weights = np.zeros(len(problem.x))
     weights[:have] = 1
-    fit = fit_law(other, problem)
-    best = fit.numbers[None].copy()
-    start = best.copy()
+    best = start = fit.numbers[None].copy()
     order: list[int] = []
-    told = np.zeros(len(problem.x))
-    total, first = 0.0, 0.0
+
+    def lost(best: Array) -> tuple[Array, float]:
+        """The other law fitted to what is planned so far: its numbers, and how much worse than the true one it is."""
+        some = np.flatnonzero(weights)
+        # from where it stood, and from where it began: its way down may have two ends
+        found, deviances = refit(
+            fit, problem.select(some), np.tile(weights[some], (2, 1)), np.concatenate([best, start])
+        )
+        return found[[int(np.argmin(deviances))]], float(deviances.min() - (weights * plain).sum() - owed)
+
+    total = so_far = 0.0
+    if have:
+        best, total = lost(best)
+        so_far = total
     while total < max(target, 1e-9) and len(order) < MOST:
-        told = rows_of_fit(fit, problem, best[0])[0]
-        new = have + int(np.argmax(told[have:]))
-        if told[new] < SAME:
+        gain = rows.means(rows_of_fit(fit, problem, best[0])[0] - plain)
+        new = int(np.argmax(gain))
+        if gain[new] < SAME:
             break
-        weights[new] += 1
+        weights[rows.of(new)] += 1 / rows.each
         order.append(new)
-        # from where it stood, and from where it began: the other law's way down may have two ends
-        found, deviances = refit(fit, problem, np.stack([weights, weights]), np.concatenate([best, start]))
-        best, total = found[[int(np.argmin(deviances))]], float(deviances.min())
-        first = first or total
-        if len(order) > 60 and total < len(order) * target / MOST:
+        best, total = lost(best)
+        if len(order) > 60 and total - so_far < len(order) * (target - so_far) / MOST:
             break
-    told = rows_of_fit(fit, problem, best[0])[0]
+    gain = rows.means(rows_of_fit(fit, problem, best[0])[0] - plain)
     count = len(order) if total >= target else None
-    if count is None and total > SAME * len(order) and order:
-        count = math.ceil(len(order) * target / total)
-    plan = _plan(fit, true, problem, p, best[0], order, told, have, axes, count, total, odds, price, grid)
-    return replace(plan, notes=tuple(note for note in remarks if note.startswith("floor_friction")))
+    if count is None and total - so_far > SAME * len(order) and order:
+        count = math.ceil(len(order) * (target - so_far) / (total - so_far))
+    planned = [rows.shot(cell, order.count(cell), float(gain[cell])) for cell in sorted(set(order), key=order.index)]
+    plan = Plan(
+        (true.name, other.name),
+        _named(true, problem, p),
+        _named(other, problem, best[0]),
+        tuple(sorted(planned, key=lambda shot: -shot.gain * shot.repeat)),
+        count,
+        odds,
+        total + price,
+        rows.axes,
+        gain.reshape([len(x) for x in rows.axes]),
+        "",
+        tuple(note for note in remarks if note.startswith("floor_friction")),
+        so_far + price if have else None,
+    )
+    return replace(plan, sentence=_sentence(plan, true, other))
 
 
 def _require(shots: Shots, odds: float, laws: tuple[str, str]) -> None:
     faults = []
     for name, (low, high), least, most in (
-        ("angles", shots.angles, 0.0, 89.0), ("speeds", shots.speeds, 1e-6, 1e4), ("spins", shots.spins, -1e6, 1e6),
+        ("angles", shots.angles, 0.0, 89.0), ("speeds", shots.speeds, 1e-6, 1e4), ("spins", shots.spins or (0.0, 0.0), -1e6, 1e6),
     ):  # fmt: skip
         if not least <= low <= high <= most:
             faults.append(
@@ -194,34 +229,6 @@ def _require(shots: Shots, odds: float, laws: tuple[str, str]) -> None:
         faults.append(f"laws: expected two, got {len(laws)}")
     if faults:
         raise CaromError(*faults)
-
-
-def _grid(kind: Kind, shots: Shots) -> tuple[Rebounds, tuple[Array, Array, Array]]:
-    axes = tuple(
-        np.linspace(low, high, count) if high > low else np.array([low])
-        for (low, high), count in zip((shots.angles, shots.speeds, shots.spins), shots.counts, strict=True)
-    )
-    angle, speed, spin = (x.ravel() for x in np.meshgrid(*axes, indexing="ij"))
-    names = COLUMNS[kind]
-    v_n, v_t = speed * np.cos(np.radians(angle)), speed * np.sin(np.radians(angle))
-    columns = dict(zip(names, (v_n, v_t, spin, v_n, v_t, spin), strict=True))
-    for name in names:
-        if name.startswith("v"):
-            columns[f"sigma_{name}"] = np.full(len(spin), shots.sigma_v)
-        elif shots.sigma_spin is not None:
-            columns[f"sigma_{name}"] = np.full(len(spin), shots.sigma_spin)
-    if shots.sigma_spin is None:
-        columns[names[5]] = np.full(len(spin), np.nan)
-    return make_rebounds(kind, columns, stage=shots.stage if kind == "table" else None, source="shots"), axes  # type: ignore[return-value]
-
-
-def _joined(first: Problem, second: Problem) -> Problem:
-    x, vx, y, vy = (
-        np.concatenate(pair)
-        for pair in ((first.x, second.x), (first.vx, second.vx), (first.y, second.y), (first.vy, second.vy))
-    )
-    stages = None if first.stages is None or second.stages is None else np.concatenate([first.stages, second.stages])
-    return replace(second, stages=stages, x=x, vx=vx, y=y, vy=vy)
 
 
 def _numbers(law: FittedLaw, problem: Problem, truth: dict[str, float]) -> Array:
@@ -248,53 +255,29 @@ def _numbers(law: FittedLaw, problem: Problem, truth: dict[str, float]) -> Array
     return p
 
 
-def _seen(law: FittedLaw, problem: Problem, p: Array) -> Array:
-    """What would be measured if a law were true, without noise."""
-    from carom.fitting.fit import predict_law
-
-    return np.where(np.isnan(problem.y), np.nan, predict_law(law, problem, p))
+def _named(law: FittedLaw, problem: Problem, p: Array) -> dict[str, float]:
+    return {name: float(p[place]) for name, (place, _) in parameters_of(law, problem)[0].items()}
 
 
-def _plan(
-    fit: Fit, true: FittedLaw, problem: Problem, p: Array, best: Array, order: list[int], told: Array, have: int,
-    axes: tuple[Array, Array, Array], count: int | None, total: float, odds: float, price: int, grid: Rebounds,
-) -> Plan:  # fmt: skip
-    shots = []
-    for row in sorted(set(order), key=order.index):
-        i = row - have
-        v_n, v_t = grid["v_n_in"][i], grid["v_t_in"][i]
-        angle = round(float(np.degrees(np.arctan2(v_t, v_n))), 6)
-        spin = float(grid[COLUMNS[grid.kind][2]][i])
-        shots.append(Shot(angle, round(float(np.hypot(v_n, v_t)), 9), spin, order.count(row), float(told[row])))
-    shots.sort(key=lambda shot: -shot.gain * shot.repeat)
-    mine = {name: float(p[place]) for name, (place, _) in parameters_of(true, problem)[0].items()}
-    theirs = {name: float(best[place]) for name, (place, _) in parameters_of(fit.law, problem)[0].items()}
-    if count is None:
-        contains = fit.law.name in true.within
-        said = (
-            f"no number of such shots tells {true.name} from {fit.law.name}: "
-            + (f"{fit.law.name} contains {true.name}; ask the other way round, --laws {fit.law.name},{true.name}"
-               if contains else "the other law, refitted, does the same; try other angles, speeds or spins")
-        )  # fmt: skip
-    else:
-        where = ", ".join(
-            f"{shot.repeat} at {shot.angle_deg:.3g}°, {shot.speed:.3g} m/s"
-            + (f", {shot.spin:.3g} rad/s" if shot.spin else "")
-            for shot in shots[:6]
-        )
-        many = f"{count} shot{'s' if count != 1 else ''}"
-        said = f"if {true.name} is true, {many} for odds of {odds:g} to 1 against {fit.law.name}: {where}"
-        said += " and others" if len(shots) > 6 else ""
-    gain = told[have:].reshape([len(x) for x in axes])
-    return Plan(
-        (true.name, fit.law.name),
-        mine,
-        theirs,
-        tuple(shots),
-        count,
-        odds,
-        total + price,
-        axes,
-        gain,
-        said[0].upper() + said[1:] + ".",
+def _sentence(plan: Plan, true: FittedLaw, other: FittedLaw) -> str:
+    """The plan in words."""
+    film = ""
+    if plan.filmed is not None:
+        size = math.exp(min(abs(plan.filmed) / 2, 700))
+        speaks = f"{size:.3g} to 1 for {true.name if plan.filmed > 0 else other.name}"
+        film = f"The film says {speaks}. " if size >= 1.05 else "The film alone says nothing. "
+    if plan.count == 0:
+        return f"{film}That is enough for odds of {plan.odds:g} to 1; no more shots are needed."
+    if plan.count is None:
+        why = "the other law, refitted, does the same; try other angles, speeds or spins"
+        if other.name in true.within:
+            why = f"{other.name} contains {true.name}; ask the other way round, --laws {other.name},{true.name}"
+        return f"{film}No number of such shots tells {true.name} from {other.name}: {why}."
+    where = ", ".join(
+        f"{shot.repeat} at {shot.angle_deg:.3g}°, {shot.speed:.3g} m/s"
+        + (f", {shot.spin:.3g} rad/s" if shot.spin else "")
+        for shot in plan.shots[:6]
     )
+    many = f"{plan.count} {'more ' if film else ''}shot{'s' if plan.count != 1 else ''}"
+    others = " and others" if len(plan.shots) > 6 else ""
+    return f"{film}If {true.name} is true, {many} for odds of {plan.odds:g} to 1 against {other.name}: {where}{others}."

@@ -1,0 +1,139 @@
+"""Shots that could be filmed, as rows of a fit: what would be measured of each if a law were true, without noise.
+
+A shot whose spin nobody will know is a few rows without spin, one for each of some spins that it may have had, all as likely;
+together they count as one. (Gauss's places do worse: what is measured has kinks where balls begin to slide.)
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from statistics import NormalDist
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.fitting.data import Problem, Setting, make_problem
+from carom.fitting.fit import predict_law
+from carom.fitting.laws import FittedLaw
+from carom.fitting.parameters import INDEX
+from carom.rebounds import COLUMNS, Kind, Rebounds, make_rebounds
+
+if TYPE_CHECKING:
+    from carom.fitting.design import Shot, Shots
+
+__all__ = ["Candidates", "candidates"]
+
+Array = NDArray[np.float64]
+SPINS = 31  # for one that nobody will know: its worth is told to a tenth
+
+
+@dataclass(frozen=True, eq=False)
+class Candidates:
+    """M shots that can be made, so many rows each, behind the rows that were filmed."""
+
+    problem: Problem
+    truth: Array
+    """All numbers of the law that is taken for true."""
+    have: int
+    """Rows that were filmed."""
+    each: int
+    """Rows of a shot."""
+    axes: tuple[Array, Array, Array]
+    """Angles (degrees), speeds and spins, M in all; one spin, NaN, where nobody will know it."""
+
+    def means(self, by_row: Array) -> Array:
+        """(M,) of a number that each row has."""
+        return by_row[self.have :].reshape(-1, self.each).mean(axis=1)  # type: ignore[no-any-return]
+
+    def of(self, cell: int) -> slice:
+        """The rows of a shot."""
+        first = self.have + cell * self.each
+        return slice(first, first + self.each)
+
+    def shot(self, cell: int, repeat: int, gain: float) -> Shot:
+        """A shot as people plan it."""
+        from carom.fitting.design import Shot
+
+        places = np.unravel_index(cell, [len(axis) for axis in self.axes])
+        angle, speed, spin = (float(axis[place]) for axis, place in zip(self.axes, places, strict=True))
+        return Shot(round(angle, 6), round(speed, 9), None if np.isnan(spin) else spin, repeat, gain)
+
+
+def candidates(
+    kind: Kind,
+    setting: Setting,
+    shots: Shots,
+    law: FittedLaw,
+    truth: Callable[[Problem], Array],
+    filmed: Problem | None,
+) -> Candidates:
+    """The rows; ``truth`` says what the law's numbers are, of the problem with all rows."""
+    axes = tuple(
+        np.array([np.nan]) if ends is None else np.linspace(*ends, count) if ends[1] > ends[0] else np.array([ends[0]])
+        for ends, count in zip((shots.angles, shots.speeds, shots.spins), shots.counts, strict=True)
+    )
+    nodes = _spins(setting) if shots.spins is None else np.zeros(1)
+    grid, _notes = make_problem(_rows(kind, shots, axes, len(nodes)), setting)
+    problem, have = grid, 0
+    if filmed is not None:
+        problem, have = _joined(filmed, grid), len(filmed.x)
+    p = truth(problem)
+    x = problem.x.copy()
+    if shots.spins is None:
+        v_n, v_t = x[have:, 0], x[have:, 1]
+        off = np.tile(nodes, len(v_n) // len(nodes)) * p[INDEX["spin_width"]] * np.hypot(v_n, v_t)
+        x[have:, 2] = (p[INDEX["spin_mean"]] * v_t + off) / setting.radius
+    y = problem.y.copy()
+    there = predict_law(law, replace(problem, x=x, spins=None), p)
+    y[have:] = np.where(np.isnan(y[have:]), np.nan, there[have:])
+    return Candidates(replace(problem, y=y), p, have, len(nodes), axes)  # type: ignore[arg-type]
+
+
+def _spins(setting: Setting) -> Array:
+    """Spins that are all as likely, in widths of the prior about its mean."""
+    shares = (np.arange(SPINS) + 0.5) / SPINS
+    return 2 * shares - 1 if setting.spin_prior == "uniform" else np.array(list(map(NormalDist().inv_cdf, shares)))
+
+
+def _rows(kind: Kind, shots: Shots, axes: tuple[Array, ...], each: int) -> Rebounds:
+    """A table of all shots, each as so many rows; what is measured after the wall is still to come."""
+    angle, speed, spin = (np.repeat(x.ravel(), each) for x in np.meshgrid(*axes, indexing="ij"))
+    names = COLUMNS[kind]
+    v_n, v_t = speed * np.cos(np.radians(angle)), speed * np.sin(np.radians(angle))
+    columns = dict(zip(names, (v_n, v_t, spin, v_n, v_t, np.zeros(len(spin))), strict=True))
+    for name in names:
+        if name.startswith("v"):
+            columns[f"sigma_{name}"] = np.full(len(spin), shots.sigma_v)
+        elif shots.sigma_spin is not None:
+            columns[f"sigma_{name}"] = np.where(np.isnan(columns[name]), np.nan, shots.sigma_spin)
+    if shots.sigma_spin is None:
+        columns[names[5]] = np.full(len(spin), np.nan)
+    return make_rebounds(kind, columns, stage=shots.stage if kind == "table" else None, source="shots")
+
+
+def _joined(first: Problem, second: Problem) -> Problem:
+    """The rows of both. What rows of the first have wrong together is none of the second's errors."""
+    x, vx, y, vy = (
+        np.concatenate(pair)
+        for pair in ((first.x, second.x), (first.vx, second.vx), (first.y, second.y), (first.vy, second.vy))
+    )
+    stages = None if first.stages is None or second.stages is None else np.concatenate([first.stages, second.stages])
+    shared = tuple(replace(one, rows=np.pad(one.rows, ((0, len(second.x)), (0, 0)))) for one in first.shared)
+    measured = {
+        name: np.concatenate([first.rebounds[name], second.rebounds[name]]) for name in COLUMNS[first.rebounds.kind]
+    }
+    names = None if first.rebounds.stage is None else np.concatenate([first.rebounds.stage, second.rebounds.stage])
+    rebounds = replace(second.rebounds, columns=measured, sigma={}, stage=names, extra={}, rows=())
+    return replace(
+        second,
+        rebounds=rebounds,
+        x=x,
+        vx=vx,
+        y=y,
+        vy=vy,
+        stages=stages,
+        shared=shared,
+        spins=first.spins or second.spins,
+    )
