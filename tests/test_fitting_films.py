@@ -290,7 +290,16 @@ def test_a_film_says_it_as_far_as_the_page(tmp_path, monkeypatch, capsys):
     assert json.loads(out)["setting"]["floor_friction"] == 0.3
     assert "as the film says" not in err
     # which shot next, with a film of which nobody knows the sidespins
-    shots = ("design", "rebounds.csv", "--radius", str(RADIUS), "--laws", "two-step-after,mirror", "--contact-height", "1.2")
+    shots = (
+        "design",
+        "rebounds.csv",
+        "--radius",
+        str(RADIUS),
+        "--laws",
+        "two-step-after,mirror",
+        "--contact-height",
+        "1.2",
+    )
     code, out, err = command(capsys, *shots, "--sigma-v", "0.05", "--spins", "unknown", "--json")
     plan = json.loads(out)
     assert code == 0

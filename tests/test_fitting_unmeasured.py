@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -111,6 +112,22 @@ def test_where_the_law_is_straight_the_average_is_a_bell():
     c = np.square((rebounds["v_n_out"] - 0.8 * vn) / 0.02) + np.square(rebounds["v_t_out"] - middle) / variance
     assert deviance == pytest.approx(c + np.log(variance / 0.02**2), abs=1e-6)
     assert least == pytest.approx(c, abs=1e-6)  # chi^2 with the best spin, which its prior counts against
+
+
+@pytest.mark.parametrize("robust", [False, True])
+def test_what_slip_gives_back_and_what_spins_there_were_cannot_be_told_apart(robust):
+    """Of spins about a mean m, with a width w, a law with tangential restitution b does to angles what depends on (1 + b)(1 - m)
+    and (1 + b) w alone, where it sticks and where it slides: no error bar before the wall may say more."""
+    rebounds = bounces(8, 100, beta=0.2, blur=0.03, spin_seen=False)
+    problem, _ = make_problem(rebounds, replace(SETTING, robust=robust))
+    fit = replace(fit_law(law("sliding"), problem), law=law("contact"))
+
+    def deviance(b):
+        p = numbers(restitution=0.8, friction=0.2, tangential_restitution=b)
+        p[INDEX["spin_mean"]], p[INDEX["spin_width"]] = 1 - 0.7 * 1.2 / (1 + b), 0.4 * 1.2 / (1 + b)
+        return rows_of_fit(fit, problem, p)[0].sum()
+
+    assert [deviance(b) for b in (-0.6, -0.3, 0.0, 0.5, 0.9)] == pytest.approx([deviance(0.2)] * 5, abs=0.2)
 
 
 @pytest.mark.parametrize("robust", [False, True])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import replace
 
 import numpy as np
@@ -19,6 +20,7 @@ BLIND = 0.5  # a standard error of so much of a parameter's range, or of 1, tell
 FAR = (5.0, 50.0)  # error bars from the best place, where is looked whether the deviance has risen
 NO_RISE = 6.63  # of the deviance: 99 % of one number
 ONE_SIDE = 2.706  # 95 % of one number on one side
+MADE_UP = 25.0  # times as much would a number be told, were the others known: they make up for it
 SHARE = 0.3  # of a direction that the data do not tell: a parameter with more of it is concerned
 
 
@@ -47,6 +49,10 @@ def with_errors(fit: Fit, ways: Ways, parameters: list[Parameter], info: Array) 
             which = (np.abs(column) > SHARE) | (np.abs(column) * BLIND > np.maximum(3 * bars, 1e-3))
             concerned |= which
             sentences.append(_sentence(fit, [fit.names[i] for i in np.flatnonzero(which)]))
+        if fit.problem.spins is not None:
+            for together in _made_up(fit, ways, parameters, info, ranges, inside[~concerned[inside]]):
+                concerned[together] = True
+                sentences.append(_sentence(fit, [fit.names[i] for i in together]))
         untold = [fit.names[i] for i in np.flatnonzero(concerned)]
         inside = inside[~concerned[inside]]
     if len(inside):
@@ -111,6 +117,30 @@ def _directions(info: Array, ranges: Array) -> tuple[Array, Array, Array]:
     told = strength > 1 / BLIND**2
     good = direction[:, told] / np.sqrt(strength[told])
     return strength, direction, good @ good.T * np.outer(ranges, ranges)
+
+
+def _made_up(
+    fit: Fit, ways: Ways, parameters: list[Parameter], info: Array, ranges: Array, inside: NDArray[np.int64]
+) -> Iterator[list[int]]:
+    """Numbers that make up for each other, where spins are averaged over: a curvature that differs between creases may say that
+    they are told. So one that others make up for nearly is held five error bars away, and the others fitted anew."""
+    while len(inside):
+        block = info[np.ix_(inside, inside)]
+        bars = np.sqrt(np.diag(_directions(block, ranges[inside])[2]))
+        held = int(np.argmax(np.diag(block) * bars**2))
+        i, step = int(inside[held]), FAR[0] * float(bars[held])
+        if not block[held, held] * bars[held] ** 2 > MADE_UP:
+            return
+        place, best = ways.free[i], fit.numbers[ways.free[i]]
+        p = np.tile(fit.numbers, (2, 1))
+        p[:, place] = np.clip(best + step * np.array([-1, 1]), parameters[i].low, parameters[i].high)
+        found, deviance = refit(fit, fit.problem, p=p[np.abs(p[:, place] - best) > 0.8 * step], hold=fit.names[i])
+        if not len(found) or float(deviance.min()) - fit.deviance > NO_RISE:
+            return
+        moved = np.abs(found[int(np.argmin(deviance))] - fit.numbers)[ways.free[inside]] > bars
+        moved[held] = True
+        yield inside[moved].tolist()
+        inside = inside[~moved]
 
 
 def _flat(fit: Fit, name: str, place: int, parameter: Parameter, stderr: float) -> str:
