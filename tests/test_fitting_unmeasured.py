@@ -12,9 +12,11 @@ import pytest
 import carom
 from carom.fitting import Setting, fit_law, fit_laws, make_problem
 from carom.fitting.fit import refit, rows_of_fit
+from carom.fitting.kernels import CONTACT, planar
 from carom.fitting.laws import laws_named
 from carom.fitting.looks import look
 from carom.fitting.parameters import INDEX, PARAMETERS
+from carom.fitting.unmeasured import COLUMNS, SMALL, unmeasured_row
 from carom.fitting.ways import _rows, ways_of
 from carom.rebounds import make_rebounds
 
@@ -175,6 +177,33 @@ def test_scores_of_errors_that_all_rows_share_are_the_deviance_s_slopes(spin_see
         up, down = (look(rows, (p + sign * h * np.eye(len(p))[m])[None]).deviance.sum() for sign in (1, -1))
         scale = math.sqrt(1 + abs(seen.information[0, m, m]))
         assert seen.scores[0, m] / scale == pytest.approx((down - up) / (4 * h) / scale, abs=0.05), m
+
+
+def test_what_was_not_measured_asks_for_no_more_of_the_law():
+    asked = []
+
+    def counted(*given):
+        asked.append(given)
+        return planar(*given)
+
+    rebounds = bounces(3, 3, spin_seen=False)
+    problem, _ = make_problem(rebounds, SETTING)
+    p = numbers(restitution=0.8, friction=0.2, spin_mean=0.4, spin_width=0.35)
+    fitted = (np.zeros(0, int), np.zeros(len(p)), np.zeros((0, 3, 6)), np.zeros((0, len(p))))
+    count, found = len(problem.spins.places), []
+    for variance in (0.0, 1.0):  # of the spin after the wall, of which there is none
+        vy = problem.vy.copy()
+        vy[:, 2] = variance
+        desk = (np.zeros(2 * count), np.zeros((2 * count, 3)), np.zeros((3 * count, COLUMNS)), np.zeros((SMALL, 3, 3)),
+                np.zeros((3, 3)))  # fmt: skip
+        asked.clear()
+        row = unmeasured_row(
+            counted, CONTACT, 0, 0, 0, A, problem.spins, problem.x, problem.vx, problem.y, vy, 0.0, p, fitted, np.zeros(0),
+            np.zeros((0, 0)), desk,
+        )  # fmt: skip
+        found.append((len(asked), row))
+    assert found[0] == found[1]
+    assert found[0][0] < 1.5 * count
 
 
 def test_numbers_and_prior_come_back_and_the_true_law_wins():

@@ -234,6 +234,8 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
         q2, q1, q0 = z1 * z1, z0 * z1, z0 * z0
         l2, l1, l0 = q2, q1, q0
         for m in range(3):
+            if y[i, m] != y[i, m]:
+                continue
             t = 1 / vy[i, m]
             q2, q1, q0 = q2 + t * r[1, m] * r[1, m], q1 + t * r[0, m] * r[1, m], q0 + t * r[0, m] * r[0, m]
             if m < 2:
