@@ -16,7 +16,7 @@ from carom.fitting.kernels import CONTACT, planar
 from carom.fitting.laws import laws_named
 from carom.fitting.looks import look
 from carom.fitting.parameters import INDEX, PARAMETERS
-from carom.fitting.unmeasured import COLUMNS, SMALL, unmeasured_row
+from carom.fitting.unmeasured import COLUMNS, SMALL, _bend, unmeasured_row
 from carom.fitting.ways import _rows, ways_of
 from carom.rebounds import make_rebounds
 
@@ -177,6 +177,23 @@ def test_scores_of_errors_that_all_rows_share_are_the_deviance_s_slopes(spin_see
         up, down = (look(rows, (p + sign * h * np.eye(len(p))[m])[None]).deviance.sum() for sign in (1, -1))
         scale = math.sqrt(1 + abs(seen.information[0, m, m]))
         assert seen.scores[0, m] / scale == pytest.approx((down - up) / (4 * h) / scale, abs=0.05), m
+
+
+def test_a_bend_is_found_and_its_place_does_not_jump():
+    places, y, vy = np.arange(4.0), np.array([[0.0, math.nan, math.nan]]), np.array([[1.0, 0.0, 0.0]])
+
+    def bend(left, right, gap):
+        said = np.zeros((4, 3))
+        said[:, 0] = -left, 0, gap, gap + right
+        return _bend(y, vy, 0, places, said, 1, 4)
+
+    for at in (0.15, 0.5, 0.85):  # a slope of 1 up to there, of 3 from there on
+        assert bend(1.0, 3.0, at + 3 * (1 - at)) == pytest.approx(at)
+    # the lines meet outside, farther and farther away, are parallel, and meet on the other side
+    turns = np.linspace(-3, 3, 2001)
+    found = np.array([bend(1.0, 1.0 + turn, 2.0) for turn in turns])
+    assert np.abs(np.diff(found)).max() < 0.01
+    assert found[1000] == 0.5
 
 
 def test_what_was_not_measured_asks_for_no_more_of_the_law():

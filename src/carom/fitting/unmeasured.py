@@ -34,6 +34,7 @@ __all__ = ["COLUMNS", "SMALL", "Spins", "places_of_sigma", "unmeasured_row"]
 HOPELESS = 30.0  # a deviance so far above the least has no share: exp(-15)
 SHARE = 1e-5  # of a row's integral: stretches with less do not ask for slopes
 WIDER = 4.0  # no law magnifies an error in speed by more than its root
+WITHIN = 0.4  # of a stretch, from its middle: where a bend may be
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
 # of a stretch: its two places, the least of its exponent (4), its moments (3 by 5, from 5); in its middle what the law says and
 # slopes in v_n and v_t (last 9)
@@ -139,7 +140,11 @@ def _bend(y: Any, vy: Any, i: int, places: Any, said: Any, n: int, count: int) -
             gap, turn = said[n, m] - said[n + 1, m] + right, left - right
             top -= gap * turn / vy[i, m]
             bottom += turn * turn / vy[i, m]
-    return float(min(max(top / bottom, 0.1), 0.9)) if bottom > 0 else 0.5  # (not so where the law has no answer)
+    if not bottom > 0:  # (nor so where the law has no answer)
+        return 0.5
+    off = top / bottom - 0.5
+    # lines that meet outside show no bend here; as they come to be parallel the place comes to the middle, from either side
+    return float(0.5 + (off if abs(off) <= WITHIN else WITHIN * WITHIN / off))
 
 
 @kernel
