@@ -621,7 +621,7 @@ def test_a_shot_whose_spin_nobody_will_know_is_worth_what_many_such_shots_tell_o
         told.append(rows_of_fit(replace(fitted("sliding", bounces(1, 5)), law=law(name)), problem, p)[0])
     each = told[1] - told[0]
     error = each.std() / math.sqrt(len(each))
-    assert plan.gain[0, 0, 0] == pytest.approx(each.mean(), abs=4 * error + 0.15 * each.mean())
+    assert plan.gain[0, 0, 0] == pytest.approx(each.mean(), abs=4 * error + 0.02)
 
 
 def test_what_was_filmed_without_spins_counts_and_the_plan_goes_on_from_there():
@@ -631,7 +631,7 @@ def test_what_was_filmed_without_spins_counts_and_the_plan_goes_on_from_there():
         return 0.3 * 2.0 * rng.normal(size=len(v)) / A
 
     shots = Shots(speeds=(2, 2), spins=(-60, 60), sigma_v=0.03, counts=(15, 1, 5))
-    few, many = hit(40.0, spins, 3, 12), hit(40.0, spins, 3, 400)
+    few, many = hit(40.0, spins, 3, 8), hit(40.0, spins, 3, 200)
     plan = design("planar", setting, ("contact", "sliding"), shots, filmed=few)
     ranking = fit_laws(few, setting, ["contact", "sliding"], profiles=False, bootstrap=0)
     by_name = {one.fit.law.name: one.fit for one in ranking.ranked}

@@ -376,3 +376,21 @@ def test_rows_near_the_edge_are_as_likely_to_slide_as_they_are():
             )
             plain[k] -= 2 * math.log(float((far * np.exp(-c / 2)).sum()))
     assert found[1] - found[0] == pytest.approx(plain[1] - plain[0], abs=0.3)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_no_error_bar_is_given_to_what_unknown_spins_make_up_for(seed):
+    """(1 + b)(1 - m) and (1 + b) w are all that such rows tell: each of the three numbers goes along with the others."""
+    rebounds = bounces(30 + seed, 100, beta=0.2, blur=0.03, spin_seen=False)
+    fit = fit_laws(rebounds, SETTING, ["contact"], profiles=False, bootstrap=0).ranked[0].fit
+    for name in ("tangential_restitution", "spin_mean", "spin_width"):
+        assert fit.estimates[name].stderr is None, name
+    assert any("tangential_restitution" in sentence for sentence in fit.degenerate)
+    # a law that gives nothing back is told, and so are the spins under it
+    other = fit_laws(
+        bounces(30 + seed, 100, blur=0.03, spin_seen=False), SETTING, ["sliding"], profiles=False, bootstrap=0
+    )
+    for name, true in TRUTH.items():
+        estimate = other.ranked[0].fit.estimates[name]
+        if name != "friction" or estimate.stderr:
+            assert abs(estimate.value - true) < 4 * estimate.stderr, name

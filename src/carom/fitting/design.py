@@ -154,9 +154,8 @@ def design(
 
     rows = candidates(kind, setting, shots, true, numbers, already)
     problem, p, have = rows.problem, rows.truth, rows.have
-    price = len(parameters_of(other, problem)[0]) - len(parameters_of(true, problem)[0])
-    if have:  # both have been fitted to what was filmed: Akaike's own price
-        price *= 2
+    # (where both have been fitted to what was filmed, Akaike's own price)
+    price = (len(parameters_of(other, problem)[0]) - len(parameters_of(true, problem)[0])) * (2 if have else 1)
     target = 2 * math.log(odds) - price
     fit = fit_law(other, problem if already is None else already)
     # what the true law itself leaves of each row: nothing, but where a row was measured or its spin is unknown
@@ -166,6 +165,7 @@ def design(
     weights[:have] = 1
     best = start = fit.numbers[None].copy()
     order: list[int] = []
+    total = 0.0
 
     def lost(best: Array) -> tuple[Array, float]:
         """The other law fitted to what is planned so far: its numbers, and how much worse than the true one it is."""
@@ -176,10 +176,9 @@ def design(
         )
         return found[[int(np.argmin(deviances))]], float(deviances.min() - (weights * plain).sum() - owed)
 
-    total = so_far = 0.0
     if have:
         best, total = lost(best)
-        so_far = total
+    so_far = total
     while total < max(target, 1e-9) and len(order) < MOST:
         gain = rows.means(rows_of_fit(fit, problem, best[0])[0] - plain)
         new = int(np.argmax(gain))

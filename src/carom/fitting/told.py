@@ -20,7 +20,8 @@ BLIND = 0.5  # a standard error of so much of a parameter's range, or of 1, tell
 FAR = (5.0, 50.0)  # error bars from the best place, where is looked whether the deviance has risen
 NO_RISE = 6.63  # of the deviance: 99 % of one number
 ONE_SIDE = 2.706  # 95 % of one number on one side
-MADE_UP = 25.0  # times as much would a number be told, were the others known: they make up for it
+NEAR = 1.5  # error bars: a bound that is nearer is no place to look from
+MADE_UP = 2.0  # times as much would a number be told, were the others known: they make up for it
 SHARE = 0.3  # of a direction that the data do not tell: a parameter with more of it is concerned
 
 
@@ -45,25 +46,36 @@ def with_errors(fit: Fit, ways: Ways, parameters: list[Parameter], info: Array) 
         bars = np.sqrt(np.diag(inner)) / ranges
         concerned = np.zeros(k, bool)
         for column in direction[:, ~(strength > 1 / BLIND**2)].T:
-            # it goes along by its share, or by more than its own error bars
-            which = (np.abs(column) > SHARE) | (np.abs(column) * BLIND > np.maximum(3 * bars, 1e-3))
+            # it goes along by its share, or by more than its own error bar
+            which = (np.abs(column) > SHARE) | (np.abs(column) * BLIND > np.maximum(bars, 1e-3))
             concerned |= which
             sentences.append(_sentence(fit, [fit.names[i] for i in np.flatnonzero(which)]))
         if fit.problem.spins is not None:
+            for i in np.flatnonzero(concerned).tolist():
+                concerned |= _moved(fit, ways, parameters, i, BLIND * ranges[i], np.inf, bars * ranges)
             for together in _made_up(fit, ways, parameters, info, ranges, inside[~concerned[inside]]):
-                concerned[together] = True
-                sentences.append(_sentence(fit, [fit.names[i] for i in together]))
+                concerned |= together
+                sentences.append(_sentence(fit, [fit.names[i] for i in np.flatnonzero(together)]))
         untold = [fit.names[i] for i in np.flatnonzero(concerned)]
         inside = inside[~concerned[inside]]
     if len(inside):
         _strength, _direction, inner = _directions(info[np.ix_(inside, inside)], ranges[inside])
         covariance[np.ix_(inside, inside)] = inner
         for i in inside.tolist():
+            if fit.names[i] in untold:
+                continue
             flat = _flat(fit, fit.names[i], int(ways.free[i]), parameters[i], math.sqrt(covariance[i, i]))
             if flat:
-                untold.append(fit.names[i])
                 sentences.append(f"{fit.law.name}: {fit.names[i]}: {flat}")
-                covariance[i, :] = covariance[:, i] = np.nan
+                along = np.zeros(k, bool)
+                if fit.problem.spins is not None:
+                    own = np.sqrt(np.diag(covariance))
+                    along = _moved(fit, ways, parameters, i, BLIND * ranges[i], np.inf, np.nan_to_num(own, nan=np.inf))
+                along[i] = True
+                if along.sum() > 1:
+                    sentences[-1] = _sentence(fit, [fit.names[j] for j in np.flatnonzero(along)])
+                untold += [fit.names[j] for j in np.flatnonzero(along) if fit.names[j] not in untold]
+                covariance[along, :] = covariance[:, along] = np.nan
     estimates = {}
     for i, (name, parameter) in enumerate(zip(fit.names, parameters, strict=True)):
         if name in untold:
@@ -121,26 +133,44 @@ def _directions(info: Array, ranges: Array) -> tuple[Array, Array, Array]:
 
 def _made_up(
     fit: Fit, ways: Ways, parameters: list[Parameter], info: Array, ranges: Array, inside: NDArray[np.int64]
-) -> Iterator[list[int]]:
+) -> Iterator[NDArray[np.bool_]]:
     """Numbers that make up for each other, where spins are averaged over: a curvature that differs between creases may say that
-    they are told. So one that others make up for nearly is held five error bars away, and the others fitted anew."""
+    they are told. So the one that others make up for most is held five error bars away, and the others fitted anew."""
     while len(inside):
-        block = info[np.ix_(inside, inside)]
-        bars = np.sqrt(np.diag(_directions(block, ranges[inside])[2]))
-        held = int(np.argmax(np.diag(block) * bars**2))
-        i, step = int(inside[held]), FAR[0] * float(bars[held])
-        if not block[held, held] * bars[held] ** 2 > MADE_UP:
+        block, bars = info[np.ix_(inside, inside)], np.zeros(len(ranges))
+        bars[inside] = np.sqrt(np.diag(_directions(block, ranges[inside])[2]))
+        times = np.diag(block) * bars[inside] ** 2
+        i = int(inside[int(np.argmax(times))])
+        if times.max() < MADE_UP:
             return
-        place, best = ways.free[i], fit.numbers[ways.free[i]]
-        p = np.tile(fit.numbers, (2, 1))
-        p[:, place] = np.clip(best + step * np.array([-1, 1]), parameters[i].low, parameters[i].high)
-        found, deviance = refit(fit, fit.problem, p=p[np.abs(p[:, place] - best) > 0.8 * step], hold=fit.names[i])
-        if not len(found) or float(deviance.min()) - fit.deviance > NO_RISE:
+        together = _moved(fit, ways, parameters, i, FAR[0] * float(bars[i]), bars[i], bars)
+        together &= bars > 0
+        if not together.any():
             return
-        moved = np.abs(found[int(np.argmin(deviance))] - fit.numbers)[ways.free[inside]] > bars
-        moved[held] = True
-        yield inside[moved].tolist()
-        inside = inside[~moved]
+        yield together
+        inside = inside[~together[inside]]
+
+
+def _moved(
+    fit: Fit, ways: Ways, parameters: list[Parameter], i: int, step: float, bar: float, bars: Array
+) -> NDArray[np.bool_]:
+    """(k,) number i, and those that move by more than their error bars when it is held a step away and all are fitted anew; none
+    where the deviance rises by a quarter of what its own error bar says, or by 99 % if it has none."""
+    place = ways.free[i]
+    p = np.tile(fit.numbers, (2, 1))
+    p[:, place] = np.clip(p[:, place] + step * np.array([-1, 1]), parameters[i].low, parameters[i].high)
+    far = np.abs(p[:, place] - fit.numbers[place])
+    some = far > max(NEAR * bar if bar < np.inf else 0.0, step / 4)
+    none = np.zeros(len(bars), bool)
+    if not some.any():
+        return none
+    found, deviance = refit(fit, fit.problem, p=p[some], hold=fit.names[i])
+    short = deviance - fit.deviance - (np.square(far[some] / bar) / 4 if bar < np.inf else NO_RISE)
+    if not (short < 0).any():
+        return none
+    moved = np.abs(found[int(np.argmin(short))] - fit.numbers)[ways.free] > np.maximum(bars, 1e-9)
+    moved[i] = True
+    return moved  # type: ignore[no-any-return]
 
 
 def _flat(fit: Fit, name: str, place: int, parameter: Parameter, stderr: float) -> str:
