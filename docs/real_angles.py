@@ -26,13 +26,12 @@ from carom.rebounds import Rebounds, make_rebounds, read_rebounds
 
 IMAGES = Path(__file__).parent / "images"
 RADIUS, NOSE = 0.03075, 37 / 30.75
-CLOTH = 0.198  # measured on the same tracks (docs/real_rebounds.py)
 SLOWEST = 0.3  # m/s toward the cushion
 
 
 def ranked(rebounds: Rebounds, names: list[str] | None, **changes: object) -> Ranking:
     """All laws, and what there is to say."""
-    setting = Setting(radius=RADIUS, contact_height=NOSE, floor_friction=CLOTH, **changes)  # type: ignore[arg-type]
+    setting = Setting(radius=RADIUS, contact_height=NOSE, **changes)  # type: ignore[arg-type]
     start = time.process_time()
     ranking = fit_laws(rebounds, setting, names, profiles=False, bootstrap=0)
     print(f"\n{len(rebounds)} rebounds, {changes or 'as they are'}: {time.process_time() - start:.0f} s of processor")

@@ -19,16 +19,18 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.fitting.data import Problem, Setting, make_problem, require_settings
-from carom.fitting.fit import fit_law, parameters_of, refit, rows_of_fit
+from carom.fitting.fit import Fit, fit_law, parameters_of, refit, rows_of_fit
 from carom.fitting.laws import FittedLaw, laws_named
 from carom.fitting.parameters import INDEX, NUMBERS
-from carom.fitting.shot_rows import candidates
+from carom.fitting.shot_rows import Candidates, candidates
 from carom.rebounds import Kind, Rebounds
 
 __all__ = ["Plan", "Shot", "Shots", "design"]
 
 Array = NDArray[np.float64]
 MOST = 400  # shots
+UNSURE = 0.02  # nor does one by less than is known of it (shot_rows.py)
+AGAIN, FEW = 8, 20  # of shots of many rows only the best so far are looked at, and all of them now and then
 SAME = 1e-3  # a shot that tells laws apart by less of an error bar squared tells nothing
 
 
@@ -157,39 +159,10 @@ def design(
     # (where both have been fitted to what was filmed, Akaike's own price)
     price = (len(parameters_of(other, problem)[0]) - len(parameters_of(true, problem)[0])) * (2 if have else 1)
     target = 2 * math.log(odds) - price
-    fit = fit_law(other, problem if already is None else already)
+    fit = fit_law(other, rows.some if already is None else already)
     # what the true law itself leaves of each row: nothing, but where a row was measured or its spin is unknown
     plain = rows_of_fit(replace(fit, law=true), problem, p)[0]
-    owed = float(np.square(p[NUMBERS:]).sum())
-    weights = np.zeros(len(problem.x))
-    weights[:have] = 1
-    best = start = fit.numbers[None].copy()
-    order: list[int] = []
-    total = 0.0
-
-    def lost(best: Array) -> tuple[Array, float]:
-        """The other law fitted to what is planned so far: its numbers, and how much worse than the true one it is."""
-        some = np.flatnonzero(weights)
-        # from where it stood, and from where it began: its way down may have two ends
-        found, deviances = refit(
-            fit, problem.select(some), np.tile(weights[some], (2, 1)), np.concatenate([best, start])
-        )
-        return found[[int(np.argmin(deviances))]], float(deviances.min() - (weights * plain).sum() - owed)
-
-    if have:
-        best, total = lost(best)
-    so_far = total
-    while total < max(target, 1e-9) and len(order) < MOST:
-        gain = rows.means(rows_of_fit(fit, problem, best[0])[0] - plain)
-        new = int(np.argmax(gain))
-        if gain[new] < SAME:
-            break
-        weights[rows.of(new)] += 1 / rows.each
-        order.append(new)
-        best, total = lost(best)
-        if len(order) > 60 and total - so_far < len(order) * (target - so_far) / MOST:
-            break
-    gain = rows.means(rows_of_fit(fit, problem, best[0])[0] - plain)
+    order, best, gain, so_far, total = _search(fit, rows, plain, float(np.square(p[NUMBERS:]).sum()), target)
     count = len(order) if total >= target else None
     if count is None and total - so_far > SAME * len(order) and order:
         count = math.ceil(len(order) * (target - so_far) / (total - so_far))
@@ -209,6 +182,49 @@ def design(
         so_far + price if have else None,
     )
     return replace(plan, sentence=_sentence(plan, true, other))
+
+
+def _search(
+    fit: Fit, rows: Candidates, plain: Array, owed: float, target: float
+) -> tuple[list[int], Array, Array, float, float]:
+    """Shots in the order in which they are best added; the other law's numbers then, what one more of each would add, and what was
+    filmed tells, and all. ``plain``, ``owed``: what the true law leaves of each row, and of what rows share."""
+    problem, start = rows.problem, fit.numbers[None]
+    weights = np.zeros(len(problem.x))
+    weights[: rows.have] = 1
+
+    def lost(best: Array) -> tuple[Array, float]:
+        """The other law fitted to what is planned so far: its numbers, and how much worse than the true one it is."""
+        some = np.flatnonzero(weights)
+        # from where it stood, and from where it began: its way down may have two ends
+        found, deviances = refit(
+            fit, problem.select(some), np.tile(weights[some], (2, 1)), np.concatenate([best, start])
+        )
+        return found[[int(np.argmin(deviances))]], float(deviances.min() - (weights * plain).sum() - owed)
+
+    def worth(cells: NDArray[np.int64], best: Array) -> Array:
+        """What one more of these shots is expected to add."""
+        some = rows.of(cells)
+        left = rows_of_fit(fit, problem.select(some.ravel()), best[0])[0] - plain[some.ravel()]
+        return left.reshape(some.shape).mean(axis=1)  # type: ignore[no-any-return]
+
+    best, so_far = lost(start) if rows.have else (start, 0.0)
+    order: list[int] = []
+    total, cells, least = so_far, rows.cells, SAME if rows.each == 1 else UNSURE
+    while total < max(target, 1e-9) and len(order) < MOST:
+        if rows.each == 1 or len(order) % AGAIN == 0:
+            cells = rows.cells
+        gain = worth(cells, best)
+        new = int(np.argmax(gain))
+        if gain[new] < least:
+            break
+        order.append(int(cells[new]))
+        weights[rows.of(cells[[new]])] += 1 / rows.each
+        best, total = lost(best)
+        if len(order) > 60 and total - so_far < len(order) * (target - so_far) / MOST:
+            break
+        cells = cells[np.argsort(-gain, kind="stable")[:FEW]]
+    return order, best, worth(rows.cells, best), so_far, total
 
 
 def _require(shots: Shots, odds: float, laws: tuple[str, str]) -> None:

@@ -42,14 +42,19 @@ class Candidates:
     axes: tuple[Array, Array, Array]
     """Angles (degrees), speeds and spins, M in all; one spin, NaN, where nobody will know it."""
 
-    def means(self, by_row: Array) -> Array:
-        """(M,) of a number that each row has."""
-        return by_row[self.have :].reshape(-1, self.each).mean(axis=1)  # type: ignore[no-any-return]
+    @property
+    def cells(self) -> NDArray[np.int64]:
+        """(M,) the shots' numbers."""
+        return np.arange((len(self.problem.x) - self.have) // self.each)
 
-    def of(self, cell: int) -> slice:
-        """The rows of a shot."""
-        first = self.have + cell * self.each
-        return slice(first, first + self.each)
+    @property
+    def some(self) -> Problem:
+        """Few enough rows to begin a fit with."""
+        return self.problem.select(self.of(self.cells[:: max(self.each // 4, 1)]).ravel())
+
+    def of(self, cells: NDArray[np.int64]) -> NDArray[np.int64]:
+        """(m, K) the rows of some shots."""
+        return self.have + cells[:, None] * self.each + np.arange(self.each)
 
     def shot(self, cell: int, repeat: int, gain: float) -> Shot:
         """A shot as people plan it."""
