@@ -15,7 +15,7 @@ from carom.kernel import kernel
 
 __all__ = ["EVERY", "put_in_order"]
 
-EVERY = 8  # turns of the calendar: some 25 collisions a ball, in which it goes as far as it is wide
+EVERY = 8  # turns of the calendar: some 30 collisions a ball, in which it goes as far as it is wide
 
 
 @kernel

@@ -29,9 +29,9 @@ __all__ = ["Plan", "Shot", "Shots", "design"]
 
 Array = NDArray[np.float64]
 MOST = 400  # shots
-UNSURE = 0.02  # nor does one by less than is known of it (shot_rows.py)
 AGAIN, FEW = 8, 20  # of shots of many rows only the best so far are looked at, and all of them now and then
 SAME = 1e-3  # a shot that tells laws apart by less of an error bar squared tells nothing
+UNSURE = 0.02  # nor does one whose spin nobody will know by less than is known of its worth (shot_rows.py)
 
 
 @dataclass(frozen=True)
@@ -147,24 +147,30 @@ def design(
                 " columns; add them, or leave the file out"
             )
 
+    fitted = None
+    if already is not None:  # (numbers that are given are held)
+        _numbers(true, already, truth or {})
+        fitted = fit_law(true, replace(already, setting=replace(setting, fixed=setting.fixed | (truth or {}))))
+        if fitted.untold:
+            remarks.append(
+                f"{true.name}: the film does not tell {' and '.join(fitted.untold)}; taken where they fit best, as one of many"
+                " values: say what they are (--truth)"
+            )
+
     def numbers(problem: Problem) -> Array:
-        return (
-            fit_law(true, already).numbers
-            if already is not None and not truth
-            else _numbers(true, problem, truth or {})
-        )
+        return _numbers(true, problem, truth or {}) if fitted is None else fitted.numbers
 
     rows = candidates(kind, setting, shots, true, numbers, already)
     problem, p, have = rows.problem, rows.truth, rows.have
-    # (where both have been fitted to what was filmed, Akaike's own price)
+    # (of laws that are fitted to what was filmed, Akaike's own price)
     price = (len(parameters_of(other, problem)[0]) - len(parameters_of(true, problem)[0])) * (2 if have else 1)
     target = 2 * math.log(odds) - price
     fit = fit_law(other, rows.some if already is None else already)
     # what the true law itself leaves of each row: nothing, but where a row was measured or its spin is unknown
     plain = rows_of_fit(replace(fit, law=true), problem, p)[0]
-    order, best, gain, so_far, total = _search(fit, rows, plain, float(np.square(p[NUMBERS:]).sum()), target)
+    order, best, gain, so_far, total, over = _search(fit, rows, plain, float(np.square(p[NUMBERS:]).sum()), target)
     count = len(order) if total >= target else None
-    if count is None and total - so_far > SAME * len(order) and order:
+    if count is None and not over and total - so_far > SAME * len(order):
         count = math.ceil(len(order) * (target - so_far) / (total - so_far))
     planned = [rows.shot(cell, order.count(cell), float(gain[cell])) for cell in sorted(set(order), key=order.index)]
     plan = Plan(
@@ -178,7 +184,7 @@ def design(
         rows.axes,
         gain.reshape([len(x) for x in rows.axes]),
         "",
-        tuple(note for note in remarks if note.startswith("floor_friction")),
+        tuple(note for note in remarks if note.startswith(("floor_friction", "rows: only", f"{true.name}: the film"))),
         so_far + price if have else None,
     )
     return replace(plan, sentence=_sentence(plan, true, other))
@@ -186,9 +192,12 @@ def design(
 
 def _search(
     fit: Fit, rows: Candidates, plain: Array, owed: float, target: float
-) -> tuple[list[int], Array, Array, float, float]:
-    """Shots in the order in which they are best added; the other law's numbers then, what one more of each would add, and what was
-    filmed tells, and all. ``plain``, ``owed``: what the true law leaves of each row, and of what rows share."""
+) -> tuple[list[int], Array, Array, float, float, bool]:
+    """Shots in the order in which they are best added; the other law's numbers then, what one more of each would add, what was
+    filmed tells, and all; whether no shot tells more.
+
+    ``plain``, ``owed``: what the true law leaves of each row, and of what rows share.
+    """
     problem, start = rows.problem, fit.numbers[None]
     weights = np.zeros(len(problem.x))
     weights[: rows.have] = 1
@@ -211,20 +220,22 @@ def _search(
     best, so_far = lost(start) if rows.have else (start, 0.0)
     order: list[int] = []
     total, cells, least = so_far, rows.cells, SAME if rows.each == 1 else UNSURE
-    while total < max(target, 1e-9) and len(order) < MOST:
+    while total < (target if rows.have else max(target, 1e-9)) and len(order) < MOST:
         if rows.each == 1 or len(order) % AGAIN == 0:
             cells = rows.cells
         gain = worth(cells, best)
+        if gain.max() < least and len(cells) < len(rows.cells):
+            cells, gain = rows.cells, worth(rows.cells, best)
         new = int(np.argmax(gain))
         if gain[new] < least:
-            break
+            return order, best, worth(rows.cells, best), so_far, total, True
         order.append(int(cells[new]))
         weights[rows.of(cells[[new]])] += 1 / rows.each
         best, total = lost(best)
         if len(order) > 60 and total - so_far < len(order) * (target - so_far) / MOST:
             break
         cells = cells[np.argsort(-gain, kind="stable")[:FEW]]
-    return order, best, worth(rows.cells, best), so_far, total
+    return order, best, worth(rows.cells, best), so_far, total, False
 
 
 def _require(shots: Shots, odds: float, laws: tuple[str, str]) -> None:
@@ -295,4 +306,5 @@ def _sentence(plan: Plan, true: FittedLaw, other: FittedLaw) -> str:
     )
     many = f"{plan.count} {'more ' if film else ''}shot{'s' if plan.count != 1 else ''}"
     others = " and others" if len(plan.shots) > 6 else ""
+    others += ", with spins that nobody will know" if plan.shots and plan.shots[0].spin is None else ""
     return f"{film}If {true.name} is true, {many} for odds of {plan.odds:g} to 1 against {other.name}: {where}{others}."

@@ -48,11 +48,12 @@ def with_errors(fit: Fit, ways: Ways, parameters: list[Parameter], info: Array) 
         for column in direction[:, ~(strength > 1 / BLIND**2)].T:
             # it goes along by its share, or by more than its own error bar
             which = (np.abs(column) > SHARE) | (np.abs(column) * BLIND > np.maximum(bars, 1e-3))
+            if fit.problem.spins is not None:
+                i = int(np.argmax(np.abs(column)))
+                which |= _moved(fit, ways, parameters, i, BLIND * ranges[i], np.inf, bars * ranges)
             concerned |= which
             sentences.append(_sentence(fit, [fit.names[i] for i in np.flatnonzero(which)]))
         if fit.problem.spins is not None:
-            for i in np.flatnonzero(concerned).tolist():
-                concerned |= _moved(fit, ways, parameters, i, BLIND * ranges[i], np.inf, bars * ranges)
             for together in _made_up(fit, ways, parameters, info, ranges, inside[~concerned[inside]]):
                 concerned |= together
                 sentences.append(_sentence(fit, [fit.names[i] for i in np.flatnonzero(together)]))

@@ -263,17 +263,11 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
             made += 1
         used += 1
 
-    whole = (
-        0 * a
-    )  # S_nn; and so that deviances are of the size of chi^2, the variances that a mirror would leave along the wall
-    if blurred:
-        ask(law, code, form, stage, i, a, (v_n, v_t, v_t / a), size, vx, p, fitted, 2, 1, 0, 3, inner)
-        for m in range(6):
-            mid[m // 3, m % 3] = inner[1 + m // 3, m % 3]
-        precision(i, y, vx, vy, mid, 0, 2, s, q)
-        whole = s[0, 0]
-        for m in range(1, 3):
-            whole *= vy[i, m] + vx[i, m] if y[i, m] == y[i, m] else 1.0
+    # so that deviances are of the size of chi^2: the variances that a mirror would leave along the wall
+    side = 1 + 0 * a
+    for m in range(1, 3):
+        if y[i, m] == y[i, m]:
+            side *= vy[i, m] + vx[i, m]
 
     # Each stretch's integral
     least, best = math.inf, math.inf
@@ -298,7 +292,7 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
                 row[COLUMNS - 9 + m] = inner[m // 3, m % 3]
         _slopes(row, said, one, two, p[SPIN_MEAN] / ((places[two] - places[one]) * size), mid)
         precision(i, y, vx, vy, mid, 0, 2, s, q)
-        share = whole / _determinant(s) if blurred else 1 + 0 * a
+        share = side * s[0, 0] / _determinant(s) if blurred else 1 + 0 * a
         row[2] = math.sqrt(share) if 0 < share < math.inf else 1 + 0 * a
         c2, c1, c0 = _form(q, r[1], r[1]), _form(q, r[0], r[1]), _form(q, r[0], r[0])
         z0, z1 = (places[one] - mean) * bell, far * bell

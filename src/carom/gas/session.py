@@ -252,6 +252,8 @@ def _require(gas: State) -> None:
             raise KeyError(name)
         if name in kinds and gas[name].dtype != kinds[name]:
             raise TypeError(f"other records of {name!r}")
+    if not np.array_equal(np.sort(gas["numbers"]), np.arange(len(gas["motions"]))):
+        raise TypeError("the balls' numbers")
 
 
 def _patience(scene: GasScene, gas: Gas) -> float:

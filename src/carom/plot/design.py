@@ -42,7 +42,10 @@ def plot_design(plan: Plan) -> Any:
                     axes.plot(shot.angle_deg, shot.gain, "o", color="#D55E00", ms=5, zorder=3, clip_on=False)
                 axes.set(ylabel="one more shot adds to 2 log odds", ylim=(0, None))
             axes.set_xlabel("incidence from the wall's normal, degrees")
-        need = f"{plan.count} shots for {plan.odds:g} to 1" if plan.count else "no number of shots is enough"
+        more = "more " if plan.filmed is not None else ""
+        need = f"{plan.count} {more}shots for {plan.odds:g} to 1" if plan.count else "no more shots are needed"
+        if plan.count is None:
+            need = "no number of shots is enough"
         figure.suptitle(
             f"{plan.laws[0]} (true) against {plan.laws[1]}: {need}; circles: the shots to film", fontsize=9, color=INK
         )
