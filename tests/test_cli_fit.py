@@ -199,6 +199,7 @@ def test_design_refuses_what_it_would_not_read(here, monkeypatch, capsys):
         "--floor-friction",
     ]
     file = write(here / "bounces.csv", bounces(1, 20))
+    assert "or unknown, got 'unkown'" in run(monkeypatch, capsys, "design", "--spins", "unkown")[2]
     code, out, err = run(monkeypatch, capsys, "design", str(file), "--kind", "table")
     assert (code, out) == (2, "")
     assert "--kind: expected planar" in err

@@ -127,7 +127,8 @@ def _range(option: str, text: str) -> tuple[float, float]:
     try:
         return float(low), float(high if colon else low)
     except ValueError:
-        raise CaromError(f"{option}: expected LOW:HIGH, such as 5:75, got {text!r}") from None
+        such = "0:0, or unknown" if option == "--spins" else "5:75"
+        raise CaromError(f"{option}: expected LOW:HIGH, such as {such}, got {text!r}") from None
 
 
 def _show(plan: Any) -> None:
