@@ -219,3 +219,70 @@ def test_unknown_law_names_the_nearest():
 
     refused(lambda: law_named("twostep"), "two-step")
     refused(lambda: law_named("nonsense"), "mirror")
+
+
+def readers():
+    """Everything public that takes a file's name."""
+    from carom import datasets, gas, predict
+    from carom.law import law_named
+    from carom.plot import save
+    from carom.rebounds import make_rebounds, read_rebounds
+    from carom.tracks.read import read_tracks
+
+    table = datasets.load("tt_rackets")
+    rebounds = make_rebounds("planar", {"v_n_in": 1.0, "v_n_out": 0.9})
+    settings = predict.Settings(law=law_named("mirror"))
+    return {
+        "load_scene": carom.load_scene,
+        "load_trajectory": carom.load_trajectory,
+        "load_gas": gas.load_gas,
+        "load_checkpoint": gas.load_checkpoint,
+        "read_rebounds": read_rebounds,
+        "read_tracks": read_tracks,
+        "predict_table": lambda path: predict.predict_table(path, None, settings),
+        "Dataset.to_csv": table.to_csv,
+        "Rebounds.save": rebounds.save,
+        "plot": lambda path: save(None, path),
+    }
+
+
+@pytest.mark.parametrize("name", list(readers()))
+@pytest.mark.parametrize("value", [3, None, b"x", ["a"], "a\0b"])
+def test_what_is_no_name_of_a_file(name, value):
+    refused(lambda: readers()[name](value), f"{name}: path: expected a file's name")
+
+
+@pytest.mark.parametrize("name", list(readers()))
+def test_a_folder_is_no_file(name, tmp_path):
+    with pytest.raises(carom.CaromError, match="expected"):
+        readers()[name](tmp_path)
+
+
+@pytest.mark.parametrize("value", [3, None, ["a"], b"mirror"])
+def test_what_is_no_name(value):
+    from carom import datasets
+    from carom.cards import card_named
+    from carom.law import law_named
+    from carom.own_law import find_law
+
+    for verb in (datasets.load, find_law, law_named, card_named, lambda name: carom.compare(laws=[name])):
+        refused(lambda verb=verb: verb(value), "name: expected a str")
+    refused(lambda: carom.compare(value), "compare: meeting") if value else None
+
+
+@pytest.mark.parametrize("value", ["x", [0.1], b"x", 1j])
+def test_settings_of_fits_that_are_no_numbers(value):
+    from carom.fitting import Setting
+    from carom.fitting.data import require_settings
+    from carom.fitting.whole_laws import WholeSetting
+
+    names = ("kappa", "contact_height", "floor_restitution", "floor_friction", "roll", "spin_width", "spin_mean")
+    given = dict.fromkeys(names, value)
+    text = refused(
+        lambda: require_settings(Setting(radius=value, **given, fixed={"friction": value})), "radius: ", "fix"
+    )
+    assert len(text.splitlines()) == 9
+    refused(lambda: require_settings(Setting(radius=0.02, fit=3, fixed=3, bounds=3)), "fit: ", "fixed: ", "bounds: ")
+    refused(lambda: require_settings(value), "fit: setting: expected a Setting")
+    given = dict.fromkeys(("kappa", "noise", "cushions", "spin_width"), value)
+    assert len(refused(WholeSetting(radius=value, **given).check, "cushions: ").splitlines()) == 5

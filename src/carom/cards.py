@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from carom.checks import meant
+from carom.checks import expect, meant
 from carom.errors import CaromError
 from carom.law import LAWS
 from carom.laws.card import Card
@@ -16,6 +16,7 @@ CARDS: dict[str, Card] = {card.name: card for card in (*(law.card for law in LAW
 
 def card_named(name: str) -> Card:
     """The card of a law by name; CaromError with the nearest name where there is none."""
+    expect("card_named", "name", name, str)
     if name not in CARDS:
         raise CaromError(f"law: expected one of {', '.join(CARDS)}, got {name!r}{meant(name, list(CARDS))}")
     return CARDS[name]

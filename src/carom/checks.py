@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from difflib import get_close_matches
+from numbers import Real
 from typing import Any
 
 import numpy as np
@@ -20,6 +22,7 @@ __all__ = [
     "meant",
     "nearest",
     "number",
+    "real",
     "require_shapes",
     "within",
 ]
@@ -102,6 +105,11 @@ def number(
     return float(array) if array.ndim == 0 else array
 
 
+def real(value: Any) -> float:
+    """A single number as a float; NaN, which holds for nothing, for what is none."""
+    return float(value) if isinstance(value, Real) else math.nan
+
+
 def within(expected: str, value: float) -> str:
     """What is expected; for a number that is only too large, how large it may be."""
     return f"{expected}, at most {LARGEST:g} in size" if LARGEST < abs(value) < np.inf else expected
@@ -133,7 +141,7 @@ def nearest(name: str, names: list[str]) -> str:
 
 def meant(name: str, names: list[str]) -> str:
     """``"; did you mean 'X'?"`` for a name that is close to a known one, else nothing: for a line that has listed them."""
-    close = get_close_matches(name, names, n=1, cutoff=0.5)
+    close = get_close_matches(str(name), names, n=1, cutoff=0.5)
     return f"; did you mean {close[0]!r}?" if close else ""
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from carom.ball import Ball
-from carom.checks import LARGEST, Faults, number
+from carom.checks import LARGEST, Faults, expect, number
 from carom.errors import CaromError
 from carom.law import LAWS, Answer, Law, Meeting, law_named
 from carom.laws.maw import LIKE_SOLIDS
@@ -245,13 +245,14 @@ def compare(meeting: Meeting | None = None, laws: Iterable[str | Law] | None = N
     more than one ball.
     """
     m = incoming() if meeting is None else meeting
+    expect("compare", "meeting", m, Meeting)
     parts = [m.ball.radius, m.ball.mass, m.ball.kappa, m.height, *vars(m.wall).values(), *vars(m.floor).values()]
     if m.state.shape or m.normal.ndim != 1 or any(np.ndim(x) for x in parts):
         raise CaromError("compare: expected one ball and one wall, got arrays; a law by itself takes arrays")
     require_approach(m.ball, m.state, m.normal)
     if laws is None:
         laws = [name for name in LAWS if name != "contact" or m.height > 0 or m.ball.planar]
-    asked = [law_named(law) if isinstance(law, str) else law for law in laws]
+    asked = [law if isinstance(law, Law) else law_named(law) for law in laws]
     angle = math.degrees(angle_from(m.normal, m.state, incoming=True))
     once = {law.name: law for law in asked}  # a law named twice is asked once
     return Comparison(m, angle, tuple(_verdict(law, m) for law in once.values()))

@@ -12,7 +12,7 @@ from typing import Any
 
 from carom.errors import CaromError
 
-__all__ = ["library", "require_place", "try_place", "whole"]
+__all__ = ["library", "path_of", "require_place", "try_place", "whole"]
 
 
 def library(name: str, extra: str, what: str) -> Any:
@@ -23,6 +23,16 @@ def library(name: str, extra: str, what: str) -> Any:
         raise CaromError(
             f"{what}: needs {name}, which is not installed; run: pip install {name} (or install carom's extra {extra!r})"
         ) from None
+
+
+def path_of(where: str, value: Any) -> Path:
+    """The Path of a file's name; CaromError, naming the function that was asked, where it is none."""
+    if not isinstance(value, str | os.PathLike):
+        got = f"{type(value).__name__} {value!r:.60}"
+        raise CaromError(f"{where}: path: expected a file's name, as str or Path, got {got}; give the file's name")
+    if "\0" in os.fsdecode(value):
+        raise CaromError(f"{where}: path: expected a file's name, got {value!r:.60}, with a zero byte; leave that out")
+    return Path(os.fsdecode(value))
 
 
 def require_place(path: Path, kinds: tuple[str, ...]) -> None:

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.ball import Ball
-from carom.checks import meant
+from carom.checks import expect, meant
 from carom.errors import CaromError
 from carom.kernel import Vec
 from carom.laws.card import Card
@@ -394,6 +394,7 @@ LAWS: dict[str, Law] = {
 
 def law_named(name: str) -> Law:
     """A law by its name; CaromError with the nearest name where there is none."""
+    expect("law_named", "name", name, str)
     if name not in LAWS:
         raise CaromError(f"law: expected one of {', '.join(LAWS)}, got {name!r}{meant(name, list(LAWS))}")
     return LAWS[name]

@@ -10,7 +10,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-from carom.checks import nearest
+from carom.checks import expect, nearest
 from carom.errors import CaromError
 from carom.kernel import kernel
 from carom.law import Answer, Law, Meeting, WallKernel, law_named, wall_law
@@ -26,6 +26,7 @@ def find_law(name: str) -> Law:
 
     Raises CaromError for an unknown name, with the nearest one; for a file that does not run, or has no such thing.
     """
+    expect("find_law", "name", name, str)
     file, colon, what = name.rpartition(":")
     if not colon or not file.endswith(".py"):
         if name.endswith(".py"):

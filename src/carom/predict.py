@@ -14,6 +14,7 @@ from typing import Any
 
 from carom.checks import nearest
 from carom.errors import CaromError
+from carom.files import path_of
 from carom.tables.output import whole_file
 from carom.tables.plan import Settings, SpinRule, make_plan
 from carom.tables.rows import answer_rows
@@ -83,8 +84,8 @@ def predict_table(
     ------
     CaromError where the table cannot be read at all, and with ``strict`` for rows without an answer.
     """
-    source = Path(table)
-    target = None if out is None else Path(out)
+    source = path_of("predict_table", table)
+    target = None if out is None else path_of("predict_table", out)
     started = time.perf_counter()
     with _open(source, target) as rows:
         plan = make_plan(rows.headers, settings)

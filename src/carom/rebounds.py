@@ -24,6 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.checks import LARGEST, nearest
 from carom.errors import CaromError
+from carom.files import path_of
 from carom.tables.output import whole_file
 from carom.tables.text import CsvTable
 from carom.tables.units import BRACKETS, UNITS, Words, written
@@ -126,7 +127,7 @@ class Rebounds:
 
     def save(self, path: str | Path) -> Path:
         """Write a CSV file, or Parquet if the name ends with .parquet; whole or not at all. Numbers in full, SI."""
-        path = Path(path)
+        path = path_of("Rebounds.save", path)
         columns = self.flat()
         with whole_file(path) as file:
             if path.suffix.lower() in (".parquet", ".pq"):
@@ -302,7 +303,7 @@ def read_rebounds(path: str | Path, *, kind: Kind | None = None, stage: str | No
     needs ``kind``. ``stage`` is for all rows of a file without that column. Columns with other names are kept as ``extra``.
     Raises CaromError with all faults of the file.
     """
-    path = Path(path)
+    path = path_of("read_rebounds", path)
     if not path.is_file():
         raise CaromError(f"{path}: expected a table of rebounds, got {'a folder' if path.is_dir() else 'no such file'}")
     faults: list[str] = []

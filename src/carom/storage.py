@@ -18,7 +18,7 @@ from pydantic import ValidationError
 
 from carom.engine.arrays import KINDS, LOG
 from carom.errors import CaromError
-from carom.files import library, require_place, whole
+from carom.files import library, path_of, require_place, whole
 from carom.law import Law
 from carom.motion.phases import PHASES
 from carom.scene.faults import told
@@ -144,7 +144,7 @@ def load_trajectory(path: str | Path) -> Trajectory:
 
     Raises CaromError, one line, for a file that is missing, damaged, of another kind, or of a newer format.
     """
-    path = Path(path)
+    path = path_of("load_trajectory", path)
     if path.suffix.lower() not in KINDS_OF_FILE:
         raise CaromError(f"{path}: expected a name that ends with {' or '.join(KINDS_OF_FILE)}, got {path.suffix!r}")
     try:

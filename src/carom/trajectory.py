@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from carom.engine.arrays import BALL, KINDS, PHASE, START, WALL
 from carom.engine.setup import set_up
 from carom.errors import CaromError
+from carom.files import path_of
 from carom.motion.phases import PHASES
 from carom.path import orientations, states
 from carom.scene.model import Scene
@@ -315,7 +316,7 @@ class Trajectory:
         """Write the run to a .parquet or .nc file; :func:`carom.load_trajectory` gives back the same bits."""
         from carom.storage import save
 
-        return save(self, Path(path))
+        return save(self, path_of("Trajectory.save", path))
 
     def plot(self, file: str | Path | None = None, **options: Any) -> Any:
         """Draw the run from above, from the side, and its energy over time: a Matplotlib figure, written if named."""
@@ -327,7 +328,7 @@ class Trajectory:
         """Write an animation: .mp4, .gif, or a self-contained .html page."""
         from carom.plot.animation import animate
 
-        return animate(self, Path(file), **options)
+        return animate(self, path_of("Trajectory.animate", file), **options)
 
     def __repr__(self) -> str:
         """One line."""

@@ -11,10 +11,10 @@ from typing import Any
 
 import numpy as np
 
-from carom.checks import meant
+from carom.checks import expect, meant
 from carom.datasets.sources import SOURCES
 from carom.errors import CaromError
-from carom.files import whole
+from carom.files import path_of, whole
 
 __all__ = ["Dataset", "load", "names"]
 
@@ -42,9 +42,10 @@ class Dataset:
 
     def to_csv(self, path: str | Path) -> Path:
         """Write the table as it is to a new file, and return its path; CaromError where it cannot be written."""
-        with whole(Path(path)) as part:
+        path = path_of("Dataset.to_csv", path)
+        with whole(path) as part:
             shutil.copyfile(self.path, part)
-        return Path(path)
+        return path
 
 
 def _column(cells: list[str]) -> Any:
@@ -61,6 +62,7 @@ def names() -> list[str]:
 
 def load(name: str) -> Dataset:
     """A table by its name; CaromError with the nearest name where there is none."""
+    expect("datasets.load", "name", name, str)
     if name not in SOURCES:
         raise CaromError(f"dataset: expected one of {', '.join(SOURCES)}, got {name!r}{meant(name, names())}")
     source = SOURCES[name]

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.checks import expect, real
 from carom.errors import CaromError
 from carom.fitting.parameters import FORMS, PARAMETERS
 from carom.fitting.unmeasured import Spins, places_of_sigma
@@ -60,39 +62,49 @@ class Setting:
 def table_faults(radius: float, contact_height: float, floor_restitution: float) -> list[str]:
     """What is wrong with the numbers of ball and table that rebounds and whole tracks both need, a line a fault."""
     faults = []
-    if not 0 < radius < 10:
+    if not 0 < real(radius) < 10:
         faults.append(f"radius: expected the ball's radius in m, above 0, got {radius!r}")
-    if not 1 <= contact_height < 2:
+    if not 1 <= real(contact_height) < 2:
         faults.append(f"contact_height: expected 1 (level with the centre) to 2, in radii, got {contact_height!r}")
-    if not 0 <= floor_restitution <= 1:
+    if not 0 <= real(floor_restitution) <= 1:
         faults.append(f"floor_restitution: expected 0 to 1, got {floor_restitution!r}")
     return faults
 
 
 def require_settings(setting: Setting) -> None:
     """CaromError where the setting cannot be, with all its faults."""
+    expect("fit", "setting", setting, Setting)
     faults = table_faults(setting.radius, setting.contact_height, setting.floor_restitution)
-    if not 0 < setting.kappa <= 1:
+    if not 0 < real(setting.kappa) <= 1:
         faults.append(f"inertia: expected solid, hollow or kappa = I/(m a^2) above 0, up to 1, got {setting.kappa!r}")
-    if setting.restitution not in FORMS:
+    if str(setting.restitution) not in FORMS:
         faults.append(f"restitution: expected one of {', '.join(FORMS)}, got {setting.restitution!r}")
     for name, value in (("floor_friction", setting.floor_friction), ("roll", setting.roll)):
-        if value is not None and not 0 <= value < math.inf:
+        if value is not None and not 0 <= real(value) < math.inf:
             faults.append(f"{name}: expected a number of at least 0, got {value!r}")
     limits = {p.name: p for p in (*PARAMETERS, *(p for form in FORMS.values() for p in form.parameters))}
-    for name, value in setting.fixed.items():
-        if name in limits and not limits[name].low <= value <= limits[name].high:
-            faults.append(f"fix: {name}: expected {limits[name].low:g} to {limits[name].high:g}, got {value:g}")
+    kinds = {"fit": tuple | list, "fixed": Mapping, "bounds": Mapping}
+    wrong = [name for name, kind in kinds.items() if not isinstance(getattr(setting, name), kind)]
+    for name in wrong:
+        words = "a tuple of names" if name == "fit" else "a mapping of names"
+        faults.append(f"{name}: expected {words}, got {getattr(setting, name)!r:.60}")
+    for name, value in () if "fixed" in wrong else setting.fixed.items():
+        if name in limits and not limits[name].low <= real(value) <= limits[name].high:
+            faults.append(f"fix: {name}: expected {limits[name].low:g} to {limits[name].high:g}, got {value!r}")
     if setting.spin_prior not in ("uniform", "normal"):
         faults.append(f"spin_prior: expected uniform or normal, got {setting.spin_prior!r}")
     if setting.spin_prior == "uniform" and setting.spin_width is None:
         faults.append("spin_width: expected a width in v/a for a uniform prior, got none; a normal one's can be fitted")
-    if setting.spin_width is not None and not 0 < setting.spin_width <= MOST_WIDTH:
+    if setting.spin_width is not None and not 0 < real(setting.spin_width) <= MOST_WIDTH:
         faults.append(f"spin_width: expected a width above 0, up to {MOST_WIDTH:g} v/a, got {setting.spin_width!r}")
-    if setting.spin_mean is not None and not abs(setting.spin_mean) <= MOST_WIDTH:
+    if setting.spin_mean is not None and not abs(real(setting.spin_mean)) <= MOST_WIDTH:
         faults.append(f"spin_mean: expected {-MOST_WIDTH:g} to {MOST_WIDTH:g} v_t/a, got {setting.spin_mean!r}")
     extra = ("kappa", "contact_height", "floor_friction", "roll")
-    faults += [f"fit: expected one of {', '.join(extra)}, got {name!r}" for name in setting.fit if name not in extra]
+    faults += [
+        f"fit: expected one of {', '.join(extra)}, got {name!r}"
+        for name in (() if "fit" in wrong else setting.fit)
+        if name not in extra
+    ]
     if faults:
         raise CaromError(*faults)
 

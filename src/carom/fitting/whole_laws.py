@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
+from carom.checks import real
 from carom.errors import CaromError
 from carom.fitting.data import table_faults
 from carom.fitting.laws import FittedLaw, laws_named
@@ -70,16 +71,16 @@ class WholeSetting:
     def check(self) -> None:
         """CaromError, a line a fault."""
         faults = table_faults(self.radius, self.contact_height, self.floor_restitution)
-        if not 0 < self.kappa <= 2 / 3 * (1 + 1e-12):
+        if not 0 < real(self.kappa) <= 2 / 3 * (1 + 1e-12):
             faults.append(f"inertia: expected solid, hollow or kappa in (0, 2/3], got {self.kappa!r}")
-        if self.noise is not None and not 0 < self.noise < 1:
+        if self.noise is not None and not 0 < real(self.noise) < 1:
             faults.append(f"noise: expected a length above 0 (m), got {self.noise!r}")
-        if self.restitution not in FORMS or self.restitution == "line":
+        if str(self.restitution) not in FORMS or self.restitution == "line":
             forms = ", ".join(name for name in FORMS if name != "line")
             faults.append(f"restitution: expected one of {forms} for whole tracks, got {self.restitution!r}")
-        if self.cushions < 1:
+        if not real(self.cushions) >= 1:
             faults.append(f"cushions: expected a whole number of contacts, 1 or more, got {self.cushions!r}")
-        if not self.spin_width > 0:
+        if not real(self.spin_width) > 0:
             faults.append(f"spin_width: expected a width above 0 (v/a), got {self.spin_width!r}")
         allowed = {"spin_loss"}
         faults += [f"fit: expected one of {', '.join(sorted(allowed))} for whole tracks, got {name!r}"

@@ -19,6 +19,7 @@ import numpy as np
 from pydantic import ValidationError
 
 from carom.errors import CaromError
+from carom.files import path_of
 from carom.gas.model import GasScene
 from carom.gas.session import Session
 from carom.scene.faults import told
@@ -32,7 +33,7 @@ FREE = ("max_events", "duration")
 
 def save_checkpoint(session: Session, path: str | Path) -> None:
     """Write where a session is. CaromError where the file cannot be written; the one before then stays as it is."""
-    path = Path(path)
+    path = path_of("save_checkpoint", path)
     about = {"format": FORMAT, "carom": version("carom"), "scene": session.scene.model_dump(mode="json")}
     part = path.with_name(f".{path.name}.part")
     try:
@@ -66,7 +67,7 @@ def load_checkpoint(
     the loop that goes on with it is compiled. Raises CaromError, one line, for a file that is missing, not whole, no
     checkpoint, of a newer carom, or of another scene.
     """
-    path = Path(path)
+    path = path_of("load_checkpoint", path)
     about, state = _read(path)
     if about["format"] != FORMAT:
         raise CaromError(

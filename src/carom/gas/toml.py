@@ -8,6 +8,7 @@ from pathlib import Path
 from pydantic import ValidationError
 
 from carom.errors import CaromError
+from carom.files import path_of
 from carom.gas.model import GasScene
 from carom.scene.faults import told
 from carom.scene.toml import read_toml
@@ -20,7 +21,7 @@ def load_gas(path: str | Path) -> GasScene:
 
     Raises CaromError with one line a fault, all at once: where, what was expected, what came, what to do.
     """
-    path = Path(path)
+    path = path_of("load_gas", path)
     table = read_toml(path, f"carom scene new --gas {path}")
     if strange := sorted({"balls", "walls", "floor"} & set(table)):
         got = " and ".join(strange)

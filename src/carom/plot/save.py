@@ -10,7 +10,7 @@ from typing import Any
 
 from carom.checks import nearest
 from carom.errors import CaromError
-from carom.files import try_place
+from carom.files import path_of, try_place
 
 __all__ = ["require_matplotlib", "require_writable", "save", "style"]
 
@@ -30,7 +30,7 @@ def require_matplotlib() -> None:
 
 def require_writable(path: str | os.PathLike[str]) -> None:
     """CaromError where a picture cannot be written: an unknown kind, no such folder, no leave to write there."""
-    path = Path(path)
+    path = path_of("plot", path)
     kind = path.suffix.lower().removeprefix(".")
     if kind not in METADATA:
         kinds = [f".{name}" for name in METADATA]

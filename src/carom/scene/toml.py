@@ -11,6 +11,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from carom.errors import CaromError
+from carom.files import path_of
 from carom.scene.faults import told
 from carom.scene.model import Scene
 
@@ -23,7 +24,7 @@ def load_scene(path: str | Path) -> Scene:
     A law of the user's own, ``law = "file.py:name"``, is looked for beside the file. Raises CaromError with one line a
     fault, all at once: where, what was expected, what came, what to do.
     """
-    path = Path(path)
+    path = path_of("load_scene", path)
     table = read_toml(path, f"carom scene new {path}")
     if strange := sorted({"container", "species"} & set(table)):
         raise CaromError(

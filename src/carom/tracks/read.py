@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from carom.checks import nearest
 from carom.errors import CaromError
+from carom.files import path_of
 from carom.tracks.formats import carom_table, columns, deeplabcut, kinovea, tracker, trackpy
 from carom.tracks.formats.sheet import Given, decoded
 from carom.tracks.track import Track
@@ -58,7 +59,7 @@ def read_tracks(path: str | Path, format: str | None = None, given: Given | None
     frame rate. Raises CaromError, a line a fault: a file of no known format, cells that are no numbers, a time that runs
     backwards, and by name what is missing.
     """
-    path, given = Path(path), given or Given()
+    path, given = path_of("read_tracks", path), given or Given()
     _check(given)
     if path.is_dir():
         raise CaromError(f"{path}: expected a track file, got a folder")
