@@ -205,6 +205,77 @@ def test_design_refuses_what_it_would_not_read(here, monkeypatch, capsys):
     assert "--kind: expected planar" in err
 
 
+def test_design_tells_all_faults_of_words_and_numbers_at_once(here, monkeypatch, capsys):
+    words = (
+        "no.csv",
+        "--laws",
+        "contact,slidng",
+        "--angles",
+        "low:high",
+        "--kind",
+        "flat",
+        "--inertia",
+        "x",
+        "--radius",
+        "-3",
+    )
+    numbers = (
+        "--truth",
+        "friction=9",
+        "--sigma-v",
+        "-1",
+        "--sigma-spin",
+        "0",
+        "--odds",
+        "0",
+        "--stage",
+        "q",
+        "--speeds",
+        "3:1",
+    )
+    code, out, err = run(monkeypatch, capsys, "design", *words, *numbers)
+    assert (code, out) == (2, "")
+    said = [line.removeprefix("carom: ").split(": expected")[0] for line in err.splitlines()]
+    assert said == ["--inertia", "--angles", "--kind", "no.csv", "radius", "speeds", "sigma_v", "sigma_spin", "stage", "odds",
+                    "law", "truth: friction"]  # fmt: skip
+    assert "got 'slidng'; did you mean 'sliding'?" in err
+
+
+def test_design_says_whose_error_bars_are_missing(here, monkeypatch, capsys):
+    columns = {name: column for name, column in bounces(1, 20).items() if not name.startswith("sigma")}
+    for without in ((), ("spin_in",)):  # spins that nobody measured have a message of their own in fits
+        file = write(here / "bounces.csv", {name: column for name, column in columns.items() if name not in without})
+        code, out, err = run(monkeypatch, capsys, "design", str(file), "--laws", "contact,sliding", "--radius", "0.02")
+        assert (code, out, len(err.splitlines())) == (2, "", 1)
+        assert "sigma_v_n_out, sigma_v_t_out, sigma_spin_out: expected error bars of what was filmed" in err
+        assert "--sigma-v and --sigma-spin are of shots to come" in err
+
+
+def test_fit_tells_misspelt_laws_with_all_other_faults(here, monkeypatch, capsys):
+    options = (
+        "--laws",
+        "slidng,mww",
+        "--view",
+        "top",
+        "--stage",
+        "q",
+        "--kind",
+        "flat",
+        "--bootstrap",
+        "1",
+        "--inertia",
+        "x",
+    )
+    code, out, err = run(monkeypatch, capsys, "fit", "no.csv", *options)
+    assert (code, out) == (2, "")
+    said = [line.removeprefix("carom: ").split(": expected")[0] for line in err.splitlines()]
+    assert said == ["--inertia", "--laws", "--laws", "--view", "--kind", "--stage", "--bootstrap", "--radius", "no.csv"]
+    code, out, err = run(monkeypatch, capsys, "fit", "no.csv", "--whole", "--laws", "slidng,stronge", "--cushions", "0")
+    assert [line.split()[1] for line in err.splitlines()] == ["--laws:", "--radius:", "cushions:"]
+    assert "slidng" in err
+    assert "'stronge'" not in err
+
+
 @pytest.mark.parametrize(
     ("words", "said"),
     [
@@ -215,6 +286,10 @@ def test_design_refuses_what_it_would_not_read(here, monkeypatch, capsys):
         (("--roll", "0.5"), "--roll: expected rebounds of a ball on a table"),
         (("--cushions", "2"), "--cushions: expected --whole beside it"),
         (("--whole", "--sigma-v", "0.1"), "--sigma-v: expected no --whole"),
+        (("--whole", "--seed", "0"), "--seed: expected no --whole"),
+        (("--whole", "--robust"), "--robust: expected no --whole"),
+        (("--whole", "--roll", "0.5"), "--roll: expected no --whole"),
+        (("--bootstrap", "1"), "--bootstrap: expected 0 (none) or a number of draws"),
         (("--rate", "50"), "--rate: expected a track, got rebounds"),
     ],
 )

@@ -562,6 +562,17 @@ def test_bad_ranges_are_refused_all_at_once():
     with pytest.raises(carom.CaromError) as error:
         design("planar", SETTING, ("contact", "sliding"), Shots(angles=(40, 20), sigma_v=0.0), odds=0.5)
     assert len(error.value.faults) == 3
+    with pytest.raises(carom.CaromError) as error:
+        design(
+            "planar",
+            Setting(radius=0),
+            "contact",
+            Shots(angles=3, speeds=("x", 2), sigma_v="x"),
+            {"friction": "x"},
+            odds="x",
+        )
+    starts = ["radius", "angles", "speeds", "sigma_v", "odds", "laws", "truth"]
+    assert [fault.split(":")[0] for fault in error.value.faults] == starts
 
 
 def test_refit_starts_where_the_fit_ended():

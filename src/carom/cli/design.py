@@ -57,7 +57,7 @@ def design(
     carom design --laws maw,contact --radius 0.02 --inertia hollow --sigma-v 0.15 --sigma-spin 10 --speeds 3:10
     """
     from carom.fitting import Setting
-    from carom.fitting.design import Shots
+    from carom.fitting.design import Shots, require_plan
     from carom.fitting.design import design as plan_shots
     from carom.fitting.parameters import FORMS, INDEX
     from carom.rebounds import KINDS, STAGES, read_rebounds
@@ -73,28 +73,32 @@ def design(
         name: attempt(faults, number, "--truth", name, text) for name, text in pairs(faults, "--truth", truth, known)
     }
     pair = split(laws)
-    if len(pair) != 2:
-        faults.append(f"--laws: expected two laws, the one taken for true first, such as maw,contact, got {laws!r}")
     if kind not in (None, *KINDS):
         faults.append(f"--kind: expected planar or table, got {kind!r}")
-    if stage not in STAGES:
-        faults.append(f"--stage: expected after_wall or rolling, got {stage!r}")
     if plot is not None:
         attempt(faults, require_drawable, plot)
-    if faults:
-        raise CaromError(*faults)
-    filmed = None if file is None else read_rebounds(file)
+    filmed = None if file is None else attempt(faults, read_rebounds, file)
     if filmed is not None:
         if kind not in (None, filmed.kind):
-            raise CaromError(f"--kind: expected {filmed.kind}, as {file} is, got {kind}; leave it out")
+            faults.append(f"--kind: expected {filmed.kind}, as {file} is, got {kind}; leave it out")
         kind = filmed.kind
-    if kind != "table":
-        _no_table(stage != STAGES[0], contact_height != 1, floor_friction is not None)
-    shots = Shots(ranges[0], ranges[1], ranges[2], sigma_v, sigma_spin, stage)  # type: ignore[arg-type]
-    setting = Setting(radius=radius, kappa=kappa, contact_height=contact_height, floor_friction=floor_friction)
+    if kind in (None, "planar") and (file is None or filmed is not None):
+        faults += _no_table(stage != STAGES[0], contact_height != 1, floor_friction is not None)
+    usual = Shots()  # in the place of what is at fault already
+    shots = Shots(ranges[0] or usual.angles, ranges[1] or usual.speeds, ranges[2], sigma_v, sigma_spin, stage)
+    setting = Setting(
+        radius=radius,
+        kappa=0.4 if kappa is None else kappa,
+        contact_height=contact_height,
+        floor_friction=floor_friction,
+    )
+    true = {name: value for name, value in numbers.items() if value is not None}
+    attempt(faults, require_plan, setting, tuple(pair), shots, true, odds)
+    if faults:
+        raise CaromError(*faults)
     plan = plan_shots(
         kind or "planar",  # type: ignore[arg-type]
-        setting, (pair[0], pair[1]), shots, {k: v for k, v in numbers.items() if v is not None} or None, odds=odds, filmed=filmed,
+        setting, (pair[0], pair[1]), shots, true or None, odds=odds, filmed=filmed,
     )  # fmt: skip
     if plot is not None:
         from carom.plot.design import plot_design
@@ -110,16 +114,14 @@ def design(
         sys.stderr.write(f"note: {note}\n")
 
 
-def _no_table(stage: bool, contact_height: bool, floor_friction: bool) -> None:
-    """CaromError for options of a ball on a table that were given for one in flight, where they would do nothing."""
+def _no_table(stage: bool, contact_height: bool, floor_friction: bool) -> list[str]:
+    """Faults of options of a ball on a table that were given for one in flight, where they would do nothing."""
     given = {"--stage": stage, "--contact-height": contact_height, "--floor-friction": floor_friction}
-    faults = [
+    return [
         f"{option}: expected a ball on a table, got one in flight; --kind table, or leave it out"
         for option, there in given.items()
         if there
     ]
-    if faults:
-        raise CaromError(*faults)
 
 
 def _range(option: str, text: str) -> tuple[float, float]:

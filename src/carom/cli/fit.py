@@ -141,7 +141,7 @@ def fit(
             rich_help_panel=OUT,
         ),
     ] = None,
-    seed: Annotated[int, typer.Option(help="of the bootstrap", rich_help_panel=OUT)] = 0,
+    seed: Annotated[int | None, typer.Option(help="of the bootstrap", show_default="0", rich_help_panel=OUT)] = None,
     report: Annotated[
         Path | None, typer.Option(help="the page to write", show_default="FILE-fit.html, here", rich_help_panel=OUT)
     ] = None,
@@ -176,17 +176,18 @@ def fit(
             faults.append(f"{name}: expected an error bar above 0, got {value:g}")
     page = report or Path(f"{file.stem}-fit.html")
     _pages(faults, report, no_report)
-    if seed < 0:
+    if seed is not None and seed < 0:
         faults.append(f"--seed: expected a whole number >= 0, got {seed}")
     faults += unread(
         whole,
         {"--sigma-v": sigma_v, "--sigma-spin": sigma_spin, "--bootstrap": bootstrap, "--profiles": profiles,
-         "--kind": kind, "--stage": stage},
+         "--kind": kind, "--stage": stage, "--seed": seed, "--robust": robust or None, "--roll": None if roll == 1 else roll},
         {"--noise": noise, "--cushions": cushions if cushions != 3 else None},
     )  # fmt: skip
     names = [name for text in laws or [] for name in split(text)]
     if laws and not names:
         faults.append("--laws: expected names of laws, NAME,NAME, got none; leave it out for all of them")
+    faults += _words(names, whole, view, kind, stage, bootstrap)
     own_faults: list[str] = []
     ours = attempt(own_faults, own_set, file)
     if radius is None and ours is None and not own_faults:
@@ -223,11 +224,35 @@ def fit(
 
     rebounds, shifted = ready(rebounds), [(words, ready(rows)) for words, rows in (ours.shifted if ours else ())]
     with noting(rebounds.notes), _bar(console) as say:
-        ranking = fit_laws(rebounds, setting, names or None, profiles=profiles, bootstrap=bootstrap, seed=seed, say=say)
+        ranking = fit_laws(
+            rebounds, setting, names or None, profiles=profiles, bootstrap=bootstrap, seed=seed or 0, say=say
+        )
         ranking = with_shared(ranking, shifted)
         say("the page", 1.0)
         written = None if no_report else page_of(lambda: _page(ranking, page), report is not None, console)
     tell(ranking, show, as_json, console, written)
+
+
+def _words(
+    names: list[str], whole: bool, view: str | None, kind: str | None, stage: str | None, bootstrap: int | None
+) -> list[str]:
+    """Faults of words and numbers that are right or wrong whatever the file holds."""
+    from carom.fitting.laws import unknown_laws
+    from carom.rebounds import KINDS, STAGES
+
+    more = ("stronge",) if whole else ()
+    faults = [f"--laws: {fault.removeprefix('law: ')}" for fault in unknown_laws(names, more=more)]
+    if view not in (None, "above", "side"):
+        faults.append(f"--view: expected above (a ball on a table) or side (a ball in flight), got {view!r}")
+    if whole:  # (they are not read)
+        return faults
+    if kind not in (None, *KINDS):
+        faults.append(f"--kind: expected planar or table, got {kind!r}")
+    if stage not in (None, *STAGES):
+        faults.append(f"--stage: expected after_wall or rolling, got {stage!r}")
+    if bootstrap is not None and (bootstrap < 0 or bootstrap == 1):
+        faults.append(f"--bootstrap: expected 0 (none) or a number of draws, 2 or more, got {bootstrap}")
+    return faults
 
 
 def _checked(setting: Setting) -> None:

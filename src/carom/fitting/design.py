@@ -12,20 +12,22 @@ What was filmed already counts as it was measured. A shot with a spin that nobod
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.checks import real
 from carom.errors import CaromError
 from carom.fitting.data import Problem, Setting, make_problem, require_settings
 from carom.fitting.fit import Fit, fit_law, parameters_of, refit, rows_of_fit
-from carom.fitting.laws import FittedLaw, laws_named
-from carom.fitting.parameters import INDEX, NUMBERS
+from carom.fitting.laws import FittedLaw, laws_named, unknown_laws
+from carom.fitting.parameters import FORMS, INDEX, NUMBERS, PARAMETERS
 from carom.fitting.shot_rows import Candidates, candidates
-from carom.rebounds import Kind, Rebounds
+from carom.rebounds import COLUMNS, STAGES, Kind, Rebounds
 
-__all__ = ["Plan", "Shot", "Shots", "design"]
+__all__ = ["Plan", "Shot", "Shots", "design", "require_plan"]
 
 Array = NDArray[np.float64]
 MOST = 400  # shots
@@ -120,7 +122,7 @@ def design(
     setting: Setting,
     laws: tuple[str, str],
     shots: Shots,
-    truth: dict[str, float] | None = None,
+    truth: Mapping[str, float] | None = None,
     *,
     odds: float = 20.0,
     filmed: Rebounds | None = None,
@@ -130,8 +132,7 @@ def design(
     ``filmed``: rebounds that there are already; what they tell is not asked again, and where ``truth`` is left out the first
     law is fitted to them. Raises CaromError for ranges that hold no shot and laws that are unknown.
     """
-    require_settings(setting)
-    _require(shots, odds, laws)
+    require_plan(setting, laws, shots, truth, odds)
     chosen, _notes = laws_named(list(laws), kind, setting.contact_height == 1.0)
     if len(chosen) != 2:
         raise CaromError(f"laws: expected two that differ for a {kind} rebound, got {laws[0]} and {laws[1]}")
@@ -139,18 +140,14 @@ def design(
     already: Problem | None = None
     remarks: list[str] = []
     if filmed is not None:
+        _require_error_bars(filmed)
         already, remarks = make_problem(filmed, setting)
         setting = already.setting  # what the film says of the floor is so of the next shots
-        if already.estimated.any():
-            raise CaromError(
-                f"{filmed.source}: expected error bars (sigma_...) in every row, to say what they tell; got none in some"
-                " columns; add them, or leave the file out"
-            )
 
     fitted = None
     if already is not None:  # (numbers that are given are held)
         _numbers(true, already, truth or {})
-        fitted = fit_law(true, replace(already, setting=replace(setting, fixed=setting.fixed | (truth or {}))))
+        fitted = fit_law(true, replace(already, setting=replace(setting, fixed={**setting.fixed, **(truth or {})})))
         if fitted.untold:
             remarks.append(
                 f"{true.name}: the film does not tell {' and '.join(fitted.untold)}; taken where they fit best, as one of many"
@@ -238,26 +235,59 @@ def _search(
     return order, best, worth(rows.cells, best), so_far, total, False
 
 
-def _require(shots: Shots, odds: float, laws: tuple[str, str]) -> None:
-    faults = []
-    for name, (low, high), least, most in (
+def require_plan(
+    setting: Setting, laws: tuple[str, ...], shots: Shots, truth: Mapping[str, float] | None = None, odds: float = 20.0
+) -> None:
+    """CaromError where no shots can be planned, with all that can be known before a table is read."""
+    faults: list[str] = []
+    try:
+        require_settings(setting)
+    except CaromError as error:
+        faults += error.faults
+    for name, ends, least, most in (
         ("angles", shots.angles, 0.0, 89.0), ("speeds", shots.speeds, 1e-6, 1e4), ("spins", shots.spins or (0.0, 0.0), -1e6, 1e6),
     ):  # fmt: skip
-        if not least <= low <= high <= most:
-            faults.append(
-                f"{name}: expected LOW:HIGH within {least:g} and {most:g}, LOW not above HIGH, got {low:g}:{high:g}"
-            )
-    if not shots.sigma_v > 0 or (shots.sigma_spin is not None and not shots.sigma_spin > 0):
-        faults.append("sigma: expected error bars above 0, got one that is not; nothing is measured exactly")
-    if not odds > 1:
-        faults.append(f"odds: expected a number above 1, such as 20, got {odds:g}")
-    if len(laws) != 2:
-        faults.append(f"laws: expected two, got {len(laws)}")
+        pair = tuple(map(real, ends)) if isinstance(ends, tuple | list) else ()
+        if len(pair) != 2 or not least <= pair[0] <= pair[1] <= most:
+            got = ":".join(f"{end:g}" for end in pair) if len(pair) == 2 else repr(ends)
+            faults.append(f"{name}: expected LOW:HIGH within {least:g} and {most:g}, LOW not above HIGH, got {got}")
+    for name, value in (("sigma_v", shots.sigma_v), ("sigma_spin", shots.sigma_spin)):
+        if not (real(value) > 0 or (value is None and name == "sigma_spin")):
+            faults.append(f"{name}: expected an error bar above 0, got {value!r}; nothing is measured exactly")
+    if shots.stage not in STAGES:
+        faults.append(f"stage: expected {' or '.join(STAGES)}, got {shots.stage!r}")
+    if not real(odds) > 1:
+        faults.append(f"odds: expected a number above 1, such as 20, got {odds!r}")
+    if isinstance(laws, str) or len(laws) != 2:
+        got = laws if isinstance(laws, str) else ",".join(laws)
+        faults.append(f"laws: expected two laws, the one taken for true first, such as maw,contact, got {got!r}")
+    faults += unknown_laws([laws] if isinstance(laws, str) else laws)
+    for name, value in (truth or {}).items():
+        its = [p for p in (*PARAMETERS, *(p for form in FORMS.values() for p in form.parameters)) if p.name == name]
+        low, high = min((p.low for p in its), default=0.0), max((p.high for p in its), default=0.0)
+        if its and not low <= real(value) <= high:  # (names that the law has not: once it is known which it has)
+            faults.append(f"truth: {name}: expected {low:g} to {high:g}, got {value!r}")
     if faults:
         raise CaromError(*faults)
 
 
-def _numbers(law: FittedLaw, problem: Problem, truth: dict[str, float]) -> Array:
+def _require_error_bars(filmed: Rebounds) -> None:
+    """CaromError where what was filmed has not all error bars after the wall. (Those of ``shots`` are of shots to come.)"""
+    lacks = [
+        f"sigma_{name}"
+        for name in COLUMNS[filmed.kind][3:]
+        if name not in filmed.sigma and np.isfinite(filmed[name]).any()
+    ]
+    if not filmed["v_t_in"].any() and not filmed["v_t_out"].any():  # square on: v_t tells nothing
+        lacks = [name for name in lacks if name != "sigma_v_t_out"]
+    if lacks:
+        raise CaromError(
+            f"{filmed.source}: {', '.join(lacks)}: expected error bars of what was filmed, to say what it tells; got none; add"
+            " the columns (--sigma-v and --sigma-spin are of shots to come), or leave the file out"
+        )
+
+
+def _numbers(law: FittedLaw, problem: Problem, truth: Mapping[str, float]) -> Array:
     """All numbers of a law, with those that are given; CaromError where one is unknown."""
     free, p, _form = parameters_of(law, problem)
     plain = {

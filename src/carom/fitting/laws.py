@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from carom.checks import nearest
@@ -10,7 +11,7 @@ from carom.errors import CaromError
 from carom.fitting.kernels import CONTACT, CONVENTIONAL, MAW, SMOOTH, TOGETHER, TURN
 from carom.rebounds import Kind
 
-__all__ = ["FITTED", "FittedLaw", "laws_for", "laws_named"]
+__all__ = ["FITTED", "FittedLaw", "laws_for", "laws_named", "unknown_laws"]
 
 
 @dataclass(frozen=True)
@@ -77,15 +78,25 @@ def laws_for(kind: Kind, upright: bool) -> list[FittedLaw]:
     return [law for law in FITTED if law.kind == kind and not (upright and law.name == "two-step-after")]
 
 
+def unknown_laws(names: Sequence[str], kind: Kind | None = None, more: Sequence[str] = ()) -> list[str]:
+    """Faults of names that no law has, whatever the kind of rebound, a line each; ``more``: names that are known beside these."""
+    everything = sorted({law.name for law in FITTED} | {name for name, _kind in ALIASES} | set(more))
+    known = list(dict.fromkeys([*(law.name for law in FITTED if kind in (None, law.kind)), *more]))
+    return [
+        f"law: expected one of {', '.join(known)}, got {name!r}; {nearest(name, everything)}"
+        for name in names
+        if name not in everything
+    ]
+
+
 def laws_named(names: list[str] | None, kind: Kind, upright: bool) -> tuple[list[FittedLaw], list[str]]:
     """Those laws, and what there is to say; CaromError with the nearest name where there is none."""
     all_laws = laws_for(kind, upright)
     if not names:
         return all_laws, []
     known = {law.name: law for law in FITTED if law.kind == kind}
-    everything = sorted({law.name for law in FITTED} | {name for name, _kind in ALIASES})
     found: dict[str, FittedLaw] = {}
-    notes, faults = [], []
+    notes, faults = [], unknown_laws(names, kind)
     for name in names:
         means = ALIASES.get((name, kind), name)
         if means in known:
@@ -94,8 +105,6 @@ def laws_named(names: list[str] | None, kind: Kind, upright: bool) -> tuple[list
                 notes.append(f"{name}: for a {kind} rebound that is the law {means}")
         elif (name, kind) in ABSENT:
             notes.append(f"{name}: left out, {ABSENT[name, kind]}")
-        else:
-            faults.append(f"law: expected one of {', '.join(known)}, got {name!r}; {nearest(name, everything)}")
     if faults or not found:
         raise CaromError(
             *(faults or [f"laws: expected one that a {kind} rebound can follow, got none; {'; '.join(notes)}"])
