@@ -450,7 +450,7 @@ def test_columns_that_are_nearly_read_are_told(tmp_path):
 
 
 def test_a_floor_that_a_flying_ball_does_not_meet_is_told(tmp_path):
-    _, summary = predict(tmp_path, "v_n_in,v_t_in\n1,1\n", "contact", given={"floor_friction": 0.3, "friction": 0.2})
+    _, summary = predict(tmp_path, "v_n_in,v_t_in\n1,1\n", "maw", given={"floor_friction": 0.3, "friction": 0.2})
     assert summary.notes[-1] == "not used, as the ball is in flight: floor_friction"
 
 
@@ -561,3 +561,72 @@ def test_parquet_faults(tmp_path, carom_run, monkeypatch):
     monkeypatch.setitem(sys.modules, "pyarrow", None)
     assert "pip install pyarrow" in carom_run("predict", source, "--out", out).err
     assert not out.exists()
+
+
+@pytest.mark.parametrize("law", list(carom.LAWS.values()), ids=list(carom.LAWS))
+def test_a_law_reads_what_it_says_and_nothing_else(law):
+    """Each number of wall and floor changed in turn: the answer changes, somewhere, where the law reads it, and nowhere else."""
+    from dataclasses import replace
+
+    from carom.law import SURFACES
+
+    ball = carom.Ball()
+    states = [
+        (carom.rolling(ball, (-1.0, 1.5), 5.0), 1.0, 0.0),
+        (carom.State((-1.0, 1.5, -0.4), (3.0, -9.0, 5.0)), 0.8, 0.1),
+    ]
+    meetings = [
+        carom.Meeting(ball, state, wall=carom.Surface(e, mu, 0.0), floor=carom.Surface(0.4, mu, 0.1), height=height)
+        for state, e, height in states
+        for mu in (0.05, 2.0)  # it slides, it holds
+    ]
+
+    def said(meeting):
+        if not all(np.all(holds) for holds, _expected in law.conditions(meeting)):
+            return "no answer"
+        answer = law.answer(meeting)
+        # (how it rolls at last is the same on every floor, for what the floor gives goes through the point that it touches)
+        landed = () if answer.steps is None else (answer.steps.after_floor,)
+        return [
+            np.round(x, 9).tolist() for s in (answer.after_wall, answer.final, *landed) for x in (s.velocity, s.spin)
+        ]
+
+    def changed(meeting, name):
+        if name == "stiffness_ratio":
+            return replace(meeting, stiffness_ratio=1.3)
+        part, field = ("floor", name.removeprefix("floor_")) if name.startswith("floor") else ("wall", name)
+        value = {"restitution": 0.6, "friction": 0.02, "tangential_restitution": -0.5}[field]
+        return replace(meeting, **{part: replace(getattr(meeting, part), **{field: value})})
+
+    found = [name for name in SURFACES if any(str(said(m)) != str(said(changed(m, name))) for m in meetings)]
+    assert found == [name for name in SURFACES if name in law.reads]
+
+
+def test_numbers_that_the_law_does_not_read_are_refused_as_options(tmp_path, carom_run):
+    table = write(tmp_path / "in.csv", "velocity_x,velocity_y\n-1,1\n")
+    ran = carom_run("predict", table, "--law", "mirror", *SURFACES, "--stiffness-ratio", "0.8")
+    assert (ran.code, ran.out) == (2, "")
+    assert [line.split(":")[1].strip() for line in ran.err.splitlines()] == [
+        "--friction",
+        "--stiffness-ratio",
+        "--floor-friction",
+    ]
+    assert "--friction: expected a law that reads it, got mirror, which reads restitution; leave it out" in ran.err
+    ran = carom_run("predict", table, "--law", "no-slip", "--friction", "0.2")
+    assert "got no-slip, which reads floor_restitution, floor_friction" in ran.err
+    assert carom_run("predict", table, "--law", "mirror", "--restitution", "0.8").code == 0
+
+
+def test_numbers_that_the_law_does_not_read_are_told(tmp_path):
+    rows, summary = predict(
+        tmp_path,
+        "velocity_x,velocity_y,friction\n-1,1,x\n",
+        "mirror",
+        given={"restitution": 0.8, "floor_friction": 0.3},
+    )
+    assert numbers(rows[0], "velocity_x_out", "velocity_y_out") == [0.8, 1.0]  # what it does not read may be anything
+    assert "not read, as the law mirror needs none: column 'friction'" in summary.notes
+    assert "not read, as the law mirror needs none: floor_friction" in summary.notes
+    assert "friction" not in next(note for note in summary.notes if note.startswith("neither"))
+    _, summary = predict(tmp_path, "velocity_x,velocity_y\n-1,1\n")
+    assert not [note for note in summary.notes if note.startswith("not read")]

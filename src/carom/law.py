@@ -38,11 +38,15 @@ from carom.state import State, kinetic_energy, slip
 from carom.surface import Surface
 from carom.verbs import FLOOR, GRAVITY, WALL, FloorContact, Settled, answer_rows, settle, two_step
 
-__all__ = ["LAWS", "Answer", "Law", "Meeting", "law_named", "wall_law"]
+__all__ = ["LAWS", "SURFACES", "Answer", "Law", "Meeting", "law_named", "wall_law"]
 
 Array = NDArray[np.float64]
 WallKernel = Callable[[Vec, Vec, Vec, float, float, float, float, float], tuple[Vec, Vec]]
 Condition = tuple[NDArray[np.bool_], str]
+ON_WALL = ("restitution", "friction", "tangential_restitution")
+ON_FLOOR = ("floor_restitution", "floor_friction", "floor_tangential_restitution")
+SURFACES = (*ON_WALL, "stiffness_ratio", *ON_FLOOR)
+"""Numbers of wall and floor that a law may read."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,6 +97,8 @@ class Law:
     """It is about one contact: in a table without spins the ball is taken to fly."""
     compliant: WallKernel | None = None
     """What a wall alone does that gives along its surface: it reads the stiffness ratio in the place of beta."""
+    reads: tuple[str, ...] | None = None
+    """Those numbers of wall and floor (:data:`SURFACES`) that it reads; None: nobody said, and it may read them all."""
 
     @property
     def name(self) -> str:
@@ -142,6 +148,7 @@ def wall_law(
     kernel: WallKernel,
     conditions: Callable[[Meeting], list[Condition]] = approaches,
     objections: Callable[[Meeting, Answer], list[str]] | None = None,
+    reads: tuple[str, ...] | None = None,
 ) -> Law:
     """A law from what the wall does; the floor then does what it does to any ball: flight, landing, sliding, rolling.
 
@@ -154,7 +161,7 @@ def wall_law(
     def against(meeting: Meeting, answer: Answer) -> list[str]:
         return [*impossible(meeting, answer), *(objections(meeting, answer) if objections else [])]
 
-    return Law(card, answer, conditions, against, kernel)
+    return Law(card, answer, conditions, against, kernel, reads=reads)
 
 
 # --- the built-in laws: what the wall does, under which conditions, and what speaks against it ----------------------
@@ -359,7 +366,8 @@ def _compliant_law(
             found.append("it has springs in the place of this wall's tangential restitution, which it does not read")
         return found
 
-    return Law(card, answer, conditions, objections, for_engines, in_flight=True, compliant=kernel)
+    reads = ("restitution", "friction", "stiffness_ratio", *ON_FLOOR)
+    return Law(card, answer, conditions, objections, for_engines, in_flight=True, compliant=kernel, reads=reads)
 
 
 def _maw_knows(meeting: Meeting) -> Condition:
@@ -379,15 +387,27 @@ def _stronge_knows(meeting: Meeting) -> Condition:
 LAWS: dict[str, Law] = {
     law.name: law
     for law in (
-        Law(MIRROR, _mirror_answer, approaches, _mirror_objections, _mirror_kernel),
+        Law(MIRROR, _mirror_answer, approaches, _mirror_objections, _mirror_kernel, reads=("restitution",)),
         Law(
-            CONVENTIONAL, _conventional_answer, conventional_conditions, _conventional_objections, _conventional_kernel
+            CONVENTIONAL,
+            _conventional_answer,
+            conventional_conditions,
+            _conventional_objections,
+            _conventional_kernel,
+            reads=("restitution",),  # which must be 1
         ),
-        wall_law(NO_SLIP, _no_slip_kernel, objections=_no_slip_objections),
-        Law(TWO_STEP, _two_step_answer, two_step_conditions, lambda _meeting, _answer: [], contact_kernel),
+        wall_law(NO_SLIP, _no_slip_kernel, objections=_no_slip_objections, reads=ON_FLOOR),
+        Law(
+            TWO_STEP,
+            _two_step_answer,
+            two_step_conditions,
+            lambda _meeting, _answer: [],
+            contact_kernel,
+            reads=(*ON_WALL, *ON_FLOOR),
+        ),
         _compliant_law(MAW, maw_contact, maw_kernel, _maw_knows),
         _compliant_law(STRONGE, stronge_contact, stronge_kernel, _stronge_knows),
-        Law(CONTACT, _contact_answer, approaches, _contact_objections, contact_kernel, in_flight=True),
+        Law(CONTACT, _contact_answer, approaches, _contact_objections, contact_kernel, in_flight=True, reads=ON_WALL),
     )
 }
 

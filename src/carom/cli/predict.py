@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 from rich.console import Console
 from rich.markup import escape
 
 from carom.errors import CaromError
+
+if TYPE_CHECKING:
+    from carom.law import Law
 
 BALL, WALL, FLOOR, TABLE = "The ball", "The wall", "The floor", "The table"
 
@@ -107,6 +110,7 @@ def predict(
             values[name] = make()
         except CaromError as error:
             faults += error.faults
+    faults += _unread(values.get("law"), numbers)
     faults += bad_numbers(numbers, values.get("normal"), contact_height, gravity)
     if json_ and out is None:
         faults.append("--out: expected a file for the table, got none, and --json takes the standard output")
@@ -155,6 +159,19 @@ def _report(console: Console, summary: Any) -> None:
         + (f", written to {escape(str(summary.out))}" if summary.out else ""),
         soft_wrap=True,
     )
+
+
+def _unread(law: Law | None, numbers: dict[str, float]) -> list[str]:
+    """Faults of options that were given and that the law does not read."""
+    from carom.tables.plan import unread
+
+    idle = [] if law is None else unread(law)
+    reads = "" if law is None else ", ".join(law.reads or ())
+    return [
+        f"--{name.replace('_', '-')}: expected a law that reads it, got {law.name}, which reads {reads}; leave it out"
+        for name in numbers
+        if law is not None and name in idle
+    ]
 
 
 def _vector(text: str) -> tuple[float, float, float]:

@@ -13,12 +13,12 @@ import numpy as np
 from carom.ball import Ball
 from carom.checks import expect, nearest
 from carom.errors import CaromError
-from carom.law import Law, Meeting
+from carom.law import SURFACES, Law, Meeting
 from carom.laws.maw import LIKE_SOLIDS
 from carom.state import rolling
 from carom.tables.units import NAMES, UNITS, Heading, Unit, bare, heading, written
 
-__all__ = ["DEFAULTS", "PARAMETERS", "Added", "Plan", "Settings", "Source", "bad_numbers", "make_plan"]
+__all__ = ["DEFAULTS", "PARAMETERS", "Added", "Plan", "Settings", "Source", "bad_numbers", "make_plan", "unread"]
 
 SpinRule = Literal["rolling", "none"]
 
@@ -107,6 +107,10 @@ def make_plan(headers: list[str], settings: Settings) -> Plan:
             "--contact-height: expected a ball on a table, got one in flight (a law of one contact, or a spin_in column)"
         )
     spin, remarks = _spin(form, air, columns, settings, faults)
+    idle = unread(settings.law)
+    columns, idle_columns = (
+        {name: column for name, column in columns.items() if (name in idle) is one} for one in (False, True)
+    )
     sources, constants = _sources(wanted, columns, settings, faults)
     if faults:
         raise CaromError(*faults)
@@ -119,9 +123,22 @@ def make_plan(headers: list[str], settings: Settings) -> Plan:
         *_unread(headers, wanted, columns),
         *renamed,
     ]
-    unused = [name for name in settings.given if air and name.startswith(("floor", "height"))]
+    notes += [
+        f"not read, as the law {settings.law.name} needs none: {what}"
+        for what in (
+            ", ".join(f"column {source.header!r}" for source, _heading in idle_columns.values()),
+            ", ".join(name for name in settings.given if name in idle),
+        )
+        if what
+    ]
+    unused = [name for name in settings.given if air and name.startswith(("floor", "height")) and name not in idle]
     notes += [f"not used, as the ball is in flight: {', '.join(unused)}"] if unused else []
     return Plan(settings, form, air, spin, sources, constants, added, rolls, note, [text for text in notes if text])
+
+
+def unread(law: Law) -> list[str]:
+    """Numbers of wall and floor that a law does not read, where it says what it reads."""
+    return [] if law.reads is None else [name for name in SURFACES if name not in law.reads]
 
 
 Columns = dict[str, tuple[Source, Heading]]
@@ -351,7 +368,7 @@ def _reading(form: str, air: bool, sources: dict[str, Source]) -> str:
 def _assumed(constants: dict[str, float], settings: Settings, air: bool) -> list[str]:
     units = {"radius": " m", "mass": " kg", "height": " m"}
     skip = ("floor", "height") if air else ()
-    skip = (*skip, "tangential" if settings.law.compliant else "stiffness")
+    skip = (*skip, *unread(settings.law), "tangential" if settings.law.compliant else "stiffness")
     taken = [
         f"{name} {value:g}{units.get(name, '')}"
         for name, value in constants.items()
