@@ -231,6 +231,27 @@ def test_all_faults_at_once(monkeypatch: pytest.MonkeyPatch, capsys: pytest.Capt
     assert len(fails(monkeypatch, capsys, "stadium", "--sides", "4", "--angle", "3")) == 2
 
 
+def test_all_faults_of_the_options_at_once(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("stadium", "--sides", "4", "--law", "noslip", "--bounces", "0", "--plot", "nowhere/a.svg")
+    lines = fails(monkeypatch, capsys, *words)
+    assert [line.split(": ")[1] for line in lines] == ["plot", "--sides", "orbit", "orbit"]
+    words = ("circle", "--friction", "0.3", "--bounces", "0", "--position", "3")
+    assert [line.split(": ")[1] for line in fails(monkeypatch, capsys, *words)] == ["--friction", "orbit", "--velocity"]
+    words = ("circle", "--law", "contact", "--friction", "0.3", "--reverse", "--position", "3,0", "--velocity", "1,0")
+    assert [line.split(": ")[1] for line in fails(monkeypatch, capsys, *words)] == ["reverse", "orbit"]
+
+
+def test_no_orbit_is_run_that_could_not_be_reversed(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def never(*_args: Any, **_options: Any) -> None:
+        raise AssertionError("it was run")
+
+    monkeypatch.setattr(orbits, "orbit", never)
+    (line,) = fails(monkeypatch, capsys, "circle", "--law", "contact", "--restitution", "0.5", "--reverse")
+    assert "reverse: law: expected one that undoes itself" in line
+
+
 def test_how_orbits_end_is_told_in_words() -> None:
     assert "ended: after all bounces" in run("circle", "--bounces", "3", *START).stdout
     assert "ended: 2 after all bounces" in run("circle", "--bounces", "3", "--orbits", "2").stdout

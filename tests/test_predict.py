@@ -630,3 +630,38 @@ def test_numbers_that_the_law_does_not_read_are_told(tmp_path):
     assert "friction" not in next(note for note in summary.notes if note.startswith("neither"))
     _, summary = predict(tmp_path, "velocity_x,velocity_y\n-1,1\n")
     assert not [note for note in summary.notes if note.startswith("not read")]
+
+
+def test_compiling_is_told_and_loading_is_not(tmp_path):
+    import io
+
+    from rich.console import Console
+
+    from carom.cli.shared import working
+    from carom.compiled import telling
+
+    text = "velocity_x,velocity_y\n" + "-1,1\n" * 500
+    (tmp_path / "own.py").write_text(
+        f"def law(v, w, n, a, kappa, e, mu, beta):  # {tmp_path}\n    return (-v[0], v[1], v[2]), w\n"
+    )
+    (tmp_path / "here").mkdir()
+    source, out = write(tmp_path / "in.csv", text), tmp_path / "here" / "out.csv"
+    settings = Settings(find_law(f"{tmp_path / 'own.py'}:law"))
+    told: list[bool] = []
+    with telling(told.append):
+        predict_table(source, out, settings)
+        assert told == [True, False] * (len(told) // 2) != []
+        told.clear()
+        predict_table(source, out, settings)
+        assert not told
+    (tmp_path / "own.py").write_text(
+        "def law(v, w, n, a, kappa, e, mu, beta):\n    return (-v[0], v[1], 2 * v[2]), w\n"
+    )
+    terminal = Console(file=io.StringIO(), force_terminal=True, width=80)
+    with working("predict", terminal) as progress:
+        predict(tmp_path / "here", text, f"{tmp_path / 'own.py'}:law")
+        progress(1, 2)
+    shown = terminal.file.getvalue()
+    assert shown.index("predict") < shown.index("compiling, once")
+    with working("predict", Console(file=io.StringIO())) as progress:
+        assert progress is None  # nobody looks

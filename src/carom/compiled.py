@@ -78,6 +78,44 @@ def register_kernels() -> None:
             _registered.add(function)
 
 
+_told: list[Callable[[bool], None]] = []
+
+
+@contextmanager
+def telling(say: Callable[[bool], None]) -> Iterator[None]:
+    """While inside, ``say`` is told (True) when something has begun to be compiled, and not only loaded, and when it is done."""
+    _told.append(say)
+    try:
+        yield
+    finally:
+        _told.remove(say)
+
+
+@functools.cache
+def _listen() -> None:
+    """Have Numba say when it compiles. (Its import is slow: this waits until there is something to compile or to load.)"""
+    from numba.core import event
+
+    class Compiling(event.Listener):  # type: ignore[misc]
+        depth = 0
+
+        def on_start(self, event: Any) -> None:
+            self.depth += 1
+            if self.depth == 1:
+                self.say(True)
+
+        def on_end(self, event: Any) -> None:
+            self.depth -= 1
+            if self.depth == 0:
+                self.say(False)
+
+        def say(self, begun: bool) -> None:
+            for say in _told:
+                say(begun)
+
+    event.register("numba:compile", Compiling())
+
+
 def njit(function: Callable[..., Any], signature: Any = None, **options: Any) -> Callable[..., Any]:
     """Compile a loop over kernels; fastmath stays off, so that it gives the same bits as Python.
 
@@ -86,6 +124,7 @@ def njit(function: Callable[..., Any], signature: Any = None, **options: Any) ->
     import numba
 
     register_kernels()
+    _listen()
     options = {"error_model": "numpy", "cache": True, **options}
     with _numba_cache():
         return numba.njit(signature, **options)(function)  # type: ignore[no-any-return]

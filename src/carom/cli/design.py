@@ -11,7 +11,7 @@ import typer
 
 from carom.cli.fit_options import kappa_of, number, pairs, split
 from carom.cli.places import require_drawable
-from carom.cli.shared import attempt
+from carom.cli.shared import attempt, working
 from carom.errors import CaromError
 
 BALL, SHOTS, WALL, OUT = "The ball", "The shots", "The wall", "What comes out"
@@ -96,10 +96,11 @@ def design(
     attempt(faults, require_plan, setting, tuple(pair), shots, true, odds)
     if faults:
         raise CaromError(*faults)
-    plan = plan_shots(
-        kind or "planar",  # type: ignore[arg-type]
-        setting, (pair[0], pair[1]), shots, true or None, odds=odds, filmed=filmed,
-    )  # fmt: skip
+    with working("planning"):
+        plan = plan_shots(
+            kind or "planar",  # type: ignore[arg-type]
+            setting, (pair[0], pair[1]), shots, true or None, odds=odds, filmed=filmed,
+        )  # fmt: skip
     if plot is not None:
         from carom.plot.design import plot_design
         from carom.plot.save import save

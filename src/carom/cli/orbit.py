@@ -11,6 +11,7 @@ import typer
 
 from carom.cli.orbit_report import every_bounce, orbit_facts, tell_orbit
 from carom.cli.places import require_places
+from carom.cli.shared import attempt, working
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -123,21 +124,40 @@ def orbit(
 
     Without a start one is drawn from the invariant measure. Sizes left out are about 1.
     """
+    from carom import orbits as library
+    from carom.orbits.setup import law_of, prepare, setup_of
+    from carom.orbits.verbs import require_reversible, whole
+
     faults: list[str] = []
     require_places(faults, {"--plot": plot, "--portrait": portrait, "--boundary": boundary})
-    if faults:
-        raise CaromError(*faults)
     given = {
         "radius": radius, "major": major, "minor": minor, "straight": straight, "sides": sides, "vertices": vertices,
         "width": width, "height": height, "depth": depth, "angle": angle, "side": side, "period": period,
         "distance": distance, "acceleration": acceleration,
     }  # fmt: skip
-    made = _table(table, {k: v for k, v in given.items() if v is not None}, bounds)
-    ball, surface = _ball(made, kappa, ball_radius), _surface(law, restitution, friction, tangential_restitution)
+    made = attempt(faults, _table, table, {k: v for k, v in given.items() if v is not None}, bounds)
+    before = len(faults)
+    surface = attempt(faults, _surface, law, restitution, friction, tangential_restitution)
+    ball = None if made is None else attempt(faults, _ball, made, kappa, ball_radius)
+    together = len(faults) == before  # (else each of these would be told again below)
+    attempt(faults, whole, "bounces", bounces)
+    begin = None if made is None else attempt(faults, _given, made, position, velocity, spin, orbits)
+    if together:
+        if made is None:
+            attempt(faults, law_of, law, surface)
+        elif (setup := attempt(faults, setup_of, made, ball, law, surface, corners)) is not None:
+            if reverse:
+                attempt(faults, require_reversible, setup)
+            if begin is not None:
+                attempt(faults, prepare, setup, begin)
+    if faults:
+        raise CaromError(*faults)
     options = {"ball": ball, "law": law, "surface": surface}
-    begin = _start(made, position, velocity, spin, orbits, seed, ball, law)
-    found = _follow(made, begin, bounces, options, corners)
-    facts = orbit_facts(found, made, begin, options, lyapunov=lyapunov, back=reverse)
+    if begin is None:
+        begin = _drawn(made, orbits, seed, ball, law)
+    with working("orbits") as say:
+        found = library.orbit(made, begin, bounces, corners=corners, progress=say, **options)
+        facts = orbit_facts(found, made, begin, options, lyapunov=lyapunov, back=reverse)
     if json_:
         facts["bounces"] = every_bounce(found)
         print(json.dumps(facts, indent=2, allow_nan=False))  # noqa: T201
@@ -255,16 +275,8 @@ def _surface(law: str, e: float | None, mu: float | None, beta: float | None) ->
     return Surface(**chosen) if chosen or law == "contact" else None
 
 
-def _start(
-    table: Table,
-    position: str | None,
-    velocity: str | None,
-    spin: str | None,
-    count: int,
-    seed: int,
-    ball: Any,
-    law: str,
-) -> Any:
+def _given(table: Table, position: str | None, velocity: str | None, spin: str | None, count: int) -> Any:
+    """The start that the options give; None where it is to be drawn."""
     from carom import orbits
 
     d = table.dimension
@@ -274,12 +286,7 @@ def _start(
     if position is None or velocity is None:
         if spin is not None:
             raise CaromError("--spin: expected --position and --velocity beside it, got none")
-        try:
-            return orbits.starts(table, count, seed, ball=ball, law=law)
-        except CaromError as error:
-            raise CaromError(
-                *(fault.replace("starts of your own", "--position and --velocity") for fault in error.faults)
-            ) from None
+        return None
     if count != 1:
         raise CaromError(f"--orbits: expected 1 where a start is given, got {count}; left out, starts are drawn")
     turn = () if spin is None else _numbers("--spin", spin, 1 if d == 2 else 3)
@@ -287,23 +294,16 @@ def _start(
     return orbits.Start(*start, (turn[0] if turn else 0.0) if d == 2 else (turn or 0.0))
 
 
-def _follow(table: Table, begin: Any, bounces: int, options: dict[str, Any], corners: str) -> Orbit:
-    """With a progress bar where it takes long and someone looks."""
-    from rich.console import Console
-    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
-
+def _drawn(table: Table, count: int, seed: int, ball: Any, law: str) -> Any:
+    """Starts from the invariant measure."""
     from carom import orbits
 
-    console = Console(stderr=True, highlight=False)
-    if not console.is_terminal:
-        return orbits.orbit(table, begin, bounces, corners=corners, **options)
-    columns = (TextColumn("orbits"), BarColumn(), TaskProgressColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task("orbits", total=None)
-        return orbits.orbit(
-            table, begin, bounces, corners=corners, **options,
-            progress=lambda done, size: bar.update(task, completed=done, total=size),
-        )  # fmt: skip
+    try:
+        return orbits.starts(table, count, seed, ball=ball, law=law)
+    except CaromError as error:
+        raise CaromError(
+            *(fault.replace("starts of your own", "--position and --velocity") for fault in error.faults)
+        ) from None
 
 
 def _draw(found: Orbit, plot: Path | None, portrait: Path | None, boundary: Path | None) -> None:

@@ -10,6 +10,7 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
+from carom.cli.shared import working
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -118,30 +119,14 @@ def predict(
         raise CaromError(*faults)
     console = Console(stderr=True, highlight=False)
 
-    def run(progress: Any) -> Any:
-        def say(note: str) -> None:
-            console.print(f"[dim]{escape(note)}[/]", soft_wrap=True)
+    def say(note: str) -> None:
+        console.print(f"[dim]{escape(note)}[/]", soft_wrap=True)
 
-        return predict_table(table, out, Settings(**values), strict=strict, progress=progress, say=say)
-
-    summary = _with_bar(console, run) if console.is_terminal else run(None)
+    with working("predict", console, *(["compiling the law"] if ".py:" in law else [])) as progress:
+        summary = predict_table(table, out, Settings(**values), strict=strict, progress=progress, say=say)
     if json_:
         print(json.dumps({**vars(summary), "without_answer": summary.without_answer}, indent=2, allow_nan=False))  # noqa: T201
     _report(console, summary)
-
-
-def _with_bar(console: Console, run: Any) -> Any:
-    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
-
-    columns = (
-        TextColumn("[progress.description]{task.description}"),
-        BarColumn(),
-        TaskProgressColumn(),
-        TimeRemainingColumn(),
-    )
-    with Progress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task("predict", total=None)
-        return run(lambda done, size: bar.update(task, completed=done, total=size))
 
 
 def _report(console: Console, summary: Any) -> None:

@@ -14,7 +14,7 @@ from carom.errors import CaromError
 if TYPE_CHECKING:
     from rich.console import Console
 
-__all__ = ["attempt", "noting", "out", "page_of", "tell", "tick"]
+__all__ = ["attempt", "noting", "out", "page_of", "tell", "tick", "working"]
 
 
 def attempt(found: list[str], action: Callable[..., Any], *args: Any) -> Any:
@@ -45,6 +45,33 @@ def out() -> Console:
     if not encoding.startswith("utf") and hasattr(sys.stdout, "reconfigure"):
         sys.stdout.reconfigure(errors="replace")
     return Console(highlight=False)
+
+
+@contextmanager
+def working(
+    what: str, console: Console | None = None, compiling: str = "compiling, once"
+) -> Iterator[Callable[[float, float], None] | None]:
+    """A bar on standard error where that is a terminal, with what is done, or that it is compiled first: a function to tell it how
+    much of all is done. None elsewhere."""
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
+
+    from carom.compiled import telling
+
+    console = console or Console(stderr=True, highlight=False)
+    if not console.is_terminal:
+        yield None
+        return
+    columns = (
+        TextColumn("[progress.description]{task.description}"),
+        BarColumn(),
+        TaskProgressColumn(),
+        TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=console, transient=True) as bar:
+        task = bar.add_task(what, total=None)
+        with telling(lambda now: bar.update(task, description=compiling if now else what)):
+            yield lambda done, size: bar.update(task, completed=done, total=size)
 
 
 def tick(console: Console, good: bool) -> str:

@@ -76,7 +76,7 @@ def setup_of(table: Table, ball: Ball | None, law: Any, surface: Surface | None,
     if corners not in ("end", "pass"):
         faults.add("corners", "'end' or 'pass'", repr(corners))
     faults.done()
-    number, kernel, name = _law(law, surface)
+    number, kernel, name = law_of(law, surface)
     e, mu, beta = 1.0, math.inf, 1.0
     if number == CONTACT:
         if name == "mirror":
@@ -111,7 +111,7 @@ def setup_of(table: Table, ball: Ball | None, law: Any, surface: Surface | None,
     return Setup(table, ball, name, shape, world, pieces, keeps)
 
 
-def _law(law: Any, surface: Surface | None) -> tuple[int, Any, str]:
+def law_of(law: Any, surface: Surface | None) -> tuple[int, Any, str]:
     """The law's number in the loop, a kernel where it is a user's own, its name."""
     from carom.law import Law
 

@@ -17,7 +17,7 @@ from carom.orbits.setup import Setup, Start, prepare, setup_of
 from carom.orbits.tables import Table
 from carom.surface import Surface
 
-__all__ = ["MOST", "final", "follow", "orbit", "reverse", "whole"]
+__all__ = ["MOST", "final", "follow", "orbit", "require_reversible", "reverse", "whole"]
 
 Array = NDArray[np.float64]
 MOST = 4e9  # bytes of bounces that are kept
@@ -153,6 +153,12 @@ def _loop(
     return last, ends
 
 
+def require_reversible(setup: Setup) -> None:
+    """CaromError where the law loses energy, so that no orbit can be run backwards."""
+    if not setup.keeps:
+        raise CaromError(f"reverse: law: expected one that undoes itself (no-slip, mirror, rolling), got {setup.law}")
+
+
 def reverse(found: Orbit) -> tuple[Orbit, Array]:
     """Run an orbit backwards from its last bounce; the orbit, and (..., B) how far each bounce lies from where it was.
 
@@ -160,8 +166,7 @@ def reverse(found: Orbit) -> tuple[Orbit, Array]:
     multiplied what rounding took. Of orbits that made all their bounces.
     """
     setup = found.setup
-    if not setup.keeps:
-        raise CaromError(f"reverse: law: expected one that undoes itself (no-slip, mirror, rolling), got {setup.law}")
+    require_reversible(setup)
     if (np.asarray(found.ending) != DONE).any():
         raise CaromError("reverse: orbit: expected one that made all its bounces, got one that ended before")
     spin = found.spin[..., -1] if setup.planar else found.spin[..., -1, :]
