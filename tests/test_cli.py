@@ -172,6 +172,30 @@ def test_picture_and_json_keep_apart(tmp_path: Path) -> None:
     assert (tmp_path / "a.svg").read_text(encoding="utf-8").startswith("<?xml")
 
 
+@pytest.mark.parametrize(
+    ("words", "name"),
+    [
+        (("compare", "--plot"), "a[b].svg"),
+        (("orbit", "circle", "--bounces", "3", "--position", "0,0", "--velocity", "1,0", "--plot"), "a[b].svg"),
+        (("predict", "in.csv", "--law", "mirror", "--out"), "a[b].csv"),
+        (("datasets", "kharaz2001", "--out"), "a[b].csv"),
+        (("design", "--laws", "contact,sliding", "--plot"), "a[b].svg"),
+        (("scene", "new"), "a[b].toml"),
+        (("derive", "--equation", "s4-3", "--json"), "a[b].json"),
+    ],
+    ids=lambda words: words[0] if isinstance(words, tuple) else "",
+)
+def test_every_verb_says_alike_what_it_wrote(
+    words: tuple[str, ...], name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "in.csv").write_text("velocity_x,velocity_y\n-1,1\n")
+    result = runner.invoke(app, [*words, name])
+    assert result.exit_code == 0
+    assert [line for line in result.stderr.splitlines() if name in line] == [f"written: {name}"]
+    assert (tmp_path / name).stat().st_size > 0
+
+
 def test_nothing_heavy_is_imported() -> None:
     code = (
         "import sys; from carom.cli import main; sys.argv = ['carom', 'compare']\n"

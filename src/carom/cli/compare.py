@@ -11,7 +11,7 @@ from typing import Annotated, Any, Literal
 import typer
 
 from carom.cli.places import require_drawable
-from carom.cli.shared import attempt
+from carom.cli.shared import attempt, wrote
 from carom.errors import CaromError
 
 BALL, WALL, FLOOR, SHOWN = "The ball", "The wall", "The floor", "What is shown"
@@ -106,7 +106,7 @@ def compare(
         from carom import plot as pictures
 
         pictures.save(pictures.compare(comparison), plot)
-        sys.stderr.write(f"drawn: {plot}\n")
+        wrote(plot)
     if as_json:
         sys.stdout.write(json.dumps(comparison.as_dict(), indent=2, allow_nan=False) + "\n")
     else:

@@ -10,6 +10,7 @@ from typing import Annotated, Any
 import typer
 from rich.console import Console
 
+from carom.cli.shared import wrote
 from carom.errors import CaromError
 
 
@@ -54,7 +55,7 @@ def datasets(
     console.print(f"{one.citation}{' doi ' + one.doi if one.doi else ''}", markup=False, soft_wrap=True)
     console.print(one.notes, markup=False, style="dim", soft_wrap=True)
     if out is not None:
-        console.print(f"written: {out}", markup=False, soft_wrap=True)
+        wrote(out)
 
 
 def _list(chosen: list[Any]) -> None:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from carom.cli.shared import wrote
 from carom.errors import CaromError
 from carom.files import require_place, whole
 
@@ -70,6 +71,7 @@ def _put(text: str, destination: Path | None) -> None:
         return
     with whole(destination) as part:
         part.write_text(text, encoding="utf-8")
+    wrote(destination)
 
 
 @contextmanager

@@ -11,7 +11,7 @@ import typer
 
 from carom.cli.fit_options import kappa_of, number, pairs, split
 from carom.cli.places import require_drawable
-from carom.cli.shared import attempt, working
+from carom.cli.shared import attempt, working, wrote
 from carom.errors import CaromError
 
 BALL, SHOTS, WALL, OUT = "The ball", "The shots", "The wall", "What comes out"
@@ -106,7 +106,7 @@ def design(
         from carom.plot.save import save
 
         save(plot_design(plan), plot)
-        sys.stderr.write(f"drawn: {plot}\n")
+        wrote(plot)
     if as_json:
         sys.stdout.write(json.dumps(plan.as_dict(), indent=2, allow_nan=False) + "\n")
     else:

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.places import require_places
-from carom.cli.shared import attempt
+from carom.cli.shared import attempt, wrote
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -129,8 +129,7 @@ def gas(
         _done(found, written, plot, _draw, session, plot)
         _done(found, written, measures, _list, session, measures)
         _tell(session, as_json, quiet)
-        for path in () if quiet else (*written, *([] if snapshots is None else [snapshots])):
-            sys.stderr.write(f"written: {path}\n")
+        wrote(*(() if quiet else (*written, *([] if snapshots is None else [snapshots]))))
     if found:
         raise CaromError(*found)
 

@@ -11,7 +11,7 @@ import typer
 
 from carom.cli.orbit_report import every_bounce, orbit_facts, tell_orbit
 from carom.cli.places import require_places
-from carom.cli.shared import attempt, working
+from carom.cli.shared import attempt, working, wrote
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -309,13 +309,10 @@ def _drawn(table: Table, count: int, seed: int, ball: Any, law: str) -> Any:
 def _draw(found: Orbit, plot: Path | None, portrait: Path | None, boundary: Path | None) -> None:
     if plot is None and portrait is None and boundary is None:
         return
-    from rich.console import Console
-
     from carom.plot import save
     from carom.plot.orbits import plot_boundary, plot_orbit, plot_portrait
 
-    console = Console(stderr=True, highlight=False)
     for path, make in ((plot, plot_orbit), (portrait, plot_portrait), (boundary, plot_boundary)):
         if path is not None:
             save(make(found), path)
-            console.print(f"[dim]written: {path}[/]", soft_wrap=True)
+            wrote(path)

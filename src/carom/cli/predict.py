@@ -10,7 +10,7 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
-from carom.cli.shared import working
+from carom.cli.shared import working, wrote
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -140,10 +140,11 @@ def _report(console: Console, summary: Any) -> None:
     rate = summary.rows / summary.seconds if summary.seconds else 0
     console.print(
         f"[bold]{summary.law}[/]: {summary.answered:,} of {summary.rows:,} rows answered"
-        + (f" in {summary.seconds:.1f} s ({rate:,.0f} rows/s)" if summary.seconds > 1 else "")
-        + (f", written to {escape(str(summary.out))}" if summary.out else ""),
+        + (f" in {summary.seconds:.1f} s ({rate:,.0f} rows/s)" if summary.seconds > 1 else ""),
         soft_wrap=True,
     )
+    if summary.out:
+        wrote(Path(summary.out))
 
 
 def _unread(law: Law | None, numbers: dict[str, float]) -> list[str]:

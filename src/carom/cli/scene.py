@@ -23,6 +23,7 @@ def new(
     force: Annotated[bool, typer.Option("--force", help="Write over a file that is there.")] = False,
 ) -> None:
     """Write a commented scene that runs as it stands: one ball on a carom table; or a gas."""
+    from carom.cli.shared import wrote
     from carom.errors import CaromError
     from carom.files import whole
     from carom.gas.toml import new_gas
@@ -38,7 +39,7 @@ def new(
         raise CaromError(f"{file}: expected a new file, got one that is there; --force writes over it")
     with whole(file) as part:
         part.write_text(text, encoding="utf-8")
-    sys.stderr.write(f"written: {file}\n")
+    wrote(file)
 
 
 def check(file: Annotated[Path, typer.Argument(metavar="FILE", help="A scene, as TOML.")]) -> None:

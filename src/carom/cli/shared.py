@@ -14,7 +14,7 @@ from carom.errors import CaromError
 if TYPE_CHECKING:
     from rich.console import Console
 
-__all__ = ["attempt", "noting", "out", "page_of", "tell", "tick", "working"]
+__all__ = ["attempt", "noting", "out", "page_of", "tell", "tick", "working", "wrote"]
 
 
 def attempt(found: list[str], action: Callable[..., Any], *args: Any) -> Any:
@@ -90,7 +90,13 @@ def tell(ranking: Any, show: Callable[[Any], None], as_json: bool, console: Cons
     for note in ranking.notes:
         console.print(f"note: {note}", style="yellow", markup=False, soft_wrap=True)
     if written is not None:
-        console.print(f"written: {written}", markup=False, soft_wrap=True)
+        wrote(written)
+
+
+def wrote(*paths: Path) -> None:
+    """Say which files there are now."""
+    for path in paths:
+        sys.stderr.write(f"written: {path}\n")
 
 
 def page_of(write: Callable[[], Path], insists: bool, console: Console) -> Path | None:

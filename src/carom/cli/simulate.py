@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.places import require_places
-from carom.cli.shared import attempt
+from carom.cli.shared import attempt, wrote
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -85,8 +85,7 @@ def simulate(
         _reached(run, times)
         written = _write(run, quiet, plot, animate, save, table)
         _tell(run, times, most, as_json, quiet)
-        for path in () if quiet else written:
-            sys.stderr.write(f"written: {path}\n")
+        wrote(*(() if quiet else written))
     except KeyboardInterrupt:
         sys.stderr.write("carom: interrupted; nothing was written\n")
         raise typer.Exit(130) from None

@@ -14,7 +14,7 @@ from rich.markup import escape
 
 from carom.cli.fit_options import length_of
 from carom.cli.places import require_places
-from carom.cli.shared import attempt
+from carom.cli.shared import attempt, wrote
 from carom.cli.shared import out as stdout
 from carom.errors import CaromError
 
@@ -136,9 +136,10 @@ def show(
     for note in (*found.notes, *measured.notes):
         console.print(f"[dim]{escape(note)}[/]", soft_wrap=True)
     if written:
-        console.print(f"{written[1]} rebounds written to {escape(str(written[0]))}", soft_wrap=True)
+        console.print(f"{written[1]} rebounds in the table")
+        wrote(written[0])
     if plot is not None:
-        console.print(f"picture written to {escape(str(plot))}", soft_wrap=True)
+        wrote(plot)
 
 
 def _with_bar(console: Console, run: Any) -> Any:
