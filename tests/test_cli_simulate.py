@@ -390,6 +390,8 @@ def test_what_is_wrong_is_one_line(scenes: Path, case: str, capsys: pytest.Captu
 
 def test_several_faults_at_once(scenes: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert len(fails(capsys, "none.toml", "--at", "x", "--save", "run.csv", "--table", "no/a.csv")) == 4
+    lines = fails(capsys, "none.toml", "--law", "no-slp", "--duration", "-1")
+    assert [line.split(": ")[1] for line in lines] == ["none.toml", "--law", "--duration"]
 
 
 @pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="anybody may write anywhere")

@@ -126,17 +126,21 @@ def _scene(path: Path, changes: dict[str, Any]) -> Scene:
     from carom.scene.model import Run, Scene
     from carom.scene.toml import load_scene
 
-    scene = load_scene(path)
+    found: list[str] = []
+    scene = attempt(found, load_scene, path)
     changes = {name: value for name, value in changes.items() if value is not None}
-    if not changes:
-        return scene
     with contextlib.suppress(KeyError, ValueError):
         changes["duration"] = float(changes["duration"])
-    try:
-        run = Run(**{name: getattr(scene.run, name) for name in Run.model_fields} | changes)
+    now = {"max_events": 1} if scene is None else {name: getattr(scene.run, name) for name in Run.model_fields}
+    try:  # (the options of a scene that is at fault itself, too)
+        run = Run(**now | changes) if changes else None
     except CaromError as error:
         options = {f"Run: {name}:": f"--{name.replace('_', '-')}:" for name in changes}
-        raise CaromError(*(_renamed(fault, options) for fault in error.faults)) from None
+        found += [_renamed(fault, options) for fault in error.faults]
+    if found:
+        raise CaromError(*found)
+    if run is None:
+        return scene  # type: ignore[no-any-return]
     try:  # checked anew as a whole: another law may need what the walls have not
         return Scene(**{name: getattr(scene, name) for name in Scene.model_fields} | {"run": run})
     except CaromError as error:
