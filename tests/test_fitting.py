@@ -552,6 +552,21 @@ def test_the_plan_gives_the_odds_that_it_promises():
     assert np.mean(found) == pytest.approx(expected, abs=4 * np.std(found) / math.sqrt(60) + 0.1 * expected)
 
 
+def test_shots_of_a_law_whose_numbers_are_given_by_name():
+    from carom.fitting.laws import laws_named
+    from carom.fitting.parameters import INDEX
+    from carom.fitting.shot_rows import candidates
+
+    (law,), _notes = laws_named(["sliding"], "planar", True)
+    shots, numbers = Shots(speeds=(2.0, 2.0), counts=(3, 1, 1)), {"restitution": 0.7, "friction": 0.1}
+    rows = candidates("planar", SETTING, shots, law, numbers, None)
+    assert {name: rows.truth[INDEX[name]] for name in numbers} == numbers
+    again = candidates("planar", SETTING, shots, law, lambda _problem: rows.truth, None)
+    assert np.array_equal(rows.problem.y, again.problem.y, equal_nan=True)
+    with pytest.raises(carom.CaromError, match="truth: expected a number of sliding"):
+        candidates("planar", SETTING, shots, law, {"fiction": 0.1}, None)
+
+
 def test_a_law_cannot_be_told_from_one_that_contains_it():
     plan = design("planar", SETTING, ("sliding", "contact"), Shots())
     assert plan.count is None

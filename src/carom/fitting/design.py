@@ -27,7 +27,7 @@ from carom.fitting.parameters import FORMS, INDEX, NUMBERS, PARAMETERS
 from carom.fitting.shot_rows import Candidates, candidates
 from carom.rebounds import COLUMNS, STAGES, Kind, Rebounds
 
-__all__ = ["Plan", "Shot", "Shots", "design", "require_plan"]
+__all__ = ["Plan", "Shot", "Shots", "design", "numbers_of", "require_plan"]
 
 Array = NDArray[np.float64]
 MOST = 400  # shots
@@ -146,7 +146,7 @@ def design(
 
     fitted = None
     if already is not None:  # (numbers that are given are held)
-        _numbers(true, already, truth or {})
+        numbers_of(true, already, truth or {})
         fitted = fit_law(true, replace(already, setting=replace(setting, fixed={**setting.fixed, **(truth or {})})))
         if fitted.untold:
             remarks.append(
@@ -154,10 +154,8 @@ def design(
                 " values: say what they are (--truth)"
             )
 
-    def numbers(problem: Problem) -> Array:
-        return _numbers(true, problem, truth or {}) if fitted is None else fitted.numbers
-
-    rows = candidates(kind, setting, shots, true, numbers, already)
+    known = fitted.numbers if fitted is not None else None
+    rows = candidates(kind, setting, shots, true, (truth or {}) if known is None else lambda _problem: known, already)
     problem, p, have = rows.problem, rows.truth, rows.have
     # (of laws that are fitted to what was filmed, Akaike's own price)
     price = (len(parameters_of(other, problem)[0]) - len(parameters_of(true, problem)[0])) * (2 if have else 1)
@@ -287,7 +285,7 @@ def _require_error_bars(filmed: Rebounds) -> None:
         )
 
 
-def _numbers(law: FittedLaw, problem: Problem, truth: Mapping[str, float]) -> Array:
+def numbers_of(law: FittedLaw, problem: Problem, truth: Mapping[str, float]) -> Array:
     """All numbers of a law, with those that are given; CaromError where one is unknown."""
     free, p, _form = parameters_of(law, problem)
     plain = {

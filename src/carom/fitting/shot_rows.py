@@ -6,7 +6,7 @@ Sobol's points, each error there and back; together they count as one. (Without 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -70,10 +70,12 @@ def candidates(
     setting: Setting,
     shots: Shots,
     law: FittedLaw,
-    truth: Callable[[Problem], Array],
+    truth: Mapping[str, float] | Callable[[Problem], Array],
     filmed: Problem | None,
 ) -> Candidates:
-    """The rows; ``truth`` says what the law's numbers are, of the problem with all rows."""
+    """The rows; ``truth``: numbers of the law by name, or all of them, as a function of the problem with all rows says."""
+    from carom.fitting.design import numbers_of
+
     axes = tuple(
         np.array([np.nan]) if ends is None else np.linspace(*ends, count) if ends[1] > ends[0] else np.array([ends[0]])
         for ends, count in zip((shots.angles, shots.speeds, shots.spins), shots.counts, strict=True)
@@ -83,7 +85,7 @@ def candidates(
     problem, have = grid, 0
     if filmed is not None:
         problem, have = _joined(filmed, grid), len(filmed.x)
-    p = truth(problem)
+    p = truth(problem) if callable(truth) else numbers_of(law, problem, truth)
     spin, before, after = (np.tile(part, (len(grid.x) // len(nodes), 1)) for part in np.split(nodes, [1, 3], axis=1))
     x, y = problem.x.copy(), problem.y.copy()
     v_n, v_t = x[have:, 0], x[have:, 1]
