@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 __all__ = ["Clock", "camera_clock", "noise_of", "step_of"]
 
 Array = NDArray[np.float64]
+# Of the series, how many show the step to which all were rounded, at least: fast balls and resting ones show none.
+AGREE = 0.25
 
 
 @dataclass(frozen=True, eq=False)
@@ -103,18 +105,24 @@ def _grid(time: Array) -> float:
 
 
 def step_of(series: Sequence[Array]) -> float:
-    """The step to which coordinates were rounded, pixels say (m): the median of the series that show one; 0 if none does."""
-    found = [step for step in map(_step, series) if step > 0]
-    return float(np.median(found)) if found else 0.0
+    """The step to which coordinates were rounded, pixels say (m): the median of the series that show one; 0 if none does.
+
+    One camera rounds all series to one step: some that show one by chance, as an even motion does of which frames are missing,
+    are of different steps and few.
+    """
+    told = np.array([step for step in map(_step, series) if np.isfinite(step)])
+    middle = float(np.median(told[told > 0])) if (told > 0).any() else 0.0
+    return middle if (np.abs(told - middle) < 0.05 * middle).sum() >= AGREE * len(told) else 0.0
 
 
 def _step(x: Array) -> float:
-    """Differences of neighbouring values are multiples of it: the largest step at which their phases agree."""
+    """Differences of neighbouring values are multiples of it: the largest step at which their phases agree; 0 if there is none, NaN
+    where there are too few values to tell."""
     values = np.unique(x[np.isfinite(x)])[:20000]
     gaps = np.diff(values)
     gaps = gaps[gaps > 1e-6 * (values[-1] - values[0])] if len(values) else gaps
     if len(gaps) < 20:
-        return 0.0
+        return np.nan
     # rounding to decimal places leaves gaps of 1 beside gaps of 10: steps far below the usual gap are no pixels
     whole = np.sort(gaps)
     gaps = whole[: max(len(gaps) // 2, 20)][:1000]

@@ -1,4 +1,4 @@
-"""All contacts of some tracks, fitted; twice, since the floor and the noise show in all of them together."""
+"""All contacts of some tracks, fitted; again and again, since the floor and the noise show in all of them together."""
 
 from __future__ import annotations
 
@@ -26,6 +26,9 @@ MOST = 500
 MANY, GROUPS, NEAR = 160, 56, 8
 # A fit that scatters more than this many times as much as the others is no free motion beside a wall.
 STRANGE = 3.0
+# The first knows no noise, no blind time and of the floor what the literature has; the second has of the floor what the first found,
+# from a straight line in which the third takes it.
+ROUNDS = 3
 Say = Callable[[int, int], None]
 NAMES = {"wall": "the wall {}", "ball": "ball {}", "gap": "a gap", "start": "the start of the track",
          "end": "the end of the track", "onset": "the ball's start"}  # fmt: skip
@@ -47,35 +50,40 @@ class Fits:
     def run(
         self, tracks: list[Track], events: dict[tuple[str, str], list[Event]], notes: list[str], say: Say | None
     ) -> list[Contact]:
-        """All contacts: first with what the literature has of the floor, at last with what the others show of it."""
+        """All contacts: first with what the literature has of the floor, then with what the others show of it."""
         jobs = [
             (track, events[track.group, track.name], i)
             for track in tracks
             for i, event in enumerate(events[track.group, track.name])
             if event.kind == "wall"
         ]
-        given = [self._prior()] * len(jobs)
-        rounds = 2 if self.settings.blind is not None else 3
-        found = self._round(jobs, given, None, 0, rounds, say)
-        if self.settings.blind is None:
-            self.blind = blind_time(found, self.interval)
-            if any(self.blind):
-                before, after = (f"{1e3 * blind:.3g} ms" for blind in self.blind)
-                notes.append(
-                    f"frames up to {before} before and {after} after a contact scatter across the wall twice as much as"
-                    " others (a soft wall, or a tracker that smooths): left out (--blind 0 takes them)"
-                )
-                found = self._round(jobs, given, found, 1, rounds, say)
+        prior = self._prior()
+        known = [prior] * len(jobs)
         together = cloth if self.view == "above" else weight
-        owners = [(one.group, one.track) for one in found]
-        self.floor, known = together(
-            [one.fit for one in found], owners, given[0] if given else Prior(), self.settings.gravity
-        )
-        return [self._judged(one) for one in self._round(jobs, known, found, rounds - 1, rounds, say)]
+        found: list[Contact] | None = None
+        for number in range(ROUNDS):
+            found = self._round(jobs, known, found, number, say)
+            if number == 0 and self.settings.blind is None:
+                self._find_blind(found, notes)
+            if number < ROUNDS - 1:
+                owners = [(one.group, one.track) for one in found]
+                fits = [one.fit for one in found]
+                self.floor, known = together(fits, owners, known, prior, self.settings.gravity)
+        return [self._judged(one) for one in found or []]
+
+    def _find_blind(self, found: list[Contact], notes: list[str]) -> None:
+        """The blind time, as the first fits show it."""
+        self.blind = blind_time(found, self.interval)
+        if any(self.blind):
+            before, after = (f"{1e3 * blind:.3g} ms" for blind in self.blind)
+            notes.append(
+                f"frames up to {before} before and {after} after a contact scatter across the wall twice as much as"
+                " others (a soft wall, or a tracker that smooths): left out (--blind 0 takes them)"
+            )
 
     def _round(
         self, jobs: list[tuple[Track, list[Event], int]], priors: Sequence[Prior], before: list[Contact] | None,
-        done: int, rounds: int, say: Say | None,
+        done: int, say: Say | None,
     ) -> list[Contact]:  # fmt: skip
         """Every contact once, from what the round before has found."""
         found = []
@@ -83,7 +91,7 @@ class Fits:
             old = before[number] if before else None
             found.append(old if old is not None and old.fit is None else self._contact(*job, prior, old))
             if say:
-                say(done * len(jobs) + number + 1, rounds * len(jobs))
+                say(done * len(jobs) + number + 1, ROUNDS * len(jobs))
         if self.settings.noise is None:
             self.noise = pooled(found, self.noise)
         return found

@@ -50,7 +50,8 @@ class Fitted:
     noise: float
     """m, of one coordinate of one frame: what was assumed."""
     chi2: float
-    dof: int
+    dof: float
+    """Numbers tracked, less what they alone told of the parameters: what is known besides told the rest."""
     residuals: Array
     """(n, 2) m: tracked less fitted; of a mean of m frames, times sqrt(m)."""
     time: Array
@@ -148,13 +149,14 @@ def told(
     step = 1e-4 * scale
     slope = slope[:, free]
     inverse = np.linalg.pinv(slope.T @ slope, rcond=1e-14, hermitian=True)
+    n = 2 * len(time)
+    spent = float(np.einsum("ij,jk,ik->", slope[:n], inverse, slope[:n]))
     rate = differences(outputs, best, step)[:, free]
     r = residual(best)
-    n = 2 * len(time)
     gap = r[:n].reshape(-1, 2) * noise
     chi2 = float(r[:n] @ r[:n])
     return Fitted(
-        outputs(best), rate @ inverse @ rate.T, noise, chi2, n - int(free.sum()), gap, time, slid, places, on,
+        outputs(best), rate @ inverse @ rate.T, noise, chi2, n - spent, gap, time, slid, places, on,
     )  # fmt: skip
 
 

@@ -13,24 +13,27 @@ __all__ = ["cloth", "combined", "weight"]
 
 # Of so many contacts, one's own share in what all say is nothing.
 MANY = 400
+# Median deviations scatter by 1.17 / sqrt(n) of themselves: beyond so many times that, by chance in one of twenty.
+BY_CHANCE = 1.64 * 1.17
 
 
 def combined(values: Sequence[float], variances: Sequence[float]) -> tuple[float, float, float]:
     """Mean, its variance, and the variance between the values beyond their errors; few wild values have no say.
 
-    The weighted median; the spread about it by the median deviation, of which the errors' own share is taken.
+    The weighted median; the spread about it by the median deviation, of which the errors' own share is taken where it is more than
+    chance does: of one number, measured many times, half of all samples scatter more than their errors.
     """
     y, v = np.array(values), np.array(variances)
     if len(y) == 0:
         return np.nan, np.inf, 0.0
     w = 1 / v
-    between = 0.0
+    between, most = 0.0, 1 + BY_CHANCE / len(y) ** 0.5
     for _ in range(20):
         order = np.argsort(y)
         share = np.cumsum(w[order]) / w.sum()
         middle = float(y[order][np.searchsorted(share, 0.5)])
         wild = float(np.median(np.abs(y - middle) / np.sqrt(v + between))) / 0.6745
-        if len(y) < 4 or (wild <= 1.02 and (between == 0 or wild >= 0.98)):
+        if len(y) < 4 or (wild <= most if between == 0 else abs(wild - 1) <= 0.02):
             break
         between = max(wild**2 * float(np.median(v + between)) - float(np.median(v)), 0.0)
         w = 1 / (v + between)
@@ -40,12 +43,13 @@ def combined(values: Sequence[float], variances: Sequence[float]) -> tuple[float
 
 
 def cloth(
-    fits: Sequence[Fitted | None], owners: Sequence[tuple[str, str]], prior: Prior, gravity: float
+    fits: Sequence[Fitted | None], owners: Sequence[tuple[str, str]], told: Sequence[Prior], prior: Prior, gravity: float
 ) -> tuple[dict[str, tuple[float, float]], list[Prior]]:
     """Friction and rolling resistance with errors, where some contact tells them, and what each may know from all the others.
 
-    Each fit's own frames are taken out of what it is told, or they would count twice: with it go the contacts of the same
-    ball (``owners``) whose frames it shares, before or after.
+    ``told``: what each fit was told before, which is taken off what it says; ``prior``: what the literature has. Each fit's own
+    frames are taken out of what it is told, or they would count twice: with it go the contacts of the same ball (``owners``)
+    whose frames it shares, before or after.
     """
     found: dict[str, tuple[float, float]] = {}
     known = [prior] * len(fits)
@@ -53,11 +57,13 @@ def cloth(
         before, error = getattr(prior, name), getattr(prior, f"{name}_error")
         alone: dict[int, tuple[float, float]] = {}
         for i, fit in enumerate(fits):
-            # a fit at the edge of what is allowed, or that its own frames told nothing new, has no say
-            if fit is None or not fit[name] > 1e-6 or not 0 < fit.error(name) < 0.7 * error:
-                continue
-            variance = 1 / (1 / fit.error(name) ** 2 - 1 / error**2)
-            alone[i] = (variance * (fit[name] / fit.error(name) ** 2 - before / error**2), variance)
+            if fit is None or not fit[name] > 1e-6 or not fit.error(name) > 0:
+                continue  # at the edge of what is allowed
+            weight, was = fit.error(name) ** -2, getattr(told[i], f"{name}_error") ** -2
+            # a fit whose own frames say less than the literature has no say
+            if weight - was > error**-2:
+                alone[i] = ((weight * fit[name] - was * getattr(told[i], name)) / (weight - was), 1 / (weight - was))
+        alone = _once(alone, fits, owners)
         mean, variance, between = combined(*_both(alone))
         weight_before = 1 / error**2
         total = weight_before + (1 / variance if np.isfinite(variance) else 0.0)
@@ -79,6 +85,18 @@ def cloth(
     return found, known
 
 
+def _once(
+    alone: dict[int, tuple[float, float]], fits: Sequence[Fitted | None], owners: Sequence[tuple[str, str]]
+) -> dict[int, tuple[float, float]]:
+    """Those that say most, each frame in one of them: between two walls a ball's frames are in two fits."""
+    kept: dict[tuple[str, str], list[int]] = {}
+    for i in sorted(alone, key=lambda i: alone[i][1]):
+        same = kept.setdefault(owners[i], [])
+        if not any(_share(fits[i], fits[j]) for j in same):
+            same.append(i)
+    return {i: alone[i] for i in sorted(i for same in kept.values() for i in same)}
+
+
 def _share(one: Fitted | None, other: Fitted | None) -> bool:
     """Whether two fits of a ball have frames in common."""
     if one is None or other is None:
@@ -91,13 +109,13 @@ def _both(alone: dict[int, tuple[float, float]]) -> tuple[list[float], list[floa
 
 
 def weight(
-    fits: Sequence[Fitted | None], owners: Sequence[tuple[str, str]], prior: Prior, gravity: float
+    fits: Sequence[Fitted | None], owners: Sequence[tuple[str, str]], told: Sequence[Prior], prior: Prior, gravity: float
 ) -> tuple[dict[str, tuple[float, float]], list[Prior]]:
     """The gravity that the parabolas show, with its error; nothing that a fit would be told."""
     good = [fit for fit in fits if fit is not None]
     size = [float(np.hypot(fit["mu_g"], fit["c_g"])) for fit in good]
     mean, variance, between = combined(size, [max(fit.error("mu_g"), 1e-9) ** 2 for fit in good])
-    del gravity, owners
+    del gravity, owners, told
     return ({"gravity": (mean, float(np.sqrt(variance + between / max(len(good), 1))))} if good else {}), [prior] * len(
         fits
     )
