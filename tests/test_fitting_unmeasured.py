@@ -132,9 +132,75 @@ def test_what_slip_gives_back_and_what_spins_there_were_cannot_be_told_apart(rob
     assert [deviance(b) for b in (-0.6, -0.3, 0.0, 0.5, 0.9)] == pytest.approx([deviance(0.2)] * 5, abs=0.2)
 
 
+def together(rebounds, rho):
+    """The same, of which it is said that the errors before and after go together."""
+    both = {
+        f"covariance_{name}": rho * rebounds.sigma[f"{name}_in"] * rebounds.sigma[f"{name}_out"]
+        for name in ("v_n", "v_t")
+    }
+    return replace(rebounds, extra=both)
+
+
+@pytest.mark.parametrize("spin_seen", [True, False])
+def test_errors_before_and_after_that_go_together(spin_seen):
+    # a wall that sticks is straight: its deviance by hand
+    rebounds = together(bounces(3, 20, spin_seen=False, blur=0.03), -0.6)
+    vn, vt = rebounds["v_n_in"], rebounds["v_t_in"]
+    if spin_seen:
+        rebounds = replace(rebounds, columns=rebounds.columns | {"spin_in": 0.3 * vt / A})
+    fit = fit_law(law("sticking"), make_problem(rebounds, SETTING)[0])
+    p = numbers(restitution=0.7, friction=math.inf, spin_mean=0.3, spin_width=0.5)
+    deviance, _least = rows_of_fit(fit, fit.problem, p)
+    covariance = -0.6 * 0.03 * 0.02
+    b = KAPPA / (1 + KAPPA)
+    along = 1 - b if spin_seen else 1 - b * (1 - 0.3)  # a spin that nobody measured goes with v_t
+    s_nn, s_tt = (0.02**2 + (e * 0.03) ** 2 - 2 * e * covariance for e in (0.7, along))
+    wide = s_tt + (0.0 if spin_seen else np.square(b * 0.5 * np.hypot(vn, vt)))
+    c = np.square(rebounds["v_n_out"] - 0.7 * vn) / s_nn
+    c = c + np.square(rebounds["v_t_out"] - (1 - b * (1 - 0.3)) * vt) / wide
+    root = 0.0 if spin_seen else np.log(wide / (0.02**2 + 0.03**2))
+    assert deviance == pytest.approx(c + root, rel=1e-5)
+
+
+@pytest.mark.parametrize("rho", [-0.8, 0.8])
+def test_the_scatter_of_errors_that_go_together_is_what_is_said_of_it(rho):
+    alone, both = [], []
+    for seed in range(30):
+        rebounds = bounces(200 + seed, 40)
+        rng = np.random.default_rng(seed)
+        columns = dict(rebounds.columns)
+        for name in ("v_n", "v_t"):  # what is measured before with an error that goes with the one after
+            errors = 0.02 * rng.normal(size=(2, 40))
+            columns[f"{name}_out"] = rebounds[f"{name}_out"] + rho * errors[0] + math.sqrt(1 - rho * rho) * errors[1]
+            columns[f"{name}_in"] = rebounds[f"{name}_in"] + errors[0]
+        bars = {"v_n_in": 0.02, "v_t_in": 0.02, "v_n_out": 0.02 * math.sqrt(2), "v_t_out": 0.02 * math.sqrt(2)}
+        bars = {name: np.full(40, bar) for name, bar in bars.items()}
+        blurred = replace(rebounds, columns=columns, sigma=rebounds.sigma | bars)
+        covariance = np.full(40, rho * 0.02**2)
+        known = replace(blurred, extra={"covariance_v_n": covariance, "covariance_v_t": covariance})
+        for found, rows in ((alone, blurred), (both, known)):
+            fit = fit_law(law("sliding"), make_problem(rows, SETTING)[0])
+            found.append(fit.chi2 / fit.dof)
+    assert np.mean(both) == pytest.approx(1, abs=0.06)
+    assert abs(np.mean(alone) - 1) > 0.15
+
+
+def test_covariances_that_cannot_be():
+    rebounds = bounces(3, 20, blur=0.03)
+    wrong = {"covariance_v_n": np.full(20, 0.01), "covariance_v_t": np.full(20, -0.01)}
+    with pytest.raises(carom.CaromError) as error:
+        make_problem(replace(rebounds, extra=wrong), SETTING)
+    assert len(error.value.faults) == 2
+    assert (
+        "row 1: covariance_v_n: expected at most sigma_v_n_in times sigma_v_n_out, 0.0006 m^2/s^2, got 0.01"
+        in error.value.faults[0]
+    )
+
+
+@pytest.mark.parametrize("rho", [0.0, -0.6])
 @pytest.mark.parametrize("robust", [False, True])
-def test_scores_are_the_deviance_s_slopes(robust):
-    rebounds = bounces(5, 30, beta=0.3, blur=0.02)
+def test_scores_are_the_deviance_s_slopes(robust, rho):
+    rebounds = together(bounces(5, 30, beta=0.3, blur=0.02), rho)
     setting = Setting(radius=A, kappa=KAPPA, robust=robust)
     problem, _ = make_problem(rebounds, setting)
     ways = ways_of(law("contact"), problem)[0]

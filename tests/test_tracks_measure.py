@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import importlib.util
 import sys
+from dataclasses import replace
 from pathlib import Path
 from types import ModuleType
 
 import numpy as np
 import pytest
-from track_truth import HIGH, LOW, RADIUS, Camera, bounce, seen, shot, truth
+from track_truth import HIGH, LOW, RADIUS, Camera, bounce, seen, shot, surfaces, truth
 
 import carom
 from carom.errors import CaromError
@@ -348,6 +349,32 @@ def test_steps_and_noise(step: float) -> None:
     t = np.arange(400) / 100
     way = np.stack([t, t * t / 10], axis=-1) + rng.normal(0, step, (400, 2))
     assert noise_of(t, way, 0.01) == pytest.approx(step, rel=0.1)
+
+
+def test_an_even_motion_of_which_frames_are_missing_is_not_rounded() -> None:
+    rng = np.random.default_rng(1)
+    t = np.arange(140) / 120
+    even = [np.delete(1.26 * t + rng.normal(0, 3e-4, 140), np.flatnonzero(rng.random(140) < 0.2))]
+    assert step_of(even) > 0.009  # by itself it looks as if it were
+    others = [v * t + rng.normal(0, 3e-4, 140) for v in rng.uniform(0.1, 0.6, 9)]
+    assert step_of(even + others) == 0.0
+    assert step_of([np.round(x / 3e-3) * 3e-3 for x in even + others]) == pytest.approx(3e-3, rel=1e-3)
+
+
+@pytest.mark.parametrize("seed", [0, 2])
+def test_the_floor_is_as_sure_as_the_frames(seed: int) -> None:
+    """Of 20 films with frames missing (one of seed 2 looks rounded): each frame counts once, and the noise is what it is."""
+    rng = np.random.default_rng(seed)
+    on = surfaces(rng, "after")
+    camera = Camera(120, 3e-4, missing=0.2)
+    films = [replace(seen(shot(rng, on=on), camera, rng), group=f"shot {k}") for k in range(20)]
+    measured = measure(films, ABOVE)
+    assert measured.step == (0.0, 0.0)
+    assert measured.noise == pytest.approx(3e-4, rel=0.05)
+    for label, true, most in (("cloth friction", on.cloth, 8e-4), ("rolling resistance", on.rolling, 2.5e-4)):
+        value, error = measured.floor[label]
+        assert abs(value - true) < 3 * error
+        assert error < most
 
 
 # --- the script of real rebounds ------------------------------------------------------------------------------------------

@@ -20,6 +20,7 @@ __all__ = ["Problem", "Setting", "Shared", "make_problem", "prior_in_words", "re
 
 Array = NDArray[np.float64]
 MOST_SHARED = 0.95  # of a variance, that rows share: the rest is a row's own
+MOST_TOGETHER = 0.95  # correlation of errors before and after: nothing is left of a row whose errors are one
 # What a film measures once for all its rows: the beginning of their columns, and what it is
 SHARED = {"cloth": "cloth friction", "rolling": "rolling resistance"}
 CLOTH = 0.2  # a billiard table's, where nothing else is known
@@ -129,7 +130,7 @@ class Problem:
     x: Array
     """(N, 3) before: v_n, v_t, spin (NaN: not measured)."""
     vx: Array
-    """(N, 3) their variances."""
+    """(N, 5) their variances; then of the errors of v_n before and after the covariance, and of those of v_t."""
     y: Array
     """(N, 3) after; NaN: not measured."""
     vy: Array
@@ -188,7 +189,7 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
     vy = np.stack([variance(name) for name in names[3:]], axis=-1)
     estimated = np.array([bool(seen[:, j].any()) and names[3 + j] not in rebounds.sigma for j in range(3)])
     unknown = np.isnan(x[:, 2])
-    faults = []
+    covariance, faults = _covariances(rebounds, np.where(estimated[:2], np.inf, np.sqrt(vx[:, :2] * vy[:, :2])))
     if estimated.any():
         lacks = ", ".join(f"sigma_{names[3 + j]}" for j in np.flatnonzero(estimated))
         if unknown.any() or setting.robust:
@@ -220,8 +221,11 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
     if shared:  # and each row has what is left
         square = np.sum([np.square(one.rows) for one in shared], axis=0)
         vx, vy = (v - np.minimum(s, MOST_SHARED * v) for v, s in ((vx, square[:, :3]), (vy, square[:, 3:])))
+        covariance = covariance - np.sum([one.rows[:, :2] * one.rows[:, 3:5] for one in shared], axis=0)
         words = " and of its ".join(f"{one.name}" for one in shared)
         notes.append(f"velocities of all rows share the error of the film's {words}: fitted with every law")
+    most = np.where(estimated[:2], 0.0, MOST_TOGETHER * np.sqrt(vx[:, :2] * vy[:, :2]))
+    vx = np.concatenate([vx, np.clip(covariance, -most, most)], axis=-1)
     problem = Problem(rebounds, setting, x, vx, y, vy, stages, None, estimated, shared)
     if unknown.any():
         problem = replace(problem, spins=Spins(places_of_sigma(), setting.spin_prior == "uniform"))
@@ -231,6 +235,25 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
         )
     notes += _look(problem, spins)
     return problem, notes
+
+
+def _covariances(rebounds: Rebounds, most: Array) -> tuple[Array, list[str]]:
+    """(N, 2) of the errors of v_n before and after, and of those of v_t, 0 where nothing says; and what is wrong with them.
+    ``most``: the products of the error bars.
+
+    A film's way before a wall and that after it meet in one place and at one time: where one is thought steeper, the other is too.
+    """
+    found, faults = np.zeros((len(rebounds), 2)), []
+    for o, name in enumerate(("v_n", "v_t")):
+        found[:, o] = np.nan_to_num(_numbers(rebounds, f"covariance_{name}"))
+        wrong = np.flatnonzero(~(np.abs(found[:, o]) <= most[:, o] * (1 + 1e-6)))
+        if len(wrong):
+            label = rebounds.rows[wrong[0]] if rebounds.rows else f"row {wrong[0] + 1}"
+            faults.append(
+                f"{rebounds.source}: {label}: covariance_{name}: expected at most sigma_{name}_in times sigma_{name}_out,"
+                f" {most[wrong[0], o]:.3g} m^2/s^2, got {found[wrong[0], o]:.3g}; leave the column out if error bars were changed"
+            )
+    return found, faults
 
 
 def _shared(rebounds: Rebounds, names: tuple[str, ...], floor: float) -> tuple[Shared, ...]:

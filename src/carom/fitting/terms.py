@@ -2,10 +2,10 @@
 
 Inputs x and outputs y, measured with variances. The law f(x, p), straight near x, makes the deviance
 
-    c = r' S^-1 r,   r = y - f(x, p),   S = var(y) + J var(x) J',   J = df/dx,
+    c = r' S^-1 r,   r = y - f(x, p),   S = var(y) + J var(x) J' - J C - C' J',   J = df/dx,   C = cov(x, y),
 
 which is the least that x and y have to be moved, in their own error bars (Fuller, Measurement Error Models (1987), 1.3).
-Its slope in p is -2 G' S^-1 r with G = df/dp taken where the best x lies, x + var(x) J' S^-1 r; a logarithm of det S has
+Its slope in p is -2 G' S^-1 r with G = df/dp taken where the best x lies, x + (var(x) J' - C) S^-1 r; a logarithm of det S has
 no place in it, and would pull the numbers off. With nu > 0 errors are Student's t with nu degrees of freedom:
 (nu + d) log(1 + c/nu). A row whose spin nobody measured is in :mod:`carom.fitting.unmeasured`.
 """
@@ -17,12 +17,24 @@ from typing import Any
 
 from carom.kernel import Vec, kernel
 
-__all__ = ["NO_ANSWER", "ROOM", "SPIN_MEAN", "SPIN_WIDTH", "STEP", "ask", "how_many", "known_row", "precision"]
+__all__ = [
+    "COVARIANCE",
+    "NO_ANSWER",
+    "ROOM",
+    "SPIN_MEAN",
+    "SPIN_WIDTH",
+    "STEP",
+    "ask",
+    "how_many",
+    "known_row",
+    "precision",
+]
 
 NO_ANSWER = 1e8  # the deviance of a row to which a law has no answer
 STEP = 1e-4  # of a derivative, in the parameter's own size
 SPIN_WIDTH, SPIN_MEAN = 10, 12  # among a law's numbers; the law does not know them
 ROOM = 4  # scratch arrays of a row
+COVARIANCE = 3  # in vx, behind the variances: of v_n before with v_n after, and of v_t
 
 
 @kernel
@@ -87,6 +99,9 @@ def precision(i: int, y: Any, vx: Any, vy: Any, jac: Any, first: int, inputs: in
             for o in range(inputs):
                 if vx[i, o] > 0:
                     s[m, n] += jac[first + o, m] * vx[i, o] * jac[first + o, n]
+        for o in range(2):  # each velocity with itself, before and after
+            s[m, o] -= jac[first + o, m] * vx[i, COVARIANCE + o]
+            s[o, m] -= jac[first + o, m] * vx[i, COVARIANCE + o]
     for m in range(3):
         if y[i, m] != y[i, m]:  # not measured
             for n in range(3):
@@ -141,8 +156,9 @@ def known_row(
         return NO_ANSWER, NO_ANSWER
     if k > 0:
         # where the best x lies
-        x0 = max(x0 + vx[i, 0] * (said[1, 0] * qr[0] + said[1, 1] * qr[1] + said[1, 2] * qr[2]), x0 / 2)
-        x1 += vx[i, 1] * (said[2, 0] * qr[0] + said[2, 1] * qr[1] + said[2, 2] * qr[2])
+        off = vx[i, 0] * (said[1, 0] * qr[0] + said[1, 1] * qr[1] + said[1, 2] * qr[2]) - vx[i, COVARIANCE] * qr[0]
+        x0 = max(x0 + off, x0 / 2)
+        x1 += vx[i, 1] * (said[2, 0] * qr[0] + said[2, 1] * qr[1] + said[2, 2] * qr[2]) - vx[i, COVARIANCE + 1] * qr[1]
         x2 += vx[i, 2] * (said[3, 0] * qr[0] + said[3, 1] * qr[1] + said[3, 2] * qr[2])
         ask(law, code, form, stage, i, a, (x0, x1, x2), size, vx, p, fitted, 3, 1, 0, 1, said)
         ask(law, code, form, stage, i, a, (x0, x1, x2), size, vx, p, fitted, 3, 1, 4, 4 + k, said)

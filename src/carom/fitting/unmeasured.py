@@ -26,7 +26,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.fitting.terms import NO_ANSWER, SPIN_MEAN, SPIN_WIDTH, ask, how_many, precision
+from carom.fitting.terms import COVARIANCE, NO_ANSWER, SPIN_MEAN, SPIN_WIDTH, ask, how_many, precision
 from carom.kernel import kernel
 
 __all__ = ["COLUMNS", "SMALL", "Spins", "places_of_sigma", "unmeasured_row"]
@@ -186,11 +186,12 @@ def _slopes(row: Any, said: Any, one: int, two: int, turned: float, mid: Any) ->
 @kernel
 def _root_slope(i: int, vx: Any, mid: Any, inner: Any, at: int, s: Any, q: Any) -> float:
     """The slope of log (S_nn / det S)^(1/2) in a number, by which the law's slopes in v_n and v_t change as inner[at:] say."""
-    t = 0 * s[0, 0]
+    t = -vx[i, COVARIANCE] * inner[at, 0] / s[0, 0]
     for o in range(2):
         t += vx[i, o] * mid[o, 0] * inner[at + o, 0] / s[0, 0]
         for m in range(3):
             t -= vx[i, o] * inner[at + o, m] * (q[m, 0] * mid[o, 0] + q[m, 1] * mid[o, 1] + q[m, 2] * mid[o, 2])
+            t += vx[i, COVARIANCE + o] * inner[at + o, m] * q[m, o]
     return float(t)
 
 
@@ -225,6 +226,12 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
     # Which stretches matter: those whose least possible exponent is not far above the least that is sure
     sure = math.inf
     wide = WIDER * (vx[i, 0] + vx[i, 1])
+    # errors before and after that go together make S larger or smaller by as much at most
+    more, less = 1 + 0 * a, 1 + 0 * a
+    for o in range(2):
+        if vx[i, COVARIANCE + o] != 0:
+            square = vx[i, COVARIANCE + o] * vx[i, COVARIANCE + o] / (vx[i, o] * vy[i, o])
+            more, less = max(more, 1 + math.sqrt(square)), min(less, 1 - square)
     for n in range(count - 1):
         low = -math.inf if n == 0 else 0.0
         high = math.inf if n == count - 2 else 1.0
@@ -241,10 +248,10 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
         for m in range(3):
             if y[i, m] != y[i, m]:
                 continue
-            t = 1 / vy[i, m]
+            t = 1 / (less * vy[i, m])
             q2, q1, q0 = q2 + t * r[1, m] * r[1, m], q1 + t * r[0, m] * r[1, m], q0 + t * r[0, m] * r[0, m]
             if m < 2:
-                t = 1 / (vy[i, m] + wide)
+                t = 1 / (more * (vy[i, m] + wide))
                 l2, l1, l0 = l2 + t * r[1, m] * r[1, m], l1 + t * r[0, m] * r[1, m], l0 + t * r[0, m] * r[0, m]
         if nu > 0:  # heavy tails rule nothing out; the prior alone does
             q2, q1, q0 = l2, l1, l0 = z1 * z1, z0 * z1, z0 * z0
@@ -336,6 +343,7 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
                 qr[n, m] = q[m, 0] * r[n, 0] + q[m, 1] * r[n, 1] + q[m, 2] * r[n, 2]
             for o in range(2):
                 move[n, o] = vx[i, o] * (mid[o, 0] * qr[n, 0] + mid[o, 1] * qr[n, 1] + mid[o, 2] * qr[n, 2])
+                move[n, o] -= vx[i, COVARIANCE + o] * qr[n, o]
         # the slopes in the law's numbers a quarter and three quarters of the way: at its ends they may jump
         start, slope = small[9], small[10]
         for end in range(2):

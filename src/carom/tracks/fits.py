@@ -26,8 +26,7 @@ MOST = 500
 MANY, GROUPS, NEAR = 160, 56, 8
 # A fit that scatters more than this many times as much as the others is no free motion beside a wall.
 STRANGE = 3.0
-# The first knows no noise, no blind time and of the floor what the literature has; the second has of the floor what the first found,
-# from a straight line in which the third takes it.
+# The first knows no noise and of the floor what the literature has; what the second finds of the floor is from near the truth.
 ROUNDS = 3
 Say = Callable[[int, int], None]
 NAMES = {"wall": "the wall {}", "ball": "ball {}", "gap": "a gap", "start": "the start of the track",

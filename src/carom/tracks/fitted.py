@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 
-__all__ = ["OUTPUTS", "Fitted", "Prior", "differences", "guess", "require_scipy", "solve", "told"]
+__all__ = ["OUTPUTS", "Fitted", "Prior", "differences", "guess", "require_scipy", "solve", "told", "unseen"]
 
 Array = NDArray[np.float64]
 Model = Callable[[Array], Array]
@@ -79,16 +79,25 @@ class Fitted:
         return float(self.covariance[OUTPUTS.index(name), OUTPUTS.index(other)])
 
     def told(self, name: str) -> bool:
-        """Whether the frames tell a value: not the slip of a ball that slides on until the contact, or until its last frame."""
+        """Whether the frames tell a value: not the slip of a ball that slides on until the contact, or until its last frames."""
         if name in ("un_in", "ut_in"):
             return not self.on
         if name in ("un_out", "ut_out", "vn_roll", "vt_roll", "slides"):
-            return self["t"] + self["slides"] < float(self.time[-1])
+            left = float(self.time[-1]) - self["t"] - self["slides"]
+            return left > 0 and left > unseen(self["mu_g"], self.noise, self.time)
         return bool(np.isfinite(self[name]))
 
     def scaled(self, noise: float) -> Fitted:
         """The same fit for another noise (the prior's share stays as it is: a second fit takes it up)."""
         return replace(self, covariance=self.covariance * (noise / self.noise) ** 2, noise=noise)
+
+
+def unseen(mu_g: float, noise: float, time: Array) -> float:
+    """For how long a ball may roll, or slide, in place of the other, before frames (n,) show it: s.
+
+    Its way bends by mu g / 2 t^2, which has to come to a few times the noise, and a frame has to be there.
+    """
+    return float(np.sqrt(5 * noise / mu_g) + np.median(np.diff(time)))
 
 
 def require_scipy() -> None:

@@ -13,8 +13,8 @@ __all__ = ["cloth", "combined", "weight"]
 
 # Of so many contacts, one's own share in what all say is nothing.
 MANY = 400
-# Median deviations scatter by 1.17 / sqrt(n) of themselves: beyond so many times that, by chance in one of twenty.
-BY_CHANCE = 1.64 * 1.17
+# By how much of themselves median deviations scatter, times sqrt(n).
+BY_CHANCE = 1.17
 
 
 def combined(values: Sequence[float], variances: Sequence[float]) -> tuple[float, float, float]:
@@ -43,7 +43,11 @@ def combined(values: Sequence[float], variances: Sequence[float]) -> tuple[float
 
 
 def cloth(
-    fits: Sequence[Fitted | None], owners: Sequence[tuple[str, str]], told: Sequence[Prior], prior: Prior, gravity: float
+    fits: Sequence[Fitted | None],
+    owners: Sequence[tuple[str, str]],
+    told: Sequence[Prior],
+    prior: Prior,
+    gravity: float,
 ) -> tuple[dict[str, tuple[float, float]], list[Prior]]:
     """Friction and rolling resistance with errors, where some contact tells them, and what each may know from all the others.
 
@@ -88,9 +92,9 @@ def cloth(
 def _once(
     alone: dict[int, tuple[float, float]], fits: Sequence[Fitted | None], owners: Sequence[tuple[str, str]]
 ) -> dict[int, tuple[float, float]]:
-    """Those that say most, each frame in one of them: between two walls a ball's frames are in two fits."""
+    """Those of which each frame is in one: between two walls a ball's frames are in two fits, of which the first one counts."""
     kept: dict[tuple[str, str], list[int]] = {}
-    for i in sorted(alone, key=lambda i: alone[i][1]):
+    for i in alone:  # (in the order of time)
         same = kept.setdefault(owners[i], [])
         if not any(_share(fits[i], fits[j]) for j in same):
             same.append(i)
@@ -109,7 +113,11 @@ def _both(alone: dict[int, tuple[float, float]]) -> tuple[list[float], list[floa
 
 
 def weight(
-    fits: Sequence[Fitted | None], owners: Sequence[tuple[str, str]], told: Sequence[Prior], prior: Prior, gravity: float
+    fits: Sequence[Fitted | None],
+    owners: Sequence[tuple[str, str]],
+    told: Sequence[Prior],
+    prior: Prior,
+    gravity: float,
 ) -> tuple[dict[str, tuple[float, float]], list[Prior]]:
     """The gravity that the parabolas show, with its error; nothing that a fit would be told."""
     good = [fit for fit in fits if fit is not None]

@@ -10,7 +10,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.tracks.fitted import OUTPUTS, Fitted, Prior, guess, solve, told
+from carom.tracks.fitted import OUTPUTS, Fitted, Prior, guess, solve, told, unseen
 from carom.tracks.legs import leg, slopes
 
 __all__ = ["fit_table", "tells_rolling"]
@@ -224,7 +224,7 @@ def fit_table(
     fitted = replace(fitted, theta=best)
     if on:
         # it may have come to roll so short a time before the wall that no frame shows it
-        late = best[11] * (np.sqrt(5 * noise / best[11]) + float(np.median(np.diff(time))))
+        late = best[11] * unseen(best[11], noise, time)
         e = np.zeros(len(OUTPUTS))
         e[3:5] = late / np.sqrt(3.0) * np.array([np.cos(best[6]), np.sin(best[6])])
         fitted = replace(fitted, covariance=fitted.covariance + np.outer(e, e))

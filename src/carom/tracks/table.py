@@ -49,7 +49,8 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
 
     ``stage`` best: as the ball leaves the wall where the track tells that, else once it rolls again; both: two rows, which
     are not independent. ``sliding`` keeps balls that still slide when they meet the wall: the columns slip_n_in, slip_t_in
-    then say by how much. Extra columns: shot, ball, wall, contact (its number), t (s), spin_source, and of a table the slips
+    then say by how much. Extra columns: shot, ball, wall, contact (its number), t (s), spin_source, the covariances of the
+    errors before and after (covariance_v_n, covariance_v_t, m^2/s^2, which the fits take up), and of a table the slips
     on the floor (velocity less that of rolling, m/s, in the axes and signs of v_n and v_t) with their errors, and what the film
     says of the floor. spin_source says where the spin before the contact is from: tracked, rolling (inferred), sliding
     (fitted), or none. Raises CaromError where
@@ -91,6 +92,7 @@ def _row(one: Contact, number: int, stage: str, spin: str) -> dict[str, Any]:
         "v_t_out": fit[out[1]], "sigma_v_t_out": fit.error(out[1]),
         f"{spin}_in": spin_in, f"sigma_{spin}_in": error_in, f"{spin}_out": spin_out, f"sigma_{spin}_out": error_out,
         "stage": stage,
+        "covariance_v_n": -fit.covaries("vn_in", out[0]), "covariance_v_t": fit.covaries("vt_in", out[1]),
     }  # fmt: skip
     if not one.planar:
         for side in ("in", "out"):
