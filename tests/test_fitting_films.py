@@ -152,7 +152,7 @@ def test_the_film_s_error_of_the_floor_is_the_law_s_too():
 def test_what_rolling_resistance_does_to_the_rows_is_what_it_does():
     rng = np.random.default_rng(5)
     on = surfaces(rng, "after")
-    films = [replace(seen(shot(rng, on=on), CAMERA, rng), group=f"shot {k}") for k in range(4)]
+    films = [replace(seen(shot(rng, on=on), CAMERA, rng), group=f"shot {k}") for k in range(8)]
     free = measure(films, Settings(radius=0.0, view="above", noise=3e-4))
     value, error = free.floor["rolling resistance"]
     table = to_rebounds(free)
@@ -171,8 +171,8 @@ def test_what_rolling_resistance_does_to_the_rows_is_what_it_does():
 
 
 def test_from_a_film_to_restitution_and_friction():
-    # here the cloth is measured 1.6 of its error bars too low, and with it every speed after the cushion
-    rng = np.random.default_rng(7)
+    # here the cloth is measured 0.8 of its error bars too high, and with it every speed after the cushion
+    rng = np.random.default_rng(8)
     on = surfaces(rng, "after")
     runs = [shot(rng, on=on) for _ in range(30)]
     films = [replace(seen(run, CAMERA, rng), group=f"shot {k}") for k, run in enumerate(runs)]

@@ -20,6 +20,7 @@ from carom.tracks.clock import camera_clock, noise_of, step_of
 from carom.tracks.contacts import Wall
 from carom.tracks.legs import leg, slopes
 from carom.tracks.measure import Measured, Settings, measure
+from carom.tracks.on_table import tells_rolling
 from carom.tracks.table import chosen, to_rebounds
 from carom.tracks.track import Track
 
@@ -356,7 +357,7 @@ def test_an_even_motion_of_which_frames_are_missing_is_not_rounded() -> None:
     t = np.arange(140) / 120
     even = [np.delete(1.26 * t + rng.normal(0, 3e-4, 140), np.flatnonzero(rng.random(140) < 0.2))]
     assert step_of(even) > 0.009  # by itself it looks as if it were
-    others = [v * t + rng.normal(0, 3e-4, 140) for v in rng.uniform(0.1, 0.6, 9)]
+    others = [v * t + rng.normal(0, 3e-4, 140) for v in rng.uniform(0.05, 0.4, 9)]
     assert step_of(even + others) == 0.0
     assert step_of([np.round(x / 3e-3) * 3e-3 for x in even + others]) == pytest.approx(3e-3, rel=1e-3)
 
@@ -375,6 +376,12 @@ def test_the_floor_is_as_sure_as_the_frames(seed: int) -> None:
         value, error = measured.floor[label]
         assert abs(value - true) < 3 * error
         assert error < most
+
+
+def test_five_frames_do_not_tell_that_a_ball_rolls() -> None:
+    # (no slide is looked for in so few, large as it would be: a tenth of a second after another wall, say)
+    assert not tells_rolling(5, 0.116, 3e-4, 2.4)
+    assert tells_rolling(6, 0.116, 3e-4, 2.4)
 
 
 # --- the script of real rebounds ------------------------------------------------------------------------------------------

@@ -25,6 +25,7 @@ EARNED_ON = 6.63
 # chi2 that a slide all the way to the contact has to be worth, so that one that is there is seen with near certainty.
 SEEN = 20.0
 FEW_AFTER = 15  # frames
+FEWEST_SLIDING = 6  # frames before the contact, to tell a slide from noise
 SLACK = 0.02  # s that a contact may be from where the frames turn, at most
 _NUMBERS = np.arange(13)
 # Which parameters are free: of a ball that rolls, that slides on until the contact, that slides and then rolls.
@@ -238,7 +239,7 @@ def _slide_before(time: Array, gap: Array, weight: Array, rolling: Array, noise:
     """
     rows = time < rolling[0]
     s, gap, weight = time[rows] - time[0], gap[rows] / noise, weight[rows, None]
-    if len(s) < 6:
+    if len(s) < FEWEST_SLIDING:
         return None
     span = rolling[0] - time[0]
     most, direction = EARNED_ON, np.nan
@@ -266,4 +267,4 @@ def tells_rolling(frames: int, span: float, noise: float, mu_g: float) -> bool:
     Off the straight line through them such a parabola is (mu g / 2) span^2 / (6 sqrt(5)) in the mean square.
     """
     bend = mu_g / 2 * span * span / (6 * np.sqrt(5.0))
-    return bool(frames * (bend / noise) ** 2 > SEEN)
+    return frames >= FEWEST_SLIDING and bool(frames * (bend / noise) ** 2 > SEEN)
