@@ -16,8 +16,8 @@ from carom.fitting.kernels import CONTACT, planar
 from carom.fitting.laws import laws_named
 from carom.fitting.looks import look
 from carom.fitting.parameters import INDEX, PARAMETERS
-from carom.fitting.unmeasured import COLUMNS, SMALL, _bend, unmeasured_row
-from carom.fitting.ways import _rows, ways_of
+from carom.fitting.unmeasured import COLUMNS, SMALL, Spins, _bend, places_of_sigma, unmeasured_row
+from carom.fitting.ways import _rows, predict_law, ways_of
 from carom.rebounds import make_rebounds
 
 A, KAPPA = 0.02, 2 / 3
@@ -460,3 +460,49 @@ def test_no_error_bar_is_given_to_what_unknown_spins_make_up_for(seed):
         estimate = other.ranked[0].fit.estimates[name]
         if name != "friction" or estimate.stderr:
             assert abs(estimate.value - true) < 4 * estimate.stderr, name
+
+
+def filmed(name: str, n: int = 16) -> tuple[object, np.ndarray]:
+    """Balls filmed as they leave a cushion with a nose, with small error bars: a fit to them, and numbers near the true ones."""
+    rng = np.random.default_rng(12)
+    vn, vt = rng.uniform(1, 3, n), rng.uniform(-2, 2, n)
+    p = numbers(restitution=0.8, friction=0.2, spin_mean=0.2, spin_width=0.4)
+    p[[INDEX["kappa"], INDEX["contact_height"], INDEX["floor_friction"]]] = 0.4, 1.2, 0.2
+    spin = (0.2 * vt + 0.4 * np.hypot(vn, vt) * rng.normal(size=n)) / 0.03
+    before = {"v_n_in": vn, "v_t_in": vt, "spin_z_in": spin}
+    chosen = laws_named([name], "table", False)[0][0]
+    setting = Setting(radius=0.03, contact_height=1.2, floor_friction=0.2)
+    stand_in = make_rebounds("table", before | {"v_n_out": vn, "v_t_out": vt}, stage="after_wall")
+    true = predict_law(chosen, make_problem(stand_in, setting)[0], p)
+    columns = before | {"v_n_out": true[:, 0], "v_t_out": true[:, 1]}
+    for column in ("v_n_in", "v_t_in", "v_n_out", "v_t_out"):
+        columns[column] = columns[column] + 0.002 * rng.normal(size=n)
+        columns[f"sigma_{column}"] = np.full(n, 0.002)
+    columns["spin_z_in"] = np.full(n, np.nan)
+    problem = make_problem(make_rebounds("table", columns, stage="after_wall"), setting)[0]
+    return _rows(replace(ways_of(chosen, problem)[0], free=np.empty(0, int)), problem), p
+
+
+@pytest.mark.parametrize("name", ["two-step-after", "two-step"])
+def test_the_average_does_not_hang_on_how_many_places_there_are(name):
+    rows, p = filmed(name)
+    many = np.tile(p, (5, 1))
+    many[1:3, INDEX["friction"]] += 0.003, -0.003
+    many[3:5, INDEX["restitution"]] += 0.001, -0.001
+    few = look(rows, many).deviance
+    finer = look(replace(rows, spins=Spins(places_of_sigma(641), False)), many).deviance
+    near = finer < finer.min(axis=0) + 20  # (a row that fits so much worse has no say)
+    assert near.sum() > 40
+    assert np.abs(few - finer)[near].max() < 0.01
+    assert abs((few - finer)[0].sum()) < 0.01
+
+
+@pytest.mark.parametrize("name", ["two-step-after", "two-step"])
+def test_a_stretch_more_makes_no_jump(name):
+    rows, p = filmed(name)
+    along = np.tile(p, (401, 1))
+    along[:, INDEX["friction"]] += np.linspace(-0.003, 0.003, 401)
+    finer = replace(rows, spins=Spins(places_of_sigma(641), False))
+    off = look(rows, along).deviance - look(finer, along).deviance
+    near = look(rows, along).deviance < 20
+    assert np.abs(np.diff(off, axis=0))[near[1:] & near[:-1]].max() < 3e-3

@@ -100,7 +100,7 @@ def _look(
     fitted = (free, steps, moved, further)
     ui, hi, room = np.zeros(k), np.zeros((k, k)), np.zeros((ROOM, 4 + k, w))
     desk = (
-        np.zeros(2 * count), np.zeros((2 * count, 3)), np.zeros((3 * count, COLUMNS)), np.zeros((SMALL, w, w)),
+        np.zeros(4 * count), np.zeros((4 * count, 3)), np.zeros((5 * count, COLUMNS)), np.zeros((SMALL, w, w)),
         np.zeros((3 + 3 * k, 3)),
     )  # fmt: skip
     for b in range(p.shape[0]):

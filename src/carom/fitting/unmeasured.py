@@ -10,11 +10,12 @@ det S would pull numbers off, so the normal part S_nn has none; along the wall t
 it would be c without the root that pulls (by 30 in chi^2 for 100 rows, which made a tangential restitution of what is none). J in
 S is taken along the mean of the prior: the spin goes with v_t.
 
-The law is asked at places of sigma that do not depend on any number that is fitted, and once more between two where they
-matter, at the bend if there is one; between two places what it says is straight and S the same. There c is a parabola in
-sigma, and so is the logarithm of a normal prior: each stretch is a piece of a bell, whose moments are Gauss sums over the
-part of it that is not nothing. All slopes of c and of log rho are parabolas too, so that scores and Louis's curvature (J.
-R. Stat. Soc. B 44, 226 (1982)) need these moments and nothing else. The law's slopes in its own numbers are asked only
+The law is asked at places of sigma that do not depend on any number that is fitted, once more between two where they
+matter, at the bend if there is one, and in the middle of each stretch; those whose middle is not where a parabola through
+its neighbours has it are halved. In a stretch what the law says is a parabola, and S the same: a piece of a bell, a little
+bent, whose moments are Gauss sums over the part of it that is not nothing. For slopes it is the straight line at its mass.
+All slopes of c and of log rho are parabolas then, so that scores and Louis's curvature (J. R. Stat. Soc. B 44, 226 (1982))
+need these moments and nothing else. The law's slopes in its own numbers are asked only
 where the row's spin may have been.
 """
 
@@ -31,9 +32,14 @@ from carom.kernel import kernel
 
 __all__ = ["COLUMNS", "SMALL", "Spins", "places_of_sigma", "unmeasured_row"]
 
-HOPELESS = 30.0  # a deviance so far above the least has no share: exp(-15)
-SHARE = 1e-5  # of a row's integral: stretches with less do not ask for slopes
+HOPELESS = 27.0  # a deviance so far above the least has no share: exp(-13.5)
+SHARE = 1e-4  # of a row's integral: stretches with less do not ask for slopes
 WIDER = 4.0  # no law magnifies an error in speed by more than its root
+FINE = 0.01  # error bars: what a parabola says may be so far off,
+FITS = 10.0  # in a row with no more than this c; far off the fit nobody needs it as well
+STRAIGHT = 0.001  # error bars: a stretch is left as it is
+DEEPEST = 10  # halvings
+NEWTON = 3  # steps
 WITHIN = 0.4  # of a stretch, from its middle: where a bend may be
 NODES, WEIGHTS = np.polynomial.legendre.leggauss(16)
 # of a stretch: its two places, the least of its exponent (4), its moments (3 by 5, from 5); in its middle what the law says and
@@ -70,24 +76,52 @@ def _least(c2: float, c1: float, c0: float, low: float, high: float) -> float:
 
 
 @kernel
+def _curved(b2: float, b1: float, b0: float, t: float) -> float:
+    """What c has beside its parabola where what the law says is one: c of r0 + r1 t - 4 t (1 - t) g, b2 = g' S^-1 g, b1 = g' S^-1
+    r1, b0 = g' S^-1 r0."""
+    w = 4 * t * (1 - t)
+    return w * (w * b2 - 2 * (b1 * t + b0))
+
+
+@kernel
+def _lowest(q2: float, q1: float, q0: float, b2: float, b1: float, b0: float, low: float, high: float) -> float:
+    """The least of q2 t^2 + 2 q1 t + q0 and what is curved, from low to high: Gauss and Newton's, from that of the parabola."""
+    if b2 == 0:
+        return _least(q2, q1, q0, low, high)
+    t = min(max(-q1 / q2 if q2 > 0 else 0 * q2, low), high)
+    least = (q2 * t + 2 * q1) * t + q0 + _curved(b2, b1, b0, t)
+    for _ in range(NEWTON):
+        w, slope = 4 * t * (1 - t), 4 - 8 * t
+        steep = q2 - 2 * slope * b1 + slope * slope * b2
+        if not steep > 0:
+            break
+        t -= (q2 * t + q1 - slope * (b1 * t + b0 - w * b2) - w * b1) / steep
+        t = min(max(t, low), high)
+        least = min(least, (q2 * t + 2 * q1) * t + q0 + _curved(b2, b1, b0, t))
+    return least
+
+
+@kernel
 def _moments(
-    c2: float, c1: float, c0: float, z0: float, z1: float, low: float, high: float, nu: float, d: int, row: Any
-) -> None:
+    c2: float, c1: float, c0: float, b2: float, b1: float, b0: float, z0: float, z1: float, low: float, high: float, nu: float,
+    d: int, row: Any,
+) -> None:  # fmt: skip
     """The least of c(t) + (z0 + z1 t)^2 from low to high in row[4], and from there on the integrals of t^n tau^m exp(..) over
     exp of that least, n 0 to 4, m 0 to 2, where tau is the weight that Student's t gives c."""
     q2, q1, q0 = c2 + z1 * z1, c1 + z0 * z1, c0 + z0 * z0
-    base = _least(q2, q1, q0, low, high)
+    base = _lowest(q2, q1, q0, b2, b1, b0, low, high)
     row[4] = base
     for n in range(5, 20):
         row[n] = 0
     if nu == 0:
         if q2 > 0:
-            top = -q1 / q2
-            far = math.sqrt(max(base + HOPELESS - (q0 - q1 * q1 / q2), 0.0) / q2)
+            top, far = -q1 / q2, math.sqrt(base + HOPELESS) + math.sqrt(b2)
+            far = math.sqrt(max(far * far - (q0 - q1 * q1 / q2), 0.0) / q2)
             low, high = max(low, top - far), min(high, top + far)
         for n in range(NODES.shape[0]):
             t = (low + high + (high - low) * NODES[n]) / 2
-            w = WEIGHTS[n] * math.exp((base - (q2 * t + 2 * q1) * t - q0) / 2) * (high - low) / 2
+            c = (q2 * t + 2 * q1) * t + q0 + _curved(b2, b1, b0, t)
+            w = WEIGHTS[n] * math.exp((base - c) / 2) * (high - low) / 2
             for m in range(5):
                 row[5 + m] += w
                 w *= t
@@ -102,10 +136,10 @@ def _moments(
         low, high = max(low, top - far), min(high, top + far)
     top = min(max(-c1 / c2, low), high) if c2 > 0 else low
     wide = 1 / math.sqrt(max(c2, 1e-12))
-    c = max((c2 * top + 2 * c1) * top + c0, 0.0)
+    c = max((c2 * top + 2 * c1) * top + c0 + _curved(b2, b1, b0, top), 0.0)
     base = (nu + d) * math.log(1 + c / nu) + (z0 + z1 * top) * (z0 + z1 * top)
     near = min(max(-z0 / z1, low), high) if z1 != 0 else top
-    c = max((c2 * near + 2 * c1) * near + c0, 0.0)
+    c = max((c2 * near + 2 * c1) * near + c0 + _curved(b2, b1, b0, near), 0.0)
     base = min(base, (nu + d) * math.log(1 + c / nu) + (z0 + z1 * near) * (z0 + z1 * near))
     row[4] = base
     for piece in range(PIECES.shape[0] - 1):
@@ -114,7 +148,7 @@ def _moments(
             continue
         for n in range(NODES.shape[0]):
             t = (left + right + (right - left) * NODES[n]) / 2
-            c, z = max((c2 * t + 2 * c1) * t + c0, 0.0), z0 + z1 * t
+            c, z = max((c2 * t + 2 * c1) * t + c0 + _curved(b2, b1, b0, t), 0.0), z0 + z1 * t
             w = WEIGHTS[n] * math.exp((base - (nu + d) * math.log(1 + c / nu) - z * z) / 2) * (right - left) / 2
             tau = (nu + d) / (nu + c)
             for m in range(5):
@@ -154,6 +188,86 @@ def _line(y: Any, i: int, said: Any, one: int, two: int, r: Any) -> None:
         seen = y[i, m] == y[i, m]
         r[0, m] = y[i, m] - said[one, m] if seen else 0.0
         r[1, m] = said[one, m] - said[two, m] if seen else 0.0
+
+
+@kernel
+def _bulge(y: Any, i: int, said: Any, row: Any, r: Any) -> None:
+    """How far what the law says in the middle of a stretch is off the straight line, in r[2]."""
+    one, two = int(row[0]), int(row[1])
+    for m in range(3):
+        off = row[COLUMNS - 9 + m] - (said[one, m] + said[two, m]) / 2
+        r[2, m] = off if y[i, m] == y[i, m] and abs(off) < math.inf else 0.0
+
+
+@kernel
+def _range(spins: Any, places: Any, one: int, two: int, mean: float, width: float) -> tuple[float, float]:
+    """From where to where a stretch goes, as shares of it: the first and the last have no end, and a uniform prior has two."""
+    low = -math.inf if one == 0 else 0.0
+    high = math.inf if two == spins.places.shape[0] - 1 else 1.0
+    if spins.uniform:
+        far = places[two] - places[one]
+        low, high = max(low, (mean - width - places[one]) / far), min(high, (mean + width - places[one]) / far)
+    return low, high
+
+
+@kernel
+def _reach(
+    spins: Any,
+    y: Any,
+    vx: Any,
+    vy: Any,
+    i: int,
+    nu: float,
+    places: Any,
+    said: Any,
+    mean: float,
+    width: float,
+    r: Any,
+    row: Any,
+) -> float:
+    """The least possible exponent of a stretch in row[4], infinite where it has no part; and one that it surely is not above."""
+    one, two = int(row[0]), int(row[1])
+    row[4] = math.inf
+    low, high = _range(spins, places, one, two, mean, width)
+    _line(y, i, said, one, two, r)
+    if not (low < high and abs(r[0, 0] + r[0, 1] + r[1, 0] + r[1, 1]) < math.inf):
+        return math.inf
+    bell = 0.0 if spins.uniform else 1 / width
+    z0, z1 = (places[one] - mean) * bell, (places[two] - places[one]) * bell
+    q2, q1, q0 = z1 * z1, z0 * z1, z0 * z0
+    l2, l1, l0 = q2, q1, q0
+    wide = WIDER * (vx[i, 0] + vx[i, 1])
+    # errors before and after that go together make S larger or smaller by as much at most
+    more, less = 1 + 0 * wide, 1 + 0 * wide
+    for o in range(2):
+        if vx[i, COVARIANCE + o] != 0:
+            square = vx[i, COVARIANCE + o] * vx[i, COVARIANCE + o] / (vx[i, o] * vy[i, o])
+            more, less = max(more, 1 + math.sqrt(square)), min(less, 1 - square)
+    for m in range(3 if nu == 0 else 0):  # heavy tails rule nothing out; the prior alone does
+        if y[i, m] != y[i, m]:
+            continue
+        t = 1 / (less * vy[i, m])
+        q2, q1, q0 = q2 + t * r[1, m] * r[1, m], q1 + t * r[0, m] * r[1, m], q0 + t * r[0, m] * r[0, m]
+        if m < 2:
+            t = 1 / (more * (vy[i, m] + wide))
+            l2, l1, l0 = l2 + t * r[1, m] * r[1, m], l1 + t * r[0, m] * r[1, m], l0 + t * r[0, m] * r[0, m]
+    row[4] = _least(l2, l1, l0, low, high)
+    return _least(q2, q1, q0, low, high)
+
+
+@kernel
+def _parts(places: Any, said: Any, at: int, row: Any, other: Any) -> None:
+    """A stretch becomes the first of its two parts, the other the second: from place ``at`` on. What a parabola through all three
+    places says in the middle of each stands in columns 5 to 7."""
+    one, two = int(row[0]), int(row[1])
+    row[1], other[0], other[1] = at, at, two
+    row[3] = other[3] = 0
+    other[4] = row[4]
+    here, there, far = places[at] - places[one], places[two] - places[at], places[two] - places[one]
+    for m in range(3):
+        turn = ((said[two, m] - said[at, m]) / there - (said[at, m] - said[one, m]) / here) / far
+        row[5 + m] = (said[one, m] + said[at, m] - turn * here * here / 2) / 2
+        other[5 + m] = (said[at, m] + said[two, m] - turn * there * there / 2) / 2
 
 
 @kernel
@@ -225,50 +339,56 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
 
     # Which stretches matter: those whose least possible exponent is not far above the least that is sure
     sure = math.inf
-    wide = WIDER * (vx[i, 0] + vx[i, 1])
-    # errors before and after that go together make S larger or smaller by as much at most
-    more, less = 1 + 0 * a, 1 + 0 * a
-    for o in range(2):
-        if vx[i, COVARIANCE + o] != 0:
-            square = vx[i, COVARIANCE + o] * vx[i, COVARIANCE + o] / (vx[i, o] * vy[i, o])
-            more, less = max(more, 1 + math.sqrt(square)), min(less, 1 - square)
     for n in range(count - 1):
-        low = -math.inf if n == 0 else 0.0
-        high = math.inf if n == count - 2 else 1.0
-        far = places[n + 1] - places[n]
-        if spins.uniform:
-            low, high = max(low, (mean - width - places[n]) / far), min(high, (mean + width - places[n]) / far)
-        stretches[n, 4] = math.inf
-        _line(y, i, said, n, n + 1, r)
-        if not (low < high and abs(r[0, 0] + r[0, 1] + r[1, 0] + r[1, 1]) < math.inf):
-            continue
-        z0, z1 = (places[n] - mean) * bell, far * bell
-        q2, q1, q0 = z1 * z1, z0 * z1, z0 * z0
-        l2, l1, l0 = q2, q1, q0
-        for m in range(3):
-            if y[i, m] != y[i, m]:
-                continue
-            t = 1 / (less * vy[i, m])
-            q2, q1, q0 = q2 + t * r[1, m] * r[1, m], q1 + t * r[0, m] * r[1, m], q0 + t * r[0, m] * r[0, m]
-            if m < 2:
-                t = 1 / (more * (vy[i, m] + wide))
-                l2, l1, l0 = l2 + t * r[1, m] * r[1, m], l1 + t * r[0, m] * r[1, m], l0 + t * r[0, m] * r[0, m]
-        if nu > 0:  # heavy tails rule nothing out; the prior alone does
-            q2, q1, q0 = l2, l1, l0 = z1 * z1, z0 * z1, z0 * z0
-        sure = min(sure, _least(q2, q1, q0, low, high))
-        stretches[n, 4] = _least(l2, l1, l0, low, high)
-    used, made = count, count - 1  # the finer stretches stand behind the first ones
+        stretches[n, 0], stretches[n, 1] = n, n + 1
+        sure = min(sure, _reach(spins, y, vx, vy, i, nu, places, said, mean, width, r, stretches[n]))
+    used, made = count, count - 1
     for n in range(count - 1):
         if not stretches[n, 4] < sure + HOPELESS:
+            stretches[n, 4] = math.inf
             continue
-        places[used] = places[n] + _bend(y, vy, i, places, said, n, count) * (places[n + 1] - places[n])
+        t, off = _bend(y, vy, i, places, said, n, count), 0 * a
+        places[used] = places[n] + t * (places[n + 1] - places[n])
         ask(law, code, form, stage, i, a, (v_n, v_t, places[used] * unit), size, vx, p, fitted, 2, 1, 0, 1, inner)
         for m in range(3):
             said[used, m] = inner[0, m]
-        for one, two in ((n, used), (used, n + 1)):
-            stretches[made, 0], stretches[made, 1] = one, two
-            made += 1
+            stretches[n, COLUMNS - 9 + m] = (said[n, m] + said[n + 1, m]) / 2
+            gap = inner[0, m] - (1 - t) * said[n, m] - t * said[n + 1, m]
+            off += gap * gap / vy[i, m] if y[i, m] == y[i, m] else 0.0
+        if off < STRAIGHT * STRAIGHT:
+            stretches[n, 3] = 2
+            continue
+        _parts(places, said, used, stretches[n], stretches[made])
         used += 1
+        made += 1
+    # and are finer where a parabola does not tell what the law says in their middle
+    for turn in range(DEEPEST):
+        for e in range(made):
+            if stretches[e, 4] < sure + HOPELESS and stretches[e, 3] == 0:
+                sure = min(sure, _reach(spins, y, vx, vy, i, nu, places, said, mean, width, r, stretches[e]))
+        last = made
+        fine = FINE * FINE * max(1.0, sure / FITS) ** 2
+        for e in range(last):
+            row = stretches[e]
+            if not (row[4] < sure + HOPELESS and row[3] == 0):
+                continue
+            row[3] = 1
+            one, two = int(row[0]), int(row[1])
+            spin = (places[one] + places[two]) / 2 * unit
+            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, fitted, 2, 1, 0, 1, inner)
+            off = 0 * a
+            for m in range(3):
+                row[COLUMNS - 9 + m] = inner[0, m]
+                if y[i, m] == y[i, m]:
+                    off += (inner[0, m] - row[5 + m]) * (inner[0, m] - row[5 + m]) / vy[i, m]
+            room = turn + 1 < DEEPEST and used < places.shape[0] and made < stretches.shape[0]
+            if room and off > fine * math.exp(max(row[4] - sure, 0.0)):
+                places[used] = (places[one] + places[two]) / 2
+                for m in range(3):
+                    said[used, m] = inner[0, m]
+                _parts(places, said, used, row, stretches[made])
+                used += 1
+                made += 1
 
     # so that deviances are of the size of chi^2: the variances that a mirror would leave along the wall
     side = 1 + 0 * a
@@ -278,23 +398,42 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
 
     # Each stretch's integral
     least, best = math.inf, math.inf
-    for e in range(count - 1, made):
+    for e in range(made):
         row = stretches[e]
         one, two = int(row[0]), int(row[1])
+        if not row[4] < sure + HOPELESS:
+            row[4] = math.inf
+            continue
         row[4] = math.inf
         far = places[two] - places[one]
-        low = -math.inf if one == 0 else 0.0
-        high = math.inf if two == count - 1 else 1.0
-        if spins.uniform:
-            low, high = max(low, (mean - width - places[one]) / far), min(high, (mean + width - places[one]) / far)
+        low, high = _range(spins, places, one, two, mean, width)
         _line(y, i, said, one, two, r)
         if not (low < high and abs(r[0, 0] + r[0, 1] + r[1, 0] + r[1, 1]) < math.inf):
             continue
-        for m in range(COLUMNS - 9, COLUMNS):
+        for m in range(COLUMNS - 6, COLUMNS):
             row[m] = 0
         if blurred:
             spin = (places[one] + places[two]) / 2 * unit
-            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, fitted, 2, 1, 0, 3, inner)
+            for m in range(3):
+                inner[0, m] = row[COLUMNS - 9 + m]
+            ask(
+                law,
+                code,
+                form,
+                stage,
+                i,
+                a,
+                (v_n, v_t, spin),
+                size,
+                vx,
+                p,
+                fitted,
+                2,
+                1,
+                0 if row[3] == 2 else 1,
+                3,
+                inner,
+            )
             for m in range(9):
                 row[COLUMNS - 9 + m] = inner[m // 3, m % 3]
         _slopes(row, said, one, two, p[SPIN_MEAN] / ((places[two] - places[one]) * size), mid)
@@ -303,12 +442,19 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
         row[2] = math.sqrt(share) if 0 < share < math.inf else 1 + 0 * a
         c2, c1, c0 = _form(q, r[1], r[1]), _form(q, r[0], r[1]), _form(q, r[0], r[0])
         z0, z1 = (places[one] - mean) * bell, far * bell
-        best = min(best, _least(c2 + z1 * z1, c1 + z0 * z1, c0 + z0 * z0, low, high))
-        _moments(c2, c1, c0, z0, z1, low, high, nu, d, row)
+        b2 = b1 = b0 = 0 * a
+        if one > 0 and two != count - 1:
+            _bulge(y, i, said, row, r)
+            b2, b1, b0 = _form(q, r[2], r[2]), _form(q, r[2], r[1]), _form(q, r[2], r[0])
+        base = _lowest(c2 + z1 * z1, c1 + z0 * z1, c0 + z0 * z0, b2, b1, b0, low, high)
+        best = min(best, base)
+        if nu == 0 and not base < best + HOPELESS:
+            continue
+        _moments(c2, c1, c0, b2, b1, b0, z0, z1, low, high, nu, d, row)
         least = min(least, row[4])
     norm = 1 / (2 * width) if spins.uniform else 1 / (width * math.sqrt(2 * math.pi))
     total = 0 * a
-    for e in range(count - 1, made):
+    for e in range(made):
         row = stretches[e]
         if row[4] < math.inf:
             w = row[2] * norm * (places[int(row[1])] - places[int(row[0])]) * math.exp((least - row[4]) / 2)
@@ -328,7 +474,7 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
         z = free[j] - further.shape[1]
         if z >= 0 and not spins.uniform:
             pull[j] = p[SPIN_MEAN] * v_n * (v_n * moved[z, i, 1] - v_t * moved[z, i, 0]) / (size * size * size)
-    for e in range(count - 1, made if k > 0 else 0):
+    for e in range(made if k > 0 else 0):
         row = stretches[e]
         if not (row[4] < math.inf and row[5] > SHARE * total):
             continue
@@ -336,6 +482,14 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
         _line(y, i, said, one, two, r)
         _slopes(row, said, one, two, p[SPIN_MEAN] / ((places[two] - places[one]) * size), mid)
         precision(i, y, vx, vy, mid, 0, 2, s, q)
+        if one > 0 and two != count - 1:
+            # curved: the straight line that has its mean and its slope where the stretch has its mass
+            _bulge(y, i, said, row, r)
+            t = row[6] / row[5]
+            slope_there, there = 4 - 8 * t, 4 * (t - row[7] / row[5])
+            for m in range(3):
+                r[0, m] -= (there - slope_there * t) * r[2, m]
+                r[1, m] -= slope_there * r[2, m]
         z0, z1 = (places[one] - mean) * bell, (places[two] - places[one]) * bell
         qr, move = small[7], small[8]
         for n in range(2):
