@@ -416,24 +416,8 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
             spin = (places[one] + places[two]) / 2 * unit
             for m in range(3):
                 inner[0, m] = row[COLUMNS - 9 + m]
-            ask(
-                law,
-                code,
-                form,
-                stage,
-                i,
-                a,
-                (v_n, v_t, spin),
-                size,
-                vx,
-                p,
-                fitted,
-                2,
-                1,
-                0 if row[3] == 2 else 1,
-                3,
-                inner,
-            )
+            known = 0 if row[3] == 2 else 1  # what it says there was asked before, but for those left as they are
+            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, fitted, 2, 1, known, 3, inner)
             for m in range(9):
                 row[COLUMNS - 9 + m] = inner[m // 3, m % 3]
         _slopes(row, said, one, two, p[SPIN_MEAN] / ((places[two] - places[one]) * size), mid)
