@@ -462,7 +462,7 @@ def test_no_error_bar_is_given_to_what_unknown_spins_make_up_for(seed):
             assert abs(estimate.value - true) < 4 * estimate.stderr, name
 
 
-def filmed(name: str, n: int = 16) -> tuple[object, np.ndarray]:
+def filmed(name: str, n: int = 16, sigma: float = 0.002) -> tuple[object, np.ndarray]:
     """Balls filmed as they leave a cushion with a nose, with small error bars: a fit to them, and numbers near the true ones."""
     rng = np.random.default_rng(12)
     vn, vt = rng.uniform(1, 3, n), rng.uniform(-2, 2, n)
@@ -476,8 +476,8 @@ def filmed(name: str, n: int = 16) -> tuple[object, np.ndarray]:
     true = predict_law(chosen, make_problem(stand_in, setting)[0], p)
     columns = before | {"v_n_out": true[:, 0], "v_t_out": true[:, 1]}
     for column in ("v_n_in", "v_t_in", "v_n_out", "v_t_out"):
-        columns[column] = columns[column] + 0.002 * rng.normal(size=n)
-        columns[f"sigma_{column}"] = np.full(n, 0.002)
+        columns[column] = columns[column] + sigma * rng.normal(size=n)
+        columns[f"sigma_{column}"] = np.full(n, sigma)
     columns["spin_z_in"] = np.full(n, np.nan)
     problem = make_problem(make_rebounds("table", columns, stage="after_wall"), setting)[0]
     return _rows(replace(ways_of(chosen, problem)[0], free=np.empty(0, int)), problem), p
@@ -507,3 +507,17 @@ def test_a_stretch_more_makes_no_jump(name):
     off = look(rows, along).deviance - look(finer, along).deviance
     near = look(rows, along).deviance < FITS
     assert np.abs(np.diff(off, axis=0))[near[1:] & near[:-1]].max() < 0.01  # what it is right to
+
+
+@pytest.mark.parametrize("name", ["two-step-after", "two-step"])
+@pytest.mark.parametrize("robust", [False, True])
+def test_far_off_the_fit_a_row_is_worse_and_no_better(name, robust):
+    rows, p = filmed(name, sigma=0.0003)
+    far = np.array([np.array(p)] * 240)
+    far[:, INDEX["restitution"]] = np.tile(np.linspace(0.05, 1, 20), 12)
+    far[:, INDEX["friction"]] = np.repeat(np.linspace(0.02, 1.5, 12), 20)
+    found = look(replace(rows, nu=4.0 if robust else 0.0), far)
+    best = look(replace(rows, nu=4.0 if robust else 0.0), p[None]).deviance[0]
+    assert np.isfinite(found.deviance).all()
+    assert found.deviance.min() > best.min() - 12
+    assert (found.deviance.sum(axis=1) > best.sum() - 3).all()

@@ -21,6 +21,7 @@ FAR = (5.0, 50.0)  # error bars from the best place, where is looked whether the
 NO_RISE = 6.63  # of the deviance: 99 % of one number
 ONE_SIDE = 2.706  # 95 % of one number on one side
 NEAR = 1.5  # error bars: a bound that is nearer is no place to look from
+GIVE_BACK = ("tangential_restitution", "stiffness_ratio")
 MADE_UP = 2.0  # times as much would a number be told, were the others known: they make up for it
 SHARE = 0.3  # of a direction that the data do not tell: a parameter with more of it is concerned
 
@@ -143,7 +144,10 @@ def _made_up(
         times = np.diag(block) * bars[inside] ** 2
         i = int(inside[int(np.argmax(times))])
         if times.max() < MADE_UP:
-            return
+            # what slip gives back and what spins there were are one, whatever the curvature at a crease says
+            i = next((int(j) for j in inside if fit.names[j] in GIVE_BACK), -1)
+            if i < 0:
+                return
         together = _moved(fit, ways, parameters, i, FAR[0] * float(bars[i]), bars[i], bars)
         together &= bars > 0
         if not together.any():

@@ -118,6 +118,10 @@ def _moments(
             top, far = -q1 / q2, math.sqrt(base + HOPELESS) + math.sqrt(b2)
             far = math.sqrt(max(far * far - (q0 - q1 * q1 / q2), 0.0) / q2)
             low, high = max(low, top - far), min(high, top + far)
+        for n in range(NODES.shape[0] if b2 != 0 else 0):  # far off the fit the least that was sought may not be the least
+            t = (low + high + (high - low) * NODES[n]) / 2
+            base = min(base, (q2 * t + 2 * q1) * t + q0 + _curved(b2, b1, b0, t))
+        row[4] = base
         for n in range(NODES.shape[0]):
             t = (low + high + (high - low) * NODES[n]) / 2
             c = (q2 * t + 2 * q1) * t + q0 + _curved(b2, b1, b0, t)
