@@ -171,7 +171,7 @@ def test_what_rolling_resistance_does_to_the_rows_is_what_it_does():
 
 
 def test_from_a_film_to_restitution_and_friction():
-    # here the cloth is measured 0.8 of its error bars too high, and with it every speed after the cushion
+    # all speeds hang on the cloth: taken for independent, the rows say more than they know
     rng = np.random.default_rng(8)
     on = surfaces(rng, "after")
     runs = [shot(rng, on=on) for _ in range(30)]
@@ -193,7 +193,8 @@ def test_from_a_film_to_restitution_and_friction():
         extra={name: one for name, one in rebounds.extra.items() if not name.startswith(("cloth_", "rolling_"))},
     )
     alone = fit_law(law, make_problem(bare, setting)[0]).estimates["restitution"]
-    assert abs(alone.value - on.restitution) > 3 * alone.stderr
+    assert fit.estimates["restitution"].stderr > 1.3 * alone.stderr
+    assert abs(alone.value - on.restitution) > 2 * alone.stderr
 
 
 def test_a_slide_after_the_wall_that_was_found_once_is_found_again():

@@ -187,6 +187,13 @@ def test_the_scatter_of_errors_that_go_together_is_what_is_said_of_it(rho):
 
 def test_covariances_that_cannot_be():
     rebounds = bounces(3, 20, blur=0.03)
+    cells = np.full(20, "0.0001", dtype=object)
+    cells[4], cells[5] = "abc", ""
+    with pytest.raises(carom.CaromError) as error:
+        make_problem(replace(rebounds, extra={"covariance_v_n": cells, "cloth_v_t_in": cells}), SETTING)
+    assert [fault.split(": ", 1)[1] for fault in error.value.faults] == [
+        f"row 5: {name}: expected a number, or an empty cell, got 'abc'" for name in ("covariance_v_n", "cloth_v_t_in")
+    ]
     wrong = {"covariance_v_n": np.full(20, 0.01), "covariance_v_t": np.full(20, -0.01)}
     with pytest.raises(carom.CaromError) as error:
         make_problem(replace(rebounds, extra=wrong), SETTING)
@@ -521,3 +528,14 @@ def test_far_off_the_fit_a_row_is_worse_and_no_better(name, robust):
     assert np.isfinite(found.deviance).all()
     assert found.deviance.min() > best.min() - 12
     assert (found.deviance.sum(axis=1) > best.sum() - 3).all()
+
+
+def test_a_row_far_off_keeps_its_answer_where_errors_before_the_wall_are_none():
+    rows, p = filmed("two-step-after", sigma=0.0005)
+    rows = replace(rows, vx=np.zeros_like(rows.vx))
+    along = np.tile(p, (41, 1))
+    along[:, INDEX["restitution"]] = np.linspace(0.7, 0.9, 41)
+    few = look(rows, along).deviance
+    finer = look(replace(rows, spins=Spins(places_of_sigma(641), False)), along).deviance
+    assert few.max() < 1e7
+    assert np.abs(few / finer - 1)[finer > 100].max() < 0.02

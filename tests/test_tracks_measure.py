@@ -18,6 +18,8 @@ from carom.rebounds import read_rebounds
 from carom.scene.walls import Plane
 from carom.tracks.clock import camera_clock, noise_of, step_of
 from carom.tracks.contacts import Wall
+from carom.tracks.fitted import Fitted, Prior
+from carom.tracks.floor import cloth
 from carom.tracks.legs import leg, slopes
 from carom.tracks.measure import Measured, Settings, measure
 from carom.tracks.on_table import tells_rolling
@@ -376,6 +378,21 @@ def test_the_floor_is_as_sure_as_the_frames(seed: int) -> None:
         value, error = measured.floor[label]
         assert abs(value - true) < 3 * error
         assert error < most
+
+
+def test_of_two_fits_with_the_same_frames_the_one_that_says_more_counts() -> None:
+    def fit(start: float, error: float) -> Fitted:
+        value, covariance = np.zeros(16), np.zeros((16, 16))
+        value[13], covariance[13, 13] = 2.0, error**2
+        return Fitted(
+            value, covariance, 3e-4, 0.0, 1, np.zeros((9, 2)), np.linspace(start, start + 1, 9), False, lambda t: t
+        )
+
+    prior = Prior()
+    for errors in ((0.5, 0.02), (0.02, 0.5)):
+        fits = [fit(start, error) for start, error in zip((0.0, 0.5), errors, strict=True)]
+        found, _known = cloth(fits, [("a", "b")] * 2, [prior] * 2, prior, 9.80665)
+        assert found["cloth friction"][1] == pytest.approx(0.02 / 9.80665, rel=0.01)
 
 
 def test_five_frames_do_not_tell_that_a_ball_rolls() -> None:

@@ -189,7 +189,9 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
     vy = np.stack([variance(name) for name in names[3:]], axis=-1)
     estimated = np.array([bool(seen[:, j].any()) and names[3 + j] not in rebounds.sigma for j in range(3)])
     unknown = np.isnan(x[:, 2])
-    covariance, faults = _covariances(rebounds, np.where(estimated[:2], np.inf, np.sqrt(vx[:, :2] * vy[:, :2])))
+    faults = _no_numbers(rebounds)
+    covariance, wrong = _covariances(rebounds, np.where(estimated[:2], np.inf, np.sqrt(vx[:, :2] * vy[:, :2])))
+    faults += wrong
     if estimated.any():
         lacks = ", ".join(f"sigma_{names[3 + j]}" for j in np.flatnonzero(estimated))
         if unknown.any() or setting.robust:
@@ -266,6 +268,21 @@ def _shared(rebounds: Rebounds, names: tuple[str, ...], floor: float) -> tuple[S
         if rows.any():
             found.append(Shared(name, rows, floor if prefix == "cloth" else 0.0))
     return tuple(found)
+
+
+def _no_numbers(rebounds: Rebounds) -> list[str]:
+    """Of the columns that are read beside the measured ones, cells that are no numbers: without a column error bars are others."""
+    faults = []
+    for name, column in rebounds.extra.items():
+        if not name.removeprefix("sigma_").startswith((*(f"{prefix}_" for prefix in SHARED), "covariance_")):
+            continue
+        for i, cell in enumerate(column.tolist()):
+            try:
+                float(cell or "nan")
+            except ValueError:
+                label = rebounds.rows[i] if rebounds.rows else f"row {i + 1}"
+                faults.append(f"{rebounds.source}: {label}: {name}: expected a number, or an empty cell, got {cell!r}")
+    return faults
 
 
 def _numbers(rebounds: Rebounds, name: str) -> Array:

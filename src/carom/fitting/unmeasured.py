@@ -118,7 +118,9 @@ def _moments(
             top, far = -q1 / q2, math.sqrt(base + HOPELESS) + math.sqrt(b2)
             far = math.sqrt(max(far * far - (q0 - q1 * q1 / q2), 0.0) / q2)
             low, high = max(low, top - far), min(high, top + far)
-        for n in range(NODES.shape[0] if b2 != 0 else 0):  # far off the fit the least that was sought may not be the least
+        for n in range(
+            NODES.shape[0] if b2 != 0 else 0
+        ):  # far off the fit the least that was sought may not be the least
             t = (low + high + (high - low) * NODES[n]) / 2
             base = min(base, (q2 * t + 2 * q1) * t + q0 + _curved(b2, b1, b0, t))
         row[4] = base
@@ -215,38 +217,34 @@ def _range(spins: Any, places: Any, one: int, two: int, mean: float, width: floa
 
 
 @kernel
+def _together(i: int, vx: Any, vy: Any) -> tuple[float, float]:
+    """By how much errors before and after that go together make S larger, and smaller, at most."""
+    more, less = 1 + 0 * vx[i, 0], 1 + 0 * vx[i, 0]
+    for o in range(2):
+        if vx[i, COVARIANCE + o] != 0:
+            square = vx[i, COVARIANCE + o] * vx[i, COVARIANCE + o] / (vx[i, o] * vy[i, o])
+            more, less = max(more, 1 + math.sqrt(square)), min(less, 1 - square)
+    return more, less
+
+
+@kernel
 def _reach(
-    spins: Any,
-    y: Any,
-    vx: Any,
-    vy: Any,
-    i: int,
-    nu: float,
-    places: Any,
-    said: Any,
-    mean: float,
-    width: float,
-    r: Any,
-    row: Any,
-) -> float:
-    """The least possible exponent of a stretch in row[4], infinite where it has no part; and one that it surely is not above."""
+    spins: Any, y: Any, vx: Any, vy: Any, i: int, nu: float, places: Any, said: Any, mean: float, width: float, r: Any, row: Any
+) -> None:  # fmt: skip
+    """Of a stretch the least possible exponent in row[4], infinite where it has no part, and one that it surely is not above in
+    row[2], as far as the law is straight."""
     one, two = int(row[0]), int(row[1])
-    row[4] = math.inf
+    row[2] = row[4] = math.inf
     low, high = _range(spins, places, one, two, mean, width)
     _line(y, i, said, one, two, r)
     if not (low < high and abs(r[0, 0] + r[0, 1] + r[1, 0] + r[1, 1]) < math.inf):
-        return math.inf
+        return
     bell = 0.0 if spins.uniform else 1 / width
     z0, z1 = (places[one] - mean) * bell, (places[two] - places[one]) * bell
     q2, q1, q0 = z1 * z1, z0 * z1, z0 * z0
     l2, l1, l0 = q2, q1, q0
     wide = WIDER * (vx[i, 0] + vx[i, 1])
-    # errors before and after that go together make S larger or smaller by as much at most
-    more, less = 1 + 0 * wide, 1 + 0 * wide
-    for o in range(2):
-        if vx[i, COVARIANCE + o] != 0:
-            square = vx[i, COVARIANCE + o] * vx[i, COVARIANCE + o] / (vx[i, o] * vy[i, o])
-            more, less = max(more, 1 + math.sqrt(square)), min(less, 1 - square)
+    more, less = _together(i, vx, vy)
     for m in range(3 if nu == 0 else 0):  # heavy tails rule nothing out; the prior alone does
         if y[i, m] != y[i, m]:
             continue
@@ -256,7 +254,7 @@ def _reach(
             t = 1 / (more * (vy[i, m] + wide))
             l2, l1, l0 = l2 + t * r[1, m] * r[1, m], l1 + t * r[0, m] * r[1, m], l0 + t * r[0, m] * r[0, m]
     row[4] = _least(l2, l1, l0, low, high)
-    return _least(q2, q1, q0, low, high)
+    row[2] = _least(q2, q1, q0, low, high)
 
 
 @kernel
@@ -341,11 +339,13 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
         for m in range(3):
             said[n, m] = inner[0, m]
 
+    _more, less = _together(i, vx, vy)
     # Which stretches matter: those whose least possible exponent is not far above the least that is sure
     sure = math.inf
     for n in range(count - 1):
         stretches[n, 0], stretches[n, 1] = n, n + 1
-        sure = min(sure, _reach(spins, y, vx, vy, i, nu, places, said, mean, width, r, stretches[n]))
+        _reach(spins, y, vx, vy, i, nu, places, said, mean, width, r, stretches[n])
+        sure = min(sure, stretches[n, 2])
     used, made = count, count - 1
     for n in range(count - 1):
         if not stretches[n, 4] < sure + HOPELESS:
@@ -367,11 +367,14 @@ def unmeasured_row(  # noqa: PLR0915  (one row, from the law's answers to its in
         made += 1
     # and are finer where a parabola does not tell what the law says in their middle
     for turn in range(DEEPEST):
+        sure = math.inf  # (what a straight line had below the law is not so sure)
         for e in range(made):
-            if stretches[e, 4] < sure + HOPELESS and stretches[e, 3] == 0:
-                sure = min(sure, _reach(spins, y, vx, vy, i, nu, places, said, mean, width, r, stretches[e]))
+            if stretches[e, 4] < math.inf and stretches[e, 3] == 0:
+                _reach(spins, y, vx, vy, i, nu, places, said, mean, width, r, stretches[e])
+            if stretches[e, 4] < math.inf:
+                sure = min(sure, stretches[e, 2])
         last = made
-        fine = FINE * FINE * max(1.0, sure / FITS) ** 2
+        fine = less * FINE * FINE * max(1.0, less * sure / FITS) ** 2
         for e in range(last):
             row = stretches[e]
             if not (row[4] < sure + HOPELESS and row[3] == 0):

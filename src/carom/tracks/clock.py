@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 __all__ = ["Clock", "camera_clock", "noise_of", "step_of"]
 
 Array = NDArray[np.float64]
-# Of the series, how many show the step to which all were rounded, at least: fast balls and resting ones show none.
-AGREE = 0.25
+# Of the series, how many show the step to which all were rounded, at least, and two: fast balls and resting ones show none.
+AGREE = 0.1
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,14 +105,15 @@ def _grid(time: Array) -> float:
 
 
 def step_of(series: Sequence[Array]) -> float:
-    """The step to which coordinates were rounded, pixels say (m): the median of the series that show one; 0 if none does.
+    """The step to which coordinates were rounded, pixels say (m): the commonest of the series that show one; 0 if none does.
 
     One camera rounds all series to one step: some that show one by chance, as an even motion does of which frames are missing,
     are of different steps and few.
     """
     told = np.array([step for step in map(_step, series) if np.isfinite(step)])
-    middle = float(np.median(told[told > 0])) if (told > 0).any() else 0.0
-    return middle if (np.abs(told - middle) < 0.05 * middle).sum() >= AGREE * len(told) else 0.0
+    same = [np.abs(told - step) < 0.05 * step for step in told]
+    most = max(same, key=np.count_nonzero, default=np.zeros(0, bool))
+    return float(np.median(told[most])) if most.sum() >= max(AGREE * len(told), min(2, len(told)), 1) else 0.0
 
 
 def _step(x: Array) -> float:

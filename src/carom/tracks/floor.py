@@ -92,9 +92,9 @@ def cloth(
 def _once(
     alone: dict[int, tuple[float, float]], fits: Sequence[Fitted | None], owners: Sequence[tuple[str, str]]
 ) -> dict[int, tuple[float, float]]:
-    """Those of which each frame is in one: between two walls a ball's frames are in two fits, of which the first one counts."""
+    """Those that say most, each frame in one of them: between two walls a ball's frames are in two fits."""
     kept: dict[tuple[str, str], list[int]] = {}
-    for i in alone:  # (in the order of time)
+    for i in sorted(alone, key=lambda i: alone[i][1]):
         same = kept.setdefault(owners[i], [])
         if not any(_share(fits[i], fits[j]) for j in same):
             same.append(i)
