@@ -270,7 +270,7 @@ def test_what_is_no_name(value):
     refused(lambda: carom.compare(value), "compare: meeting") if value else None
 
 
-@pytest.mark.parametrize("value", ["x", [0.1], b"x", 1j])
+@pytest.mark.parametrize("value", ["x", [0.1], b"x", 1j, 10**400])
 def test_settings_of_fits_that_are_no_numbers(value):
     from carom.fitting import Setting
     from carom.fitting.data import require_settings

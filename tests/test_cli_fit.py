@@ -203,6 +203,11 @@ def test_design_refuses_what_it_would_not_read(here, monkeypatch, capsys):
     code, out, err = run(monkeypatch, capsys, "design", str(file), "--kind", "table")
     assert (code, out) == (2, "")
     assert "--kind: expected planar" in err
+    # a fault is told once, and no other speaks against it
+    code, out, err = run(monkeypatch, capsys, "design", str(file), "--kind", "table", "--stage", "rolling")
+    assert (code, out, len(err.splitlines())) == (2, "", 1)
+    code, out, err = run(monkeypatch, capsys, "design", "--laws", "contact,sliding", "--stage", "zz")
+    assert (code, out, len(err.splitlines())) == (2, "", 1)
 
 
 def test_design_tells_all_faults_of_words_and_numbers_at_once(here, monkeypatch, capsys):

@@ -106,8 +106,11 @@ def number(
 
 
 def real(value: Any) -> float:
-    """A single number as a float; NaN, which holds for nothing, for what is none."""
-    return float(value) if isinstance(value, Real) else math.nan
+    """A single number as a float; NaN, which holds for nothing, for what is none, or larger than a float can be."""
+    try:
+        return float(value) if isinstance(value, Real) else math.nan
+    except OverflowError:
+        return math.nan
 
 
 def within(expected: str, value: float) -> str:
