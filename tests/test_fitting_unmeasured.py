@@ -11,12 +11,14 @@ import pytest
 
 import carom
 from carom.fitting import Setting, fit_law, fit_laws, make_problem
+from carom.fitting.bells import COLUMNS
 from carom.fitting.fit import refit, rows_of_fit
 from carom.fitting.kernels import CONTACT, planar
 from carom.fitting.laws import laws_named
 from carom.fitting.looks import look
 from carom.fitting.parameters import INDEX, PARAMETERS
-from carom.fitting.unmeasured import COLUMNS, FITS, SMALL, Spins, _bend, places_of_sigma, unmeasured_row
+from carom.fitting.stretches import FITS, Spins, places_of_sigma
+from carom.fitting.unmeasured import SMALL, unmeasured_row
 from carom.fitting.ways import _rows, predict_law, ways_of
 from carom.rebounds import make_rebounds
 
@@ -258,7 +260,7 @@ def test_a_bend_is_found_and_its_place_does_not_jump():
     def bend(left, right, gap):
         said = np.zeros((4, 3))
         said[:, 0] = -left, 0, gap, gap + right
-        return _bend(y, vy, 0, places, said, 1, 4)
+        return bend(y, vy, 0, places, said, 1, 4)
 
     for at in (0.15, 0.5, 0.85):  # a slope of 1 up to there, of 3 from there on
         assert bend(1.0, 3.0, at + 3 * (1 - at)) == pytest.approx(at)

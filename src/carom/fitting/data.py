@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from carom.checks import expect, real
 from carom.errors import CaromError
 from carom.fitting.parameters import FORMS, PARAMETERS
-from carom.fitting.unmeasured import Spins, places_of_sigma
+from carom.fitting.stretches import Spins, places_of_sigma
 from carom.rebounds import COLUMNS, STAGES, Rebounds
 
 __all__ = ["Problem", "Setting", "Shared", "make_problem", "prior_in_words", "require_settings", "table_faults"]
