@@ -17,7 +17,7 @@ from carom.fitting.kernels import CONTACT, planar
 from carom.fitting.laws import laws_named
 from carom.fitting.looks import look
 from carom.fitting.parameters import INDEX, PARAMETERS
-from carom.fitting.stretches import FITS, Spins, places_of_sigma
+from carom.fitting.stretches import FITS, Spins, bend, places_of_sigma
 from carom.fitting.unmeasured import SMALL, unmeasured_row
 from carom.fitting.ways import _rows, predict_law, ways_of
 from carom.rebounds import make_rebounds
@@ -257,16 +257,16 @@ def test_scores_of_errors_that_all_rows_share_are_the_deviance_s_slopes(spin_see
 def test_a_bend_is_found_and_its_place_does_not_jump():
     places, y, vy = np.arange(4.0), np.array([[0.0, math.nan, math.nan]]), np.array([[1.0, 0.0, 0.0]])
 
-    def bend(left, right, gap):
+    def where(left, right, gap):
         said = np.zeros((4, 3))
         said[:, 0] = -left, 0, gap, gap + right
         return bend(y, vy, 0, places, said, 1, 4)
 
     for at in (0.15, 0.5, 0.85):  # a slope of 1 up to there, of 3 from there on
-        assert bend(1.0, 3.0, at + 3 * (1 - at)) == pytest.approx(at)
+        assert where(1.0, 3.0, at + 3 * (1 - at)) == pytest.approx(at)
     # the lines meet outside, farther and farther away, are parallel, and meet on the other side
     turns = np.linspace(-3, 3, 2001)
-    found = np.array([bend(1.0, 1.0 + turn, 2.0) for turn in turns])
+    found = np.array([where(1.0, 1.0 + turn, 2.0) for turn in turns])
     assert np.abs(np.diff(found)).max() < 0.01
     assert found[1000] == 0.5
 
