@@ -17,8 +17,9 @@ from carom.fitting.kernels import CONTACT, planar
 from carom.fitting.laws import laws_named
 from carom.fitting.looks import look
 from carom.fitting.parameters import INDEX, PARAMETERS
+from carom.fitting.scores import SMALL
 from carom.fitting.stretches import FITS, Spins, bend, places_of_sigma
-from carom.fitting.unmeasured import SMALL, unmeasured_row
+from carom.fitting.unmeasured import unmeasured_row
 from carom.fitting.ways import _rows, predict_law, ways_of
 from carom.rebounds import make_rebounds
 

@@ -78,12 +78,14 @@ def design(
     if plot is not None:
         attempt(faults, require_drawable, plot)
     filmed = None if file is None else attempt(faults, read_rebounds, file)
-    other = filmed is not None and kind not in (None, filmed.kind)
-    if other:
-        faults.append(f"--kind: expected {filmed.kind}, as {file} is, got {kind}; leave it out")  # type: ignore[union-attr]
+    clash = ""
     if filmed is not None:
+        if kind not in (None, filmed.kind):
+            clash = f"--kind: expected {filmed.kind}, as {file} is, got {kind}; leave it out"
         kind = filmed.kind
-    if kind in (None, "planar") and (file is None or filmed is not None) and not other:
+    if clash:  # and no other fault speaks against it
+        faults.append(clash)
+    elif kind in (None, "planar") and (file is None or filmed is not None):
         faults += _no_table(stage in STAGES[1:], contact_height != 1, floor_friction is not None)
     usual = Shots()  # in the place of what is at fault already
     shots = Shots(ranges[0] or usual.angles, ranges[1] or usual.speeds, ranges[2], sigma_v, sigma_spin, stage)

@@ -16,9 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.fitting.bells import COLUMNS
+from carom.fitting.scores import SMALL
 from carom.fitting.stretches import Spins
 from carom.fitting.terms import ROOM, STEP, known_row
-from carom.fitting.unmeasured import SMALL, unmeasured_row
+from carom.fitting.unmeasured import unmeasured_row
 from carom.kernel import kernel
 
 if TYPE_CHECKING:

@@ -17,7 +17,7 @@ from carom.fitting.bells import HOPELESS, MIDDLE, lowest
 from carom.fitting.terms import COVARIANCE, SPIN_MEAN, SPIN_WIDTH, ask
 from carom.kernel import kernel
 
-__all__ = ["FITS", "Spins", "bend", "bulge", "cut", "line", "places_of_sigma", "span"]
+__all__ = ["FITS", "Spins", "bend", "bulge", "cut", "line", "places_of_sigma", "prior_of", "span"]
 
 WIDER = 4.0  # no law magnifies an error in speed by more than its root
 FINE = 0.01  # error bars: what a parabola says may be so far off,
@@ -150,55 +150,97 @@ def _parts(places: Any, said: Any, at: int, row: Any, other: Any) -> None:
 
 
 @kernel
-def cut(  # noqa: PLR0915  (one row's stretches, from coarse to fine)
+def prior_of(i: int, x: Any, p: Any) -> tuple[float, float, float, float]:
+    """The ball's speed, v_t/v, and of sigma the mean and the width."""
+    size = math.sqrt(x[i, 0] * x[i, 0] + x[i, 1] * x[i, 1])
+    along = x[i, 1] / size
+    return size, along, p[SPIN_MEAN] * along, p[SPIN_WIDTH]
+
+
+@kernel
+def _off_line(y: Any, vy: Any, i: int, said: Any, one: int, two: int, t: float, there: Any) -> float:
+    """By how many squared error bars what the law says a share t of the way from one place to another is off the straight line."""
+    off = 0.0
+    for m in range(3):
+        gap = there[m] - (1 - t) * said[one, m] - t * said[two, m]
+        off += gap * gap / vy[i, m] if y[i, m] == y[i, m] else 0.0
+    return off
+
+
+@kernel
+def _first(
     law: Any, code: int, form: int, stage: int, i: int, a: float, spins: Any, x: Any, vx: Any, y: Any, vy: Any, nu: float, p: Any,
     fitted: Any, desk: Any,
-) -> tuple[int, float]:  # fmt: skip
-    """How many stretches a row has, in the desk, and a deviance that its least is surely not above, as far as they tell."""
+) -> tuple[int, int]:  # fmt: skip
+    """The stretches between the places; those that matter are parted where they bend. How many places and stretches there are."""
     places, said, stretches, small, inner = desk
-    count, r = spins.places.shape[0], small[3]
-    v_n, v_t = x[i, 0], x[i, 1]
-    size = math.sqrt(v_n * v_n + v_t * v_t)
+    count = spins.places.shape[0]
+    size, _along, mean, width = prior_of(i, x, p)
     unit = size / a
-    width, mean = p[SPIN_WIDTH], p[SPIN_MEAN] * (v_t / size)
     for n in range(count):
         places[n] = spins.places[n]
-        ask(law, code, form, stage, i, a, (v_n, v_t, places[n] * unit), size, vx, p, fitted, 2, 1, 0, 1, inner)
+        ask(law, code, form, stage, i, a, (x[i, 0], x[i, 1], places[n] * unit), size, vx, p, fitted, 2, 1, 0, 1, inner)
         for m in range(3):
             said[n, m] = inner[0, m]
-
-    _more, less = _together(i, vx, vy)
     # Which stretches matter: those whose least possible exponent is not far above the least that is sure
     sure = math.inf
     for n in range(count - 1):
         stretches[n, 0], stretches[n, 1] = n, n + 1
-        _reach(spins, y, vx, vy, i, nu, places, said, mean, width, r, stretches[n])
+        _reach(spins, y, vx, vy, i, nu, places, said, mean, width, small[3], stretches[n])
         sure = min(sure, stretches[n, 2])
     used, made = count, count - 1
     for n in range(count - 1):
         if not stretches[n, 4] < sure + HOPELESS:
             stretches[n, 4] = math.inf
             continue
-        t, off = bend(y, vy, i, places, said, n, count), 0 * a
+        t = bend(y, vy, i, places, said, n, count)
         places[used] = places[n] + t * (places[n + 1] - places[n])
-        ask(law, code, form, stage, i, a, (v_n, v_t, places[used] * unit), size, vx, p, fitted, 2, 1, 0, 1, inner)
+        ask(
+            law,
+            code,
+            form,
+            stage,
+            i,
+            a,
+            (x[i, 0], x[i, 1], places[used] * unit),
+            size,
+            vx,
+            p,
+            fitted,
+            2,
+            1,
+            0,
+            1,
+            inner,
+        )
         for m in range(3):
             said[used, m] = inner[0, m]
             stretches[n, MIDDLE + m] = (said[n, m] + said[n + 1, m]) / 2
-            gap = inner[0, m] - (1 - t) * said[n, m] - t * said[n + 1, m]
-            off += gap * gap / vy[i, m] if y[i, m] == y[i, m] else 0.0
-        if off < STRAIGHT * STRAIGHT:
+        if _off_line(y, vy, i, said, n, n + 1, t, inner[0]) < STRAIGHT * STRAIGHT:
             stretches[n, 3] = 2
             continue
         _parts(places, said, used, stretches[n], stretches[made])
         used += 1
         made += 1
-    # and are finer where a parabola does not tell what the law says in their middle
+    return used, made
+
+
+@kernel
+def cut(
+    law: Any, code: int, form: int, stage: int, i: int, a: float, spins: Any, x: Any, vx: Any, y: Any, vy: Any, nu: float, p: Any,
+    fitted: Any, desk: Any,
+) -> tuple[int, float]:  # fmt: skip
+    """How many stretches a row has, in the desk, and a deviance that its least is surely not above, as far as they tell."""
+    places, said, stretches, small, inner = desk
+    size, _along, mean, width = prior_of(i, x, p)
+    _more, less = _together(i, vx, vy)
+    used, made = _first(law, code, form, stage, i, a, spins, x, vx, y, vy, nu, p, fitted, desk)
+    sure = math.inf
     for turn in range(DEEPEST):
         sure = math.inf  # (what a straight line had below the law is not so sure)
         for e in range(made):
             if stretches[e, 4] < math.inf and stretches[e, 3] == 0:
-                _reach(spins, y, vx, vy, i, nu, places, said, mean, width, r, stretches[e])
+                _reach(spins, y, vx, vy, i, nu, places, said, mean, width, small[3], stretches[e])
             if stretches[e, 4] < math.inf:
                 sure = min(sure, stretches[e, 2])
         last = made
@@ -208,17 +250,34 @@ def cut(  # noqa: PLR0915  (one row's stretches, from coarse to fine)
             if not (row[4] < sure + HOPELESS and row[3] == 0):
                 continue
             row[3] = 1
-            one, two = int(row[0]), int(row[1])
-            spin = (places[one] + places[two]) / 2 * unit
-            ask(law, code, form, stage, i, a, (v_n, v_t, spin), size, vx, p, fitted, 2, 1, 0, 1, inner)
+            middle = (places[int(row[0])] + places[int(row[1])]) / 2
+            ask(
+                law,
+                code,
+                form,
+                stage,
+                i,
+                a,
+                (x[i, 0], x[i, 1], middle * (size / a)),
+                size,
+                vx,
+                p,
+                fitted,
+                2,
+                1,
+                0,
+                1,
+                inner,
+            )
             off = 0 * a
             for m in range(3):
                 row[MIDDLE + m] = inner[0, m]
                 if y[i, m] == y[i, m]:
                     off += (inner[0, m] - row[5 + m]) * (inner[0, m] - row[5 + m]) / vy[i, m]
+            # finer where a parabola does not tell what the law says
             room = turn + 1 < DEEPEST and used < places.shape[0] and made < stretches.shape[0]
             if room and off > fine * math.exp(max(row[4] - sure, 0.0)):
-                places[used] = (places[one] + places[two]) / 2
+                places[used] = middle
                 for m in range(3):
                     said[used, m] = inner[0, m]
                 _parts(places, said, used, row, stretches[made])
