@@ -12,7 +12,6 @@ from __future__ import annotations
 import argparse
 import sys
 import time
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -20,13 +19,11 @@ import numpy as np
 from coverage_rows import Kept, shares
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
-from track_truth import NOSE, RADIUS, Camera, seen, shot, surfaces
+from track_truth import NOSE, RADIUS, Camera, filmed
 
 from carom.errors import CaromError
 from carom.fitting import Setting, fit_law, make_problem, with_profiles
 from carom.fitting.laws import laws_named
-from carom.tracks.measure import Settings, measure
-from carom.tracks.table import to_rebounds
 
 NUMBERS = ("restitution", "friction", "spin_mean", "spin_width")
 INTERVALS = ("restitution", "friction")  # those that `carom fit` gives by profile likelihood too
@@ -41,25 +38,19 @@ CAMERAS = {
 }
 # The law that is played and fitted, and what the engine calls it
 LAWS = {"two-step-after": "after", "two-step": "with"}
+SETTING = Setting(radius=RADIUS, contact_height=NOSE / RADIUS)  # the floor is as the film says
 KINDS = {f"{law}, {name}": (law, camera) for law in LAWS for name, camera in CAMERAS.items()}
 
 
 def one(law: str, camera: Camera, seed: int, shots: int) -> dict[str, Any]:
     """A table: (fitted - true) / error of each number, None where there is none; whether intervals hold the truth; the cloth."""
-    rng = np.random.default_rng(seed)
-    on = surfaces(rng, LAWS[law])
     took = time.process_time()
-    films = [replace(seen(shot(rng, on=on), camera, rng), group=f"shot {k}") for k in range(shots)]
     try:
-        measured = measure(films, Settings(radius=0.0, view="above"))
-        rebounds = to_rebounds(measured)
+        on, measured, rebounds = filmed(LAWS[law], camera, seed, shots)
     except CaromError as error:
         return {"why": error.faults[0]}
-    # of each shot the first contact: the sidespins after it are another population
-    first = [i for i, name in enumerate(rebounds.extra["shot"]) if name not in rebounds.extra["shot"][:i]]
     cloth = measured.floor.get("cloth friction", (0.2, 0.0))
-    setting = Setting(radius=RADIUS, contact_height=NOSE / RADIUS)  # the floor is as the film says
-    fit = fit_law(laws_named([law], "table", False)[0][0], make_problem(rebounds.select(np.array(first)), setting)[0])
+    fit = fit_law(laws_named([law], "table", False)[0][0], make_problem(rebounds, SETTING)[0])
     fit = with_profiles(fit, INTERVALS)
     truth = {
         "restitution": on.restitution,
@@ -68,7 +59,8 @@ def one(law: str, camera: Camera, seed: int, shots: int) -> dict[str, Any]:
         "spin_width": on.spin_width,
     }
     found: dict[str, Any] = {
-        "rows": len(first), "chi2": fit.chi2, "dof": fit.dof, "cloth": (cloth[0] - on.cloth) / cloth[1] if cloth[1] else None,
+        "rows": len(rebounds["v_n_in"]), "chi2": fit.chi2, "dof": fit.dof,
+        "cloth": (cloth[0] - on.cloth) / cloth[1] if cloth[1] else None,
         "seconds": time.process_time() - took, "errors": {}, "values": {},
     }  # fmt: skip
     for name in NUMBERS:

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 
 import carom
+from carom.rebounds import Rebounds
 from carom.scene.walls import Plane, Table
+from carom.tracks.measure import Measured, Settings, measure
+from carom.tracks.table import to_rebounds
 from carom.tracks.track import Track
 
 RADIUS, MASS = 0.03075, 0.21
@@ -142,3 +145,14 @@ def truth(run: Any, axes: tuple[int, int] = (0, 1), ball: int = 0) -> list[dict[
                 break
         found.append(row)
     return found
+
+
+def filmed(floor_contact: str, camera: Camera, seed: int, shots: int) -> tuple[Surfaces, Measured, Rebounds]:
+    """A table, what its films show, and of each shot the first contact: the sidespins after it are another population."""
+    rng = np.random.default_rng(seed)
+    on = surfaces(rng, floor_contact)
+    films = [replace(seen(shot(rng, on=on), camera, rng), group=f"shot {k}") for k in range(shots)]
+    measured = measure(films, Settings(radius=0.0, view="above"))
+    rebounds = to_rebounds(measured)
+    names = rebounds.extra["shot"].tolist()
+    return on, measured, rebounds.select(np.array([names.index(name) for name in dict.fromkeys(names)]))
