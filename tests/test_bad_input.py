@@ -258,6 +258,15 @@ def test_a_folder_is_no_file(name, tmp_path):
         readers()[name](tmp_path)
 
 
+@pytest.mark.parametrize("value", [5, "mirror", 0.5])
+def test_what_is_no_list_of_laws(value):
+    refused(lambda: carom.compare(laws=value), "compare: laws: expected a sequence of names")
+    setting = carom.fitting.Setting(radius=0.02)
+    refused(
+        lambda: carom.fitting.design.require_plan(setting, value, carom.fitting.design.Shots()), "expected two laws"
+    )
+
+
 @pytest.mark.parametrize("value", [3, None, ["a"], b"mirror"])
 def test_what_is_no_name(value):
     from carom import datasets

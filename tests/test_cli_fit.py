@@ -294,6 +294,8 @@ def test_fit_tells_misspelt_laws_with_all_other_faults(here, monkeypatch, capsys
         (("--whole", "--seed", "0"), "--seed: expected no --whole"),
         (("--whole", "--robust"), "--robust: expected no --whole"),
         (("--whole", "--roll", "0.5"), "--roll: expected no --whole"),
+        (("--whole", "--spin", "uniform:1"), "--spin: expected normal:WIDTH (in v/a) with --whole, got 'uniform:1'"),
+        (("--whole", "--spin", "3"), "--spin: expected normal:WIDTH (in v/a) with --whole, got '3'"),
         (("--bootstrap", "1"), "--bootstrap: expected 0 (none) or a number of draws"),
         (("--rate", "50"), "--rate: expected a track, got rebounds"),
     ],

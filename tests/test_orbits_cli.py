@@ -239,6 +239,8 @@ def test_all_faults_of_the_options_at_once(monkeypatch: pytest.MonkeyPatch, caps
     assert [line.split(": ")[1] for line in fails(monkeypatch, capsys, *words)] == ["--friction", "orbit", "--velocity"]
     words = ("circle", "--law", "contact", "--friction", "0.3", "--reverse", "--position", "3,0", "--velocity", "1,0")
     assert [line.split(": ")[1] for line in fails(monkeypatch, capsys, *words)] == ["reverse", "orbit"]
+    lines = fails(monkeypatch, capsys, "circle", "--orbits", "-1", "--seed", "-5")
+    assert [line.split(": ")[2] for line in lines] == ["seed", "orbits"]
 
 
 def test_no_orbit_is_run_that_could_not_be_reversed(

@@ -478,6 +478,9 @@ def test_all_faults_of_the_options_at_once(tmp_path, carom_run):
         "--out",
     ]
     assert carom_run("predict", source, "--inertia", "hollow").code == 0
+    ran = carom_run("predict", source, "--radius", "0", "--out", tmp_path / "none" / "out.csv")
+    assert [line.split(":")[1].split()[0] for line in ran.err.splitlines()] == ["--radius", "--out"]
+    assert "none/out.csv: expected a place to write to" in ran.err
 
 
 def test_a_table_that_is_not_there(tmp_path, carom_run):
@@ -614,6 +617,7 @@ def test_numbers_that_the_law_does_not_read_are_refused_as_options(tmp_path, car
     assert "--friction: expected a law that reads it, got mirror, which reads restitution; leave it out" in ran.err
     ran = carom_run("predict", table, "--law", "no-slip", "--friction", "0.2")
     assert "got no-slip, which reads floor_restitution, floor_friction" in ran.err
+    assert len(carom_run("predict", table, "--law", "mirror", "--friction", "nan").err.splitlines()) == 1
     assert carom_run("predict", table, "--law", "mirror", "--restitution", "0.8").code == 0
 
 

@@ -252,6 +252,8 @@ def compare(meeting: Meeting | None = None, laws: Iterable[str | Law] | None = N
     require_approach(m.ball, m.state, m.normal)
     if laws is None:
         laws = [name for name in LAWS if name != "contact" or m.height > 0 or m.ball.planar]
+    if isinstance(laws, str) or not isinstance(laws, Iterable):
+        raise CaromError(f"compare: laws: expected a sequence of names, got {laws!r:.60}; put them in a list")
     asked = [law if isinstance(law, Law) else law_named(law) for law in laws]
     angle = math.degrees(angle_from(m.normal, m.state, incoming=True))
     once = {law.name: law for law in asked}  # a law named twice is asked once

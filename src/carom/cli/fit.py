@@ -166,7 +166,7 @@ def fit(
 
     faults: list[str] = []
     kappa = None if inertia is None else attempt(faults, kappa_of, inertia)
-    every_spin, prior = attempt(faults, spin_of, spin) or (None, {})
+    every_spin, prior = attempt(faults, spin_of, spin, whole) or (None, {})
     known = sorted({*INDEX, *(p.name for form in FORMS.values() for p in form.parameters), *(NUMBERS if whole else ())})
     fixed = {name: attempt(faults, number, "--fix", name, text) for name, text in pairs(faults, "--fix", fix, known)}
     bounds = {name: attempt(faults, bounds_of, name, text) for name, text in pairs(faults, "--bound", bound, known)}

@@ -46,9 +46,13 @@ def length_of(name: str, text: str | None) -> float | None:
     return float(unit.to_si(value))
 
 
-def spin_of(text: str | None) -> tuple[float | None, dict[str, Any]]:
-    """A spin for all; or what is assumed of spins that nobody measured, as fields of a Setting."""
+def spin_of(text: str | None, whole: bool = False) -> tuple[float | None, dict[str, Any]]:
+    """A spin for all; or what is assumed of spins that nobody measured, as fields of a Setting; ``whole``: at starts of tracks."""
     name, _, width = (text or "normal").partition(":")
+    if whole and name != "normal":
+        raise CaromError(
+            f"--spin: expected normal:WIDTH (in v/a) with --whole, got {text!r}; each track's own is fitted"
+        )
     try:
         if name == "normal" and not width:
             return None, {}

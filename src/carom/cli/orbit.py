@@ -141,6 +141,7 @@ def orbit(
     ball = None if made is None else attempt(faults, _ball, made, kappa, ball_radius)
     together = len(faults) == before  # (else each of these would be told again below)
     attempt(faults, whole, "bounces", bounces)
+    attempt(faults, whole, "seed", seed, 0)
     begin = None if made is None else attempt(faults, _given, made, position, velocity, spin, orbits)
     if together:
         if made is None:
@@ -278,6 +279,7 @@ def _surface(law: str, e: float | None, mu: float | None, beta: float | None) ->
 def _given(table: Table, position: str | None, velocity: str | None, spin: str | None, count: int) -> Any:
     """The start that the options give; None where it is to be drawn."""
     from carom import orbits
+    from carom.orbits.verbs import whole
 
     d = table.dimension
     if (position is None) != (velocity is None):
@@ -286,6 +288,7 @@ def _given(table: Table, position: str | None, velocity: str | None, spin: str |
     if position is None or velocity is None:
         if spin is not None:
             raise CaromError("--spin: expected --position and --velocity beside it, got none")
+        whole("orbits", count)
         return None
     if count != 1:
         raise CaromError(f"--orbits: expected 1 where a start is given, got {count}; left out, starts are drawn")

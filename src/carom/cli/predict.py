@@ -10,7 +10,7 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
-from carom.cli.shared import working, wrote
+from carom.cli.shared import attempt, working, wrote
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -82,6 +82,7 @@ def predict(
     An option wins over a column of the same name. Rows without an answer keep their place; the note column says why.
     """
     from carom.ball import INERTIAS
+    from carom.files import try_place
     from carom.own_law import find_law
     from carom.predict import Settings, predict_table, spin_rule
     from carom.tables.plan import bad_numbers
@@ -111,8 +112,14 @@ def predict(
             values[name] = make()
         except CaromError as error:
             faults += error.faults
-    faults += _unread(values.get("law"), numbers)
-    faults += bad_numbers(numbers, values.get("normal"), contact_height, gravity)
+    idle = _unread(values.get("law"), numbers)
+    faults += idle.values()
+    read = {name: value for name, value in numbers.items() if name not in idle}
+    faults += bad_numbers(read, values.get("normal"), contact_height, gravity)
+    if out is not None:
+        no_place: list[str] = []
+        attempt(no_place, try_place, out)
+        faults += [f"--out {fault}" for fault in no_place]
     if json_ and out is None:
         faults.append("--out: expected a file for the table, got none, and --json takes the standard output")
     if faults:
@@ -147,17 +154,17 @@ def _report(console: Console, summary: Any) -> None:
         wrote(Path(summary.out))
 
 
-def _unread(law: Law | None, numbers: dict[str, float]) -> list[str]:
-    """Faults of options that were given and that the law does not read."""
+def _unread(law: Law | None, numbers: dict[str, float]) -> dict[str, str]:
+    """Faults of options that were given and that the law does not read, by name."""
     from carom.tables.plan import unread
 
     idle = [] if law is None else unread(law)
     reads = "" if law is None else ", ".join(law.reads or ())
-    return [
-        f"--{name.replace('_', '-')}: expected a law that reads it, got {law.name}, which reads {reads}; leave it out"
+    return {
+        name: f"--{name.replace('_', '-')}: expected a law that reads it, got {law.name}, which reads {reads}; leave it out"
         for name in numbers
         if law is not None and name in idle
-    ]
+    }
 
 
 def _vector(text: str) -> tuple[float, float, float]:

@@ -256,10 +256,11 @@ def require_plan(
         faults.append(f"stage: expected {' or '.join(STAGES)}, got {shots.stage!r}")
     if not real(odds) > 1:
         faults.append(f"odds: expected a number above 1, such as 20, got {odds!r}")
-    if isinstance(laws, str) or len(laws) != 2:
-        got = laws if isinstance(laws, str) else ",".join(laws)
-        faults.append(f"laws: expected two laws, the one taken for true first, such as maw,contact, got {got!r}")
-    faults += unknown_laws([laws] if isinstance(laws, str) else laws)
+    named = isinstance(laws, tuple | list) and all(isinstance(law, str) for law in laws)
+    if not named or len(laws) != 2:
+        got = repr(",".join(laws) if named else laws)
+        faults.append(f"laws: expected two laws, the one taken for true first, such as maw,contact, got {got}")
+    faults += unknown_laws(laws) if named else []
     for name, value in (truth or {}).items():
         its = [p for p in (*PARAMETERS, *(p for form in FORMS.values() for p in form.parameters)) if p.name == name]
         low, high = min((p.low for p in its), default=0.0), max((p.high for p in its), default=0.0)
