@@ -19,7 +19,9 @@ from carom.kernel import kernel
 __all__ = ["SMALL", "add_scores", "precision_of", "product"]
 
 SHARE = 1e-4  # of a row's integral: stretches with less do not ask for slopes
-SMALL = 13  # scratch arrays
+# Scratch arrays of a row: S, its inverse q, the law's slopes in v_n and v_t (mid), what y misses (r); score, curvatures, products of
+# scores; q r, to the best v_n and v_t (move), start, slope, prior, and how the prior's mean moves (pull).
+SMALL = 13
 
 
 @kernel
