@@ -19,8 +19,8 @@ from carom.kernel import kernel
 __all__ = ["SMALL", "add_scores", "precision_of", "product"]
 
 SHARE = 1e-4  # of a row's integral: stretches with less do not ask for slopes
-# Scratch arrays of a row: S, its inverse q, the law's slopes in v_n and v_t (mid), what y misses (r); score, curvatures, products of
-# scores; q r, to the best v_n and v_t (move), start, slope, prior, and how the prior's mean moves (pull).
+# Scratch arrays of a row: S, its inverse q, the law's slopes in v_n and v_t (mid), what y misses (r); score, curvatures, products
+# of scores; q r, to the best v_n and v_t (move), start, slope, prior, and how the prior's mean moves (pull).
 SMALL = 13
 
 
