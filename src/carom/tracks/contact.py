@@ -12,7 +12,7 @@ from carom.tracks.contacts import Wall
 from carom.tracks.fitted import Fitted
 from carom.tracks.on_table import tells_rolling
 
-__all__ = ["Contact", "Settings", "View"]
+__all__ = ["Contact", "Settings", "View", "tells_before"]
 
 View = Literal["above", "side"]
 NUMBERS = (int, float, np.integer, np.floating)
@@ -93,15 +93,20 @@ class Contact:
         return _why_not(self, stage)
 
 
+def tells_before(one: Contact, fit: Fitted) -> bool:
+    """Whether the frames before the contact tell if the ball slides there or rolls."""
+    return fit.slid or tells_rolling(one.before, fit["t"] - float(fit.time[0]), fit.noise, fit["mu_g"])
+
+
 def _why_not(one: Contact, stage: str) -> str:
     fit = one.fit
     assert fit is not None
-    span = fit["t"] - float(fit.time[0])
     if -fit["vn_in"] < 3 * fit.error("vn_in"):
         return "it does not move toward the wall by more than its error"
     if one.planar:
         return "" if fit["vn_out"] > 3 * fit.error("vn_out") else "it does not leave the wall by more than its error"
-    if not fit.slid and not tells_rolling(one.before, span, fit.noise, fit["mu_g"]):
+    if not tells_before(one, fit):
+        span = fit["t"] - float(fit.time[0])
         return f"{one.before} frames in {1e3 * span:.3g} ms before the wall do not tell whether it rolls or slides"
     return _not_rolling(one, fit) if stage == "rolling" else _not_leaving(one, fit)
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.tracks.contact import Contact, Settings, View
+from carom.tracks.contact import Contact, Settings, View, tells_before
 from carom.tracks.contacts import Event, Wall
 from carom.tracks.fitted import Fitted, Prior
 from carom.tracks.floor import cloth, weight
@@ -67,7 +67,9 @@ class Fits:
             if number < ROUNDS - 1:
                 owners = [(one.group, one.track) for one in found]
                 fits = [one.fit for one in found]
-                self.floor, known = together(fits, owners, known, prior, self.settings.gravity)
+                # a ball that slides where rolling is taken for granted, or rolls where sliding on is, would say it of the floor
+                sure = [one.fit is not None and tells_before(one, one.fit) and not one.fit.on for one in found]
+                self.floor, known = together(fits, owners, known, prior, self.settings.gravity, sure)
         return [self._judged(one) for one in found or []]
 
     def _find_blind(self, found: list[Contact], notes: list[str]) -> None:

@@ -48,12 +48,13 @@ def cloth(
     told: Sequence[Prior],
     prior: Prior,
     gravity: float,
+    sure: Sequence[bool],
 ) -> tuple[dict[str, tuple[float, float]], list[Prior]]:
     """Friction and rolling resistance with errors, where some contact tells them, and what each may know from all the others.
 
-    ``told``: what each fit was told before, which is taken off what it says; ``prior``: what the literature has. Each fit's own
-    frames are taken out of what it is told, or they would count twice: with it go the contacts of the same ball (``owners``)
-    whose frames it shares, before or after.
+    ``told``: what each fit was told before, which is taken off what it says; ``prior``: what the literature has; ``sure``: which
+    fits have a say. Each fit's own frames are taken out of what it is told, or they would count twice: with it go the contacts of
+    the same ball (``owners``) whose frames it shares, before or after.
     """
     found: dict[str, tuple[float, float]] = {}
     known = [prior] * len(fits)
@@ -61,8 +62,8 @@ def cloth(
         before, error = getattr(prior, name), getattr(prior, f"{name}_error")
         alone: dict[int, tuple[float, float]] = {}
         for i, fit in enumerate(fits):
-            if fit is None or not fit[name] > 1e-6 or not fit.error(name) > 0:
-                continue  # at the edge of what is allowed
+            if fit is None or not sure[i] or not fit[name] > 1e-6 or not fit.error(name) > 0:
+                continue  # it may have taken another motion for the floor; or is at the edge of what is allowed
             weight, was = fit.error(name) ** -2, getattr(told[i], f"{name}_error") ** -2
             # a fit whose own frames say less than the literature has no say
             if weight - was > error**-2:
@@ -118,12 +119,13 @@ def weight(
     told: Sequence[Prior],
     prior: Prior,
     gravity: float,
+    sure: Sequence[bool],
 ) -> tuple[dict[str, tuple[float, float]], list[Prior]]:
     """The gravity that the parabolas show, with its error; nothing that a fit would be told."""
     good = [fit for fit in fits if fit is not None]
     size = [float(np.hypot(fit["mu_g"], fit["c_g"])) for fit in good]
     mean, variance, between = combined(size, [max(fit.error("mu_g"), 1e-9) ** 2 for fit in good])
-    del gravity, owners, told
+    del gravity, owners, told, sure
     return ({"gravity": (mean, float(np.sqrt(variance + between / max(len(good), 1))))} if good else {}), [prior] * len(
         fits
     )
