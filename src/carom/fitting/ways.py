@@ -93,9 +93,12 @@ class Fit:
 
     @property
     def aicc(self) -> float:
-        """Akaike's criterion for few data (Hurvich & Tsai, Biometrika 76, 297 (1989)); chi^2 + 2 k where errors are known."""
-        n = self.problem.count
-        return self.deviance + 2 * self.k + 2 * self.k * (self.k + 1) / (n - self.k - 1) if n > self.k + 1 else math.inf
+        """Akaike's criterion: chi^2 + 2 k where errors are known, which needs no correction for few data; where the scatter is
+        estimated, that of Hurvich & Tsai (Biometrika 76, 297 (1989)). Infinite where there are too few data."""
+        n, k = self.problem.count, self.k
+        if n <= k + 1:
+            return math.inf
+        return self.deviance + 2 * k + (2 * k * (k + 1) / (n - k - 1) if self.scatter else 0.0)
 
     @property
     def bic(self) -> float:

@@ -108,6 +108,9 @@ def _why_not(one: Contact, stage: str) -> str:
     if not tells_before(one, fit):
         span = fit["t"] - float(fit.time[0])
         return f"{one.before} frames in {1e3 * span:.3g} ms before the wall do not tell whether it rolls or slides"
+    if fit["slides"] < one.interval:
+        # (the contact may as well have been some ms earlier or later, and the slide as much longer)
+        return f"it slides for {fit['slides'] / one.interval:.1f} frames only: when it began to roll is not told, nor how it left"
     return _not_rolling(one, fit) if stage == "rolling" else _not_leaving(one, fit)
 
 

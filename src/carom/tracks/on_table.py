@@ -25,6 +25,7 @@ EARNED_ON = 6.63
 # chi2 that a slide all the way to the contact has to be worth, so that one that is there is seen with near certainty.
 SEEN = 20.0
 FEW_AFTER = 15  # frames
+SHORT = 3.0  # frames: a slide that may be another's, found before the cloth was known
 FEWEST_SLIDING = 6  # frames before the contact, to tell a slide from noise
 SLACK = 0.02  # s that a contact may be from where the frames turn, at most
 _NUMBERS = np.arange(13)
@@ -97,7 +98,7 @@ class _Table:
         self.time, self.position, self.noise, self.prior, self.wall = time, position, noise, prior, wall
         self.k, self.since = prior.k, float(time[0])
         before, after = time < near, time >= near
-        self.after = int(after.sum())
+        self.after, self.interval = int(after.sum()), float(np.median(np.diff(time)))
         start = guess(time, position, before, after, near)
         self.start = np.concatenate([start[:5], [0.0, 0.0], start[5:], [0.0, 0.0], [prior.mu_g, prior.c_g]])
         self.scale = np.array([1e-3, 1e-3, 1e-3, *[0.05] * 2, 0.3, 0.3, *[0.05] * 2, *[0.3] * 2, 0.2, 0.03])
@@ -105,7 +106,7 @@ class _Table:
         far = 0.2 + 2.0 * float(np.hypot(*start[3:5]))
         self.low, self.high = np.full(13, -np.inf), np.full(13, np.inf)
         # the frame nearest to the wall is that of the contact, but for its noise
-        hole = max(time[after][0] - time[before][-1], float(np.median(np.diff(time))))
+        hole = max(time[after][0] - time[before][-1], self.interval)
         hole += min(4 * noise / max(min(abs(start[3]), abs(start[5])), 1e-9), SLACK)
         self.low[0], self.high[0] = time[before][-1] - hole, time[after][0] + hole
         self.low[5], self.low[11], self.low[12] = 0.0, prior.mu_g / 20, 0.0
@@ -157,7 +158,7 @@ class _Table:
             start[11:] = self.start[11:]
             tries.append(self.solve(start, ROLLING & FLOOR_HELD))
         # few frames after can be had by a slide of some ms as well as by one that lasts, before the cloth is known
-        if not tries or self.after < FEW_AFTER:
+        if not tries or self.after < FEW_AFTER or (old is not None and old["slides"] < SHORT * self.interval):
             for spin_kept in (0.8, 0.2):
                 start = self.start.copy()
                 start[9:11] = start[7:9] - spin_kept * start[3:5]
