@@ -158,6 +158,16 @@ def prior_of(i: int, x: Any, p: Any) -> tuple[float, float, float, float]:
 
 
 @kernel
+def _at(
+    law: Any, code: int, form: int, stage: int, i: int, a: float, x: Any, size: float, vx: Any, p: Any, fitted: Any, sigma: float,
+    inner: Any,
+) -> None:  # fmt: skip
+    """What the law says where the spin is sigma v/a, in inner[0]."""
+    v = (x[i, 0], x[i, 1], sigma * (size / a))
+    ask(law, code, form, stage, i, a, v, size, vx, p, fitted, 2, 1, 0, 1, inner)
+
+
+@kernel
 def _off_line(y: Any, vy: Any, i: int, said: Any, one: int, two: int, t: float, there: Any) -> float:
     """By how many squared error bars what the law says a share t of the way from one place to another is off the straight line."""
     off = 0.0
@@ -176,10 +186,9 @@ def _first(
     places, said, stretches, small, inner = desk
     count = spins.places.shape[0]
     size, _along, mean, width = prior_of(i, x, p)
-    unit = size / a
     for n in range(count):
         places[n] = spins.places[n]
-        ask(law, code, form, stage, i, a, (x[i, 0], x[i, 1], places[n] * unit), size, vx, p, fitted, 2, 1, 0, 1, inner)
+        _at(law, code, form, stage, i, a, x, size, vx, p, fitted, places[n], inner)
         for m in range(3):
             said[n, m] = inner[0, m]
     # Which stretches matter: those whose least possible exponent is not far above the least that is sure
@@ -195,24 +204,7 @@ def _first(
             continue
         t = bend(y, vy, i, places, said, n, count)
         places[used] = places[n] + t * (places[n + 1] - places[n])
-        ask(
-            law,
-            code,
-            form,
-            stage,
-            i,
-            a,
-            (x[i, 0], x[i, 1], places[used] * unit),
-            size,
-            vx,
-            p,
-            fitted,
-            2,
-            1,
-            0,
-            1,
-            inner,
-        )
+        _at(law, code, form, stage, i, a, x, size, vx, p, fitted, places[used], inner)
         for m in range(3):
             said[used, m] = inner[0, m]
             stretches[n, MIDDLE + m] = (said[n, m] + said[n + 1, m]) / 2
@@ -251,24 +243,7 @@ def cut(
                 continue
             row[3] = 1
             middle = (places[int(row[0])] + places[int(row[1])]) / 2
-            ask(
-                law,
-                code,
-                form,
-                stage,
-                i,
-                a,
-                (x[i, 0], x[i, 1], middle * (size / a)),
-                size,
-                vx,
-                p,
-                fitted,
-                2,
-                1,
-                0,
-                1,
-                inner,
-            )
+            _at(law, code, form, stage, i, a, x, size, vx, p, fitted, middle, inner)
             off = 0 * a
             for m in range(3):
                 row[MIDDLE + m] = inner[0, m]

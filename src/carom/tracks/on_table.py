@@ -177,7 +177,6 @@ class _Table:
         on = self.solve(start, SLIDING_ON & FLOOR_HELD)[0]
         found = [(*self.solve(on, SLIDING_ON), EARNED_ON, SLIDING_ON, True)]
         frames = self.time[self.time < on[0]]
-        interval = float(np.median(np.diff(self.time)))
         v0 = on[3:5] + self.k * _slip(on)
         tries = []
         for end in (0.9, 0.6, 0.3):
@@ -188,7 +187,7 @@ class _Table:
         for start in tries:
             other, cost = self.solve(self.solve(start, SLIDING & FLOOR_HELD)[0], SLIDING)
             # where it ends with the last frames, none tells how much slip was left: sliding on says the same with less
-            if self.k * other[5] / other[11] < frames[-1] - self.since - 1.5 * interval:
+            if self.k * other[5] / other[11] < frames[-1] - self.since - 1.5 * self.interval:
                 found.append((other, cost, EARNED, SLIDING, False))
                 if cost < 1.3 * (2 * len(self.time) - len(_NUMBERS)):
                     break  # as good as it can be: other starts would end here too
