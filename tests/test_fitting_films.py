@@ -236,6 +236,35 @@ def test_films_decide_where_they_can(law, floor_contact, shots, seed, decides):
     assert ranking.ranked[-1].weight < 1e-9
 
 
+def fitted_film(camera: Camera, seed: int):
+    """A film of twenty shots under its law: the surfaces that were played, and the fit."""
+    on, _measured, rebounds = filmed("after", camera, seed, 20)
+    law = laws_named(["two-step-after"], "table", False)[0][0]
+    return on, fit_law(law, make_problem(rebounds, Setting(radius=RADIUS, contact_height=NOSE / RADIUS))[0])
+
+
+def test_a_cloth_that_seems_to_differ_is_each_row_s_own_error():
+    # contacts differ by chance in what they say of the cloth; where each keeps its own opinion, all do not share its error: the
+    # fits were seven error bars off
+    on, fit = fitted_film(Camera(30, 3e-4), 868)
+    for name in ("restitution", "friction"):
+        assert abs(fit.estimates[name].value - getattr(on, name)) < 2 * fit.estimates[name].stderr
+
+
+def test_an_interval_of_two_valleys_makes_the_error_bar():
+    on, bare = fitted_film(Camera(30, 3e-4), 64)
+    fit = with_profiles(bare, ["restitution", "friction"])
+    for name in ("restitution", "friction"):
+        one = fit.estimates[name]
+        low, high = one.interval_95
+        assert low < getattr(on, name) < high
+        # the curvature is that of the nearer valley alone
+        assert one.interval_68[1] - one.interval_68[0] < 0.3 * (high - low)
+        assert one.stderr == pytest.approx((high - low) / 2 / 1.96, rel=1e-3) != bare.estimates[name].stderr
+        i = fit.names.index(name)
+        assert fit.covariance[i, i] == pytest.approx(one.stderr**2)
+
+
 def rolling(n: int = 12, **extra: object) -> dict[str, object]:
     """Columns of balls that roll at a cushion, of a file."""
     v_n, v_t = np.linspace(0.8, 2.5, n), np.linspace(-1, 1.2, n)

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.fitting.parameters import INDEX
-from carom.fitting.ways import Fit, go, ways_of
+from carom.fitting.ways import Fit, go, scaled, ways_of
 
 __all__ = ["with_averaged", "with_profile"]
 
@@ -30,21 +30,12 @@ def with_averaged(fit: Fit, extra: float = 0.0) -> Fit:
     """
     fit = _with_width(fit)
     width = _friction(fit, fit.deviance - extra)
-    return fit if width is None else _scaled(fit, "friction", width / _stderr(fit, "friction"))
+    return fit if width is None else scaled(fit, "friction", width / _stderr(fit, "friction"))
 
 
 def _stderr(fit: Fit, name: str) -> float:
     estimate = fit.estimates.get(name)
     return (estimate.stderr or 0.0) if estimate else 0.0
-
-
-def _scaled(fit: Fit, name: str, by: float) -> Fit:
-    """With an error bar so much larger, correlations as they are."""
-    i, covariance = fit.names.index(name), fit.covariance.copy()
-    covariance[i, :] *= by
-    covariance[:, i] *= by
-    wider = replace(fit.estimates[name], stderr=by * _stderr(fit, name))
-    return replace(fit, covariance=covariance, estimates=fit.estimates | {name: wider})
 
 
 def _with_width(fit: Fit) -> Fit:
@@ -55,9 +46,9 @@ def _with_width(fit: Fit) -> Fit:
         return fit
     width = float(fit.numbers[INDEX["spin_width"]])
     by = 1 + (1.5 if "spin_mean" in fit.names else 0.5) * (error / width) ** 2
-    fit = _scaled(fit, "spin_width", by)
+    fit = scaled(fit, "spin_width", by)
     if _stderr(fit, "spin_mean"):
-        fit = _scaled(fit, "spin_mean", by)
+        fit = scaled(fit, "spin_mean", by)
     estimates = fit.estimates | {"spin_width": replace(fit.estimates["spin_width"], value=by * width)}
     return replace(fit, estimates=estimates)
 

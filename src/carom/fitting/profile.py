@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -9,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.fitting.fit import Estimate, Fit, parameters_of, refit
+from carom.fitting.ways import scaled
 
 __all__ = ["with_bootstrap", "with_profiles"]
 
@@ -18,14 +20,18 @@ LEVELS = (1.0, 3.8415)  # of the deviance: 68.3 % and 95 % of one number
 ROUNDS = 36
 CLOSE = 1e-3  # of a level: an end whose deviance is so near it is found
 TIGHT = 1e-9  # of the number: a bracket is closed
+TWO = 1.5  # times as wide as two error bars: an interval of 95 % that holds more than one valley of the deviance
 LEAST = 0.1  # of a bracket: no step is shorter, so that both of its sides come nearer
 
 
 def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:
     """Intervals of 68 % and 95 % of each number that the data tell, or of those named: where the deviance, all else fitted, has
-    risen by 1 and 3.84. All ends of a number are sought at once."""
+    risen by 1 and 3.84. All ends of a number are sought at once.
+
+    The curvature is that of the valley in which the best place lies. Where the interval of 95 % holds another, the error bar becomes
+    a 1.96th of half its width.
+    """
     free, _start, _form = parameters_of(fit.law, fit.problem)
-    estimates = dict(fit.estimates)
     base = float(refit(fit, fit.problem)[1][0])
     for name, estimate in fit.estimates.items():
         if estimate.value is None or not (names is None or name in names):
@@ -48,15 +54,22 @@ def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:
             deviance[inside] = refit(fit, fit.problem, p=p[inside], hold=name)[1]
         end, open_ = _ends(fit, name, place, base, np.where(deviance - base < goals, edge, far), deviance - base, goals)
         one, two = (float(end[0]), float(end[1])), (float(end[2]), float(end[3]))
-        estimates[name] = replace(estimate, interval_68=one, interval_95=two)
+        fit = _with(fit, name, replace(estimate, interval_68=one, interval_95=two))
         # an end that lies at a bound, many standard errors away: the parabola at the best place is only its bottom
         far_off = np.abs(end[2:] - best) > 6 * (estimate.stderr or np.inf)
         if (open_[2:] & far_off).any():
             least = f"{end[2]:.3g} or more" if open_[3] and far_off[1] else f"{end[3]:.3g} or less"
             said = f"{fit.law.name}: {name}: only that it is {least} (95 %) can be told; what lies beyond fits as well"
-            estimates[name] = Estimate(None, None, f"{least} (95 %)", one, two)
+            fit = _with(fit, name, Estimate(None, None, f"{least} (95 %)", one, two))
             fit = replace(fit, degenerate=(*fit.degenerate, said), untold=(*fit.untold, name))
-    return replace(fit, estimates=estimates)
+        elif estimate.stderr:
+            bar = (two[1] - two[0]) / 2 / math.sqrt(LEVELS[1])
+            fit = scaled(fit, name, bar / estimate.stderr) if bar > TWO * estimate.stderr else fit
+    return fit
+
+
+def _with(fit: Fit, name: str, estimate: Estimate) -> Fit:
+    return replace(fit, estimates=fit.estimates | {name: estimate})
 
 
 def _ends(

@@ -173,7 +173,8 @@ def _moved(
     short = deviance - fit.deviance - (np.square(far[some] / bar) / 4 if bar < np.inf else NO_RISE)
     if not (short < 0).any():
         return none
-    moved = np.abs(found[int(np.argmin(short))] - fit.numbers)[ways.free] > np.maximum(bars, 1e-9)
+    best = found[int(np.argmin(short))]
+    moved = np.abs(best[ways.free] - fit.numbers[ways.free]) > np.maximum(bars, 1e-9)
     moved[i] = True
     return moved  # type: ignore[no-any-return]
 

@@ -26,6 +26,7 @@ __all__ = [
     "predict_law",
     "refit",
     "rows_of_fit",
+    "scaled",
     "ways_of",
 ]
 
@@ -108,6 +109,15 @@ class Fit:
     def predicted(self) -> Array:
         """(N, 3): what the law says of each row; rows without spin at the middle of what it may be."""
         return predict_law(self.law, self.problem, self.numbers)
+
+
+def scaled(fit: Fit, name: str, by: float) -> Fit:
+    """With an error bar so many times as large, correlations as they are."""
+    i, covariance = fit.names.index(name), fit.covariance.copy()
+    covariance[i, :] *= by
+    covariance[:, i] *= by
+    wider = replace(fit.estimates[name], stderr=by * (fit.estimates[name].stderr or 0.0))
+    return replace(fit, covariance=covariance, estimates=fit.estimates | {name: wider})
 
 
 def parameters_of(law: FittedLaw, problem: Problem) -> tuple[dict[str, tuple[int, Parameter]], Array, int]:

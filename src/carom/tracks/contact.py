@@ -9,7 +9,7 @@ import numpy as np
 
 from carom.checks import Faults
 from carom.tracks.contacts import Wall
-from carom.tracks.fitted import Fitted
+from carom.tracks.fitted import Fitted, Prior
 from carom.tracks.on_table import tells_rolling
 
 __all__ = ["Contact", "Settings", "View", "tells_before"]
@@ -85,6 +85,8 @@ class Contact:
     """m: what the residuals of this contact alone say of the noise."""
     planar: bool = False
     """In flight, not on a table."""
+    prior: Prior = Prior()
+    """What the fit was told of the floor."""
 
     def why_not(self, stage: str) -> str:
         """Why there is no rebound of this stage (after_wall, rolling); empty where there is one."""

@@ -126,6 +126,7 @@ class Fits:
             why=why,
             interval=self.interval,
             planar=self.view == "side",
+            prior=prior,
         )
         if why:
             return bare

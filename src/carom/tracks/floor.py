@@ -84,8 +84,15 @@ def cloth(
                 # before pooling, as a weak opinion among many
                 weights = np.array([1 / spread, weight_before])
                 value = float((weights * [mean, before]).sum() / weights.sum())
+                # a floor that differs between contacts is this one's own
+                pooled = 1 - between * weights[0] ** 2 / weights.sum() if i in alone else 0.0
                 known[i] = replace(
-                    known[i], **{name: max(value, 1e-3 * before), f"{name}_error": float(weights.sum() ** -0.5)}
+                    known[i],
+                    **{
+                        name: max(value, 1e-3 * before),
+                        f"{name}_error": float(weights.sum() ** -0.5),
+                        f"{name}_pooled": float(pooled),
+                    },
                 )
     return found, known
 

@@ -118,11 +118,22 @@ def _floor(one: Contact, stage: str, measured: Measured) -> dict[str, float]:
         value, sigma = measured.floor[label]
         found |= {label.replace(" ", "_"): value, f"sigma_{label.replace(' ', '_')}": sigma}
         error, own = sigma * measured.gravity, one.fit.error(inner)
-        # what its own frames say of it it does not share
-        share = min(error / own**2, 1 / error) if own and error else 0.0
+        # (a fit that was told less than all say, and knows more, has no more in common with them than it knows)
+        share = min(error * _shared(one, inner) / own**2, 1 / error) if own and error else 0.0
         for name, of in names.items():
             found[f"{prefix}_{name}"] = (-share if name == "v_n_in" else share) * one.fit.covaries(of, inner)
     return found
+
+
+def _shared(one: Contact, inner: str) -> float:
+    """How much of the error of the floor, as a contact's fit has it, is that of what all contacts say.
+
+    The fit was told T^2 of variance and has s^2 left: w = 1 - s^2/T^2 of it is from its own frames, and the rest from the others.
+    What its own frames say is all contacts' too, as far as it has gone into what they say.
+    """
+    assert one.fit is not None
+    rest = min(one.fit.error(inner) ** 2 / getattr(one.prior, f"{inner}_error") ** 2, 1.0)
+    return float(rest + (1 - rest) * getattr(one.prior, f"{inner}_pooled"))
 
 
 def _spin_source(one: Contact) -> str:
