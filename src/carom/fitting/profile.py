@@ -28,8 +28,8 @@ def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:
     """Intervals of 68 % and 95 % of each number that the data tell, or of those named: where the deviance, all else fitted, has
     risen by 1 and 3.84. All ends of a number are sought at once.
 
-    The curvature is that of the valley in which the best place lies. Where the interval of 95 % holds another, the error bar becomes
-    a 1.96th of half its width.
+    The curvature is that of the valley in which the best place lies. Where the interval of 95 % holds another, half its width is
+    1.96 error bars.
     """
     free, _start, _form = parameters_of(fit.law, fit.problem)
     base = float(refit(fit, fit.problem)[1][0])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Literal
 
 import numpy as np
@@ -85,7 +85,7 @@ class Contact:
     """m: what the residuals of this contact alone say of the noise."""
     planar: bool = False
     """In flight, not on a table."""
-    prior: Prior = Prior()
+    prior: Prior = field(default_factory=Prior)
     """What the fit was told of the floor."""
 
     def why_not(self, stage: str) -> str:
