@@ -20,7 +20,7 @@ LEVELS = (1.0, 3.8415)  # of the deviance: 68.3 % and 95 % of one number
 ROUNDS = 36
 CLOSE = 1e-3  # of a level: an end whose deviance is so near it is found
 TIGHT = 1e-9  # of the number: a bracket is closed
-TWO = 1.5  # times as wide as two error bars: an interval of 95 % that holds more than one valley of the deviance
+WIDE = 1.5  # of the error bar: half an interval of 95 %, over 1.96, that is more takes its place
 LEAST = 0.1  # of a bracket: no step is shorter, so that both of its sides come nearer
 
 
@@ -28,8 +28,8 @@ def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:
     """Intervals of 68 % and 95 % of each number that the data tell, or of those named: where the deviance, all else fitted, has
     risen by 1 and 3.84. All ends of a number are sought at once.
 
-    The curvature is that of the valley in which the best place lies. Where the interval of 95 % holds another, half its width is
-    1.96 error bars.
+    The curvature is that of the valley in which the best place lies. Where the interval of 95 % is far wider, since it holds
+    another or a slope beyond a crease, half its width is 1.96 error bars.
     """
     free, _start, _form = parameters_of(fit.law, fit.problem)
     base = float(refit(fit, fit.problem)[1][0])
@@ -64,7 +64,8 @@ def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:
             fit = replace(fit, degenerate=(*fit.degenerate, said), untold=(*fit.untold, name))
         elif estimate.stderr:
             bar = (two[1] - two[0]) / 2 / math.sqrt(LEVELS[1])
-            fit = scaled(fit, name, bar / estimate.stderr) if bar > TWO * estimate.stderr else fit
+            if bar > WIDE * estimate.stderr:
+                fit = scaled(fit, name, bar / estimate.stderr)
     return fit
 
 

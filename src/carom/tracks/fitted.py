@@ -30,19 +30,16 @@ OUTPUTS = (
 
 @dataclass(frozen=True)
 class Prior:
-    """What is known of the floor beforehand: decelerations while sliding and rolling, m/s^2, each with its error.
-
-    Pooled: 1 where what a contact's own frames say of it has gone into what all contacts say together as much as into its own fit,
-    0 where it has not.
-    """
+    """What is known of the floor beforehand: decelerations while sliding and rolling, m/s^2, each with its error; and the variance
+    between contacts, None for a contact that is not among those of which the floor is had."""
 
     mu_g: float = 2.0
     mu_g_error: float = 0.8
     c_g: float = 0.08
     c_g_error: float = 0.06
     k: float = 2 / 7
-    mu_g_pooled: float = 0.0
-    c_g_pooled: float = 0.0
+    mu_g_between: float | None = None
+    c_g_between: float | None = None
 
 
 @dataclass(frozen=True, eq=False)

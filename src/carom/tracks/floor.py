@@ -69,7 +69,8 @@ def cloth(
             if weight - was > error**-2:
                 alone[i] = ((weight * fit[name] - was * getattr(told[i], name)) / (weight - was), 1 / (weight - was))
         alone = _once(alone, fits, owners)
-        mean, variance, between = combined(*_both(alone))
+        mean, variance, apart = combined(*_both(alone))
+        between = apart
         weight_before = 1 / error**2
         total = weight_before + (1 / variance if np.isfinite(variance) else 0.0)
         middle = (before * weight_before + (mean / variance if np.isfinite(variance) else 0.0)) / total
@@ -84,16 +85,11 @@ def cloth(
                 # before pooling, as a weak opinion among many
                 weights = np.array([1 / spread, weight_before])
                 value = float((weights * [mean, before]).sum() / weights.sum())
-                # a floor that differs between contacts is this one's own
-                pooled = 1 - between * weights[0] ** 2 / weights.sum() if i in alone else 0.0
                 known[i] = replace(
-                    known[i],
-                    **{
-                        name: max(value, 1e-3 * before),
-                        f"{name}_error": float(weights.sum() ** -0.5),
-                        f"{name}_pooled": float(pooled),
-                    },
+                    known[i], **{name: max(value, 1e-3 * before), f"{name}_error": float(weights.sum() ** -0.5)}
                 )
+            if i in alone:
+                known[i] = replace(known[i], **{f"{name}_between": apart})
     return found, known
 
 

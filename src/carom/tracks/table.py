@@ -107,7 +107,8 @@ def _row(one: Contact, number: int, stage: str, spin: str) -> dict[str, Any]:
 def _floor(one: Contact, stage: str, measured: Measured) -> dict[str, float]:
     """What all contacts together say of the floor, and by how much the velocities move with one error bar of that.
 
-    The ways that a ball slides and rolls are extrapolated to the contact with these numbers, so all rows share their errors.
+    The ways that a ball slides and rolls are extrapolated to the contact with these numbers, so rows share their errors, as far as
+    they have them from each other.
     """
     found: dict[str, float] = {}
     out = ("vn_roll", "vt_roll") if stage == "rolling" else ("vn_out", "vt_out")
@@ -118,7 +119,7 @@ def _floor(one: Contact, stage: str, measured: Measured) -> dict[str, float]:
         value, sigma = measured.floor[label]
         found |= {label.replace(" ", "_"): value, f"sigma_{label.replace(' ', '_')}": sigma}
         error, own = sigma * measured.gravity, one.fit.error(inner)
-        # (a fit that was told less than all say, and knows more, has no more in common with them than it knows)
+        # (at most what it knows: one that was not told of a contact that stands apart may know more than all together)
         share = min(error * _shared(one, inner) / own**2, 1 / error) if own and error else 0.0
         for name, of in names.items():
             found[f"{prefix}_{name}"] = (-share if name == "v_n_in" else share) * one.fit.covaries(of, inner)
@@ -128,12 +129,14 @@ def _floor(one: Contact, stage: str, measured: Measured) -> dict[str, float]:
 def _shared(one: Contact, inner: str) -> float:
     """How much of the error of the floor, as a contact's fit has it, is that of what all contacts say.
 
-    The fit was told T^2 of variance and has s^2 left: w = 1 - s^2/T^2 of it is from its own frames, and the rest from the others.
-    What its own frames say is all contacts' too, as far as it has gone into what they say.
+    The fit was told the floor with a variance T^2 and has s^2 left, so its own frames say it with v = s^2 / (1 - s^2/T^2). Their
+    error is in the mean of all, by its weight 1/(v + b^2), b^2 the variance between contacts, and the mean's error in what the fit
+    was told: v/(v + b^2) of both. Of a contact that is not in the mean: what it was told, s^2/T^2.
     """
     assert one.fit is not None
-    rest = min(one.fit.error(inner) ** 2 / getattr(one.prior, f"{inner}_error") ** 2, 1.0)
-    return float(rest + (1 - rest) * getattr(one.prior, f"{inner}_pooled"))
+    own, between = one.fit.error(inner) ** 2, getattr(one.prior, f"{inner}_between")
+    rest = min(own / getattr(one.prior, f"{inner}_error") ** 2, 1.0)
+    return float(rest if between is None else own / (own + (1 - rest) * between))
 
 
 def _spin_source(one: Contact) -> str:
