@@ -19,7 +19,7 @@ from carom.scene.walls import Plane
 from carom.tracks.clock import camera_clock, noise_of, step_of
 from carom.tracks.contacts import Wall
 from carom.tracks.fitted import Fitted, Prior
-from carom.tracks.floor import cloth
+from carom.tracks.floor import cloth, shared_part
 from carom.tracks.legs import leg, slopes
 from carom.tracks.measure import Measured, Settings, measure
 from carom.tracks.on_table import tells_rolling
@@ -396,6 +396,26 @@ def test_of_two_fits_with_the_same_frames_the_one_that_says_more_counts() -> Non
         # nor has one any that may have taken another motion for the floor
         found, _known = cloth(fits, [("a", "b")] * 2, [prior] * 2, prior, 9.80665, [error > 0.1 for error in errors])
         assert found["cloth friction"][1] > 0.3 / 9.80665
+
+
+@pytest.mark.parametrize("spread", [0.0, 0.2, 0.8])
+def test_what_a_row_shares_of_the_cloth_s_error(spread: float) -> None:
+    # plain normal numbers: the slope of each fit's error in that of the mean of all, against what is said
+    rng, n, draws = np.random.default_rng(5), 20, 40_000
+    errors = np.geomspace(0.05, 1.0, n + 1)  # (the last has no say in the mean)
+    floors = rng.normal(0, spread, (draws, n + 1)) if spread else np.zeros((draws, n + 1))
+    own = floors + errors * rng.normal(size=(draws, n + 1))
+    weights = 1 / (errors[:n] ** 2 + spread**2)
+    mean = own[:, :n] @ weights / weights.sum()
+    for i in (0, n // 2, n - 1, n):
+        others = np.where(np.arange(n) == i, 0.0, weights)
+        told = 1 / others.sum() + spread**2
+        left = 1 / (1 / told + 1 / errors[i] ** 2)
+        fit = left * (own[:, :n] @ others / others.sum() / told + own[:, i] / errors[i] ** 2)
+        slope = (fit - floors[:, i]) @ mean / (mean @ mean)
+        part = shared_part(np.sqrt(left), np.sqrt(told), None if i == n else spread**2)
+        spare = np.std(fit - floors[:, i] - slope * mean) / np.sqrt(draws * np.mean(mean**2))
+        assert abs(slope - part) < 4 * spare + 1e-9
 
 
 @pytest.mark.parametrize("seed", [7, 11])

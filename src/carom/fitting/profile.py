@@ -61,7 +61,9 @@ def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:
             least = f"{end[2]:.3g} or more" if open_[3] and far_off[1] else f"{end[3]:.3g} or less"
             said = f"{fit.law.name}: {name}: only that it is {least} (95 %) can be told; what lies beyond fits as well"
             fit = _with(fit, name, Estimate(None, None, f"{least} (95 %)", one, two))
-            fit = replace(fit, degenerate=(*fit.degenerate, said), untold=(*fit.untold, name))
+            covariance, i = fit.covariance.copy(), fit.names.index(name)
+            covariance[i, :] = covariance[:, i] = math.nan
+            fit = replace(fit, covariance=covariance, degenerate=(*fit.degenerate, said), untold=(*fit.untold, name))
         elif estimate.stderr:
             bar = (two[1] - two[0]) / 2 / math.sqrt(LEVELS[1])
             if bar > WIDE * estimate.stderr:

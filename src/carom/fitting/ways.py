@@ -49,7 +49,8 @@ class Estimate:
     value: float | None
     """None where the data do not tell it."""
     stderr: float | None
-    """None where the data do not tell it, or it is at a bound."""
+    """None where the data do not tell it, or it is at a bound. By the curvature at the best place; by the interval of 95 % where
+    that was asked for and is far wider."""
     note: str = ""
     interval_68: tuple[float, float] | None = None
     """By profile likelihood; an end at a bound is the bound."""

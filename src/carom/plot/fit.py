@@ -264,9 +264,8 @@ def write_report(ranking: Ranking, path: str | Path) -> Path:
         listed("What these data do not tell", ranking.degenerate),
         listed("Outliers under the best law", [f"{o.row}: chi² {o.chi2:.1f}; {o.why}" for o in ranking.outliers]),
         listed("Notes", list(ranking.notes)),
-        f"<footer>carom {__version__}. AICc ({'Hurvich and Tsai' if best.scatter else 'chi² + 2 k, as error bars are given'}) and"
-        " weights: the smaller and the larger the better; CV log score: of rows that were not fitted to, the larger the"
-        " better.</footer>",
+        f"<footer>carom {__version__}. AICc ({'Hurvich and Tsai' if best.scatter else 'chi² + 2 k, as error bars are given'}): the"
+        " smaller the better; weights, and CV log score (of rows that were not fitted to): the larger the better.</footer>",
     ]  # fmt: skip
     text = PAGE.format(
         title=f"carom fit: {html.escape(source)}", colour="#009E73" if good else "#E69F00", body="\n".join(body)

@@ -8,6 +8,7 @@ import numpy as np
 
 from carom.errors import CaromError
 from carom.rebounds import Kind, Rebounds, make_rebounds
+from carom.tracks.floor import shared_part
 from carom.tracks.measure import Contact, Measured
 
 __all__ = ["Stage", "chosen", "to_rebounds"]
@@ -120,23 +121,11 @@ def _floor(one: Contact, stage: str, measured: Measured) -> dict[str, float]:
         found |= {label.replace(" ", "_"): value, f"sigma_{label.replace(' ', '_')}": sigma}
         error, own = sigma * measured.gravity, one.fit.error(inner)
         # (at most what it knows: one that was not told of a contact that stands apart may know more than all together)
-        share = min(error * _shared(one, inner) / own**2, 1 / error) if own and error else 0.0
+        part = shared_part(own, getattr(one.prior, f"{inner}_error"), getattr(one.prior, f"{inner}_between"))
+        share = min(error * part / own**2, 1 / error) if own and error else 0.0
         for name, of in names.items():
             found[f"{prefix}_{name}"] = (-share if name == "v_n_in" else share) * one.fit.covaries(of, inner)
     return found
-
-
-def _shared(one: Contact, inner: str) -> float:
-    """How much of the error of the floor, as a contact's fit has it, is that of what all contacts say.
-
-    The fit was told the floor with a variance T^2 and has s^2 left, so its own frames say it with v = s^2 / (1 - s^2/T^2). Their
-    error is in the mean of all, by its weight 1/(v + b^2), b^2 the variance between contacts, and the mean's error in what the fit
-    was told: v/(v + b^2) of both. Of a contact that is not in the mean: what it was told, s^2/T^2.
-    """
-    assert one.fit is not None
-    own, between = one.fit.error(inner) ** 2, getattr(one.prior, f"{inner}_between")
-    rest = min(own / getattr(one.prior, f"{inner}_error") ** 2, 1.0)
-    return float(rest if between is None else own / (own + (1 - rest) * between))
 
 
 def _spin_source(one: Contact) -> str:
