@@ -97,8 +97,8 @@ def shared_part(own: float, told: float, between: float | None) -> float:
     """How much of the floor's error in a contact's fit is that of what all contacts say.
 
     The fit was told the floor with an error T and has s left (``own``), so its own frames say it with v = s^2 / (1 - s^2/T^2).
-    Their error is in the mean of all, by its weight 1/(v + b^2), b^2 the variance ``between`` contacts, and the mean's error in what
-    the fit was told: v/(v + b^2) of both. Of a contact that is not in the mean (None): what it was told, s^2/T^2.
+    Their error is in the mean of all, by its weight 1/(v + b^2), b^2 the variance ``between`` contacts, and the mean's error in
+    what the fit was told: v/(v + b^2) of both. Of a contact that is not in the mean (None): what it was told, s^2/T^2.
     """
     rest = min((own / told) ** 2, 1.0)
     return rest if between is None else own**2 / (own**2 + (1 - rest) * between)
