@@ -414,8 +414,8 @@ def test_what_a_row_shares_of_the_cloth_s_error(spread: float) -> None:
         fit = left * (own[:, :n] @ others / others.sum() / told + own[:, i] / errors[i] ** 2)
         slope = (fit - floors[:, i]) @ mean / (mean @ mean)
         part = shared_part(np.sqrt(left), np.sqrt(told), None if i == n else spread**2)
-        spare = np.std(fit - floors[:, i] - slope * mean) / np.sqrt(draws * np.mean(mean**2))
-        assert abs(slope - part) < 4 * spare + 1e-9
+        error = np.std(fit - floors[:, i] - slope * mean) / np.sqrt(draws * np.mean(mean**2))
+        assert abs(slope - part) < 4 * error + 1e-9
 
 
 @pytest.mark.parametrize("seed", [7, 11])

@@ -69,8 +69,8 @@ def cloth(
             if weight - was > error**-2:
                 alone[i] = ((weight * fit[name] - was * getattr(told[i], name)) / (weight - was), 1 / (weight - was))
         alone = _once(alone, fits, owners)
-        mean, variance, apart = combined(*_both(alone))
-        between = apart
+        mean, variance, between = combined(*_both(alone))
+        apart = between
         weight_before = 1 / error**2
         total = weight_before + (1 / variance if np.isfinite(variance) else 0.0)
         middle = (before * weight_before + (mean / variance if np.isfinite(variance) else 0.0)) / total
@@ -79,17 +79,17 @@ def cloth(
         for i in range(len(fits)):
             if len(alone) <= MANY:
                 others = {j: one for j, one in alone.items() if owners[i] != owners[j] or not _share(fits[i], fits[j])}
-                mean, variance, between = combined(*_both(others))
+                mean, variance, apart = combined(*_both(others))
+            if i in alone:
+                known[i] = replace(known[i], **{f"{name}_between": between})
             if np.isfinite(variance):
-                spread = variance + between
+                spread = variance + apart
                 # before pooling, as a weak opinion among many
                 weights = np.array([1 / spread, weight_before])
                 value = float((weights * [mean, before]).sum() / weights.sum())
                 known[i] = replace(
                     known[i], **{name: max(value, 1e-3 * before), f"{name}_error": float(weights.sum() ** -0.5)}
                 )
-            if i in alone:
-                known[i] = replace(known[i], **{f"{name}_between": apart})
     return found, known
 
 
