@@ -1,12 +1,18 @@
 # Thin wrappers; `make check` is what CI does.
-.PHONY: test lint docs bench check
+.PHONY: test doctest lint docs benchmarks campaigns check
 test:
 	pytest
+doctest:
+	pytest --doctest-modules --pyargs carom
 lint:
 	ruff check . && ruff format --check . && mypy && lint-imports
 docs:
-	sphinx-build -q -W --keep-going -b html docs docs/_build/html
-bench:
-	python benchmarks/arrays.py
+	sphinx-build -q -j auto -W --keep-going -b html docs docs/_build/html
+# speed, also against other programs (those that are installed)
+benchmarks:
+	for file in benchmarks/*.py; do echo "== $$file"; python $$file || exit 1; done
+# what takes minutes to hours to count; results go to docs/campaigns.md
+campaigns:
+	python campaigns
 check:
 	bash .ci/run

@@ -19,9 +19,11 @@ import numba
 import numpy as np
 
 import carom
-from carom.laws.maw import LIKE_SOLIDS, maw_contact
+from carom.laws.arrays import loop_for
+from carom.laws.arrays import wall_law_rows as law_rows
+from carom.laws.law import LIKE_SOLIDS
+from carom.laws.maw import maw_contact
 from carom.laws.stronge import stronge_contact
-from carom.loops import law_rows, loop_for
 
 # pooltool's models and ours of the same physics
 SAME = {"Han": "one contact, mu = 0.2", "Mathavan": "pressed, rolling", "Stronge": "stronge"}

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from carom.compiled import njit
+from carom.core.jit.compile import njit
 
 LINE = 8  # numbers of a cache line
 READS = 2_000_000

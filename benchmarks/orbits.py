@@ -1,6 +1,6 @@
 """One no-slip orbit in a circle and in polygons, against a loop written by hand in C and compiled with cc -O3, in one run.
 
-    python benchmarks/orbits.py [--bounces 1000000] [--repeats 9] [--cc cc]
+    python benchmarks/billiards.py [--bounces 1000000] [--repeats 9] [--cc cc]
 
 Both follow the same orbit on one thread and write time, position, velocity, spin and the side met, bounce by bounce, into
 arrays that exist. Printed are the best CPU times and their ratio, and how far the two orbits part: they do the same
@@ -19,9 +19,9 @@ from pathlib import Path
 import numpy as np
 
 import carom
-from carom import orbits
-from carom.orbits.loop import compiled
-from carom.orbits.setup import setup_of
+from carom import billiards
+from carom.billiards.loop import compiled_loops
+from carom.billiards.setup import orbit_setup
 
 BY_HAND = r"""
 #include <math.h>
@@ -79,15 +79,15 @@ def pointer(array: np.ndarray) -> ctypes.c_void_p:
     return array.ctypes.data_as(ctypes.c_void_p)
 
 
-def measure(name: str, table: orbits.Table, library: ctypes.CDLL, bounces: int, repeats: int) -> float:
+def measure(name: str, table: billiards.Table, library: ctypes.CDLL, bounces: int, repeats: int) -> float:
     kappa, a = 0.5, 1.0
-    setup = setup_of(table, carom.Disc(a, 1.0, kappa), "no-slip", None, "end")
+    setup = orbit_setup(table, carom.Disc(a, 1.0, kappa), "no-slip", None, "end")
     start = np.array([0.1, 0.2, 0.7, 0.4, 0.9])
     x, v, w = (0.1, 0.2, 0.0), (0.7, 0.4, 0.0), (0.0, 0.0, 0.9)
     ours, theirs = np.zeros((bounces, 6)), np.zeros((bounces, 6))
     met, side, last = np.zeros(bounces, np.int32), np.zeros(bounces, np.int32), np.zeros(10)
     nx, ny, c = (np.ascontiguousarray(p) for p in (setup.pieces["n"][:, 0], setup.pieces["n"][:, 1], setup.pieces["c"]))
-    follow, world = compiled().follow, setup.world[0]
+    follow, world = compiled_loops().follow, setup.world[0]
     number = ctypes.c_double
     best = {"carom": np.inf, "C": np.inf}
     for _ in range(repeats):
@@ -121,18 +121,18 @@ def main() -> None:
     parser.add_argument("--repeats", type=int, default=9)
     parser.add_argument("--cc", default="cc")
     given = parser.parse_args()
-    tables = {"circle": orbits.circle(), "triangle": orbits.regular(3), "square": orbits.regular(4)}
-    tables |= {"pentagon": orbits.regular(5), "dodecagon": orbits.regular(12)}
+    tables = {"circle": billiards.circle(), "triangle": billiards.regular(3), "square": billiards.regular(4)}
+    tables |= {"pentagon": billiards.regular(5), "dodecagon": billiards.regular(12)}
     with tempfile.TemporaryDirectory() as folder:
         library = by_hand(given.cc, Path(folder))
         worst = max(measure(name, table, library, given.bounces, given.repeats) for name, table in tables.items())
     print(f"worst ratio {worst:.2f} (at most 1.5 is wanted)")
     # many orbits, all cores
-    table = orbits.circle()
-    begin = orbits.starts(table, 20_000, 1)
-    orbits.final(table, begin, 10)
+    table = billiards.circle()
+    begin = billiards.starts(table, 20_000, 1)
+    billiards.final(table, begin, 10)
     clock = time.perf_counter()
-    orbits.final(table, begin, 1000)
+    billiards.final(table, begin, 1000)
     seconds = time.perf_counter() - clock
     print(
         f"20,000 orbits of 1000 bounces in a circle on all cores: {seconds:.2f} s, {20 / seconds:.0f} million bounces a second"

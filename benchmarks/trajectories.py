@@ -18,7 +18,7 @@ from typing import Any
 import numpy as np
 
 import carom
-from carom.scene.walls import Plane, Table
+from carom.scene.shapes import Plane, Table
 
 RADIUS, MASS, GRAVITY = 0.03075, 0.21, 9.81
 LENGTH, WIDTH = 2.84, 1.42

@@ -18,9 +18,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.datasets import load
-from carom.fitting.kernels import CONTACT, MAW, planar
-from carom.fitting.parameters import INDEX, PARAMETERS
+from carom.data.datasets import load
+from carom.laws.law import contact_kernel
+from carom.laws.maw import maw_contact
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -34,6 +34,7 @@ SERIES = {
 }
 ANGLES = ("rebound", "patch")
 RADIUS, SPEED = 0.0025, 3.9  # m, m/s
+KAPPA = 0.4  # a solid sphere
 READ = 0.2  # degrees: every angle, incidence too, by itself
 SHARED = 0.25  # degrees: what all angles of a series have in common, such as a graph's axis that was set wrongly
 # the patch's angles may not be used above 60 degrees; from 29 on all slide, if the stiffness ratio is that of solids
@@ -42,18 +43,14 @@ START = {"restitution": 0.98, "friction": 0.09, "stiffness_ratio": 0.85}
 
 
 def said(name: str, incidence: Array, numbers: dict[str, float], slides: bool) -> Array:
-    """What a series would show at these incidences (degrees): by maw, or by a contact that always slides."""
-    p = np.array([parameter.start for parameter in PARAMETERS])
-    for key, value in numbers.items():
-        p[INDEX[key]] = value
-    if slides:
-        p[INDEX["tangential_restitution"]] = (
-            1.0  # it would turn the slip round if it held: it slides from 18 degrees on
-        )
-    law = CONTACT if slides else MAW
+    """Return what a series would show at these incidences (degrees): by maw, or by a contact that always slides."""
+    e, mu = numbers["restitution"], numbers["friction"]
+    # with beta = 1 the slip would be reversed if the contact held: it slides from 18 degrees on
+    law, last = (contact_kernel, 1.0) if slides else (maw_contact, numbers["stiffness_ratio"])
     i = np.radians(incidence)
-    before = [(SPEED * math.cos(x), SPEED * math.sin(x), 0.0) for x in i]
-    n, t, w = np.array([planar(law, 0, 0, x, RADIUS, p) for x in before]).T
+    before = [(-SPEED * math.cos(x), SPEED * math.sin(x), 0.0) for x in i]
+    after = [law(v, (0.0, 0.0, 0.0), (1.0, 0.0, 0.0), RADIUS, KAPPA, e, mu, last) for v in before]
+    n, t, w = np.array([(v[0], v[1], spin[2]) for v, spin in after]).T
     if name == "kept":
         return np.asarray(t / (SPEED * np.sin(i)))
     if name == "spin":

@@ -18,7 +18,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import carom
-from carom import datasets
+from carom.data import datasets
 
 IMAGES = Path(__file__).parent / "images"
 STYLE = {

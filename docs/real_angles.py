@@ -18,11 +18,11 @@ matplotlib.use("svg")
 import matplotlib.pyplot as plt
 import numpy as np
 
+from carom.data import Rebounds, make_rebounds, read_rebounds
 from carom.fitting import Fit, Ranking, Setting, fit_laws, make_problem
-from carom.fitting.fit import predict_law
-from carom.fitting.output import with_error_bar
+from carom.fitting.model import predict_law
 from carom.fitting.parameters import INDEX
-from carom.rebounds import Rebounds, make_rebounds, read_rebounds
+from carom.fitting.result import with_error_bar
 
 IMAGES = Path(__file__).parent / "images"
 RADIUS, NOSE = 0.03075, 37 / 30.75

@@ -18,9 +18,7 @@ import numpy as np
 from rich.console import Console
 from rich.progress import Progress
 
-from carom.tracks.measure import Measured, Settings, measure
-from carom.tracks.read import read_tracks
-from carom.tracks.table import chosen, to_rebounds
+from carom.tracks import Measured, Settings, measure, read_tracks, to_rebounds, usable_stages
 
 RADIUS = 0.03075
 FAST = 0.8  # m/s: slower balls slide for a few frames only
@@ -69,7 +67,7 @@ def report(measured: Measured, sliding: bool) -> None:
     )
     for name, (value, error) in measured.floor.items():
         print(f"{name}: {value:.4f} +- {error:.4f}")
-    whys = Counter(re.sub(r"\d[\d.]*", "#", chosen(one, "best", sliding)[1]) for one in measured.contacts)
+    whys = Counter(re.sub(r"\d[\d.]*", "#", usable_stages(one, "best", sliding)[1]) for one in measured.contacts)
     print(f"{len(measured.contacts)} contacts, {len(measured.measured)} fitted, {whys['']} in the table")
     for why, count in whys.most_common():
         if why:

@@ -21,7 +21,7 @@ from pathlib import Path
 import numpy as np
 
 import carom
-from carom.scene.walls import Table
+from carom.scene.shapes import Table
 
 IMAGES = Path(__file__).parent / "images"
 LENGTH, WIDTH = 2.84, 1.42

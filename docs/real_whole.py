@@ -15,22 +15,19 @@ from rich.console import Console
 from rich.progress import Progress
 from scipy.stats import wilcoxon
 
-from carom.fitting.output import with_error_bar
-from carom.fitting.whole import WholeFit
-from carom.fitting.whole_laws import WholeSetting
-from carom.fitting.whole_rank import fit_whole
-from carom.plot.save import save
-from carom.plot.whole import plot_whole
-from carom.tracks.measure import Settings, measure
-from carom.tracks.read import read_tracks
+from carom.fitting.result import with_error_bar
+from carom.fitting.tracks import TrackFit, TrackSetting, fit_tracks
+from carom.plot.fit_tracks import plot_tracks
+from carom.plot.style import save
+from carom.tracks import Settings, measure, read_tracks
 
 RADIUS, NOSE = 0.03075, 0.037
 LAWS = "two-step-after,two-step,contact,maw,no-slip,two-step-paper,mirror,conventional"
 
 
-def by_shot(fit: WholeFit) -> np.ndarray:
+def by_shot(fit: TrackFit) -> np.ndarray:
     """RMS distance of each shot, m."""
-    groups = [one.group for one in fit.frames.stretches]
+    groups = [one.group for one in fit.frames.segments]
     return np.array([fit.rms([n for n, g in enumerate(groups) if g == group]) for group in dict.fromkeys(groups)])
 
 
@@ -45,12 +42,12 @@ def main() -> None:
     with Progress(console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task("", total=1.0)
         measured = measure(read_tracks(given.tracks).tracks, Settings(radius=RADIUS, view="above"))
-        ranking = fit_whole(
-            measured, WholeSetting(radius=RADIUS, contact_height=NOSE / RADIUS, cushions=given.cushions), given.laws.split(","),
+        ranking = fit_tracks(
+            measured, TrackSetting(radius=RADIUS, contact_height=NOSE / RADIUS, cushions=given.cushions), given.laws.split(","),
             say=lambda what, done: bar.update(task, completed=done, description=what),
         )  # fmt: skip
     if given.picture:
-        save(plot_whole(ranking), given.picture)
+        save(plot_tracks(ranking), given.picture)
     best = ranking.best
     print(ranking.verdict, *ranking.notes, sep="\n")
     print(
@@ -66,14 +63,14 @@ def main() -> None:
         spread = f"{low:.1f} to {high:.1f}"
         cells = [fit.law.name, numbers, f"{middle:.2f}", spread, f"{fit.aicc - best.aicc:.0f}", nearer, chance]
         print("| " + " | ".join(cells) + " |")
-    groups = [one.group for one in best.frames.stretches]
+    groups = [one.group for one in best.frames.segments]
     shots = list(dict.fromkeys(groups))
     each = np.array([by_shot(fit) for fit in ranking.fits])
     print("\n| shot | stretches | contacts | frames | " + " | ".join(fit.law.name for fit in ranking.fits) + " |")
     print("|---" * (4 + len(ranking.fits)) + "|")
     for shot, sizes in zip(shots, each.T, strict=True):
         which = [n for n, group in enumerate(groups) if group == shot]
-        contacts = sum(len(best.frames.stretches[n].contacts) for n in which)
+        contacts = sum(len(best.frames.segments[n].contacts) for n in which)
         cells = [
             shot,
             len(which),

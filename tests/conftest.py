@@ -1,8 +1,10 @@
 """Settings for all tests: where compiled loops are kept, and how Hypothesis searches."""
 
 import os
+import time
 from pathlib import Path
 
+import pytest
 from hypothesis import HealthCheck, settings
 
 # Compiled loops stay between runs, in the folder that pytest keeps anyway; carom itself adds the hash of its sources,
@@ -19,3 +21,29 @@ settings.register_profile(
     print_blob=True,
 )
 settings.load_profile("carom")
+
+
+def _all_tests(config: pytest.Config) -> bool:
+    return config.args_source is pytest.Config.ArgsSource.TESTPATHS
+
+
+def pytest_xdist_auto_num_workers(config: pytest.Config) -> int | None:
+    """All cores for the whole suite (xdist's own count); one process for chosen files, unless ``-n`` says otherwise."""
+    return None if _all_tests(config) else 0
+
+
+def pytest_sessionstart(session: pytest.Session) -> None:
+    """Before the whole suite runs: compile all loops, in several processes, so that no two tests compile the same one."""
+    config = session.config
+    if hasattr(config, "workerinput") or not _all_tests(config):
+        return
+    from carom.cli.warm import compile_all
+
+    begin = time.monotonic()
+
+    def report(job: str, error: str) -> None:
+        done = f"compiled {job}: {time.monotonic() - begin:.0f} s"
+        terminal.write_line(f"NOT compiled: {job}: {error}" if error else done)
+
+    terminal = config.pluginmanager.get_plugin("terminalreporter")
+    compile_all(report=report)

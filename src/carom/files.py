@@ -1,71 +1,280 @@
-"""What lies outside: files that are whole or not there, libraries that the base install does not have."""
+"""Write files atomically, check beforehand that they can be written, read text, and import optional libraries.
+
+A file that carom writes is complete or not there: :func:`atomic_path`, :func:`atomic_file` and :func:`write_text` write beside
+the target and rename at the end. :func:`require_writable` finds what would fail before a long run starts.
+"""
 
 from __future__ import annotations
 
+import codecs
+import contextlib
+import errno
 import importlib
+import importlib.util
 import os
+import shutil
+import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO, NamedTuple
 
-from carom.errors import CaromError
+from carom.errors import CaromError, MissingLibraryError, did_you_mean
 
-__all__ = ["library", "path_of", "require_place", "try_place", "whole"]
+__all__ = [
+    "TextEncoding",
+    "as_path",
+    "atomic_file",
+    "atomic_path",
+    "import_optional",
+    "read_text",
+    "require_library",
+    "require_writable",
+    "text_encoding",
+    "write_text",
+]
 
 
-def library(name: str, extra: str, what: str) -> Any:
-    """A library that the base install does not have."""
+# --- optional libraries --------------------------------------------------------------------------------------------
+
+# Each optional library: its name in prose, and carom's extra that installs it.
+OPTIONAL = {
+    "gsd": ("gsd", "gsd"),
+    "h5netcdf": ("h5netcdf", "xarray"),
+    "h5py": ("h5py", "xarray"),
+    "imageio_ffmpeg": ("imageio-ffmpeg", "film"),
+    "matplotlib": ("Matplotlib", "plot"),
+    "pandas": ("pandas", "pandas"),
+    "pyarrow": ("pyarrow", "parquet"),
+    "scipy": ("SciPy", "fit"),
+    "sympy": ("SymPy", "derive"),
+    "xarray": ("xarray", "xarray"),
+}
+
+
+def import_optional(module: str, needed_by: str) -> Any:
+    """Import a module of an optional library.
+
+    Parameters
+    ----------
+    module : str
+        Such as ``"gsd.hoomd"``; its top level is one of :data:`OPTIONAL`.
+    needed_by : str
+        What needs it, for the message: an option, a file's name, a function.
+
+    Raises MissingLibraryError, naming the extra to install, where the library is not installed.
+    """
+    require_library(module.partition(".")[0], needed_by)
     try:
-        return importlib.import_module(name)
-    except ImportError:
-        raise CaromError(
-            f"{what}: needs {name}, which is not installed; run: pip install {name} (or install carom's extra {extra!r})"
-        ) from None
+        return importlib.import_module(module)
+    except ImportError as error:  # installed, but broken or too old
+        raise MissingLibraryError(f"{needed_by}: cannot import {module}: {error}") from error
 
 
-def path_of(where: str, value: Any) -> Path:
-    """The Path of a file's name; CaromError, naming the function that was asked, where it is none."""
+def require_library(name: str, needed_by: str) -> None:
+    """Raise MissingLibraryError where an optional library is not installed; it is looked for, not imported."""
+    if sys.modules.get(name) is None and importlib.util.find_spec(name) is None:
+        prose, extra = OPTIONAL[name]
+        raise MissingLibraryError(
+            f"{needed_by}: needs {prose}, which is not installed; run: pip install 'carom[{extra}]'"
+        )
+
+
+# --- where a file can be written -----------------------------------------------------------------------------------
+
+
+def as_path(where: str, value: Any) -> Path:
+    """Return the Path of a file's name; CaromError, starting with ``where``, if it is not a name."""
     if not isinstance(value, str | os.PathLike):
         got = f"{type(value).__name__} {value!r:.60}"
         raise CaromError(f"{where}: path: expected a file's name, as str or Path, got {got}; give the file's name")
     if "\0" in os.fsdecode(value):
-        raise CaromError(f"{where}: path: expected a file's name, got {value!r:.60}, with a zero byte; leave that out")
+        raise CaromError(f"{where}: path: expected a file's name, got {value!r:.60}, with a zero byte; remove it")
     return Path(os.fsdecode(value))
 
 
-def require_place(path: Path, kinds: tuple[str, ...]) -> None:
-    """CaromError where no file can be written: another ending, no such folder, no leave to write there."""
-    folder = path.absolute().parent
-    if path.suffix.lower() not in kinds:
+def require_writable(path: Path, endings: Sequence[str] = (), *, source: Path | None = None) -> None:
+    """Raise CaromError where a file cannot be written.
+
+    Parameters
+    ----------
+    path : Path
+    endings : sequence of str, optional
+        The endings that the name may have, such as ``(".svg", ".pdf")``; any by default.
+    source : Path, optional
+        A file that is read at the same time and must not be written over.
+
+    A file is made beside ``path`` and removed again: permissions alone do not tell of a full or read-only disk.
+    """
+    if endings and path.suffix.lower() not in endings:
+        names = f"{', '.join(endings[:-1])} or {endings[-1]}" if len(endings) > 1 else endings[0]
         got = repr(path.suffix) if path.suffix else "none"
-        raise CaromError(f"{path}: expected a name that ends with {' or '.join(kinds)}, got {got}")
+        hint = did_you_mean(path.suffix.lower(), endings)
+        raise CaromError(f"{path}: expected a name that ends with {names}, got {got}{hint}")
+    _require_other_file(path, source)
+    if _is_device(path):
+        if not os.access(path, os.W_OK):
+            raise _cannot_write(path, PermissionError(errno.EACCES, os.strerror(errno.EACCES)))
+        return
+    folder = path.absolute().parent
     if not folder.is_dir():
         raise CaromError(f"{path}: expected a folder that exists, got {str(path.parent)!r}; make it first")
     if path.is_dir():
         raise CaromError(f"{path}: expected a file to write, got a folder; name a file in it")
-    if not os.access(folder, os.W_OK):
-        raise CaromError(f"{path}: expected leave to write there, got none; choose another place")
-    try_place(path)
-
-
-def try_place(path: Path) -> None:
-    """CaromError where no file can be made beside ``path``: one is, and is taken away. Leave alone does not tell all."""
+    if not os.access(folder, os.W_OK) or (path.exists() and not os.access(path, os.W_OK)):
+        raise CaromError(f"{path}: expected permission to write there, got none; choose another place")
     try:
-        with tempfile.NamedTemporaryFile(prefix=f".{path.name}-", dir=path.absolute().parent):
+        with tempfile.NamedTemporaryFile(prefix=".carom-", dir=folder):
             pass
     except OSError as error:
-        raise CaromError(f"{path}: expected a place to write to, got: {error.strerror or error}") from None
+        raise _cannot_write(path, error) from None
+
+
+def _require_other_file(path: Path, source: Path | None) -> None:
+    if source is not None and path.exists() and source.exists() and path.samefile(source):
+        raise CaromError(f"{path}: expected another file than the one that is read, got the same; name a new one")
+
+
+def _is_device(path: Path) -> bool:
+    """Return whether a path is a device or a pipe, which is written to and cannot be replaced."""
+    return path.exists() and not path.is_file() and not path.is_dir()
+
+
+def _cannot_write(where: Path | str, error: OSError) -> CaromError:
+    """Return the error, in one line, of a file that could not be written."""
+    expected, remedy = "a place to write to", "choose another one"
+    if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
+        expected, remedy = "room to write", "free some space, or choose another place"
+    elif error.errno in (errno.EACCES, errno.EPERM, errno.EROFS):
+        expected, remedy = "permission to write there", "choose another place"
+    elif error.errno == errno.ENOENT:
+        expected, remedy = "a folder that exists", "make it first"
+    got = error.strerror or (str(error).splitlines() or [type(error).__name__])[0]
+    return CaromError(f"{where}: expected {expected}, got: {got}; {remedy}")
+
+
+# --- files that are complete or not there --------------------------------------------------------------------------
 
 
 @contextmanager
-def whole(path: Path) -> Iterator[Path]:
-    """A place beside ``path`` to write to, with its name; what is there when the block ends without an error becomes it."""
+def atomic_path(target: Path | None, *, source: Path | None = None) -> Iterator[Path]:
+    """Yield a path to write to; what is there when the block ends without an error becomes the target.
+
+    Parameters
+    ----------
+    target : Path or None
+        The file, of which a link is followed; a device or a pipe, which is written to at the end; None: standard output.
+    source : Path, optional
+        A file that is read at the same time; the target has to be another one.
+
+    The path has the target's name, in a new folder beside it. If the block fails, an existing target stays as it is.
+    Raises CaromError, one line, where the target cannot be written: no folder, no permission, no room on the disk.
+
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     with atomic_path(Path(folder) / "a.txt") as part:
+    ...         _ = part.write_text("all of it")
+    ...     [path.name for path in Path(folder).iterdir()]
+    ['a.txt']
+    """
+    where = "standard output" if target is None else target
+    if target is not None:
+        _require_other_file(target, source)
+        if target.is_dir():
+            raise CaromError(f"{target}: expected a file to write, got a folder; name a file in it")
+    in_place = target is not None and not _is_device(target)
     try:
-        with tempfile.TemporaryDirectory(prefix=".carom-", dir=path.absolute().parent) as folder:
-            part = Path(folder) / path.name
-            yield part
-            part.replace(path)
+        place = Path("output") if target is None else target.resolve()
+        folder = tempfile.mkdtemp(prefix=".carom-", dir=place.parent if in_place else None)
     except OSError as error:
-        raise CaromError(f"{path}: expected a place to write to, got: {error.strerror or error}") from None
+        raise _cannot_write(where, error) from None
+    try:
+        part = Path(folder) / place.name
+        yield part
+        if in_place:
+            part.replace(place)
+        else:
+            _copy(part, None if target is None else place)
+    except OSError as error:
+        # the block may also read files, whose errors name them
+        if error.filename is not None and not str(error.filename).startswith((folder, str(place))):
+            raise
+        raise _cannot_write(where, error) from None
+    finally:
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+def _copy(part: Path, device: Path | None) -> None:
+    """Copy a finished file to a device, a pipe or standard output (None)."""
+    with part.open("rb") as file:
+        if device is not None:
+            with device.open("wb") as opened:
+                shutil.copyfileobj(file, opened)
+            return
+        # a reader that closes the pipe early, such as `head`, is not an error
+        with contextlib.suppress(BrokenPipeError):
+            shutil.copyfileobj(file, sys.stdout.buffer)
+            sys.stdout.buffer.flush()
+
+
+@contextmanager
+def atomic_file(target: Path | None, *, source: Path | None = None) -> Iterator[BinaryIO]:
+    """Yield a binary file to write to, which becomes the target as with :func:`atomic_path`."""
+    with atomic_path(target, source=source) as part, part.open("wb") as file:
+        yield file
+
+
+def write_text(target: Path | None, text: str) -> None:
+    """Write text in UTF-8, with line ends as they are, as with :func:`atomic_path`."""
+    with atomic_file(target) as file:
+        file.write(text.encode())
+
+
+# --- reading text --------------------------------------------------------------------------------------------------
+
+
+class TextEncoding(NamedTuple):
+    """How the characters of a text file are encoded."""
+
+    codec: str
+    mark: bytes
+    """The byte-order mark with which the file begins; empty if it has none."""
+
+
+def text_encoding(start: bytes) -> TextEncoding:
+    """Return the encoding of a text file from its first bytes: UTF-16 if it begins with that mark, else UTF-8.
+
+    Examples
+    --------
+    >>> text_encoding("t,x,y".encode("utf-16")).codec
+    'utf-16-le'
+    """
+    for mark, codec in (
+        (codecs.BOM_UTF16_LE, "utf-16-le"),
+        (codecs.BOM_UTF16_BE, "utf-16-be"),
+        (codecs.BOM_UTF8, "utf-8"),
+    ):
+        if start.startswith(mark):
+            return TextEncoding(codec, mark)
+    return TextEncoding("utf-8", b"")
+
+
+def read_text(path: Path) -> str:
+    """Read a text file: UTF-8, or UTF-16 with its byte-order mark; Latin-1 if the bytes are not valid UTF-8.
+
+    Raises CaromError for a file that cannot be read, and for a binary one.
+    """
+    try:
+        raw = path.read_bytes()
+    except OSError as error:
+        raise CaromError(f"{path}: expected a file that can be read, got: {error.strerror}") from None
+    encoding = text_encoding(raw)
+    raw = raw[len(encoding.mark) :]
+    try:
+        text = raw.decode(encoding.codec)
+    except UnicodeDecodeError:  # the degree sign of an old program, say
+        text = raw.decode("latin-1")
+    if "\0" in text[:1000]:
+        raise CaromError(f"{path}: expected a text file, got a binary one; export it as CSV")
+    return text

@@ -1,4 +1,4 @@
-"""The ``carom`` command: one module a verb."""
+"""The ``carom`` command: one module for each subcommand, or for a few related ones."""
 
 from __future__ import annotations
 
@@ -13,22 +13,20 @@ from carom.errors import CaromError
 
 app = typer.Typer(
     name="carom",
-    help="A ball meets a wall: what does it do next, and which law of impact is right?",
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
 )
 
-# One module a verb; each has a function `register(app)` and imports what is heavy inside its command.
+# Each module has a function `register(app)`, and imports heavy libraries inside its commands.
 # fmt: off
-VERBS: tuple[str, ...] = (
-    "compare", "laws", "figures", "derive", "predict", "datasets", "scene", "simulate",
-    "gas", "orbit", "tracks", "fit", "design",
+MODULES: tuple[str, ...] = (
+    "compare", "catalog", "paper", "predict", "scene", "simulate", "gas", "orbit", "tracks", "fit", "design", "warm",
 )
 # fmt: on
 
-for verb in VERBS:
-    importlib.import_module(f"carom.cli.{verb}").register(app)
+for module in MODULES:
+    importlib.import_module(f"carom.cli.{module}").register(app)
 
 
 def _version(wanted: bool) -> None:
@@ -45,15 +43,15 @@ def root(
         bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
     ] = False,
 ) -> None:
-    """A ball meets a wall: what does it do next, and which law of impact is right?"""
+    """Balls that meet walls: impact laws, trajectories, billiards, gases, and laws fitted to measurements."""
 
 
 def main() -> None:
-    """Run the command; a fault is one line on standard error and exit code 2."""
+    """Run the command; each problem is one line on standard error, and the exit code is 2."""
     try:
         sys.exit(app(standalone_mode=False) or 0)
     except CaromError as error:
-        _tell(*error.faults)
+        _print_errors(*error.faults)
         for note in getattr(error, "__notes__", ()):
             sys.stderr.write(f"note: {note}\n")
     except Exception as error:  # usage errors: Typer's own class has no public name in all its versions
@@ -62,11 +60,11 @@ def main() -> None:
         if type(error).__name__ == "NoArgsIsHelpError":
             sys.stderr.write(f"{error}\n")
         else:
-            _tell(f"{error.format_message()} (carom --help)")
+            _print_errors(f"{error.format_message()} (carom --help)")
     sys.exit(2)
 
 
-def _tell(*faults: str) -> None:
+def _print_errors(*faults: str) -> None:
     colour = sys.stderr.isatty() and "NO_COLOR" not in os.environ
     for fault in faults:
         line = " ".join(fault.split())

@@ -1,91 +1,85 @@
-"""``carom compare``: one incoming ball, all laws side by side."""
+"""``carom compare``: every law's prediction for one incoming ball, as a table and one sentence per law."""
 
 from __future__ import annotations
 
 import json
 import math
 import sys
+import textwrap
 from pathlib import Path
-from typing import Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
+from rich import box
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
 
-from carom.cli.places import require_drawable
-from carom.cli.shared import attempt, wrote
+from carom.cli.common import attempt, out, require_outputs, tick, wrote
+from carom.cli.options import BALL, OUTPUT, shared
 from carom.errors import CaromError
+from carom.formatting import format_length, format_number
 
-BALL, WALL, FLOOR, SHOWN = "The ball", "The wall", "The floor", "What is shown"
+if TYPE_CHECKING:
+    from carom.laws.comparison import Comparison, Verdict
+
+__all__ = ["show"]
+
+MIN_WIDTH_WITH_SPIN = 112  # columns of the terminal from which the table has room for the spin
 
 
 def register(app: typer.Typer) -> None:
-    """Add the verb to the command."""
+    """Add the command."""
     app.command("compare")(compare)
 
 
 def compare(
-    speed: Annotated[float, typer.Option(help="Along the floor, m/s.", rich_help_panel=BALL)] = 1.0,
-    angle: Annotated[float, typer.Option(help="From the wall's normal, degrees.", rich_help_panel=BALL)] = 45.0,
-    spin_z: Annotated[float, typer.Option(help="About the vertical, rad/s.", rich_help_panel=BALL)] = 0.0,
-    spin_x: Annotated[float | None, typer.Option(help="rad/s; left out: rolling.", rich_help_panel=BALL)] = None,
-    spin_y: Annotated[float | None, typer.Option(help="rad/s; left out: rolling.", rich_help_panel=BALL)] = None,
+    speed: Annotated[float, typer.Option(help="Speed along the floor, m/s.", rich_help_panel=BALL)] = 1.0,
+    angle: Annotated[
+        float, typer.Option(help="Angle of incidence, from the wall's normal, degrees.", rich_help_panel=BALL)
+    ] = 45.0,
+    spin_z: Annotated[float, typer.Option(help="Spin about the vertical, rad/s.", rich_help_panel=BALL)] = 0.0,
+    spin_x: Annotated[float | None, typer.Option(help="rad/s.", show_default="rolling", rich_help_panel=BALL)] = None,
+    spin_y: Annotated[float | None, typer.Option(help="rad/s.", show_default="rolling", rich_help_panel=BALL)] = None,
     sliding: Annotated[
-        bool, typer.Option("--sliding", help="It slides: spin-x, spin-y are 0 where left out.", rich_help_panel=BALL)
+        bool,
+        typer.Option(
+            "--sliding", help="The ball slides: --spin-x and --spin-y are 0 by default.", rich_help_panel=BALL
+        ),
     ] = False,
-    vertical_speed: Annotated[float, typer.Option(help="Upwards at the wall, m/s.", rich_help_panel=BALL)] = 0.0,
-    height: Annotated[float, typer.Option(help="Above the floor at the wall, m.", rich_help_panel=BALL)] = 0.0,
-    inertia: Annotated[
-        str, typer.Option(metavar="NAME|KAPPA", help="solid, hollow, or I/(m a^2).", rich_help_panel=BALL)
-    ] = "solid",
-    radius: Annotated[float, typer.Option(help="m.", rich_help_panel=BALL)] = 0.02625,
-    mass: Annotated[float, typer.Option(help="kg.", rich_help_panel=BALL)] = 0.1406,
-    restitution: Annotated[float, typer.Option(help="0 to 1.", rich_help_panel=WALL)] = 1.0,
-    friction: Annotated[float, typer.Option(help="Coefficient; inf: never slips.", rich_help_panel=WALL)] = math.inf,
-    tangential_restitution: Annotated[
-        float, typer.Option(help="-1 to 1: 0 stops the slip, 1 returns it.", rich_help_panel=WALL)
-    ] = 0.0,
-    stiffness_ratio: Annotated[
-        float, typer.Option(help="Along the surface over normally, for maw and stronge.", rich_help_panel=WALL)
-    ] = 14 / 17,
-    cushion_height: Annotated[
-        float | None,
-        typer.Option(
-            "--cushion-height",
-            "--contact-height",
-            rich_help_panel=WALL,
-            help="Where it touches, in radii above the floor; left out: 1. Billiard cushions: 1.25 to 1.4, with"
-            " --friction 0.14 to 0.2 and --floor-friction 0.2.",
-        ),
-    ] = None,
-    floor_restitution: Annotated[float, typer.Option(help="0 to 1.", rich_help_panel=FLOOR)] = 0.0,
-    floor_friction: Annotated[
-        float, typer.Option(help="Coefficient; inf: never slips.", rich_help_panel=FLOOR)
-    ] = math.inf,
-    gravity: Annotated[float, typer.Option(help="m/s^2.", rich_help_panel=FLOOR)] = 9.80665,
-    floor_contact: Annotated[
-        str,
-        typer.Option(
-            metavar="with|after", help="A ball pressed down: both at once, or in turn.", rich_help_panel=FLOOR
-        ),
-    ] = "with",
+    vertical_speed: Annotated[float, typer.Option(help="Upward speed at the wall, m/s.", rich_help_panel=BALL)] = 0.0,
+    height: Annotated[float, shared("height")] = 0.0,
+    inertia: Annotated[str, shared("inertia")] = "solid",
+    radius: Annotated[float, shared("radius")] = 0.02625,
+    mass: Annotated[float, shared("mass")] = 0.1406,
+    restitution: Annotated[float, shared("restitution")] = 1.0,
+    friction: Annotated[float, shared("friction")] = math.inf,
+    tangential_restitution: Annotated[float, shared("tangential_restitution")] = 0.0,
+    stiffness_ratio: Annotated[float, shared("stiffness_ratio")] = 14 / 17,
+    cushion_height: Annotated[float | None, shared("contact_height", default="1")] = None,
+    floor_restitution: Annotated[float, shared("floor_restitution")] = 0.0,
+    floor_friction: Annotated[float, shared("floor_friction")] = math.inf,
+    gravity: Annotated[float, shared("gravity")] = 9.80665,
+    floor_contact: Annotated[str, shared("floor_contact")] = "with",
     law: Annotated[
         list[str] | None,
         typer.Option(
-            metavar="NAME", help="Only this law, or your own: my_law.py:law; may be repeated.", rich_help_panel=SHOWN
+            metavar="NAME",
+            help="Only this law, or a custom one, my_law.py:law; may be repeated.",
+            rich_help_panel=OUTPUT,
         ),
     ] = None,
-    as_json: Annotated[
-        bool, typer.Option("--json", help="JSON on standard output, nothing else.", rich_help_panel=SHOWN)
-    ] = False,
-    plot: Annotated[
-        Path | None,
-        typer.Option(metavar="FILE", help="Draw it: .svg, .pdf or .png.", rich_help_panel=SHOWN),
-    ] = None,
+    as_json: Annotated[bool, shared("json")] = False,
+    plot: Annotated[Path | None, shared("plot")] = None,
 ) -> None:
-    """One ball meets a wall: what each law says, and what speaks against it. The paper's example by default."""
-    from carom import comparison as library
-    from carom.own_law import find_law
+    """Compare every law's prediction for one incoming ball, and say which are admissible.
 
-    contact: Literal["with", "after"] = floor_contact  # type: ignore[assignment]  # the library says what it takes
+    The defaults are the paper's example.
+    """
+    from carom.laws import comparison as library
+    from carom.laws.user import find_law
+
+    contact: Literal["with", "after"] = floor_contact  # type: ignore[assignment]  # checked by the library
     settings: dict[str, Any] = {
         "speed": speed, "angle": angle, "spin_x": spin_x, "spin_y": spin_y, "spin_z": spin_z, "sliding": sliding,
         "vertical_speed": vertical_speed, "height": height, "inertia": _inertia(inertia), "radius": radius,
@@ -93,10 +87,9 @@ def compare(
         "cushion_height": cushion_height, "floor_restitution": floor_restitution, "floor_friction": floor_friction,
         "gravity": gravity, "floor_contact": contact, "stiffness_ratio": stiffness_ratio,
     }  # fmt: skip
-    # every fault at once, and before anything is written
+    # all errors at once, before anything is written
     found: list[str] = []
-    if plot is not None:
-        attempt(found, require_drawable, plot)
+    require_outputs(found, {"--plot": plot})
     laws = [attempt(found, find_law, name) for name in law] if law else None
     meeting = attempt(found, lambda: library.incoming(**settings))
     if found:
@@ -110,8 +103,6 @@ def compare(
     if as_json:
         sys.stdout.write(json.dumps(comparison.as_dict(), indent=2, allow_nan=False) + "\n")
     else:
-        from carom.cli.comparison_table import show
-
         show(comparison)
 
 
@@ -120,3 +111,99 @@ def _inertia(text: str) -> str | float:
         return float(text)
     except ValueError:
         return text
+
+
+def show(comparison: Comparison) -> None:
+    """Print the incoming ball, the table, and one sentence per law: why it may not apply, or what happens."""
+    console = out()
+    console.print(Text(_incoming(comparison)))
+    table = _table(comparison, console)
+    width = console.width
+    console.width = 1000
+    console.width = max(width, console.measure(table).maximum)  # no number is cut off, even where lines get too long
+    console.print(table)
+    console.width = width
+    for verdict in comparison.verdicts:
+        good = verdict.admissible
+        head = f"{tick(console, good)} {verdict.law}:"
+        lines = textwrap.wrap(f"{head} {_sentence(verdict)}", max(width, 40), subsequent_indent="  ")
+        text = Text("\n".join(lines))
+        text.stylize("bold green" if good else "bold red", 0, len(head))
+        console.print(text)
+
+
+def _incoming(comparison: Comparison) -> str:
+    m = comparison.meeting
+    v = m.state.velocity
+    spin = ", ".join(_number(float(x)) for x in m.state.spin)
+    lines = [
+        f"In:    {format_number(math.hypot(v[0], v[1]))} m/s at {comparison.incident_angle:.2f}° from the wall's normal,"
+        f" spin ({spin}) rad/s",
+        f"Ball:  radius {format_length(m.ball.radius, 4)}, mass {format_number(m.ball.mass, 4)} kg,"
+        f" I = {format_number(m.ball.kappa)} m a²",
+        f"Wall:  restitution {format_number(m.wall.restitution)}, friction {format_number(m.wall.friction)}{_more(comparison)}",
+        f"Floor: restitution {format_number(m.floor.restitution)}, friction {format_number(m.floor.friction)}",
+    ]
+    if v[2] != 0 or m.height > 0:
+        lines[0] += (
+            f"\n       {format_length(float(m.height))} above the floor, {format_number(float(v[2]))} m/s upwards"
+        )
+    return "\n".join(lines)
+
+
+def _more(comparison: Comparison) -> str:
+    m = comparison.meeting
+    beta = m.wall.tangential_restitution
+    more = f", tangential restitution {format_number(beta)}" if beta != 0 else ""
+    if m.normal[2] != 0:
+        more += f", touching {format_number(1 + m.height / m.ball.radius - float(m.normal[2]))} radii above the floor"
+    return more
+
+
+def _table(comparison: Comparison, console: Console) -> Table:
+    wide = console.width >= MIN_WIDTH_WITH_SPIN
+    table = Table(box=box.SIMPLE_HEAD, padding=(0, 1 if wide else 0), pad_edge=False, header_style="bold")
+    heads = ["law", "after\nwall", "\nfinal", "final velocity\nx, y, m/s"]
+    heads += ["final spin\nx, y, z, rad/s"] if wide else []
+    heads += ["hops\nmm", "flies\nmm", "energy\nkept", "needs\nμ at\nwall", "needs\nμ at\nfloor", "ok"]
+    for i, head in enumerate(heads):
+        table.add_column(head, justify="left" if i == 0 else "right", no_wrap=True, overflow="fold", vertical="bottom")
+    for verdict in comparison.verdicts:
+        good = verdict.admissible
+        row = [verdict.law, _degrees(verdict.angle_after_wall), _degrees(verdict.reflection_angle)]
+        row += [_vector(verdict, "velocity", 2)] + ([_vector(verdict, "spin", 3)] if wide else [])
+        row += [*_hop(verdict), "–" if verdict.energy_ratio is None else f"{verdict.energy_ratio:.1%}"]
+        row += [format_number(verdict.required_wall), format_number(verdict.required_floor)]
+        table.add_row(*row, Text(tick(console, good), style="bold green" if good else "bold red"))
+    return table
+
+
+def _degrees(x: float | None) -> str:
+    return "–" if x is None else f"{x:.2f}°"
+
+
+def _number(x: float) -> str:
+    """Format with three digits; rounding errors of sums of larger numbers become zero."""
+    return format_number(0.0 if abs(x) < 1e-12 else x)
+
+
+def _vector(verdict: Verdict, part: str, count: int) -> str:
+    if verdict.final is None:
+        return "–"
+    return ", ".join(_number(float(x)) for x in getattr(verdict.final, part)[:count])
+
+
+def _hop(verdict: Verdict) -> tuple[str, str]:
+    if verdict.answer is None or verdict.answer.steps is None:
+        return "–", "–"
+    flight = verdict.answer.steps.flight
+    return format_number(float(flight.height) * 1e3), format_number(float(flight.distance) * 1e3)
+
+
+def _sentence(verdict: Verdict) -> str:
+    if verdict.admissible:
+        return "; ".join(verdict.remarks) or "no objection"
+    parts = [*verdict.why]
+    if verdict.after_wall is not None and verdict.final is None:
+        parts += verdict.remarks[-1:]  # why it never rolls
+    return "; ".join(parts)

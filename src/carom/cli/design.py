@@ -9,12 +9,11 @@ from typing import Annotated, Any
 
 import typer
 
-from carom.cli.fit_options import kappa_of, number, pairs, split
-from carom.cli.places import require_drawable
-from carom.cli.shared import attempt, working, wrote
+from carom.cli.common import attempt, require_outputs, working, wrote
+from carom.cli.options import BALL, WALL, comma_separated, parse_assignments, parse_inertia, parse_number, shared
 from carom.errors import CaromError
 
-BALL, SHOTS, WALL, OUT = "The ball", "The shots", "The wall", "What comes out"
+SHOTS = "Shots"
 
 
 def register(app: typer.Typer) -> None:
@@ -23,60 +22,69 @@ def register(app: typer.Typer) -> None:
 
 
 def design(
-    file: Annotated[Path | None, typer.Argument(help="rebounds that there are already; left out: none")] = None,
-    laws: Annotated[str, typer.Option(metavar="TRUE,OTHER", help="the first is taken for true")] = "contact,sliding",
-    radius: Annotated[float, typer.Option(help="m", rich_help_panel=BALL)] = 0.02625,
-    inertia: Annotated[str, typer.Option(metavar="solid|hollow|KAPPA", rich_help_panel=BALL)] = "solid",
-    kind: Annotated[
-        str | None,
-        typer.Option(help="planar (in flight) or table (rolling)", show_default="FILE's, else planar", rich_help_panel=BALL),
-    ] = None,
-    stage: Annotated[str, typer.Option(help="table: after_wall or rolling", rich_help_panel=BALL)] = "after_wall",
+    file: Annotated[Path | None, typer.Argument(help="Rebounds measured so far. Default: none.")] = None,
+    laws: Annotated[
+        str, typer.Option(metavar="TRUE,OTHER", help="Two laws; the first is assumed to be true.")
+    ] = "contact,sliding",
+    radius: Annotated[float, shared("radius")] = 0.02625,
+    inertia: Annotated[str, shared("inertia")] = "solid",
+    kind: Annotated[str | None, shared("kind", default="FILE's, else planar", rich_help_panel=BALL)] = None,
+    stage: Annotated[
+        str,
+        typer.Option(help="Stage at which a ball on a table is measured: after_wall or rolling.", rich_help_panel=BALL),
+    ] = "after_wall",
     truth: Annotated[
-        list[str] | None, typer.Option(metavar="NAME=VALUE", help="numbers of the first law", rich_help_panel=WALL)
+        list[str] | None,
+        typer.Option(metavar="NAME=VALUE", help="Parameter of the first law; may be repeated.", rich_help_panel=WALL),
     ] = None,
-    contact_height: Annotated[float, typer.Option(help="where the wall touches, radii", rich_help_panel=WALL)] = 1.0,
-    floor_friction: Annotated[
-        float | None, typer.Option(show_default="what FILE says, else 0.2", rich_help_panel=WALL)
-    ] = None,
-    angles: Annotated[str, typer.Option(metavar="LOW:HIGH", help="degrees from the normal", rich_help_panel=SHOTS)] = "5:75",
-    speeds: Annotated[str, typer.Option(metavar="LOW:HIGH", help="m/s", rich_help_panel=SHOTS)] = "1:3",
+    contact_height: Annotated[float, shared("contact_height")] = 1.0,
+    floor_friction: Annotated[float | None, shared("floor_friction", default="what FILE says, else 0.2")] = None,
+    angles: Annotated[
+        str,
+        typer.Option(metavar="LOW:HIGH", help="Angles of incidence, degrees from the normal.", rich_help_panel=SHOTS),
+    ] = "5:75",
+    speeds: Annotated[str, typer.Option(metavar="LOW:HIGH", help="Speeds, m/s.", rich_help_panel=SHOTS)] = "1:3",
     spins: Annotated[
-        str, typer.Option(metavar="LOW:HIGH|unknown", help="rad/s before the wall, if anybody will know", rich_help_panel=SHOTS)
+        str,
+        typer.Option(
+            metavar="LOW:HIGH|unknown",
+            help="Spin before the wall, rad/s; unknown if not measured.",
+            rich_help_panel=SHOTS,
+        ),
     ] = "0:0",
-    sigma_v: Annotated[float, typer.Option(help="error bar of a speed, m/s", rich_help_panel=SHOTS)] = 0.02,
+    sigma_v: Annotated[float, shared("sigma_v", rich_help_panel=SHOTS)] = 0.02,
     sigma_spin: Annotated[
-        float | None, typer.Option(help="of a spin, rad/s", show_default="spin not measured", rich_help_panel=SHOTS)
+        float | None, shared("sigma_spin", default="spin not measured", rich_help_panel=SHOTS)
     ] = None,
-    odds: Annotated[float, typer.Option(help="how sure you want to be, to 1", rich_help_panel=SHOTS)] = 20.0,
-    plot: Annotated[Path | None, typer.Option(metavar="FILE", help="draw the map: .svg, .pdf, .png", rich_help_panel=OUT)] = None,
-    as_json: Annotated[bool, typer.Option("--json", help="JSON on standard output, nothing else", rich_help_panel=OUT)] = False,
-) -> None:  # fmt: skip
-    """Which incidence angles, speeds and spins tell two laws apart best under your noise, and how many shots it takes.
+    odds: Annotated[float, typer.Option(help="Target odds, N:1.", rich_help_panel=SHOTS)] = 20.0,
+    plot: Annotated[Path | None, shared("plot")] = None,
+    as_json: Annotated[bool, shared("json")] = False,
+) -> None:
+    """Find the angles of incidence, speeds and spins that discriminate best between two laws, and how many shots are needed.
 
     carom design --laws maw,contact --radius 0.02 --inertia hollow --sigma-v 0.15 --sigma-spin 10 --speeds 3:10
     """
+    from carom.data.rebounds import KINDS, STAGES, read_rebounds
     from carom.fitting import Setting
     from carom.fitting.design import Shots, require_plan
     from carom.fitting.design import design as plan_shots
     from carom.fitting.parameters import FORMS, INDEX
-    from carom.rebounds import KINDS, STAGES, read_rebounds
 
     faults: list[str] = []
-    kappa = attempt(faults, kappa_of, inertia)
+    kappa = attempt(faults, parse_inertia, inertia)
     ranges = [
         None if name == "--spins" and text == "unknown" else attempt(faults, _range, name, text)
         for name, text in (("--angles", angles), ("--speeds", speeds), ("--spins", spins))
     ]
     known = sorted({*INDEX, *(p.name for form in FORMS.values() for p in form.parameters)})
     numbers = {
-        name: attempt(faults, number, "--truth", name, text) for name, text in pairs(faults, "--truth", truth, known)
+        name: attempt(faults, parse_number, "--truth", name, text)
+        for name, text in parse_assignments(faults, "--truth", truth, known)
     }
-    pair = split(laws)
+    pair = comma_separated(laws)
     if kind not in (None, *KINDS):
         faults.append(f"--kind: expected planar or table, got {kind!r}")
-    if plot is not None:
-        attempt(faults, require_drawable, plot)
+    require_outputs(faults, {"--plot": plot})
     filmed = None if file is None else attempt(faults, read_rebounds, file)
     clash = ""
     if filmed is not None:
@@ -105,8 +113,8 @@ def design(
             setting, (pair[0], pair[1]), shots, true or None, odds=odds, filmed=filmed,
         )  # fmt: skip
     if plot is not None:
-        from carom.plot.design import plot_design
-        from carom.plot.save import save
+        from carom.plot.fit import plot_design
+        from carom.plot.style import save
 
         save(plot_design(plan), plot)
         wrote(plot)
@@ -142,17 +150,17 @@ def _show(plan: Any) -> None:
     from rich.table import Table
     from rich.text import Text
 
-    from carom.cli.shared import out
+    from carom.cli.common import out
 
     console = out()
-    said = ", ".join(f"{name} {value:.4g}" for name, value in plan.truth.items()) or "no numbers"
-    other = ", ".join(f"{name} {value:.4g}" for name, value in plan.other.items()) or "no numbers"
+    said = ", ".join(f"{name} {value:.4g}" for name, value in plan.truth.items()) or "no parameters"
+    other = ", ".join(f"{name} {value:.4g}" for name, value in plan.other.items()) or "no parameters"
     console.print(
-        Text(f"Taken for true: {plan.laws[0]} ({said})\nThe other comes closest with: {plan.laws[1]} ({other})")
+        Text(f"Assumed true: {plan.laws[0]} ({said})\nClosest parameters of the other: {plan.laws[1]} ({other})")
     )
     if plan.shots and plan.count:
         table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
-        for head in ("angle, degrees", "speed, m/s", "spin, rad/s", "times", "each adds to 2 log odds"):
+        for head in ("angle, degrees", "speed, m/s", "spin, rad/s", "repeats", "2 log odds each"):
             table.add_column(head, justify="right")
         for shot in plan.shots:
             table.add_row(

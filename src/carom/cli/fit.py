@@ -1,4 +1,4 @@
-"""``carom fit``: rebounds to the laws' numbers, which law the data prefer, and a page to keep."""
+"""``carom fit``: fit the laws to measured rebounds or whole tracks, rank them, and write a report."""
 
 from __future__ import annotations
 
@@ -9,20 +9,30 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from carom.cli.common import attempt, noting, require_outputs, tell, write_report_page
 from carom.cli.fit_input import chosen, completed, is_track, own_set, read
-from carom.cli.fit_options import bounds_of, kappa_of, number, pairs, spin_of, split, unread
-from carom.cli.places import require_places
-from carom.cli.ranking_table import show
-from carom.cli.shared import attempt, noting, page_of, tell
+from carom.cli.options import (
+    OUTPUT,
+    REBOUNDS,
+    comma_separated,
+    parse_assignments,
+    parse_bounds,
+    parse_inertia,
+    parse_number,
+    parse_spin,
+    shared,
+    unused_options,
+)
+from carom.cli.ranking_output import show
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
     from rich.console import Console
 
+    from carom.data.rebounds import Rebounds
     from carom.fitting import Ranking, Setting
-    from carom.rebounds import Rebounds
 
-BALL, DATA, LAWS, OUT = "The ball", "The table", "The laws", "What comes out"
+DATA, LAWS = REBOUNDS, "Laws"
 
 
 def register(app: typer.Typer) -> None:
@@ -32,25 +42,19 @@ def register(app: typer.Typer) -> None:
 
 def fit(
     file: Annotated[
-        Path, typer.Argument(help="a table of rebounds (CSV, Parquet), a track, or a set of carom datasets")
+        Path, typer.Argument(help="A table of rebounds (CSV, Parquet), a track, or a set of carom datasets.")
     ],
-    radius: Annotated[
-        float | None, typer.Option(help="m; a set that comes with carom has its own", rich_help_panel=BALL)
-    ] = None,
-    inertia: Annotated[
-        str | None,
-        typer.Option(
-            metavar="solid|hollow|KAPPA", help="kappa = I/(m a^2)", show_default="solid", rich_help_panel=BALL
-        ),
-    ] = None,
+    radius: Annotated[float | None, shared("radius", default="that of a set that comes with carom")] = None,
+    inertia: Annotated[str | None, shared("inertia", default="solid")] = None,
     laws: Annotated[
         list[str] | None,
-        typer.Option(metavar="NAME,NAME", help="only these; may be repeated", rich_help_panel=LAWS),
+        typer.Option(metavar="NAME,NAME", help="Fit only these laws; may be repeated.", rich_help_panel=LAWS),
     ] = None,
     restitution: Annotated[
         str,
         typer.Option(
-            help="over the speed: constant, line, polynomial, viscoelastic, exponential", rich_help_panel=LAWS
+            help="Restitution as a function of speed: constant, line, polynomial, viscoelastic, exponential.",
+            rich_help_panel=LAWS,
         ),
     ] = "constant",
     fit_: Annotated[
@@ -58,97 +62,93 @@ def fit(
         typer.Option(
             "--fit",
             metavar="NAME",
-            help="fit this too: kappa, contact_height, floor_friction, roll",
+            help="Fit this as well: kappa, contact_height, floor_friction, roll.",
             rich_help_panel=LAWS,
         ),
     ] = None,
     fix: Annotated[
-        list[str] | None, typer.Option(metavar="NAME=VALUE", help="hold a number of the laws", rich_help_panel=LAWS)
-    ] = None,
-    bound: Annotated[
-        list[str] | None, typer.Option(metavar="NAME=LOW:HIGH", help="seek it between these", rich_help_panel=LAWS)
-    ] = None,
-    robust: Annotated[
-        bool, typer.Option("--robust", help="errors with heavy tails (Student's t)", rich_help_panel=LAWS)
-    ] = False,
-    contact_height: Annotated[
-        float | None,
+        list[str] | None,
         typer.Option(
-            "--contact-height",
-            "--cushion-height",
-            help="where the wall touches, radii: a cushion 1.2 to 1.4",
-            show_default="1.0",
-            rich_help_panel=LAWS,
+            metavar="NAME=VALUE", help="Hold a parameter of the laws at a value; may be repeated.", rich_help_panel=LAWS
         ),
     ] = None,
-    floor_friction: Annotated[
-        float | None,
-        typer.Option(help="of the cloth", show_default="what the film says, else 0.2", rich_help_panel=LAWS),
+    bound: Annotated[
+        list[str] | None,
+        typer.Option(
+            metavar="NAME=LOW:HIGH", help="Bounds of a fitted parameter; may be repeated.", rich_help_panel=LAWS
+        ),
     ] = None,
-    floor_restitution: Annotated[float, typer.Option(rich_help_panel=LAWS)] = 0.0,
+    robust: Annotated[
+        bool, typer.Option("--robust", help="Assume errors with heavy tails (Student's t).", rich_help_panel=LAWS)
+    ] = False,
+    contact_height: Annotated[float | None, shared("contact_height", default="1")] = None,
+    floor_friction: Annotated[float | None, shared("floor_friction", default="what the film says, else 0.2")] = None,
+    floor_restitution: Annotated[float, shared("floor_restitution")] = 0.0,
     roll: Annotated[
-        float, typer.Option(help="share of rolling before the wall: 1, stunned 0", rich_help_panel=LAWS)
+        float,
+        typer.Option(
+            help="Spin before the wall, in units of that of a rolling ball: 1 rolling, 0 stunned.", rich_help_panel=LAWS
+        ),
     ] = 1.0,
-    kind: Annotated[
-        str | None, typer.Option(help="planar or table, where the columns do not say", rich_help_panel=DATA)
+    kind: Annotated[str | None, shared("kind", default="by the columns")] = None,
+    stage: Annotated[
+        str | None, typer.Option(help="Stage of all rows: after_wall or rolling.", rich_help_panel=DATA)
     ] = None,
-    stage: Annotated[str | None, typer.Option(help="of all rows: after_wall or rolling", rich_help_panel=DATA)] = None,
-    rate: Annotated[
-        float | None,
-        typer.Option("--rate", "--fps", help="of a track without times: frames a second", rich_help_panel=DATA),
-    ] = None,
-    scale: Annotated[
-        float | None, typer.Option(help="of a track in pixels: m to a pixel", rich_help_panel=DATA)
-    ] = None,
-    view: Annotated[str | None, typer.Option(help="of a track: above (a table) or side", rich_help_panel=DATA)] = None,
+    rate: Annotated[float | None, shared("rate", default="from the times")] = None,
+    scale: Annotated[float | None, shared("scale", help="Metres per pixel, if the file is in pixels.")] = None,
+    view: Annotated[str | None, shared("view", default="by the motion")] = None,
     whole: Annotated[
         bool,
-        typer.Option("--whole", help="of a track: fit all of it, simulated, not its contacts", rich_help_panel=DATA),
+        typer.Option(
+            "--whole",
+            help="Fit whole tracks, each simulated from a start of its own, instead of contacts.",
+            rich_help_panel=DATA,
+        ),
     ] = False,
     cushions: Annotated[
-        int, typer.Option(help="with --whole: contacts of a ball that are followed at most", rich_help_panel=DATA)
+        int, typer.Option(help="With --whole: largest number of contacts followed per ball.", rich_help_panel=DATA)
     ] = 3,
-    noise: Annotated[
-        str | None, typer.Option(help="with --whole: of one coordinate of one frame, 0.3mm", rich_help_panel=DATA)
-    ] = None,
+    noise: Annotated[str | None, shared("noise", default="estimated; only with --whole")] = None,
     where: Annotated[
         list[str] | None,
-        typer.Option(metavar="COLUMN=VALUE", help="only rows with this in that column", rich_help_panel=DATA),
+        typer.Option(
+            metavar="COLUMN=VALUE",
+            help="Use only rows with this value in the column; may be repeated.",
+            rich_help_panel=DATA,
+        ),
     ] = None,
-    sigma_v: Annotated[
-        float | None, typer.Option(help="error bar of speeds without one, m/s", rich_help_panel=DATA)
-    ] = None,
-    sigma_spin: Annotated[
-        float | None, typer.Option(help="error bar of spins without one, rad/s", rich_help_panel=DATA)
-    ] = None,
+    sigma_v: Annotated[float | None, shared("sigma_v", default="of the table")] = None,
+    sigma_spin: Annotated[float | None, shared("sigma_spin", default="of the table")] = None,
     spin: Annotated[
         str | None,
         typer.Option(
-            help="where none was measured before: a number in rad/s, normal, normal:WIDTH or uniform:WIDTH (in v/a, about 0)",
+            help="Unmeasured spins before the wall: rad/s, or a prior: normal, normal:WIDTH, uniform:WIDTH (in v/a, about 0).",
             show_default="normal, mean along v_t and width fitted",
             rich_help_panel=DATA,
         ),
     ] = None,
     bootstrap: Annotated[
-        int | None, typer.Option(help="fits to rows drawn anew", show_default="200 where quick", rich_help_panel=OUT)
+        int | None,
+        typer.Option(help="Number of bootstrap fits.", show_default="200 where quick", rich_help_panel=OUTPUT),
     ] = None,
     profiles: Annotated[
         bool | None,
         typer.Option(
             "--profiles/--no-profiles",
-            help="intervals by profile likelihood",
+            help="Compute intervals by profile likelihood.",
             show_default="where quick",
-            rich_help_panel=OUT,
+            rich_help_panel=OUTPUT,
         ),
     ] = None,
-    seed: Annotated[int | None, typer.Option(help="of the bootstrap", show_default="0", rich_help_panel=OUT)] = None,
-    report: Annotated[
-        Path | None, typer.Option(help="the page to write", show_default="FILE-fit.html, here", rich_help_panel=OUT)
+    seed: Annotated[
+        int | None, shared("seed", default="0", help="Seed of the bootstrap.", rich_help_panel=OUTPUT)
     ] = None,
-    no_report: Annotated[bool, typer.Option("--no-report", help="write none", rich_help_panel=OUT)] = False,
-    as_json: Annotated[
-        bool, typer.Option("--json", help="JSON on standard output, nothing else", rich_help_panel=OUT)
-    ] = False,
+    report: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE.html", help="Write a report with figures to this file.", rich_help_panel=OUTPUT),
+    ] = None,
+    no_report: Annotated[bool, typer.Option("--no-report", help="The default.", hidden=True)] = False,
+    as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
     """Fit the laws of impact to measured rebounds, and say which the data prefer.
 
@@ -158,33 +158,39 @@ def fit(
     """
     from rich.console import Console
 
-    from carom.cli.whole import NUMBERS, fit_tracks
+    from carom.cli.fit_tracks import TRACK_NUMBERS, TrackOptions, fit_track_file
     from carom.fitting import Setting, fit_laws
     from carom.fitting.parameters import FORMS, INDEX
-    from carom.fitting.shared import with_shared
-    from carom.tracks.formats.sheet import Given
+    from carom.tracks.formats.text_table import Calibration
 
     faults: list[str] = []
-    kappa = None if inertia is None else attempt(faults, kappa_of, inertia)
-    every_spin, prior = attempt(faults, spin_of, spin, whole) or (None, {})
-    known = sorted({*INDEX, *(p.name for form in FORMS.values() for p in form.parameters), *(NUMBERS if whole else ())})
-    fixed = {name: attempt(faults, number, "--fix", name, text) for name, text in pairs(faults, "--fix", fix, known)}
-    bounds = {name: attempt(faults, bounds_of, name, text) for name, text in pairs(faults, "--bound", bound, known)}
-    extra = tuple(name for text in fit_ or [] for name in split(text))
+    kappa = None if inertia is None else attempt(faults, parse_inertia, inertia)
+    every_spin, prior = attempt(faults, parse_spin, spin, whole) or (None, {})
+    known = sorted(
+        {*INDEX, *(p.name for form in FORMS.values() for p in form.parameters), *(TRACK_NUMBERS if whole else ())}
+    )
+    fixed = {
+        name: attempt(faults, parse_number, "--fix", name, text)
+        for name, text in parse_assignments(faults, "--fix", fix, known)
+    }
+    bounds = {
+        name: attempt(faults, parse_bounds, name, text)
+        for name, text in parse_assignments(faults, "--bound", bound, known)
+    }
+    extra = tuple(name for text in fit_ or [] for name in comma_separated(text))
     for name, value in (("--sigma-v", sigma_v), ("--sigma-spin", sigma_spin)):
         if value is not None and not value > 0:
             faults.append(f"{name}: expected an error bar above 0, got {value:g}")
-    page = report or Path(f"{file.stem}-fit.html")
     _pages(faults, report, no_report)
     if seed is not None and seed < 0:
         faults.append(f"--seed: expected a whole number >= 0, got {seed}")
-    faults += unread(
+    faults += unused_options(
         whole,
         {"--sigma-v": sigma_v, "--sigma-spin": sigma_spin, "--bootstrap": bootstrap, "--profiles": profiles,
          "--kind": kind, "--stage": stage, "--seed": seed, "--robust": robust or None, "--roll": None if roll == 1 else roll},
         {"--noise": noise, "--cushions": cushions if cushions != 3 else None},
     )  # fmt: skip
-    names = [name for text in laws or [] for name in split(text)]
+    names = [name for text in laws or [] for name in comma_separated(text)]
     if laws and not names:
         faults.append("--laws: expected names of laws, NAME,NAME, got none; leave it out for all of them")
     faults += _words(names, whole, view, kind, stage, bootstrap)
@@ -205,14 +211,13 @@ def fit(
         bounds={name: value for name, value in bounds.items() if value is not None}, robust=robust,
     )  # fmt: skip
     if whole:
-        pages = (None if no_report else page, report is not None, as_json)
-        frames = (view, where or [], cushions, noise)
-        return fit_tracks(file, setting, names, Given(scale=scale, rate=rate), frames, pages, faults, _bar)
+        frames = TrackOptions(view, where or [], cushions, noise, Calibration(scale=scale, rate=rate))
+        return fit_track_file(file, setting, names, frames, report, as_json, faults, _bar)
     attempt(faults, _checked, setting)
     console = Console(stderr=True, highlight=False)
     if own_faults or (ours and faults):
         raise CaromError(*faults, *own_faults)
-    film = Given(scale=scale, rate=rate)
+    film = Calibration(scale=scale, rate=rate)
     rebounds = ours.rebounds if ours else read(file, faults, setting, film, view, kind, stage, lambda: _bar(console))
 
     _read(rebounds, ours is None and is_track(file), {"--scale": scale, "--rate": rate, "--view": view},
@@ -227,21 +232,19 @@ def fit(
         ranking = fit_laws(
             rebounds, setting, names or None, profiles=profiles, bootstrap=bootstrap, seed=seed or 0, say=say
         )
-        ranking = with_shared(ranking, shifted)
-        say("the page", 1.0)
-        written = None if no_report else page_of(lambda: _page(ranking, page), report is not None, console)
+        ranking = ranking.with_shared_errors(shifted)
+        written = None if report is None else write_report_page(lambda: _page(ranking, report), say)
     tell(ranking, show, as_json, console, written)
 
 
 def _words(
     names: list[str], whole: bool, view: str | None, kind: str | None, stage: str | None, bootstrap: int | None
 ) -> list[str]:
-    """Faults of words and numbers that are right or wrong whatever the file holds."""
+    """Return one line per invalid option, as far as that does not depend on the file."""
+    from carom.data.rebounds import KINDS, STAGES
     from carom.fitting.laws import unknown_laws
-    from carom.rebounds import KINDS, STAGES
 
-    more = ("stronge",) if whole else ()
-    faults = [f"--laws: {fault.removeprefix('law: ')}" for fault in unknown_laws(names, more=more)]
+    faults = [f"--laws: {fault.removeprefix('law: ')}" for fault in unknown_laws(names)]
     if view not in (None, "above", "side"):
         faults.append(f"--view: expected above (a ball on a table) or side (a ball in flight), got {view!r}")
     if whole:  # (they are not read)
@@ -262,13 +265,13 @@ def _checked(setting: Setting) -> None:
 
 
 def _pages(faults: list[str], report: Path | None, no_report: bool) -> None:
-    require_places(faults, {"--report": report}, {"--report": (".html", ".htm")})
+    require_outputs(faults, {"--report": report}, {"--report": (".html", ".htm")})
     if report is not None and no_report:
         faults.append("--no-report: expected no --report beside it, got one; give one of them")
 
 
 def _read(rebounds: Rebounds, track: bool, of_tracks: dict[str, Any], of_tables: dict[str, Any]) -> None:
-    """CaromError for options that were given and would do nothing: of a track, or of a ball on a table, where there is none."""
+    """Raise CaromError for options without effect: of a track, or of a ball on a table, where there is none."""
     faults = (
         [] if track else [f"{name}: expected a track, got rebounds" for name, x in of_tracks.items() if x is not None]
     )
@@ -281,7 +284,7 @@ def _read(rebounds: Rebounds, track: bool, of_tracks: dict[str, Any], of_tables:
 
 @contextmanager
 def _bar(console: Console) -> Iterator[Any]:
-    """A progress bar on standard error, where that is a terminal."""
+    """Show a progress bar on standard error, where that is a terminal."""
     if not console.is_terminal:
         yield lambda _what, _done: None
         return

@@ -1,27 +1,28 @@
-"""What ``carom fit`` reads: a table of rebounds, a track, or a set that comes with carom."""
+"""Read the input of ``carom fit``: a table of rebounds, a track, or a published set."""
 
 from __future__ import annotations
 
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from carom.cli.shared import attempt, noting
+from carom.cli.common import attempt, noting
 from carom.errors import CaromError
+from carom.files import text_encoding
 
 if TYPE_CHECKING:
+    from carom.data.published import Published
+    from carom.data.rebounds import Rebounds
     from carom.fitting import Setting
-    from carom.fitting.published import Published
-    from carom.rebounds import Rebounds
 
 __all__ = ["chosen", "completed", "is_track", "own_set", "read"]
 
 
 def own_set(file: Path) -> Published | None:
-    """The set that comes with carom which a word means, where there is no such file. CaromError where it cannot be fitted."""
-    from carom.fitting.published import published, published_name
+    """Return the published set of that name, where there is no such file. CaromError where it cannot be fitted."""
+    from carom.data.published import published_name, published_rebounds
 
     name = None if file.exists() else published_name(str(file))
-    return None if name is None else published(name)
+    return None if name is None else published_rebounds(name)
 
 
 def read(
@@ -34,7 +35,7 @@ def read(
     stage: str | None,
     bar: Any,
 ) -> Rebounds:
-    """The rebounds of a table or a track. CaromError with its faults and those that there are already."""
+    """Return the rebounds of a table or a track. CaromError with its problems and those found before."""
     before = len(faults)
     track = attempt(faults, is_track, file)
     if track and not faults:  # contacts take a while: the options first
@@ -49,19 +50,19 @@ def read(
 
 
 def read_table(file: Path, kind: str | None, stage: str | None) -> Rebounds:
-    """The rebounds of a table; words that are at fault are so already, and as good as not given."""
-    from carom.rebounds import KINDS, STAGES, read_rebounds
+    """Return the rebounds of a table; an invalid kind or stage, reported elsewhere, is ignored."""
+    from carom.data.rebounds import KINDS, STAGES, read_rebounds
 
     return read_rebounds(file, kind=kind if kind in KINDS else None, stage=stage if stage in STAGES else None)
 
 
 def chosen(rebounds: Rebounds, where: list[str]) -> Rebounds:
-    """The rows that ``--where`` names; a note where a column of words says that there are rows of several kinds."""
+    """Return the rows that ``--where`` selects, with a note where a column of words distinguishes kinds of rows."""
     from dataclasses import replace
 
     import numpy as np
 
-    from carom.checks import few, meant, nearest
+    from carom.errors import did_you_mean, shortened_list, suggestion
 
     faults = []
     keep = np.ones(len(rebounds), bool)
@@ -69,14 +70,14 @@ def chosen(rebounds: Rebounds, where: list[str]) -> Rebounds:
         name, _equals, value = text.partition("=")
         column = rebounds.extra.get(name)
         if column is None:
-            got = f"{text!r}; {nearest(name, list(rebounds.extra))}" if rebounds.extra else f"{text!r}; it has none"
+            got = f"{text!r}; {suggestion(name, list(rebounds.extra))}" if rebounds.extra else f"{text!r}; it has none"
             faults.append(f"--where: expected COLUMN=VALUE, with a column of the table's own, got {got}")
             continue
         rows = column.astype(str) == value
         if not rows.any():
             known = sorted(set(column.astype(str).tolist()))
             faults.append(
-                f"--where {name}: expected one of its values ({few(known)}), got {value!r}{meant(value, known)}"
+                f"--where {name}: expected one of its values ({shortened_list(known)}), got {value!r}{did_you_mean(value, known)}"
             )
         keep &= rows
     if not faults and not keep.any():
@@ -98,7 +99,7 @@ def chosen(rebounds: Rebounds, where: list[str]) -> Rebounds:
 
 
 def _words(cells: list[Any]) -> bool:
-    """Whether a column holds names and not numbers."""
+    """Return whether a column holds names, not numbers."""
     try:
         return not [float(cell) for cell in cells]
     except (TypeError, ValueError):
@@ -106,7 +107,7 @@ def _words(cells: list[Any]) -> bool:
 
 
 def is_track(file: Path) -> bool:
-    """Whether a file has no column of a rebound: then it is taken for a track. CaromError for a file that holds no text."""
+    """Return whether a file is taken for a track: it has no column of a rebound. CaromError for a file that is not text."""
     if file.suffix.lower() in (".parquet", ".pq") or not file.is_file():
         return False
     with file.open("rb") as opened:
@@ -114,15 +115,15 @@ def is_track(file: Path) -> bool:
     wanted = f"{file}: expected a table of rebounds or a track, as text"
     if not raw.strip():
         raise CaromError(f"{wanted}, got an empty file")
-    utf16 = raw.startswith((b"\xff\xfe", b"\xfe\xff"))  # as spreadsheets save "Unicode text"
-    if b"\0" in raw and not utf16:
+    codec = text_encoding(raw).codec
+    if b"\0" in raw and codec == "utf-8":
         raise CaromError(f"{wanted}, got {_what(raw)}; export it as CSV from the program that made it")
-    head = raw.decode("utf-16" if utf16 else "utf-8", errors="replace").lower()
+    head = raw.decode(codec, errors="replace").lower()
     return not any(name in head for name in ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in"))
 
 
 def _what(raw: bytes) -> str:
-    """What a file is that is not text, by its first bytes."""
+    """Return what a binary file is, by its first bytes."""
     kinds = {b"\x89PNG": "a picture (PNG)", b"\xff\xd8\xff": "a picture (JPEG)", b"GIF8": "a picture (GIF)",
              b"PK\x03\x04": "a spreadsheet or another archive (zip)", b"\xd0\xcf\x11\xe0": "an old spreadsheet (xls)"}  # fmt: skip
     if raw[4:8] == b"ftyp":
@@ -131,15 +132,15 @@ def _what(raw: bytes) -> str:
 
 
 def measured(file: Path, setting: Setting, given: Any, view: str | None, stage: str | None, say: Any) -> Rebounds:
-    """The rebounds of a track."""
+    """Measure the rebounds of a track."""
     from dataclasses import replace
 
     from carom.tracks.contact import Settings
-    from carom.tracks.measure import measure
+    from carom.tracks.measurement import measure
     from carom.tracks.read import read_tracks
-    from carom.tracks.table import to_rebounds
+    from carom.tracks.rebounds import to_rebounds
 
-    read = read_tracks(file, given=given)
+    read = read_tracks(file, calibration=given)
     settings = Settings(radius=setting.radius, kappa=setting.kappa, view=view)  # type: ignore[arg-type]
     with noting(read.notes):
         measured = measure(read.tracks, settings, lambda done, total: say("contacts", done / max(total, 1)))
@@ -150,7 +151,7 @@ def measured(file: Path, setting: Setting, given: Any, view: str | None, stage: 
 
 
 def completed(rebounds: Rebounds, sigma_v: float | None, sigma_spin: float | None, spin: float | None) -> Rebounds:
-    """Error bars and spins that the options give, where the table has none."""
+    """Fill in the error bars and spins given by options, where the table has none."""
     from dataclasses import replace
 
     import numpy as np

@@ -1,4 +1,4 @@
-"""``carom gas``: a gas of rough balls, run as its scene says; measured, drawn, kept, and gone on with."""
+"""``carom gas``: run the scene of a gas; print, plot and save what was measured; stop and resume."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.places import require_places
-from carom.cli.shared import attempt, wrote
+from carom.cli.common import attempt, require_outputs, wrote
+from carom.cli.options import OUTPUT, shared
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
-    from carom.cli.gas_progress import Progress
-    from carom.gas.model import GasScene
+    from carom.cli.gas_output import Progress
+    from carom.gas.scene import GasScene
     from carom.gas.session import Session
     from carom.gas.snapshots import Snapshots
 
-RUN, SHOWN, FILES, KEPT = "The run", "What is shown", "Files", "Stop and go on"
-RHYTHM = "10 min"  # of checkpoints
-SNAPSHOTS = 100  # in a run, if it is not said how often
+RESUME = "Stop and resume"
+CHECKPOINT_INTERVAL = "10 min"
+SNAPSHOTS = 100  # per run, without --every
 
 
 def register(app: typer.Typer) -> None:
-    """Add the verb to the command."""
+    """Add the command ``gas``."""
     app.command()(gas)
 
 
@@ -40,126 +40,118 @@ def gas(
         ),
     ] = None,
     max_events: Annotated[
-        int | None, typer.Option(metavar="N", help="Collisions to measure, not the scene's.", rich_help_panel=RUN)
+        int | None, shared("max_events", default="the scene's", help="Number of collisions to measure.")
     ] = None,
-    duration: Annotated[
-        str | None, typer.Option(metavar="T", help="Time to measure, not the scene's.", rich_help_panel=RUN)
-    ] = None,
-    seed: Annotated[int | None, typer.Option(metavar="N", help="In place of the scene's.", rich_help_panel=RUN)] = None,
-    as_json: Annotated[
-        bool, typer.Option("--json", help="JSON on standard output, nothing else.", rich_help_panel=SHOWN)
-    ] = False,
-    quiet: Annotated[
-        bool, typer.Option("--quiet", help="Nothing on the screen but errors.", rich_help_panel=SHOWN)
-    ] = False,
-    plot: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Draw it: .svg, .pdf or .png.", rich_help_panel=FILES)
-    ] = None,
+    duration: Annotated[str | None, shared("duration", default="the scene's", help="Duration to measure.")] = None,
+    seed: Annotated[int | None, shared("seed", default="the scene's")] = None,
+    as_json: Annotated[bool, shared("json")] = False,
+    quiet: Annotated[bool, shared("quiet")] = False,
+    plot: Annotated[Path | None, shared("plot")] = None,
     measures: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="All that was measured, what is drawn too: .json.", rich_help_panel=FILES),
+        typer.Option(metavar="FILE", help="All measures, with the curves of the plot: .json.", rich_help_panel=OUTPUT),
     ] = None,
     snapshots: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Balls on the way, for OVITO: .gsd.", rich_help_panel=FILES)
+        Path | None,
+        typer.Option(metavar="FILE", help="Snapshots of the balls, e.g. for OVITO: .gsd.", rich_help_panel=OUTPUT),
     ] = None,
     every: Annotated[
         str | None,
-        typer.Option(metavar="T", help="Time between snapshots; or '5000 events'.", rich_help_panel=FILES),
+        typer.Option(metavar="T", help="Time between snapshots, or '5000 events'.", rich_help_panel=OUTPUT),
     ] = None,
-    force: Annotated[
-        bool, typer.Option("--force", help="Write over snapshots that are there.", rich_help_panel=FILES)
-    ] = False,
+    force: Annotated[bool, shared("force", help="Overwrite snapshots that exist.")] = False,
     checkpoint: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Keep where it is, to go on from.", rich_help_panel=KEPT)
+        Path | None,
+        typer.Option(metavar="FILE", help="Save the state of the run, to resume from.", rich_help_panel=RESUME),
     ] = None,
     checkpoint_every: Annotated[
-        str, typer.Option(metavar="T", help="How often: '10 min', or '1000000 events'.", rich_help_panel=KEPT)
-    ] = RHYTHM,
+        str,
+        typer.Option(
+            metavar="T", help="Interval of checkpoints: '10 min', or '1000000 events'.", rich_help_panel=RESUME
+        ),
+    ] = CHECKPOINT_INTERVAL,
     resume: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Go on from a checkpoint.", rich_help_panel=KEPT)
+        Path | None, typer.Option(metavar="FILE", help="Go on from a checkpoint.", rich_help_panel=RESUME)
     ] = None,
 ) -> None:
-    """Run a gas of balls or discs event by event: what was measured, as a table, as JSON, as a picture."""
-    from carom.cli.gas_progress import Progress
+    """Simulate a gas of balls or discs, event by event, and report what was measured as tables, JSON or a plot."""
+    from carom.cli.gas_output import Progress
 
     found: list[str] = []
     kept = {
         "--checkpoint": checkpoint,
         "--resume": resume if checkpoint is None and resume and resume.exists() else None,
     }
-    _places(found, plot, measures, snapshots, kept)
+    _check_files(found, plot, measures, snapshots, kept)
     if snapshots is not None and resume is None and not force and snapshots.is_file():
-        found.append(f"--snapshots {snapshots}: expected a new file, got one that is there; --force writes over it")
-    rhythm = attempt(found, _rhythm, "--checkpoint-every", checkpoint_every)
-    if rhythm is not None and checkpoint_every != RHYTHM and checkpoint is None and resume is None:
-        found.append("--checkpoint-every: expected --checkpoint FILE beside it, got none")
+        found.append(f"--snapshots {snapshots}: expected a new file, got an existing one; --force overwrites it")
+    interval = attempt(found, _interval, "--checkpoint-every", checkpoint_every)
+    if interval is not None and checkpoint_every != CHECKPOINT_INTERVAL and checkpoint is None and resume is None:
+        found.append("--checkpoint-every: expected --checkpoint FILE as well, got none")
     changes = {"max_events": max_events, "duration": duration, "seed": seed}
     given = attempt(found, _scene, scene, resume, changes)
-    frames = attempt(found, _rhythm, "--every", every) if every is not None else None
+    snapshot_every = attempt(found, _interval, "--every", every) if every is not None else None
     if every is not None and snapshots is None:
-        found.append("--every: expected --snapshots FILE.gsd beside it, got none")
+        found.append("--every: expected --snapshots FILE.gsd as well, got none")
     if found:
         raise CaromError(*found)
     progress = Progress(quiet)
     with ExitStack() as stack:
-        asked = stack.enter_context(_signals())
+        signals = stack.enter_context(_signals())
         session = _session(scene, given, resume, progress)
         file = None if snapshots is None else stack.enter_context(_snapshots(snapshots, session, resume is not None))
-        keeper = _Keeper(checkpoint or resume, rhythm, file, progress)
+        checkpoints = _Checkpoints(checkpoint or resume, interval, file, progress)
 
-        def on_the_way(now: Session) -> None:
+        def report_progress(now: Session) -> None:
             progress.show(now)
-            keeper.look(now)
+            checkpoints.save_if_due(now)
 
         with progress:
-            whole = session.run(
-                stop=lambda: bool(asked),
-                progress=on_the_way,
-                every=None if file is None else _frames(frames, session),
+            finished = session.run(
+                stop=lambda: bool(signals),
+                progress=report_progress,
+                every=None if file is None else _snapshot_interval(snapshot_every, session),
                 snapshot=None if file is None else lambda now: file.write(now.gas),
             )
-        if not whole and keeper.path is None:
-            keeper.path = Path(f"{(scene or resume or Path('gas')).stem}.checkpoint.npz")
+        if not finished and checkpoints.path is None:
+            checkpoints.path = Path(f"{(scene or resume or Path('gas')).stem}.checkpoint.npz")
         written: list[Path] = []
-        _done(found, written, keeper.path, keeper.keep, session)
-    if not whole and not found:
-        _stopped(session, scene, keeper.path, asked[0])
-    if whole:
-        # what was measured is told, whatever becomes of the files
-        _done(found, written, plot, _draw, session, plot)
-        _done(found, written, measures, _list, session, measures)
-        _tell(session, as_json, quiet)
+        _write(found, written, checkpoints.path, checkpoints.save, session)
+    if not finished and not found:
+        _stopped(session, scene, checkpoints.path, signals[0])
+    if finished:
+        # the report is printed even if a file cannot be written
+        _write(found, written, plot, _plot, session, plot)
+        _write(found, written, measures, _write_measures, session, measures)
+        _print_report(session, as_json, quiet)
         wrote(*(() if quiet else (*written, *([] if snapshots is None else [snapshots]))))
     if found:
         raise CaromError(*found)
 
 
-# --- what is asked for ---------------------------------------------------------------------------------------------
+# --- options -------------------------------------------------------------------------------------------------------
 
 
-def _places(
+def _check_files(
     found: list[str], plot: Path | None, measures: Path | None, snapshots: Path | None, kept: dict[str, Path | None]
 ) -> None:
-    """Faults of the files that are to be written, or of libraries that they need."""
-    from carom.files import library
+    """Add the faults of the files to be written, and of missing libraries, to ``found``."""
     from carom.gas.checkpoint import require_checkpoint
 
     # (a checkpoint has any name)
     kinds = {option: (path.suffix.lower(),) for option, path in kept.items() if path is not None}
     named = {"--plot": plot, "--measures": measures, "--snapshots": snapshots, **kept}
-    require_places(found, named, {"--measures": (".json",), "--snapshots": (".gsd",), **kinds})
+    require_outputs(found, named, {"--measures": (".json",), "--snapshots": (".gsd",), **kinds})
     checkpoint = kept["--checkpoint"]
     if checkpoint is not None and not any(fault.startswith("--checkpoint ") for fault in found):
         faults: list[str] = []
         attempt(faults, require_checkpoint, checkpoint)
         found += [f"--checkpoint {fault}" for fault in faults]
-    if snapshots is not None:
-        attempt(found, library, "gsd.hoomd", "gsd", "--snapshots")
 
 
-def _rhythm(option: str, text: str) -> int | float:
-    """So many collisions (an int), or a time (a float; a unit of time makes it seconds)."""
-    from carom.scene.quantities import Number
+def _interval(option: str, text: str) -> int | float:
+    """Return a number of collisions (an int), or a time (a float; in s if it has a unit)."""
+    from carom.scene.schema import Number
 
     words = text.replace("_", "").replace(",", "").split()
     if len(words) == 2 and words[1] in {"event", "events"} and words[0].isdecimal() and int(words[0]) > 0:
@@ -177,9 +169,10 @@ def _rhythm(option: str, text: str) -> int | float:
 
 
 def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any]) -> GasScene | None:
-    """The gas of a file, with what the options say in place of its [run]; None: that of the checkpoint."""
-    from carom.gas.model import GasScene, GasSettings
-    from carom.gas.toml import load_gas
+    """Return the scene of a file, with the options in place of its [run]; None: that of the checkpoint."""
+    from carom.gas.build import load_gas
+    from carom.gas.scene import GasScene
+    from carom.gas.schema import GasSettings
 
     changes = {name: value for name, value in changes.items() if value is not None}
     if path is None:
@@ -187,13 +180,13 @@ def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any]) -> G
             raise CaromError("SCENE.toml: expected a scene, got none; carom scene new --gas FILE writes one")
         if changes:
             options = ", ".join(f"--{name.replace('_', '-')}" for name in changes)
-            raise CaromError(f"{options}: expected a scene beside it, got only a checkpoint; name the SCENE.toml too")
+            raise CaromError(f"{options}: expected SCENE.toml as well, got only a checkpoint; name the scene too")
         return None
     scene = load_gas(path)
     if not changes:
         return scene
     if "duration" in changes:
-        value = _rhythm("--duration", changes["duration"])
+        value = _interval("--duration", changes["duration"])
         changes["duration"] = float(value)
     try:
         run = GasSettings(**{name: getattr(scene.run, name) for name in GasSettings.model_fields} | changes)
@@ -203,18 +196,18 @@ def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any]) -> G
     return scene.model_copy(update={"run": run}) if isinstance(scene, GasScene) else scene
 
 
-def _frames(frames: int | float | None, session: Session) -> int | float:
-    """How often a snapshot is taken: as it was said, or a hundred times in the run."""
+def _snapshot_interval(every: int | float | None, session: Session) -> int | float:
+    """Return the interval of snapshots: as given, or a hundredth of the run."""
     run = session.scene.run
-    if frames is not None:
-        return frames
+    if every is not None:
+        return every
     if run.max_events is not None:
         return max(run.max_events // SNAPSHOTS, 1)
     assert run.duration is not None
     return run.duration / SNAPSHOTS
 
 
-# --- the run -------------------------------------------------------------------------------------------------------
+# --- run -----------------------------------------------------------------------------------------------------------
 
 
 def _session(path: Path | None, scene: GasScene | None, resume: Path | None, progress: Progress) -> Session:
@@ -223,7 +216,7 @@ def _session(path: Path | None, scene: GasScene | None, resume: Path | None, pro
 
     if resume is not None:
         session = load_checkpoint(resume, scene, compiling=progress.note_compiling)
-        progress.say(f"going on from {resume}: {session.gas.collisions:,} collisions, t = {session.gas.time:.6g}")
+        progress.say(f"resuming from {resume}: {session.gas.collisions:,} collisions, t = {session.gas.time:.6g}")
         return session
     assert scene is not None
     progress.note_compiling()
@@ -234,7 +227,7 @@ def _session(path: Path | None, scene: GasScene | None, resume: Path | None, pro
 def _snapshots(path: Path, session: Session, resumed: bool) -> Iterator[Snapshots]:
     from carom.gas.snapshots import Snapshots
 
-    file = Snapshots(path, session.names, session.frames if resumed and session.frames else None)
+    file = Snapshots(path, session.names, session.snapshots_taken if resumed and session.snapshots_taken else None)
     try:
         yield file
     finally:
@@ -243,25 +236,25 @@ def _snapshots(path: Path, session: Session, resumed: bool) -> Iterator[Snapshot
 
 @contextmanager
 def _signals() -> Iterator[list[int]]:
-    """Signals that ask the run to end, as they come; the second one ends it at once."""
-    asked: list[int] = []
+    """Collect signals that ask the run to end; the second one ends it at once."""
+    received: list[int] = []
 
     def note(which: int, _frame: Any) -> None:
-        if asked:
-            sys.stderr.write("carom: interrupted; nothing was kept\n")
+        if received:
+            sys.stderr.write("carom: interrupted; nothing was saved\n")
             raise typer.Exit(128 + which)
-        asked.append(which)
+        received.append(which)
 
     before = {which: signal.signal(which, note) for which in (signal.SIGINT, signal.SIGTERM)}
     try:
-        yield asked
+        yield received
     finally:
         for which, handler in before.items():
             signal.signal(which, handler)
 
 
-class _Keeper:
-    """Writes checkpoints, as often as it is asked to."""
+class _Checkpoints:
+    """Writes checkpoints at intervals."""
 
     def __init__(self, path: Path | None, every: int | float, file: Snapshots | None, progress: Progress) -> None:
         import time
@@ -269,20 +262,20 @@ class _Keeper:
         self.path, self.every, self.file, self.progress, self.clock = path, every, file, progress, time.monotonic
         self.last: float | None = None
 
-    def look(self, session: Session) -> None:
-        """Write one if it is time to. Where that fails the run goes on, with the checkpoint before."""
+    def save_if_due(self, session: Session) -> None:
+        """Write a checkpoint if one is due. If that fails, the run continues and the previous checkpoint stays."""
         now = session.gas.collisions if isinstance(self.every, int) else self.clock()
         if self.path is None or self.last is None:
             self.last = now if self.last is None else self.last
         elif now - self.last >= self.every:
             self.last = now
             try:
-                self.keep(session)
+                self.save(session)
             except CaromError as error:
-                self.progress.say(f"carom: {error}; the one before stays, and the run goes on")
+                self.progress.say(f"carom: {error}; the previous checkpoint stays, and the run continues")
 
-    def keep(self, session: Session) -> None:
-        """Write one now."""
+    def save(self, session: Session) -> None:
+        """Write a checkpoint now."""
         from carom.gas.checkpoint import save_checkpoint
 
         if self.path is not None:
@@ -291,44 +284,51 @@ class _Keeper:
             save_checkpoint(session, self.path)
 
 
-def _stopped(session: Session, scene: Path | None, kept: Path | None, which: int) -> None:
-    """Say where it is and how to go on, and end."""
-    words = " ".join(str(part) for part in ("carom gas", scene, "--resume", kept) if part is not None)
+def _counted(events: int) -> str:
+    """Return a number of events in words."""
+    return f"{events:,} event{'' if events == 1 else 's'}"
+
+
+def _stopped(session: Session, scene: Path | None, checkpoint: Path | None, which: int) -> None:
+    """Print where the run was stopped and how to resume it, and exit."""
+    command = " ".join(str(part) for part in ("carom gas", scene, "--resume", checkpoint) if part is not None)
     sys.stderr.write(
-        f"carom: stopped after {session.done:,} events of the {'run' if session.measuring else 'equilibration'},"
-        f" t = {session.gas.time:.6g}; go on with: {words}\n"
+        f"carom: stopped after {_counted(session.done)} of the {'run' if session.measuring else 'equilibration'},"
+        f" t = {session.gas.time:.6g}; resume with: {command}\n"
     )
     raise typer.Exit(128 + which)
 
 
-# --- what comes of it ----------------------------------------------------------------------------------------------
+# --- output --------------------------------------------------------------------------------------------------------
 
 
-def _done(found: list[str], written: list[Path], path: Path | None, action: Callable[..., Any], *args: Any) -> None:
-    """Write a file, if it was asked for: its path to ``written``, or the fault to ``found``."""
+def _write(found: list[str], written: list[Path], path: Path | None, action: Callable[..., Any], *args: Any) -> None:
+    """Write a file if it was asked for, and add its path to ``written``, or its fault to ``found``."""
     if path is not None:
         before = len(found)
         attempt(found, action, *args)
         written += [path] * (len(found) == before)
 
 
-def _draw(session: Session, plot: Path) -> None:
+def _plot(session: Session, plot: Path) -> None:
+    """Write the plot."""
     from carom.plot.gas import plot_gas
 
     plot_gas(session, plot)
 
 
-def _list(session: Session, measures: Path) -> None:
-    from carom.cli.gas_tables import finite
-    from carom.files import whole
+def _write_measures(session: Session, measures: Path) -> None:
+    """Write all measures as JSON."""
+    from carom.cli.gas_output import finite
+    from carom.files import write_text
     from carom.gas.report import report, series
 
-    with whole(measures) as part:
-        part.write_text(json.dumps(finite(report(session) | series(session)), allow_nan=False) + "\n", encoding="utf-8")
+    write_text(measures, json.dumps(finite(report(session) | series(session)), allow_nan=False) + "\n")
 
 
-def _tell(session: Session, as_json: bool, quiet: bool) -> None:
-    from carom.cli import gas_tables as tables
+def _print_report(session: Session, as_json: bool, quiet: bool) -> None:
+    """Print the report as JSON or as tables."""
+    from carom.cli import gas_output as tables
 
     if as_json:
         sys.stdout.write(tables.as_json(session))

@@ -1,4 +1,4 @@
-"""``carom orbit``: one ball in a table, a no-slip billiard or another; its bounces, portraits, exponents."""
+"""``carom orbit``: follow single-particle billiards; bounces, phase portraits, Lyapunov exponents."""
 
 from __future__ import annotations
 
@@ -9,17 +9,17 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.orbit_report import every_bounce, orbit_facts, tell_orbit
-from carom.cli.places import require_places
-from carom.cli.shared import attempt, working, wrote
+from carom.cli.common import attempt, require_outputs, working, wrote
+from carom.cli.options import BALL, OUTPUT, shared
+from carom.cli.orbit_output import every_bounce, orbit_facts, print_orbit
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
-    from carom.orbits import Orbit, Table
+    from carom.billiards import Orbit, Table
 
-TABLE, BALL, LAW, START, RESULT = "The table", "The ball", "The law", "The start", "What to make of it"
+TABLE, LAW, START = "Table", "Law", "Initial state"
 
-# What each table is made of: the options that it reads.
+# The options that each table uses.
 SIZES = {
     "circle": ("radius",),
     "ellipse": ("major", "minor"),
@@ -38,7 +38,7 @@ SOLIDS = ("sphere", "box", "plates")
 
 
 def register(app: typer.Typer) -> None:
-    """Add the verb."""
+    """Add the command."""
     app.command()(orbit)
 
 
@@ -48,88 +48,87 @@ def _size(text: str, **more: Any) -> Any:
 
 def orbit(
     table: Annotated[
-        str, typer.Argument(help=f"{', '.join(SIZES)}; or cylinder:NAME, a cylinder along z over one of the plane")
+        str, typer.Argument(help=f"{', '.join(SIZES)}; or cylinder:NAME, a cylinder along z over a table in the plane.")
     ],
-    bounces: Annotated[int, typer.Option(help="how many")] = 200,
+    bounces: Annotated[int, typer.Option(help="Number of bounces.")] = 200,
     bounds: Annotated[
-        str, typer.Option(help="what the table bounds: centre or surface", rich_help_panel=TABLE)
+        str, typer.Option(help="What the table bounds: the ball's centre or its surface.", rich_help_panel=TABLE)
     ] = "centre",
     radius: Annotated[
-        float | None, _size("of a circle, a stadium's ends, a polygon's corners, a scatterer, a sphere; m")
+        float | None, _size("Of a circle, a sphere, a stadium's ends, an obstacle; circumradius of a polygon; m.")
     ] = None,
-    major: Annotated[float | None, _size("half axis of an ellipse in x")] = None,
-    minor: Annotated[float | None, _size("half axis of an ellipse in y")] = None,
-    straight: Annotated[float | None, _size("length of a stadium's straight sides")] = None,
-    sides: Annotated[int | None, _size("of a regular polygon")] = None,
-    vertices: Annotated[str | None, _size("of any polygon: 'x,y x,y x,y ...'")] = None,
-    width: Annotated[float | None, _size("of a rectangle, a strip, a box")] = None,
+    major: Annotated[float | None, _size("Half axis of an ellipse in x, m.")] = None,
+    minor: Annotated[float | None, _size("Half axis of an ellipse in y, m.")] = None,
+    straight: Annotated[float | None, _size("Length of a stadium's straight sides, m.")] = None,
+    sides: Annotated[int | None, _size("Number of sides of a regular polygon.")] = None,
+    vertices: Annotated[str | None, _size("Of any polygon: 'x,y x,y x,y ...', m.")] = None,
+    width: Annotated[float | None, _size("Of a rectangle, a strip, a box, m.")] = None,
     height: Annotated[
-        float | None, _size("of a rectangle, a box; or between the lids of a cylinder, but over a rectangle")
+        float | None, _size("Of a rectangle, a box; distance of the lids of a cylinder (except over a rectangle), m.")
     ] = None,
-    depth: Annotated[float | None, _size("of a box, in z")] = None,
-    angle: Annotated[float | None, _size("of a wedge, degrees")] = None,
-    side: Annotated[float | None, _size("of Sinai's square cell")] = None,
-    period: Annotated[float | None, _size("of a periodic strip")] = None,
-    distance: Annotated[float | None, _size("between plates")] = None,
+    depth: Annotated[float | None, _size("Of a box, in z, m.")] = None,
+    angle: Annotated[float | None, _size("Of a wedge, degrees.")] = None,
+    side: Annotated[float | None, _size("Of Sinai's square cell, m.")] = None,
+    period: Annotated[float | None, _size("Of a periodic strip, m.")] = None,
+    distance: Annotated[float | None, _size("Between plates, m.")] = None,
     acceleration: Annotated[
         str | None,
-        _size("of a constant force, m/s^2: x,y or x,y,z; or a number, along a strip (x), plates, a cylinder (z)"),
+        _size("Constant acceleration, m/s^2: x,y or x,y,z; or a number: along a strip (x), plates or a cylinder (z)."),
     ] = None,
     kappa: Annotated[
-        float | None, typer.Option(help="I/(m a^2)", show_default="0.5; in space 0.4", rich_help_panel=BALL)
+        float | None,
+        typer.Option(help="Moment of inertia, I/(m a^2).", show_default="0.5; in space 0.4", rich_help_panel=BALL),
     ] = None,
     ball_radius: Annotated[
-        float | None, typer.Option(help="m", show_default="1; 0.1 where the surface is bounded", rich_help_panel=BALL)
+        float | None, typer.Option(help="Radius, m.", show_default="1; 0.1 with --bounds surface", rich_help_panel=BALL)
     ] = None,
     law: Annotated[
-        str, typer.Option(help="no-slip, mirror, contact, rolling, or your own: my_law.py:law", rich_help_panel=LAW)
+        str,
+        typer.Option(help="no-slip, mirror, contact, rolling, or a custom law: my_law.py:law.", rich_help_panel=LAW),
     ] = "no-slip",
-    restitution: Annotated[
-        float | None, typer.Option(help="of law contact", show_default="1", rich_help_panel=LAW)
-    ] = None,
-    friction: Annotated[
-        float | None, typer.Option(help="of law contact", show_default="inf", rich_help_panel=LAW)
-    ] = None,
+    restitution: Annotated[float | None, shared("restitution", default="1", rich_help_panel=LAW)] = None,
+    friction: Annotated[float | None, shared("friction", default="inf", rich_help_panel=LAW)] = None,
     tangential_restitution: Annotated[
-        float | None, typer.Option(help="of law contact", show_default="0", rich_help_panel=LAW)
+        float | None, shared("tangential_restitution", default="0", rich_help_panel=LAW)
     ] = None,
     corners: Annotated[
-        str, typer.Option(help="at a corner: end, or pass (one side, then the other)", rich_help_panel=LAW)
+        str, typer.Option(help="At a corner: end the orbit, or pass (one side, then the other).", rich_help_panel=LAW)
     ] = "end",
     position: Annotated[
-        str | None, typer.Option(help="of the centre: x,y or x,y,z", rich_help_panel=START, show_default="drawn")
+        str | None, typer.Option(help="Of the centre: x,y or x,y,z; m.", rich_help_panel=START, show_default="sampled")
     ] = None,
     velocity: Annotated[
-        str | None, typer.Option(help="x,y or x,y,z; m/s", rich_help_panel=START, show_default="drawn")
+        str | None, typer.Option(help="x,y or x,y,z; m/s.", rich_help_panel=START, show_default="sampled")
     ] = None,
     spin: Annotated[
-        str | None, typer.Option(help="rad/s; in space x,y,z", rich_help_panel=START, show_default="drawn, or 0")
+        str | None, typer.Option(help="rad/s; in space x,y,z.", rich_help_panel=START, show_default="sampled, or 0")
     ] = None,
-    orbits: Annotated[int, typer.Option(help="so many, drawn from the invariant measure", rich_help_panel=START)] = 1,
-    seed: Annotated[int, typer.Option(help="of what is drawn", rich_help_panel=START)] = 0,
-    plot: Annotated[
-        Path | None, typer.Option(help="picture of the (first) orbit in the table", rich_help_panel=RESULT)
-    ] = None,
-    portrait: Annotated[Path | None, typer.Option(help="picture of the velocity phase", rich_help_panel=RESULT)] = None,
-    boundary: Annotated[Path | None, typer.Option(help="picture of the boundary map", rich_help_panel=RESULT)] = None,
+    orbits: Annotated[
+        int, typer.Option(help="Number of orbits, sampled from the invariant measure.", rich_help_panel=START)
+    ] = 1,
+    seed: Annotated[int, shared("seed", rich_help_panel=START)] = 0,
+    plot: Annotated[Path | None, shared("plot", help="Draw the first orbit in the table: .svg, .pdf or .png.")] = None,
+    portrait: Annotated[Path | None, shared("plot", help="Draw the velocity phase portrait.")] = None,
+    boundary: Annotated[Path | None, shared("plot", help="Draw the boundary map.")] = None,
     lyapunov: Annotated[
-        bool, typer.Option("--lyapunov", help="the Lyapunov spectrum as well", rich_help_panel=RESULT)
+        bool, typer.Option("--lyapunov", help="Compute the Lyapunov spectrum.", rich_help_panel=OUTPUT)
     ] = False,
     reverse: Annotated[
-        bool, typer.Option("--reverse", help="run it backwards as well", rich_help_panel=RESULT)
+        bool,
+        typer.Option("--reverse", help="Run the orbits backwards, too, and print the error.", rich_help_panel=OUTPUT),
     ] = False,
-    json_: Annotated[bool, typer.Option("--json", help="as JSON, with every bounce", rich_help_panel=RESULT)] = False,
+    json_: Annotated[bool, shared("json", help="Print JSON on standard output, with every bounce.")] = False,
 ) -> None:
-    """One ball in a table: follow its bounces, as no-slip billiard or by another law.
+    """Single-particle billiards: follow one ball in a table from bounce to bounce, with the no-slip law or another.
 
-    Without a start one is drawn from the invariant measure. Sizes left out are about 1.
+    Without --position and --velocity, the initial state is sampled from the invariant measure. Default sizes are about 1 m.
     """
-    from carom import orbits as library
-    from carom.orbits.setup import law_of, prepare, setup_of
-    from carom.orbits.verbs import require_reversible, whole
+    from carom import billiards as library
+    from carom.billiards.orbits import require_integer, require_reversible
+    from carom.billiards.setup import law_of, orbit_setup, start_rows
 
     faults: list[str] = []
-    require_places(faults, {"--plot": plot, "--portrait": portrait, "--boundary": boundary})
+    require_outputs(faults, {"--plot": plot, "--portrait": portrait, "--boundary": boundary})
     given = {
         "radius": radius, "major": major, "minor": minor, "straight": straight, "sides": sides, "vertices": vertices,
         "width": width, "height": height, "depth": depth, "angle": angle, "side": side, "period": period,
@@ -139,63 +138,63 @@ def orbit(
     before = len(faults)
     surface = attempt(faults, _surface, law, restitution, friction, tangential_restitution)
     ball = None if made is None else attempt(faults, _ball, made, kappa, ball_radius)
-    together = len(faults) == before  # (else each of these would be told again below)
-    attempt(faults, whole, "bounces", bounces)
-    attempt(faults, whole, "seed", seed, 0)
+    together = len(faults) == before  # else each of these faults would be reported again below
+    attempt(faults, require_integer, "bounces", bounces)
+    attempt(faults, require_integer, "seed", seed, 0)
     begin = None if made is None else attempt(faults, _given, made, position, velocity, spin, orbits)
     if together:
         if made is None:
             attempt(faults, law_of, law, surface)
-        elif (setup := attempt(faults, setup_of, made, ball, law, surface, corners)) is not None:
+        elif (setup := attempt(faults, orbit_setup, made, ball, law, surface, corners)) is not None:
             if reverse:
                 attempt(faults, require_reversible, setup)
             if begin is not None:
-                attempt(faults, prepare, setup, begin)
+                attempt(faults, start_rows, setup, begin)
     if faults:
         raise CaromError(*faults)
     options = {"ball": ball, "law": law, "surface": surface}
     if begin is None:
-        begin = _drawn(made, orbits, seed, ball, law)
-    with working("orbits") as say:
-        found = library.orbit(made, begin, bounces, corners=corners, progress=say, **options)
+        begin = _sampled(made, orbits, seed, ball, law)
+    with working("orbits") as report:
+        found = library.orbit(made, begin, bounces, corners=corners, progress=report, **options)
         facts = orbit_facts(found, made, begin, options, lyapunov=lyapunov, back=reverse)
     if json_:
         facts["bounces"] = every_bounce(found)
         print(json.dumps(facts, indent=2, allow_nan=False))  # noqa: T201
     else:
-        tell_orbit(facts, found)
+        print_orbit(facts, found)
     _draw(found, plot, portrait, boundary)
 
 
 def _table(name: str, given: dict[str, Any], bounds: str) -> Table:
-    from carom import orbits
-    from carom.checks import meant
+    from carom import billiards
+    from carom.errors import did_you_mean
 
     over, colon, flat = name.partition(":")
     given, pull = _force(name, given)
     kind = flat if colon else name
     known = [*SIZES, "cylinder:circle"]
     if kind not in SIZES or (colon and (over != "cylinder" or kind in SOLIDS)):
-        raise CaromError(f"orbit: table: expected one of {', '.join(known)}, got {name!r}{meant(name, known)}")
+        raise CaromError(f"orbit: table: expected one of {', '.join(known)}, got {name!r}{did_you_mean(name, known)}")
     own = SIZES[kind] + (("height", "acceleration") if colon else ())
     faults = [
-        f"--{key}: {name} has no such size; it has {', '.join(f'--{k}' for k in own)}"
+        f"--{key}: a {name} has no such size; it has {', '.join(f'--{k}' for k in own)}"
         for key in given
         if key not in own
     ]
     if faults:
         raise CaromError(*faults)
     sizes = dict(given)
-    # the force acts along the cylinder, the height is its own unless the section has one
+    # a scalar acceleration acts along the cylinder; the height is the cylinder's unless the section has one
     axial = {"acceleration", "height"} - ({"height"} & set(SIZES[kind])) if colon else set()
     solid = {key: sizes.pop(key) for key in axial & set(sizes)}
-    section = _make(orbits, kind, sizes, bounds)
-    made = orbits.cylinder(section, **solid) if colon else section
-    return made if pull is None else orbits.under(made, pull)
+    section = _make(billiards, kind, sizes, bounds)
+    made = billiards.cylinder(section, **solid) if colon else section
+    return made if pull is None else billiards.under(made, pull)
 
 
 def _force(name: str, given: dict[str, Any]) -> tuple[dict[str, Any], tuple[float, ...] | None]:
-    """The sizes, with an acceleration along the table as a number among them; one with components apart from them."""
+    """Return the sizes, a scalar acceleration along the table among them, and an acceleration vector (or None)."""
     text = given.get("acceleration")
     if text is None:
         return given, None
@@ -207,28 +206,28 @@ def _force(name: str, given: dict[str, Any]) -> tuple[dict[str, Any], tuple[floa
     return rest, _numbers("--acceleration", text, 3 if colon or over in SOLIDS else 2)
 
 
-def _make(orbits: Any, kind: str, sizes: dict[str, Any], bounds: Any) -> Table:  # noqa: PLR0911  (one return a table)
+def _make(billiards: Any, kind: str, sizes: dict[str, Any], bounds: Any) -> Table:  # noqa: PLR0911  (one return per table)
     b = {"bounds": bounds}
     if kind == "polygon":
         if "vertices" in sizes:
             if len(sizes) > 1:
-                raise CaromError("--vertices: expected no --sides or --radius beside them")
-            return orbits.polygon(_points(sizes["vertices"]), **b)  # type: ignore[no-any-return]
-        return orbits.regular(sizes.pop("sides", 3), **sizes, **b)  # type: ignore[no-any-return]
+                raise CaromError("--vertices: expected neither --sides nor --radius with it")
+            return billiards.polygon(_points(sizes["vertices"]), **b)  # type: ignore[no-any-return]
+        return billiards.regular(sizes.pop("sides", 3), **sizes, **b)  # type: ignore[no-any-return]
     if kind == "wedge":
         angle = sizes.get("angle", 40.0)
         if not 0 < angle < 180:
             raise CaromError(f"--angle: expected degrees > 0 and < 180, got {angle:g}")
-        return orbits.wedge(math.radians(angle), **b)  # type: ignore[no-any-return]
+        return billiards.wedge(math.radians(angle), **b)  # type: ignore[no-any-return]
     if kind == "periodic-strip":
         r = sizes.pop("radius", 0.2)
-        return orbits.periodic_strip(**sizes, scatterers=((0.0, 0.0, r),), **b)  # type: ignore[no-any-return]
+        return billiards.periodic_strip(**sizes, scatterers=((0.0, 0.0, r),), **b)  # type: ignore[no-any-return]
     if kind == "box":
-        return orbits.box([sizes.get(key, 1.0) for key in ("width", "height", "depth")], **b)  # type: ignore[no-any-return]
+        return billiards.box([sizes.get(key, 1.0) for key in ("width", "height", "depth")], **b)  # type: ignore[no-any-return]
     if kind == "plates":
         g = sizes.pop("acceleration", 0.0)
-        return orbits.plates(**sizes, acceleration=(0.0, g), **b)  # type: ignore[no-any-return]
-    return getattr(orbits, kind)(**sizes, **b)  # type: ignore[no-any-return]
+        return billiards.plates(**sizes, acceleration=(0.0, g), **b)  # type: ignore[no-any-return]
+    return getattr(billiards, kind)(**sizes, **b)  # type: ignore[no-any-return]
 
 
 def _points(text: str) -> list[tuple[float, ...]]:
@@ -247,8 +246,8 @@ def _numbers(option: str, text: str, count: int) -> tuple[float, ...]:
 
 
 def _ball(table: Table, kappa: float | None, radius: float | None) -> Any:
-    from carom.ball import Ball, Disc
-    from carom.orbits.setup import default_ball
+    from carom.billiards.setup import default_ball
+    from carom.bodies import Ball, Disc
 
     if kappa is None and radius is None:
         return None
@@ -258,51 +257,44 @@ def _ball(table: Table, kappa: float | None, radius: float | None) -> Any:
 
 
 def _surface(law: str, e: float | None, mu: float | None, beta: float | None) -> Any:
-    from carom.surface import Surface
+    from carom.billiards.setup import law_of, needs_surface
+    from carom.bodies import Surface
 
     given = {"restitution": e, "friction": mu, "tangential_restitution": beta}
     chosen: dict[str, Any] = {key: value for key, value in given.items() if value is not None}
-    idle = set(chosen) if law in ("no-slip", "rolling", "conventional") else set()
-    if law == "mirror":
-        idle = set(chosen) - {"restitution"}
-    if idle:
-        raise CaromError(
-            *(
-                f"--{key.replace('_', '-')}: law {law} needs none; --law contact reads it"
-                for key in given
-                if key in idle
-            )
-        )
-    return Surface(**chosen) if chosen or law == "contact" else None
+    used = law_of(law, Surface() if needs_surface(law) else None)[0].free
+    if idle := [key for key in chosen if key not in used]:
+        raise CaromError(*(f"--{key.replace('_', '-')}: law {law} does not use it; --law contact does" for key in idle))
+    return Surface(**chosen) if chosen or needs_surface(law) else None
 
 
 def _given(table: Table, position: str | None, velocity: str | None, spin: str | None, count: int) -> Any:
-    """The start that the options give; None where it is to be drawn."""
-    from carom import orbits
-    from carom.orbits.verbs import whole
+    """Return the initial state that the options give; None where it is to be sampled."""
+    from carom import billiards
+    from carom.billiards.orbits import require_integer
 
     d = table.dimension
     if (position is None) != (velocity is None):
         missing, given = ("--velocity", "--position") if velocity is None else ("--position", "--velocity")
-        raise CaromError(f"{missing}: expected one beside {given}, got none")
+        raise CaromError(f"{missing}: expected one together with {given}, got none")
     if position is None or velocity is None:
         if spin is not None:
-            raise CaromError("--spin: expected --position and --velocity beside it, got none")
-        whole("orbits", count)
+            raise CaromError("--spin: expected --position and --velocity with it, got none")
+        require_integer("orbits", count)
         return None
     if count != 1:
-        raise CaromError(f"--orbits: expected 1 where a start is given, got {count}; left out, starts are drawn")
+        raise CaromError(f"--orbits: expected 1 with --position, got {count}; without it, initial states are sampled")
     turn = () if spin is None else _numbers("--spin", spin, 1 if d == 2 else 3)
     start = (_numbers("--position", position, d), _numbers("--velocity", velocity, d))
-    return orbits.Start(*start, (turn[0] if turn else 0.0) if d == 2 else (turn or 0.0))
+    return billiards.Start(*start, (turn[0] if turn else 0.0) if d == 2 else (turn or 0.0))
 
 
-def _drawn(table: Table, count: int, seed: int, ball: Any, law: str) -> Any:
-    """Starts from the invariant measure."""
-    from carom import orbits
+def _sampled(table: Table, count: int, seed: int, ball: Any, law: str) -> Any:
+    """Return initial states from the invariant measure."""
+    from carom import billiards
 
     try:
-        return orbits.starts(table, count, seed, ball=ball, law=law)
+        return billiards.starts(table, count, seed, ball=ball, law=law)
     except CaromError as error:
         raise CaromError(
             *(fault.replace("starts of your own", "--position and --velocity") for fault in error.faults)
@@ -313,7 +305,7 @@ def _draw(found: Orbit, plot: Path | None, portrait: Path | None, boundary: Path
     if plot is None and portrait is None and boundary is None:
         return
     from carom.plot import save
-    from carom.plot.orbits import plot_boundary, plot_orbit, plot_portrait
+    from carom.plot.billiards import plot_boundary, plot_orbit, plot_portrait
 
     for path, make in ((plot, plot_orbit), (portrait, plot_portrait), (boundary, plot_boundary)):
         if path is not None:

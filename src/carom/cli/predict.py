@@ -1,4 +1,4 @@
-"""``carom predict``: a table of incoming states to the same table with the outgoing state added."""
+"""``carom predict``: add the outgoing states that a law predicts to a table of incoming states."""
 
 from __future__ import annotations
 
@@ -10,13 +10,14 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
-from carom.cli.shared import attempt, working, wrote
+from carom.cli.common import attempt, require_outputs, working, wrote
+from carom.cli.options import WALL, parse_inertia, shared
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
-    from carom.law import Law
+    from carom.laws.law import Law
 
-BALL, WALL, FLOOR, TABLE = "The ball", "The wall", "The floor", "The table"
+TABLE = "Table"
 
 
 def register(app: typer.Typer) -> None:
@@ -25,67 +26,53 @@ def register(app: typer.Typer) -> None:
 
 
 def predict(
-    table: Annotated[Path, typer.Argument(help="CSV or Parquet, a state a row; see the guide for columns and units")],
-    law: Annotated[str, typer.Option(help="a law's name (carom laws), or your own: my_law.py:law")] = "two-step",
-    out: Annotated[Path | None, typer.Option(help="new file of the same kind; left out: standard output (CSV)")] = None,
-    strict: Annotated[
-        bool, typer.Option("--strict", help="a row without an answer is an error: nothing is written")
-    ] = False,
-    json_: Annotated[bool, typer.Option("--json", help="a summary as JSON on standard output (with --out)")] = False,
+    table: Annotated[
+        Path, typer.Argument(help="CSV or Parquet, one state per row; the guide lists columns and units.")
+    ],
+    law: Annotated[str, typer.Option(help="Name of a law (carom laws), or a custom one: my_law.py:law.")] = "two-step",
+    out: Annotated[Path | None, typer.Option(help="New file of the same kind. Default: standard output (CSV).")] = None,
+    strict: Annotated[bool, typer.Option("--strict", help="Fail, and write nothing, if a row has no answer.")] = False,
+    json_: Annotated[bool, shared("json", help="Print a summary as JSON on standard output (with --out).")] = False,
     spin: Annotated[
         str | None,
         typer.Option(
-            help="where the table has no spin: rolling or none", show_default="rolling; none for contact, maw, stronge"
+            help="Spin of rows without one: rolling or none.", show_default="rolling; none for contact, maw, stronge"
         ),
     ] = None,
-    suffix: Annotated[str | None, typer.Option(help="put after the names of the added columns")] = None,
+    suffix: Annotated[str | None, typer.Option(help="Suffix of the names of added columns.")] = None,
     speed: Annotated[
-        float | None, typer.Option(help="of every row, m/s, beside incidence_deg", rich_help_panel=TABLE)
-    ] = None,
-    radius: Annotated[float | None, typer.Option(help="m", show_default="0.02625", rich_help_panel=BALL)] = None,
-    mass: Annotated[float | None, typer.Option(help="kg", show_default="0.1406", rich_help_panel=BALL)] = None,
-    inertia: Annotated[
-        str | None, typer.Option(help="solid, hollow or kappa", show_default="solid", rich_help_panel=BALL)
-    ] = None,
-    height: Annotated[
-        float | None, typer.Option(help="of the centre above its place on the floor, m", rich_help_panel=BALL)
-    ] = None,
-    restitution: Annotated[float | None, typer.Option(show_default="1", rich_help_panel=WALL)] = None,
-    friction: Annotated[float | None, typer.Option(show_default="inf", rich_help_panel=WALL)] = None,
-    tangential_restitution: Annotated[float | None, typer.Option(show_default="0", rich_help_panel=WALL)] = None,
-    stiffness_ratio: Annotated[
         float | None,
-        typer.Option(
-            help="along the surface, for maw, stronge", show_default="14/17: like solids", rich_help_panel=WALL
-        ),
+        typer.Option(help="Speed of every row, m/s, for tables with incidence_deg.", rich_help_panel=TABLE),
     ] = None,
+    radius: Annotated[float | None, shared("radius", default="0.02625")] = None,
+    mass: Annotated[float | None, shared("mass", default="0.1406")] = None,
+    inertia: Annotated[str | None, shared("inertia", default="solid")] = None,
+    height: Annotated[float | None, shared("height", default="0")] = None,
+    restitution: Annotated[float | None, shared("restitution", default="1")] = None,
+    friction: Annotated[float | None, shared("friction", default="inf")] = None,
+    tangential_restitution: Annotated[float | None, shared("tangential_restitution", default="0")] = None,
+    stiffness_ratio: Annotated[float | None, shared("stiffness_ratio", default="14/17: like solids")] = None,
     normal: Annotated[
-        str | None, typer.Option(help="from wall to ball, vector form", show_default="1,0,0", rich_help_panel=WALL)
-    ] = None,
-    contact_height: Annotated[
-        float,
+        str | None,
         typer.Option(
-            "--contact-height",
-            "--cushion-height",
-            help="where it touches, in radii: a cushion 1.4",
-            rich_help_panel=WALL,
+            help="Normal from wall to ball, for states as vectors.", show_default="1,0,0", rich_help_panel=WALL
         ),
-    ] = 1.0,
-    floor_restitution: Annotated[float | None, typer.Option(show_default="0", rich_help_panel=FLOOR)] = None,
-    floor_friction: Annotated[float | None, typer.Option(show_default="inf", rich_help_panel=FLOOR)] = None,
-    floor_tangential_restitution: Annotated[float | None, typer.Option(show_default="0", rich_help_panel=FLOOR)] = None,
-    floor_contact: Annotated[str, typer.Option(help="with the wall, or after it", rich_help_panel=FLOOR)] = "with",
-    gravity: Annotated[float, typer.Option(help="m/s^2", rich_help_panel=FLOOR)] = 9.80665,
+    ] = None,
+    contact_height: Annotated[float, shared("contact_height")] = 1.0,
+    floor_restitution: Annotated[float | None, shared("floor_restitution", default="0")] = None,
+    floor_friction: Annotated[float | None, shared("floor_friction", default="inf")] = None,
+    floor_tangential_restitution: Annotated[float | None, shared("floor_tangential_restitution", default="0")] = None,
+    floor_contact: Annotated[str, shared("floor_contact")] = "with",
+    gravity: Annotated[float, shared("gravity")] = 9.80665,
 ) -> None:
-    """A table of incoming states, one a row, to the same table with the outgoing state added.
+    """Add the outgoing states that a law predicts to a table of incoming states, one per row.
 
-    An option wins over a column of the same name. Rows without an answer keep their place; the note column says why.
+    An option takes precedence over a column of the same name. Rows without an answer stay in the table, with the reason in
+    the note column.
     """
-    from carom.ball import INERTIAS
-    from carom.files import try_place
-    from carom.own_law import find_law
-    from carom.predict import Settings, predict_table, spin_rule
-    from carom.tables.plan import bad_numbers
+    from carom.data.limits import bad_numbers
+    from carom.data.predict import PredictSettings, predict_table, spin_rule
+    from carom.laws.user import find_law
 
     faults: list[str] = []
     given = {
@@ -96,11 +83,8 @@ def predict(
         "floor_tangential_restitution": floor_tangential_restitution,
     }  # fmt: skip
     numbers = {name: value for name, value in given.items() if value is not None}
-    if inertia is not None:
-        try:
-            numbers["kappa"] = INERTIAS[inertia] if inertia in INERTIAS else float(inertia)
-        except ValueError:
-            faults.append(f"--inertia: expected solid, hollow or kappa = I/(m a^2), got {inertia!r}")
+    if inertia is not None and (kappa := attempt(faults, parse_inertia, inertia)) is not None:
+        numbers["kappa"] = kappa
     values: dict[str, Any] = {"given": numbers, "contact_height": contact_height, "gravity": gravity, "suffix": suffix}
     for name, make in (
         ("law", lambda: find_law(law)),
@@ -116,10 +100,7 @@ def predict(
     faults += idle.values()
     read = {name: value for name, value in numbers.items() if name not in idle}
     faults += bad_numbers(read, values.get("normal"), contact_height, gravity)
-    if out is not None:
-        no_place: list[str] = []
-        attempt(no_place, try_place, out)
-        faults += [f"--out {fault}" for fault in no_place]
+    require_outputs(faults, {"--out": out}, {"--out": ()}, source=table)
     if json_ and out is None:
         faults.append("--out: expected a file for the table, got none, and --json takes the standard output")
     if faults:
@@ -130,7 +111,7 @@ def predict(
         console.print(f"[dim]{escape(note)}[/]", soft_wrap=True)
 
     with working("predict", console, *(["compiling the law"] if ".py:" in law else [])) as progress:
-        summary = predict_table(table, out, Settings(**values), strict=strict, progress=progress, say=say)
+        summary = predict_table(table, out, PredictSettings(**values), strict=strict, progress=progress, say=say)
     if json_:
         print(json.dumps({**vars(summary), "without_answer": summary.without_answer}, indent=2, allow_nan=False))  # noqa: T201
     _report(console, summary)
@@ -142,11 +123,11 @@ def _report(console: Console, summary: Any) -> None:
     more = summary.without_answer - len(summary.faults)
     if more > 0:
         console.print(
-            f"[yellow]and {more:,} more rows without an answer[/]; the column {summary.added[-1]} has them all"
+            f"[yellow]and {more:,} more row{'s' * (more > 1)} without an answer[/]; the column {summary.added[-1]} lists all"
         )
     rate = summary.rows / summary.seconds if summary.seconds else 0
     console.print(
-        f"[bold]{summary.law}[/]: {summary.answered:,} of {summary.rows:,} rows answered"
+        f"[bold]{summary.law}[/]: {summary.answered:,} of {summary.rows:,} row{'s' * (summary.rows != 1)} answered"
         + (f" in {summary.seconds:.1f} s ({rate:,.0f} rows/s)" if summary.seconds > 1 else ""),
         soft_wrap=True,
     )
@@ -155,8 +136,8 @@ def _report(console: Console, summary: Any) -> None:
 
 
 def _unread(law: Law | None, numbers: dict[str, float]) -> dict[str, str]:
-    """Faults of options that were given and that the law does not read, by name."""
-    from carom.tables.plan import unread
+    """Return faults of options that were given and that the law does not read, by name."""
+    from carom.data.plan import unread
 
     idle = [] if law is None else unread(law)
     reads = "" if law is None else ", ".join(law.reads or ())

@@ -1,4 +1,4 @@
-"""``carom scene``: a scene to begin with; all that is wrong with one."""
+"""``carom scene``: write a first scene file, and validate one."""
 
 from __future__ import annotations
 
@@ -8,43 +8,44 @@ from typing import Annotated
 
 import typer
 
+from carom.cli.options import shared
+
 
 def register(app: typer.Typer) -> None:
     """Add the verbs to the command."""
-    scene = typer.Typer(help="Scene files: write one to begin with, check one.", no_args_is_help=True)
+    scene = typer.Typer(help="Write a first scene file, or validate one.", no_args_is_help=True)
     scene.command("new")(new)
     scene.command("check")(check)
     app.add_typer(scene, name="scene")
 
 
 def new(
-    file: Annotated[Path | None, typer.Argument(metavar="[FILE]", help="Where to; left out: standard output.")] = None,
+    file: Annotated[
+        Path | None, typer.Argument(metavar="[FILE]", help="File to write. Default: standard output.")
+    ] = None,
     gas: Annotated[bool, typer.Option("--gas", help="A gas of balls, for carom gas.")] = False,
-    force: Annotated[bool, typer.Option("--force", help="Write over a file that is there.")] = False,
+    force: Annotated[bool, shared("force")] = False,
 ) -> None:
     """Write a commented scene that runs as it stands: one ball on a carom table; or a gas."""
-    from carom.cli.shared import wrote
+    from carom.cli.common import wrote
     from carom.errors import CaromError
-    from carom.files import whole
-    from carom.gas.toml import new_gas
+    from carom.files import write_text
+    from carom.gas.build import new_gas
     from carom.scene.toml import new_scene
 
     text = new_gas() if gas else new_scene()
     if file is None:
         sys.stdout.write(text)
         return
-    if file.is_dir():
-        raise CaromError(f"{file}: expected a file to write, got a folder; name a file in it")
-    if file.exists() and not force:
-        raise CaromError(f"{file}: expected a new file, got one that is there; --force writes over it")
-    with whole(file) as part:
-        part.write_text(text, encoding="utf-8")
+    if file.is_file() and not force:
+        raise CaromError(f"{file}: expected a new file, got one that exists; --force overwrites it")
+    write_text(file, text)
     wrote(file)
 
 
 def check(file: Annotated[Path, typer.Argument(metavar="FILE", help="A scene, as TOML.")]) -> None:
-    """Say all that is wrong with a scene, at once; or what it is."""
-    from carom.gas.toml import is_gas, load_gas
+    """Validate a scene, or summarise it."""
+    from carom.gas.build import is_gas, load_gas
     from carom.scene.toml import load_scene
 
     if is_gas(file):

@@ -1,4 +1,4 @@
-"""``carom simulate``: a scene's run in words, as a table, as JSON; as a picture, an animation, a file."""
+"""``carom simulate``: run a scene, and describe, print, plot, animate or save the result."""
 
 from __future__ import annotations
 
@@ -14,15 +14,16 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.places import require_places
-from carom.cli.shared import attempt, wrote
+from carom.cli.common import attempt, require_outputs, wrote
+from carom.cli.options import OUTPUT, RUN, shared
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
-    from carom.scene.model import Scene
-    from carom.trajectory import Trajectory
+    from rich.console import Console
 
-RUN, SHOWN, FILES = "The run", "What is shown", "Files"
+    from carom.scene.scene import Scene
+    from carom.simulation.trajectory import Trajectory
+
 ANIMATIONS, TABLES = (".mp4", ".gif", ".html"), (".csv", ".parquet")
 
 
@@ -32,52 +33,54 @@ def register(app: typer.Typer) -> None:
 
 
 def simulate(
-    scene: Annotated[Path, typer.Argument(metavar="SCENE.toml", help="A scene; carom scene new FILE writes one.")],
+    scene: Annotated[Path, typer.Argument(metavar="SCENE.toml", help="A scene file; carom scene new FILE writes one.")],
     law: Annotated[
         str | None,
-        typer.Option(metavar="NAME", help="In place of the scene's; or my_law.py:law.", rich_help_panel=RUN),
+        typer.Option(
+            metavar="NAME", help="Law of the walls, or my_law.py:law. Default: the scene's.", rich_help_panel=RUN
+        ),
     ] = None,
     duration: Annotated[
-        str | None, typer.Option(metavar="S", help='In place of the scene\'s; s, or "500 ms".', rich_help_panel=RUN)
+        str | None, shared("duration", default="the scene's", help='Duration: a number in s, or "500 ms".')
     ] = None,
     max_events: Annotated[
-        int | None, typer.Option(metavar="N", help="In place of the scene's.", rich_help_panel=RUN)
+        int | None, shared("max_events", default="the scene's", help="Largest number of events.")
     ] = None,
     at: Annotated[
         list[str] | None,
-        typer.Option(metavar="T", help="States at this time, s; repeated, or 0.5,1,2.", rich_help_panel=SHOWN),
+        typer.Option(
+            metavar="T", help="Print the states at this time, s; may be repeated, or 0.5,1,2.", rich_help_panel=OUTPUT
+        ),
     ] = None,
     events: Annotated[
-        str | None, typer.Option(metavar="all|N", help="Rows of the table of events.", rich_help_panel=SHOWN)
+        str | None,
+        typer.Option(metavar="all|N", help="Rows of the table of events. Default: 40.", rich_help_panel=OUTPUT),
     ] = None,
-    as_json: Annotated[
-        bool, typer.Option("--json", help="JSON on standard output, nothing else.", rich_help_panel=SHOWN)
-    ] = False,
-    quiet: Annotated[
-        bool, typer.Option("--quiet", help="Nothing on the screen but errors.", rich_help_panel=SHOWN)
-    ] = False,
-    plot: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Draw it: .svg, .pdf or .png.", rich_help_panel=FILES)
-    ] = None,
+    as_json: Annotated[bool, shared("json")] = False,
+    quiet: Annotated[bool, shared("quiet")] = False,
+    plot: Annotated[Path | None, shared("plot")] = None,
     animate: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Film it: .mp4, .gif or .html.", rich_help_panel=FILES)
+        Path | None,
+        typer.Option(metavar="FILE", help="Write an animation: .mp4, .gif or .html.", rich_help_panel=OUTPUT),
     ] = None,
     save: Annotated[
         Path | None,
-        typer.Option(metavar="FILE", help="The run, for carom.load_trajectory: .parquet, .nc.", rich_help_panel=FILES),
+        typer.Option(
+            metavar="FILE", help="Save the run for carom.load_trajectory: .parquet or .nc.", rich_help_panel=OUTPUT
+        ),
     ] = None,
     table: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="All events: .csv or .parquet.", rich_help_panel=FILES)
+        Path | None, typer.Option(metavar="FILE", help="Write all events: .csv or .parquet.", rich_help_panel=OUTPUT)
     ] = None,
 ) -> None:
-    """Follow the balls of a scene from event to event: the run in words, its events, where it ends."""
-    from carom.storage import KINDS_OF_FILE
+    """Simulate a scene event by event; print a description, the events, the final states and the energy budget."""
+    from carom.simulation.save import FORMATS
 
     try:
         found: list[str] = []
         most, times = attempt(found, _most, events), attempt(found, _times, at)
-        kinds = {"--animate": ANIMATIONS, "--save": KINDS_OF_FILE, "--table": TABLES}
-        require_places(found, {"--plot": plot, "--animate": animate, "--save": save, "--table": table}, kinds)
+        kinds = {"--animate": ANIMATIONS, "--save": FORMATS, "--table": TABLES}
+        require_outputs(found, {"--plot": plot, "--animate": animate, "--save": save, "--table": table}, kinds)
         given = attempt(found, _scene, scene, {"law": law, "duration": duration, "max_events": max_events})
         if found:
             raise CaromError(*found)
@@ -95,8 +98,8 @@ def simulate(
 
 
 def _most(text: str | None) -> int | None:
-    """Rows of the table of events; None for all."""
-    from carom.cli.trajectory_tables import MOST_ROWS
+    """Return the number of rows of the table of events; None for all."""
+    from carom.cli.trajectory_output import MOST_ROWS
 
     if text is None:
         return MOST_ROWS
@@ -108,7 +111,7 @@ def _most(text: str | None) -> int | None:
 
 
 def _times(texts: list[str] | None) -> list[float]:
-    """Times asked for, in order."""
+    """Return the requested times, sorted."""
     found = []
     for text in ",".join(texts or []).replace(",", " ").split():
         try:
@@ -122,8 +125,8 @@ def _times(texts: list[str] | None) -> list[float]:
 
 
 def _scene(path: Path, changes: dict[str, Any]) -> Scene:
-    """The scene of a file, with what the options say in place of its [run]."""
-    from carom.scene.model import Run, Scene
+    """Return the scene of a file, with the options in place of its [run] settings."""
+    from carom.scene.scene import Run, Scene
     from carom.scene.toml import load_scene
 
     found: list[str] = []
@@ -141,7 +144,7 @@ def _scene(path: Path, changes: dict[str, Any]) -> Scene:
         raise CaromError(*found)
     if run is None:
         return scene  # type: ignore[no-any-return]
-    try:  # checked anew as a whole: another law may need what the walls have not
+    try:  # validated anew as a whole: another law may need numbers that the walls do not have
         return Scene(**{name: getattr(scene, name) for name in Scene.model_fields} | {"run": run})
     except CaromError as error:
         raise CaromError(*(_renamed(fault, {"Scene:": f"{path}:"}) for fault in error.faults)) from None
@@ -158,23 +161,24 @@ def _renamed(fault: str, names: dict[str, str]) -> str:
 
 
 def _run(scene: Scene, quiet: bool) -> Trajectory:
-    from carom.engine.run import compiled_before, compiled_engine
-    from carom.engine.setup import set_up
-    from carom.simulation import simulate as follow
+    from carom.cli.progress import show_progress
+    from carom.simulation.compiled import loops_of
+    from carom.simulation.simulate import simulate as follow
 
-    with _busy(quiet) as say:
-        if not quiet and not compiled_before(scene):
-            say("compiling the engine, once", True)
-        with _interruptible() as asked:
+    with show_progress(_console(), quiet, *loops_of(scene)) as say, _interruptible() as asked:
 
-            def on_the_way(events: int, t: float) -> None:
-                if asked:  # and nothing came of it
-                    raise KeyboardInterrupt
-                say(f"simulating: {events:,} events, {t:.4g} s", False)
+        def on_the_way(events: int, t: float) -> None:
+            if asked:  # and nothing came of it
+                raise KeyboardInterrupt
+            say(f"simulating: {events:,} events, {t:.4g} s")
 
-            compiled_engine()
-            set_up(scene)  # which compiles what only this scene needs: rims, laws of its own
-            return follow(scene, on_the_way)
+        return follow(scene, on_the_way)
+
+
+def _console() -> Console:
+    from rich.console import Console
+
+    return Console(stderr=True, highlight=False)
 
 
 @contextlib.contextmanager
@@ -204,29 +208,8 @@ def _interruptible() -> Iterator[list[bool]]:
         raise KeyboardInterrupt
 
 
-@contextlib.contextmanager
-def _busy(quiet: bool) -> Iterator[Callable[[str, bool], None]]:
-    """A function that says on standard error what goes on: in place on a terminal; elsewhere only what is important."""
-    from rich.console import Console
-
-    console = Console(stderr=True, highlight=False)
-    with contextlib.ExitStack() as stack:
-        status: Any = None
-
-        def say(text: str, important: bool) -> None:
-            nonlocal status
-            if console.is_terminal and not quiet:
-                if status is None:
-                    status = stack.enter_context(console.status(text))
-                status.update(text)
-            elif important:
-                console.print(text, soft_wrap=True)
-
-        yield say
-
-
 def _reached(run: Trajectory, times: list[float]) -> None:
-    """CaromError for times that the run did not reach."""
+    """Raise CaromError for times that the run did not reach."""
     if run.ended != "nothing more happens" and times and times[-1] > run.end:
         raise CaromError(
             f"--at: expected times from 0 to {run.end:.9g} s, where the run ends, got {times[-1]:g}; a longer --duration"
@@ -241,7 +224,7 @@ def _write(
     run: Trajectory, quiet: bool, plot: Path | None, animate: Path | None, save: Path | None, table: Path | None
 ) -> list[Path]:
     """Write the files, all of them or none."""
-    from carom.storage import whole
+    from carom.files import atomic_path
 
     makers: list[tuple[Path | None, Callable[[Path], Any]]] = [
         (plot, run.plot),
@@ -252,7 +235,7 @@ def _write(
     asked = [(path, make) for path, make in makers if path is not None]
     with contextlib.ExitStack() as stack:
         for path, make in asked:
-            part = stack.enter_context(whole(path))
+            part = stack.enter_context(atomic_path(path))
             try:
                 make(part)
             except CaromError as error:  # with the name that was given
@@ -261,8 +244,8 @@ def _write(
 
 
 def _table(run: Trajectory, path: Path) -> None:
-    """All events as CSV or Parquet, every number in full."""
-    from carom.tidy import event_columns
+    """Write all events as CSV or Parquet, every number in full precision."""
+    from carom.simulation.tables import event_columns
 
     columns = event_columns(run, run.events.rows)
     if path.suffix.lower() == ".csv":
@@ -271,23 +254,22 @@ def _table(run: Trajectory, path: Path) -> None:
             writer.writerow(columns)
             writer.writerows(zip(*(values.tolist() for values in columns.values()), strict=True))
         return
-    from carom.storage import write_parquet
+    from carom.simulation.save import write_parquet
 
     write_parquet(columns, {}, path)
 
 
 def _animate(run: Trajectory, path: Path, quiet: bool) -> None:
-    from rich.console import Console
     from rich.progress import Progress
 
-    console = Console(stderr=True, highlight=False)
+    console = _console()
     with Progress(console=console, transient=True, disable=quiet or not console.is_terminal) as bar:
-        task = bar.add_task("filming", total=None)
+        task = bar.add_task("rendering", total=None)
         run.animate(path, progress=lambda done, total: bar.update(task, completed=done, total=total))
 
 
 def _tell(run: Trajectory, times: list[float], most: int | None, as_json: bool, quiet: bool) -> None:
-    from carom.cli import trajectory_tables as tables
+    from carom.cli import trajectory_output as tables
 
     if as_json:
         sys.stdout.write(tables.as_json(run, times))

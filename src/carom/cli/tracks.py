@@ -1,4 +1,4 @@
-"""``carom tracks show``: what a track file holds, the contacts in it, and the rebounds that can be measured."""
+"""``carom tracks show``: summary of a track file, and velocities before and after each contact with a wall."""
 
 from __future__ import annotations
 
@@ -12,21 +12,20 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
-from carom.cli.fit_options import length_of
-from carom.cli.places import require_places
-from carom.cli.shared import attempt, wrote
-from carom.cli.shared import out as stdout
+from carom.cli.common import attempt, require_outputs, wrote
+from carom.cli.common import out as stdout
+from carom.cli.options import FLOOR, parse_inertia, parse_length, shared
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
-    from carom.tracks.contact import Contact
-    from carom.tracks.measure import Measured
+    from carom.tracks.contact import TrackContact
+    from carom.tracks.measurement import Measured
     from carom.tracks.read import TrackFile
 
-FILE, BALL, FLOOR, FIT = "What the file may lack", "The ball", "Walls and floor", "The fits"
-MOST_TRACKS, MOST_CONTACTS = 12, 30
+FILE, FIT = "Track file", "Contact fits"
+MAX_TRACKS, MAX_ROWS = 12, 30
 
-tracks = typer.Typer(help="Tracks of filmed balls: what a file holds, and the rebounds in it.", no_args_is_help=True)
+tracks = typer.Typer(help="Tracks of filmed balls: summarise a file, and measure its rebounds.", no_args_is_help=True)
 
 
 def register(app: typer.Typer) -> None:
@@ -37,95 +36,91 @@ def register(app: typer.Typer) -> None:
 
 def show(
     file: Annotated[
-        Path, typer.Argument(help="as Tracker, Kinovea, trackpy, DeepLabCut... wrote it, or columns t, x, y")
+        Path, typer.Argument(help="A file from Tracker, Kinovea, trackpy, DeepLabCut ..., or columns t, x, y.")
     ],
-    out: Annotated[Path | None, typer.Option(help="write the rebounds here, .csv or .parquet")] = None,
-    plot: Annotated[Path | None, typer.Option(help="draw a picture, .svg, .pdf or .png")] = None,
-    json_: Annotated[bool, typer.Option("--json", help="everything as JSON on standard output")] = False,
-    stage: Annotated[str, typer.Option(help="of a table: best, after_wall, rolling or both")] = "best",
+    out: Annotated[Path | None, typer.Option(help="Write the rebounds: .csv or .parquet.")] = None,
+    plot: Annotated[Path | None, shared("plot")] = None,
+    json_: Annotated[bool, shared("json")] = False,
+    stage: Annotated[str, typer.Option(help="Stage of balls on a table: best, after_wall, rolling or both.")] = "best",
     sliding: Annotated[
-        bool, typer.Option("--sliding", help="keep balls that still slide when they meet the wall")
+        bool, typer.Option("--sliding", help="Keep balls that are still sliding when they meet the wall.")
     ] = False,
-    format_: Annotated[str | None, typer.Option("--format", help="overrules the guess", rich_help_panel=FILE)] = None,
-    scale: Annotated[
-        str | None, typer.Option(help="m to one unit of the file, a pixel say: 0.0005 or 0.5mm", rich_help_panel=FILE)
+    format_: Annotated[
+        str | None, typer.Option("--format", help="Format of the file; overrides detection.", rich_help_panel=FILE)
     ] = None,
-    rate: Annotated[float | None, typer.Option(help="frames a second", rich_help_panel=FILE)] = None,
+    scale: Annotated[str | None, shared("scale", rich_help_panel=FILE)] = None,
+    rate: Annotated[float | None, shared("rate", rich_help_panel=FILE)] = None,
     down: Annotated[
         bool | None,
-        typer.Option("--down/--up", help="the second axis points down, as in pictures", rich_help_panel=FILE),
+        typer.Option("--down/--up", help="The second axis points down, as in images.", rich_help_panel=FILE),
     ] = None,
-    view: Annotated[
-        str | None,
-        typer.Option(help="above (a table) or side (in flight); left out: by how it moves", rich_help_panel=FILE),
-    ] = None,
+    view: Annotated[str | None, shared("view", default="by the motion", rich_help_panel=FILE)] = None,
     radius: Annotated[
-        str | None, typer.Option(help="30.75mm; needed where balls may meet", rich_help_panel=BALL)
+        str | None, shared("radius", help="Radius, 0.03075 (m) or 30.75mm; needed where balls may meet.")
     ] = None,
-    inertia: Annotated[str, typer.Option(help="solid, hollow or kappa", rich_help_panel=BALL)] = "solid",
+    inertia: Annotated[str, shared("inertia")] = "solid",
     wall: Annotated[
         list[str] | None,
         typer.Option(
-            help="where the centre turns: x=0.03, y=1.4 or x1,y1,x2,y2 (m); may be repeated", rich_help_panel=FLOOR
+            help="Line on which the ball's centre turns: x=0.03, y=1.4 or x1,y1,x2,y2 (m); may be repeated.",
+            rich_help_panel=FLOOR,
         ),
     ] = None,
     hard: Annotated[
         bool,
-        typer.Option("--hard", help="the motions meet on the wall's line, it does not give", rich_help_panel=FLOOR),
+        typer.Option("--hard", help="The wall is rigid: both motions meet on its line.", rich_help_panel=FLOOR),
     ] = False,
     cloth: Annotated[
-        float | None, typer.Option(help="Coulomb friction of the floor; left out: fitted", rich_help_panel=FLOOR)
+        float | None, typer.Option(help="Coulomb friction of the floor. Default: fitted.", rich_help_panel=FLOOR)
     ] = None,
     rolling: Annotated[
-        float | None, typer.Option(help="deceleration / g of a rolling ball; left out: fitted", rich_help_panel=FLOOR)
+        float | None, typer.Option(help="Deceleration / g of a rolling ball. Default: fitted.", rich_help_panel=FLOOR)
     ] = None,
-    gravity: Annotated[float, typer.Option(help="m/s^2", rich_help_panel=FLOOR)] = 9.80665,
-    noise: Annotated[
-        str | None, typer.Option(help="of one coordinate of one frame, 0.3mm; left out: found", rich_help_panel=FIT)
-    ] = None,
-    window: Annotated[float, typer.Option(help="s looked at before and after a contact", rich_help_panel=FIT)] = 0.5,
+    gravity: Annotated[float, shared("gravity")] = 9.80665,
+    noise: Annotated[str | None, shared("noise", default="estimated", rich_help_panel=FIT)] = None,
+    window: Annotated[
+        float, typer.Option(help="Time fitted before and after a contact, s.", rich_help_panel=FIT)
+    ] = 0.5,
     blind: Annotated[
         float | None,
-        typer.Option(help="s beside a contact left out; left out: as the frames show", rich_help_panel=FIT),
+        typer.Option(help="Time left out beside a contact, s. Default: from the frames.", rich_help_panel=FIT),
     ] = None,
 ) -> None:
-    """What a track file holds: format, tracks, clock, noise; the contacts in it, measured by fitting the physics."""
-    from carom.tracks.formats.sheet import Given
-    from carom.tracks.measure import Settings, measure
+    """Summarise a track file (format, tracks, frame rate, noise), and measure its contacts by fitting the physics."""
+    from carom.tracks.formats.text_table import Calibration
+    from carom.tracks.measurement import Settings, measure
     from carom.tracks.read import read_tracks
-    from carom.tracks.table import to_rebounds
+    from carom.tracks.rebounds import to_rebounds
 
     faults: list[str] = []
     lengths = {
-        name: attempt(faults, length_of, name, text)
+        name: attempt(faults, parse_length, name, text)
         for name, text in (("scale", scale), ("radius", radius), ("noise", noise))
     }
-    kappa = _kappa(inertia, faults)
+    kappa = attempt(faults, parse_inertia, inertia)
     for name, value, known in (
         ("stage", stage, ("best", "after_wall", "rolling", "both")),
         ("view", view, ("above", "side")),
     ):
         if value is not None and value not in known:
             faults.append(f"--{name}: expected one of {', '.join(known)}, got {value!r}")
-    require_places(faults, {"--plot": plot, "--out": out}, {"--out": (".csv", ".txt", ".parquet", ".pq")})
-    if out is not None and out.exists() and file.exists() and out.samefile(file):
-        faults.append(f"--out {out}: expected another file than the track itself, got the same; name a new one")
+    require_outputs(faults, {"--plot": plot, "--out": out}, {"--out": (".csv", ".txt", ".parquet", ".pq")}, source=file)
     if faults:
         raise CaromError(*faults)
-    found = read_tracks(file, format_, Given(lengths["scale"], rate, down))
+    found = read_tracks(file, format_, Calibration(lengths["scale"], rate, down))
     walls = None if not wall else tuple(_wall(text, found) for text in wall)
     settings = Settings(
         radius=lengths["radius"], kappa=kappa, view=view, walls=walls, noise=lengths["noise"],  # type: ignore[arg-type]
         cloth=cloth, rolling=rolling, gravity=gravity, window=window, blind=blind, hard=hard,
     )  # fmt: skip
     console = Console(stderr=True, highlight=False)
-    measured = _with_bar(console, lambda say: measure(found.tracks, settings, say))
+    measured = _with_bar(console, lambda progress: measure(found.tracks, settings, progress))
     written = None
     if out is not None:
         table = to_rebounds(measured, stage, sliding=sliding)  # type: ignore[arg-type]
         written = (table.save(out), len(table))
     if plot is not None:
-        from carom.plot.save import save
+        from carom.plot.style import save
         from carom.plot.tracks import plot_tracks
 
         save(plot_tracks(measured), plot)
@@ -136,7 +131,7 @@ def show(
     for note in (*found.notes, *measured.notes):
         console.print(f"[dim]{escape(note)}[/]", soft_wrap=True)
     if written:
-        console.print(f"{written[1]} rebounds in the table")
+        console.print(f"{_count(written[1], 'rebound')} in the table")
         wrote(written[0])
     if plot is not None:
         wrote(plot)
@@ -152,18 +147,8 @@ def _with_bar(console: Console, run: Any) -> Any:
         return run(lambda done, total: bar.update(task, completed=done, total=total))
 
 
-def _kappa(text: str, faults: list[str]) -> float:
-    from carom.ball import INERTIAS
-
-    try:
-        return INERTIAS[text] if text in INERTIAS else float(text)
-    except ValueError:
-        faults.append(f"--inertia: expected solid, hollow or kappa = I/(m a^2), got {text!r}")
-        return 0.4
-
-
 def _wall(text: str, found: TrackFile) -> Any:
-    from carom.tracks.contacts import wall_through
+    from carom.tracks.events import wall_through
 
     name, _sign, value = text.partition("=")
     try:
@@ -181,7 +166,7 @@ def _wall(text: str, found: TrackFile) -> Any:
 
 
 def _facts(found: TrackFile, measured: Measured, stage: str, sliding: bool) -> dict[str, Any]:
-    """All that is known, for --json."""
+    """Return the content of --json."""
     return {
         "file": str(found.path),
         "format": found.format,
@@ -203,11 +188,11 @@ def _facts(found: TrackFile, measured: Measured, stage: str, sliding: bool) -> d
     }  # fmt: skip
 
 
-def _contact(one: Contact, stage: str, sliding: bool) -> dict[str, Any]:
-    from carom.tracks.fitted import OUTPUTS
-    from carom.tracks.table import chosen
+def _contact(one: TrackContact, stage: str, sliding: bool) -> dict[str, Any]:
+    from carom.tracks.least_squares import OUTPUTS
+    from carom.tracks.rebounds import usable_stages
 
-    stages, why = chosen(one, stage, sliding)  # type: ignore[arg-type]
+    stages, why = usable_stages(one, stage, sliding)  # type: ignore[arg-type]
     facts: dict[str, Any] = {"group": one.group, "track": one.track, "wall": one.wall.name, "t": _plain(one.time),
              "frames_before": one.before, "frames_after": one.after, "stages": stages, "why_not": why}  # fmt: skip
     if one.fit is not None:
@@ -222,28 +207,34 @@ def _contact(one: Contact, stage: str, sliding: bool) -> dict[str, Any]:
 
 
 def _plain(x: Any) -> float | None:
-    """A number for JSON: null where it is not known."""
+    """Return a number for JSON: null if it is unknown."""
     return float(x) if abs(float(x)) < float("inf") else None
 
 
 def _tell(console: Console, found: TrackFile, measured: Measured, stage: str, sliding: bool) -> None:
-    """For people: what was understood, then the contacts."""
+    """Print the summary of the file, then the contacts."""
     from rich.table import Table
 
+    from carom.formatting import format_length, format_number
     from carom.tracks.read import FORMATS
-    from carom.units import length, number
 
     facts = Table(box=None, show_header=False, padding=(0, 2, 0, 0))
     facts.add_row("[bold]format[/]", FORMATS[found.format].title)
-    for track in found.tracks[:MOST_TRACKS]:
+    for track in found.tracks[:MAX_TRACKS]:
         facts.add_row("track", _track_line(track))
-    if len(found.tracks) > MOST_TRACKS:
-        facts.add_row("", f"and {len(found.tracks) - MOST_TRACKS} more tracks")
-    facts.add_row("camera", f"{1 / measured.interval:.4g} frames a second" if measured.interval > 0 else "no clock")
-    steps = ", ".join(length(x) if x else "no step" for x in measured.step)
-    rounded = f"; places rounded to {steps}" if any(measured.step) else ""
-    facts.add_row("noise", f"{length(measured.noise)} {'as given' if measured.noise_given else 'found'}{rounded}")
-    facts.add_row("seen from", "above: a ball on a table" if measured.view == "above" else "the side: a ball in flight")
+    if len(found.tracks) > MAX_TRACKS:
+        facts.add_row("", f"and {_count(len(found.tracks) - MAX_TRACKS, 'more track')}")
+    facts.add_row(
+        "camera", f"{1 / measured.interval:.4g} frames per second" if measured.interval > 0 else "frame rate unknown"
+    )
+    steps = ", ".join(format_length(x) if x else "no step" for x in measured.step)
+    rounded = f"; positions rounded to {steps}" if any(measured.step) else ""
+    facts.add_row(
+        "noise", f"{format_length(measured.noise)} {'(given)' if measured.noise_given else '(estimated)'}{rounded}"
+    )
+    facts.add_row(
+        "filmed from", "above: a ball on a table" if measured.view == "above" else "the side: a ball in flight"
+    )
     for wall in measured.walls:
         n = wall.normal
         at = (
@@ -253,9 +244,9 @@ def _tell(console: Console, found: TrackFile, measured: Measured, stage: str, sl
             if abs(n[1]) == 1
             else "as given"
         )
-        facts.add_row("wall", f"{wall.name}: {at}{', places clamped on it' if wall.clamped else ''}")
+        facts.add_row("wall", f"{wall.name}: {at}{', positions clamped to it' if wall.clamped else ''}")
     for name, (value, error) in measured.floor.items():
-        facts.add_row(name, f"{number(value)} ± {number(error, 1)}")
+        facts.add_row(name, f"{format_number(value)} ± {format_number(error, 1)}")
     console.print(facts)
     _contacts(console, measured, stage, sliding)
 
@@ -263,22 +254,22 @@ def _tell(console: Console, found: TrackFile, measured: Measured, stage: str, sl
 def _track_line(track: Any) -> str:
     import numpy as np
 
-    from carom.units import length
+    from carom.formatting import format_length
 
-    seen = track.pick(track.seen)
+    seen = track.select(track.seen)
     label = escape(" ".join(filter(None, (track.group, track.name))))
     gaps = int((~track.seen).sum())
-    spans = " × ".join(length(float(x)) for x in np.ptp(seen.position, axis=0)) if len(seen) else "nothing"
-    return f"{label}: {len(seen):,} places{f', {gaps:,} missing' if gaps else ''}, {np.ptp(track.time):.3g} s, {spans}"
+    spans = " × ".join(format_length(float(x)) for x in np.ptp(seen.position, axis=0)) if len(seen) else "nothing"
+    return f"{label}: {_count(len(seen), 'position')}{f', {gaps:,} missing' if gaps else ''}, {np.ptp(track.time):.3g} s, {spans}"
 
 
 def _contacts(console: Console, measured: Measured, stage: str, sliding: bool) -> None:
     from rich.table import Table
 
-    from carom.tracks.table import chosen
+    from carom.tracks.rebounds import usable_stages
 
     console.print(
-        "\nContacts: velocity before, toward the wall and along it; after, away from it and along it, m/s",
+        "\nVelocities before (v_n toward the wall) and after the contact (v_n away from it), v_t along the wall, m/s",
         soft_wrap=True,
     )
     table = Table(box=None, padding=(0, 1, 0, 0), header_style="dim")
@@ -287,12 +278,12 @@ def _contacts(console: Console, measured: Measured, stage: str, sliding: bool) -
     whys: Counter[str] = Counter()
     shown = 0
     for one in measured.contacts:
-        stages, why = chosen(one, stage, sliding)  # type: ignore[arg-type]
+        stages, why = usable_stages(one, stage, sliding)  # type: ignore[arg-type]
         if not stages:
             whys[why] += 1
         for name in stages:
             shown += 1
-            if shown > MOST_CONTACTS:
+            if shown > MAX_ROWS:
                 continue
             assert one.fit is not None
             tail = "roll" if name == "rolling" else "out"
@@ -302,20 +293,25 @@ def _contacts(console: Console, measured: Measured, stage: str, sliding: bool) -
             table.add_row(label, one.wall.name, f"{one.time:.4f}", *cells, "" if one.planar else name)
     if shown:
         console.print(table)
-        console.print("[dim]1.2292(12) is 1.2292 ± 0.0012[/]")
-    if shown > MOST_CONTACTS:
-        console.print(f"and {shown - MOST_CONTACTS} more rows: --out and --json have them all")
+        console.print("[dim]Parentheses give the uncertainty in the last digits: 1.2292(12) is 1.2292 ± 0.0012[/]")
+    if shown > MAX_ROWS:
+        console.print(f"and {_count(shown - MAX_ROWS, 'more row')}: --out and --json list all")
     lost = sum(whys.values())
     console.print(
-        f"[bold]{len(measured.contacts)} contacts[/], {len(measured.contacts) - lost} measured"
-        + (", not:" if lost else "")
+        f"[bold]{_count(len(measured.contacts), 'contact')}[/], {len(measured.contacts) - lost} measured"
+        + (f"; {lost} not measured:" if lost else "")
     )
     for why, count in whys.most_common():
         console.print(f"  {count} × {escape(why)}", soft_wrap=True)
 
 
-def _with_error(one: Contact, name: str, sign: int) -> str:
-    """A value with its error on the last two digits: 1.2292(12) is 1.2292 ± 0.0012."""
+def _count(number: int, noun: str) -> str:
+    """Return a number with its noun, in the plural unless it is 1."""
+    return f"{number:,} {noun}{'' if number == 1 else 's'}"
+
+
+def _with_error(one: TrackContact, name: str, sign: int) -> str:
+    """Return a value with its uncertainty in the last two digits: 1.2292(12) is 1.2292 ± 0.0012."""
     assert one.fit is not None
     value, error = sign * one.fit[name], one.fit.error(name)
     digits = 1 - math.floor(math.log10(error)) if 0 < error < 1 else 1

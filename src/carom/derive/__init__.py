@@ -1,18 +1,19 @@
-"""Impulsive motion from a Lagrangian and its constraints, and the paper proved line by line (needs SymPy).
+"""Impulsive motion derived from a Lagrangian and its constraints, symbolically; the paper, equation by equation (needs SymPy).
 
-This room stands apart: it imports nothing of carom but its error, so that the numeric laws can be held against it.
+Of the other packages only `carom.errors`, `carom.bodies`, `carom.files` and the compiler of `carom.core` are imported, so that
+the numeric laws can be tested against what is derived here. :mod:`carom.derive.euler` needs no SymPy.
 """
 
-from __future__ import annotations
+from typing import Any
 
-import importlib.util
+import lazy_loader as _lazy
 
-if importlib.util.find_spec("sympy") is None:
-    raise ImportError("carom.derive needs SymPy, which is not installed; run: pip install sympy")
+from carom.files import require_library as _require_library
 
-from carom.derive.cautions import EnergyGain, FrictionJam, ImpactWarning
-from carom.derive.contact import Contact, contact_at
-from carom.derive.impulsive import ImpulsiveMotion
-from carom.derive.jump import Jump
+_attached, __dir__, __all__ = _lazy.attach_stub(__name__, __file__)
 
-__all__ = ["Contact", "EnergyGain", "FrictionJam", "ImpactWarning", "ImpulsiveMotion", "Jump", "contact_at"]
+
+def __getattr__(name: str) -> Any:
+    if name in __all__:
+        _require_library("sympy", "carom.derive")
+    return _attached(name)

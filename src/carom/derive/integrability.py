@@ -1,9 +1,9 @@
-"""Frobenius' test: do velocity constraints integrate to constraints on the coordinates?
+"""Test by Frobenius' theorem whether velocity constraints integrate to constraints on the coordinates.
 
-Pfaffian rows A(q) dq = 0 leave a distribution D, the velocities they allow. D is integrable (the constraints are
-holonomic) exactly when it is closed under the Lie bracket. Where it is not, brackets are added until it is; the ranks
-on the way are its growth, and the coordinates' count less the last rank is how many holonomic constraints hide in the
-rows.
+Pfaffian rows A(q) dq = 0 define a distribution D, the velocities that they allow. D is integrable (the constraints are
+holonomic) exactly when it is closed under the Lie bracket. Where it is not, brackets are added until it is: the successive ranks
+are its growth vector, and the number of coordinates minus the last rank is the number of holonomic constraints that the rows
+imply.
 """
 
 from __future__ import annotations
@@ -14,8 +14,16 @@ from typing import Any
 
 import sympy as sp
 
-from carom.derive.linear import Expr, Matrix, independent_rows, is_zero, null_basis, reduce_trig, tidy
-from carom.derive.setup import constraint_row, make_speeds, named
+from carom.derive.linear import (
+    Expr,
+    Matrix,
+    independent_rows,
+    is_zero,
+    null_basis,
+    reduce_trig,
+    tidy,
+)
+from carom.derive.system import constraint_row, make_speeds, named_constraints
 from carom.errors import CaromError
 
 __all__ = ["Integrability", "first_integrals", "frobenius", "integral_drift", "lie_bracket"]
@@ -23,15 +31,22 @@ __all__ = ["Integrability", "first_integrals", "frobenius", "integral_drift", "l
 
 @dataclass(frozen=True)
 class Integrability:
-    """Verdict of Frobenius' test.
+    """Result of Frobenius' test.
 
-    Attributes:
-        coordinates: the coordinates, in order.
-        rows: independent constraint rows A.
-        fields: columns that span D, the velocities the constraints allow.
-        growth: rank of D, of D with its brackets, and so on until it stops growing.
-        witness: a pair of columns of ``fields`` whose bracket leaves D, and the row values A [X, Y]; None if there is
-        none. closure: columns that span the smallest integrable distribution that holds D.
+    Attributes
+    ----------
+    coordinates : tuple
+        The coordinates, in order.
+    rows : Matrix
+        Independent constraint rows A.
+    fields : Matrix
+        Columns that span D, the velocities that the constraints allow.
+    growth : tuple of int
+        Rank of D, of D with its brackets, and so on until it stops growing.
+    witness : tuple or None
+        A pair of columns of ``fields`` whose bracket leaves D, and the row values A [X, Y]; None if there is none.
+    closure : Matrix
+        Columns that span the smallest integrable distribution that contains D.
     """
 
     coordinates: tuple[Expr, ...]
@@ -43,7 +58,7 @@ class Integrability:
 
     @property
     def rank(self) -> int:
-        """Freedom the constraints leave: the rank of D."""
+        """Degrees of freedom that the constraints leave: the rank of D."""
         return self.growth[0]
 
     @property
@@ -53,20 +68,23 @@ class Integrability:
 
     @property
     def holonomic(self) -> int:
-        """How many independent holonomic constraints follow."""
+        """Number of independent holonomic constraints that follow."""
         return len(self.coordinates) - self.growth[-1]
 
     @property
     def trivial(self) -> bool:
-        """Whether integrability says nothing of the constraints: rank 0 or 1, where every distribution is
-        integrable."""
+        """Whether D is integrable whatever the constraints are, because its rank is 0 or 1."""
         return self.rank <= 1
 
     def sentence(self) -> str:
-        """The verdict in words."""
+        """Return the result as a sentence."""
         n, k = len(self.coordinates), self.rank
         if self.trivial:
-            why = "one freedom is left, and every distribution of rank 1 is integrable" if k else "no freedom is left"
+            why = (
+                "one degree of freedom is left, and every distribution of rank 1 is integrable"
+                if k
+                else "no freedom is left"
+            )
             return f"integrable, trivially: {why} ({n - k} constraints on {n} coordinates)"
         if self.integrable:
             return f"integrable: rank {k} of {n} and closed under brackets, {self.holonomic} holonomic constraints"
@@ -77,20 +95,23 @@ class Integrability:
 
 
 def lie_bracket(x: Matrix, y: Matrix, coordinates: Sequence[Expr]) -> Matrix:
-    """Lie bracket [X, Y] of two vector fields given as columns over ``coordinates`` (plain symbols)."""
+    """Return the Lie bracket [X, Y] of two vector fields given as columns over ``coordinates`` (plain symbols)."""
     return (y.jacobian(list(coordinates)) * x - x.jacobian(list(coordinates)) * y).applyfunc(reduce_trig)
 
 
 def frobenius(constraints: Mapping[str, Expr] | Iterable[Expr], coordinates: Sequence[Expr]) -> Integrability:
-    """Frobenius' test on constraints linear in the speeds, for the given coordinates (``dynamicsymbols``).
+    """Apply Frobenius' test to constraints that are linear in the speeds, for the given coordinates (``dynamicsymbols``).
 
-    Raises CaromError for a constraint that is not linear or homogeneous in the speeds (with a term free of speeds,
-    make time a coordinate first), or where the constraints are empty. The ranks are those at a generic configuration.
+    The ranks are those at a generic configuration. Raises CaromError for a constraint that is not linear and homogeneous in the
+    speeds (with a term free of speeds, make time a coordinate first), or where no constraint is given.
     """
     speeds = make_speeds(coordinates, None)
-    rows = [constraint_row(n, c, tuple(coordinates), speeds, {}) for n, c in named(constraints, "constraint").items()]
+    rows = [
+        constraint_row(n, c, tuple(coordinates), speeds, {})
+        for n, c in named_constraints(constraints, "constraint").items()
+    ]
     if not rows:
-        raise CaromError("frobenius: no constraint is given")
+        raise CaromError("frobenius: constraints: expected at least one, got no constraint")
     for row in rows:
         if not is_zero(row.drift):
             raise CaromError(f"constraint {row.name}: has the term {row.drift} free of speeds; make time a coordinate")
@@ -128,7 +149,7 @@ def frobenius(constraints: Mapping[str, Expr] | Iterable[Expr], coordinates: Seq
 
 
 def _library(coordinates: Sequence[Expr], degree: int) -> list[Expr]:
-    """Products of coordinates, sines and cosines up to a degree, each factor at most once a coordinate."""
+    """Return products of coordinates, sines and cosines up to a degree, at most one factor per coordinate."""
     factors = [[sp.S.One, q, sp.sin(q), sp.cos(q)] for q in coordinates]
     terms = {sp.S.One}
     for choices in factors:
@@ -141,10 +162,10 @@ def _degree(term: Expr) -> int:
 
 
 def first_integrals(test: Integrability, degree: int = 2, extra: Iterable[Expr] = ()) -> list[Expr]:
-    """Functions of the coordinates that stay constant along every velocity the constraints allow.
+    """Return functions of the coordinates that are constant along every velocity that the constraints allow.
 
-    Looks among linear combinations of products of coordinates, sines and cosines up to ``degree`` and of the ``extra``
-    functions; each found is proved: its derivative along the closure of D is identically zero. At most
+    The search covers linear combinations of products of coordinates, sines and cosines up to ``degree``, and of the ``extra``
+    functions. Each one found is verified: its derivative along the closure of D is identically zero. At most
     ``test.holonomic`` functionally independent ones exist; fewer may be found, since the search space is finite.
     """
     terms = _library(test.coordinates, degree) + [sp.sympify(t) for t in extra]
@@ -180,7 +201,7 @@ def first_integrals(test: Integrability, degree: int = 2, extra: Iterable[Expr] 
 
 
 def _coefficient_rows(rates: Sequence[Expr]) -> list[list[Expr]]:
-    """Linear conditions on combination coefficients: every monomial of the sum of c_i rates_i must vanish."""
+    """Return the linear conditions on the coefficients c_i: every monomial of the sum of c_i rates_i must vanish."""
     common = sp.S.One
     for r in rates:
         common = sp.lcm(common, sp.fraction(sp.together(r))[1])
@@ -206,10 +227,10 @@ def integral_drift(
     length: float = 1.0,
     steps: int = 400,
 ) -> float:
-    """Largest change of ``integral`` along a path the constraints allow, by RK4: the numerical check.
+    """Return the largest change of ``integral`` along a path that the constraints allow, integrated by RK4.
 
-    The path starts at ``start`` and runs with the speeds ``drive(s)`` along the columns of D (``test.fields``), s
-    from 0 to ``length``. For a true first integral the drift is that of the integrator, about (length/steps)^4.
+    The path starts at ``start`` and follows the columns of D (``test.fields``) with the speeds ``drive(s)``, s from 0 to
+    ``length``. For a true first integral the change is the error of the integrator, about (length/steps)^4.
     """
     numbers = dict(parameters or {})
     table = test.fields.subs(numbers).tolist()

@@ -1,7 +1,7 @@
-"""Linear algebra over expressions with sines and cosines: zero tests, independent rows, null spaces, solving.
+"""Linear algebra over trigonometric expressions: zero test, independent rows, null space, linear solver.
 
 SymPy's own elimination treats ``sin(q)`` and ``cos(q)`` as independent, so a pivot such as ``sin(q)**2 + cos(q)**2 -
-1`` would pass for a number that one may divide by. Every pivot here goes through `is_zero` first.
+1`` would be accepted as a divisor. Every pivot here is checked with `is_zero` first.
 """
 
 from __future__ import annotations
@@ -17,13 +17,12 @@ from carom.errors import CaromError
 Expr = Any
 Matrix = Any
 
-# Two fixed points of generic rationals: an analytic expression that vanishes at both to 25 digits is then put to
-# `simplify`; one that does not vanish at the first is certainly not zero.
+# Numerators of generic rationals at which an expression is evaluated: one that does not vanish there is certainly not zero.
 _PRIMES = (101, 103, 107, 109, 113, 127, 131, 137, 139, 149, 151, 157, 163, 167, 173, 179, 181, 191, 193, 197, 199, 211)
 
 
 def atoms_of(expr: Expr) -> list[Expr]:
-    """Symbols, unknown functions and their derivatives of ``expr``, in a fixed order; time itself only where it stands free."""
+    """Return the symbols, unknown functions and derivatives in ``expr``, in a fixed order; time only where it occurs by itself."""
     derivatives = expr.atoms(sp.Derivative)
     rest = expr.xreplace(dict.fromkeys(derivatives, sp.S.One))
     functions = rest.atoms(AppliedUndef)
@@ -33,7 +32,7 @@ def atoms_of(expr: Expr) -> list[Expr]:
 
 
 def probe(expr: Expr, turn: int = 0) -> Expr:
-    """Value of ``expr`` to 30 digits at a fixed generic point; ``turn`` picks the point."""
+    """Evaluate ``expr`` to 30 digits at a fixed generic point; ``turn`` selects the point."""
     names = atoms_of(expr)
     values = {
         name: sp.Rational(_PRIMES[(i * 5 + 3 * turn + 1) % len(_PRIMES)] + 7 * (i // len(_PRIMES)), 211 + 16 * turn + i)
@@ -43,10 +42,10 @@ def probe(expr: Expr, turn: int = 0) -> Expr:
 
 
 def is_zero(expr: Expr) -> bool:
-    """Whether ``expr`` is identically zero, trigonometric identities included.
+    """Return whether ``expr`` is identically zero, trigonometric identities included.
 
-    A value that is not zero at one generic point decides against it. For it: exact arithmetic for rational functions of
-    symbols, sines and cosines; where roots or inverse functions come in, zero to 20 digits at three generic points.
+    A nonzero value at one of three generic points disproves it. Rational functions of symbols, sines and cosines are then
+    decided exactly; with roots or inverse functions, zero to 20 digits at the three points counts as zero.
     """
     expr = sp.sympify(expr)
     if expr.is_Number:
@@ -63,10 +62,9 @@ def is_zero(expr: Expr) -> bool:
 
 
 def reduce_trig(expr: Expr, keep: str = "sin") -> Expr:
-    """``expr`` over one denominator, with every even power of a cosine written in sines (or the reverse): a normal
-    form, nearly.
+    """Return ``expr`` over one denominator, with even powers of cosines written in sines (or the reverse): nearly a normal form.
 
-    Tangents, cotangents and multiple angles are taken apart first, so that cos^2 + sin^2 = 1 is the only relation left.
+    Tangents, cotangents and multiple angles are expanded first, so that cos^2 + sin^2 = 1 is the only relation left.
     """
     expr = sp.sympify(expr)
     if expr.atoms(sp.tan, sp.cot, sp.sec, sp.csc):
@@ -78,7 +76,7 @@ def reduce_trig(expr: Expr, keep: str = "sin") -> Expr:
         angles = {f.args[0] for f in expr.atoms(sp.sin, sp.cos)}
     if not angles:
         return sp.cancel(sp.together(expr))
-    # a root, sign or modulus that holds an angle stands for itself until it is put back
+    # a root, sign or modulus of an angle is replaced by a dummy until the end
     odd = {w for w in expr.atoms(sp.Pow) if w.exp.is_Rational and w.exp.q == 2 and w.has(*angles)}
     others = {w for w in expr.atoms(sp.sign, sp.Abs) if w.has(*angles)}
     back = {sp.Dummy(positive=True): sp.sqrt(base) for base in sorted({w.base for w in odd}, key=str)}
@@ -100,7 +98,7 @@ def reduce_trig(expr: Expr, keep: str = "sin") -> Expr:
 
 
 def tidy(expr: Expr) -> Expr:
-    """A short form of ``expr``: factored where it is rational, with sines and cosines reduced and gathered."""
+    """Return a short form of ``expr``: factored where it is rational, with sines and cosines reduced and collected."""
     expr = sp.sympify(expr)
     if expr.is_Atom or expr.is_Matrix:
         return expr
@@ -110,14 +108,14 @@ def tidy(expr: Expr) -> Expr:
 
 
 def _short(expr: Expr) -> Expr:
-    """Clear common factors, and sin^2 + cos^2, between elimination steps."""
+    """Cancel common factors, and sin^2 + cos^2, between elimination steps."""
     return expr if expr.is_Atom else reduce_trig(expr)
 
 
 def independent_rows(rows: Matrix) -> tuple[list[int], dict[int, dict[int, Expr]]]:
-    """Indices of a first maximal set of independent rows, and how each other row follows from them.
+    """Return the indices of a maximal set of independent rows, and each other row as a combination of them.
 
-    Returns ``(kept, dependent)`` with ``dependent[i] = {j: c_j}`` meaning row i = sum of c_j times row j, j in kept.
+    The result is ``(kept, dependent)`` with ``dependent[i] = {j: c_j}`` meaning row i = sum of c_j times row j, j in kept.
     """
     kept: list[int] = []
     dependent: dict[int, dict[int, Expr]] = {}
@@ -147,7 +145,7 @@ def independent_rows(rows: Matrix) -> tuple[list[int], dict[int, dict[int, Expr]
 
 
 def solve_linear(matrix: Matrix, right: Matrix, what: str = "linear equations") -> Matrix:
-    """Solve ``matrix x = right`` by elimination with a true zero test on every pivot.
+    """Solve ``matrix x = right`` by elimination with a symbolic zero test on every pivot.
 
     ``right`` may have several columns. Raises CaromError, naming ``what``, when the square matrix is singular.
     """
@@ -173,9 +171,9 @@ def solve_linear(matrix: Matrix, right: Matrix, what: str = "linear equations") 
 
 
 def null_basis(rows: Matrix, free: Sequence[int] | None = None) -> Matrix:
-    """Columns that span the null space of ``rows``; ``free`` may name the columns to keep as parameters.
+    """Return columns that span the null space of ``rows``; ``free`` selects the columns to keep as parameters.
 
-    Raises CaromError when the wanted free columns cannot parametrise the null space.
+    Raises CaromError where the selected columns cannot parametrise the null space.
     """
     kept, _ = independent_rows(rows)
     system = rows.extract(kept, list(range(rows.cols))) if kept else sp.zeros(0, rows.cols)
@@ -199,7 +197,7 @@ def null_basis(rows: Matrix, free: Sequence[int] | None = None) -> Matrix:
 
 
 def _bound_columns(system: Matrix, avoid: Iterable[int]) -> list[int]:
-    """Columns of ``system`` that can be solved for, taking those outside ``avoid`` first and the last ones first."""
+    """Return the columns of ``system`` to solve for: those outside ``avoid`` first, and the last ones first."""
     away = set(avoid)
     order = [j for j in reversed(range(system.cols)) if j not in away] + [
         j for j in reversed(range(system.cols)) if j in away
@@ -211,6 +209,6 @@ def _bound_columns(system: Matrix, avoid: Iterable[int]) -> list[int]:
 
 
 def bound_columns(rows: Matrix) -> list[int]:
-    """Columns that the rows determine by the others, the last ones first."""
+    """Return the columns that the rows determine in terms of the others, the last ones first."""
     kept, _ = independent_rows(rows)
     return _bound_columns(rows.extract(kept, list(range(rows.cols))), ())

@@ -1,4 +1,4 @@
-"""One rough contact followed through its impact, in the normal impulse p: slip, reversal, stick, jam.
+"""Follow one rough contact through its impact, as a function of the normal impulse p: slip, reversal, stick, jam.
 
 In the plane the velocities are piecewise linear in p (Routh, *Dynamics of a System of Rigid Bodies*, 1905, arts. 180
 to 203) and the answer is exact for exact numbers. In space the slip may swerve (Keller, J. Appl. Mech. 53, 1986, 1);
@@ -16,7 +16,7 @@ from typing import Any
 
 import sympy as sp
 
-from carom.derive.cautions import EnergyGain
+from carom.derive.jump import EnergyGain
 from carom.derive.linear import Matrix
 from carom.errors import CaromError
 
@@ -27,8 +27,7 @@ Number = Any
 
 @dataclass(frozen=True)
 class Phase:
-    """A stretch of the impact: what the contact does ("slip", "jam", "stick", "reverse"), and p where it starts and
-    ends."""
+    """A phase of the impact: its kind ("slip", "jam", "stick", "reverse"), and p where it starts and ends."""
 
     kind: str
     start: Number
@@ -37,14 +36,20 @@ class Phase:
 
 @dataclass(frozen=True)
 class Percussion:
-    """A contact's impact.
+    """The result of following a contact through its impact.
 
-    Attributes:
-        velocity: contact velocity afterwards: normal, tangents.
-        impulse: impulse on the body: normal, tangents.
-        phases: what the contact did, in order.
-        compression: normal impulse up to the end of compression.
-        energy_change: kinetic energy gained (negative: lost).
+    Attributes
+    ----------
+    velocity : tuple
+        Contact velocity afterwards: normal, tangents.
+    impulse : tuple
+        Impulse on the body: normal, tangents.
+    phases : tuple of Phase
+        The phases of the contact, in order.
+    compression : number
+        Normal impulse up to the end of compression.
+    energy_change : number
+        Kinetic energy gained (negative: lost).
     """
 
     velocity: tuple[Number, ...]
@@ -55,14 +60,13 @@ class Percussion:
 
     @property
     def jams(self) -> bool:
-        """Whether friction turned the normal impulse against itself (Painlevé)."""
+        """Whether friction reversed the effect of the normal impulse (Painlevé)."""
         return any(phase.kind == "jam" for phase in self.phases)
 
 
 @dataclass
 class _Run:
-    """Where a running impact stands: p, normal velocity, tangential velocities and impulses, work of the normal
-    impulse."""
+    """State of an impact in progress: p, normal velocity, tangential velocities and impulses, work of the normal impulse."""
 
     hypothesis: str
     e: Number
@@ -76,7 +80,7 @@ class _Run:
     work_c: Number = None
 
     def finish_in(self, rate: Number) -> Number | None:
-        """Further normal impulse until the end, if the normal velocity keeps growing by ``rate`` per p; None: never."""
+        """Return the normal impulse left until the end, if the normal velocity keeps growing by ``rate`` per p; None: never."""
         if self.p_c is None:
             return None
         if self.hypothesis == "poisson":
@@ -97,7 +101,7 @@ class _Run:
         self.p = self.p + dp
 
     def straight(self, rate: Number, rates: Sequence[Number], pushes: Sequence[Number], limit: Number | None) -> bool:
-        """Go along constant rates to the end of the impact or to ``limit`` more p; True when the impact is over."""
+        """Advance at constant rates to the end of the impact, or by ``limit`` of p; return True when the impact is over."""
         gone = self.un * 0
         if self.p_c is None and rate > 0:
             to_zero = -self.un / rate
@@ -110,7 +114,9 @@ class _Run:
             self.advance(rest, rate, rates, pushes)
             return True
         if limit is None:
-            raise CaromError("percussion: the impact does not end (the contact has no inertia along its normal?)")
+            raise CaromError(
+                "percussion: expected an impact that ends, got one that does not; check the inertia along the normal"
+            )
         self.advance(limit - gone, rate, rates, pushes)
         return False
 
@@ -118,13 +124,13 @@ class _Run:
 def follow(g: Matrix, start: Sequence[Number], e: Number, mu: Number, hypothesis: str = "stronge") -> Percussion:
     """Follow a contact with inverse mass ``g`` (2x2 or 3x3; normal, tangents) from the velocity ``start`` to its end.
 
-    Rational numbers give exact answers in the plane. Raises CaromError where the contact separates already, or ``g``
+    Rational numbers give exact results in the plane. Raises CaromError where the contact separates already, or ``g``
     is not positive definite. Warns EnergyGain where Newton's rule creates energy.
     """
     size = g.rows
     start = [sp.sympify(x) for x in start]
     if hypothesis not in ("newton", "poisson", "stronge"):
-        raise CaromError(f"percussion: hypothesis must be newton, poisson or stronge, got {hypothesis}")
+        raise CaromError(f"percussion: hypothesis: expected 'newton', 'poisson' or 'stronge', got {hypothesis!r}")
     if size not in (2, 3) or len(start) != size:
         raise CaromError(f"percussion: expected a normal and one or two tangents, got {len(start)} velocities")
     if not all(g[:k, :k].det() > 0 for k in range(1, size + 1)):
@@ -147,7 +153,7 @@ def follow(g: Matrix, start: Sequence[Number], e: Number, mu: Number, hypothesis
 
 
 def _stop_at_once(g: Matrix, run: _Run) -> None:
-    """Friction without bound ends the slip before the normal impulse has grown."""
+    """End the slip at once: with infinite friction it ends before the normal impulse has grown."""
     pull = -(g[1:, 1:].inv() * sp.Matrix(run.ut))
     run.un = run.un + (g[0, 1:] * pull)[0]
     run.rt = list(pull)
@@ -155,7 +161,7 @@ def _stop_at_once(g: Matrix, run: _Run) -> None:
 
 
 def _in_plane(g: Matrix, run: _Run, mu: Number) -> list[Phase]:
-    """Routh's diagram: at most slip, then stick or reversed slip."""
+    """Follow the impact in the plane by Routh's diagram: slip, then stick or reversed slip."""
     nn, nt, tt = g[0, 0], g[0, 1], g[1, 1]
     phases: list[Phase] = []
     if mu == sp.oo:
@@ -190,7 +196,7 @@ _STEP = 0.01  # of the slip's own decay; RK4 leaves about 1e-9 of the slip
 
 
 def _in_space(g: Matrix, run: _Run, mu: Number) -> list[Phase]:
-    """Swerving slip by its hodograph, then stick or straight slip."""
+    """Follow the impact in space: integrate the hodograph of the slip, then stick or straight slip."""
     phases: list[Phase] = []
     if mu == sp.oo:
         _stop_at_once(g, run)
@@ -223,7 +229,7 @@ def _in_space(g: Matrix, run: _Run, mu: Number) -> list[Phase]:
 
 
 def _ray(m: list[list[float]], mu: float) -> tuple[list[float], list[float]]:
-    """The one direction in which slip can start again and grow: G_tn - mu G_tt s = k s with k > 0."""
+    """Return the only direction s in which slip can start again and grow: G_tn - mu G_tt s = k s with k > 0."""
 
     def turn(angle: float) -> tuple[float, float]:
         s = (math.cos(angle), math.sin(angle))
@@ -244,8 +250,7 @@ def _ray(m: list[list[float]], mu: float) -> tuple[list[float], list[float]]:
 
 
 def _swerve(m: list[list[float]], run: _Run, mu: float) -> tuple[bool, bool]:
-    """Integrate dp = |u_t| ds, in which the slip decays smoothly; True when the impact is over, and whether it
-    jammed."""
+    """Integrate in s, dp = |u_t| ds, in which the slip decays smoothly; return whether the impact is over, and has jammed."""
     first = math.hypot(*run.ut)
     step = _STEP / max(mu * (m[1][1] + m[2][2]) + abs(m[0][1]) + abs(m[0][2]), 1e-300)
     jammed = False

@@ -1,4 +1,4 @@
-"""Rebounds as the compiled loops read them: arrays, variances, nodes for the spins that nobody measured."""
+"""Rebounds and settings as arrays for the likelihood: measurements, variances, shared errors, the grid of unmeasured spins."""
 
 from __future__ import annotations
 
@@ -10,26 +10,33 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.checks import expect, real
-from carom.errors import CaromError
+from carom.data.rebounds import COLUMNS, STAGES, Rebounds
+from carom.errors import CaromError, float_or_nan, require_type
 from carom.fitting.parameters import FORMS, PARAMETERS
-from carom.fitting.stretches import Spins, places_of_sigma
-from carom.rebounds import COLUMNS, STAGES, Rebounds
+from carom.fitting.spin_quadrature import SpinGrid, sigma_grid
 
 __all__ = ["Problem", "Setting", "Shared", "make_problem", "prior_in_words", "require_settings", "table_faults"]
 
 Array = NDArray[np.float64]
-MOST_SHARED = 0.95  # of a variance, that rows share: the rest is a row's own
-MOST_TOGETHER = 0.95  # correlation of errors before and after: nothing is left of a row whose errors are one
-# What a film measures once for all its rows: the beginning of their columns, and what it is
+MAX_SHARED_VARIANCE = 0.95  # of a variance: the rest is a row's own
+MAX_CORRELATION = 0.95  # of errors before and after: a row with fully correlated errors would carry no information
+# What a film measures once for all its rows: the prefix of the columns, and its name
 SHARED = {"cloth": "cloth friction", "rolling": "rolling resistance"}
-CLOTH = 0.2  # a billiard table's, where nothing else is known
-MOST_WIDTH = 5.0  # of spins before the wall, in v/a: no ball has more
+CLOTH_FRICTION = 0.2  # of a billiard table, where nothing else is known
+MAX_SPIN = 5.0  # mean or width of spins before the wall, in v/a
+FEW_ROWS, SAME_ANGLE, SAME_SPEED = 12, 3.0, 1.3  # rows; degrees; ratio of the fastest to the slowest
 
 
 @dataclass(frozen=True)
 class Setting:
-    """What is not in the table: the ball, the wall's height, what to fit and how."""
+    """The ball, the wall's height, what to fit and how.
+
+    Examples
+    --------
+    >>> from carom.fitting import Setting
+    >>> Setting(radius=0.02, kappa=2 / 3).restitution
+    'constant'
+    """
 
     radius: float
     """m"""
@@ -40,48 +47,48 @@ class Setting:
     contact_height: float = 1.0
     """Where the wall touches, in radii above the floor; a billiard cushion 1.2 to 1.4. Table rebounds."""
     floor_friction: float | None = None
-    """While the wall presses the ball on it, and when it lands; None: what the film says that the table was measured in (its
-    columns cloth_friction and sigma_cloth_friction), else 0.2."""
+    """While the wall presses the ball onto the floor, and when it lands; None: from the table's columns cloth_friction and
+    sigma_cloth_friction, which a film provides, else 0.2."""
     floor_restitution: float = 0.0
     roll: float = 1.0
-    """Share of rolling with which balls on a table arrive; 0: without roll (stunned)."""
+    """Fraction of rolling with which balls on a table arrive; 0: without roll (stunned)."""
     spin_prior: str = "normal"
-    """Of a spin that nobody measured: "normal" of width spin_width about spin_mean v_t/a, or "uniform" within it."""
+    """Prior of an unmeasured spin: "normal" of width spin_width about spin_mean v_t/a, or "uniform" within it."""
     spin_width: float | None = None
-    """v/a; None: fitted. A width that is too large speaks for laws that do not feel the spin, whatever the rest says."""
+    """v/a; None: fitted. A width that is too large favours laws that do not depend on the spin."""
     spin_mean: float | None = None
-    """v_t/a, running side that balls have on average; None: fitted (of a uniform prior 0)."""
+    """v_t/a, mean running side; None: fitted (0 for a uniform prior)."""
     fit: tuple[str, ...] = ()
-    """Numbers to fit beside the law's own: kappa, contact_height, floor_friction, roll."""
+    """Parameters to fit in addition to the law's own: kappa, contact_height, floor_friction, roll."""
     fixed: dict[str, float] = field(default_factory=dict)
-    """Numbers of the law that are not to be fitted, with their values."""
+    """Parameters of the law that are held, with their values."""
     bounds: dict[str, tuple[float, float]] = field(default_factory=dict)
     robust: bool = False
-    """Errors with heavy tails: Student's t with 4 degrees of freedom in place of the normal."""
+    """Errors with heavy tails: Student's t with 4 degrees of freedom instead of normal."""
 
 
 def table_faults(radius: float, contact_height: float, floor_restitution: float) -> list[str]:
-    """What is wrong with the numbers of ball and table that rebounds and whole tracks both need, a line a fault."""
+    """Return one line per problem of the ball and table, which rebounds and whole tracks both need."""
     faults = []
-    if not 0 < real(radius) < 10:
+    if not 0 < float_or_nan(radius) < 10:
         faults.append(f"radius: expected the ball's radius in m, above 0, got {radius!r}")
-    if not 1 <= real(contact_height) < 2:
+    if not 1 <= float_or_nan(contact_height) < 2:
         faults.append(f"contact_height: expected 1 (level with the centre) to 2, in radii, got {contact_height!r}")
-    if not 0 <= real(floor_restitution) <= 1:
+    if not 0 <= float_or_nan(floor_restitution) <= 1:
         faults.append(f"floor_restitution: expected 0 to 1, got {floor_restitution!r}")
     return faults
 
 
 def require_settings(setting: Setting) -> None:
-    """CaromError where the setting cannot be, with all its faults."""
-    expect("fit", "setting", setting, Setting)
+    """Raise CaromError for an invalid setting, one line per problem."""
+    require_type("fit", "setting", setting, Setting)
     faults = table_faults(setting.radius, setting.contact_height, setting.floor_restitution)
-    if not 0 < real(setting.kappa) <= 1:
+    if not 0 < float_or_nan(setting.kappa) <= 1:
         faults.append(f"inertia: expected solid, hollow or kappa = I/(m a^2) above 0, up to 1, got {setting.kappa!r}")
     if str(setting.restitution) not in FORMS:
         faults.append(f"restitution: expected one of {', '.join(FORMS)}, got {setting.restitution!r}")
     for name, value in (("floor_friction", setting.floor_friction), ("roll", setting.roll)):
-        if value is not None and not 0 <= real(value) < math.inf:
+        if value is not None and not 0 <= float_or_nan(value) < math.inf:
             faults.append(f"{name}: expected a number of at least 0, got {value!r}")
     limits = {p.name: p for p in (*PARAMETERS, *(p for form in FORMS.values() for p in form.parameters))}
     kinds = {"fit": tuple | list, "fixed": Mapping, "bounds": Mapping}
@@ -90,16 +97,16 @@ def require_settings(setting: Setting) -> None:
         words = "a tuple of names" if name == "fit" else "a mapping of names"
         faults.append(f"{name}: expected {words}, got {getattr(setting, name)!r:.60}")
     for name, value in () if "fixed" in wrong else setting.fixed.items():
-        if name in limits and not limits[name].low <= real(value) <= limits[name].high:
+        if name in limits and not limits[name].low <= float_or_nan(value) <= limits[name].high:
             faults.append(f"fix: {name}: expected {limits[name].low:g} to {limits[name].high:g}, got {value!r}")
     if setting.spin_prior not in ("uniform", "normal"):
         faults.append(f"spin_prior: expected uniform or normal, got {setting.spin_prior!r}")
     if setting.spin_prior == "uniform" and setting.spin_width is None:
         faults.append("spin_width: expected a width in v/a for a uniform prior, got none; a normal one's can be fitted")
-    if setting.spin_width is not None and not 0 < real(setting.spin_width) <= MOST_WIDTH:
-        faults.append(f"spin_width: expected a width above 0, up to {MOST_WIDTH:g} v/a, got {setting.spin_width!r}")
-    if setting.spin_mean is not None and not abs(real(setting.spin_mean)) <= MOST_WIDTH:
-        faults.append(f"spin_mean: expected {-MOST_WIDTH:g} to {MOST_WIDTH:g} v_t/a, got {setting.spin_mean!r}")
+    if setting.spin_width is not None and not 0 < float_or_nan(setting.spin_width) <= MAX_SPIN:
+        faults.append(f"spin_width: expected a width above 0, up to {MAX_SPIN:g} v/a, got {setting.spin_width!r}")
+    if setting.spin_mean is not None and not abs(float_or_nan(setting.spin_mean)) <= MAX_SPIN:
+        faults.append(f"spin_mean: expected {-MAX_SPIN:g} to {MAX_SPIN:g} v_t/a, got {setting.spin_mean!r}")
     extra = ("kappa", "contact_height", "floor_friction", "roll")
     faults += [
         f"fit: expected one of {', '.join(extra)}, got {name!r}"
@@ -112,44 +119,46 @@ def require_settings(setting: Setting) -> None:
 
 @dataclass(frozen=True)
 class Shared:
-    """An error that all rows have in common, because the film measures it once: a number z, normal with width 1."""
+    """An error that all rows share, because a film measures it once: a number z, normal with width 1."""
 
     name: str
     rows: Array
     """(N, 6) by how much one error bar of it moves what was measured before and after."""
     floor: float = 0.0
-    """By how much it moves the floor's friction, where that is from the film too."""
+    """By how much it moves the floor's friction, where that is from the same film."""
 
 
 @dataclass(frozen=True)
 class Problem:
-    """N rebounds as arrays."""
+    """N rebounds as arrays, with what is assumed of them."""
 
     rebounds: Rebounds
     setting: Setting
     x: Array
     """(N, 3) before: v_n, v_t, spin (NaN: not measured)."""
     vx: Array
-    """(N, 5) their variances; then of the errors of v_n before and after the covariance, and of those of v_t."""
+    """(N, 3) their variances."""
+    covariance: Array
+    """(N, 2) of the errors of v_n before and after, and of those of v_t."""
     y: Array
     """(N, 3) after; NaN: not measured."""
     vy: Array
     stages: NDArray[np.int64] | None
-    spins: Spins | None
-    """What is assumed of spins that were not measured; None: all were."""
+    spins: SpinGrid | None
+    """Assumptions about unmeasured spins; None: all were measured."""
     estimated: NDArray[np.bool_]
-    """(3,) outputs without error bars: their scatter is estimated."""
+    """(3,) outputs without error bars, whose scatter is estimated."""
     shared: tuple[Shared, ...] = ()
     """Errors that all rows have in common."""
 
     @property
     def count(self) -> int:
-        """Numbers measured after the wall."""
+        """Number of measurements after the wall."""
         return int(np.isfinite(self.y).sum())
 
     @property
     def unknown(self) -> NDArray[np.bool_]:
-        """(N,) rows whose spin before the wall nobody measured."""
+        """(N,) rows whose spin before the wall was not measured."""
         return np.isnan(self.x[:, 2])
 
     @property
@@ -158,20 +167,34 @@ class Problem:
         return 4.0 if self.setting.robust else 0.0
 
     def select(self, rows: Any) -> Problem:
-        """Some of the rows."""
+        """Return some of the rows."""
         stages = None if self.stages is None else np.ascontiguousarray(self.stages[rows])
-        x, vx, y, vy = (np.ascontiguousarray(array[rows]) for array in (self.x, self.vx, self.y, self.vy))
+        names = ("x", "vx", "covariance", "y", "vy")
+        arrays: dict[str, Any] = {name: np.ascontiguousarray(getattr(self, name)[rows]) for name in names}
         shared = tuple(replace(one, rows=np.ascontiguousarray(one.rows[rows])) for one in self.shared)
-        return replace(self, rebounds=self.rebounds.select(rows), stages=stages, x=x, vx=vx, y=y, vy=vy, shared=shared)
+        return replace(self, rebounds=self.rebounds.select(rows), stages=stages, shared=shared, **arrays)
 
     def work(self, heavy: bool) -> float:
-        """How many times one look at all rows asks a cheap law."""
-        each = 0 if self.spins is None else len(self.spins.places)
+        """Return the number of law evaluations per evaluation of the likelihood; ``heavy``: of a costly law."""
+        each = 0 if self.spins is None else len(self.spins.sigma)
         return float(len(self.x) + self.unknown.sum() * each) * (100.0 if heavy else 1.0)
 
 
 def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[str]]:
-    """The arrays, and what there is to say. Raises CaromError where a fit would be a guess."""
+    """Return rebounds as arrays for a fit, and notes.
+
+    Raises CaromError where a fit is impossible: too few rows, or no error bars where spins were not measured.
+
+    Examples
+    --------
+    >>> from carom.data.rebounds import make_rebounds
+    >>> from carom.fitting import Setting, make_problem
+    >>> columns = {"v_n_in": [1.0, 2.0, 3.0], "v_t_in": [1.0] * 3, "spin_in": [0.0] * 3, "v_n_out": [0.8, 1.6, 2.4]}
+    >>> columns |= {"v_t_out": [0.7, 0.8, 0.9], "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02}
+    >>> problem, notes = make_problem(make_rebounds("planar", columns), Setting(radius=0.02))
+    >>> problem.count
+    6
+    """
     names = COLUMNS[rebounds.kind]
     x = np.stack([rebounds[name] for name in names[:3]], axis=-1)
     y = np.stack([rebounds[name] for name in names[3:]], axis=-1)
@@ -201,12 +224,12 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
                 else "the robust fit is asked for"
             )
             faults.append(
-                f"{rebounds.source}: {lacks}: expected error bars, because {why} and scatter cannot be told from it; got none;"
-                " add the columns, or say --sigma-v and --sigma-spin"
+                f"{rebounds.source}: {lacks}: expected error bars, because {why} and scatter looks the same; got none;"
+                " add the columns, or give --sigma-v and --sigma-spin"
             )
         else:
             notes.append(
-                f"{lacks}: not given; that scatter is estimated, by every law for itself, so no law can fit badly"
+                f"{lacks}: not given; that scatter is estimated for each law separately, so no law can fit badly"
             )
         vy[:, estimated] = 1.0
     if len(rebounds) < 3:
@@ -215,35 +238,36 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
         raise CaromError(*faults)
     exact = [name for name in names[:3] if name not in rebounds.sigma and np.nan_to_num(rebounds[name]).any()]
     if exact and rebounds.sigma:
-        notes.append(f"{', '.join(f'sigma_{name}' for name in exact)}: not given; taken as exact before the wall")
+        notes.append(f"{', '.join(f'sigma_{name}' for name in exact)}: not given; assumed exact before the wall")
     stages = None if rebounds.stage is None else np.array([STAGES.index(str(s)) for s in rebounds.stage])
     setting, floor, error = _with_floor(rebounds, setting)
     notes += floor
     shared = () if estimated.any() else _shared(rebounds, names, error)
-    if shared:  # and each row has what is left
+    if shared:  # each row keeps the rest of its variance
         square = np.sum([np.square(one.rows) for one in shared], axis=0)
-        vx, vy = (v - np.minimum(s, MOST_SHARED * v) for v, s in ((vx, square[:, :3]), (vy, square[:, 3:])))
+        vx, vy = (v - np.minimum(s, MAX_SHARED_VARIANCE * v) for v, s in ((vx, square[:, :3]), (vy, square[:, 3:])))
         covariance = covariance - np.sum([one.rows[:, :2] * one.rows[:, 3:5] for one in shared], axis=0)
-        words = " and of its ".join(f"{one.name}" for one in shared)
-        notes.append(f"velocities of all rows share the error of the film's {words}: fitted with every law")
-    most = np.where(estimated[:2], 0.0, MOST_TOGETHER * np.sqrt(vx[:, :2] * vy[:, :2]))
-    vx = np.concatenate([vx, np.clip(covariance, -most, most)], axis=-1)
-    problem = Problem(rebounds, setting, x, vx, y, vy, stages, None, estimated, shared)
+        words = " and its ".join(one.name for one in shared)
+        notes.append(f"all velocities share the error of the film's {words}: fitted with every law")
+    most = np.where(estimated[:2], 0.0, MAX_CORRELATION * np.sqrt(vx[:, :2] * vy[:, :2]))
+    problem = Problem(
+        rebounds, setting, x, vx, np.clip(covariance, -most, most), y, vy, stages, None, estimated, shared
+    )
     if unknown.any():
-        problem = replace(problem, spins=Spins(places_of_sigma(), setting.spin_prior == "uniform"))
+        problem = replace(problem, spins=SpinGrid(sigma_grid(), setting.spin_prior == "uniform"))
         notes.append(
-            f"{names[2]}: not measured in {unknown.sum()} of {len(x)} rows; taken as anything ({prior_in_words(setting)}) and"
-            " averaged over"
+            f"{names[2]}: not measured in {unknown.sum()} of {len(x)} rows; integrated over its prior"
+            f" ({prior_in_words(setting)})"
         )
-    notes += _look(problem, spins)
+    notes += _warnings(problem, spins)
     return problem, notes
 
 
 def _covariances(rebounds: Rebounds, most: Array) -> tuple[Array, list[str]]:
-    """(N, 2) of the errors of v_n before and after, and of those of v_t, 0 where nothing says; and what is wrong with them.
+    """Return the covariances (N, 2) of the errors of v_n before and after and of v_t, 0 where not given, and their problems.
     ``most``: the products of the error bars.
 
-    A film's way before a wall and that after it meet in one place and at one time: where one is thought steeper, the other is too.
+    In a film the paths before and after a wall meet at one place and time: if one is taken too steep, the other is too.
     """
     found, faults = np.zeros((len(rebounds), 2)), []
     for o, name in enumerate(("v_n", "v_t")):
@@ -253,14 +277,14 @@ def _covariances(rebounds: Rebounds, most: Array) -> tuple[Array, list[str]]:
             label = rebounds.rows[wrong[0]] if rebounds.rows else f"row {wrong[0] + 1}"
             faults.append(
                 f"{rebounds.source}: {label}: covariance_{name}: expected at most sigma_{name}_in times sigma_{name}_out,"
-                f" {most[wrong[0], o]:.3g} m^2/s^2, got {found[wrong[0], o]:.3g}; leave the column out if error bars were changed"
+                f" {most[wrong[0], o]:.3g} m^2/s^2, got {found[wrong[0], o]:.3g}; omit the column if error bars were changed"
             )
     return found, faults
 
 
 def _shared(rebounds: Rebounds, names: tuple[str, ...], floor: float) -> tuple[Shared, ...]:
-    """What the columns cloth_ and rolling_ of a table say that carom made of a film; ``floor``: one error bar of the floor's
-    friction, where the cloth's is taken for it."""
+    """Return the shared errors in the columns cloth_ and rolling_ of a table that carom made from a film; ``floor``: one error bar
+    of the floor's friction, where it is the cloth's."""
     found = []
     for prefix, name in SHARED.items():
         columns = [_numbers(rebounds, f"{prefix}_{column}") for column in names]
@@ -271,7 +295,7 @@ def _shared(rebounds: Rebounds, names: tuple[str, ...], floor: float) -> tuple[S
 
 
 def _no_numbers(rebounds: Rebounds) -> list[str]:
-    """Of the columns that are read beside the measured ones, cells that are no numbers: without a column error bars are others."""
+    """Return one line per cell that is not a number in the columns of shared errors and covariances."""
     faults = []
     for name, column in rebounds.extra.items():
         if not name.removeprefix("sigma_").startswith((*(f"{prefix}_" for prefix in SHARED), "covariance_")):
@@ -286,7 +310,7 @@ def _no_numbers(rebounds: Rebounds) -> list[str]:
 
 
 def _numbers(rebounds: Rebounds, name: str) -> Array:
-    """An extra column; NaN where it has no number, or there is none."""
+    """Return an extra column; NaN where a cell is empty, or the column missing."""
     column = rebounds.extra.get(name)
     try:
         return np.full(len(rebounds), np.nan) if column is None else np.where(column == "", "nan", column).astype(float)
@@ -295,28 +319,28 @@ def _numbers(rebounds: Rebounds, name: str) -> Array:
 
 
 def _with_floor(rebounds: Rebounds, setting: Setting) -> tuple[Setting, list[str], float]:
-    """The setting with a friction of the floor, where it is from, and its error bar if that is a film that has one."""
+    """Return the setting with a floor friction, a note on its origin, and its error bar if it is from a film."""
     if setting.floor_friction is not None:
         return setting, [], 0.0
     if rebounds.kind == "planar":
-        return replace(setting, floor_friction=CLOTH), [], 0.0
+        return replace(setting, floor_friction=CLOTH_FRICTION), [], 0.0
     found = film_says(rebounds, "cloth_friction")
     fitted = "floor_friction" in setting.fit or "floor_friction" in setting.fixed
     if found is None:
-        said = f"floor_friction: nothing says what it is; taken as {CLOTH:g}; give it with --floor-friction or --fit it"
-        return replace(setting, floor_friction=CLOTH), [] if fitted else [said], 0.0
+        said = f"floor_friction: not given; taken as {CLOTH_FRICTION:g}; give it with --floor-friction, or --fit it"
+        return replace(setting, floor_friction=CLOTH_FRICTION), [] if fitted else [said], 0.0
     value, error, films = found
     bar = f" ± {error:.2g}" if error else ""
-    of = "the film says" if films == 1 else f"{films} films say on average"
-    said = f"floor_friction: {value:.4g}{bar}, as {of} (column cloth_friction); --floor-friction overrules"
+    of = "from the film" if films == 1 else f"mean of {films} films"
+    said = f"floor_friction: {value:.4g}{bar}, {of} (column cloth_friction); --floor-friction overrides it"
     return replace(setting, floor_friction=value), [] if fitted else [said], 0.0 if fitted else error
 
 
 def film_says(rebounds: Rebounds, name: str) -> tuple[float, float, int] | None:
-    """What films say of a number of the table: value, error (0: not known) and in how many films; None where none says anything.
+    """Return a quantity that films measured once: value, error (0: not known) and number of films; None where there is none.
 
-    A table that carom makes of a film has it in a column, the same in all rows; several films, one after the other in a table, are
-    weighted by their errors.
+    A table that carom makes from a film has it in a column, the same in all rows; several films in one table are weighted by their
+    errors.
     """
     value, error = _numbers(rebounds, name), _numbers(rebounds, f"sigma_{name}")
     films = np.unique(np.stack([value, np.nan_to_num(error)], axis=-1)[np.isfinite(value) & (value >= 0)], axis=0)
@@ -329,22 +353,20 @@ def film_says(rebounds: Rebounds, name: str) -> tuple[float, float, int] | None:
 
 
 def prior_in_words(setting: Setting) -> str:
-    """What is assumed of spins that nobody measured."""
+    """Return the prior of unmeasured spins in words."""
     uniform = setting.spin_prior == "uniform"
     mean = 0.0 if uniform and setting.spin_mean is None else setting.spin_mean
-    about = "about a mean along v_t that is fitted" if mean is None else f"about {mean:g} v_t/a" if mean else "about 0"
-    width = "of a width that is fitted" if setting.spin_width is None else f"of width {setting.spin_width:g} v/a"
+    about = "with a fitted mean along v_t" if mean is None else f"about {mean:g} v_t/a" if mean else "about 0"
+    width = "fitted width" if setting.spin_width is None else f"width {setting.spin_width:g} v/a"
     return f"uniform {about}, within {setting.spin_width:g} v/a" if uniform else f"normal {about}, {width}"
 
 
-def _look(problem: Problem, spin: str) -> list[str]:
-    """What a fit cannot mend: few rows, one angle, one speed, no spin."""
+def _warnings(problem: Problem, spin: str) -> list[str]:
+    """Return notes on data that limit any fit: few rows, copies, one angle, one speed, no spin."""
     notes = []
     n = len(problem.x)
-    if n < 12:
-        notes.append(
-            f"rows: only {n} rebounds: error bars are those of a normal law of many; film more before you decide"
-        )
+    if n < FEW_ROWS:
+        notes.append(f"rows: only {n} rebounds: error bars assume many; film more before you decide")
     both = np.nan_to_num(np.concatenate([problem.x, problem.y], axis=1), nan=np.inf)
     different, first = np.unique(both, axis=0, return_index=True)
     if len(different) < n:
@@ -352,20 +374,24 @@ def _look(problem: Problem, spin: str) -> list[str]:
         copies = [label[i] for i in range(n) if i not in set(first.tolist())]
         notes.append(
             f"rows: {len(copies)} of {n} are copies of others ({', '.join(copies[:3])}{', ...' if len(copies) > 3 else ''}); each"
-            " counts as a measurement of its own and makes error bars smaller than they are: leave copies out"
+            " counts as an independent measurement, and error bars come out too small: leave copies out"
         )
     angle = np.degrees(np.arctan2(problem.x[:, 1], problem.x[:, 0]))
     spun = problem.x[:, 2] * problem.setting.radius / np.hypot(problem.x[:, 0], problem.x[:, 1])
-    if np.isfinite(problem.y[:, 1]).any() and np.ptp(angle) < 3 and not np.nanmax(np.abs(spun), initial=0.0) > 0.05:
+    if (
+        np.isfinite(problem.y[:, 1]).any()
+        and np.ptp(angle) < SAME_ANGLE
+        and not np.nanmax(np.abs(spun), initial=0.0) > 0.05
+    ):
         notes.append(
-            f"angles: all rows come in at the same angle, {np.median(angle):.1f} degrees within {np.ptp(angle):.1g}: one angle"
-            " fixes one number along the wall, not two; film other angles (carom design says which)"
+            f"angles: all rows have the same angle, {np.median(angle):.1f} degrees within {np.ptp(angle):.1g}: one angle"
+            " determines one parameter along the wall, not two; film other angles (carom design says which)"
         )
     speed = problem.x[:, 0]
-    if speed.max() < 1.3 * speed.min() and problem.setting.restitution != "constant":
+    if speed.max() < SAME_SPEED * speed.min() and problem.setting.restitution != "constant":
         notes.append(
-            f"speeds: v_n_in only from {speed.min():.3g} to {speed.max():.3g} m/s: too little for a restitution that depends on it"
+            f"speeds: v_n_in only from {speed.min():.3g} to {speed.max():.3g} m/s: too few for a restitution that depends on it"
         )
     if not np.isfinite(problem.y[:, 2]).any():
-        notes.append(f"{spin}: not measured; friction shows in v_t alone")
+        notes.append(f"{spin}: not measured; only v_t depends on friction")
     return notes

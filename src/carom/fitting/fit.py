@@ -1,7 +1,7 @@
-"""One law fitted to rebounds: where to start, the way down, scatter that came without error bars.
+"""Fit of one law to rebounds: starting points, descent, continuation beyond creases, scatter where no error bars are given.
 
-Error bars that came with the data are used as given: the deviance is chi^2, AIC is chi^2 + 2 k. Where there are none, the
-scatter of each measured quantity is one more number of the law, and the deviance is n log(scatter^2) + n.
+Error bars given with the data are used as they are: the deviance is chi^2, AIC is chi^2 + 2 k. Where there are none, the scatter
+of each measured quantity is one more parameter of the law, and the deviance is n log(scatter^2) + n.
 """
 
 from __future__ import annotations
@@ -9,197 +9,283 @@ from __future__ import annotations
 import itertools
 import math
 from dataclasses import replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.fitting.averaged import with_averaged, with_profile
 from carom.fitting.data import Problem
-from carom.fitting.kernels import TOGETHER, TURN
+from carom.fitting.identifiability import identified_covariance, identify, parameter_ranges
 from carom.fitting.laws import FittedLaw
-from carom.fitting.parameters import INDEX, NUMBERS, Parameter
-from carom.fitting.told import with_errors
-from carom.fitting.ways import (
-    STEPS,
-    Estimate,
-    Fit,
-    Ways,
-    feels_spins,
-    go,
-    parameters_of,
-    predict_law,
-    refit,
-    rows_of_fit,
-    ways_of,
-)
+from carom.fitting.model import STEPS, FitModel, feels_spins, model_of, predict_law
+from carom.fitting.optimizer import cross_creases
+from carom.fitting.parameters import INDEX, NUMBERS
+from carom.fitting.result import Fit, refit, rows_of_fit
+from carom.fitting.uncertainty import with_marginal_errors, with_profiled_friction
 
-__all__ = ["Estimate", "Fit", "fit_law", "parameters_of", "predict_law", "refit", "rows_of_fit"]
+__all__ = ["fit_law", "kinked_rows_warning"]
 
 Array = NDArray[np.float64]
-FEW_STEPS = 40
-SEARCHED, SEARCHED_AVERAGED = 150, 40  # rows, of many, in which starts are tried
-FEW, MANY = 8, 12  # starts from which it goes down
-NEAR = (0.7, 0.82, 0.91, 0.96, 1.04, 1.1, 1.2, 1.4)  # times a friction: others to try
-ALL = (0.07, 0.1, 0.14, 0.18, 0.23, 0.3, 0.4)  # and, the first time, all kinds of them
-ACROSS = 4  # times at most
-CLOSE = 30.0  # a start that ends so much higher has lost
+FEW_STEPS, HELD_STEPS, SCATTER_ROUNDS = 40, 12, 40
+SEARCH_ROWS, MARGINAL_SEARCH_ROWS = 150, 40  # rows, of many, in which starts are tried
+STARTS, MARGINAL_STARTS = 8, 12  # from which the search descends
+FREED = 3  # of the frictions that were held
+MAX_EXCESS = 30.0  # of the deviance: a start that ends so much higher is dropped
+DISTINCT = 0.02  # between two places
+KINKED_SIGMA, KINKED_SHARE = 0.3, 0.06  # of an error bar by which the prediction deviates from linear; of the rows
+STUDENT_NU = 4
 
 
-def _search(ways: Ways, problem: Problem, start: Array, parameters: list[Parameter]) -> Array:
-    """Places (B, K) from which to go down: the best of a grid, gone down a little way in few rows."""
-    n = len(problem.x)
-    if ways.law.code == TOGETHER and parameters:  # wall and floor in turn are near, and a hundred times as quick
-        quick = replace(ways, law=replace(ways.law, code=TURN))
-        p, cost, _u, _h = go(quick, problem, _search(quick, problem, start, parameters), FEW_STEPS)
-        return p[_apart(p[:, ways.free], cost, CLOSE, 2)]
-    averaged = problem.spins is not None
-    few = min(n, SEARCHED_AVERAGED if averaged else SEARCHED)
-    some = problem if n <= few else problem.select(np.linspace(0, n - 1, few).astype(int))
-    grid = np.array(list(itertools.product(*(parameter.tried for parameter in parameters))))
+class _Place(NamedTuple):
+    """Where a descent has ended."""
+
+    p: Array
+    deviance: float
+    information: Array
+
+
+def _descend(model: FitModel, p: Array) -> _Place:
+    """Descend from each of p (B, K), and return the best place."""
+    found = model.minimize(p, STEPS)
+    best = int(np.argmin(found.value))
+    return _Place(found.p[best], float(found.value[best]), found.information[best])
+
+
+def _search(model: FitModel) -> Array:
+    """Return places (B, K) from which to descend: the best of a grid, after a short descent in few rows."""
+    problem, law, start = model.problem, model.law, model.start
+    n, parameters = len(problem.x), model.parameters
+    if law.search_code is not None and parameters:  # a law that is near, and a hundred times as quick
+        quick = replace(model, law=replace(law, code=law.search_code, search_code=None))
+        found = quick.minimize(_search(quick), FEW_STEPS)
+        return found.p[_distinct(found.p[:, model.free], found.value, MAX_EXCESS, 2)]
+    marginal = problem.spins is not None
+    few = min(n, MARGINAL_SEARCH_ROWS if marginal else SEARCH_ROWS)
+    some = model if n <= few else replace(model, problem=problem.select(np.linspace(0, n - 1, few).astype(int)))
+    grid = np.array(list(itertools.product(*(parameter.tried for parameter in parameters.values()))))
     p = np.tile(start, (max(len(grid), 1), 1))
     if not parameters:
         return p
-    p[:, ways.free] = grid
-    _p, cost, _u, _h = go(ways, some, p.copy(), 1)
-    # the best of the grid; of places that the rows cannot tell apart, one
+    p[:, model.without_shared().free] = grid
+    cost = some.minimize(p, 1).value
+    # the best of the grid; of places that the rows do not distinguish, one
     _cost, first = np.unique(np.round(cost, 6), return_index=True)
-    if averaged and INDEX["friction"] in ways.free:
-        # unknown spins and unknown friction do the same to an angle: from each friction one way down
+    if marginal and "friction" in parameters:
+        # unknown spins and unknown friction do the same to an angle: one descent from each friction
         _friction, best = np.unique(p[first, INDEX["friction"]], return_index=True)
         first = first[np.sort(best)]
-    p, cost, _u, _h = go(ways, some, p[first[: MANY if averaged else FEW]], FEW_STEPS)
-    return p[_apart(p[:, ways.free], cost, CLOSE * len(problem.x) / few, 4 if averaged else 3)]
+    found = some.minimize(p[first[: MARGINAL_STARTS if marginal else STARTS]], FEW_STEPS)
+    return found.p[_distinct(found.p[:, model.free], found.value, MAX_EXCESS * n / few, 4 if marginal else 3)]
 
 
-def _apart(p: Array, cost: Array, close: float, most: int) -> list[int]:
-    """The best place, and others that lie elsewhere and are not much worse."""
+def _distinct(p: Array, cost: Array, excess: float, most: int) -> list[int]:
+    """Return the index of the best place, and of others elsewhere that are not much worse."""
     order = np.argsort(cost, kind="stable").tolist()
     chosen: list[int] = order[:1]
     for i in order[1:]:
         apart = min(float(np.abs(p[i] - p[j]).max()) for j in chosen)
-        if apart > 0.02 and cost[i] < cost[order[0]] + close and len(chosen) < most:
+        if apart > DISTINCT and cost[i] < cost[order[0]] + excess and len(chosen) < most:
             chosen.append(i)
     return chosen
 
 
 def fit_law(law: FittedLaw, problem: Problem) -> Fit:
-    """Fit one law.
+    """Fit one law to rebounds by maximum likelihood.
 
-    Raises CaromError where the law has no answer to any row.
+    Parameters
+    ----------
+    law : FittedLaw
+        One of :data:`FITTED`.
+    problem : Problem
+        Of :func:`make_problem`.
+
+    Returns
+    -------
+    Fit
+        Estimates with standard errors, covariance, deviance, and what is not identifiable.
+
+    Examples
+    --------
+    >>> from carom.data.rebounds import make_rebounds
+    >>> from carom.fitting import FITTED, Setting, fit_law, make_problem
+    >>> v = [1.0, 2.0, 3.0, 4.0]
+    >>> columns = {"v_n_in": v, "v_t_in": v, "spin_in": [0.0] * 4, "v_n_out": [0.81, 1.59, 2.42, 3.18], "v_t_out": v,
+    ...            "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02}
+    >>> problem, notes = make_problem(make_rebounds("planar", columns), Setting(radius=0.02))
+    >>> fit = fit_law(FITTED[0], problem)
+    >>> f"{fit.law.name}: e = {fit.estimates['restitution'].value:.3f}"
+    'mirror: e = 0.799'
     """
-    ways, names, start, parameters = ways_of(law, problem)
+    model = model_of(law, problem)
     scatter: dict[str, float] = {}
-    n_by = np.isfinite(problem.y).sum(axis=0)
-    own = ways.own
+    extra, n_by = 0.0, np.isfinite(problem.y).sum(axis=0)
     if problem.estimated.any():
-        p, problem, extra = _with_scatter(ways, problem, start, parameters)
-        where = {0: "v_n_out", 1: "v_t_out", 2: "spin_out" if law.kind == "planar" else "spin_z_out"}
-        scatter = {where[int(j)]: math.sqrt(problem.vy[0, j]) for j in np.flatnonzero(problem.estimated)}
+        p, model, extra = _with_scatter(model)
+        problem = model.problem
+        outputs = ("v_n_out", "v_t_out", "spin_out" if law.kind == "planar" else "spin_z_out")
+        scatter = {outputs[j]: math.sqrt(problem.vy[0, j]) for j in np.flatnonzero(problem.estimated).tolist()}
     else:
-        p, extra = _search(own, problem, start, parameters), 0.0
-    p, cost, _u, h = go(own, problem, p, STEPS)
-    if problem.spins is not None and INDEX["friction"] in ways.free:
-        p, cost, h = _across(own, problem, p, cost, h)
-    best = int(np.argmin(cost))
+        p = _search(model.without_shared())
+    own = model.without_shared()
+    best = _descend(own, p)
+    if problem.spins is not None and "friction" in model.parameters:
+        best = _across_creases(own, best)
     if problem.shared:  # a crease may be in the way: from either side too
         z = np.eye(len(problem.shared))
-        p = np.tile(p[best], (1 + 2 * len(z), 1))
+        p = np.tile(best.p, (1 + 2 * len(z), 1))
         p[1:, NUMBERS:] = np.concatenate([z, -z])
-        p, cost, _u, h = go(ways, problem, p, STEPS)
-        best = int(np.argmin(cost))
+        best = _descend(model, p)
+    names = tuple(model.parameters)
     k = len(names) + len(scatter)
-    fit = Fit(
-        law,
-        problem,
-        names,
-        {},
-        p[best],
-        float(cost[best]) + extra,
-        0.0,
-        0,
-        np.zeros((0, 0)),
-        np.zeros(0),
-        scatter=scatter,
-    )
-    _c, least = rows_of_fit(fit, problem, fit.numbers)
+    _deviance, chi2_by_row = replace(own, free=own.free[:0]).row_deviances(best.p)
     # a spin that was not measured is one more number, and its prior one more datum; a uniform prior is none
     dof = problem.count - k
     if problem.spins is not None and problem.spins.uniform and feels_spins(law, problem):
         dof -= int(problem.unknown.sum())
     # Student's errors widen the error bars: their information is (nu + d)/(nu + d + 2) of the curvature
     d = np.isfinite(problem.y).sum(axis=1).mean()
-    info = _told(h[best], len(names)) * ((4 + d) / (6 + d) if problem.nu else 1.0)
+    information = _own_information(best.information, len(names))
+    information = information * ((STUDENT_NU + d) / (STUDENT_NU + d + 2) if problem.nu else 1.0)
     if scatter:
-        info = info * max(problem.count - k, 1) / max(int(n_by[problem.estimated].sum()), 1)
+        information = information * max(problem.count - k, 1) / max(int(n_by[problem.estimated].sum()), 1)
     # an error that all rows share is one more number, and what the film says of it one more datum
-    chi2 = float(least.sum() + np.square(fit.numbers[NUMBERS:]).sum())
-    fit = replace(fit, chi2=chi2, dof=dof, by_row=least)
-    told = with_errors(fit, own, parameters, info)
-    if problem.spins is not None and "friction" in told.untold:
-        told = with_errors(fit, own, parameters, with_profile(fit, info, extra))
-    fit = told
-    return fit if problem.spins is None else with_averaged(fit, extra)
+    chi2 = float(chi2_by_row.sum() + np.square(best.p[NUMBERS:]).sum())
+    fit = Fit(
+        law,
+        problem,
+        names,
+        {},
+        best.p,
+        best.deviance + extra,
+        chi2,
+        dof,
+        np.zeros((0, 0)),
+        chi2_by_row,
+        scatter=scatter,
+    )
+    done = _identified(fit, information)
+    if problem.spins is not None and "friction" in done.untold:
+        done = _identified(fit, with_profiled_friction(fit, information, extra))
+    return done if problem.spins is None else with_marginal_errors(done, extra)
 
 
-def _told(h: Array, k: int) -> Array:
-    """Information of the law's k numbers, whatever the errors are that all rows share."""
+def _own_information(h: Array, k: int) -> Array:
+    """Return the information on the law's k parameters, with the shared errors profiled out."""
     if len(h) == k:
         return h
     plain, cross = h[:k, :k], h[:k, k:]
     through = cross.T @ np.linalg.pinv(plain, hermitian=True) @ cross
-    # what rows say of a shared error, beside what the film says, 1: less than nothing only where creases are in the way
+    # information of the rows on a shared error, beside that of the film, 1: less than nothing only where creases are in the way
     strength, direction = np.linalg.eigh(h[k:, k:] - through)
     left = direction @ np.diag(np.maximum(strength, 1.0)) @ direction.T
-    return plain - cross @ np.linalg.solve(left + through, cross.T)
+    return np.asarray(plain - cross @ np.linalg.solve(left + through, cross.T))
 
 
-def _across(ways: Ways, problem: Problem, p: Array, cost: Array, h: Array) -> tuple[Array, Array, Array]:
-    """The best of p, or what lies beyond the creases about it: where rows change between sticking and sliding, at the wall or at
-    the floor, the deviance has some, at whose bottom a way down can end. So other frictions are held, and left to go on."""
-    place = INDEX["friction"]
-    without = replace(ways, free=ways.free[ways.free != place])
-    best = int(np.argmin(cost))
-    p, cost, h = p[[best]], cost[[best]], h[[best]]
-    for turn in range(ACROSS):
-        frictions = np.append(p[0, place] * np.array(NEAR), ALL if turn == 0 else ())
-        others = np.tile(p, (len(frictions), 1))
-        others[:, place] = np.clip(frictions, ways.low[place], ways.high[place])
-        others, held, _u, _h = go(without, problem, others, 12)
-        found, deviances, _u, curved = go(ways, problem, others[np.argsort(held, kind="stable")[:3]], STEPS)
-        first = int(np.argmin(deviances))
-        gained = float(cost[0] - deviances[first])
-        if gained > 0:
-            p, cost, h = found[[first]], deviances[[first]], curved[[first]]
-        if gained < 0.5:
-            break
-    return p, cost, h
+def _across_creases(model: FitModel, best: _Place) -> _Place:
+    """Continue the search with other frictions held, and then freed."""
+    i, held = INDEX["friction"], model.holding("friction")
 
+    def explore(best: _Place, nearby: list[float], everywhere: list[float]) -> _Place:
+        others = np.tile(best.p, (len(nearby) + len(everywhere), 1))
+        others[:, i] = np.clip(nearby + everywhere, model.low[i], model.high[i])
+        found = held.minimize(others, HELD_STEPS)
+        return _descend(model, found.p[np.argsort(found.value, kind="stable")[:FREED]])
 
-def _with_scatter(
-    ways: Ways, problem: Problem, start: Array, parameters: list[Parameter]
-) -> tuple[Array, Problem, float]:
-    """Numbers and scatter by turns until neither moves; the part of the deviance that is the scatter's logarithm."""
-    size = (
-        np.array([column[np.isfinite(column)].std() if np.isfinite(column).any() else 1.0 for column in problem.y.T])
-        / 3
-        + 1e-9
+    return cross_creases(
+        best, lambda place: float(place.p[i]), lambda place: place.deviance, explore, lambda _place, turn: turn == 0
     )
-    vy = problem.vy.copy()
-    vy[:, problem.estimated] = np.square(size)[problem.estimated]
-    problem = replace(problem, vy=vy)
-    p = _search(ways, problem, start, parameters)
+
+
+def _with_scatter(model: FitModel) -> tuple[Array, FitModel, float]:
+    """Fit parameters and scatter in turn until neither changes. Return places, the model with that scatter, and the part of the
+    deviance that is the scatter's logarithm."""
+    problem = model.problem
+    columns = [column[np.isfinite(column)] for column in problem.y.T]
+    size = np.array([column.std() if len(column) else 1.0 for column in columns]) / 3 + 1e-9
     n = np.isfinite(problem.y).sum(axis=0)
-    columns = problem.estimated & (n > 0)
-    for _ in range(40):
-        p, cost, _u, _h = go(ways, problem, p, STEPS)
-        p = p[[int(np.argmin(cost))]]
-        gap = np.nan_to_num(problem.y - predict_law(ways.law, problem, p[0]))
-        new = np.square(gap).sum(axis=0) / np.maximum(n, 1)
-        new = np.maximum(new, np.square(1e-9 * (size + 1)))
-        old = problem.vy[0].copy()
-        vy = problem.vy.copy()
-        vy[:, columns] = new[columns]
-        problem = replace(problem, vy=vy)
-        if np.all(np.abs(new - old)[columns] < 1e-6 * old[columns]):
+    estimated = problem.estimated & (n > 0)
+
+    def having(variance: Array, which: NDArray[np.bool_]) -> FitModel:
+        vy = model.problem.vy.copy()
+        vy[:, which] = variance[which]
+        return replace(model, problem=replace(model.problem, vy=vy))
+
+    model = having(np.square(size), problem.estimated)
+    p = _search(model)
+    for _ in range(SCATTER_ROUNDS):
+        p = _descend(model, p).p[None]
+        gap = np.nan_to_num(problem.y - predict_law(model.law, model.problem, p[0]))
+        new = np.maximum(np.square(gap).sum(axis=0) / np.maximum(n, 1), np.square(1e-9 * (size + 1)))
+        old = model.problem.vy[0]
+        model = having(new, estimated)
+        if np.all(np.abs(new - old)[estimated] < 1e-6 * old[estimated]):
             break
-    return p, problem, float((n[columns] * np.log(problem.vy[0, columns])).sum())
+    return p, model, float((n[estimated] * np.log(model.problem.vy[0, estimated])).sum())
+
+
+class _Subject:
+    """A fit to rebounds, for :func:`carom.fitting.identifiability.identify`."""
+
+    def __init__(self, fit: Fit, information: Array) -> None:
+        model = model_of(fit.law, fit.problem)
+        self.fit, self.information, self.label, self.names = fit, information, fit.law.name, fit.names
+        self.parameters = tuple(model.parameters.values())
+        self.places = list(model.places.values())
+        self.values = fit.numbers[self.places]
+        self.trade_offs = fit.problem.spins is not None
+        self.base = float(rows_of_fit(fit, fit.problem, fit.numbers)[0].sum())
+        self.shared = float(np.square(fit.numbers[NUMBERS:]).sum())
+
+    def covariance(self, inside: NDArray[np.int64]) -> Array:
+        """Return the inverse information of some parameters."""
+        ranges = parameter_ranges(self.parameters, self.values)[inside]
+        return identified_covariance(self.information[np.ix_(inside, inside)], ranges)
+
+    def rise(self, i: int, value: float) -> float:
+        """Return the deviance above the least with one parameter moved."""
+        p = self.fit.numbers.copy()
+        p[self.places[i]] = value
+        return float(rows_of_fit(self.fit, self.fit.problem, p)[0].sum()) - self.base
+
+    def refit_rises(self, i: int, values: Array) -> tuple[Array, Array]:
+        """Return the profile above the least, and the parameters there."""
+        p = np.tile(self.fit.numbers, (len(values), 1))
+        p[:, self.places[i]] = values
+        found, deviance = refit(self.fit, self.fit.problem, p=p, hold=self.names[i])
+        return deviance - self.base - self.shared, found[:, self.places]
+
+
+def _identified(fit: Fit, information: Array) -> Fit:
+    """Return the fit with covariance, estimates, and what is not identifiable."""
+    found = identify(_Subject(fit, information))
+    return replace(
+        fit, covariance=found.covariance, estimates=found.estimates, degenerate=found.degenerate, untold=found.untold
+    )
+
+
+def kinked_rows_warning(fit: Fit) -> str:
+    """Return a warning where the law is not linear within the error bars before the wall in many rows, or nothing.
+
+    A row's information is taken from the law's derivatives where it was measured. If one error bar to one side it sticks and to the
+    other it slides, these say little of where it really was, and of how well the row determines a parameter. Nor do profiles or
+    the bootstrap.
+    """
+    problem, p = fit.problem, fit.numbers
+    if problem.estimated.any() or not problem.vx.any():
+        return ""
+    here = fit.predicted()
+    wide, turn = problem.vy.copy(), np.zeros(problem.y.shape)
+    for o in range(3):
+        step = np.sqrt(problem.vx[:, o])[:, None] * np.eye(3)[o]
+        up, down = (predict_law(fit.law, replace(problem, x=problem.x + sign * step), p) for sign in (1, -1))
+        wide += np.square((up - down) / 2)
+        turn = np.maximum(turn, np.abs(up + down - 2 * here))
+    seen = np.isfinite(problem.y)
+    share = np.where(seen, turn / np.sqrt(np.where(seen, wide, 1.0)), 0.0).max(axis=1, initial=0.0)
+    many = int((share > KINKED_SIGMA).sum())
+    if many < KINKED_SHARE * len(share):
+        return ""
+    return (
+        f"error bars before the wall: in {many} of {len(share)} rows they reach from sticking to sliding under {fit.law.name}; a"
+        " nominal 95 % is then some 80 to 85 %, for bootstrap and profiles too; measure better before the wall"
+    )

@@ -1,96 +1,165 @@
-"""The laws that are fitted: which kernel, which numbers are free, which are what the law says."""
+"""Laws that can be fitted: their contact model, free and fixed parameters, and how the engine plays them.
+
+They are made from the descriptors in carom.laws: what this package needs of a law is a field of :class:`FittedLaw`.
+"""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Literal
 
-from carom.checks import nearest
-from carom.errors import CaromError
-from carom.fitting.kernels import CONTACT, CONVENTIONAL, MAW, SMOOTH, TOGETHER, TURN
-from carom.rebounds import Kind
+from carom.data.rebounds import Kind
+from carom.errors import CaromError, suggestion
+from carom.fitting.kernels import CONTACT, CONVENTIONAL, SMOOTH, TOGETHER, TURN
+from carom.laws.arrays import WallKernel
+from carom.laws.callbacks import user_address
+from carom.laws.law import CALLED_WALL, MIRROR_WALL, ROLLING_WALL, TWO_STEP_WALL, FitSpec, Law
+from carom.laws.registry import laws
 
-__all__ = ["FITTED", "FittedLaw", "laws_for", "laws_named", "unknown_laws"]
+__all__ = ["FITTED", "FittedLaw", "TrackEngine", "laws_for", "laws_named", "track_laws_named", "unknown_laws"]
+
+
+@dataclass(frozen=True)
+class TrackEngine:
+    """How :func:`carom.simulate` plays a law when whole tracks are fitted."""
+
+    law: str = "two-step"
+    floor_contact: Literal["with", "after"] = "after"
+    surface: bool = True
+    """Whether the law reads restitution and friction of the wall."""
+    rolling_only: bool = False
+    """Whether it is about balls that roll before the wall."""
 
 
 @dataclass(frozen=True)
 class FittedLaw:
-    """One law as it is fitted to one kind of rebound."""
+    """One law as it is fitted to one kind of rebound.
+
+    Examples
+    --------
+    >>> from carom.fitting import FITTED
+    >>> [law.name for law in FITTED if law.kind == "planar"]
+    ['mirror', 'no-slip', 'sticking', 'sliding', 'maw', 'stronge', 'contact']
+    """
 
     name: str
     kind: Kind
     code: int
+    """Of the contact model (:mod:`carom.fitting.kernels`); -1: that of its ``kernel``."""
     free: tuple[str, ...]
     words: str
-    """What a sentence calls it."""
+    """Its name in a sentence."""
     pinned: dict[str, float] = field(default_factory=dict)
+    """Parameters with values that define the law."""
     within: tuple[str, ...] = ()
-    """Laws that contain it: with some value of their own numbers they are this one, or as good as."""
+    """Laws that contain it as a special case, exactly or nearly."""
     upright: bool = False
-    """It knows no nose: the wall touches at the height of the centre."""
+    """Whether the wall always touches at the height of the centre."""
+    engine: TrackEngine | None = None
+    """None: not for whole tracks."""
+    search_code: int | None = None
+    """Cheaper contact model in which the search begins."""
+    chi_range: tuple[float, float] | None = None
+    """Range of stiffness_ratio (1 + 1/kappa)/2 over which the law is tabulated."""
+
+    on_request: bool = False
+    """Whether it takes part only where it is named."""
+    redundant_upright: bool = False
+    """Whether it is another law where the wall touches at the height of the centre."""
+    kernel: WallKernel | None = None
+    """Of a law that is not compiled in."""
+    stiffness_last: bool = False
+    """Whether the last number that the kernel takes is the stiffness ratio."""
+
+    @property
+    def contact_code(self) -> int:
+        """What the compiled loops take: the contact model, or the address of the law's kernel, negative with stiffness_last."""
+        if self.kernel is None:
+            return self.code
+        return -user_address(self.kernel) if self.stiffness_last else user_address(self.kernel)
 
     @property
     def called(self) -> str:
-        """Its words, with the name that the command knows where they lack it."""
+        """Its words, with the name on the command line where they lack it."""
         return self.words if self.name in self.words.lower() else f"{self.words} ({self.name})"
 
+    @property
+    def frictionless(self) -> bool:
+        """Whether the wall exerts no tangential force."""
+        return self.code == SMOOTH or self.pinned.get("friction") == 0
 
-ANY = {"friction": math.inf}
-FITTED = (
-    FittedLaw("mirror", "planar", CONTACT, ("restitution",), "no friction (mirror)", {"friction": 0.0},
-              ("sliding", "contact", "maw")),
-    FittedLaw("no-slip", "planar", CONTACT, ("restitution",), "no-slip, all slip returned", ANY | {"tangential_restitution": 1.0},
-              ("contact", "maw")),
-    FittedLaw("sticking", "planar", CONTACT, ("restitution",), "sticking (the paper's wall)", ANY, ("sliding", "contact", "maw")),
-    FittedLaw("sliding", "planar", CONTACT, ("restitution", "friction"), "sliding (Coulomb), slip stopped at most",
-              {}, ("contact",)),
-    FittedLaw("contact", "planar", CONTACT, ("restitution", "friction", "tangential_restitution"),
-              "sliding with tangential restitution"),
-    FittedLaw("maw", "planar", MAW, ("restitution", "friction", "stiffness_ratio"), "tangential compliance (Maw et al.)"),
-    FittedLaw("mirror", "table", SMOOTH, ("restitution",), "no friction (mirror)", upright=True),
-    FittedLaw("conventional", "table", CONVENTIONAL, (), "conventional rolling reflection", upright=True),
-    FittedLaw("two-step-paper", "table", TURN, (), "two-step with the paper's surfaces",
-              ANY | {"restitution": 1.0, "floor_friction": math.inf}, upright=True),
-    FittedLaw("no-slip", "table", TURN, ("restitution",), "no-slip wall, then the floor",
-              ANY | {"tangential_restitution": 1.0}, ("contact",), upright=True),
-    FittedLaw("two-step", "table", TOGETHER, ("restitution", "friction"), "two-step, wall and floor at once"),
-    FittedLaw("two-step-after", "table", TURN, ("restitution", "friction"), "two-step, the wall and then the floor",
-              {}, ("contact",)),
-    FittedLaw("contact", "table", TURN, ("restitution", "friction", "tangential_restitution"),
-              "wall with tangential restitution, then the floor"),
-    FittedLaw("maw", "table", MAW, ("restitution", "friction", "stiffness_ratio"),
-              "tangential compliance (Maw et al.), then the floor"),
-)  # fmt: skip
-# Names that people use, and why a law cannot take part
+    @property
+    def feels_floor(self) -> bool:
+        """Whether friction and restitution of the floor matter."""
+        return self.kind == "table" and self.code not in (SMOOTH, CONVENTIONAL)
+
+
+def _spec(law: Law, spec: FitSpec) -> FittedLaw:
+    """Return how a law of carom.LAWS is fitted to one kind of rebound."""
+    free = law.free if spec.free is None else spec.free
+    pinned = {name: value for name, value in {**law.pinned, **spec.pinned}.items() if name not in free}
+    with_floor = spec.rolling_only or law.response in (TWO_STEP_WALL, ROLLING_WALL, CALLED_WALL)
+    engine = TrackEngine(
+        law.name if law.response in (ROLLING_WALL, CALLED_WALL) else "two-step", "with" if with_floor else "after",
+        law.response != ROLLING_WALL, spec.rolling_only,
+    )  # fmt: skip
+    table = spec.kind == "table"
+    return FittedLaw(
+        law.name, spec.kind, _code(law, table), free, spec.phrase or law.name, pinned, spec.nested_in, spec.upright,
+        engine if table else None, TURN if table and law.response == TWO_STEP_WALL else None, law.chi_range, spec.on_request,
+        spec.redundant_upright, law.kernel if law.response == CALLED_WALL else None, law.last == "stiffness_ratio",
+    )  # fmt: skip
+
+
+def _code(law: Law, table: bool) -> int:
+    """Return the contact model of a law; minus 1 for one that is not compiled in (see :attr:`FittedLaw.contact_code`)."""
+    if law.response == CALLED_WALL:
+        return -1
+    on_table = {MIRROR_WALL: SMOOTH, ROLLING_WALL: CONVENTIONAL, TWO_STEP_WALL: TOGETHER}
+    return on_table.get(law.response, TURN) if table else CONTACT
+
+
+def _all_laws() -> tuple[FittedLaw, ...]:
+    specs = [
+        (law, spec) for law in laws().values() if law.kernel for spec in law.fits if not (spec.same_as or spec.absent)
+    ]
+    found = [_spec(law, spec) for law, spec in specs]
+    # (planar first; of each kind the laws with fewer free parameters first)
+    return tuple(sorted(found, key=lambda law: (law.kind, len(law.free))))
+
+
+FITTED = _all_laws()
+"""All laws that can be fitted, each for one kind of rebound."""
+# Other names of laws, and why a law cannot take part
 ALIASES = {
-    ("two-step", "planar"): "sliding", ("two-step-after", "planar"): "sliding", ("coulomb", "planar"): "sliding",
-    ("sliding", "table"): "two-step-after", ("coulomb", "table"): "two-step-after", ("sticking", "table"): "two-step-paper",
+    (name, spec.kind): spec.same_as or law.name
+    for law in laws().values() for spec in law.fits for name in (law.name, *law.aliases) if not spec.absent
 }  # fmt: skip
-ABSENT = {
-    ("conventional", "planar"): "it is about a ball that rolls on a floor, and these are bounces in the plane",
-    ("two-step-paper", "planar"): "it needs a floor; its wall is the law sticking",
-}
+ABSENT = {(law.name, spec.kind): spec.absent for law in laws().values() for spec in law.fits if spec.absent}
 
 
 def laws_for(kind: Kind, upright: bool) -> list[FittedLaw]:
-    """All laws for a kind of rebound; where the wall touches at the centre's height, each once."""
-    return [law for law in FITTED if law.kind == kind and not (upright and law.name == "two-step-after")]
+    """Return all laws for a kind of rebound; where the wall touches at the centre's height, equal ones once."""
+    taking_part = [law for law in FITTED if law.kind == kind and not law.on_request]
+    return [law for law in taking_part if not (upright and law.redundant_upright)]
 
 
-def unknown_laws(names: Sequence[str], kind: Kind | None = None, more: Sequence[str] = ()) -> list[str]:
-    """Faults of names that no law has, whatever the kind of rebound, a line each; ``more``: names that are known beside these."""
-    everything = sorted({law.name for law in FITTED} | {name for name, _kind in ALIASES} | set(more))
-    known = list(dict.fromkeys([*(law.name for law in FITTED if kind in (None, law.kind)), *more]))
+def unknown_laws(names: Sequence[str], kind: Kind | None = None) -> list[str]:
+    """Return an error line for each name that no law has, whatever the kind of rebound."""
+    everything = sorted(
+        {law.name for law in FITTED} | {name for name, _kind in ALIASES} | {name for name, _kind in ABSENT}
+    )
+    known = list(dict.fromkeys(law.name for law in FITTED if kind in (None, law.kind)))
     return [
-        f"law: expected one of {', '.join(known)}, got {name!r}; {nearest(name, everything)}"
+        f"law: expected one of {', '.join(known)}, got {name!r}; {suggestion(name, everything)}"
         for name in names
         if name not in everything
     ]
 
 
 def laws_named(names: list[str] | None, kind: Kind, upright: bool) -> tuple[list[FittedLaw], list[str]]:
-    """Those laws, and what there is to say; CaromError with the nearest name where there is none."""
+    """Return the named laws (all by default) and notes; CaromError with the nearest name for an unknown one."""
     all_laws = laws_for(kind, upright)
     if not names:
         return all_laws, []
@@ -102,7 +171,7 @@ def laws_named(names: list[str] | None, kind: Kind, upright: bool) -> tuple[list
         if means in known:
             found[means] = known[means]
             if means != name:
-                notes.append(f"{name}: for a {kind} rebound that is the law {means}")
+                notes.append(f"{name}: for a {kind} rebound this is the law {means}")
         elif (name, kind) in ABSENT:
             notes.append(f"{name}: left out, {ABSENT[name, kind]}")
     if faults or not found:
@@ -110,3 +179,9 @@ def laws_named(names: list[str] | None, kind: Kind, upright: bool) -> tuple[list
             *(faults or [f"laws: expected one that a {kind} rebound can follow, got none; {'; '.join(notes)}"])
         )
     return list(found.values()), notes
+
+
+def track_laws_named(names: Sequence[str] | None, upright: bool) -> tuple[list[FittedLaw], list[str]]:
+    """Return the named laws (all of :data:`FITTED` by default) for whole tracks, and notes."""
+    chosen, notes = laws_named(list(names) if names else None, "table", upright)
+    return [law for law in chosen if law.engine is not None], notes

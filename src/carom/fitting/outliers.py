@@ -1,4 +1,4 @@
-"""Rows that a law does not expect, found by a fit that they cannot pull."""
+"""Outliers: rows that a law does not explain, found by a robust fit that they do not bias."""
 
 from __future__ import annotations
 
@@ -6,18 +6,20 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from carom.fitting.fit import Fit, fit_law, predict_law, rows_of_fit
+from carom.fitting.fit import fit_law
+from carom.fitting.model import predict_law
+from carom.fitting.result import Fit, rows_of_fit
 
 __all__ = ["Outlier", "outliers_of"]
 
-ODD = 0.05  # an outlier's chance, among all rows
-FEWEST = 8  # rows: among fewer none is odd
-MOVED = 3.0  # error bars
+FALSE_ALARM = 0.05  # probability of an outlier by chance among all rows
+LEAST_ROWS = 8  # for the search of outliers
+MOVED_SIGMA = 3.0  # shift of a parameter, in error bars, that is reported
 
 
 @dataclass(frozen=True)
 class Outlier:
-    """A row that the best law does not expect."""
+    """A row that the best law does not explain."""
 
     row: str
     chi2: float
@@ -25,24 +27,24 @@ class Outlier:
 
 
 def outliers_of(fit: Fit) -> tuple[list[Outlier], list[str]]:
-    """Rows whose chi^2 chance would not give to one of all rows in twenty such tables, worst first; and what there is to say.
+    """Return the rows whose chi^2 occurs by chance in fewer than one of twenty such tables, worst first, and notes.
 
-    chi^2 is that under numbers of a fit with heavy tails (Student's t): an ordinary one bends to what it should find odd, where one
-    row alone can tell a number, and then finds nothing. Where that fit has other numbers, a note says which.
+    chi^2 is taken with the parameters of a robust fit (Student's t): an ordinary one is biased by what it should find, where one
+    row alone determines a parameter, and then finds nothing. Where the robust fit has other parameters, a note says which.
     """
     from scipy.stats import chi2 as distribution
 
     problem = fit.problem
     d = np.isfinite(problem.y).sum(axis=1)
-    if len(d) < FEWEST or not d.any():
+    if len(d) < LEAST_ROWS or not d.any():
         return [], []
     steady = fit
     if not fit.scatter and not problem.nu and fit.names:
         steady = fit_law(fit.law, replace(problem, setting=replace(problem.setting, robust=True)))
     chi2 = rows_of_fit(fit, problem, steady.numbers)[1]
-    # where no law fits, a row is odd against the others, not against error bars that are wrong for all
+    # where no law fits, a row is an outlier among the others, not by error bars that are wrong for all
     scale = max(float(np.median(chi2[d > 0] / distribution.median(d[d > 0]))), 1.0)
-    limit = distribution.isf(ODD / len(d), np.maximum(d, 1))
+    limit = distribution.isf(FALSE_ALARM / len(d), np.maximum(d, 1))
     found = [int(i) for i in np.flatnonzero((d > 0) & (chi2 > limit * scale))]
     found.sort(key=lambda i: -chi2[i])
     gap = problem.y - predict_law(fit.law, problem, steady.numbers)
@@ -62,13 +64,13 @@ def outliers_of(fit: Fit) -> tuple[list[Outlier], list[str]]:
 
 
 def _moved(fit: Fit, steady: Fit, rows: list[Outlier]) -> list[str]:
-    """A note where the outliers have moved a number by several error bars."""
+    """Return a note where the outliers have moved a parameter by several error bars."""
     moved = []
     for name, one in steady.estimates.items():
         was = fit.estimates[name].value
         if one.value is None or not one.stderr:
             continue
-        if was is None or abs(was - one.value) > MOVED * one.stderr:
+        if was is None or abs(was - one.value) > MOVED_SIGMA * one.stderr:
             moved.append(
                 f"{name} {one.value:.3g} ± {one.stderr:.2g} in place of {'none' if was is None else f'{was:.3g}'}"
             )
@@ -77,6 +79,6 @@ def _moved(fit: Fit, steady: Fit, rows: list[Outlier]) -> list[str]:
     which = f"{rows[0].row} alone" if len(rows) == 1 else f"{len(rows)} outliers, {rows[0].row} first,"
     decide = "decides" if len(rows) == 1 else "decide"
     return [
-        f"{which} {decide} what {fit.law.name} says: {', '.join(moved)} by a fit with heavy tails; look what happened there, leave"
-        " it out if it was no such bounce, or fit with --robust"
+        f"{which} {decide} the parameters of {fit.law.name}: {', '.join(moved)} by a robust fit (heavy tails); check what happened"
+        " there, leave it out if it was no such bounce, or fit with --robust"
     ]

@@ -1,59 +1,57 @@
-"""The numbers that laws have: one array of all of them, in one order, for every law."""
+"""Parameters of the laws: names, bounds, starting values, and the record in which compiled code reads them."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-__all__ = ["E0", "E1", "E2", "FORMS", "INDEX", "LINE", "NUMBERS", "PARAMETERS", "Form", "Parameter"]
+import numpy as np
+
+__all__ = ["FORMS", "INDEX", "LAW_NUMBERS", "LINE", "NUMBERS", "PARAMETERS", "Form", "Parameter"]
 
 
 @dataclass(frozen=True)
 class Parameter:
-    """One number of a law."""
+    """One parameter of a law."""
 
     name: str
     low: float
     high: float
-    """Bounds within which it is sought."""
+    """Bounds of the fit."""
     tried: tuple[float, ...]
-    """Where the search starts."""
+    """Starting values of the search."""
     start: float
-    """Its value where a law does not say."""
+    """Its value where it is not fitted and nothing else is given."""
     unit: str = ""
     meaning: str = ""
 
 
-# The order is that of the arrays which the compiled loops read: kernels.py knows it by place.
 PARAMETERS = (
     Parameter("restitution", 0.0, 1.0, (0.4, 0.6, 0.75, 0.85, 0.95), 1.0, meaning="normal, at the speed of the impact"),
-    Parameter("restitution_1", 0.0, 10.0, (0.1,), 0.0, meaning="second number of the restitution's form"),
-    Parameter("restitution_2", 0.0, 10.0, (0.25,), 0.0, meaning="third number of the restitution's form"),
-    Parameter(
-        "friction", 0.0, 5.0, (0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.5, 0.9, 1.8), 0.0, meaning="of the wall (Coulomb)"
-    ),
-    Parameter("tangential_restitution", -1.0, 1.0, (-0.5, 0.0, 0.5, 0.9), 0.0, meaning="share of the slip given back"),
+    Parameter("restitution_1", 0.0, 10.0, (0.1,), 0.0, meaning="second coefficient of the restitution's form"),
+    Parameter("restitution_2", 0.0, 10.0, (0.25,), 0.0, meaning="third coefficient of the restitution's form"),
+    Parameter("friction", 0.0, 5.0, (0.03, 0.06, 0.1, 0.15, 0.2, 0.3, 0.5, 0.9, 1.8), 0.0, meaning="Coulomb, at the wall"),
+    Parameter("tangential_restitution", -1.0, 1.0, (-0.5, 0.0, 0.5, 0.9), 0.0, meaning="reversed fraction of the slip"),
     Parameter("kappa", 0.05, 1.0, (0.4, 0.65), 0.4, meaning="moment of inertia over m a^2"),
     Parameter("stiffness_ratio", 0.3, 2.5, (0.5, 0.82, 1.2, 1.8), 14 / 17, meaning="tangential over normal stiffness"),
     Parameter("contact_height", 1.0, 1.6, (1.05, 1.2, 1.4), 1.0, "a", "where the wall touches, above the floor"),
     Parameter("floor_friction", 0.0, 2.0, (0.1, 0.2, 0.4), 0.2, meaning="of the floor, while the wall presses on it"),
     Parameter("floor_restitution", 0.0, 1.0, (0.0, 0.5), 0.0, meaning="of the floor"),
-    Parameter("spin_width", 1e-3, 3.0, (0.2, 0.6), 1.25, "v/a", "of the spins that nobody measured"),
-    Parameter("roll", 0.0, 1.0, (0.5,), 1.0, meaning="share of rolling before the wall"),
-    Parameter(
-        "spin_mean", -2.0, 2.0, (0.0, 0.5), 0.0, "v_t/a", "of the spins that nobody measured: 1 takes all slip away"
-    ),
-)
+    Parameter("spin_width", 1e-3, 3.0, (0.2, 0.6), 1.25, "v/a", "standard deviation of the unmeasured spins"),
+    Parameter("roll", 0.0, 1.0, (0.5,), 1.0, meaning="fraction of rolling before the wall"),
+    Parameter("spin_mean", -2.0, 2.0, (0.0, 0.5), 0.0, "v_t/a", "mean of the unmeasured spins: 1 is no slip"),
+)  # fmt: skip
 INDEX = {parameter.name: i for i, parameter in enumerate(PARAMETERS)}
 NUMBERS = len(PARAMETERS)
-E0, E1, E2 = 0, 1, 2
+# All parameters of a law as one record: the same memory as an array of NUMBERS floats in the order of PARAMETERS.
+LAW_NUMBERS = np.dtype([(parameter.name, "f8") for parameter in PARAMETERS])
 
-# Beside the forms of carom.motion.restitution: v_out = p0 v + p1, the line that experimenters draw.
+# Beside the forms of carom.core.motion.restitution: v_out = slope v + offset, the straight line that experimenters fit.
 LINE = 5
 
 
 @dataclass(frozen=True)
 class Form:
-    """A form of restitution over the speed: its code, and what its numbers are called, with bounds and starts."""
+    """A form of the restitution as a function of speed: its code and its parameters, in the places of restitution, _1 and _2."""
 
     code: int
     parameters: tuple[Parameter, ...]

@@ -1,48 +1,53 @@
-"""From the scene of a gas to the gas: where its balls start, and the faults that only this tells."""
+"""Build gases from scenes and TOML files."""
 
 from __future__ import annotations
 
 from collections.abc import Callable
+from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from pydantic import ValidationError
 
-from carom.checks import nearest
-from carom.errors import CaromError
-from carom.gas.dense import dense
-from carom.gas.model import GasScene
-from carom.gas.read import Start, read_start
-from carom.gas.run import Gas
+from carom.errors import CaromError, suggestion
+from carom.files import as_path
+from carom.gas.gas import Gas
+from carom.gas.initial import dense
+from carom.gas.scene import GasScene
+from carom.gas.snapshots import InitialState, read_initial_state
+from carom.scene.schema import fault_lines
+from carom.scene.toml import read_toml
 
-__all__ = ["build"]
+__all__ = ["build", "is_gas", "load_gas", "new_gas"]
 
-SINGLE = 1e-5  # of a radius: what rounding to single precision may bring about
+SINGLE_PRECISION = 1e-5  # of a radius: an overlap that rounding to single precision may cause
 
 
 def build(scene: GasScene, where: str = "gas", progress: Callable[[float], None] | None = None) -> Gas:
-    """The gas of a scene, at its start. CaromError, naming ``where``, for starts that overlap, or that a file does not give.
+    """Return the gas of a scene, at its start.
 
-    ``progress`` is called while a dense random start grows, with the share of the final radii.
+    ``where`` is what errors name as their place; ``progress`` is called while a dense random start grows, with the current fraction
+    of the final radii. Raises CaromError for initial positions that overlap, or that a file does not have.
     """
-    axes, run, room = scene.container.axes, scene.run, scene.container.room
+    axes, run, container = scene.container.dimensions, scene.run, scene.container.geometry
     options: dict[str, Any] = {}
     if run.start == "random":
         radii = np.repeat([one.radius for one in scene.species], [one.count for one in scene.species])
         # (velocities are drawn from the seed itself)
         seed = int(np.random.SeedSequence([run.seed, 1]).generate_state(1)[0])
         try:
-            options["position"] = dense(radii, room, seed=seed, progress=progress)
+            options["position"] = dense(radii, container, seed=seed, progress=progress)
         except CaromError as error:
-            raise CaromError(*(_retold(scene, where, fault) for fault in error.faults)) from None
+            raise CaromError(*(_in_scene(scene, where, fault) for fault in error.faults)) from None
     elif run.start != "lattice":
         options = _from_file(scene, where)
     try:
         return Gas(
             [one.species(axes) for one in scene.species],
-            room,
+            container,
             contacts=scene.surfaces,
-            gravity=scene.pull,
+            gravity=scene.gravity_vector,
             contact_time=scene.contact_time,
             drives={one.wall: one.drive for one in scene.drives},
             thermostat=None if scene.thermostat is None else scene.thermostat.thermostat,
@@ -50,33 +55,36 @@ def build(scene: GasScene, where: str = "gas", progress: Callable[[float], None]
             **options,
         )
     except CaromError as error:
-        raise CaromError(*(_retold(scene, where, fault) for fault in error.faults)) from None
+        raise CaromError(*(_in_scene(scene, where, fault) for fault in error.faults)) from None
 
 
 def _from_file(scene: GasScene, where: str) -> dict[str, Any]:
-    axes, path = scene.container.axes, Path(scene.run.start)
-    start = read_start(path, axes, scene.container.room.size)
-    order = _order(scene, where, start, path)
+    """Return what the start's file gives, as options of Gas."""
+    axes, path = scene.container.dimensions, Path(scene.run.start)
+    start = read_initial_state(path, axes, scene.container.geometry.size)
+    order = _order_by_species(scene, where, start, path)
     found: dict[str, Any] = {"position": start.position[order]}
     for name, values in (("velocity", start.velocity), ("spin", start.spin)):
         if values is not None:
             found[name] = values[order]
-    if path.suffix.lower() == ".gsd":  # single precision: balls that had just met overlap; the first event parts them
-        found["touch"] = SINGLE
+    if (
+        path.suffix.lower() == ".gsd"
+    ):  # single precision: balls that have just collided overlap; the first event separates them
+        found["touch"] = SINGLE_PRECISION
     return found
 
 
-def _order(scene: GasScene, where: str, start: Start, path: Path) -> Any:
-    """The rows of a file by species, in the scene's order."""
+def _order_by_species(scene: GasScene, where: str, start: InitialState, path: Path) -> Any:
+    """Return the order of a file's rows by species, as the scene has them."""
     names = [one.name for one in scene.species]
     if start.species is None:
         if len(start.position) != scene.count:
             got = f"{len(start.position)} in {path.name}"
-            raise CaromError(f"{where}: run.start: expected {scene.count} balls, as the species say, got {got}")
+            raise CaromError(f"{where}: run.start: expected {scene.count} balls, the sum over the species, got {got}")
         return slice(None)
     for name in start.species:
         if name not in names:
-            raise CaromError(f"{path}: species: expected {', '.join(names)}, got {name!r}; {nearest(name, names)}")
+            raise CaromError(f"{path}: species: expected {', '.join(names)}, got {name!r}; {suggestion(name, names)}")
     for one in scene.species:
         if (count := start.species.count(one.name)) != one.count:
             raise CaromError(
@@ -85,11 +93,72 @@ def _order(scene: GasScene, where: str, start: Start, path: Path) -> Any:
     return np.argsort([names.index(name) for name in start.species], kind="stable")
 
 
-def _retold(scene: GasScene, where: str, fault: str) -> str:
-    """A fault of the gas, as one of the scene."""
+def _in_scene(scene: GasScene, where: str, fault: str) -> str:
+    """Return a fault of the gas as one of the scene."""
     said = fault.removeprefix("Gas: ")
     for part in ("position: ", "dense: ", "lattice: "):
         if said.startswith(part):
             file = f", in {Path(scene.run.start).name}" if Path(scene.run.start).suffix else ""
             return f"{where}: run.start: {said.removeprefix(part)}{file}"
     return f"{where}: {said}"
+
+
+def load_gas(path: str | Path) -> GasScene:
+    """Read the scene of a gas from a TOML file.
+
+    Parameters
+    ----------
+    path : str or Path
+        A start from a file is looked for in the same folder.
+
+    Returns
+    -------
+    GasScene
+
+    Raises CaromError, one line per problem: where, what was expected, what was found, what to do.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> from carom.gas import load_gas, new_gas
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "gas.toml"
+    ...     _ = path.write_text(new_gas(), encoding="utf-8")
+    ...     scene = load_gas(path)
+    >>> scene.count, scene.container.shape
+    (1000, 'periodic')
+    """
+    path = as_path("load_gas", path)
+    table = read_toml(path, f"carom scene new --gas {path}")
+    if strange := sorted({"balls", "walls", "floor"} & set(table)):
+        got = " and ".join(strange)
+        raise CaromError(f"{path}: expected a gas, got a scene of single balls, with {got}; run carom simulate {path}")
+    run = table.get("run")
+    if isinstance(run, dict) and isinstance(start := run.get("start"), str) and Path(start).suffix:
+        run["start"] = str(path.parent / start)
+    try:
+        return GasScene.model_validate(table)
+    except ValidationError as error:
+        raise CaromError(*fault_lines(str(path), error, GasScene)) from None
+
+
+def is_gas(path: str | Path) -> bool:
+    """Return whether a file looks like the scene of a gas: TOML with a container or species."""
+    try:
+        table = read_toml(Path(path), "")
+    except CaromError:
+        return False
+    return bool({"container", "species"} & set(table))
+
+
+def new_gas() -> str:
+    """Return the text of a commented scene that runs as it is: rough spheres in a periodic box.
+
+    Examples
+    --------
+    >>> from carom.gas import new_gas
+    >>> print(new_gas().splitlines()[0])
+    # A gas for carom: `carom gas FILE` runs it, `carom scene check FILE` validates it.
+    """
+    return files("carom.gas").joinpath("new.toml").read_text(encoding="utf-8")

@@ -1,8 +1,8 @@
-"""Checkpoints: a gas on its way, in one file, whole or as it was before.
+"""Checkpoints: the state of a session in one file, from which it continues with the same bits.
 
-An NPZ file: NumPy's arrays, bit by bit, in a ZIP archive, whose checksums tell of every change. It is written beside, brought
-to the disk, and then takes the place of the one before; so a full disk, or a run that is killed while it writes, leaves that
-one as it is.
+An NPZ file: NumPy's arrays, bit by bit, in a ZIP archive, whose checksums reveal every change. It is written under a temporary
+name, synchronised to disk, and then replaces the previous one; so a full disk, or a run killed while it writes, leaves the
+previous one as it is.
 """
 
 from __future__ import annotations
@@ -19,81 +19,120 @@ import numpy as np
 from pydantic import ValidationError
 
 from carom.errors import CaromError
-from carom.files import path_of
-from carom.gas.model import GasScene
+from carom.files import as_path, atomic_file
+from carom.gas.scene import GasScene
 from carom.gas.session import Session
-from carom.scene.faults import told
+from carom.scene.schema import fault_lines
 
 __all__ = ["FORMAT", "load_checkpoint", "require_checkpoint", "save_checkpoint"]
 
-FORMAT = 4
-# How long it is measured may change: the run then goes on for longer.
-FREE = ("max_events", "duration")
+FORMAT = 5
+# Fields of [run] that may change: the run then continues for longer.
+CHANGEABLE = ("max_events", "duration")
 
 
 def save_checkpoint(session: Session, path: str | Path) -> None:
-    """Write where a session is. CaromError where the file cannot be written; the one before then stays as it is."""
-    path = path_of("save_checkpoint", path)
+    """Write the state of a session to a file.
+
+    Parameters
+    ----------
+    session : Session
+    path : str or Path
+
+    Raises CaromError where the file cannot be written; a previous one then stays as it is.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> from carom.gas import GasScene, Session, load_checkpoint, save_checkpoint
+    >>> species = {"count": 64, "radius": 0.5}
+    >>> contact = {"between": ("a", "a"), "restitution": 1, "friction": 0}
+    >>> scene = GasScene(
+    ...     container={"shape": "periodic", "size": (6, 6, 6)}, species=[species], contacts=[contact], run={"max_events": 2000}
+    ... )
+    >>> session = Session(scene)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     save_checkpoint(session, Path(folder) / "gas.npz")
+    ...     again = load_checkpoint(Path(folder) / "gas.npz")
+    >>> again.run() and session.run()
+    True
+    >>> again.gas.time == session.gas.time
+    True
+    """
+    path = as_path("save_checkpoint", path)
     about = {"format": FORMAT, "carom": version("carom"), "scene": session.scene.model_dump(mode="json")}
-    part = path.with_name(f".{path.name}.part")
-    try:
-        with part.open("wb") as file:
-            np.savez(file, allow_pickle=False, carom_checkpoint=np.array(json.dumps(about)), **session.state())
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(part, path)
-    except OSError as error:
-        part.unlink(missing_ok=True)
-        raise CaromError(f"{path}: expected room for a checkpoint, got: {error.strerror or error}") from None
+    with atomic_file(path) as file:
+        np.savez(file, allow_pickle=False, carom_checkpoint=np.array(json.dumps(about)), **session.state())
+        file.flush()
+        os.fsync(file.fileno())
 
 
 def require_checkpoint(path: Path) -> None:
-    """CaromError where a checkpoint would take the place of a file that is none."""
+    """Raise CaromError where a checkpoint would replace a file that is not a checkpoint."""
     try:
-        is_none = path.exists() and not zipfile.is_zipfile(path)
+        is_other = path.exists() and not zipfile.is_zipfile(path)
     except OSError as error:
-        raise CaromError(f"{path}: expected a checkpoint to write over, got: {error.strerror}") from None
-    if is_none:
-        raise CaromError(f"{path}: expected a checkpoint or a new file, got another file that is there; name a new one")
+        raise CaromError(f"{path}: expected a checkpoint to replace, got: {error.strerror}") from None
+    if is_other:
+        raise CaromError(
+            f"{path}: expected a checkpoint or a new file, got an existing file of another kind; choose a new name"
+        )
 
 
 def load_checkpoint(
     path: str | Path, scene: GasScene | None = None, *, compiling: Callable[[], None] | None = None
 ) -> Session:
-    """The session of a checkpoint, to go on with the same bits.
+    """Return the session of a checkpoint, which continues with the same bits.
 
-    ``scene`` has to be the one of the checkpoint, but for ``max_events`` and ``duration``: with larger ones the run goes on
-    for longer; left out, it is the checkpoint's own. ``compiling`` is called when the file is known to be right, before
-    the loop that goes on with it is compiled. Raises CaromError, one line, for a file that is missing, not whole, no
-    checkpoint, of a newer carom, or of another scene.
+    Parameters
+    ----------
+    path : str or Path
+    scene : GasScene, optional
+        It has to be the checkpoint's, except for ``max_events`` and ``duration``: with larger ones the run continues for longer.
+        Default: the checkpoint's own.
+    compiling : callable, optional
+        Called when the file is known to be valid, before the event loop is compiled.
+
+    Raises CaromError, one line, for a file that is missing, damaged, no checkpoint, of another format, or of another scene.
+
+    Examples
+    --------
+    See :func:`save_checkpoint`.
+
+    >>> from carom.gas import load_checkpoint
+    >>> load_checkpoint("missing.npz")
+    Traceback (most recent call last):
+    carom.errors.CaromError: missing.npz: expected a checkpoint, got: No such file or directory
     """
-    path = path_of("load_checkpoint", path)
+    path = as_path("load_checkpoint", path)
     about, state = _read(path)
     if about["format"] != FORMAT:
         raise CaromError(
             f"{path}: expected a checkpoint of format {FORMAT}, got format {about['format']} of carom {about['carom']};"
-            " go on with that one"
+            " continue with that version"
         )
     try:
         own = GasScene.model_validate(about["scene"])
     except ValidationError as error:
-        raise CaromError(*told(f"{path}: scene", error, GasScene)) from None
+        raise CaromError(*fault_lines(f"{path}: scene", error, GasScene)) from None
     if scene is not None and (other := _difference(_fixed(own), _fixed(scene))) is not None:
         field, was, now = other
         raise CaromError(
-            f"{path}: expected a checkpoint of this scene, got one of another: its {field} is {was}, here it is {now};"
+            f"{path}: expected a checkpoint of this scene, got one of another scene: its {field} is {was}, not {now};"
             " only run.max_events and run.duration may change"
         )
     try:
         return Session.restore(own if scene is None else scene, state, compiling)
     except (KeyError, ValueError, IndexError, TypeError) as error:
         raise CaromError(
-            f"{path}: expected a checkpoint of this carom, got one of carom {about['carom']} that it cannot go on with"
-            f" ({error}); begin anew, or go on with that one"
+            f"{path}: expected a checkpoint that this carom can continue, got one of carom {about['carom']} with other"
+            f" contents ({error}); start anew, or continue with that version"
         ) from None
 
 
 def _read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
+    """Return the description and the arrays of a checkpoint file."""
     try:
         raw = path.open("rb")
     except OSError as error:
@@ -109,27 +148,27 @@ def _read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
             raise ValueError("no format")
     except CaromError:
         raise
-    except Exception as error:  # what is not whole shows in many classes: zipfile's, zlib's, NumPy's, JSON's
+    except Exception as error:  # damage shows in exceptions of zipfile, zlib, NumPy and JSON
         said = str(error).splitlines()[0] if str(error) else type(error).__name__
-        if "pickle" in said:  # NumPy's word for what is none of its files, with a remedy that would be unsafe
+        if "pickle" in said:  # NumPy's message for a file of another kind, with an unsafe remedy
             said = "not a file of NumPy"
         raise CaromError(
-            f"{path}: expected a whole checkpoint of carom gas, got a file that cannot be read ({said})"
+            f"{path}: expected an intact checkpoint of carom gas, got a file that cannot be read ({said})"
         ) from None
     return about, arrays
 
 
 def _fixed(scene: GasScene) -> dict[str, Any]:
-    """What of a scene a checkpoint holds to, as plain values. A start's file counts by its name."""
+    """Return the fields of a scene that have to be the checkpoint's, as plain values; of a start's file the name."""
     table = scene.model_dump(mode="json")
-    table["run"] = {name: value for name, value in table["run"].items() if name not in FREE}
+    table["run"] = {name: value for name, value in table["run"].items() if name not in CHANGEABLE}
     table["run"]["start"] = Path(table["run"]["start"]).name
     table["run"]["equilibrate"] = scene.equilibrate
     return table
 
 
 def _difference(one: Any, two: Any, at: str = "") -> tuple[str, Any, Any] | None:
-    """The first place where two tables differ: its name, and both values."""
+    """Return the first field in which two tables differ: its name, and both values."""
     if isinstance(one, dict) and isinstance(two, dict):
         for name in dict.fromkeys([*one, *two]):
             found = _difference(one.get(name), two.get(name), f"{at}.{name}" if at else name)
@@ -141,10 +180,11 @@ def _difference(one: Any, two: Any, at: str = "") -> tuple[str, Any, Any] | None
             if (found := _difference(a, b, f"{at}[{k}]")) is not None:
                 return found
         return None
-    return None if one == two else (at, _told(one), _told(two))
+    return None if one == two else (at, _shown(one), _shown(two))
 
 
-def _told(value: Any) -> str:
+def _shown(value: Any) -> str:
+    """Return a value as a message shows it."""
     if isinstance(value, list):
         return f"{len(value)} of them" if value and isinstance(value[0], dict) else str(value)
-    return "left out" if value is None else str(value)
+    return "not given" if value is None else str(value)

@@ -1,19 +1,83 @@
-"""What a session measured, as plain numbers: what ``carom gas --json`` gives, and more in full."""
+"""Report of a session as plain numbers: what ``carom gas --json`` prints, the series and curves, and the totals of each contact."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import asdict
+from dataclasses import asdict, dataclass
 from typing import Any
 
-from carom.gas.channel import channels
+from carom.gas.gas import Gas
+from carom.gas.results import Mark
 from carom.gas.session import Session
 
-__all__ = ["report", "series"]
+__all__ = ["Channel", "channels", "report", "series"]
+
+
+@dataclass(frozen=True)
+class Channel:
+    """The contacts between two species, or between a species and a wall, during a measurement."""
+
+    between: tuple[str, str]
+    collisions: int
+    rate: float
+    """Collisions per ball of the first species per unit time."""
+    lost_normal: float
+    """Energy lost by the normal restitution."""
+    lost_tangential: float
+    """Energy lost by friction and tangential restitution."""
+    to_spin: float
+    """Energy transferred from translation to spin."""
+
+
+def channels(gas: Gas, since: Mark, names: tuple[str, ...]) -> list[Channel]:
+    """Return what the contacts of each pair of species, and of each species and wall, did since a mark.
+
+    Parameters
+    ----------
+    gas : Gas
+    since : Mark
+        From :meth:`carom.gas.Gas.mark`.
+    names : names of the species
+
+    Examples
+    --------
+    >>> from carom import Ball, Surface
+    >>> from carom.gas import Gas, Species, channels
+    >>> gas = Gas([Species(Ball(0.5, 1.0), 64)], (6.0, 6.0, 6.0), contacts=Surface(0.9, 0.3, 0.5), seed=1)
+    >>> mark = gas.mark()
+    >>> gas.advance(500)
+    >>> (channel,) = channels(gas, mark, ("a",))
+    >>> channel.between, channel.collisions, channel.lost_normal > 0
+    (('a', 'a'), 500, True)
+    """
+    arrays, kinds, t = gas.arrays, len(names), gas.time - since.time
+    count = [int((arrays.balls.motions["species"] == k).sum()) for k in range(kinds)]
+
+    def channel(between: tuple[str, str], table: Any, before: Any, rows: set[int], share: float) -> Channel:
+        sums = {
+            name: sum((table[row][name] - before[row][name]).item() for row in rows)
+            for name in ("collisions", "lost_normal", "lost_tangential", "to_spin")
+        }
+        rate = share * sums["collisions"] / t if t > 0 else float("nan")
+        return Channel(between, sums["collisions"], rate, sums["lost_normal"], sums["lost_tangential"], sums["to_spin"])
+
+    found = []
+    for i in range(kinds):
+        for j in range(i, kinds):
+            # a collision within a species involves two of its balls
+            share = (2 if i == j else 1) / count[i]
+            rows = {i * kinds + j, j * kinds + i}
+            found.append(channel((names[i], names[j]), arrays.materials.pairs, since.pairs, rows, share))
+    for wall in gas.walls:
+        faces = [k for k, name in enumerate(gas.faces) if name == wall]
+        for i in range(kinds):
+            rows = {face * kinds + i for face in faces}
+            found.append(channel((names[i], wall), arrays.walls.contacts, since.contacts, rows, 1 / count[i]))
+    return found
 
 
 def report(session: Session) -> dict[str, Any]:
-    """The run after equilibration: what the event loop measured, then each species, each kind of contact, diffusion."""
+    """Return the results after equilibration: the totals of the run, then each species, each kind of contact, and diffusion."""
     mark, measures, run = session.mark, session.measures, session.result
     assert mark is not None
     assert measures is not None
@@ -23,28 +87,30 @@ def report(session: Session) -> dict[str, Any]:
         "events": session.done,
         "time": session.gas.time,
         "balls": session.scene.count,
-        "packing_fraction": session.scene.fraction,
+        "packing_fraction": session.scene.packing_fraction,
         "energy_start": sum(mark.energy),
         "energy_end": sum(energy),
-        "looks": measures.looks,
-        "diffusion": measures.displacement().diffusion if measures.diffuses and measures.steady else math.nan,
+        "looks": measures.samples,
+        "diffusion": measures.displacement().diffusion
+        if measures.has_diffusion and measures.is_stationary
+        else math.nan,
         "species": {},
-        "channels": [asdict(channel) for channel in channels(session.gas, mark, session.names)],
+        "channels": [asdict(one) for one in channels(session.gas, mark, session.names)],
     }
     for name in session.names:
         translational, rotational = measures.temperature(name)
-        looked = measures.looks > 0
+        sampled = measures.samples > 0
         found["species"][name] = {
-            "temperature_translational": translational if looked else math.nan,
-            "temperature_rotational": rotational if looked else math.nan,
-            "a2_translational": measures.velocity(name).a2 if looked else math.nan,
-            "a2_rotational": measures.spin(name).a2 if looked else math.nan,
+            "temperature_translational": translational if sampled else math.nan,
+            "temperature_rotational": rotational if sampled else math.nan,
+            "a2_translational": measures.velocity(name).a2 if sampled else math.nan,
+            "a2_rotational": measures.spin(name).a2 if sampled else math.nan,
         }
     return found
 
 
 def series(session: Session) -> dict[str, Any]:
-    """What is drawn, as lists: the series over time, distributions, pair correlations, displacement."""
+    """Return what is plotted, as lists: series over time, distributions, pair correlations, mean square displacement."""
     measures = session.measures
     assert measures is not None
     found: dict[str, Any] = {"series": {name: values.tolist() for name, values in measures.series.items()}}
@@ -72,7 +138,7 @@ def series(session: Session) -> dict[str, Any]:
                 }
             )
     found["pair_correlation"] = pairs
-    if measures.diffuses:
+    if measures.has_diffusion:
         moved = measures.displacement()
         found["displacement"] = {"lag": moved.lag.tolist(), "square": moved.square.tolist()}
     return found

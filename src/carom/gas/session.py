@@ -1,4 +1,4 @@
-"""A gas run as its scene says: equilibrated, measured, looked at, kept on the way; and on again where it was stopped."""
+"""Sessions: a gas equilibrated and measured as its scene says, in pieces, saved and continued."""
 
 from __future__ import annotations
 
@@ -9,79 +9,96 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.engine.swarm_arrays import BODY, FACE, MOTION, PAIR, PLAN, SPECIES, SWARM, WALL
-from carom.engine.swarm_run import STATE
 from carom.errors import CaromError
 from carom.gas.build import build
-from carom.gas.ends import refuse_rest
-from carom.gas.measure import Measures
-from carom.gas.model import GasScene
-from carom.gas.run import Gas, GasRun, Mark
+from carom.gas.edmd.driver import STATE
+from carom.gas.gas import Gas, raise_at_rest
+from carom.gas.measures import Measures
+from carom.gas.results import GasRun, Mark
+from carom.gas.scene import GasScene
 
-__all__ = ["LOOKS", "Session"]
+__all__ = ["SAMPLES", "Session"]
 
-LOOKS = 50  # at the gas while it is measured
-PAIR_LOOKS = 5  # of so many looks one counts pairs
-CHUNK = 100_000  # collisions between two looks at the outside world: a tenth of a second
+SAMPLES = 50  # of the gas while it is measured
+PAIR_SAMPLING = 5  # every fifth sample counts pairs
+CHUNK = 100_000  # collisions between two checks for progress and interrupts: a tenth of a second
 
 State = dict[str, NDArray[Any]]
 
 
 class Session:
-    """A gas on its way through its scene.
+    """The run of a gas scene: equilibration, then measurement.
 
     Parameters
     ----------
     scene : GasScene
-    where : what faults are told to be in
-    growing : called while a dense random start grows, with the share of the final radii
+    where : str
+        What errors name as their place.
+    growing : callable, optional
+        Called while a dense random start grows, with the current fraction of the final radii.
 
-    :meth:`run` goes on to the end, or to where it is told to stop; nothing about the gas, or about what is measured,
-    depends on how often it was stopped. Times for looks follow the rate of collisions, so that a look comes after every
-    fiftieth of the events (or of the duration); they are not the times of collisions, at which two balls are in contact.
+    :meth:`run` continues to the end, or to where it is stopped; neither the gas nor its measures depend on how often it was
+    stopped. Samples are taken after about every fiftieth of the events (or of the duration), at times that follow from the rate of
+    collisions; these are no instants of collision, at which two balls are in contact. Raises CaromError for a scene in which
+    nothing can ever happen, and as :class:`carom.gas.Gas` does.
+
+    Examples
+    --------
+    >>> from carom.gas import GasScene, Session
+    >>> species = {"count": 64, "radius": 0.5}
+    >>> contact = {"between": ("a", "a"), "restitution": 1, "friction": 0}
+    >>> scene = GasScene(
+    ...     container={"shape": "periodic", "size": (6, 6, 6)}, species=[species], contacts=[contact],
+    ...     run={"equilibrate": 500, "max_events": 2000},
+    ... )
+    >>> session = Session(scene)
+    >>> session.run()
+    True
+    >>> session.result.pair_collisions
+    2000
     """
 
     def __init__(self, scene: GasScene, where: str = "gas", growing: Callable[[float], None] | None = None) -> None:
-        self._enter(scene, build(scene, where, growing))
+        self._set(scene, build(scene, where, growing))
         self.mark: Mark | None = None
         self.measures: Measures | None = None
-        self.begun = 0  # collisions when measuring began
-        # a look is due at a time; the last one was at this time and number of collisions
-        self.due, self.last_time, self.last_collisions = math.inf, 0.0, 0
-        if self.patience == math.inf and (scene.equilibrate > 0 or scene.run.duration is None):
-            what = "balls at rest" if scene.count > 1 or scene.container.room.walls else "one ball without walls"
-            remedy = "more balls, walls" if what.startswith("one") else "give a temperature"
+        self.first_collision = 0  # number of collisions when the measurement began
+        # the next sample is due at a time; the last one was at this time and number of collisions
+        self.sample_due, self.last_sample_time, self.last_sample_collisions = math.inf, 0.0, 0
+        if self.max_wait == math.inf and (scene.equilibrate > 0 or scene.run.duration is None):
+            what = "balls at rest" if scene.count > 1 or scene.container.geometry.faces else "one ball without walls"
+            remedy = "add balls or walls" if what.startswith("one") else "give a temperature > 0"
             raise CaromError(
-                f"{where}: run: expected a gas in which something happens, got {what}; {remedy},"
-                " or equilibrate = 0 and a duration"
+                f"{where}: run: expected a gas with collisions to come, got {what}; {remedy},"
+                " or set equilibrate = 0 and a duration"
             )
-        self.step = LOOKS if scene.run.max_events is None else max(scene.run.max_events // LOOKS, 1)
-        # snapshots so far; the next is due after so many collisions, or after this time, as ``every`` has it
-        self.frames, self.shot, self.timed = 0, 0.0, False
-        self._equilibrated()
+        self.sample_interval = SAMPLES if scene.run.max_events is None else max(scene.run.max_events // SAMPLES, 1)
+        # the next snapshot is due after so many collisions, or after this time, as ``every`` says
+        self.snapshots_taken, self.snapshot_due, self.snapshots_by_time = 0, 0.0, False
+        self._start_measuring()
 
-    def _enter(self, scene: GasScene, gas: Gas) -> None:
+    def _set(self, scene: GasScene, gas: Gas) -> None:
         self.scene, self.gas = scene, gas
-        self.patience = _patience(scene, gas)
-        # nothing happens, but the loop is compiled, which is no part of the time that it takes
-        gas.go_on(1, until=-1.0)
+        self.max_wait = _max_wait(scene, gas)
+        # this advances nothing, but compiles the loop, whose time is not measured
+        gas.advance(1, until=-1.0)
         self.names = tuple(one.name for one in scene.species)
 
-    # --- where it is ---------------------------------------------------------------------------------------------
+    # --- progress ------------------------------------------------------------------------------------------------
 
     @property
     def done(self) -> int:
-        """Collisions of the part that it is in: equilibrating, or measuring."""
-        return self.gas.collisions - self.begun
+        """Number of collisions in the current part, equilibration or measurement."""
+        return self.gas.collisions - self.first_collision
 
     @property
     def measuring(self) -> bool:
-        """Whether it is equilibrated."""
+        """Whether equilibration is over."""
         return self.mark is not None
 
     @property
     def finished(self) -> bool:
-        """Whether all that was asked for is measured."""
+        """Whether the measurement is complete."""
         run = self.scene.run
         return self.mark is not None and (
             (run.max_events is not None and self.done >= run.max_events)
@@ -89,25 +106,25 @@ class Session:
         )
 
     @property
-    def share(self) -> float:
-        """How much of this part is done, 0 to 1."""
-        run, shares = self.scene.run, [0.0]
+    def completed(self) -> float:
+        """Fraction of the current part that is done, 0 to 1."""
+        run, fractions = self.scene.run, [0.0]
         if self.mark is None:
             return self.done / max(self.scene.equilibrate, 1)
         if run.max_events is not None:
-            shares.append(self.done / run.max_events)
+            fractions.append(self.done / run.max_events)
         if run.duration is not None:
-            shares.append((self.gas.time - self.mark.time) / run.duration)
-        return min(max(shares), 1.0)
+            fractions.append((self.gas.time - self.mark.time) / run.duration)
+        return min(max(fractions), 1.0)
 
     @property
     def result(self) -> GasRun:
-        """What was measured so far."""
+        """What was measured so far; CaromError before the measurement has begun."""
         if self.mark is None:
-            raise CaromError("Session: expected a gas that is equilibrated, got one that is not yet; run it further")
-        return self.gas.measured(self.mark)
+            raise CaromError("Session: expected an equilibrated gas, got one in equilibration; run it further")
+        return self.gas.measured_since(self.mark)
 
-    # --- on ------------------------------------------------------------------------------------------------------
+    # --- running -------------------------------------------------------------------------------------------------
 
     def run(
         self,
@@ -117,98 +134,110 @@ class Session:
         every: int | float | None = None,
         snapshot: Callable[[Session], None] | None = None,
     ) -> bool:
-        """Go on to the end, and say True; or False, where ``stop`` said so.
+        """Continue to the end and return True, or return False where ``stop`` returns True.
 
-        ``progress`` is called some ten times a second. ``snapshot`` is called when measuring begins, and then after every so
-        many collisions (``every`` an int) or so much time (a float). What these raise ends the run.
+        ``progress`` is called some ten times per second. ``snapshot`` is called when the measurement begins, and then every so many
+        collisions (``every`` an int) or every so much simulated time (a float). What these raise ends the run.
         """
         while True:
             if snapshot is not None and every is not None and self.mark is not None:
-                self._take(every, snapshot)
+                self._take_snapshot(every, snapshot)
             if progress is not None:
                 progress(self)
             if self.finished:
                 return True
             if stop():
                 return False
-            collisions, until = self._piece(every)
-            if self.gas.over and (self.mark is None or self.scene.run.duration is None):
-                refuse_rest(self.gas.time)
-            before, end = self.gas.collisions, self.gas.time + self.patience
-            self.gas.go_on(collisions, min(until, end))
-            # a cooling gas slows down without end: where little of what was asked for came, longer pieces
+            collisions, until = self._next_piece(every)
+            if self.gas.at_rest and (self.mark is None or self.scene.run.duration is None):
+                raise_at_rest(self.gas.time)
+            before, end = self.gas.collisions, self.gas.time + self.max_wait
+            self.gas.advance(collisions, min(until, end))
+            # a cooling gas slows down without limit: after few collisions in a piece, take longer ones
             if end < until and self.gas.collisions - before <= collisions // 8:
-                self.patience *= 2
-            self._equilibrated()
-            if self.measures is not None and self.gas.time >= self.due:
-                self._look(self.measures)
+                self.max_wait *= 2
+            self._start_measuring()
+            if self.measures is not None and self.gas.time >= self.sample_due:
+                self._take_sample(self.measures)
 
-    def _piece(self, every: int | float | None) -> tuple[int, float]:
-        """How far to go at once: collisions, and a time."""
+    def _next_piece(self, every: int | float | None) -> tuple[int, float]:
+        """Return how far to advance at once: a number of collisions, and a time."""
         run, least = self.scene.run, CHUNK
         if self.mark is None:
             return min(least, self.scene.equilibrate - self.done), math.inf
-        until = self.due
+        until = self.sample_due
         if run.max_events is not None:
             least = min(least, run.max_events - self.done)
         if run.duration is not None:
             until = min(until, self.mark.time + run.duration)
-        if self.due == math.inf:  # the rate of collisions is to be found first
-            least = min(least, max(self.step - self.done, 1))
-        if every is not None and self.timed:
-            until = min(until, self.mark.time + self.shot)
+        if self.sample_due == math.inf:  # the rate of collisions is not known yet
+            least = min(least, max(self.sample_interval - self.done, 1))
+        if every is not None and self.snapshots_by_time:
+            until = min(until, self.mark.time + self.snapshot_due)
         elif every is not None:
-            least = min(least, int(self.shot) - self.done)
+            least = min(least, int(self.snapshot_due) - self.done)
         return least, until
 
-    def _take(self, every: int | float, snapshot: Callable[[Session], None]) -> None:
-        """Take the snapshot that is due, and say when the next one is: at the next multiple of ``every``."""
+    def _take_snapshot(self, every: int | float, snapshot: Callable[[Session], None]) -> None:
+        """Take a snapshot if one is due, and set when the next one is: at the next multiple of ``every``."""
         assert self.mark is not None
         timed = isinstance(every, float)
         passed = self.gas.time - self.mark.time if timed else self.done
-        if timed != self.timed:  # another unit than before
-            self.timed, self.shot = timed, passed
-        if self.gas.time >= self.mark.time + self.shot if timed else self.done >= self.shot:
-            self.frames += 1
+        if timed != self.snapshots_by_time:  # another unit than before
+            self.snapshots_by_time, self.snapshot_due = timed, passed
+        if self.gas.time >= self.mark.time + self.snapshot_due if timed else self.done >= self.snapshot_due:
+            self.snapshots_taken += 1
             snapshot(self)
-            self.shot = (math.floor(passed / every + 1e-9) + 1) * every
+            self.snapshot_due = (math.floor(passed / every + 1e-9) + 1) * every
 
-    def _equilibrated(self) -> None:
-        """Begin to measure, when it is time to; set the first look, once a rate is known."""
+    def _start_measuring(self) -> None:
+        """Begin the measurement after equilibration; set the time of the first sample once the collision rate is known."""
         gas, run = self.gas, self.scene.run
         if self.mark is None and self.done >= self.scene.equilibrate:
-            self.mark, self.measures = gas.mark(), Measures(gas, self.names, self.scene.container.room)
-            self.begun = self.last_collisions = gas.collisions
-            self.last_time = gas.time
+            self.mark, self.measures = gas.mark(), Measures(gas, self.names, self.scene.container.geometry)
+            self.first_collision = self.last_sample_collisions = gas.collisions
+            self.last_sample_time = gas.time
             if run.duration is not None and run.max_events is None:
-                self.due = gas.time + run.duration / LOOKS
+                self.sample_due = gas.time + run.duration / SAMPLES
             elif gas.time > 0 and gas.collisions > 0:
-                self.due = gas.time + self.step * gas.time / gas.collisions
-        elif self.mark is not None and self.due == math.inf and self.done >= self.step:
-            self.due = gas.time + self.step * (gas.time - self.mark.time) / self.done
+                self.sample_due = gas.time + self.sample_interval * gas.time / gas.collisions
+        elif self.mark is not None and self.sample_due == math.inf and self.done >= self.sample_interval:
+            self.sample_due = gas.time + self.sample_interval * (gas.time - self.mark.time) / self.done
 
-    def _look(self, measures: Measures) -> None:
+    def _take_sample(self, measures: Measures) -> None:
+        """Take a sample, and set the time of the next one."""
         gas, run = self.gas, self.scene.run
-        measures.look(gas, pairs=measures.looks % PAIR_LOOKS == 0)
+        measures.sample(gas, pairs=measures.samples % PAIR_SAMPLING == 0)
         if run.duration is not None and run.max_events is None:
-            self.due = self.due + run.duration / LOOKS
+            self.sample_due = self.sample_due + run.duration / SAMPLES
         else:
-            events = gas.collisions - self.last_collisions
-            self.due = gas.time + (gas.time - self.last_time) * min(self.step / max(events, 1), 2.0)
-        self.last_time, self.last_collisions = gas.time, gas.collisions
+            events = gas.collisions - self.last_sample_collisions
+            self.sample_due = gas.time + (gas.time - self.last_sample_time) * min(
+                self.sample_interval / max(events, 1), 2.0
+            )
+        self.last_sample_time, self.last_sample_collisions = gas.time, gas.collisions
 
-    # --- kept ----------------------------------------------------------------------------------------------------
+    # --- state ---------------------------------------------------------------------------------------------------
 
     def state(self) -> State:
-        """Everything that a later session needs to go on with the same bits."""
+        """Return all that a later session needs to continue with the same bits."""
         found: State = {f"gas.{name}": array for name, array in self.gas.state().items()}
-        found["session"] = np.array([self.begun, self.last_collisions, self.step, self.frames, self.timed], np.int64)
-        found["clock"] = np.array([self.due, self.last_time, self.shot])
+        found["session"] = np.array(
+            [
+                self.first_collision,
+                self.last_sample_collisions,
+                self.sample_interval,
+                self.snapshots_taken,
+                self.snapshots_by_time,
+            ],
+            np.int64,
+        )
+        found["clock"] = np.array([self.sample_due, self.last_sample_time, self.snapshot_due])
         if self.mark is not None and self.measures is not None:
             mark = self.mark
-            found |= {"mark.swarm": np.array([mark.swarm]), "mark.pairs": mark.pairs, "mark.walls": mark.walls}
+            found |= {"mark.system": np.array([mark.system]), "mark.pairs": mark.pairs, "mark.contacts": mark.contacts}
             found["mark.faces"] = mark.faces
-            # (of the processor's time, what the measuring has taken so far)
+            # (the processor time that the measurement has taken so far)
             cpu = self.result.cpu_seconds
             found["mark.numbers"] = np.array([*mark.energy, mark.time, cpu])
             found |= {f"measures.{name}": array for name, array in self.measures.state().items()}
@@ -216,61 +245,63 @@ class Session:
 
     @classmethod
     def restore(cls, scene: GasScene, state: State, compiling: Callable[[], None] | None = None) -> Session:
-        """The session of :meth:`state`, to go on with. ``compiling`` is called once all that it needs is known to be there."""
+        """Return the session with a :meth:`state`. ``compiling`` is called when the state is known to be complete."""
         gas = _part(state, "gas.")
-        _require(gas)
+        _require_gas_state(gas)
         if lost := [name for name in ("session", "clock") if name not in state]:
             raise KeyError(lost[0])
         if compiling is not None:
             compiling()
         found = object.__new__(cls)
-        found._enter(scene, Gas.restore(gas))
-        found.begun, found.last_collisions, found.step, found.frames, timed = map(int, state["session"])
-        found.due, found.last_time, found.shot = map(float, state["clock"])
-        found.timed = bool(timed)
+        found._set(scene, Gas.restore(gas))
+        found.first_collision, found.last_sample_collisions, found.sample_interval, found.snapshots_taken, timed = map(
+            int, state["session"]
+        )
+        found.sample_due, found.last_sample_time, found.snapshot_due = map(float, state["clock"])
+        found.snapshots_by_time = bool(timed)
         found.mark, found.measures = None, None
         if (kept := _part(state, "mark.")) and (measures := _part(state, "measures.")):
             *energy, time, cpu = map(float, kept["numbers"])
             found.mark = Mark(
-                kept["swarm"][0],
+                kept["system"][0],
                 kept["pairs"],
-                kept["walls"],
+                kept["contacts"],
                 kept["faces"],
                 (energy[0], energy[1], energy[2]),
                 time,
-                found.gas._cpu - cpu,
+                found.gas.cpu_seconds - cpu,
             )
-            found.measures = Measures.restore(found.gas, found.names, scene.container.room, measures)
+            found.measures = Measures.restore(found.gas, found.names, scene.container.geometry, measures)
         return found
 
 
-def _require(gas: State) -> None:
-    """KeyError or TypeError where an array of a gas is missing, or its records are others than now: before all is compiled."""
-    kinds = dict(zip(STATE, (SWARM, MOTION, PLAN, BODY, np.dtype("u4"), SPECIES, PAIR, WALL, FACE), strict=True))
+def _require_gas_state(gas: State) -> None:
+    """Raise KeyError where an array of a gas is missing, TypeError where it has other records, before anything is compiled."""
     for name in (*STATE, "names", "time"):
         if name not in gas:
             raise KeyError(name)
-        if name in kinds and gas[name].dtype != kinds[name]:
+        if name in STATE and gas[name].dtype != STATE[name]:
             raise TypeError(f"other records of {name!r}")
     if not np.array_equal(np.sort(gas["numbers"]), np.arange(len(gas["motions"]))):
         raise TypeError("the balls' numbers")
 
 
-def _patience(scene: GasScene, gas: Gas) -> float:
-    """A time after which the outside world is looked at even if nothing has met: thirty ways through the room.
+def _max_wait(scene: GasScene, gas: Gas) -> float:
+    """Return the longest simulated time between two checks for interrupts: what a ball needs to cross the container thirty times.
 
     Infinite where nothing can ever happen.
     """
-    room = scene.container.room
-    side, mass = max(room.size), sum(one.count * one.mass for one in scene.species)
-    pull = math.hypot(*scene.pull)
+    container = scene.container.geometry
+    side, mass = max(container.size), sum(one.count * one.mass for one in scene.species)
+    pull = math.hypot(*scene.gravity_vector)
     speed = math.sqrt(2 * gas.energy()[0] / mass) + math.sqrt(pull * side)
     speed += sum(one.amplitude * (one.frequency or 0.0) for one in scene.drives)
     if scene.thermostat is not None:
         speed += math.sqrt(scene.thermostat.temperature * scene.count / mass)
-    meets = scene.count > 1 or bool(room.walls)
-    return 30 * side / speed if speed > 0 and meets else math.inf
+    collides = scene.count > 1 or bool(container.faces)
+    return 30 * side / speed if speed > 0 and collides else math.inf
 
 
 def _part(state: State, prefix: str) -> State:
+    """Return the arrays whose names have a prefix, by the rest of the name."""
     return {name.removeprefix(prefix): array for name, array in state.items() if name.startswith(prefix)}

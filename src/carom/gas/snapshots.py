@@ -1,29 +1,35 @@
-"""Snapshots as GSD files of HOOMD's schema, which the field's viewers open (OVITO, freud, HOOMD itself).
+"""Snapshots: gases written to GSD files, and initial states read from CSV, NPZ and GSD files.
 
-What the schema says: the box is centred on 0 (of discs Lz = 0 and 2 dimensions), positions and velocities are single
-precision, ``step`` is the number of collisions, ``image`` counts the turns round a period. The spin w is in ``angmom``, the
-quaternion 2 q (0, S), with the orientation q and the angular momentum S = I w about the body's axes. A gas does not follow
-how its balls are turned, so q is 1. The time is the logged ``carom/time``.
+GSD files follow HOOMD's schema, which the field's viewers open (OVITO, freud, HOOMD itself): the box is centred on 0 (of discs Lz
+= 0 and 2 dimensions), positions and velocities are in single precision, ``step`` is the number of collisions, ``image`` counts
+the periods crossed. The spin w is in ``angmom``, the quaternion 2 q (0, S), with the orientation q and the angular momentum S = I
+w about the body's axes. A gas does not track orientations, so q is 1. The time is the logged ``carom/time``.
 """
 
 from __future__ import annotations
 
-import os
+import csv
+import io
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError
-from carom.files import library
-from carom.gas.run import Gas
+from carom.data.cells import parse_numbers
+from carom.errors import CaromError, suggestion
+from carom.files import atomic_path, import_optional, read_text
+from carom.gas.gas import Gas
 
-__all__ = ["Snapshots", "spin_of"]
+__all__ = ["InitialState", "Snapshots", "read_initial_state", "spins_of"]
+
+
+Array = NDArray[np.float64]
+VECTORS = {"position": ("x", "y", "z"), "velocity": ("vx", "vy", "vz"), "spin": ("wx", "wy", "wz")}
 
 
 def _gsd(path: Path) -> Any:
-    return library("gsd.hoomd", "gsd", path.name)
+    return import_optional("gsd.hoomd", path.name)
 
 
 class Snapshots:
@@ -31,11 +37,27 @@ class Snapshots:
 
     Parameters
     ----------
-    path : of the file
-    names : of the species
-    keep : frames of the file to go on from; left out: it is begun anew
+    path : Path
+        Of the file.
+    names : names of the species
+    keep : int, optional
+        How many frames of an existing file to keep and append to; default: a new file.
 
-    Raises CaromError where the file cannot be written, or has fewer frames than are to be kept.
+    Raises CaromError where the file cannot be written, or has fewer frames than are to be kept, and where GSD is not installed.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> from carom import Ball, Surface
+    >>> from carom.gas import Gas, Snapshots, Species
+    >>> gas = Gas([Species(Ball(0.5, 1.0), 8)], (6.0, 6.0, 6.0), contacts=Surface(1, 0, -1))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = Snapshots(Path(folder) / "gas.gsd", ("a",))
+    ...     file.write(gas)
+    ...     file.close()
+    ...     (Path(folder) / "gas.gsd").stat().st_size > 0
+    True
     """
 
     def __init__(self, path: Path, names: tuple[str, ...], keep: int | None = None) -> None:
@@ -44,47 +66,45 @@ class Snapshots:
             if keep is None:
                 self._file = gsd.open(str(path), "w")
                 return
-            self._cut(gsd, keep)
+            self._truncate(gsd, keep)
             self._file = gsd.open(str(path), "r+")
         except CaromError:
             raise
         except Exception as error:  # OSError, RuntimeError and others
             raise CaromError(f"{path}: expected a GSD file to write to, got: {error}") from None
 
-    def _cut(self, gsd: Any, keep: int) -> None:
-        """Take away what was written after the checkpoint from which the run goes on."""
+    def _truncate(self, gsd: Any, keep: int) -> None:
+        """Remove the frames written after the checkpoint from which the run continues."""
         with gsd.open(str(self.path), "r") as old:
             if len(old) < keep:
                 raise CaromError(
-                    f"{self.path}: expected the {keep} frames that the checkpoint knows of, got {len(old)}"
+                    f"{self.path}: expected at least {keep} frames, as many as the checkpoint says, got {len(old)}"
                 )
             if len(old) == keep:
                 return
-            part = self.path.with_name(f".{self.path.name}.part")
-            with gsd.open(str(part), "w") as new:
+            with atomic_path(self.path) as part, gsd.open(str(part), "w") as new:
                 for k in range(keep):
                     new.append(old[k])
-        os.replace(part, self.path)
 
     def write(self, gas: Gas) -> None:
-        """Add the gas as it is now."""
+        """Append the gas as it is now."""
         try:
             self._file.append(self._frame(gas))
         except OSError as error:
-            raise CaromError(f"{self.path}: expected room for a frame, got: {error.strerror or error}") from None
+            raise CaromError(f"{self.path}: expected space for a frame, got: {error.strerror or error}") from None
 
     def flush(self) -> None:
-        """Bring all frames to the disk."""
+        """Write all frames to disk."""
         self._file.flush()
 
     def close(self) -> None:
-        """Bring all frames to the disk, and leave the file."""
+        """Write all frames to disk, and close the file."""
         self._file.close()
 
     def _frame(self, gas: Gas) -> Any:
-        balls, one = gas.balls(), gas._arrays.swarm[0]
-        kinds = gas._arrays.species[balls.species]
-        axes, count = int(one["axes"]), len(balls.species)
+        balls, one = gas.balls(), gas.arrays.system[0]
+        kinds = gas.arrays.materials.species[balls.species]
+        axes, count = int(one["dimensions"]), len(balls.species)
         frame = _gsd(self.path).Frame()
         side = np.zeros(3)
         side[:axes] = one["side"][:axes]
@@ -101,15 +121,15 @@ class Snapshots:
         particles.mass = kinds["mass"]
         particles.diameter = 2 * kinds["radius"]
         moment = kinds["kappa"] * kinds["mass"] * kinds["radius"] ** 2
-        # of discs the moments about x and y are not there: HOOMD then lets them turn about z only
+        # without moments about x and y HOOMD lets discs turn about z only
         particles.moment_inertia = moment[:, None] * np.array([0, 0, 1] if axes == 2 else [1, 1, 1])
         particles.angmom = np.concatenate([np.zeros((count, 1)), 2 * moment[:, None] * balls.spin], axis=1)
         frame.log = {"carom/time": np.array([gas.time])}
         return frame
 
 
-def spin_of(particles: Any) -> NDArray[np.float64] | None:
-    """Spins (N, 3) of a frame's particles about fixed axes; None where it has no moments of inertia."""
+def spins_of(particles: Any) -> NDArray[np.float64] | None:
+    """Return the spins (N, 3) of a frame's particles about fixed axes; None where it has no moments of inertia."""
     moment = np.asarray(particles.moment_inertia, dtype=float)
     if not moment.any():
         return None
@@ -121,3 +141,114 @@ def spin_of(particles: Any) -> NDArray[np.float64] | None:
     t = 2 * np.cross(q[:, 1:], w)
     turned: NDArray[np.float64] = w + q[:, :1] * t + np.cross(q[:, 1:], t)
     return turned
+
+
+# --- starts from files ---------------------------------------------------------------------------------------------
+
+
+class InitialState(NamedTuple):
+    """Positions, velocities and spins (N, 3) from a file, and the names of the species; None for what it does not have."""
+
+    position: Array
+    velocity: Array | None
+    spin: Array | None
+    species: list[str] | None
+
+
+def read_initial_state(path: Path, axes: int, size: tuple[float, ...]) -> InitialState:
+    """Read balls from the rows of a CSV file, the arrays of an NPZ file, or the last frame of a GSD file.
+
+    Raises CaromError, one line, for what is missing or not a finite number.
+    """
+    try:
+        with path.open("rb"):
+            pass
+    except OSError as error:
+        raise CaromError(f"{path}: expected a file with positions, got: {error.strerror}") from None
+    kind = path.suffix.lower()
+    start = (
+        _read_csv(path, axes) if kind == ".csv" else _read_npz(path) if kind == ".npz" else _read_gsd(path, axes, size)
+    )
+    for name, values in zip(VECTORS, start[:3], strict=True):
+        if values is not None and not np.isfinite(values).all():
+            bad = int(np.argwhere(~np.isfinite(values).all(axis=1))[0, 0])
+            raise CaromError(f"{path}: expected finite numbers, got {name} {values[bad].tolist()} of ball {bad}")
+    return start
+
+
+def _read_csv(path: Path, axes: int) -> InitialState:
+    lines = io.StringIO(read_text(path), newline="")
+    rows = list(csv.reader(line for line in lines if not line.startswith("#")))
+    head = [name.strip() for name in rows[0]] if rows else []
+    known = [*(name for names in VECTORS.values() for name in names), "species"]
+    for name in head:
+        if name not in known:
+            raise CaromError(f"{path}: line 1: expected a known column, got {name!r}; {suggestion(name, known)}")
+    if missing := [name for name in "xyz"[:axes] if name not in head]:
+        raise CaromError(f"{path}: line 1: expected the columns {', '.join('xyz'[:axes])}, got no {', '.join(missing)}")
+    records = [(number, row) for number, row in enumerate(rows[1:], 2) if row]
+    for number, row in records:
+        if len(row) != len(head):
+            raise CaromError(f"{path}: row {number}: expected {len(head)} cells, got {len(row)}")
+    table: dict[str, Any] = {}
+    for i, name in enumerate(head):
+        cells = [row[i] for _number, row in records]
+        if name == "species":
+            table[name] = [cell.strip() for cell in cells]
+            continue
+        table[name], bad = parse_numbers(cells, missing=())
+        if bad:
+            raise CaromError(f"{path}: row {records[bad[0]][0]}: {name}: expected a number, got {cells[bad[0]]!r}")
+    count = len(table["x"])
+    found: list[Array | None] = []
+    for names in VECTORS.values():
+        there = [name for name in names if name in table]
+        found.append(np.stack([table.get(name, np.zeros(count)) for name in names], axis=1) if there else None)
+    position, velocity, spin = found
+    assert position is not None
+    return InitialState(position, velocity, spin, table.get("species"))
+
+
+def _read_npz(path: Path) -> InitialState:
+    try:
+        with path.open("rb") as raw:
+            file = np.load(raw, allow_pickle=False)
+            arrays = {name: file[name] for name in (*VECTORS, "species") if name in file}
+    except Exception:  # zip, pickles, short files: many classes, and a remedy of NumPy's that would be unsafe
+        raise CaromError(f"{path}: expected arrays saved by NumPy, got another file, or a damaged one") from None
+    if "position" not in arrays:
+        raise CaromError(f"{path}: expected an array 'position' (N, 3), got none")
+    found: list[Array | None] = []
+    for name in VECTORS:
+        values = arrays.get(name)
+        if values is not None:
+            if values.ndim == 1 and name == "spin":  # of discs: about z
+                values = np.stack([np.zeros(len(values)), np.zeros(len(values)), values], axis=1)
+            if values.ndim != 2 or values.shape[1] not in {2, 3} or values.dtype.kind not in "iuf":
+                raise CaromError(f"{path}: {name}: expected numbers of shape (N, 3) or (N, 2), got {values.shape}")
+            values = np.pad(values.astype(float), ((0, 0), (0, 3 - values.shape[1])))
+        found.append(values)
+    position, velocity, spin = found
+    assert position is not None
+    species = arrays.get("species")
+    return InitialState(position, velocity, spin, None if species is None else [str(name) for name in species])
+
+
+def _read_gsd(path: Path, axes: int, size: tuple[float, ...]) -> InitialState:
+    gsd = import_optional("gsd.hoomd", path.name)
+    try:
+        with gsd.open(str(path), "r") as file:
+            frame = file[-1]
+    except Exception as error:  # the library raises OSError, RuntimeError and others
+        raise CaromError(f"{path}: expected a GSD file of HOOMD's schema, got: {error}") from None
+    particles = frame.particles
+    box = np.array(frame.configuration.box, dtype=float)
+    if np.abs(box[:axes] / np.array(size) - 1).max() > 1e-5 or box[3:].any():
+        raise CaromError(f"{path}: expected the box of the container, {list(size)}, got {box.tolist()}")
+    shift = np.zeros(3)
+    shift[:axes] = np.array(size) / 2
+    position = particles.position.astype(float) + shift
+    if axes == 2:
+        position[:, 2] = 0.0
+    species = [particles.types[k] for k in particles.typeid]
+    return InitialState(position, particles.velocity.astype(float), spins_of(particles), species)

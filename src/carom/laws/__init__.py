@@ -1,1 +1,1 @@
-"""What happens in an instant: one law, one file, named for its source."""
+"""Laws of impact, one law a file: its card, its kernel, and what scenes, billiards and fits need to know of it."""

@@ -1,26 +1,39 @@
-"""One contact: it sticks, slides or rebounds tangentially. The one kernel that every law with friction is made of.
+"""The contact law: one contact, that sticks, slides or rebounds tangentially, and no floor takes part.
 
-The impulse P_n = -(1+e) m_n u_n stops and returns the normal velocity u_n < 0 of the contact point. The tangential
-impulse that would turn the slip u_t into -beta u_t has the size (1+beta) m_t |u_t|; friction caps it at mu P_n, and it
-points against the slip. m_n and m_t are the masses that the contact feels: m and m kappa/(1+kappa) for a ball on a wall,
-the pair's for ball against ball.
-
-Sources: the paper, (19), (28)-(31), for beta = 0 inside the friction cone; Walton & Braun, J. Rheol. 30, 949 (1986), for
-the three-parameter form (e, mu, beta); Garwin, Am. J. Phys. 37, 88 (1969) and Broomhead & Gutkin, Physica D 67, 188
-(1993), for beta = 1.
+The kernel is :func:`carom.core.contact.wall_contact`, equations (19), (28)-(31).
 """
 
 from __future__ import annotations
 
-import math
+from typing import Any
 
-from carom.kernel import Vec, cross, dot, hot_kernel, kernel
-from carom.laws.card import Card
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-__all__ = [
-    "CARD", "GRAZE", "REGIMES", "SLIDE", "STICK", "contact", "one_contact", "slip_velocity",
-    "struck_along", "wall_contact",
-]  # fmt: skip
+from carom.bodies import Ball, State, Surface
+from carom.core.contact import wall_contact
+from carom.core.jit.kernel import Vec, kernel, prange
+from carom.errors import require_type
+from carom.laws.arrays import answer_rows, loop_for, require_approach, rows_of, state_arrays, unit_normal
+from carom.laws.law import (
+    CONTACT_WALL,
+    ON_WALL,
+    Answer,
+    Card,
+    FitSpec,
+    Law,
+    Meeting,
+    approaches,
+    contact_kernel,
+    required_friction,
+    respond,
+    slips_on_floor,
+)
+from carom.laws.results import PAPER_WALL, Impact, as_column
+
+__all__ = ["CARD", "LAW", "impact", "impact_into"]
+
+Array = NDArray[np.float64]
 
 CARD = Card(
     name="contact",
@@ -37,83 +50,124 @@ CARD = Card(
     doi="10.1122/1.549893",
 )
 
-# What a contact did; the names that people see are REGIMES[code].
-GRAZE, STICK, SLIDE = 0, 1, 2
-REGIMES = ("graze", "stick", "slide")
-# An approach slower than this share of the slip is none: it is the rounding of a ball that moves along the wall, whose sign
-# must not decide whether an infinitely rough wall takes hold of it.
-LEAST = 1e-15
 
+def impact(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), surface: Surface = PAPER_WALL) -> Impact:
+    """One contact of a ball with a surface: it sticks, slides or rebounds tangentially.
 
-@hot_kernel
-def slip_velocity(v: Vec, w: Vec, n: Vec, a: float) -> tuple[float, Vec]:
-    """Velocity u of the contact point -a n of a ball: its normal part u_n and its tangential part u_t, the slip."""
-    # (24): V_B = V_C + omega x CB, here with CB = -a n
-    un = dot(v, n)
-    s = cross(w, n)
-    return un, (v[0] - un * n[0] - a * s[0], v[1] - un * n[1] - a * s[1], v[2] - un * n[2] - a * s[2])
+    Parameters
+    ----------
+    ball : Ball
+    state : State
+        Shape (...). It must move towards the surface, or along it.
+    normal : array (..., 3)
+        From the surface to the ball; any length.
+    surface : Surface
+        Restitution e, friction mu, tangential restitution beta.
 
+    Returns
+    -------
+    Impact. Source: the paper, (19), (28)-(31); Walton & Braun, J. Rheol. 30, 949 (1986).
 
-@hot_kernel
-def contact(
-    un: float, ut: Vec, mn: float, mt: float, e: float, mu: float, beta: float
-) -> tuple[float, Vec, float, int]:
-    """Impulse of one contact: normal size, tangential vector, the friction it requires to hold, and its regime."""
-    # (19): the normal velocity is turned into -e times itself
-    pn = -(1 + e) * mn * un
-    slip = math.sqrt(dot(ut, ut))
-    hold = (1 + beta) * mt
-    # One way out for all cases and no branch that a processor would have to guess: c is the tangential impulse per slip.
-    cap = mu * pn / slip if slip > 0 else math.inf
-    # (29): inside the friction cone the contact holds (a bare product: mu may be infinite); (30) for beta = 0: the contact
-    # point is left without slip. On the cone the impulse is mu P_n against the slip.
-    holds = hold * slip <= mu * pn
-    c = -hold if holds else -cap
-    regime = STICK if holds else SLIDE
-    presses = pn > LEAST * slip
-    if not presses:  # nothing approaches, or too slowly to count: no normal impulse and so no friction, whatever mu
-        pn = c = un - un
-        regime = GRAZE
-    required = hold * slip / pn if presses else un - un
-    return pn, (c * ut[0], c * ut[1], c * ut[2]), required, regime
-
-
-@kernel
-def struck_along(v: Vec, w: Vec, n: Vec, a: float, kappa: float, pn: float, f: float, ut: Vec) -> tuple[Vec, Vec]:
-    """Velocity and spin of a ball after the impulse pn n + f ut of a unit of mass, ut its slip."""
-    j = (pn * n[0] + f * ut[0], pn * n[1] + f * ut[1], pn * n[2] + f * ut[2])
-    # (28), as below
-    t = cross(n, (f * ut[0], f * ut[1], f * ut[2]))
-    c = 1 / (kappa * a)
-    return (v[0] + j[0], v[1] + j[1], v[2] + j[2]), (w[0] - t[0] * c, w[1] - t[1] * c, w[2] - t[2] * c)
-
-
-@hot_kernel
-def wall_contact(
-    v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float
-) -> tuple[Vec, Vec, Vec, float, int]:
-    """One ball, one surface with normal n: velocity, spin, impulse per mass, required friction, regime.
-
-    The surface may be a wall, a floor, a cushion nose: whatever touches the ball at -a n.
+    Raises
+    ------
+    CaromError where a ball moves away, or a normal has no length.
     """
-    un, ut = slip_velocity(v, w, n, a)
-    pn, f, required, regime = contact(un, ut, 1, kappa / (1 + kappa), e, mu, beta)
-    j = (pn * n[0] + f[0], pn * n[1] + f[1], pn * n[2] + f[2])
-    # (28): m dv = R, I d(omega) = CB x R = -a n x R, of which only the tangential part counts
-    t = cross(n, f)
-    c = 1 / (kappa * a)
-    return (
-        (v[0] + j[0], v[1] + j[1], v[2] + j[2]),
-        (w[0] - t[0] * c, w[1] - t[1] * c, w[2] - t[2] * c),
-        j,
-        required,
-        regime,
+    require_type("impact", "surface", surface, Surface)
+    n = unit_normal(normal)
+    require_approach(ball, state, n)
+    rows = rows_of(
+        state, n, ball.radius, ball.kappa, surface.restitution, surface.friction, surface.tangential_restitution
     )
+    v1, w1, j, required, code = answer_rows(wall_contact, contact_rows, rows, "vvvxc")
+    return Impact(ball, state, State.of(v1, w1, state.position), j * as_column(ball.mass), required, code)
+
+
+def impact_into(
+    out: State, ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), surface: Surface = PAPER_WALL
+) -> None:
+    """:func:`impact`, only the state after, into arrays (N, 3) that exist: one normal, one ball, one surface for all.
+
+    Nothing is checked and nothing allocated: this runs at the speed of memory. Balls that move away are left as they are.
+    """
+    parameters = (ball.radius, ball.kappa, surface.restitution, surface.friction, surface.tangential_restitution)
+    v, w, v1, w1 = state_arrays(state, out)
+    loop_for(contact_final_rows, len(state.velocity))(v, w, unit_normal(normal), np.array(parameters), v1, w1)
+
+
+def contact_rows(
+    v: Array, w: Array, n: Array, p: Array, v1: Array, w1: Array, j: Array, required: Array, regime: Any
+) -> None:
+    """One contact with all its results; parameters a, kappa, e, mu, beta; the impulse is per mass."""
+    sn, sp = min(n.shape[0] - 1, 1), min(p.shape[0] - 1, 1)
+    for i in prange(v.shape[0]):
+        k, q = i * sn, i * sp
+        x, y, z, required[i], regime[i] = wall_contact(
+            (v[i, 0], v[i, 1], v[i, 2]),
+            (w[i, 0], w[i, 1], w[i, 2]),
+            (n[k, 0], n[k, 1], n[k, 2]),
+            p[q, 0], p[q, 1], p[q, 2], p[q, 3], p[q, 4],
+        )  # fmt: skip
+        v1[i, 0], v1[i, 1], v1[i, 2] = x
+        w1[i, 0], w1[i, 1], w1[i, 2] = y
+        j[i, 0], j[i, 1], j[i, 2] = z
+
+
+# The two loops that run at the speed of memory: one wall, one ball, one floor for all, arrays flat, (3 N,), and in blocks.
+# A block is a function of its own and knows its step when it is compiled, so that it answers four balls at once.
+BLOCK = 1024
 
 
 @kernel
-def one_contact(
-    v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float
-) -> tuple[Vec, Vec, Vec, float, int]:
-    """:func:`wall_contact` compiled once and called, for code that would otherwise hold many copies of it."""
-    return wall_contact(v, w, n, a, kappa, e, mu, beta)
+def _contact_block(
+    v: Array, w: Array, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float, v1: Array, w1: Array
+) -> None:
+    for i in range(v.shape[0] // 3):
+        k = 3 * i
+        x, y, _j, _required, _regime = wall_contact(
+            (v[k], v[k + 1], v[k + 2]), (w[k], w[k + 1], w[k + 2]), n, a, kappa, e, mu, beta
+        )
+        v1[k], v1[k + 1], v1[k + 2] = x[0], x[1], x[2]
+        w1[k], w1[k + 1], w1[k + 2] = y[0], y[1], y[2]
+
+
+def contact_final_rows(v: Array, w: Array, n: Array, p: Array, v1: Array, w1: Array) -> None:
+    """One contact, velocity and spin only: one normal (3,) and one row of parameters a, kappa, e, mu, beta for all."""
+    normal, count = (n[0], n[1], n[2]), v.shape[0]
+    a, kappa, e, mu, beta = p[0], p[1], p[2], p[3], p[4]
+    for block in prange((count + 3 * BLOCK - 1) // (3 * BLOCK)):
+        i = 3 * BLOCK * block
+        k = min(i + 3 * BLOCK, count)
+        _contact_block(v[i:k], w[i:k], normal, a, kappa, e, mu, beta, v1[i:k], w1[i:k])
+
+
+def _answer(meeting: Meeting) -> Answer:
+    after = respond(contact_kernel, meeting)
+    needed = required_friction(meeting.ball, meeting.state, after, meeting.normal)
+    return Answer(after, after, needed, np.zeros(after.shape), np.full(after.shape, ""))
+
+
+def _objections(meeting: Meeting, answer: Answer) -> list[str]:
+    m = meeting
+    grounded = np.any((np.asarray(m.height) == 0) & (m.state.velocity[..., 2] == 0))
+    moved = np.any(answer.after_wall.velocity[..., 2] != 0) or np.any(slips_on_floor(m, answer.after_wall))
+    return ["it leaves out the floor, which this ball lies on"] if grounded and moved and not m.ball.planar else []
+
+
+LAW = Law(
+    CARD,
+    _answer,
+    approaches,
+    _objections,
+    contact_kernel,
+    reads=ON_WALL,
+    response=CONTACT_WALL,
+    needs=("restitution", "friction"),
+    in_flight=True,
+    ignores_floor=True,
+    fits=(
+        FitSpec("planar", "sliding with tangential restitution"),
+        FitSpec("table", "wall with tangential restitution, then the floor"),
+    ),
+    line=("#56B4E9", (0, (2.5, 1.5))),
+    order=70,
+)

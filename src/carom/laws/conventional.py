@@ -12,10 +12,31 @@ whose impulse is not zero where there is slip to act on; the first says that the
 
 from __future__ import annotations
 
-from carom.kernel import Vec, kernel
-from carom.laws.card import Card
+from typing import Any
 
-__all__ = ["CARD", "conventional_reflection", "mirror_root"]
+import numpy as np
+from numpy.typing import ArrayLike
+
+from carom.bodies import Ball, State
+from carom.core.jit.kernel import Vec, kernel
+from carom.errors import CaromError
+from carom.laws.law import (
+    ROLLING_WALL,
+    Answer,
+    Card,
+    Condition,
+    FitSpec,
+    Law,
+    Meeting,
+    approaches,
+    respond,
+    slips,
+    slips_on_floor,
+)
+from carom.laws.reflect import reflect
+from carom.laws.results import PAPER_WALL
+
+__all__ = ["CARD", "LAW", "conventional", "conventional_reflection", "mirror_root"]
 
 CARD = Card(
     name="conventional",
@@ -62,3 +83,83 @@ def conventional_reflection(v: Vec, w: Vec, n: Vec, a: float, kappa: float) -> t
 def mirror_root(v: Vec, w: Vec, n: Vec, a: float, kappa: float) -> tuple[Vec, Vec]:
     """The other root of (17) and (21): what moves along the wall goes on, the ball rolls off at the mirror angle."""
     return _rolling(-(v[0] * n[0] + v[1] * n[1]), _tangential(v, n), w[2], n, a)
+
+
+@kernel
+def conventional_kernel(
+    v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float
+) -> tuple[Vec, Vec]:
+    """Velocity and spin after the wall, in the form of every wall's law."""
+    return conventional_reflection(v, w, n, a, kappa)
+
+
+def conventional(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), restitution: Any = 1.0) -> State:
+    """Return the state (...) after a vertical wall under the conventional law: rolling, at once.
+
+    Source: the paper, (16)-(26). Of the two roots that the hypotheses leave, the one that reverses the slip at the wall;
+    the other is the rolling mirror (:func:`carom.laws.conventional.mirror_root`).
+
+    Raises CaromError where a hypothesis fails: the ball must roll on the floor, the wall be vertical, and the
+    ``restitution`` be 1. With e < 1 the energy could only be kept if what the normal motion loses went into the motion
+    along the wall, from which a ball that comes in square and without spin would have to choose a side.
+    """
+    if np.any(np.asarray(restitution) != 1):
+        raise CaromError(
+            f"conventional: restitution: expected 1 (hypothesis 3, the energy is conserved), got {restitution!r};"
+            " carom.two_step takes any"
+        )
+    return reflect(LAW, ball, state, normal, PAPER_WALL)
+
+
+def _conditions(meeting: Meeting) -> list[Condition]:
+    """The hypotheses: the ball rolls on the floor, the wall is vertical and returns all of the normal velocity."""
+    grounded = np.asarray((meeting.state.velocity[..., 2] == 0) & (np.asarray(meeting.height) == 0))
+    rolls = ~slips_on_floor(meeting, meeting.state)
+    vertical = "hypothesis 1: a vertical wall (no other leaves it on the floor)"
+    elastic = "hypothesis 3: a wall of restitution 1 (with less, the energy would have to come from nowhere)"
+    return [
+        *approaches(meeting),
+        Condition(grounded & rolls, "hypothesis 1: a ball that rolls on the floor without sliding", "floor"),
+        Condition(np.asarray(np.abs(meeting.normal[..., 2]) < 1e-12), vertical, "shape"),
+        Condition(np.asarray(np.asarray(meeting.wall.restitution) == 1), elastic, "restitution"),
+        Condition(np.asarray(not meeting.ball.planar), "a ball on a floor, not a disc in the plane"),
+    ]
+
+
+def _answer(meeting: Meeting) -> Answer:
+    after = respond(conventional_kernel, meeting)
+    none = np.full(after.shape, "")
+    slipping = slips(meeting, meeting.state, meeting.normal)
+    # Wall and floor share one unknown: S_z, by which the floor pushes up and the wall pulls down. With more of it the
+    # friction that the floor needs falls towards 1 and stays above it: none at or below 1 will do. The wall's tends to 1 then.
+    needed = np.where(slipping, 1.0, 0.0)
+    return Answer(after, after, needed, needed, none)
+
+
+def _objections(meeting: Meeting, answer: Answer) -> list[str]:
+    found = []
+    if np.any(answer.required_floor > 0):
+        found.append(
+            "it reverses the slip at the wall, which friction can only stop: the wall would have to pull the ball down"
+            " and the floor hold it with a friction above 1, at whatever impulses"
+        )
+    return found
+
+
+LAW = Law(
+    CARD,
+    _answer,
+    _conditions,
+    _objections,
+    conventional_kernel,
+    reads=("restitution",),  # which must be 1
+    response=ROLLING_WALL,
+    pinned={"restitution": 1.0},
+    fits=(
+        FitSpec("planar", absent="it describes a ball that rolls on a floor, and these are bounces in the plane"),
+        FitSpec("table", "conventional rolling reflection", free=(), upright=True, rolling_only=True),
+    ),
+    aliases=("rolling",),
+    line=("#D55E00", (0, (6, 2))),
+    order=20,
+)

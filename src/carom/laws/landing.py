@@ -8,25 +8,28 @@ if it rolls at last it rolls with (39) of the state in which it left the wall. W
 from __future__ import annotations
 
 import math
+from typing import Any
 
-from carom.kernel import Vec, dot, hot_kernel, kernel
-from carom.laws.contact import slip_velocity, wall_contact
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom.bodies import Ball, State, Surface
+from carom.core.contact import GRAZE, slip_velocity, wall_contact
+from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, prange
+from carom.core.motion.phases import ROUNDING
+from carom.core.motion.rolling import UP, rolls_at_last
+from carom.errors import FaultList, checked_number
+from carom.laws.arrays import answer_rows, rows_of, unit_normal
+from carom.laws.results import GRAVITY, PAPER_FLOOR, Flight, Impact, Settled, as_column
 
 __all__ = [
-    "IN_FLIGHT",
-    "LOST",
-    "NO_GRAVITY",
-    "NO_LAW",
-    "ROLLS",
-    "ROUNDING",
-    "UP",
-    "WHY",
-    "fall",
-    "fate",
-    "rolls_at_last",
-]
+    "IN_FLIGHT", "LOST", "NO_GRAVITY", "NO_LAW", "REASONS", "ROLLS", "WHY", "fall", "fate", "landing_settings", "rolling_after",
+    "second_impact", "settle", "settle_checked",
+]  # fmt: skip
 
-# What becomes of a ball that left the wall; what people see is WHY[code].
+Array = NDArray[np.float64]
+
+# Whether a ball that left the wall comes to roll, or why not; the texts are WHY[code].
 ROLLS, NO_GRAVITY, NO_FRICTION, BOUNCES, IN_FLIGHT = 0, 1, 2, 3, 4
 BEFORE_ROLLING, TOO_MANY, NO_LAW, LOST, ROLLS_BACK = 5, 6, 7, 8, 9
 WHY = (
@@ -42,20 +45,7 @@ WHY = (
     "its spin turns it round: it rolls back into the wall and meets it again",
 )
 
-UP: Vec = (0.0, 0.0, 1.0)
 MOST_BOUNCES = 1_000_000
-# Below this share of the speeds a slip is the rounding of a rolling ball.
-ROUNDING = 1e-12
-
-
-@hot_kernel
-def rolls_at_last(v: Vec, w: Vec, a: float, kappa: float) -> tuple[Vec, Vec]:
-    """Velocity and spin with which a ball that leaves the wall in (v, w) rolls, if it comes to roll."""
-    # (39), with I = kappa m a^2
-    c, d = 1 / (1 + kappa), 1 / a
-    x = (v[0] + kappa * a * w[1]) * c
-    y = (v[1] - kappa * a * w[0]) * c
-    return (x, y, x - x), (-y * d, x * d, w[2])
 
 
 @kernel
@@ -158,3 +148,152 @@ def fate(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, be
         if v[0] * n[0] + v[1] * n[1] > 0 and last[0] * n[0] + last[1] * n[1] > 0:
             return ROLLS
     return _fate(v, w, n, a, kappa, e, mu, beta, g, h)
+
+
+@kernel
+def second_impact(
+    v: Vec, w: Vec, n: Vec, a: float, kappa: float, ef: float, muf: float, betaf: float, g: float, h: float
+) -> tuple[float, float, float, Vec, Vec, Vec, float, int, Vec, Vec, int]:
+    """What the floor makes of a ball that leaves a wall (normal n) in (v, w) at height h.
+
+    Flight (duration, height, distance), landing (velocity, spin, impulse per mass, required friction, regime), rolling
+    state (velocity, spin; NaN where there is none) and why there is none.
+    """
+    zero = v[0] - v[0]
+    none = (zero, zero, zero)
+    x = math.nan
+    missing = (x, x, x)
+    if v[0] != v[0]:
+        return x, x, x, missing, missing, missing, x, GRAZE, missing, missing, LOST
+    if h == 0 and abs(v[2]) <= ROUNDING * (math.sqrt(dot(v, v)) + a * math.sqrt(dot(w, w))):
+        v = (v[0], v[1], zero)  # rounding is no hop
+    why = fate(v, w, n, a, kappa, ef, muf, betaf, g, h)
+    v3, w3 = rolls_at_last(v, w, a, kappa) if why == ROLLS else (missing, missing)
+    if not (h > 0 or v[2] != 0):  # it never left the floor
+        return zero, zero, zero, v, w, none, zero, GRAZE, v3, w3, why
+    if why == IN_FLIGHT:
+        return x, x, x, missing, missing, missing, x, GRAZE, v3, w3, why
+    if why == NO_GRAVITY and not (h == 0 and v[2] < 0):
+        return math.inf, math.inf, math.inf, missing, missing, missing, x, GRAZE, v3, w3, why
+    t = fall(h, v[2], g)
+    rise = h + v[2] * v[2] / (2 * g) if v[2] > 0 else h + zero
+    far = t * math.sqrt(v[0] * v[0] + v[1] * v[1])
+    down = -abs(v[2]) if h == 0 else v[2] - g * t
+    v2, w2, j, required, regime = wall_contact((v[0], v[1], down), w, UP, a, kappa, ef, muf, betaf)
+    return t, rise, far, v2, w2, j, required, regime, v3, w3, why
+
+
+@hot_kernel
+def rolling_after(
+    v: Vec, w: Vec, n: Vec, a: float, kappa: float, ef: float, muf: float, betaf: float, g: float, h: float
+) -> tuple[Vec, Vec, int]:
+    """The rolling state of a ball that leaves the wall (normal n) in (v, w), and why there is none (then it is NaN)."""
+    why = fate(v, w, n, a, kappa, ef, muf, betaf, g, h)
+    if why == ROLLS:
+        # (39)
+        v3, w3 = rolls_at_last(v, w, a, kappa)
+        return v3, w3, why
+    x = math.nan
+    return (x, x, x), (x, x, x), why
+
+
+def second_rows(
+    v: Array, w: Array, n: Array, p: Array,
+    t: Array, rise: Array, far: Array, v2: Array, w2: Array, j: Array, required: Array, regime: Any,
+    v3: Array, w3: Array, why: Any,
+) -> None:  # fmt: skip
+    """From the wall to rolling; parameters a, kappa, the floor's e, mu, beta, gravity, height."""
+    sn, sp = min(n.shape[0] - 1, 1), min(p.shape[0] - 1, 1)
+    for i in prange(v.shape[0]):
+        k, q = i * sn, i * sp
+        t[i], rise[i], far[i], x, y, z, required[i], regime[i], r, s, why[i] = second_impact(
+            (v[i, 0], v[i, 1], v[i, 2]),
+            (w[i, 0], w[i, 1], w[i, 2]),
+            (n[k, 0], n[k, 1], n[k, 2]),
+            p[q, 0], p[q, 1], p[q, 2], p[q, 3], p[q, 4], p[q, 5], p[q, 6],
+        )  # fmt: skip
+        v2[i, 0], v2[i, 1], v2[i, 2] = x
+        w2[i, 0], w2[i, 1], w2[i, 2] = y
+        j[i, 0], j[i, 1], j[i, 2] = z
+        v3[i, 0], v3[i, 1], v3[i, 2] = r
+        w3[i, 0], w3[i, 1], w3[i, 2] = s
+
+
+REASONS = np.array([*WHY])
+
+
+def landing_settings(gravity: float, height: ArrayLike, floor_contact: str) -> tuple[float, Any, bool]:
+    """Validate gravity, height and floor_contact; return the numbers, and whether wall and floor act at once."""
+    faults = FaultList("two_step")
+    g = checked_number(faults, "gravity", gravity, "a number >= 0 in m/s^2", lambda x: x >= 0)
+    h = checked_number(faults, "height", height, "a length >= 0 in m", lambda x: x >= 0)
+    if floor_contact not in ("with", "after"):
+        expected = "'with' (wall and floor at once) or 'after' (the wall alone, then the floor)"
+        faults.add("floor_contact", expected, repr(floor_contact))
+    faults.raise_if_any()
+    return g, h, floor_contact == "with"
+
+
+def settle(
+    ball: Ball,
+    state: State,
+    floor: Surface = PAPER_FLOOR,
+    normal: ArrayLike = (1.0, 0.0, 0.0),
+    gravity: float = GRAVITY,
+    height: ArrayLike = 0.0,
+) -> Settled:
+    """Compute flight, first landing and the final rolling state of a ball that leaves a wall.
+
+    Parameters
+    ----------
+    ball : Ball
+    state : State
+        Shape (...), just after the wall.
+    floor : Surface
+    normal : array (..., 3)
+        Of the wall: whether the ball meets it again before it rolls is found out.
+    gravity : float
+        m/s^2.
+    height : float or array (...)
+        Of the centre above its place on the floor, m.
+
+    Returns
+    -------
+    Settled. Source: the paper, section 3.3, (32)-(39).
+
+    Raises
+    ------
+    CaromError for a negative gravity or height, and for shapes that do not broadcast.
+
+    Examples
+    --------
+    >>> import carom
+    >>> ball = carom.Ball()
+    >>> lifted = carom.State((0.5, 0.5, 0.2), (0.0, 0.0, 0.0))
+    >>> found = carom.settle(ball, lifted)
+    >>> round(float(found.flight.duration), 4), bool(found.rolls)
+    (0.0408, True)
+    """
+    g, h, _together = landing_settings(gravity, height, "with")
+    return settle_checked(ball, state, floor, unit_normal(normal), g, h)
+
+
+def settle_checked(ball: Ball, state: State, floor: Surface, n: Array, g: float, h: Any) -> Settled:
+    """:func:`settle` with arguments that were validated before."""
+    rows = rows_of(
+        state, n, ball.radius, ball.kappa, floor.restitution, floor.friction, floor.tangential_restitution, g, h
+    )
+    t, rise, far, v2, w2, j, required, code, v3, w3, why = answer_rows(second_impact, second_rows, rows, "xxxvvvxcvvc")
+    after = State.of(v2, w2)
+    landing = state
+    if rows.shape != () or code:  # it landed: with the spin it had, and the velocity that the impulse then changed
+        landing = State.of(v2 - j, np.broadcast_to(state.spin, v2.shape))
+    return Settled(
+        normal=n,
+        flight=Flight(t, rise, far),
+        after_floor=after,
+        floor=Impact(ball, landing, after, j * as_column(ball.mass), required, code),
+        rolling=State.of(v3, w3),
+        rolls=why == ROLLS,
+        why=WHY[why] if rows.shape == () else REASONS[why],
+    )

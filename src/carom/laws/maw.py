@@ -23,11 +23,12 @@ from typing import Any
 
 import numpy as np
 
-from carom.kernel import Vec, dot, kernel
-from carom.laws.card import Card
-from carom.laws.contact import slip_velocity, struck_along
+from carom.core.contact import slip_velocity, struck_along
+from carom.core.jit.kernel import Vec, dot, kernel
+from carom.laws.compliance import COMPLIANT_READS, compliant_objections
+from carom.laws.law import Card, Condition, FitSpec, Meeting, approaches, wall_law
 
-__all__ = ["CARD", "CHI", "LIKE_SOLIDS", "maw_contact", "maw_kernel", "slip_kept", "solve"]
+__all__ = ["CARD", "CHI", "LAW", "maw_contact", "slip_kept", "solve"]
 
 CARD = Card(
     name="maw",
@@ -44,7 +45,6 @@ CARD = Card(
     doi="10.1016/0043-1648(76)90201-5",
 )
 
-LIKE_SOLIDS = 14 / 17  # k at nu = 0.3
 CHI = (0.3, 6.0)  # the curve is known between these
 # The table: psi from 0 to 1 and from 1 to 4 chi - 1, in so many steps each; chi in so many, evenly in its logarithm
 STEPS, CHIS = 32, 31
@@ -149,7 +149,28 @@ def maw_contact(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: fl
     return struck_along(v, w, n, a, kappa, pn, f, ut)
 
 
-@kernel
-def maw_kernel(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float) -> tuple[Vec, Vec]:
-    """:func:`maw_contact` of like solids (nu = 0.3), in the form of every wall's law; beta is not used."""
-    return maw_contact(v, w, n, a, kappa, e, mu, LIKE_SOLIDS)
+def _conditions(meeting: Meeting) -> list[Condition]:
+    share = (1 + 1 / np.asarray(meeting.ball.kappa)) / 2
+    chi = np.asarray(meeting.stiffness_ratio) * share
+    low, high = CHI[0] / np.min(share), CHI[1] / np.max(share)
+    expected = f"a stiffness ratio from {low:.3g} to {high:.3g}, where its curve is known"
+    return [*approaches(meeting), Condition((chi >= CHI[0]) & (chi <= CHI[1]), expected, "stiffness_ratio")]
+
+
+LAW = wall_law(
+    CARD,
+    maw_contact,
+    _conditions,
+    compliant_objections,
+    COMPLIANT_READS,
+    last="stiffness_ratio",
+    needs=("restitution", "friction"),
+    in_flight=True,
+    chi_range=CHI,
+    fits=(
+        FitSpec("planar", "tangential compliance (Maw et al.)"),
+        FitSpec("table", "tangential compliance (Maw et al.), then the floor"),
+    ),
+    line=("#CC79A7", (0, (5, 1.5, 1, 1.5, 1, 1.5))),
+    order=50,
+)

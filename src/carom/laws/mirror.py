@@ -2,11 +2,30 @@
 
 from __future__ import annotations
 
-from carom.kernel import Vec, kernel
-from carom.laws.card import Card
-from carom.laws.contact import contact, slip_velocity
+import numpy as np
+from numpy.typing import ArrayLike
 
-__all__ = ["CARD", "mirror_reflection"]
+from carom.bodies import Ball, State, Surface
+from carom.core.contact import contact, slip_velocity
+from carom.core.jit.kernel import Vec, kernel
+from carom.laws.law import (
+    MIRROR_WALL,
+    Answer,
+    Card,
+    FitSpec,
+    Law,
+    Meeting,
+    approaches,
+    drives_into_floor,
+    respond,
+    rubs,
+    slips,
+    slips_on_floor,
+)
+from carom.laws.reflect import reflect
+from carom.laws.results import PAPER_WALL
+
+__all__ = ["CARD", "LAW", "mirror", "mirror_reflection"]
 
 CARD = Card(
     name="mirror",
@@ -25,3 +44,54 @@ def mirror_reflection(v: Vec, w: Vec, n: Vec, a: float, e: float) -> tuple[Vec, 
     pn, _f, _required, _regime = contact(un, ut, 1, 1, e, 0, 0)
     j = (pn * n[0], pn * n[1], pn * n[2])
     return (v[0] + j[0], v[1] + j[1], v[2] + j[2]), w, j
+
+
+@kernel
+def mirror_kernel(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float) -> tuple[Vec, Vec]:
+    """Velocity and spin after the wall."""
+    v1, w1, _j = mirror_reflection(v, w, n, a, e)
+    return v1, w1
+
+
+def mirror(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), surface: Surface = PAPER_WALL) -> State:
+    """Return the state (...) after a frictionless wall: the normal velocity comes back e times, all else goes on.
+
+    >>> import carom
+    >>> ball = carom.Ball()
+    >>> carom.mirror(ball, carom.rolling(ball, (-1.0, 1.0))).velocity.tolist()
+    [1.0, 1.0, 0.0]
+    """
+    return reflect(LAW, ball, state, normal, surface)
+
+
+def _answer(meeting: Meeting) -> Answer:
+    after = respond(mirror_kernel, meeting)
+    nothing = np.zeros(after.shape)
+    return Answer(after, after, nothing, nothing, np.full(after.shape, ""))
+
+
+def _objections(meeting: Meeting, answer: Answer) -> list[str]:
+    found = drives_into_floor(meeting, answer)
+    if rubs(meeting.wall) and np.any(slips(meeting, meeting.state, meeting.normal)):
+        found.append("the ball slips on the wall, and this wall has friction: an impulse along it is left out")
+    if not meeting.ball.planar and rubs(meeting.floor) and np.any(slips_on_floor(meeting, answer.after_wall)):
+        found.append("the ball leaves the wall sliding, and this floor has friction: its path will bend")
+    return found
+
+
+LAW = Law(
+    CARD,
+    _answer,
+    approaches,
+    _objections,
+    mirror_kernel,
+    reads=("restitution",),
+    response=MIRROR_WALL,
+    pinned={"friction": 0.0, "tangential_restitution": -1.0},
+    fits=(
+        FitSpec("planar", "no friction (mirror)", nested_in=("sliding", "contact", "maw")),
+        FitSpec("table", "no friction (mirror)", upright=True),
+    ),
+    line=("#8a8a8a", (0, (1, 1.6))),
+    order=10,
+)

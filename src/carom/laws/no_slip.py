@@ -9,11 +9,17 @@ from __future__ import annotations
 
 import math
 
-from carom.kernel import Vec, cross, hot_kernel, kernel
-from carom.laws.card import Card
-from carom.laws.contact import slip_velocity, wall_contact
+import numpy as np
+from numpy.typing import ArrayLike
 
-__all__ = ["CARD", "no_slip_bounce", "no_slip_reflection"]
+from carom.bodies import Ball, State
+from carom.core.contact import slip_velocity, wall_contact
+from carom.core.jit.kernel import Vec, cross, hot_kernel, kernel
+from carom.laws.law import NO_SLIP_WALL, ON_FLOOR, Answer, Card, FitSpec, Meeting, drives_into_floor, slips, wall_law
+from carom.laws.reflect import reflect
+from carom.laws.results import PAPER_WALL
+
+__all__ = ["CARD", "LAW", "no_slip", "no_slip_bounce", "no_slip_reflection"]
 
 CARD = Card(
     name="no-slip",
@@ -53,3 +59,54 @@ def no_slip_bounce(v: Vec, w: Vec, n: Vec, a: float, kappa: float) -> tuple[Vec,
         (v[0] + (pn * n[0] + f[0]), v[1] + (pn * n[1] + f[1]), v[2] + (pn * n[2] + f[2])),
         (w[0] - t[0] * c, w[1] - t[1] * c, w[2] - t[2] * c),
     )
+
+
+@kernel
+def no_slip_kernel(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float) -> tuple[Vec, Vec]:
+    """Velocity and spin after the wall, in the form of every wall's law."""
+    v1, w1, _j, _required = no_slip_reflection(v, w, n, a, kappa)
+    return v1, w1
+
+
+def no_slip(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0)) -> State:
+    """Return the state (...) after a no-slip wall: the contact point's velocity is reversed, the energy conserved.
+
+    Source: Broomhead & Gutkin, Physica D 67, 188 (1993), doi 10.1016/0167-2789(93)90205-F, for discs (:func:`carom.Disc`);
+    Garwin, Am. J. Phys. 37, 88 (1969), in space.
+    """
+    return reflect(LAW, ball, state, normal, PAPER_WALL)
+
+
+def _not_elastic(meeting: Meeting) -> list[str]:
+    e = np.asarray(meeting.wall.restitution)
+    return [f"it takes the restitution for 1, this wall's is {float(e.flat[0]):g}"] if np.any(e != 1) else []
+
+
+def _objections(meeting: Meeting, answer: Answer) -> list[str]:
+    found = _not_elastic(meeting)
+    if np.any(slips(meeting, meeting.state, meeting.normal)):
+        beta, mu = float(np.min(meeting.wall.tangential_restitution)), float(np.min(meeting.wall.friction))
+        if beta < 1:
+            found.append(
+                f"it returns all of the slip at the wall; this wall's tangential restitution is {beta:g}, not 1"
+            )
+        required = float(np.max(answer.required_wall))
+        if required > mu:
+            found.append(f"it needs a wall friction of {required:.3g}; this wall has {mu:g}")
+    return [*found, *drives_into_floor(meeting, answer)]
+
+
+LAW = wall_law(
+    CARD,
+    no_slip_kernel,
+    objections=_objections,
+    reads=ON_FLOOR,
+    response=NO_SLIP_WALL,
+    pinned={"restitution": 1.0, "friction": math.inf, "tangential_restitution": 1.0},
+    fits=(
+        FitSpec("planar", "no-slip, all slip returned", free=("restitution",), nested_in=("contact", "maw")),
+        FitSpec("table", "no-slip wall, then the floor", free=("restitution",), nested_in=("contact",), upright=True),
+    ),
+    line=("#009E73", (0, (4, 1.5, 1, 1.5))),
+    order=30,
+)

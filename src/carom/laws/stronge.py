@@ -19,12 +19,14 @@ from __future__ import annotations
 
 import math
 
-from carom.kernel import Vec, dot, kernel
-from carom.laws.card import Card
-from carom.laws.contact import LEAST, slip_velocity, struck_along
-from carom.laws.maw import LIKE_SOLIDS
+import numpy as np
 
-__all__ = ["CARD", "STIFFNESS", "kept_slip", "stronge_contact", "stronge_kernel"]
+from carom.core.contact import LEAST, slip_velocity, struck_along
+from carom.core.jit.kernel import Vec, dot, kernel
+from carom.laws.compliance import COMPLIANT_READS, compliant_objections
+from carom.laws.law import Card, Condition, FitSpec, Meeting, approaches, wall_law
+
+__all__ = ["CARD", "LAW", "STIFFNESS", "kept_slip", "stronge_contact"]
 
 CARD = Card(
     name="stronge",
@@ -162,7 +164,26 @@ def stronge_contact(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu
     return struck_along(v, w, n, a, kappa, pn, f, ut)
 
 
-@kernel
-def stronge_kernel(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float) -> tuple[Vec, Vec]:
-    """:func:`stronge_contact` of like solids (nu = 0.3), in the form of every wall's law; beta is not used."""
-    return stronge_contact(v, w, n, a, kappa, e, mu, LIKE_SOLIDS)
+def _conditions(meeting: Meeting) -> list[Condition]:
+    k = np.asarray(meeting.stiffness_ratio)
+    expected = f"a stiffness ratio from {STIFFNESS[0]:g} to {STIFFNESS[1]:g}"
+    return [*approaches(meeting), Condition((k >= STIFFNESS[0]) & (k <= STIFFNESS[1]), expected, "stiffness_ratio")]
+
+
+LAW = wall_law(
+    CARD,
+    stronge_contact,
+    _conditions,
+    compliant_objections,
+    COMPLIANT_READS,
+    last="stiffness_ratio",
+    needs=("restitution", "friction"),
+    in_flight=True,
+    # (by name alone, for it says nearly what maw says)
+    fits=(
+        FitSpec("planar", "two springs (Stronge)", on_request=True),
+        FitSpec("table", "two springs (Stronge), then the floor", on_request=True),
+    ),
+    line=("#E69F00", (0, (8, 2, 2, 2))),
+    order=60,
+)

@@ -9,14 +9,42 @@ sliding until the ball rolls, cannot change the rolling state: see :mod:`carom.l
 from __future__ import annotations
 
 import math
+from typing import Any
 
-from carom.kernel import Vec, dot, hot_kernel, kernel
-from carom.laws.card import Card
-from carom.laws.contact import GRAZE, slip_velocity, wall_contact
-from carom.laws.landing import IN_FLIGHT, LOST, NO_GRAVITY, NO_LAW, ROLLS, ROUNDING, UP, fall, fate, rolls_at_last
-from carom.laws.simultaneous import LEAST_FIRM, STALL, pressed_down, wall_and_floor
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["CARD", "UNDEFINED", "first_impact", "rolling_after", "second_impact", "two_step_final", "two_step_plain"]
+from carom.bodies import Ball, State, Surface, slip
+from carom.core.contact import slip_velocity, wall_contact
+from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, prange
+from carom.core.motion.rolling import rolls_at_last
+from carom.errors import CaromError, first_bad_index, require_type
+from carom.laws.arrays import answer_rows, require_approach, rows_of, unit_normal
+from carom.laws.landing import LOST, NO_LAW, landing_settings, rolling_after, settle_checked
+from carom.laws.law import (
+    ON_FLOOR,
+    ON_WALL,
+    TWO_STEP_WALL,
+    Answer,
+    Card,
+    Condition,
+    FitSpec,
+    Law,
+    Meeting,
+    approaches,
+    contact_kernel,
+    required_friction,
+    respond,
+)
+from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact, Impact, TwoStep, as_column
+from carom.laws.wall_and_floor.solver import LEAST_FIRM, STALL, pressed_down, wall_and_floor
+
+__all__ = [
+    "CARD", "LAW", "UNDEFINED", "WALL_AND_FLOOR", "answer_two_step", "first_impact", "two_step", "two_step_conditions",
+    "two_step_final", "two_step_plain",
+]  # fmt: skip
+
+Array = NDArray[np.float64]
 
 CARD = Card(
     name="two-step",
@@ -31,6 +59,24 @@ CARD = Card(
     equations="(27)-(41)",
     citation="The paper, section 3; O. R. Walton & R. L. Braun, J. Rheol. 30, 949-980 (1986), for the contact.",
     doi="10.1122/1.549893",
+)
+
+WALL_AND_FLOOR = Card(
+    name="wall-and-floor",
+    summary="A ball on the floor that the wall pushes down: both contacts at once, followed in the wall's normal impulse.",
+    assumptions=(
+        "the floor is rigid: far stiffer than the wall, which is what cloth on slate is to a rubber cushion",
+        "Coulomb friction at both contacts, stick and slip followed; tangential restitution 0",
+        "the wall returns e^2 of the work it took (Stronge); its force grows in proportion to its compression",
+        "the floor's restitution matters only if the ball is lifted and lands again while the wall acts",
+    ),
+    valid="Backspin, sliding, every cushion that touches above the centre. It is the first step of two-step, by default;"
+    " floor_contact='after' is the other limit, a floor softer than the wall. Any friction, infinite ones too; where large"
+    " frictions lock the ball between wall and floor the answer says so.",
+    equations="carom.laws.wall_and_floor.solver",
+    citation="J. B. Keller, J. Appl. Mech. 53, 1-4 (1986); W. J. Stronge, Proc. R. Soc. A 431, 169-181 (1990);"
+    " G. Darboux, Bull. Sci. Math. 4, 126-160 (1880).",
+    doi="10.1115/1.3171712",
 )
 
 # The wall presses the ball down and rebounds tangentially: there is no such law for two contacts at once.
@@ -75,39 +121,6 @@ def first_impact(
     return v1, w1, j, (zero, zero, zero), required, regime
 
 
-@kernel
-def second_impact(
-    v: Vec, w: Vec, n: Vec, a: float, kappa: float, ef: float, muf: float, betaf: float, g: float, h: float
-) -> tuple[float, float, float, Vec, Vec, Vec, float, int, Vec, Vec, int]:
-    """What the floor makes of a ball that leaves a wall (normal n) in (v, w) at height h.
-
-    Flight (duration, height, distance), landing (velocity, spin, impulse per mass, required friction, regime), rolling
-    state (velocity, spin; NaN where there is none) and why there is none.
-    """
-    zero = v[0] - v[0]
-    none = (zero, zero, zero)
-    x = math.nan
-    missing = (x, x, x)
-    if v[0] != v[0]:
-        return x, x, x, missing, missing, missing, x, GRAZE, missing, missing, LOST
-    if h == 0 and abs(v[2]) <= ROUNDING * (math.sqrt(dot(v, v)) + a * math.sqrt(dot(w, w))):
-        v = (v[0], v[1], zero)  # rounding is no hop
-    why = fate(v, w, n, a, kappa, ef, muf, betaf, g, h)
-    v3, w3 = rolls_at_last(v, w, a, kappa) if why == ROLLS else (missing, missing)
-    if not (h > 0 or v[2] != 0):  # it never left the floor
-        return zero, zero, zero, v, w, none, zero, GRAZE, v3, w3, why
-    if why == IN_FLIGHT:
-        return x, x, x, missing, missing, missing, x, GRAZE, v3, w3, why
-    if why == NO_GRAVITY and not (h == 0 and v[2] < 0):
-        return math.inf, math.inf, math.inf, missing, missing, missing, x, GRAZE, v3, w3, why
-    t = fall(h, v[2], g)
-    rise = h + v[2] * v[2] / (2 * g) if v[2] > 0 else h + zero
-    far = t * math.sqrt(v[0] * v[0] + v[1] * v[1])
-    down = -abs(v[2]) if h == 0 else v[2] - g * t
-    v2, w2, j, required, regime = wall_contact((v[0], v[1], down), w, UP, a, kappa, ef, muf, betaf)
-    return t, rise, far, v2, w2, j, required, regime, v3, w3, why
-
-
 @hot_kernel
 def two_step_plain(
     v: Vec, w: Vec, n: Vec, a: float, kappa: float,
@@ -143,15 +156,145 @@ def two_step_final(
     return rolling_after(v1, w1, n, a, kappa, ef, muf, betaf, g, h)
 
 
-@hot_kernel
-def rolling_after(
-    v: Vec, w: Vec, n: Vec, a: float, kappa: float, ef: float, muf: float, betaf: float, g: float, h: float
-) -> tuple[Vec, Vec, int]:
-    """The rolling state of a ball that leaves the wall (normal n) in (v, w), and why there is none (then it is NaN)."""
-    why = fate(v, w, n, a, kappa, ef, muf, betaf, g, h)
-    if why == ROLLS:
-        # (39)
-        v3, w3 = rolls_at_last(v, w, a, kappa)
-        return v3, w3, why
-    x = math.nan
-    return (x, x, x), (x, x, x), why
+def first_rows(
+    v: Array, w: Array, n: Array, p: Array, together: bool,
+    v1: Array, w1: Array, j: Array, jf: Array, required: Array, regime: Any,
+) -> None:  # fmt: skip
+    """The two-step's first impact; parameters a, kappa, e, mu, beta, the floor's e, mu, beta, height."""
+    sn, sp = min(n.shape[0] - 1, 1), min(p.shape[0] - 1, 1)
+    for i in prange(v.shape[0]):
+        k, q = i * sn, i * sp
+        x, y, z, f, required[i], regime[i] = first_impact(
+            (v[i, 0], v[i, 1], v[i, 2]),
+            (w[i, 0], w[i, 1], w[i, 2]),
+            (n[k, 0], n[k, 1], n[k, 2]),
+            p[q, 0], p[q, 1], p[q, 2], p[q, 3], p[q, 4], p[q, 5], p[q, 6], p[q, 7], p[q, 8], together,
+        )  # fmt: skip
+        v1[i, 0], v1[i, 1], v1[i, 2] = x
+        w1[i, 0], w1[i, 1], w1[i, 2] = y
+        j[i, 0], j[i, 1], j[i, 2] = z
+        jf[i, 0], jf[i, 1], jf[i, 2] = f
+
+
+def two_step(
+    ball: Ball,
+    state: State,
+    wall: Surface = PAPER_WALL,
+    floor: Surface = PAPER_FLOOR,
+    normal: ArrayLike = (1.0, 0.0, 0.0),
+    gravity: float = GRAVITY,
+    height: ArrayLike = 0.0,
+    floor_contact: FloorContact = "with",
+) -> TwoStep:
+    """The two-step law: the wall, the flight, the floor, and rolling again.
+
+    Parameters
+    ----------
+    ball : Ball
+    state : State
+        Shape (...): rolling, sliding or, at ``height`` > 0, flying towards the wall.
+    wall, floor : Surface
+        By default the paper's: wall e = 1, floor e = 0, both sticking.
+    normal : array (..., 3)
+        From the wall to the ball. With a vertical part below zero the wall touches above the centre, as cushions do.
+    gravity : float
+        m/s^2.
+    height : float or array (...)
+        Of the centre above its place on the floor when the ball meets the wall, m.
+    floor_contact : "with" or "after"
+        A ball on the floor that the wall pushes down: wall and floor at once (a rigid floor), or the wall alone and then
+        the floor.
+
+    Returns
+    -------
+    TwoStep. Source: the paper, (27)-(41); for the pressed ball :mod:`carom.laws.wall_and_floor.solver`.
+
+    Raises
+    ------
+    CaromError where a ball moves away from the wall, moves down through the floor, or where a wall with tangential
+    restitution presses a ball on the floor (no law for both contacts at once: say ``floor_contact="after"``).
+    """
+    require_type("two_step", "wall", wall, Surface)
+    require_type("two_step", "floor", floor, Surface)
+    n = unit_normal(normal)
+    require_approach(ball, state, n)
+    g, h, together = landing_settings(gravity, height, floor_contact)
+    if ball.planar:
+        raise CaromError(
+            "two_step: ball: expected a ball, got a disc in the plane, which has no floor; use carom.impact"
+        )
+    rows = rows_of(
+        state, n, ball.radius, ball.kappa, wall.restitution, wall.friction, wall.tangential_restitution,
+        floor.restitution, floor.friction, floor.tangential_restitution, h,
+    )  # fmt: skip
+    v1, w1, j, jf, required, code = answer_rows(first_impact, first_rows, rows, "vvvvxc", together)
+    require_defined(code == UNDEFINED)
+    after, mass = State.of(v1, w1, state.position), as_column(ball.mass)
+    hit = Impact(ball, state, after, j * mass, required, code)
+    then = settle_checked(ball, after, floor, n, g, h)
+    return TwoStep(**vars(then), after_wall=after, wall=hit, floor_impulse=jf * mass)
+
+
+def require_defined(undefined: Any) -> None:
+    """CaromError where a wall with tangential restitution presses a ball on the floor."""
+    undefined = np.asarray(undefined)
+    if undefined.any():
+        raise CaromError(
+            "two_step: wall: expected tangential_restitution 0 where the wall presses the ball on the floor (wall and floor"
+            f" at once have no law with tangential restitution), got another{first_bad_index(undefined)};"
+            " say floor_contact='after'"
+        )
+
+
+def answer_two_step(meeting: Meeting) -> Answer:
+    """Return the two-step law's answer, with its steps."""
+    m = meeting
+    if m.ball.planar:  # no floor: one contact, and that is all
+        after = respond(contact_kernel, m)
+        nothing = np.zeros(after.shape)
+        return Answer(
+            after, after, required_friction(m.ball, m.state, after, m.normal), nothing, np.full(after.shape, "")
+        )
+    two = two_step(m.ball, m.state, m.wall, m.floor, m.normal, m.gravity, m.height, m.floor_contact)
+    # What the floor needs: to hold the landing, or what it gave while the wall pressed the ball on it.
+    jf = two.floor_impulse
+    with np.errstate(invalid="ignore", divide="ignore"):
+        used = np.where(jf[..., 2] > 0, np.hypot(jf[..., 0], jf[..., 1]) / jf[..., 2], 0.0)
+    used = np.where(used >= LEAST_FIRM / 2, np.inf, used)  # an infinite friction that had to be one
+    needed = np.fmax(two.floor.required_friction, used)
+    return Answer(two.after_wall, two.rolling, two.wall.required_friction, needed, two.why, two)
+
+
+def two_step_conditions(meeting: Meeting) -> list[Condition]:
+    """The ball approaches; and no wall with tangential restitution presses it on the floor."""
+    m = meeting
+    found = approaches(m)
+    beta = np.asarray(m.wall.tangential_restitution)
+    if not m.ball.planar and m.floor_contact == "with" and np.any((beta != 0) & (beta != -1)):
+        u = slip(m.ball, m.state, m.normal)
+        size = np.sqrt((u * u).sum(axis=-1))
+        mu = np.minimum(m.wall.friction, 1e300)
+        down = (m.normal[..., 2] < 0) | ((u[..., 2] > 0) & (mu * u[..., 2] > m.normal[..., 2] * size))
+        on_floor = (np.asarray(m.height) == 0) & (m.state.velocity[..., 2] <= 0)
+        pressed = on_floor & (down | (m.state.velocity[..., 2] < 0)) & (beta != 0) & (beta != -1)
+        expected = "tangential restitution 0 where the wall presses the ball on the floor"
+        found.append(Condition(~np.asarray(pressed), expected))
+    return found
+
+
+LAW = Law(
+    CARD,
+    answer_two_step,
+    two_step_conditions,
+    lambda _meeting, _answer: [],
+    contact_kernel,
+    reads=(*ON_WALL, *ON_FLOOR),
+    response=TWO_STEP_WALL,
+    needs=("restitution", "friction"),
+    fits=(
+        FitSpec("planar", same_as="sliding"),
+        FitSpec("table", "two-step, wall and floor at once", free=("restitution", "friction")),
+    ),
+    line=("#0072B2", "solid"),
+    order=40,
+)

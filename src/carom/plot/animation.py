@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import importlib
 import math
 import os
 import shutil
@@ -14,13 +13,13 @@ from typing import Any
 
 import numpy as np
 
-from carom.checks import Faults, nearest
-from carom.errors import CaromError
-from carom.plot.film import Film
-from carom.plot.page import page
-from carom.plot.save import require_matplotlib, style
-from carom.plot.seen import last_time
-from carom.trajectory import Trajectory
+from carom.errors import CaromError, FaultList
+from carom.files import atomic_path, import_optional, require_library, require_writable, write_text
+from carom.plot.html import page
+from carom.plot.scene_view import last_time
+from carom.plot.style import style
+from carom.plot.video import Film
+from carom.simulation.trajectory import Trajectory
 
 __all__ = ["animate"]
 
@@ -60,17 +59,17 @@ def animate(
     not installed (Matplotlib; for .mp4 also ffmpeg), or where the file cannot be written.
     """
     path = Path(path)
-    _require_place(path)
+    require_writable(path, KINDS)
     kind = path.suffix.lower()
     span = _checked(run, kind, fps, speed, start, end)
     tell = progress or (lambda _done, _total: None)
     if kind == ".html":
         tell(0, 1)
         text = page(run, *span, float(speed))
-        _whole(path, lambda temporary: temporary.write_text(text, encoding="utf-8"))
+        write_text(path, text)
         tell(1, 1)
         return path
-    require_matplotlib()
+    require_library("matplotlib", "animate")
     count = max(2, 1 + math.floor((span[1] - span[0]) * fps / speed + 1e-9))
     if count > MOST_FRAMES:
         raise CaromError(
@@ -78,34 +77,18 @@ def animate(
         )
     program = _ffmpeg() if kind == ".mp4" else ""
     times = np.minimum(span[0] + np.arange(count) * speed / fps, span[1])
-    with style():
+    with style(), atomic_path(path) as part:
         film = Film(run, times, span, WIDE[kind])
         if kind == ".mp4":
-            _whole(path, lambda temporary: _mp4(film, temporary, program, fps, tell))
+            _mp4(film, part, program, fps, tell)
         else:
-            _whole(path, lambda temporary: _gif(film, temporary, fps, tell))
+            _gif(film, part, fps, tell)
     return path
-
-
-def _require_place(path: Path) -> None:
-    kind = path.suffix.lower()
-    if kind not in KINDS:
-        raise CaromError(
-            f"animate: {path}: expected a name that ends with one of {', '.join(KINDS)}, got {path.suffix or 'none'!r};"
-            f" {nearest(kind, list(KINDS))}"
-        )
-    folder = path.absolute().parent
-    if not folder.is_dir():
-        raise CaromError(f"animate: {path}: expected a folder that exists, got {str(path.parent)!r}; make it first")
-    if path.is_dir():
-        raise CaromError(f"animate: {path}: expected a file to write, got a folder; add a file's name")
-    if not os.access(folder, os.W_OK) or (path.exists() and not os.access(path, os.W_OK)):
-        raise CaromError(f"animate: {path}: expected leave to write there, got none; choose another place")
 
 
 def _checked(run: Trajectory, kind: str, fps: Any, speed: Any, start: Any, end: Any) -> tuple[float, float]:
     """Start and end; CaromError with all that is wrong."""
-    faults, last = Faults("animate"), last_time(run)
+    faults, last = FaultList("animate"), last_time(run)
     fastest = FASTEST_GIF if kind == ".gif" else 1000
     if not (_is_number(fps) and 0 < fps <= fastest):
         faults.add("fps", f"a number above 0, at most {fastest}", repr(fps))
@@ -116,7 +99,7 @@ def _checked(run: Trajectory, kind: str, fps: Any, speed: Any, start: Any, end: 
         faults.add("start", f"a time from 0 to before {last:.9g} s, the end of the run", repr(start))
     elif not (_is_number(end) and start < end <= max(last, run.end)):
         faults.add("end", f"a time after {start:.9g} s, at most {last:.9g} s, the end of the run", repr(end))
-    faults.done()
+    faults.raise_if_any()
     return float(start), float(end)
 
 
@@ -129,29 +112,12 @@ def _ffmpeg() -> str:
     found = shutil.which("ffmpeg")
     if found is None:
         try:
-            found = str(importlib.import_module("imageio_ffmpeg").get_ffmpeg_exe())
+            found = str(import_optional("imageio_ffmpeg", "ffmpeg").get_ffmpeg_exe())
         except (ImportError, RuntimeError):
             raise CaromError(
-                "animate: .mp4: expected the program ffmpeg, found none; run: pip install imageio-ffmpeg, or write .gif or .html"
+                "animate: .mp4: expected the program ffmpeg, found none; run: pip install 'carom[film]', or write .gif or .html"
             ) from None
     return found
-
-
-def _whole(path: Path, write: Callable[[Path], Any]) -> None:
-    """Write beside the file and rename, so that nobody ever sees half of it."""
-    handle, name = tempfile.mkstemp(dir=path.absolute().parent, prefix=f".{path.stem}-", suffix=path.suffix.lower())
-    os.close(handle)
-    temporary = Path(name)
-    try:
-        write(temporary)
-        mask = os.umask(0)
-        os.umask(mask)
-        temporary.chmod(0o666 & ~mask)
-        temporary.replace(path)
-    except OSError as error:
-        raise CaromError(f"animate: {path}: cannot be written ({error.strerror}); choose another place") from error
-    finally:
-        temporary.unlink(missing_ok=True)
 
 
 def _mp4(film: Film, path: Path, program: str, fps: float, tell: Progress) -> None:

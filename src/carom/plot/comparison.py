@@ -1,44 +1,62 @@
-"""A comparison drawn: incidence and reflection under each law, seen from above and from the side."""
+"""Draw a comparison of laws: incidence and reflection under each, seen from above and from the side.
+
+:func:`path_after_wall` follows the ball from the wall until it rolls: flights, bounces and sliding, each as points of a curve.
+"""
 
 from __future__ import annotations
 
 import math
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom import comparison as asked
-from carom.law import Meeting
-from carom.plot.drawing import GREY, INK, PALE, arrow, inks, sheet, spread
-from carom.plot.path import Path, path_after_wall
-from carom.plot.save import style
-from carom.units import length, number
+from carom.core.contact import slip_velocity, wall_contact
+from carom.core.jit.kernel import Vec
+from carom.core.motion.rolling import UP
+from carom.formatting import format_length, format_number
+from carom.laws import comparison as laws_compared
+from carom.laws.landing import fall
+from carom.laws.law import Answer, Meeting
+from carom.plot.style import GREY, INK, PALE, arrow, law_styles, new_figure, spread_apart, style
 
-__all__ = ["compare"]
+__all__ = ["PathAfterWall", "compare", "path_after_wall"]
 
-TALL = 0.72  # half the height of the view from above, over its width
+HALF_HEIGHT_OVER_WIDTH = 0.72  # of the view from above
 
 Array = NDArray[np.float64]
 
 
-def compare(comparison: asked.Comparison | Meeting | None = None, **settings: Any) -> Any:
-    """Draw what each law says of one ball, to scale: from above, and from the side.
+def compare(comparison: laws_compared.Comparison | Meeting | None = None, **settings: Any) -> Any:
+    """Draw each law's prediction for one ball, to scale: from above, and from the side.
 
     Parameters
     ----------
     comparison : Comparison or Meeting, optional
-        What :func:`carom.compare` or :func:`carom.incoming` gives; left out, made from ``settings``.
+        Result of :func:`carom.compare` or :func:`carom.incoming`; by default made from ``settings``.
     settings
-        As :func:`carom.incoming` takes them: ``carom.plot.compare(angle=30, friction=0.2)``.
+        Arguments of :func:`carom.incoming`.
 
     Returns
     -------
-    matplotlib.figure.Figure, which a notebook shows and :func:`carom.plot.save` writes. Laws that refuse are left out and
-    said so; so is a ball that never rolls. Raises CaromError for bad settings, or where Matplotlib is missing.
+    matplotlib.figure.Figure
+        A notebook shows it, and :func:`carom.plot.save` writes it. Laws without an answer are listed beside the figure.
+
+    Raises
+    ------
+    CaromError
+        For bad settings, or if Matplotlib is not installed.
+
+    Examples
+    --------
+    >>> from carom import plot
+    >>> figure = plot.compare(angle=30, friction=0.2)
+    >>> [axes.get_ylabel() for axes in figure.axes]
+    ['along the wall, mm', 'height, mm']
     """
-    if not isinstance(comparison, asked.Comparison):
-        comparison = asked.compare(comparison if comparison is not None else asked.incoming(**settings))
+    if not isinstance(comparison, laws_compared.Comparison):
+        comparison = laws_compared.compare(comparison if comparison is not None else laws_compared.incoming(**settings))
     m = comparison.meeting
     shown = [v for v in comparison.verdicts if v.answer is not None and v.after_wall is not None]
     paths = {v.law: path_after_wall(m, v.answer) for v in shown if v.answer is not None}
@@ -48,13 +66,18 @@ def compare(comparison: asked.Comparison | Meeting | None = None, **settings: An
         return _draw(comparison, shown, paths, reach)
 
 
-def _reach(a: float, paths: list[Path]) -> float:
-    """How far from the wall, in m, the picture goes: past where the balls roll, within 6 to 30 radii."""
+def _reach(a: float, paths: list[PathAfterWall]) -> float:
+    """Return how far from the wall the figure reaches, m: beyond where the balls roll, 6.5 to 30 radii."""
     far = max((float(np.abs(path.points[:, :2]).max()) for path in paths), default=0.0)
     return min(max(6.5 * a, 1.35 * far), 30 * a)
 
 
-def _draw(comparison: asked.Comparison, shown: list[asked.Verdict], paths: dict[str, Path], reach: float) -> Any:
+def _draw(
+    comparison: laws_compared.Comparison,
+    shown: list[laws_compared.Verdict],
+    paths: dict[str, PathAfterWall],
+    reach: float,
+) -> Any:
     m = comparison.meeting
     a = float(m.ball.radius) * 1e3
     r = reach * 1e3
@@ -62,29 +85,29 @@ def _draw(comparison: asked.Comparison, shown: list[asked.Verdict], paths: dict[
     up = min(up, 0.8 * r)
     width, left, right = 6.4, 0.55, 1.45
     scale = (width - left - right) / (1.12 * r)  # inches per mm, the same in both views
-    heights = (2 * TALL * r * scale, (up + 0.12 * r) * scale)
+    heights = (2 * HALF_HEIGHT_OVER_WIDTH * r * scale, (up + 0.12 * r) * scale)
     total = sum(heights) + 0.2 + 0.45 + 0.3
-    figure = sheet(width, total)
+    figure = new_figure(width, total)
     boxes = [
         (left / width, (total - 0.3 - heights[0]) / total, 1.12 * r * scale / width, heights[0] / total),
         (left / width, 0.45 / total, 1.12 * r * scale / width, heights[1] / total),
     ]
     above, side = (figure.add_axes(box) for box in boxes)
-    looks = inks([v.law for v in comparison.verdicts])
-    _above(above, comparison, shown, paths, looks, a, r)
-    _side(side, comparison, shown, paths, looks, a, r, up)
+    styles = law_styles([v.law for v in comparison.verdicts])
+    _above(above, comparison, shown, paths, styles, a, r)
+    _side(side, comparison, shown, paths, styles, a, r, up)
     _notes(figure, comparison, left / width)
     return figure
 
 
-def _notes(figure: Any, comparison: asked.Comparison, x: float) -> None:
+def _notes(figure: Any, comparison: laws_compared.Comparison, x: float) -> None:
     m = comparison.meeting
     figure.text(
         x, 0.995,
-        f"In at {comparison.incident_angle:.1f}°, {number(float(np.hypot(*m.state.velocity[:2])))} m/s;"
-        f" wall $e$ = {number(m.wall.restitution)}, $\\mu$ = {number(m.wall.friction)};"
-        f" floor $e$ = {number(m.floor.restitution)}, $\\mu$ = {number(m.floor.friction)};"
-        f" ball of radius {length(float(m.ball.radius), 4)}",
+        f"In at {comparison.incident_angle:.1f}°, {format_number(float(np.hypot(*m.state.velocity[:2])))} m/s;"
+        f" wall $e$ = {format_number(m.wall.restitution)}, $\\mu$ = {format_number(m.wall.friction)};"
+        f" floor $e$ = {format_number(m.floor.restitution)}, $\\mu$ = {format_number(m.floor.friction)};"
+        f" ball of radius {format_length(float(m.ball.radius), 4)}",
         ha="left", va="top", size=8, color=INK,
     )  # fmt: skip
     missing = [v.law for v in comparison.verdicts if v.after_wall is None]
@@ -95,12 +118,14 @@ def _notes(figure: Any, comparison: asked.Comparison, x: float) -> None:
 
 
 def _above(
-    axes: Any, comparison: asked.Comparison, shown: list[asked.Verdict], paths: dict[str, Path],
-    looks: dict[str, tuple[str, Any]], a: float, r: float,
+    axes: Any, comparison: laws_compared.Comparison, shown: list[laws_compared.Verdict], paths: dict[str, PathAfterWall],
+    styles: dict[str, tuple[str, Any]], a: float, r: float,
 ) -> None:  # fmt: skip
     m = comparison.meeting
-    _frame(axes, (-0.12 * r, r), (-TALL * r, TALL * r))
-    axes.fill_betweenx([-TALL * r, TALL * r], -0.12 * r, 0, color=PALE, lw=0, zorder=0)
+    _frame(axes, (-0.12 * r, r), (-HALF_HEIGHT_OVER_WIDTH * r, HALF_HEIGHT_OVER_WIDTH * r))
+    axes.fill_betweenx(
+        [-HALF_HEIGHT_OVER_WIDTH * r, HALF_HEIGHT_OVER_WIDTH * r], -0.12 * r, 0, color=PALE, lw=0, zorder=0
+    )
     axes.axvline(0, color=INK, lw=1.2, zorder=3)
     # the wall touches the ball at -a n: for a cushion's nose the centre is nearer than a
     start = np.array([a * float(m.normal[0]), 0.0])
@@ -114,7 +139,7 @@ def _above(
     axes.plot(*start, "o", ms=2.6, color=INK, zorder=8)
     ends, words = [], []
     for verdict in shown:
-        ink, dashes = looks[verdict.law]
+        ink, dashes = styles[verdict.law]
         line, curved = _line_above(paths[verdict.law], verdict, start, r)
         axes.plot(
             *line.T, color=ink, ls=dashes, lw=1.8 if verdict.admissible else 1.3, zorder=5 if verdict.admissible else 4
@@ -125,21 +150,34 @@ def _above(
                 axes.plot(*point, "o", ms=2.6, color=ink, zorder=7)
         ends.append(line[-1])
         words.append(f"{verdict.law}  {_angle(verdict)}")
-    _labels(axes, ends, words, [looks[v.law][0] for v in shown], r)
+    _labels(axes, ends, words, [styles[v.law][0] for v in shown], r)
     axes.set_ylabel("along the wall, mm")
     axes.set_xticklabels([])
-    axes.text(0.02 * r, -0.98 * TALL * r, "from above", ha="left", va="bottom", style="italic", color=GREY, size=9)
-    axes.text(-0.06 * r, 0.5 * TALL * r, "wall", rotation=90, ha="center", va="center", color=GREY, size=8)
+    axes.text(
+        0.02 * r,
+        -0.98 * HALF_HEIGHT_OVER_WIDTH * r,
+        "from above",
+        ha="left",
+        va="bottom",
+        style="italic",
+        color=GREY,
+        size=9,
+    )
+    axes.text(
+        -0.06 * r, 0.5 * HALF_HEIGHT_OVER_WIDTH * r, "wall", rotation=90, ha="center", va="center", color=GREY, size=8
+    )
 
 
-def _angle(verdict: asked.Verdict) -> str:
+def _angle(verdict: laws_compared.Verdict) -> str:
     if verdict.final is None:
         return "never rolls"
     return "stops" if verdict.reflection_angle is None else f"{verdict.reflection_angle:.1f}°"
 
 
-def _line_above(path: Path, verdict: asked.Verdict, start: Array, r: float) -> tuple[Array, Array | None]:
-    """The path's points within the picture, and the ends of its pieces (None where it has none)."""
+def _line_above(
+    path: PathAfterWall, verdict: laws_compared.Verdict, start: Array, r: float
+) -> tuple[Array, Array | None]:
+    """Return the path's points within the figure, and the ends of its pieces (None if it has none)."""
     points = start + path.points[:, :2] * 1e3
     marks = None
     if path.pieces:
@@ -150,36 +188,36 @@ def _line_above(path: Path, verdict: asked.Verdict, start: Array, r: float) -> t
     # a ball that never rolls goes on too, unless it comes back to the wall
     if np.hypot(*velocity) > 0 and (verdict.final is not None or velocity[0] > 0):
         points = np.concatenate([points, [_leave(points[-1], velocity / np.hypot(*velocity), r)]])
-    inside = (np.abs(points[:, 1]) <= 1.0001 * TALL * r) & (points[:, 0] <= 1.0001 * r)
+    inside = (np.abs(points[:, 1]) <= 1.0001 * HALF_HEIGHT_OVER_WIDTH * r) & (points[:, 0] <= 1.0001 * r)
     last = len(points) if inside.all() else max(int(np.argmin(inside)), 1)
     return points[:last], marks
 
 
 def _leave(point: Array, direction: Array, r: float) -> Array:
-    """Where a ray from a point within the picture leaves it."""
+    """Return where a ray from a point within the figure leaves it."""
     t = []
     if direction[0] > 0:
         t.append((r - point[0]) / direction[0])
     elif direction[0] < 0:
         t.append(-point[0] / direction[0])
     if direction[1] != 0:
-        t.append((math.copysign(TALL * r, direction[1]) - point[1]) / direction[1])
+        t.append((math.copysign(HALF_HEIGHT_OVER_WIDTH * r, direction[1]) - point[1]) / direction[1])
     return np.asarray(point + direction * max(min(t), 0.0))
 
 
 def _labels(axes: Any, ends: list[Array], words: list[str], colours: list[str], r: float) -> None:
-    """Each law's name at the right edge, level with its path's end, joined to it by a hair line."""
+    """Write each law's name at the right edge, level with the end of its path and joined to it by a thin line."""
     # those that leave through the top or the bottom follow those at the right edge, the farther the nearer to the wall
     order = [float(end[1]) + math.copysign(max(r - float(end[0]), 0.0), float(end[1])) for end in ends]
-    places = spread(order, 0.09 * r, 0.03 * r - TALL * r, TALL * r - 0.03 * r)
+    places = spread_apart(order, 0.09 * r, 0.03 * r - HALF_HEIGHT_OVER_WIDTH * r, HALF_HEIGHT_OVER_WIDTH * r - 0.03 * r)
     for end, place, word, colour in zip(ends, places, words, colours, strict=True):
         axes.plot([end[0], 1.045 * r], [end[1], place], color=colour, lw=0.5, clip_on=False, zorder=2)
         axes.text(1.06 * r, place, word, color=colour, ha="left", va="center", size=9, clip_on=False)
 
 
 def _side(
-    axes: Any, comparison: asked.Comparison, shown: list[asked.Verdict], paths: dict[str, Path],
-    looks: dict[str, tuple[str, Any]], a: float, r: float, up: float,
+    axes: Any, comparison: laws_compared.Comparison, shown: list[laws_compared.Verdict], paths: dict[str, PathAfterWall],
+    styles: dict[str, tuple[str, Any]], a: float, r: float, up: float,
 ) -> None:  # fmt: skip
     m = comparison.meeting
     _frame(axes, (-0.12 * r, r), (-0.12 * r, up))
@@ -197,7 +235,7 @@ def _side(
     axes.plot(*start, "o", ms=2.6, color=INK, zorder=8)
     hops = []
     for verdict in shown:
-        ink, dashes = looks[verdict.law]
+        ink, dashes = styles[verdict.law]
         path = paths[verdict.law]
         points = np.array([start[0], a]) + path.points[:, [0, 2]] * 1e3
         if verdict.final is not None and path.velocity[0] > 0:
@@ -212,7 +250,7 @@ def _side(
             if end[0] <= r:
                 _circle(axes, end, a, ink, 0.7)
                 axes.plot([end[0], end[0]], [-0.03 * r, 0], color=ink, lw=1.2, zorder=4)
-            hops.append((ink, f"{verdict.law}  {number(top)} mm"))
+            hops.append((ink, f"{verdict.law}  {format_number(top)} mm"))
     for i, (ink, word) in enumerate([(GREY, "hops as high as"), *hops] if hops else []):
         axes.text(1.06 * r, up - (0.03 + 0.075 * i) * r, word, color=ink, ha="left", va="center", size=8, clip_on=False)
     axes.text(0.5 * r, -0.06 * r, "floor", ha="center", va="center", size=8, color=GREY)
@@ -235,6 +273,103 @@ def _circle(axes: Any, centre: Array, a: float, colour: str, width: float, face:
 
 
 def _heads(axes: Any, tail: Array, head: Array, colour: str) -> None:
-    """An arrowhead two fifths along a straight path."""
+    """Draw an arrowhead two fifths along a straight path."""
     a, b = tail + 0.38 * (head - tail), tail + 0.42 * (head - tail)
     arrow(axes, (float(a[0]), float(a[1])), (float(b[0]), float(b[1])), colour)
+
+
+MAX_BOUNCES = 2000
+POINTS_PER_CURVE = 41
+
+
+@dataclass(frozen=True, eq=False)
+class PathAfterWall:
+    """The path of the centre after the wall; relative to its position at the wall, z from its height on the floor."""
+
+    pieces: tuple[tuple[str, Array], ...]
+    """("flight" | "slide", points (N, 3), m), one after the other."""
+    velocity: Vec
+    """Velocity at the end of the last piece, m/s; a rolling ball goes straight on."""
+    spin: Vec
+
+    @property
+    def end(self) -> Array:
+        """The last point (3,), m."""
+        return self.pieces[-1][1][-1] if self.pieces else np.zeros(3)
+
+    @property
+    def points(self) -> Array:
+        """All points (N, 3), m."""
+        return np.concatenate([points for _name, points in self.pieces]) if self.pieces else np.zeros((1, 3))
+
+
+def path_after_wall(meeting: Meeting, answer: Answer) -> PathAfterWall:
+    """Return the path of a ball after the wall, until it rolls or as far as it can be followed.
+
+    Parameters
+    ----------
+    meeting : Meeting
+    answer : Answer
+        Of a law to that meeting. If it says nothing beyond the wall (``answer.steps`` is None), the path has no pieces.
+
+    Returns
+    -------
+    PathAfterWall
+        Parabolas, and sliding with Coulomb's constant deceleration; at most 2000 bounces.
+
+    Examples
+    --------
+    >>> import carom
+    >>> from carom import plot
+    >>> meeting = carom.incoming()
+    >>> path = plot.path_after_wall(meeting, carom.LAWS["two-step"].answer(meeting))
+    >>> [name for name, points in path.pieces], round(float(path.end[0]), 4)
+    (['flight'], 0.0291)
+    """
+    m = meeting
+    v, w = _vec(answer.after_wall.velocity), _vec(answer.after_wall.spin)
+    place = (0.0, 0.0, float(m.height))
+    if answer.steps is None:
+        return PathAfterWall((), v, w)
+    pieces: list[tuple[str, Array]] = []
+    a, kappa, g = float(m.ball.radius), float(m.ball.kappa), float(m.gravity)
+    floor = (float(m.floor.restitution), float(m.floor.friction), float(m.floor.tangential_restitution))
+    speed = math.sqrt(v[0] * v[0] + v[1] * v[1] + v[2] * v[2])
+    for _ in range(MAX_BOUNCES):
+        if place[2] > 0 or v[2] > 1e-9 * speed:
+            if not g > 0:
+                return PathAfterWall(tuple(pieces), v, w)
+            t = fall(place[2], v[2], g)
+            flat = v[2] * v[2] < 2e-3 * g * a  # a hop of less than a thousandth of the radius: its ends will do
+            points = _curve(place, v, (0.0, 0.0, -g), t, 2 if flat and pieces else POINTS_PER_CURVE)
+            points[-1, 2] = 0.0
+            pieces.append(("flight", points))
+            place, v = _vec(points[-1]), (v[0], v[1], v[2] - g * t)
+        if v[2] < 0:
+            v, w, _j, _required, _regime = wall_contact(v, w, UP, a, kappa, *floor)
+        if not v[2] > 1e-9 * speed:
+            break
+    else:
+        return PathAfterWall(tuple(pieces), v, w)
+    v = (v[0], v[1], 0.0)
+    _un, s = slip_velocity(v, w, UP, a)
+    slip = math.hypot(s[0], s[1])
+    if slip > 1e-12 * (speed + a * math.sqrt(w[0] * w[0] + w[1] * w[1])) and floor[1] > 0 and g > 0:
+        # Coulomb: constant deceleration against the slip, which dies at the rate mu g (1 + 1/kappa)
+        t = 0.0 if math.isinf(floor[1]) else slip / (floor[1] * g * (1 + 1 / kappa))
+        change = slip / (1 + 1 / kappa)
+        cx, cy = s[0] / slip, s[1] / slip
+        if t > 0:
+            pieces.append(("slide", _curve(place, v, (-change / t * cx, -change / t * cy, 0.0), t)))
+        v = (v[0] - change * cx, v[1] - change * cy, 0.0)
+        w = (-v[1] / a, v[0] / a, w[2])
+    return PathAfterWall(tuple(pieces), v, w)
+
+
+def _vec(x: Array) -> Vec:
+    return float(x[0]), float(x[1]), float(x[2])
+
+
+def _curve(place: Vec, v: Vec, acceleration: Vec, duration: float, count: int = POINTS_PER_CURVE) -> Array:
+    t = np.linspace(0.0, duration, count)[:, None]
+    return np.asarray(np.array(place) + np.array(v) * t + np.array(acceleration) * t * t / 2)

@@ -1,4 +1,4 @@
-"""A fit as pictures, and as one page that holds them."""
+"""Figures of fits to rebounds, the HTML report, and the map of a plan of shots."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from carom.fitting.output import with_error_bar
-from carom.plot.drawing import GREY, INK, inks, sheet
-from carom.plot.save import style
+from carom.fitting.result import with_error_bar
+from carom.plot.style import GREY, INK, law_styles, new_figure, style
+
+__all__ = ["plot_design", "plot_fit", "plot_residuals", "write_report"]
 
 if TYPE_CHECKING:
     from carom.fitting import Fit, Ranking
 
-__all__ = ["plot_fit", "plot_residuals", "write_report"]
 
 SHOWN = 4  # laws in one picture
 NAMES = ("normal speed after", "speed along the wall after", "spin after")
@@ -25,9 +25,9 @@ UNITS = ("m/s", "m/s", "rad/s")
 
 
 def plot_fit(ranking: Ranking) -> Any:
-    """Weights; normal speeds; and what happens along the wall, measured and by the best laws. A Matplotlib Figure."""
+    """Plot weights, normal speeds, and the motion along the wall, measured and by the best laws. Returns a Matplotlib Figure."""
     with style():
-        figure = sheet(9.6, 3.5)
+        figure = new_figure(9.6, 3.5)
         left, middle, right = figure.subplots(1, 3, gridspec_kw={"width_ratios": [0.8, 1, 1.35]})
         _weights(left, ranking)
         _normal(middle, ranking)
@@ -37,7 +37,7 @@ def plot_fit(ranking: Ranking) -> Any:
 
 
 def _look(ranking: Ranking) -> dict[str, tuple[str, Any]]:
-    return inks([one.fit.law.name for one in ranking.ranked])
+    return law_styles([one.fit.law.name for one in ranking.ranked])
 
 
 def _weights(axes: Any, ranking: Ranking) -> None:
@@ -65,7 +65,7 @@ def _points(axes: Any, x: Any, y: Any, xerr: Any = None, yerr: Any = None) -> No
 
 
 def _outliers(axes: Any, ranking: Ranking, x: Any, y: Any, label: str = "") -> None:
-    """Rings about the rows that are named as outliers."""
+    """Plot rings around the outliers."""
     names = {outlier.row for outlier in ranking.outliers}
     rows = [i for i, name in enumerate(ranking.best.problem.rebounds.rows) if name in names]
     if rows:
@@ -90,7 +90,7 @@ def _normal(axes: Any, ranking: Ranking) -> None:
 
 
 def _along(axes: Any, ranking: Ranking) -> None:
-    """Of a planar bounce the slips, over the normal speed; of a table the angles."""
+    """Plot the slips of planar bounces over the normal speed, or the angles of balls on a table."""
     best = ranking.best
     planar = best.law.kind == "planar"
     rebounds, a = best.problem.rebounds, best.problem.setting.radius
@@ -153,11 +153,11 @@ def _spin_out(rebounds: Any) -> Any:
 
 
 def plot_residuals(ranking: Ranking) -> Any:
-    """What is left of each measured number under the two best laws, in error bars, over the incidence. A Matplotlib Figure."""
+    """Plot the residuals of the two best laws, in error bars, against the angle of incidence. Returns a Matplotlib Figure."""
     with style():
         fits = [one.fit for one in ranking.ranked[:2]]
         seen = [j for j in range(3) if np.isfinite(fits[0].problem.y[:, j]).any()]
-        figure = sheet(9.6, 1.5 + 1.7 * len(fits))
+        figure = new_figure(9.6, 1.5 + 1.7 * len(fits))
         panels = figure.subplots(len(fits), len(seen), squeeze=False, sharex=True, sharey="row")
         look = _look(ranking)
         for row, fit in enumerate(fits):
@@ -229,7 +229,7 @@ def _laws(ranking: Ranking) -> str:
         cells += _cell(f"{fit.bic:.1f}") + _cell(f"{one.weight:.3g}" if one.weight >= 1e-6 else "0") + _cell(goodness)
         cells += _cell("–" if math.isnan(one.score) else f"{one.score:.3f}") + _cell(numbers, False)
         rows.append(f'<tr class="{"best" if i == 0 else ""}">{cells}</tr>')
-    return tabled(["law", "AICc", "BIC", "weight", "chi² / dof", "CV log score", "numbers"], rows)
+    return tabled(["law", "AICc", "BIC", "weight", "chi² / dof", "CV log score", "parameters"], rows)
 
 
 def listed(title: str, lines: list[str]) -> str:
@@ -238,7 +238,7 @@ def listed(title: str, lines: list[str]) -> str:
 
 
 def _table(fit: Fit) -> str:
-    """What was taken of cushion and cloth, of a ball on a table."""
+    """Return the assumed height of the cushion and friction of the cloth, for a ball on a table."""
     setting = fit.problem.setting
     if fit.law.kind == "planar":
         return ""
@@ -246,30 +246,81 @@ def _table(fit: Fit) -> str:
 
 
 def write_report(ranking: Ranking, path: str | Path) -> Path:
-    """A page with everything in it: verdict, pictures, table, what is not told, outliers. Whole or not at all."""
+    """Write the HTML report: verdict, figures, table, unconstrained parameters, outliers. The file is complete or not there."""
     from carom import __version__
-    from carom.tables.output import whole_file
+    from carom.files import write_text
 
     path = Path(path)
     setting, best = ranking.best.problem.setting, ranking.best
     source = Path(best.problem.rebounds.source).name
-    good = ranking.fits and ranking.odds >= 20 and not ranking.swayed
     body = [
         f"<h1>Which law is right for {html.escape(source)}?</h1>",
         f'<p class="verdict">{html.escape(ranking.verdict)}</p>',
-        f"<p>{len(best.problem.x)} rebounds ({best.law.kind}), {best.problem.count} numbers measured after the wall. Ball of"
+        f"<p>{len(best.problem.x)} rebounds ({best.law.kind}), {best.problem.count} measurements after the wall. Ball of"
         f" radius {setting.radius * 1e3:.4g} mm, moment of inertia {setting.kappa:.4g} m a²{_table(best)}.</p>",
         svg(plot_fit(ranking)), "<h2>The laws, best first</h2>", _laws(ranking),
-        "<h2>What is left</h2>", svg(plot_residuals(ranking)),
-        listed("What these data do not tell", ranking.degenerate),
+        "<h2>Residuals</h2>", svg(plot_residuals(ranking)),
+        listed("Unconstrained parameters", ranking.degenerate),
         listed("Outliers under the best law", [f"{o.row}: chi² {o.chi2:.1f}; {o.why}" for o in ranking.outliers]),
         listed("Notes", list(ranking.notes)),
-        f"<footer>carom {__version__}. AICc ({'Hurvich and Tsai' if best.scatter else 'chi² + 2 k, as error bars are given'}): the"
-        " smaller the better; weights, and CV log score (of rows that were not fitted to): the larger the better.</footer>",
+        f"<footer>carom {__version__}. AICc ({'Hurvich and Tsai' if best.scatter else 'chi² + 2 k, error bars given'}): lower"
+        " is better; weights, and CV log score (cross-validation, per row left out): higher is better.</footer>",
     ]  # fmt: skip
     text = PAGE.format(
-        title=f"carom fit: {html.escape(source)}", colour="#009E73" if good else "#E69F00", body="\n".join(body)
+        title=f"carom fit: {html.escape(source)}",
+        colour="#009E73" if ranking.decisive else "#E69F00",
+        body="\n".join(body),
     )
-    with whole_file(path) as file:
-        file.write(text.encode())
+    write_text(path, text)
     return path
+
+
+if TYPE_CHECKING:
+    from carom.fitting.design import Plan
+
+
+def plot_design(plan: Plan) -> Any:
+    """Plot the gain of one more shot over angle and speed, and over angle and spin where spins vary, with the shots of the plan."""
+    from matplotlib.patheffects import withStroke  # a circle on the border is half on white
+
+    angles, speeds, spins = plan.axes
+    with style():
+        panels = [(speeds, "speed, m/s", plan.gain.max(axis=2), "speed")]
+        if len(spins) > 1:
+            panels.append((spins, "spin before, rad/s", plan.gain.max(axis=1), "spin"))
+        figure = new_figure(4.8 * len(panels) + 0.6, 3.8)
+        for axes, (values, label, gain, name) in zip(
+            figure.subplots(1, len(panels), squeeze=False)[0], panels, strict=True
+        ):
+            if len(values) > 1 and len(angles) > 1:
+                drawn = axes.contourf(angles, values, gain.T, levels=12, cmap="viridis")
+                for shot in plan.shots:
+                    axes.plot(shot.angle_deg, getattr(shot, name), "o", ms=7 + 2 * min(shot.repeat, 6) ** 0.5, mfc="none",
+                              mec="white", mew=1.4, clip_on=False, zorder=3,
+                              path_effects=[withStroke(linewidth=2.6, foreground=INK)])  # fmt: skip
+                bar = figure.colorbar(drawn, ax=axes, pad=0.03)
+                bar.set_label("increase of 2 log odds by one more shot")
+                bar.outline.set_visible(False)
+                axes.set_ylabel(label)
+            else:
+                axes.plot(angles, gain.max(axis=1), color=INK)
+                for shot in plan.shots:
+                    axes.plot(shot.angle_deg, shot.gain, "o", color="#D55E00", ms=5, zorder=3, clip_on=False)
+                axes.set(ylabel="increase of 2 log odds by one more shot", ylim=(0, None))
+            axes.set_xlabel("angle of incidence, degrees from the wall's normal")
+        more = "more " if plan.filmed is not None else ""
+        need = f"{plan.count} {more}shots for {plan.odds:g} to 1" if plan.count else "no more shots are needed"
+        if plan.count is None:
+            need = "no number of shots is enough"
+        figure.suptitle(
+            f"{plan.laws[0]} (true) against {plan.laws[1]}: {need}; circles: the shots to film", fontsize=9, color=INK
+        )
+        figure.text(
+            0.01,
+            0.01,
+            "noise of the shots as given; the other law is fitted again to all of them",
+            fontsize=7,
+            color=GREY,
+        )
+        figure.tight_layout(rect=(0, 0.03, 1, 1))
+    return figure

@@ -1,4 +1,4 @@
-"""A gas drawn: its balls, velocities and spins against Maxwell, temperatures, pair correlation, where the balls go."""
+"""Figure of a gas: balls, velocity and spin distributions, temperatures, pair correlation, diffusion or density profile."""
 
 from __future__ import annotations
 
@@ -9,44 +9,63 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.engine.swarm_arrays import PLANE
 from carom.errors import CaromError
-from carom.gas.container import Container
-from carom.gas.measure import Distribution, Measures
+from carom.gas.containers import Container
+from carom.gas.edmd.records import PLANE
+from carom.gas.measures import Distribution, Measures
 from carom.gas.session import Session
-from carom.plot.drawing import GREY, INK, PALE, sheet
-from carom.plot.save import require_writable, save, style
+from carom.plot.style import GREY, INK, PALE, new_figure, require_writable, save, style
 
 __all__ = ["plot_gas"]
 
 Array = NDArray[np.float64]
 # Okabe & Ito's colours, for species and pairs of species.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
-MOST_DRAWN = 4000  # balls; of more only a part of the box is drawn
-MOST_PAIRS = 6
+MAX_DRAWN = 4000  # balls; of more only a part of the box is drawn
+MAX_PAIRS = 6  # of species
+OUTLINE_POINTS = 400  # along each side of the grid on which walls are found
 
 
 def plot_gas(session: Session, file: str | os.PathLike[str] | None = None, *, title: str | None = None) -> Any:
-    """Draw what a session measured.
+    """Plot what a session measured.
 
     Parameters
     ----------
     session : Session
-        One that has measured something.
-    file : path of a file to write, .svg, .pdf or .png, optional
-    title : left out: the scene in words; "" for none
+        One that has taken samples.
+    file : path, optional
+        Of a file to write, .svg, .pdf or .png.
+    title : str, optional
+        Default: the scene in words; "" for none.
 
     Returns
     -------
-    matplotlib.figure.Figure: the balls at the end (of spheres those that a plane through the middle cuts, as it cuts them);
-    the distributions of velocity and spin, in units of their standard deviation; temperatures over time; g(r) for each pair
-    of species; and the mean square displacement or, where there are walls, the density between them. Raises CaromError for a
-    file that cannot be written, for a session that has not looked yet, or where Matplotlib is missing.
+    matplotlib.figure.Figure
+        The balls at the end (of spheres, the cross-sections by a plane through the middle); the distributions of velocity and
+        spin, in units of their standard deviation; temperatures over time; g(r) for each pair of species; and the mean square
+        displacement or, where there are walls, the number density between them.
+
+    Raises CaromError for a file that cannot be written, for a session without samples, or where Matplotlib is missing.
+
+    Examples
+    --------
+    >>> from carom.gas import GasScene, Session
+    >>> from carom.plot import plot_gas
+    >>> contact = {"between": ("a", "a"), "restitution": 1, "friction": 0}
+    >>> scene = GasScene(
+    ...     container={"shape": "periodic", "size": (8, 8, 8)}, species=[{"count": 64, "radius": 0.5}], contacts=[contact],
+    ...     run={"equilibrate": 100, "max_events": 2000},
+    ... )
+    >>> session = Session(scene)
+    >>> session.run()
+    True
+    >>> len(plot_gas(session).axes)
+    6
     """
     if file is not None:
         require_writable(file)
-    if session.measures is None or session.measures.looks == 0:
-        raise CaromError("plot: expected a gas that was measured, got one without a look at it; run it further")
+    if session.measures is None or session.measures.samples == 0:
+        raise CaromError("plot_gas: expected a session with samples, got one without; run it further")
     with style():
         figure = _draw(session, session.measures, title)
     if file is not None:
@@ -55,7 +74,7 @@ def plot_gas(session: Session, file: str | os.PathLike[str] | None = None, *, ti
 
 
 def _draw(session: Session, measures: Measures, title: str | None) -> Any:
-    figure = sheet(7.4, 5.2)
+    figure = new_figure(7.4, 5.2)
     grid = figure.add_gridspec(2, 3, left=0.075, right=0.985, top=0.875, bottom=0.085, wspace=0.36, hspace=0.42)
     panels = [figure.add_subplot(grid[k // 3, k % 3]) for k in range(6)]
     _balls(panels[0], session)
@@ -63,7 +82,7 @@ def _draw(session: Session, measures: Measures, title: str | None) -> Any:
     _distributions(panels[2], measures, "spin")
     _temperatures(panels[3], measures)
     _pair_correlation(panels[4], measures)
-    (_displacement if measures.diffuses else _profile)(panels[5], session, measures)
+    (_displacement if measures.has_diffusion else _profile)(panels[5], session, measures)
     for k, letter in enumerate("abcdef"):
         place = grid[k // 3, k % 3].get_position(figure)
         figure.text(place.x0 - 0.062, place.y1 + 0.012, letter, fontweight="bold", va="bottom", color=INK)
@@ -72,7 +91,8 @@ def _draw(session: Session, measures: Measures, title: str | None) -> Any:
     return figure
 
 
-def _name(axes: Any, text: str) -> None:
+def _panel_title(axes: Any, text: str) -> None:
+    """Set the title of a panel."""
     axes.set_title(text, loc="left", fontsize=8.5, color=INK, pad=5)
 
 
@@ -84,24 +104,24 @@ def _balls(axes: Any, session: Session) -> None:
     from matplotlib.patches import Rectangle
 
     gas = session.gas
-    balls, kinds = gas.balls(), gas._arrays.species
-    flat = session.scene.container.axes == 2
-    size = np.array(session.scene.container.room.size)
+    balls, kinds = gas.balls(), gas.arrays.materials.species
+    flat = session.scene.container.dimensions == 2
+    size = np.array(session.scene.container.geometry.size)
     x, radius = balls.position, kinds["radius"][balls.species]
     names = "xy" if flat else "xz"
     pair = [0, 1] if flat else [0, 2]
-    if not flat:  # where a plane cuts them
+    if not flat:  # their cross-sections by a plane
         depth = np.abs(x[:, 1] - size[1] / 2)
         cut = depth < radius
         x, radius, species = x[cut], np.sqrt(radius[cut] ** 2 - depth[cut] ** 2), balls.species[cut]
         velocity = balls.velocity[cut]
     else:
         species, velocity = balls.species, balls.velocity
-    window = size[pair] * min(1.0, math.sqrt(MOST_DRAWN / max(len(x), 1)))
+    window = size[pair] * min(1.0, math.sqrt(MAX_DRAWN / max(len(x), 1)))
     low = (size[pair] - window) / 2 if window[0] < size[pair][0] else np.zeros(2)
-    around = np.array(session.scene.container.room.periodic)[pair]
+    around = np.array(session.scene.container.geometry.periodic)[pair]
     x, colours = x[:, pair], _colours(session, species, velocity)
-    # in a period what stands out on one side comes in on the other
+    # in a periodic box what protrudes on one side enters on the other
     shifts = [(i, j) for i in ((-1, 0, 1) if around[0] else (0,)) for j in ((-1, 0, 1) if around[1] else (0,))]
     places = np.concatenate([x + np.array(shift) * size[pair] for shift in shifts])
     radii, inks = np.tile(radius, len(shifts)), np.tile(colours, (len(shifts), 1))
@@ -111,42 +131,44 @@ def _balls(axes: Any, session: Session) -> None:
         offset_transform=axes.transData, facecolors=inks[seen], edgecolors="white", linewidths=0.2,
     )  # fmt: skip
     axes.add_collection(circles)
-    _outline(axes, session.scene.container.room, pair, low, window)
+    _outline(axes, session.scene.container.geometry, pair, low, window)
     circles.set_clip_path(Rectangle(tuple(low), *window, transform=axes.transData))
     margin = 0.004 * window.max()  # half a line's width
     axes.set_xlim(low[0] - margin, low[0] + window[0] + margin)
     axes.set_ylim(low[1] - margin, low[1] + window[1] + margin)
     axes.set_aspect("equal")
     axes.set_axis_off()
-    what = "discs" if flat else f"a cut through the middle, {names[0]} and {names[1]}"
+    what = "discs" if flat else f"cross-section through the middle, {names[0]} and {names[1]}"
     part = ", part of the box" if window[0] < size[pair][0] else ""
-    text = what + part if len(kinds) == 1 else f"{'discs' if flat else 'cut'}{part}: {_listed(session)}"
+    text = what + part if len(kinds) == 1 else f"{'discs' if flat else 'cross-section'}{part}: {_listed(session)}"
     place = axes.get_subplotspec().get_position(axes.figure)  # (the panel itself is as narrow as the box)
     axes.figure.text(place.x0, place.y1 + 0.012, text, fontsize=8.5, color=INK, va="bottom")
 
 
-def _outline(axes: Any, room: Container, pair: list[int], low: Array, window: Array) -> None:
-    """The room's walls where the plane of the picture cuts them: dark; a period's border dashed, what is no room shaded.
+def _outline(axes: Any, container: Container, pair: list[int], low: Array, window: Array) -> None:
+    """Draw the walls where the plane of the figure cuts them; periodic borders are dashed, and the outside is shaded.
 
-    A fine grid tells where the walls are: every shape there is, and all that scatterers cut out, by one mechanism.
+    The walls are contours on a fine grid: one mechanism for every shape, and for scatterers.
     """
-    n = 400
-    over = 0.002 * window  # so that a wall along the border has the grid on both sides
+    n = OUTLINE_POINTS
+    over = 0.002 * window  # so that a wall along the border has grid points on both sides
     steps = [np.linspace(low[k] - over[k], low[k] + window[k] + over[k], n) for k in range(2)]
     x = np.zeros((n * n, 3))
-    x[:, 1] = room.size[1] / 2
+    x[:, 1] = container.size[1] / 2
     u, v = np.meshgrid(*steps)
     x[:, pair[0]], x[:, pair[1]] = u.ravel(), v.ravel()
-    if any(wall.form != PLANE for wall in room.walls) or room.shape == "polygon":
-        gap = np.minimum(room.clearance(np.zeros(n * n), x), max(room.size)).reshape(n, n)
+    if any(face.form != PLANE for face in container.faces) or container.shape == "polygon":
+        gap = np.minimum(container.clearance(np.zeros(n * n), x), max(container.size)).reshape(n, n)
         if (gap < 0).any():
             axes.contourf(u, v, gap, levels=[-np.inf, 0], colors=[PALE], zorder=0)
             axes.contour(u, v, gap, levels=[0], colors=[INK], linewidths=0.8, zorder=3)
     high = low + window
     for axis in range(2):
-        bare = room.periodic[pair[axis]] or window[axis] < room.size[pair[axis]]
-        round_ = room.shape in {"circle", "cylinder", "ellipse", "stadium"}
-        closed = room.shape == "box" or (room.shape != "sphere" and pair[axis] == 2) or (round_ and pair == [0, 2])
+        bare = container.periodic[pair[axis]] or window[axis] < container.size[pair[axis]]
+        round_ = container.shape in {"circle", "cylinder", "ellipse", "stadium"}
+        closed = (
+            container.shape == "box" or (container.shape != "sphere" and pair[axis] == 2) or (round_ and pair == [0, 2])
+        )
         if bare or closed:
             style: dict[str, Any] = {"color": INK, "linewidth": 0.8, "zorder": 3}
             style |= {"dashes": (3, 2)} if bare else {}
@@ -160,7 +182,7 @@ def _listed(session: Session) -> str:
 
 
 def _colours(session: Session, species: Any, velocity: Array) -> Array:
-    """One colour a ball: its species', or, where there is one, the darker the faster."""
+    """Return one colour per ball: by species or, where there is one, darker with speed."""
     from matplotlib import colormaps
     from matplotlib.colors import to_rgba_array
 
@@ -196,7 +218,7 @@ def _distributions(axes: Any, measures: Measures, what: str) -> None:
     axes.set_xlim(-5, 5)
     axes.set_ylim(2e-6, 1)
     axes.set_xlabel(f"{what} / standard deviation")
-    _name(axes, what)
+    _panel_title(axes, what)
     if shown == 0:
         axes.text(0.5, 0.5, "no spin", transform=axes.transAxes, ha="center", va="center", color=GREY)
     for k, line in enumerate(said[:4]):
@@ -228,7 +250,7 @@ def _temperatures(axes: Any, measures: Measures) -> None:
     else:
         axes.set_ylim(0, 1.25 * values.max() if values.max() > 0 else 1)
     axes.set_xlabel("time")
-    _name(axes, "temperature")
+    _panel_title(axes, "temperature")
     axes.legend(
         frameon=False, fontsize=7, loc="lower right", bbox_to_anchor=(1.05, 0.97), ncols=2, handlelength=0.8, handletextpad=0.3,
         columnspacing=0.7, borderaxespad=0.2,
@@ -236,19 +258,19 @@ def _temperatures(axes: Any, measures: Measures) -> None:
 
 
 def _pair_correlation(axes: Any, measures: Measures) -> None:
-    _name(axes, "pair correlation")
+    _panel_title(axes, "pair correlation")
     axes.set_xlabel("distance of centres")
     many = len(measures.names) > 1
     pairs = [(a, b) for i, a in enumerate(measures.names) for b in measures.names[i:]]
     top, drawn = 1.0, 0
-    for k, (a, b) in enumerate(pairs[:MOST_PAIRS]):
+    for k, (a, b) in enumerate(pairs[:MAX_PAIRS]):
         one = measures.pair_correlation(a, b)
         if len(one.g) == 0 or not np.isfinite(one.g).all():
             continue
-        # as wide bins as show more than noise
+        # bins wide enough to show more than noise
         step = next((n for n in (1, 2, 3, 5, 10) if one.error.mean() / math.sqrt(n) < 0.05 * max(one.g.mean(), 1)), 15)
         whole = len(one.g) // step * step
-        weight = one.distance[:whole] ** (measures.axes - 1)
+        weight = one.distance[:whole] ** (measures.dimensions - 1)
         g = (one.g[:whole] * weight).reshape(-1, step).sum(axis=1) / weight.reshape(-1, step).sum(axis=1)
         r = one.distance[:whole].reshape(-1, step).mean(axis=1)
         axes.plot(r, g, linewidth=1.0, color=COLOURS[k % len(COLOURS)], label=f"{a} – {b}" if many else None)
@@ -257,26 +279,24 @@ def _pair_correlation(axes: Any, measures: Measures) -> None:
     axes.set_xlim(left=0)
     axes.set_ylim(0, 1.1 * top)
     if drawn == 0:
-        axes.text(
-            0.5, 0.5, "the box is too small for it", transform=axes.transAxes, ha="center", color=GREY, fontsize=7.5
-        )
+        axes.text(0.5, 0.5, "the box is too small", transform=axes.transAxes, ha="center", color=GREY, fontsize=7.5)
     elif many:
         axes.legend(frameon=False, fontsize=7.5, loc="upper right", handlelength=1.2, borderaxespad=0.2)
     else:
         contact = measures.pair_correlation(*pairs[0]).contact
         axes.text(
-            0.97, 0.95, f"in contact: {contact:.3f}", transform=axes.transAxes, ha="right", va="top", fontsize=7.5
+            0.97, 0.95, f"at contact: {contact:.3f}", transform=axes.transAxes, ha="right", va="top", fontsize=7.5
         )
 
 
 def _displacement(axes: Any, session: Session, measures: Measures) -> None:
-    _name(axes, "mean square displacement")
-    if not measures.steady:
-        hits, square = measures.wandering()
-        axes.plot(2 * hits / session.scene.count, square, ".", markersize=3.5, color=COLOURS[0])
+    _panel_title(axes, "mean square displacement")
+    if not measures.is_stationary:
+        collisions, square = measures.displacement_by_collisions()
+        axes.plot(2 * collisions / session.scene.count, square, ".", markersize=3.5, color=COLOURS[0])
         axes.set_xlim(left=0)
         axes.set_ylim(bottom=0)
-        axes.set_xlabel("collisions a ball")
+        axes.set_xlabel("collisions per ball")
         return
     moved = measures.displacement()
     axes.set_xlabel("time")
@@ -284,49 +304,49 @@ def _displacement(axes: Any, session: Session, measures: Measures) -> None:
     d = moved.diffusion
     if not math.isnan(d):
         late = moved.lag >= moved.lag.max() / 3
-        shift = float((moved.square - 2 * measures.axes * d * moved.lag)[late].mean())
+        shift = float((moved.square - 2 * measures.dimensions * d * moved.lag)[late].mean())
         t = np.array([0.0, moved.lag.max()])
-        axes.plot(t, 2 * measures.axes * d * t + shift, color=GREY, linewidth=0.9, dashes=(4, 2), zorder=1)
+        axes.plot(t, 2 * measures.dimensions * d * t + shift, color=GREY, linewidth=0.9, dashes=(4, 2), zorder=1)
         text = f"$D$ = {d:.4g}"
         axes.text(0.05, 0.93, text, transform=axes.transAxes, va="top", fontsize=7.5, color=INK)
     axes.set_xlim(left=0)
     axes.set_ylim(bottom=0)
 
 
-def _slices(room: Container, axis: int, bins: int) -> Array:
-    """The volume of the room in each of so many slices across an axis, from a lattice of points in the middle of its cells."""
-    shape = [61] * len(room.size)  # (a prime: slanted walls do not go through point after point)
+def _slice_volumes(container: Container, axis: int, bins: int) -> Array:
+    """Return the volume of the container in each of ``bins`` slices across an axis, from a lattice of points."""
+    shape = [61] * len(container.size)  # (a prime, so that slanted walls do not pass through many points)
     shape[axis] = 4 * bins
-    middles = [(np.arange(n) + 0.5) * (size / n) for n, size in zip(shape, room.size, strict=True)]
+    middles = [(np.arange(n) + 0.5) * (size / n) for n, size in zip(shape, container.size, strict=True)]
     x = np.zeros((math.prod(shape), 3))
     for k, grid in enumerate(np.meshgrid(*middles, indexing="ij")):
         x[:, k] = grid.ravel()
-    within = room.clearance(0.0, x) > 0
+    within = container.clearance(0.0, x) > 0
     share = np.moveaxis(within.reshape(shape), axis, 0).reshape(bins, -1).mean(axis=1)
-    volume: Array = share * math.prod(room.size) / bins
+    volume: Array = share * math.prod(container.size) / bins
     return volume
 
 
 def _profile(axes: Any, session: Session, measures: Measures) -> None:
-    """The number density between the walls at the end, along gravity or the first axis with walls."""
+    """Plot the number density between the walls at the end, along gravity or the first axis with walls."""
     scene = session.scene
-    room = scene.container.room
-    closed = [k for k, around in enumerate(room.periodic) if not around]
-    pulled = [k for k in closed if k < len(scene.pull) and scene.pull[k] != 0]
+    container = scene.container.geometry
+    closed = [k for k, around in enumerate(container.periodic) if not around]
+    pulled = [k for k in closed if k < len(scene.gravity_vector) and scene.gravity_vector[k] != 0]
     axis = (pulled or closed or [0])[0]
     balls = session.gas.balls()
-    side, count = room.size[axis], len(balls.species)
+    side, count = container.size[axis], len(balls.species)
     bins = int(np.clip(math.sqrt(count), 8, 60))
     edges = np.linspace(0, side, bins + 1)
-    space = _slices(room, axis, bins)
+    space = _slice_volumes(container, axis, bins)
     for k, name in enumerate(session.names):
         found, _ = np.histogram(balls.position[balls.species == k, axis], edges)
-        with np.errstate(invalid="ignore"):  # (a slice that no ball gets into has no density)
+        with np.errstate(invalid="ignore"):  # (a slice outside the walls has no density)
             density = found / space
         axes.stairs(density, edges, baseline=None, color=COLOURS[k % len(COLOURS)], linewidth=1.0, label=name)
     axes.set_xlim(0, side)
     axes.set_ylim(bottom=0)
     axes.set_xlabel("xyz"[axis])
-    _name(axes, "number density at the end")
+    _panel_title(axes, "number density at the end")
     if len(session.names) > 1:
         axes.legend(frameon=False, fontsize=7.5, handlelength=1.2, borderaxespad=0.2)

@@ -11,10 +11,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.comparison import compare, incoming
 from carom.errors import CaromError
-from carom.plot.drawing import GREY, INK, PALE, arrow, inks, sheet
-from carom.plot.save import require_matplotlib, save, style
+from carom.laws.comparison import compare, incoming
+from carom.plot.style import GREY, INK, PALE, arrow, law_styles, new_figure, require_matplotlib, save, style
 
 __all__ = ["collision", "figures", "incidence_and_reflection", "setting"]
 
@@ -25,16 +24,37 @@ WALL_INK = "#dcd8cc"
 
 
 def figures(folder: str | os.PathLike[str] = ".") -> list[Path]:
-    """Write the paper's Figures 1 to 3 into a folder, each as SVG and PDF; the paths, in order.
+    """Write the paper's Figures 1 to 3 into a folder, each as SVG and PDF.
 
-    Raises CaromError where Matplotlib is missing or the folder cannot be made.
+    Parameters
+    ----------
+    folder : str or path
+        Created if it does not exist.
+
+    Returns
+    -------
+    list of Path
+        The files written.
+
+    Raises
+    ------
+    CaromError
+        Matplotlib is missing, or the folder cannot be created.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from carom import plot
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     [path.name for path in plot.figures(folder)]
+    ['figure-1.svg', 'figure-1.pdf', 'figure-2.svg', 'figure-2.pdf', 'figure-3.svg', 'figure-3.pdf']
     """
     require_matplotlib()
     folder = Path(folder)
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise CaromError(f"plot: {folder}: expected a folder, or leave to make one ({error.strerror})") from error
+        raise CaromError(f"plot: {folder}: expected a folder that can be created, got: {error.strerror}") from error
     makers: dict[str, Callable[[], Any]] = {
         "figure-1": setting,
         "figure-2": collision,
@@ -49,8 +69,8 @@ def figures(folder: str | os.PathLike[str] = ".") -> list[Path]:
     return written
 
 
-class View:
-    """A parallel projection on which to draw: x to the lower left, y to the right, z up; the eye in front of the wall."""
+class ParallelProjection:
+    """A parallel projection for drawings: x to the lower left, y to the right, z up, seen from in front of the wall."""
 
     def __init__(self, axes: Any, azimuth: float = 33.0, elevation: float = 20.0) -> None:
         self.axes = axes
@@ -60,40 +80,40 @@ class View:
         self.towards = np.cross(self.right, self.up)
 
     def __call__(self, points: Any) -> Array:
-        """Points (..., 3) as (..., 2) on the sheet."""
+        """Return points (..., 3) projected to (..., 2)."""
         p = np.asarray(points, dtype=float)
         return np.stack([p @ self.right, p @ self.up], axis=-1)
 
     def line(self, *points: Any, **options: Any) -> None:
-        """A line through points."""
+        """Draw a line through points."""
         self.axes.plot(*self(np.array(points)).T, **({"color": INK, "lw": 0.8} | options))
 
     def curve(self, points: Array, **options: Any) -> None:
-        """A line through the rows of an array."""
+        """Draw a line through the rows of an array."""
         self.line(*points, **options)
 
     def face(self, *points: Any, **options: Any) -> None:
-        """A filled polygon."""
+        """Draw a filled polygon."""
         self.axes.fill(*self(np.array(points)).T, **({"fc": PALE, "ec": "none", "zorder": 0} | options))
 
     def arrow(self, tail: Any, head: Any, colour: str = INK, **options: Any) -> None:
-        """An arrow in space."""
+        """Draw an arrow between two points in space."""
         a, b = self([tail, head]).tolist()
         arrow(self.axes, (a[0], a[1]), (b[0], b[1]), colour, **options)
 
-    def name(self, point: Any, text: str, shift: tuple[float, float] = (0, 0), **options: Any) -> None:
-        """A label, shifted by points of the page."""
+    def label(self, point: Any, text: str, shift: tuple[float, float] = (0, 0), **options: Any) -> None:
+        """Draw a label, shifted by typographic points."""
         look = {"color": INK, "ha": "center", "va": "center", "size": 10, "zorder": 9} | options
         x, y = self(point).tolist()
         self.axes.annotate(text, (x, y), xytext=shift, textcoords="offset points", annotation_clip=False, **look)
 
     def circle(self, centre: Any, first: Any, second: Any, start: float = 0.0, end: float = 360.0) -> Array:
-        """Points of an arc about ``centre``, from ``first`` (a vector) towards ``second``, degrees."""
+        """Return points of an arc about ``centre``, from the vector ``first`` towards ``second``, between two angles in degrees."""
         t = np.radians(np.linspace(start, end, 121))[:, None]
         return np.asarray(np.asarray(centre) + np.cos(t) * np.asarray(first) + np.sin(t) * np.asarray(second))
 
     def ball(self, centre: Any, a: float) -> None:
-        """A ball: outline, a soft shade, and its equator parallel to the floor."""
+        """Draw a ball: outline, shading, and its equator."""
         from matplotlib.patches import Circle
 
         x, y = self(centre).tolist()
@@ -112,28 +132,37 @@ class View:
 
 
 def _blank(width: float, height: float) -> tuple[Any, Any]:
-    figure = sheet(width, height)
+    figure = new_figure(width, height)
     axes = figure.add_axes((0.01, 0.01, 0.98, 0.98))
     axes.set_aspect("equal")
     axes.axis("off")
     return figure, axes
 
 
-def _room(view: View, a: float, wide: tuple[float, float], deep: float, high: float) -> None:
-    """Wall x = 0 and floor z = 0."""
+def _room(view: ParallelProjection, a: float, wide: tuple[float, float], deep: float, high: float) -> None:
+    """Draw the wall x = 0 and the floor z = 0."""
     low, far = wide
     view.face((0, low, 0), (0, far, 0), (0, far, high), (0, low, high), fc=WALL_INK)
     view.face((0, low, 0), (deep, low, 0), (deep, far, 0), (0, far, 0), fc=PALE)
     view.line((0, low, 0), (0, far, 0), lw=1.0, zorder=1)
-    view.name((0, far - 0.32 * a, high - 0.22 * a), "wall", color="#6b675c", size=9)
-    view.name((deep - 0.25 * a, far - 0.45 * a, 0), "floor", color="#6b675c", size=9)
+    view.label((0, far - 0.32 * a, high - 0.22 * a), "wall", color="#6b675c", size=9)
+    view.label((deep - 0.25 * a, far - 0.45 * a, 0), "floor", color="#6b675c", size=9)
 
 
 def setting() -> Any:
-    """Figure 1: the ball, floor and wall, the frame, the contact points A and B, and the Eulerian angles of (1)."""
+    """Draw Figure 1: ball, floor and wall, the frame, the contact points A and B, the Euler angles of (1).
+
+    Returns a Matplotlib Figure.
+
+    Examples
+    --------
+    >>> from carom import plot
+    >>> len(plot.setting().axes)
+    1
+    """
     with style():
         figure, axes = _blank(5.2, 4.1)
-        view = View(axes)
+        view = ParallelProjection(axes)
         a = 1.0
         centre = np.array([a, 0.0, a])
         _room(view, a, (-2.75, 2.1), 3.1, 2.9)
@@ -145,21 +174,21 @@ def setting() -> Any:
             (Z, 2.45, "$z$", (-8, 0)),
         ):
             view.arrow(corner, corner + reach * axis, lw=1.1)
-            view.name(corner + reach * axis, word, shift)
-        view.name(corner, "$O$", (5, -9))
+            view.label(corner + reach * axis, word, shift)
+        view.label(corner, "$O$", (5, -9))
         for point, word, shift in (
             (centre - a * Z, "$A$", (10, 3)),
             (centre - a * X, "$B$", (11, -1)),
             (centre, "$C$", (-10, 3)),
         ):
             axes.plot(*view(point), "o", ms=3.6, color=INK, zorder=8)
-            view.name(point, word, shift)
+            view.label(point, word, shift)
         _euler(view, centre)
         return figure
 
 
-def _euler(view: View, c: Array) -> None:
-    """psi about z from x to the node line N, theta about N from z to zeta, phi about zeta from N to xi."""
+def _euler(view: ParallelProjection, c: Array) -> None:
+    """Draw the Euler angles: psi about z from x to the node line N, theta about N from z to zeta, phi about zeta from N to xi."""
     psi, theta, phi = math.radians(52), math.radians(38), math.radians(66)
     node = math.cos(psi) * X + math.sin(psi) * Y
     across = -math.sin(psi) * X + math.cos(psi) * Y
@@ -170,14 +199,14 @@ def _euler(view: View, c: Array) -> None:
     thin = {"lw": 0.8, "zorder": 6}
     for axis, reach in ((X, 1.45), (Y, 1.5), (Z, 1.62)):
         view.arrow(c, c + reach * axis, GREY, ls=(0, (4, 2)), **thin)
-    view.name(c + 1.45 * X, "$x'$", (-7, -3), color=GREY)
-    view.name(c + 1.5 * Y, "$y'$", (8, -1), color=GREY)
-    view.name(c + 1.62 * Z, "$z'$", (8, 1), color=GREY)
+    view.label(c + 1.45 * X, "$x'$", (-7, -3), color=GREY)
+    view.label(c + 1.5 * Y, "$y'$", (8, -1), color=GREY)
+    view.label(c + 1.62 * Z, "$z'$", (8, 1), color=GREY)
     for axis, reach, colour, word, shift in (
         (node, 1.3, BLUE, "$N$", (5, -7)), (zeta, 1.62, ORANGE, "$\\zeta$", (-6, 5)), (xi, 1.3, GREEN, "$\\xi$", (6, 5)),
     ):  # fmt: skip
         view.arrow(c, c + reach * axis, colour, lw=1.2, zorder=7)
-        view.name(c + reach * axis, word, shift, color=colour)
+        view.label(c + reach * axis, word, shift, color=colour)
     for first, other, end, size, colour, word, shift in (
         (X, Y, psi, 0.62, BLUE, "$\\psi$", (0, -8)),
         (Z, -across, theta, 0.95, ORANGE, "$\\theta$", (2, -10)),
@@ -186,15 +215,24 @@ def _euler(view: View, c: Array) -> None:
         arc = view.circle(c, size * np.asarray(first), size * np.asarray(other), 0, math.degrees(end))
         view.curve(arc, color=colour, lw=1.0, zorder=7)
         view.arrow(arc[-6], arc[-1], colour, lw=1.0, zorder=7)
-        view.name(arc[60], word, shift, color=colour)
+        view.label(arc[60], word, shift, color=colour)
 
 
 def collision() -> Any:
-    """Figure 2: the impulse R of the wall at B, its components by (31), and the friction cone (29)."""
+    """Draw Figure 2: the impulse R of the wall at B, its components by (31), and the friction cone (29).
+
+    Returns a Matplotlib Figure.
+
+    Examples
+    --------
+    >>> from carom import plot
+    >>> len(plot.collision().axes)
+    1
+    """
     mu = 0.45
     with style():
         figure, axes = _blank(5.2, 4.1)
-        view = View(axes, azimuth=52.0, elevation=18.0)
+        view = ParallelProjection(axes, azimuth=52.0, elevation=18.0)
         a, reach = 1.0, 2.1
         centre = np.array([a, 0.0, a])
         b = centre - a * X
@@ -211,37 +249,46 @@ def collision() -> Any:
         axes.plot(*_hull(view(cone), view(b)).T, color=BLUE, lw=0.7, zorder=5)
         view.curve(np.concatenate([cone, cone[:1]]), color=BLUE, lw=0.7, zorder=5)
         view.line(b, b + 3.0 * X, color=GREY, lw=0.6, ls=(0, (5, 3)), zorder=4)
-        view.name(b + reach * X + 0.75 * mu * reach * Z, "friction cone,\nhalf-angle arctan $\\mu$", (-34, 16),
+        view.label(b + reach * X + 0.75 * mu * reach * Z, "friction cone,\nhalf-angle arctan $\\mu$", (-34, 16),
                   color=BLUE, size=9, ha="right")  # fmt: skip
         tips = [b + r[0] * X, b + r[0] * X + r[1] * Y, b + r]
         view.arrow(b, b + r, ORANGE, lw=1.8, zorder=8)
         for tail, head in zip([b, *tips[:2]], tips, strict=True):
             view.arrow(tail, head, INK, lw=1.0, zorder=7)
-        view.name(b + 0.55 * r, "$\\mathbf{R}$", (3, 10), color=ORANGE, size=12)
-        view.name(b + 0.78 * r[0] * X, "$R_x$", (5, -9))
-        view.name((tips[0] + tips[1]) / 2, "$R_y$", (-3, -9))
-        view.name((tips[1] + tips[2]) / 2, "$R_z$", (-14, 2))
+        view.label(b + 0.55 * r, "$\\mathbf{R}$", (3, 10), color=ORANGE, size=12)
+        view.label(b + 0.78 * r[0] * X, "$R_x$", (5, -9))
+        view.label((tips[0] + tips[1]) / 2, "$R_y$", (-3, -9))
+        view.label((tips[1] + tips[2]) / 2, "$R_z$", (-14, 2))
         for point, word, shift in ((b, "$B$", (13, 3)), (centre - a * Z, "$A$", (10, 3)), (centre, "$C$", (5, -9))):
             axes.plot(*view(point), "o", ms=3.6, color=INK, zorder=8)
-            view.name(point, word, shift)
+            view.label(point, word, shift)
         return figure
 
 
 def _hull(rim: Array, tip: Array) -> Array:
-    """Outline on the sheet of a cone: its tip, and the side of its rim that lies farther from it."""
+    """Return the outline of a cone in the drawing: its tip, and the side of its rim that is farther from it."""
     axis = rim.mean(axis=0) - tip
     turn = np.arctan2((rim - tip) @ np.array([-axis[1], axis[0]]), (rim - tip) @ axis)
     low, high = int(np.argmin(turn)), int(np.argmax(turn))
     count = len(rim)
-    ways = [[(low + k * sign) % count for k in range((sign * (high - low)) % count + 1)] for sign in (1, -1)]
-    far = max(ways, key=lambda way: float(np.hypot(*(rim[way].mean(axis=0) - tip))))
+    sides = [[(low + k * sign) % count for k in range((sign * (high - low)) % count + 1)] for sign in (1, -1)]
+    far = max(sides, key=lambda side: float(np.hypot(*(rim[side].mean(axis=0) - tip))))
     return np.concatenate([[tip], rim[far], [tip]])
 
 
 def incidence_and_reflection() -> Any:
-    """Figure 3: a ball in at 45 degrees, and out at arctan 39/31 = 51.5 (two steps) and arctan 5/9 = 29.1 (conventional)."""
+    """Draw Figure 3: incidence at 45 degrees, reflection at arctan 39/31 = 51.5 (two-step) and arctan 5/9 = 29.1 (conventional).
+
+    Returns a Matplotlib Figure.
+
+    Examples
+    --------
+    >>> from carom import plot
+    >>> len(plot.incidence_and_reflection().axes)
+    1
+    """
     comparison = compare(incoming(), ["conventional", "two-step"])
-    looks = inks(["conventional", "two-step"])
+    styles = law_styles(["conventional", "two-step"])
     with style():
         figure, axes = _blank(4.4, 3.9)
         axes.fill([-0.16, 0, 0, -0.16], [-1.05, -1.05, 1.05, 1.05], fc=WALL_INK, ec="none")
@@ -253,7 +300,7 @@ def incidence_and_reflection() -> Any:
         for law, size, word in (("conventional", 0.42, "$\\tau_r$"), ("two-step", 0.56, "$\\tau_r$")):
             angle = comparison[law].reflection_angle
             assert angle is not None
-            rays.append((law, angle, *looks[law], size, word))
+            rays.append((law, angle, *styles[law], size, word))
         for law, degrees, ink, dashes, size, word in rays:
             t = math.radians(degrees)
             end = (1.22 * math.cos(t), 1.22 * math.sin(t))

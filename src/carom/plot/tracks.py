@@ -1,4 +1,4 @@
-"""A picture of measured tracks: the way from above with its contacts, speed over time with the fitted physics, residuals."""
+"""Figure of measured tracks: paths with contacts, speed against time with the fitted motion, and residuals."""
 
 from __future__ import annotations
 
@@ -7,11 +7,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.plot.drawing import GREY, INK, sheet
-from carom.plot.save import style
-from carom.tracks.contact import Contact
-from carom.tracks.measure import Measured
-from carom.tracks.table import chosen
+from carom.plot.style import GREY, INK, new_figure, style
+from carom.tracks.contact import TrackContact
+from carom.tracks.measurement import Measured
+from carom.tracks.rebounds import usable_stages
 from carom.tracks.track import Track
 
 __all__ = ["plot_tracks"]
@@ -19,14 +18,36 @@ __all__ = ["plot_tracks"]
 Array = NDArray[np.float64]
 BLUE, ORANGE = "#0072B2", "#D55E00"
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
-FRAMES = 12.0
-BELOW_LEGEND = 0.87  # of a panel: how high the lines of contacts go
+MAX_FRAMES_SHOWN = 12.0
+LINE_TOP = 0.87  # height of the lines at contacts, below the legend, as a fraction of the panel
 
 
 def plot_tracks(measured: Measured) -> Any:
-    """A Figure of three panels: all tracks with walls and contacts; the speed of the ball with most contacts; residuals."""
+    """Draw measured tracks: paths with walls and contacts, the speed of the ball with most contacts, and residuals.
+
+    Parameters
+    ----------
+    measured : Measured
+        From :func:`carom.tracks.measure`.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.plot.tracks import plot_tracks
+    >>> from carom.tracks import Settings, Track, measure
+    >>> t = np.arange(40) / 200
+    >>> y = np.where(t < 0.1, 2 * (0.1 - t), 1.6 * (t - 0.1)) - 9.81 / 2 * (t - 0.1) ** 2
+    >>> ball = Track("ball", t, np.stack([0.5 * t, y], axis=-1))
+    >>> figure = plot_tracks(measure([ball], Settings(view="side", noise=1e-4)))
+    >>> len(figure.axes)
+    3
+    """
     with style():
-        figure = sheet(9.0, 5.6)
+        figure = new_figure(9.0, 5.6)
         figure.set_layout_engine("constrained")
         grid = figure.add_gridspec(2, 2, width_ratios=[1.0, 1.05])
         places, speeds, gaps = (
@@ -34,13 +55,13 @@ def plot_tracks(measured: Measured) -> Any:
             figure.add_subplot(grid[0, 1]),
             figure.add_subplot(grid[1, 1]),
         )
-        _places(places, measured)
-        _speeds(speeds, measured)
-        _residuals(gaps, measured)
+        _plot_paths(places, measured)
+        _plot_speeds(speeds, measured)
+        _plot_residuals(gaps, measured)
     return figure
 
 
-def _places(axes: Any, measured: Measured) -> None:
+def _plot_paths(axes: Any, measured: Measured) -> None:
     many = len(measured.tracks) > len(COLOURS)
     names = list(dict.fromkeys(track.name for track in measured.tracks))
     for track in measured.tracks:
@@ -58,10 +79,10 @@ def _places(axes: Any, measured: Measured) -> None:
         half = abs((high - low) @ np.abs(along)) / 2 + 0.02 * reach
         ends = np.stack([middle - half * along, middle + half * along])
         axes.plot(*ends.T, color=INK, lw=1.4, zorder=1)
-    told = [one for one in measured.contacts if one.fit is not None and chosen(one, "best", True)[0]]
-    if told:
+    usable = [one for one in measured.contacts if one.fit is not None and usable_stages(one, "best", True)[0]]
+    if usable:
         axes.plot(
-            *np.array([_place(one) for one in told]).T,
+            *np.array([_contact_position(one) for one in usable]).T,
             "o",
             ms=6,
             mfc="none",
@@ -70,7 +91,11 @@ def _places(axes: Any, measured: Measured) -> None:
             zorder=5,
             label="contact, measured",
         )
-    others = [place for one in measured.contacts if one not in told and (place := _seen(measured, one)) is not None]
+    others = [
+        place
+        for one in measured.contacts
+        if one not in usable and (place := _nearest_position(measured, one)) is not None
+    ]
     if others:
         axes.plot(*np.array(others).T, "x", ms=5, color=GREY, mew=0.9, zorder=4, label="contact, not measured")
     side = measured.view == "side"
@@ -84,22 +109,22 @@ def _places(axes: Any, measured: Measured) -> None:
         )
 
 
-def _place(one: Contact) -> Array:
+def _contact_position(one: TrackContact) -> Array:
     assert one.fit is not None
     return np.asarray(one.wall.back(np.array([[one.fit["away"], one.fit["along"]]]))[0])
 
 
-def _seen(measured: Measured, one: Contact) -> Array | None:
-    """Where the ball is seen next to a contact that was not fitted."""
+def _nearest_position(measured: Measured, one: TrackContact) -> Array | None:
+    """Return the position in the frame nearest to a contact that was not fitted."""
     for track in measured.tracks:
         if (track.group, track.name) == (one.group, one.track):
             return np.asarray(track.position[int(np.argmin(np.abs(track.time - one.time)))])
     return None
 
 
-def _busiest(measured: Measured) -> tuple[Track, list[Contact]]:
-    """The track with the most contacts measured."""
-    counts: dict[tuple[str, str], list[Contact]] = {}
+def _track_with_most_contacts(measured: Measured) -> tuple[Track, list[TrackContact]]:
+    """Return the track with the most measured contacts, and these."""
+    counts: dict[tuple[str, str], list[TrackContact]] = {}
     for one in measured.contacts:
         counts.setdefault((one.group, one.track), []).append(one)
 
@@ -110,27 +135,29 @@ def _busiest(measured: Measured) -> tuple[Track, list[Contact]]:
     return track, [one for one in counts.get((track.group, track.name), []) if one.fit is not None]
 
 
-def _speeds(axes: Any, measured: Measured) -> None:
-    track, contacts = _busiest(measured)
+def _plot_speeds(axes: Any, measured: Measured) -> None:
+    track, contacts = _track_with_most_contacts(measured)
     step = np.diff(track.time)
     good = step < 1.5 * measured.interval
     middle = (track.time[1:] + track.time[:-1]) / 2
     speed = np.hypot(*np.diff(track.position, axis=0).T) / np.maximum(step, 1e-9)
-    axes.plot(middle[good], speed[good], "o", ms=1.8, color=GREY, mec="none", label="from frame to frame")
+    axes.plot(middle[good], speed[good], "o", ms=1.8, color=GREY, mec="none", label="between frames")
     label: str | None = "fitted motion"
     for one in contacts:
         fit = one.fit
         assert fit is not None
         for t in (np.linspace(fit.time[0], fit["t"] - 1e-6, 60), np.linspace(fit["t"] + 1e-6, fit.time[-1], 120)):
-            way = fit.places(t)
-            rate = np.hypot(*np.diff(way, axis=0).T) / np.diff(t)
+            path = fit.position(t)
+            rate = np.hypot(*np.diff(path, axis=0).T) / np.diff(t)
             axes.plot((t[1:] + t[:-1]) / 2, rate, color=ORANGE, lw=1.2, label=label)
             label = None
-        axes.axvline(fit["t"], ymax=BELOW_LEGEND, color=INK, lw=0.5, ls=(0, (2, 2)))
-    told = " ".join(filter(None, (track.group, track.name)))
-    axes.set_title(f"Speed of {told}", loc="left")
+        axes.axvline(fit["t"], ymax=LINE_TOP, color=INK, lw=0.5, ls=(0, (2, 2)))
+    label_of_track = " ".join(filter(None, (track.group, track.name)))
+    axes.set_title(f"Speed of {label_of_track}", loc="left")
     axes.set(
-        xlabel="time, s", ylabel="m/s", ylim=(0, 1.25 * float(np.quantile(speed[good], 0.99)) if good.any() else None)
+        xlabel="time, s",
+        ylabel="speed, m/s",
+        ylim=(0, 1.25 * float(np.quantile(speed[good], 0.99)) if good.any() else None),
     )
     if contacts:
         first, last = contacts[0].fit, contacts[-1].fit
@@ -141,18 +168,18 @@ def _speeds(axes: Any, measured: Measured) -> None:
     axes.legend(loc="upper right", frameon=False, fontsize=7.5, ncols=2)
 
 
-def _residuals(axes: Any, measured: Measured) -> None:
+def _plot_residuals(axes: Any, measured: Measured) -> None:
     fits = [one.fit for one in measured.contacts if one.fit is not None]
     axes.axhspan(-1e3 * measured.noise, 1e3 * measured.noise, color="#eceae4", zorder=0, lw=0)
     if fits:
         frames = np.concatenate([(fit.time - fit["t"]) / measured.interval for fit in fits])
         gap = 1e3 * np.concatenate([fit.residuals for fit in fits])
-        near = np.abs(frames) < FRAMES
-        axes.plot(frames[near], gap[near, 0], "o", ms=2.2, color=BLUE, mec="none", label="across the wall")
-        axes.plot(frames[near], gap[near, 1], "o", ms=2.2, color=ORANGE, mec="none", alpha=0.7, label="along it")
+        near = np.abs(frames) < MAX_FRAMES_SHOWN
+        axes.plot(frames[near], gap[near, 0], "o", ms=2.2, color=BLUE, mec="none", label="normal to the wall")
+        axes.plot(frames[near], gap[near, 1], "o", ms=2.2, color=ORANGE, mec="none", alpha=0.7, label="along the wall")
         most = max(4.5e3 * measured.noise, 1.1 * float(np.quantile(np.abs(gap[near]), 0.995)))
         axes.set_ylim(-most, 1.35 * most)
         axes.legend(loc="upper right", frameon=False, fontsize=7.5, ncols=2)
-    axes.axvline(0, ymax=BELOW_LEGEND, color=INK, lw=0.5, ls=(0, (2, 2)))
-    axes.set_title(f"Tracked less fitted; band: noise {1e3 * measured.noise:.2g} mm", loc="left")
-    axes.set(xlabel="frames from the contact", ylabel="mm", xlim=(-FRAMES, FRAMES))
+    axes.axvline(0, ymax=LINE_TOP, color=INK, lw=0.5, ls=(0, (2, 2)))
+    axes.set_title(f"Residuals (measured − fitted); band: noise {1e3 * measured.noise:.2g} mm", loc="left")
+    axes.set(xlabel="frames from the contact", ylabel="residual, mm", xlim=(-MAX_FRAMES_SHOWN, MAX_FRAMES_SHOWN))

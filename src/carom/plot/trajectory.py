@@ -10,15 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.checks import nearest
-from carom.engine.arrays import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, WALL
-from carom.errors import CaromError
-from carom.motion.phases import BOUNCING, FLIGHT, REST, ROLLING, SLIDING
-from carom.plot.drawing import GREY, INK, PALE, sheet, spread
-from carom.plot.save import require_writable, save, style
-from carom.plot.seen import SEEN, View, colour, last_time, steps, view, walls_in, way
-from carom.trajectory import Trajectory
-from carom.units import of_time
+from carom.core.motion.phases import BOUNCING, FLIGHT, REST, ROLLING, SLIDING
+from carom.errors import CaromError, suggestion
+from carom.formatting import format_time
+from carom.plot.scene_view import SEEN, View, colour, last_time, steps, view, walls_in, way
+from carom.plot.style import GREY, INK, PALE, new_figure, require_writable, save, spread_apart, style
+from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, WALL
+from carom.simulation.trajectory import Trajectory
 
 __all__ = ["plot_trajectory"]
 
@@ -74,7 +72,7 @@ def _chosen(run: Trajectory, ball: Any) -> list[int]:
         elif one in names:
             found.append(names.index(one))
         else:
-            hint = nearest(one, list(names)) if isinstance(one, str) else f"the names are {', '.join(names)}"
+            hint = suggestion(one, list(names)) if isinstance(one, str) else f"the names are {', '.join(names)}"
             raise CaromError(
                 f"plot: ball: expected a ball's name or its number from 0 to {len(names) - 1}, got {one!r}; {hint}"
             )
@@ -105,7 +103,7 @@ def _draw(run: Trajectory, balls: list[int], title: str | None) -> Any:
         places = [
             (left, height - top - h - 0.1 - (k + 1) * (lane + gap), width - left - 0.25, lane) for k in range(lanes)
         ]
-    figure = sheet(width, height)
+    figure = new_figure(width, height)
 
     def panel(x: float, y: float, across: float, up: float) -> Any:
         return figure.add_axes((x / width, y / height, across / width, up / height))
@@ -125,14 +123,14 @@ def _draw(run: Trajectory, balls: list[int], title: str | None) -> Any:
         axes.set_xlabel("time, s", labelpad=1.5)
         low, high = axes.get_xlim()
         inside = [(float(row["t"]), number) for row, number in numbers if low < row["t"] < high]
-        labels = spread([t for t, _number in inside], 0.012 * (high - low) * 6.4 / (width - left), low, high)
+        labels = spread_apart([t for t, _number in inside], 0.012 * (high - low) * 6.4 / (width - left), low, high)
         for (t, number), x in zip(inside, labels, strict=True):
             axes.axvline(t, color=GREY, lw=0.4, ls=(0, (1, 2)), zorder=0)
             axes.text(
                 x, 1.01, str(number), transform=axes.get_xaxis_transform(), fontsize=6.5, ha="center", va="bottom",
                 color=GREY,
             )  # fmt: skip
-    said = f"{run.scene.describe()}; {len(run.events)} events in {of_time(run.end)}" if title is None else title
+    said = f"{run.scene.describe()}; {len(run.events)} events in {format_time(run.end)}" if title is None else title
     figure.text(left / width, 1 - 0.16 / height, said[:1].upper() + said[1:], va="top", fontsize=9.5)
     _legend(figure, run, ways, balls, (left / width, 1 - 0.34 / height))
     return figure

@@ -7,9 +7,8 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import BeforeValidator, Field
 
-from carom.motion.restitution import CONSTANT, EXPONENTIAL, POLYNOMIAL, POWER, VISCOELASTIC, restitution
-from carom.scene.faults import Model
-from carom.scene.quantities import Coefficient, Components, Number, PositiveNumber, Share, Vector
+from carom.core.motion.restitution import CONSTANT, EXPONENTIAL, POLYNOMIAL, POWER, VISCOELASTIC, restitution
+from carom.scene.schema import Coefficient, Components, Model, Number, PositiveNumber, Share, Vector
 
 __all__ = ["Bounce", "Constant", "Exponential", "Han2005", "Polynomial", "Power", "Restitution", "Viscoelastic"]
 
@@ -17,7 +16,7 @@ FasterThanNothing = Annotated[float, BeforeValidator(Number("a speed in m/s, > 0
 
 
 class Restitution(Model):
-    """Restitution, a function of the normal speed of approach."""
+    """Coefficient of restitution as a function of the normal approach speed."""
 
     tag: ClassVar[str] = "form"
     code: ClassVar[int]
@@ -25,19 +24,19 @@ class Restitution(Model):
     @property
     @abstractmethod
     def p(self) -> Vector:
-        """The three numbers of the form, as :func:`carom.motion.restitution.restitution` takes them."""
+        """Return the three numbers of the form, as :func:`carom.core.motion.restitution.restitution` takes them."""
 
     def at(self, speed: float) -> float:
         """e at a normal speed (m/s)."""
         return float(restitution(self.code, self.p, speed))
 
     def describe(self) -> str:
-        """In words."""
+        """Return a description of a few words."""
         return f"restitution of the form {getattr(self, self.tag)}"
 
 
 class Constant(Restitution):
-    """The same at every speed: what a plain number means."""
+    """The same restitution at every speed; a plain number stands for it."""
 
     form: Literal["constant"] = "constant"
     value: Share
@@ -45,11 +44,11 @@ class Constant(Restitution):
 
     @property
     def p(self) -> Vector:
-        """The number."""
+        """Return the number."""
         return (self.value, 0.0, 0.0)
 
     def describe(self) -> str:
-        """In words."""
+        """Return a description of a few words."""
         return f"restitution {self.value:g}"
 
 
@@ -77,7 +76,7 @@ class Han2005(Restitution):
 
     @property
     def p(self) -> Vector:
-        """Han's coefficients, v in m/s."""
+        """Return Han's coefficients, v in m/s."""
         return (0.39, 0.257, -0.044)
 
 
@@ -92,7 +91,7 @@ class Power(Restitution):
 
     @property
     def p(self) -> Vector:
-        """At rest, speed, exponent."""
+        """Return value at rest, speed (m/s), exponent."""
         return (self.at_rest, self.speed, self.exponent)
 
 
@@ -120,7 +119,7 @@ class Exponential(Restitution):
 
     @property
     def p(self) -> Vector:
-        """At rest, at great speed, the speed over which it changes."""
+        """Return value at rest, at high speed, and the speed (m/s) over which it changes."""
         return (self.at_rest, self.at_speed, self.speed)
 
 

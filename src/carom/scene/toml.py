@@ -1,4 +1,4 @@
-"""Scenes in TOML files: read one, all faults at once; a scene to begin with."""
+"""Read scenes from TOML files, and write a first one."""
 
 from __future__ import annotations
 
@@ -11,20 +11,38 @@ from typing import Any
 from pydantic import ValidationError
 
 from carom.errors import CaromError
-from carom.files import path_of
-from carom.scene.faults import told
-from carom.scene.model import Scene
+from carom.files import as_path
+from carom.scene.scene import Scene
+from carom.scene.schema import fault_lines
 
 __all__ = ["load_scene", "new_scene", "read_toml"]
 
 
 def load_scene(path: str | Path) -> Scene:
-    """The scene of a TOML file.
+    """Read a scene from a TOML file.
 
-    A law of the user's own, ``law = "file.py:name"``, is looked for beside the file. Raises CaromError with one line a
-    fault, all at once: where, what was expected, what came, what to do.
+    Parameters
+    ----------
+    path : str or Path
+        The file. A custom law in it, ``law = "file.py:name"``, is looked up in the file's folder.
+
+    Returns
+    -------
+    Scene
+
+    Raises CaromError with one line for each problem: where, what was expected, what was found, how to fix it.
+
+    Examples
+    --------
+    >>> import carom, pathlib, tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = pathlib.Path(folder) / "scene.toml"
+    ...     _ = file.write_text(carom.new_scene(), encoding="utf-8")
+    ...     scene = carom.load_scene(file)
+    >>> len(scene.balls)
+    1
     """
-    path = path_of("load_scene", path)
+    path = as_path("load_scene", path)
     table = read_toml(path, f"carom scene new {path}")
     if strange := sorted({"container", "species"} & set(table)):
         raise CaromError(
@@ -34,11 +52,11 @@ def load_scene(path: str | Path) -> Scene:
     try:
         return Scene.model_validate(table)
     except ValidationError as error:
-        raise CaromError(*told(str(path), error, Scene)) from None
+        raise CaromError(*fault_lines(str(path), error, Scene)) from None
 
 
 def read_toml(path: Path, remedy: str) -> dict[str, Any]:
-    """The table that a TOML file holds; CaromError, one line, where it holds none. ``remedy`` writes one."""
+    """Return the table in a TOML file. CaromError, one line, if it has none; ``remedy`` is the command that writes one."""
     try:
         text = path.read_bytes().decode("utf-8-sig")  # with or without a byte-order mark
     except OSError as error:
@@ -62,7 +80,7 @@ def _syntax(path: Path, text: str, message: str) -> str:
 
 
 def _beside(table: dict[str, Any], folder: Path) -> None:
-    """Make the laws' files relative to the scene's folder."""
+    """Make the paths of custom laws relative to the scene's folder."""
     walls = table.get("walls")
     for part in [table.get("run"), *(walls if isinstance(walls, list) else [])]:
         law = part.get("law") if isinstance(part, dict) else None
@@ -71,5 +89,12 @@ def _beside(table: dict[str, Any], folder: Path) -> None:
 
 
 def new_scene() -> str:
-    """The text of a commented scene that runs as it stands: one ball on a carom table."""
+    """Return the text of a commented scene file that runs as it stands: one ball on a carom table.
+
+    Examples
+    --------
+    >>> import carom
+    >>> carom.new_scene().splitlines()[0].startswith("#")
+    True
+    """
     return files("carom.scene").joinpath("new.toml").read_text(encoding="utf-8")

@@ -10,27 +10,22 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, PlainSerializer
 
-from carom.checks import nearest
-from carom.errors import CaromError
-from carom.law import LAWS, Law
-from carom.laws.maw import LIKE_SOLIDS
-from carom.motion.restitution import CONSTANT
-from carom.own_law import find_law
-from carom.scene.faults import Fault, Model, Words
-from carom.scene.parts import Feature
-from carom.scene.quantities import Friction, PositiveNumber, Spring, Vector
+from carom.core.motion.restitution import CONSTANT
+from carom.errors import CaromError, suggestion
+from carom.laws.law import LIKE_SOLIDS, Law
+from carom.laws.registry import laws
+from carom.laws.user import find_law
+from carom.scene.feature_builders import Feature
 from carom.scene.restitution import Bounce, Restitution
+from carom.scene.schema import Fault, Friction, Model, PositiveNumber, Spring, Unquoted, Vector
 
-__all__ = ["BUILT_IN", "LAW_NAMES", "Contact", "LawChoice", "Wall", "contact", "law_name", "spelled"]
+__all__ = ["ContactParameters", "LawChoice", "WallShape", "contact", "format_vector", "law_name"]
 
 Outline = list[NDArray[np.float64]]
-# What the event loop has compiled in, in its order; and those besides that walls know by name, which it calls by their address.
-BUILT_IN = ("two-step", "conventional", "no-slip", "mirror")
-LAW_NAMES = (*BUILT_IN, *(name for name, law in LAWS.items() if law.compliant))
 
 
-class Contact(NamedTuple):
-    """A surface as numbers: a form of restitution and its three numbers, friction, tangential restitution."""
+class ContactParameters(NamedTuple):
+    """A surface as numbers: form of the restitution and its three numbers, friction, tangential restitution."""
 
     form: int
     p: Vector
@@ -38,59 +33,61 @@ class Contact(NamedTuple):
     beta: float
 
 
-def contact(restitution: Restitution | None, friction: float | None, tangential_restitution: float) -> Contact:
-    """A surface as numbers. What is left out is carom.Surface's: restitution 1, infinite friction."""
+def contact(
+    restitution: Restitution | None, friction: float | None, tangential_restitution: float
+) -> ContactParameters:
+    """Return a surface as numbers. Defaults are those of carom.Surface: restitution 1, infinite friction."""
     form, p = (CONSTANT, (1.0, 0.0, 0.0)) if restitution is None else (restitution.code, restitution.p)
-    return Contact(form, p, math.inf if friction is None else friction, tangential_restitution)
+    return ContactParameters(form, p, math.inf if friction is None else friction, tangential_restitution)
 
 
 def _known_law(value: Any) -> str | Law:
-    """A law that a wall can have; its fault where there is none."""
-    expected = f"one of {', '.join(LAW_NAMES)}, or file.py:name"
+    """Validate the law of a wall."""
+    known = [law.name for law in laws().values() if law.kernel is not None]
+    expected = f"one of {', '.join(known)}, or file.py:name"
     if isinstance(value, Law):
         if value.kernel is None:
-            raise Fault("a law with a kernel", Words(f"{value.name!r} without one")).error()
+            raise Fault("a law with a kernel", Unquoted(f"{value.name!r} without one")).error()
         return value
     if not isinstance(value, str):
         raise Fault(expected, value, "carom.wall_law(card, function) makes a law of a function").error()
-    if value not in LAW_NAMES:
+    if value not in known:
         if ".py" not in value:
-            raise Fault(expected, value, nearest(value, list(LAW_NAMES))).error()
+            raise Fault(expected, value, suggestion(value, known)).error()
         try:
             find_law(value)
         except CaromError as error:
             said = error.faults[0].removeprefix("--law ")
-            raise Fault(expected, Words(f"{value!r}, and {said}")).error() from None
+            raise Fault(expected, Unquoted(f"{value!r}, and {said}")).error() from None
     return value
 
 
 def law_name(law: str | Law) -> str:
-    """The name of a law."""
+    """Return the name of a law."""
     return law.name if isinstance(law, Law) else law
 
 
 LawChoice = Annotated[str | Law, BeforeValidator(_known_law), PlainSerializer(law_name)]
 
 
-def spelled(v: tuple[float, ...]) -> str:
-    """A point or a direction in words; rounding's leftovers are zero."""
+def format_vector(v: tuple[float, ...]) -> str:
+    """Format a point or a direction; rounding errors are shown as zero."""
     return f"({', '.join(f'{x if abs(x) > 1e-12 else 0:.6g}' for x in v)})"
 
 
-class Wall(Model):
-    """A wall. Which of the surface's numbers it needs is its law's affair: two-step reads restitution and friction, maw and
-    stronge the stiffness ratio as well.
+class WallShape(Model):
+    """A wall: its surface, law and name. Which parameters of the surface are needed depends on the law.
 
     Parameters
     ----------
     restitution : number from 0 to 1, or a form of the normal speed
     friction : number >= 0, or inf
     tangential_restitution : number from -1 to 1
-    stiffness_ratio : number > 0: how stiff the contact is along the surface, over normally; left out: of like solids, 14/17
+    stiffness_ratio : number > 0: tangential over normal stiffness of the contact; default: like solids, 14/17
     law : str or carom.Law, optional
-        What this wall does; left out: the run's law.
+        Law of this wall; default: the run's.
     name : str, optional
-        What tables call it; left out: its shape and its number.
+        Its name in tables; default: its shape and its number.
     """
 
     tag: ClassVar[str] = "shape"
@@ -103,45 +100,45 @@ class Wall(Model):
 
     @property
     def kind(self) -> str:
-        """The name of its shape."""
+        """Return the name of its shape."""
         return str(getattr(self, self.tag))
 
     @property
-    def contact(self) -> Contact:
-        """Its surface as numbers."""
+    def contact(self) -> ContactParameters:
+        """Return its surface as numbers."""
         return contact(self.restitution, self.friction, self.tangential_restitution)
 
     @property
     def encloses(self) -> bool:
-        """Whether a ball that clears it is gone for good: it stands all around."""
+        """Return whether it surrounds the balls, so that the run of a ball that clears it ends."""
         return False
 
     @property
     def bounded(self) -> bool:
-        """Whether it ends somewhere, as seen from above; if not, its outline says nothing of how large a picture is."""
+        """Return whether it is finite as seen from above, so that its outline counts for the extent of a figure."""
         return True
 
     @property
     def room(self) -> float:
-        """Radius that a ball inside must be smaller than, m."""
+        """Return the upper bound of the radius of a ball inside, m."""
         return math.inf
 
     @abstractmethod
     def features(self) -> list[Feature]:
-        """What a ball can touch, and the gates above."""
+        """Return the features that a ball can touch, and the gates above."""
 
     @abstractmethod
     def outline(self) -> Outline:
-        """Polylines (n, 2), m, as seen from above; a line without end is 2 km long."""
+        """Return polylines (n, 2), m, as seen from above; an infinite line is 2 km long."""
 
     @abstractmethod
     def describe(self) -> str:
-        """One phrase."""
+        """Return a description of a few words."""
 
     def blocked(self, x: Vector) -> bool:
-        """Whether a point is where no ball's centre can be: behind a plane, in a block, out of a container."""
+        """Return whether no ball's centre can be at a point: behind a plane, in a block, outside a container."""
         return False
 
     def vertical(self, z: float) -> bool:
-        """Whether it is vertical wherever it is met by a ball whose centre is at height z."""
+        """Return whether it is vertical where a ball with its centre at height z meets it."""
         return True

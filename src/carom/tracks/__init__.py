@@ -1,7 +1,5 @@
-"""Tracks of filmed balls: read from what tracking programs write, cut at contacts, measured into rebounds."""
+"""Tracks of filmed balls: read them, find the contacts in them, and measure the rebound at each contact."""
 
-from __future__ import annotations
+import lazy_loader as _lazy
 
-from carom.tracks.track import Track
-
-__all__ = ["Track"]
+__getattr__, __dir__, __all__ = _lazy.attach_stub(__name__, __file__)

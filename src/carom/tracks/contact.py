@@ -1,18 +1,18 @@
-"""What is known beforehand, and what a contact is: measured, or not, and why not."""
+"""Settings of a measurement, and contacts of balls with walls: measured, or the reason why not."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Literal
+from typing import Literal, NamedTuple
 
 import numpy as np
 
-from carom.checks import Faults
-from carom.tracks.contacts import Wall
-from carom.tracks.fitted import Fitted, Prior
-from carom.tracks.on_table import tells_rolling
+from carom.errors import FaultList
+from carom.tracks.contact_models import slide_would_show
+from carom.tracks.events import WallLine
+from carom.tracks.least_squares import ContactFit, Prior
 
-__all__ = ["Contact", "Settings", "View", "tells_before"]
+__all__ = ["Settings", "TrackContact", "TrackedSpin", "View", "motion_before_resolved"]
 
 View = Literal["above", "side"]
 NUMBERS = (int, float, np.integer, np.floating)
@@ -20,32 +20,41 @@ NUMBERS = (int, float, np.integer, np.floating)
 
 @dataclass(frozen=True)
 class Settings:
-    """What is known beforehand; None: found in the data, or taken as the literature has it."""
+    """What is known of a film beforehand. None: found in the data, or taken from the literature.
+
+    Examples
+    --------
+    >>> from carom.tracks import Settings
+    >>> Settings(radius=0.02625, view="above", noise=3e-4).window
+    0.5
+    """
 
     radius: float | None = None
-    """m; without it meetings of balls are not looked for."""
+    """m; without it contacts between balls are not looked for."""
     kappa: float = 2 / 5
+    """I/(m a^2)."""
     view: View | None = None
     """From above (a ball on a table) or from the side (a ball in flight)."""
-    walls: tuple[Wall, ...] | None = None
+    walls: tuple[WallLine, ...] | None = None
     noise: float | None = None
-    """m, of one coordinate of one frame."""
+    """Standard deviation of one coordinate of one frame, m."""
     cloth: float | None = None
-    """Coulomb's friction of the floor."""
+    """Coulomb friction of the floor."""
     rolling: float | None = None
     """Rolling resistance: deceleration / g."""
     gravity: float = 9.80665
+    """m/s^2."""
     window: float = 0.5
-    """s that are looked at before and after a contact, at most."""
+    """Longest time before and after a contact that a fit uses, s."""
     blind: float | None = None
-    """s on each side of a contact whose frames are left out: a soft wall takes its time, and programs smooth over it. None:
-    as the frames themselves show, by how they scatter there."""
+    """Time on each side of a contact whose frames are left out, s: a soft wall gives way, and programs smooth over the
+    contact. None: determined from how the frames scatter there."""
     hard: bool = False
     """Whether the two motions have to meet on the wall's line."""
 
     def check(self) -> None:
-        """CaromError, a line a fault, where a number makes no sense."""
-        faults = Faults("tracks")
+        """Raise CaromError, one line per problem, for a number out of range."""
+        faults = FaultList("tracks")
         for name, low in (("kappa", 0.0), ("gravity", 0.0), ("window", 0.0), ("noise", 0.0), ("cloth", 0.0)):
             value = getattr(self, name)
             if value is not None and not (isinstance(value, NUMBERS) and low < value < np.inf):
@@ -58,76 +67,102 @@ class Settings:
                 faults.add(name, "a number of at least 0", repr(value))
         if self.view not in (None, "above", "side"):
             faults.add("view", "'above' or 'side'", repr(self.view))
-        faults.done()
+        faults.raise_if_any()
+
+
+class TrackedSpin(NamedTuple):
+    """Spin of a ball that was tracked, rad/s; NaN if it was not."""
+
+    before: float = np.nan
+    after: float = np.nan
+    before_error: float = np.nan
+    after_error: float = np.nan
 
 
 @dataclass(frozen=True, eq=False)
-class Contact:
-    """A ball at a wall: measured, or not, and why not."""
+class TrackContact:
+    """A contact of a ball with a wall: measured, or the reason why not.
+
+    :func:`carom.tracks.measure` makes them.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.tracks import Settings, Track, measure
+    >>> t = np.arange(12) / 100
+    >>> x = np.abs(0.1 - t)  # two frames before the wall are too few
+    >>> ball = Track("ball", t[8:], np.stack([x, 0.2 * t], axis=-1)[8:])
+    >>> measure([ball], Settings(view="above", noise=1e-4)).contacts[0].why
+    '2 frames between the start of the track and the wall, expected 4 or more'
+    """
 
     track: str
     group: str
-    wall: Wall
+    wall: WallLine
     time: float
-    """s; that of the frame nearest to the wall where it was not measured."""
+    """s; that of the frame nearest to the wall if it was not measured."""
     before: int
-    """Frames."""
+    """Number of frames before the contact."""
     after: int
-    fit: Fitted | None = None
+    """Number of frames after it."""
+    fit: ContactFit | None = None
     why: str = ""
-    """Why it was not measured; empty where it was."""
-    spin: tuple[float, float, float, float] = (np.nan, np.nan, np.nan, np.nan)
-    """Tracked spin before and after with their errors, rad/s; NaN where none was tracked."""
+    """Why it was not measured; empty if it was."""
+    spin: TrackedSpin = field(default_factory=TrackedSpin)
     last: float = np.nan
-    """s: the last frame of the fit."""
+    """Time of the last frame of the fit, s."""
     interval: float = np.nan
+    """Between frames, s."""
     scatter: float = np.nan
-    """m: what the residuals of this contact alone say of the noise."""
+    """Noise as the residuals of this contact alone show it, m."""
     planar: bool = False
-    """In flight, not on a table."""
+    """Whether the ball is in flight, not on a table."""
     prior: Prior = field(default_factory=Prior)
-    """What the fit was told of the floor."""
+    """Prior knowledge of the floor that the fit used."""
 
     def why_not(self, stage: str) -> str:
-        """Why there is no rebound of this stage (after_wall, rolling); empty where there is one."""
+        """Return why there is no rebound of this stage (after_wall, rolling); empty if there is one."""
         if self.fit is None:
             return self.why
         return _why_not(self, stage)
 
 
-def tells_before(one: Contact, fit: Fitted) -> bool:
-    """Whether the frames before the contact tell if the ball slides there or rolls."""
-    return fit.slid or tells_rolling(one.before, fit["t"] - float(fit.time[0]), fit.noise, fit["mu_g"])
+def motion_before_resolved(one: TrackContact, fit: ContactFit) -> bool:
+    """Return whether the frames before the contact show if the ball slides or rolls there."""
+    return fit.slid_before or slide_would_show(one.before, fit["t"] - float(fit.time[0]), fit.noise, fit["mu_g"])
 
 
-def _why_not(one: Contact, stage: str) -> str:
+def _why_not(one: TrackContact, stage: str) -> str:
     fit = one.fit
     assert fit is not None
     if -fit["vn_in"] < 3 * fit.error("vn_in"):
-        return "it does not move toward the wall by more than its error"
+        return "its speed toward the wall does not exceed its error"
     if one.planar:
-        return "" if fit["vn_out"] > 3 * fit.error("vn_out") else "it does not leave the wall by more than its error"
-    if not tells_before(one, fit):
+        return (
+            "" if fit["vn_out"] > 3 * fit.error("vn_out") else "its speed away from the wall does not exceed its error"
+        )
+    if not motion_before_resolved(one, fit):
         span = fit["t"] - float(fit.time[0])
-        return f"{one.before} frames in {1e3 * span:.3g} ms before the wall do not tell whether it rolls or slides"
+        return f"{one.before} frames in {1e3 * span:.3g} ms before the wall do not show whether it rolls or slides"
     if fit["slides"] < one.interval:
         # (the contact may as well have been some ms earlier or later, and the slide as much longer)
-        return f"it slides for {fit['slides'] / one.interval:.1f} frames only: when it began to roll is not told, nor how it left"
+        frames = fit["slides"] / one.interval
+        return f"it slides for only {frames:.1f} frames: when it began to roll and how it left cannot be determined"
     return _not_rolling(one, fit) if stage == "rolling" else _not_leaving(one, fit)
 
 
-def _not_rolling(one: Contact, fit: Fitted) -> str:
-    # so long that rolling on is told from sliding on
+def _not_rolling(one: TrackContact, fit: ContactFit) -> str:
+    # long enough to distinguish rolling from sliding
     least = 3 * one.interval + np.sqrt(10 * fit.noise / fit["mu_g"])
     if one.last - fit["t"] - fit["slides"] < least:
-        return "it is not seen to roll again: it still slides at the last frame, or nearly"
+        return "no frames show it rolling again: it slides until the last frame, or nearly"
     return ""
 
 
-def _not_leaving(one: Contact, fit: Fitted) -> str:
+def _not_leaving(one: TrackContact, fit: ContactFit) -> str:
     if fit.error("vn_out") <= 0.2 * max(fit["vn_out"], 1e-9):
         return ""
     frames = fit["slides"] / one.interval
-    return "how fast it leaves is not told to 20 %" + (
-        f": it slides for {frames:.1f} frames only" if frames < 4 else ""
+    return "the speed at which it leaves is uncertain by more than 20 %" + (
+        f": it slides for only {frames:.1f} frames" if frames < 4 else ""
     )

@@ -1,4 +1,4 @@
-"""From a file to tracks: which program wrote it, what it says, what is wrong with it."""
+"""Track files: recognise the program that wrote one, read its tracks, and check them."""
 
 from __future__ import annotations
 
@@ -9,29 +9,28 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.checks import nearest
-from carom.errors import CaromError
-from carom.files import path_of
+from carom.errors import CaromError, suggestion
+from carom.files import as_path, read_text
 from carom.tracks.formats import carom_table, columns, deeplabcut, kinovea, tracker, trackpy
-from carom.tracks.formats.sheet import Given, decoded
+from carom.tracks.formats.text_table import Calibration
 from carom.tracks.track import Track
 
 __all__ = ["FORMATS", "Format", "TrackFile", "read_tracks"]
 
-SHORT = 9  # places: fewer hold no contact
-JUMP = 30.0  # usual steps: no ball goes so far at once
+MIN_POSITIONS = 9  # fewer cannot hold a contact
+JUMP_STEPS = 30.0  # times the usual step: no ball moves so far between two frames
 
 
 @dataclass(frozen=True)
 class Format:
-    """A program's files: whether a text is one, and its tracks."""
+    """A file format: a test of whether a text has it, and the reader of its tracks."""
 
     title: str
     matches: Callable[[str], bool]
-    read: Callable[[str, str, Given], list[Track]]
+    read: Callable[[str, str, Calibration], list[Track]]
 
 
-# Asked in this order; the last takes what has columns x and y.
+# Tried in this order; the last accepts any table with columns x and y.
 FORMATS = {
     "tracker": Format("Tracker (Open Source Physics)", tracker.matches, tracker.read),
     "kinovea": Format("Kinovea", kinovea.matches, kinovea.read),
@@ -44,7 +43,19 @@ FORMATS = {
 
 @dataclass(frozen=True, eq=False)
 class TrackFile:
-    """The tracks of a file, and what was understood."""
+    """The tracks of a file, its format, and notes on how it was read.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> from carom.tracks import read_tracks
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = pathlib.Path(folder) / "shot.csv"
+    ...     _ = path.write_text("t,x,y\\n0,0,0\\n0.1,1,1\\n")
+    ...     file = read_tracks(path)
+    >>> file.format, len(file.tracks), file.notes[0]
+    ('columns', 1, "no unit in 't', 'x', 'y': taken as m and s")
+    """
 
     path: Path
     format: str
@@ -52,22 +63,44 @@ class TrackFile:
     notes: tuple[str, ...]
 
 
-def read_tracks(path: str | Path, format: str | None = None, given: Given | None = None) -> TrackFile:  # noqa: A002
-    """Tracks of a file that a tracking program wrote, SI.
+def read_tracks(path: str | Path, format: str | None = None, calibration: Calibration | None = None) -> TrackFile:  # noqa: A002
+    """Read the tracks of a file that a tracking program wrote, in SI units.
 
-    The format shows in the content; ``format`` (a key of FORMATS) overrules. ``given`` has what the file lacks: a scale, a
-    frame rate. Raises CaromError, a line a fault: a file of no known format, cells that are no numbers, a time that runs
-    backwards, and by name what is missing.
+    Parameters
+    ----------
+    path : path
+        A file of Tracker, Kinovea, trackpy, DeepLabCut, a carom table, or any table with columns t, x, y.
+    format : str, optional
+        A key of FORMATS; by default the format is recognised from the content.
+    calibration : Calibration, optional
+        What the file lacks: a scale, a frame rate.
+
+    Raises
+    ------
+    CaromError
+        One line per problem: an unknown format, cells that are no numbers, times that decrease, and by name what is missing.
+
+    Examples
+    --------
+    >>> import tempfile, pathlib
+    >>> from carom.tracks import Calibration, read_tracks
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = pathlib.Path(folder) / "shot.csv"
+    ...     _ = path.write_text("frame,x [px],y [px]\\n0,10,20\\n1,12,30\\n")
+    ...     tracks = read_tracks(path, calibration=Calibration(scale=0.001, rate=100)).tracks
+    >>> tracks[0].time, tracks[0].position  # pixels count downward
+    (array([0.  , 0.01]), array([[ 0.01 , -0.02 ],
+           [ 0.012, -0.03 ]]))
     """
-    path, given = path_of("read_tracks", path), given or Given()
-    _check(given)
+    path, calibration = as_path("read_tracks", path), calibration or Calibration()
+    _check(calibration)
     if path.is_dir():
         raise CaromError(f"{path}: expected a track file, got a folder")
     if format is not None and format not in FORMATS:
         raise CaromError(
-            f"--format: expected one of {', '.join(FORMATS)}, got {format!r}; {nearest(format, list(FORMATS))}"
+            f"--format: expected one of {', '.join(FORMATS)}, got {format!r}; {suggestion(format, list(FORMATS))}"
         )
-    text = decoded(path)
+    text = read_text(path)
     if not text.strip():
         raise CaromError(f"{path}: expected a track, got an empty file")
     name = format or next((name for name, one in FORMATS.items() if one.matches(text)), None)
@@ -75,11 +108,11 @@ def read_tracks(path: str | Path, format: str | None = None, given: Given | None
         first = text.strip().splitlines()[0][:60]
         raise CaromError(
             f"{path}: expected a track of {', '.join(FORMATS)}, got a file that begins {first!r}; a table with columns t, x"
-            " and y can always be read, or name the format with --format"
+            " and y can always be read; or name the format with --format"
         )
-    tracks = FORMATS[name].read(str(path), text, given)
+    tracks = FORMATS[name].read(str(path), text, calibration)
     if not tracks or not any(track.seen.any() for track in tracks):
-        raise CaromError(f"{path}: {FORMATS[name].title}: expected places of a ball, got none")
+        raise CaromError(f"{path}: {FORMATS[name].title}: expected positions of a ball, got none")
     notes: list[str] = []
     faults: list[str] = []
     checked = [_in_order(track, str(path), notes, faults) for track in tracks]
@@ -88,14 +121,14 @@ def read_tracks(path: str | Path, format: str | None = None, given: Given | None
     checked = [track for track in checked if track.seen.any()]
     for track in checked:
         notes += [note for note in track.notes if note not in notes]
-    _look(checked, notes)
+    _plausibility_notes(checked, notes)
     return TrackFile(path, name, tuple(checked), tuple(notes))
 
 
-def _check(given: Given) -> None:
+def _check(calibration: Calibration) -> None:
     faults = [
         f"--{name}: expected a number above 0, got {value!r}"
-        for name, value in (("scale", given.scale), ("rate", given.rate))
+        for name, value in (("scale", calibration.scale), ("rate", calibration.rate))
         if value is not None and not 0 < value < np.inf
     ]
     if faults:
@@ -103,17 +136,17 @@ def _check(given: Given) -> None:
 
 
 def _in_order(track: Track, path: str, notes: list[str], faults: list[str]) -> Track:
-    """A track whose time grows: rows of one time are one row, a time that runs backwards is a fault."""
+    """Return the track with increasing times: of rows with the same time the first; times that decrease are a fault."""
     label = " ".join(filter(None, (track.group, track.name)))
     known: NDArray[np.bool_] = np.isfinite(track.time)
     if (~known & np.isfinite(track.position).any(axis=1)).any():
-        notes.append(f"{label}: {(~known).sum():,} rows without a time left out")
-    track = track.pick(known)
+        notes.append(f"{label}: {(~known).sum():,} rows without a time were left out")
+    track = track.select(known)
     step = np.diff(track.time)
     if (step < 0).any():
         i = int(np.flatnonzero(step < 0)[0])
         faults.append(
-            f"{path}: {label}: time: expected one that grows, got {track.time[i + 1]:g} s after {track.time[i]:g} s, at its row"
+            f"{path}: {label}: time: expected increasing times, got {track.time[i + 1]:g} s after {track.time[i]:g} s, at its row"
             f" {i + 2} ({(step < 0).sum()} in all); sort the rows, or give each ball and shot a name in columns 'ball', 'shot'"
         )
         return track
@@ -122,19 +155,19 @@ def _in_order(track: Track, path: str, notes: list[str], faults: list[str]) -> T
         moved = np.abs(np.diff(track.position, axis=0)).max(axis=1) > 0
         if (moved & (step == 0)).any():
             notes.append(
-                f"{label}: {again.sum()} rows have the time of the row before, in another place: the first is taken"
+                f"{label}: {again.sum()} rows repeat the time of the row before at another position: the first is used"
             )
-        track = track.pick(~again)
+        track = track.select(~again)
     return replace(track, position=np.ascontiguousarray(track.position))
 
 
-def _look(tracks: list[Track], notes: list[str]) -> None:
-    """What looks like a wrong unit, several units in one file, or a ball that was lost and found elsewhere."""
+def _plausibility_notes(tracks: list[Track], notes: list[str]) -> None:
+    """Add notes on what looks like a wrong unit, several units in one file, or a ball that was lost and found elsewhere."""
     size = max(float(np.ptp(track.position[track.seen], axis=0).max()) for track in tracks)
     if size == 0:
-        notes.append("the ball does not move: all its places are the same")
+        notes.append("the ball does not move: all its positions are the same")
     elif not 5e-3 < size < 100:
-        notes.append(f"the tracks span {size:.3g} m: is that the unit? --scale sets it, m to one unit of the file")
+        notes.append(f"the tracks span {size:.3g} m: is the unit right? --scale sets it, in m per unit of the file")
         spans = np.array([np.ptp(track.position[track.seen], axis=0) for track in tracks]).max(axis=0)
         if spans.max() > 100 * spans.min() > 0:
             notes.append(
@@ -143,32 +176,36 @@ def _look(tracks: list[Track], notes: list[str]) -> None:
     steps = np.concatenate([np.diff(track.time) for track in tracks])
     if len(steps) and not 1e-5 < float(np.median(steps)) < 0.5:
         notes.append(
-            f"a frame every {np.median(steps):.3g} s: is that the unit? write it in the header, as in 't [ms]'"
+            f"one frame every {np.median(steps):.3g} s: is the unit right? write it in the header, as in 't [ms]'"
         )
     most = max(int(track.seen.sum()) for track in tracks)
-    if most < SHORT:
-        notes.append(f"{most} places: too few for a contact, which takes 4 before and 5 after; film longer")
+    if most < MIN_POSITIONS:
+        notes.append(f"{most} positions: too few for a contact, which needs 4 before it and 5 after it; film longer")
     for track in tracks:
         notes += _jumps(track)
 
 
 def _jumps(track: Track) -> list[str]:
-    """Rows in which the ball is suddenly elsewhere, farther off than it goes in all its usual steps together."""
-    seen = track.pick(track.seen)
-    if len(seen) < SHORT:
+    """Return a note if the ball jumps: some steps are far longer than its usual ones."""
+    seen = track.select(track.seen)
+    if len(seen) < MIN_POSITIONS:
         return []
     step = np.hypot(*np.diff(seen.position[:, :2], axis=0).T)
     usual = float(np.median(step))
     label = " ".join(filter(None, (track.group, track.name)))
     if float(np.median(np.hypot(*(seen.position[2:, :2] - seen.position[:-2, :2]).T))) < 0.1 * usual:
-        return [f"{label}: the places go to and fro from row to row: are there rows in two units, or of two balls?"]
+        return [f"{label}: the positions alternate from row to row: are there rows in two units, or of two balls?"]
     far = np.flatnonzero(
-        (step > JUMP * usual) & (step > 0.05) & (np.diff(seen.time) < 3 * np.median(np.diff(seen.time)))
+        (step > JUMP_STEPS * usual) & (step > 0.05) & (np.diff(seen.time) < 3 * np.median(np.diff(seen.time)))
     )
     if not len(far) or usual == 0:
         return []
     at = seen.time[far[0] + 1]
     return [
-        f"{label}: {len(far)} times the ball is suddenly {step[far].max():.3g} m away, first at t = {at:.6g} s; its usual step"
-        f" is {usual:.2g} m: are there rows in another unit, or was another thing tracked? mend or delete these rows"
+        f"{label}: the ball jumps {_times(len(far))}, by up to {step[far].max():.3g} m, first at t = {at:.6g} s; its usual step"
+        f" is {usual:.2g} m: are there rows in another unit, or was another object tracked? correct or delete these rows"
     ]
+
+
+def _times(count: int) -> str:
+    return "once" if count == 1 else f"{count} times"

@@ -1,4 +1,4 @@
-"""A track: where one ball was, frame by frame."""
+"""A track: the position of one ball in each frame of a film."""
 
 from __future__ import annotations
 
@@ -14,7 +14,16 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Track:
-    """One ball's places in time, SI. A sample that is missing is NaN."""
+    """Positions of one ball in time, SI; missing samples are NaN.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.tracks import Track
+    >>> track = Track("ball", time=np.array([0.0, 0.01, 0.02]), position=np.array([[0, 0], [0.01, 0], [np.nan, np.nan]]))
+    >>> len(track), track.seen
+    (3, array([ True,  True, False]))
+    """
 
     name: str
     time: Array
@@ -22,15 +31,15 @@ class Track:
     position: Array
     """(n, 2) or (n, 3) m; the second axis points up (seen from the side) or to the left of the first (from above)."""
     angle: Array | None = None
-    """(n,) rad, counter-clockwise, of a mark on the ball; whole turns are not told apart."""
+    """(n,) rad, counter-clockwise, of a mark on the ball; whole turns are not distinguished."""
     spin: Array | None = None
-    """(n,) rad/s, counter-clockwise, where the program measured it."""
+    """(n,) rad/s, counter-clockwise, if the program measured it."""
     group: str = ""
-    """Tracks of one group were filmed together: their balls can meet."""
+    """Tracks of one group were filmed together, so that their balls can meet."""
     notes: tuple[str, ...] = ()
-    """What was assumed and left out, for people."""
+    """What was assumed and left out."""
     moving_only: bool = field(default=False)
-    """Whether frames in which the ball lay still may be left out."""
+    """Whether frames in which the ball rested may be missing."""
 
     def __len__(self) -> int:
         """The number of samples."""
@@ -38,11 +47,11 @@ class Track:
 
     @property
     def seen(self) -> NDArray[np.bool_]:
-        """(n,): where the ball was found."""
+        """(n,): whether the ball was found."""
         return np.isfinite(self.time) & np.isfinite(self.position).all(axis=1)
 
-    def pick(self, which: NDArray[np.bool_] | NDArray[np.intp]) -> Track:
-        """Only those samples."""
+    def select(self, which: NDArray[np.bool_] | NDArray[np.intp]) -> Track:
+        """Return the track with only these samples, from a mask or indices."""
         return replace(
             self,
             time=self.time[which],

@@ -1,8 +1,7 @@
-"""The verdict on one printed equation, computed: what is printed against what follows.
+"""Compare a printed equation with what follows from its derivation, and compute the verdict.
 
-An `Entry` holds the relations as the paper prints them, and what has been derived (``facts``: values for the symbols
-that the printed relations use). `judge` puts the facts in and looks at what is left. Nothing here knows which
-equations are misprints.
+An `Entry` holds the relations as the paper prints them, and what has been derived (``facts``: values of the symbols in the printed
+relations). `judge` substitutes the facts and examines the difference. Which equations are misprints is not stated anywhere.
 """
 
 from __future__ import annotations
@@ -15,12 +14,12 @@ import sympy as sp
 
 from carom.derive.linear import Expr, is_zero, tidy
 
-__all__ = ["Branch", "Entry", "Step", "Verdict", "judge"]
+__all__ = ["Branch", "Entry", "EquationVerdict", "Step", "judge"]
 
 
 @dataclass(frozen=True)
 class Step:
-    """One line of a derivation: a sentence, and the expression or relation it arrives at (or None)."""
+    """One line of a derivation: a sentence, and the resulting expression or relation (or None)."""
 
     text: str
     result: Any = None
@@ -28,7 +27,7 @@ class Step:
 
 @dataclass(frozen=True)
 class Branch:
-    """A case: its name, and the values that the symbols of the printed relations have in it."""
+    """A case: its name, and the values of the symbols of the printed relations in it."""
 
     name: str
     facts: Mapping[Expr, Expr] = field(default_factory=dict)
@@ -38,17 +37,28 @@ class Branch:
 class Entry:
     """One equation or sentence of the paper.
 
-    Attributes:
-        id: "1" to "41", a part as "41e", an unnumbered one as "s4-1".
-        title: what it is.
-        printed: its relations, as printed.
-        derived: what follows instead or likewise, in the same symbols.
-        branches: cases that the paper's words admit; the printed relations should hold in each.
-        cases: narrower cases, tried where a branch fails; a name says the condition.
-        attitude: Euler angles at which the paper uses the equation; a pole there makes it conditional.
-        steps: the derivation.
-        note: explanation; figures in it are computed where the entry is made.
-        because: sentence for the condition, where the branches' names do not say enough.
+    Attributes
+    ----------
+    id : str
+        "1" to "41", a part as "41e", an unnumbered statement as "s4-1".
+    title : str
+        Its subject.
+    printed : tuple
+        Its relations, as printed.
+    derived : tuple
+        The derived relations, in the same symbols.
+    branches : tuple of Branch
+        Cases that the paper's wording admits; the printed relations should hold in each.
+    cases : tuple of Branch
+        Narrower cases, tried where a branch fails; the name states the condition.
+    attitude : mapping
+        Euler angles at which the paper uses the equation; a pole there makes it conditional.
+    steps : tuple of Step
+        The derivation.
+    note : str
+        Explanation; numbers in it are computed where the entry is made.
+    because : str
+        Sentence for the condition, where the branches' names do not suffice.
     """
 
     id: str
@@ -64,9 +74,8 @@ class Entry:
 
 
 @dataclass(frozen=True)
-class Verdict:
-    """Status ("holds", "conditional", "misprint"), the cases in which the printed form holds and fails, and what is
-    left."""
+class EquationVerdict:
+    """Status ("holds", "conditional", "misprint"), the cases in which the printed form holds and fails, and the difference."""
 
     status: str
     true_in: tuple[str, ...]
@@ -80,6 +89,7 @@ def _value(expr: Expr, facts: Mapping[Expr, Expr]) -> Expr:
 
 
 def shown(relation: Any) -> str:
+    """Return a relation as text."""
     if isinstance(relation, sp.Equality):
         return f"{relation.lhs} = {relation.rhs}"
     if isinstance(relation, sp.core.relational.Relational):
@@ -88,7 +98,7 @@ def shown(relation: Any) -> str:
 
 
 def true_of(relation: Any, facts: Mapping[Expr, Expr]) -> tuple[bool, str]:
-    """Whether a relation holds once the facts are put in, and what is left of it where it does not."""
+    """Return whether a relation holds with the facts substituted, and the difference where it does not."""
     left, right = _value(relation.lhs, facts), _value(relation.rhs, facts)
     if isinstance(relation, sp.Equality):
         if left == right or is_zero(left - right):
@@ -107,12 +117,12 @@ def true_of(relation: Any, facts: Mapping[Expr, Expr]) -> tuple[bool, str]:
 
 
 def says_nothing(relation: Any) -> bool:
-    """Whether an equation is true whatever its symbols mean (x = x)."""
+    """Return whether an equation is an identity (x = x)."""
     return isinstance(relation, sp.Equality) and (relation.lhs == relation.rhs or is_zero(relation.lhs - relation.rhs))
 
 
 def poles(relation: Any, facts: Mapping[Expr, Expr], attitude: Mapping[Expr, Expr]) -> list[str]:
-    """Sides of a relation that are infinite at ``attitude``, one angle after the other taken to its value."""
+    """Return the sides of a relation that are infinite at ``attitude``, taking the limits of the angles one after the other."""
     found = []
     for side in (relation.lhs, relation.rhs):
         value = side if any(sp.sympify(side).has(angle) for angle in attitude) else _value(side, facts)
@@ -124,8 +134,8 @@ def poles(relation: Any, facts: Mapping[Expr, Expr], attitude: Mapping[Expr, Exp
     return found
 
 
-def judge(entry: Entry) -> Verdict:
-    """Verdict on an entry, from its printed relations, its facts and its cases."""
+def judge(entry: Entry) -> EquationVerdict:
+    """Return the verdict on an entry, from its printed relations, its facts and its cases."""
     true_in, false_in, gaps = [], [], []
     for branch in entry.branches:
         outcomes = [true_of(r, branch.facts) for r in entry.printed]
@@ -137,20 +147,20 @@ def judge(entry: Entry) -> Verdict:
     idle = [shown(r) for r in entry.printed if says_nothing(r)]
     wanted = [r for r in entry.derived if not says_nothing(r)]
     if idle and len(idle) > len(entry.derived) - len(wanted):
-        return Verdict("misprint", (), tuple(false_in), "; ".join(idle), f"{'; '.join(idle)} says nothing")
+        return EquationVerdict("misprint", (), tuple(false_in), "; ".join(idle), f"{'; '.join(idle)} says nothing")
     if not false_in:
         infinite = [s for r in entry.printed for s in poles(r, entry.branches[0].facts, entry.attitude)]
         if infinite:
             where = ", ".join(f"{k} = {v}" for k, v in entry.attitude.items())
-            return Verdict(
+            return EquationVerdict(
                 "conditional", tuple(true_in), (), "", f"holds away from {where}, where {infinite[0]} is infinite"
             )
-        return Verdict("holds", tuple(true_in), (), "", "")
+        return EquationVerdict("holds", tuple(true_in), (), "", "")
     true_in += [c.name for c in entry.cases if all(true_of(r, c.facts)[0] for r in entry.printed)]
     gap = "; ".join(gaps)
     named_true, named_false = [n for n in true_in if n], [n for n in false_in if n]
     if true_in:
         sentence = f"holds {'; '.join(named_true)}" + (f"; not {'; '.join(named_false)}" if named_false else "")
-        return Verdict("conditional", tuple(true_in), tuple(false_in), gap, sentence)
+        return EquationVerdict("conditional", tuple(true_in), tuple(false_in), gap, sentence)
     right = "; ".join(shown(r) for r in entry.derived)
-    return Verdict("misprint", (), tuple(false_in), gap, f"right is {right}")
+    return EquationVerdict("misprint", (), tuple(false_in), gap, f"right is {right}")

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 from sympy.physics.mechanics import dynamicsymbols
 
-from carom.derive.contact import Contact
+from carom.derive.constraints import Contact
 from carom.derive.impulsive import ImpulsiveMotion
 from carom.derive.jump import Jump
 from carom.derive.linear import Expr, Matrix, tidy
@@ -44,18 +44,18 @@ PLACES = {THETA: theta, PHI: phi, PSI: psi}
 
 
 def eq(left: Expr, right: Expr) -> Any:
-    """An equation that stays as written."""
+    """Return an unevaluated equation."""
     return sp.Eq(left, right, evaluate=False)
 
 
 def flat(expr: Expr) -> Expr:
-    """Functions of time to the plain symbols of the printed equations."""
+    """Replace functions of time by the symbols of the printed equations."""
     return expr.xreplace(RATES).xreplace(PLACES)
 
 
 @cache
 def rotation() -> Matrix:
-    """Attitude of the ball: nutation theta, precession psi about the vertical, spin varphi about the body's axis."""
+    """Return the rotation matrix: nutation theta, precession psi about the vertical, spin varphi about the body's axis."""
 
     def about_z(q: Expr) -> Matrix:
         return sp.Matrix([[sp.cos(q), -sp.sin(q), 0], [sp.sin(q), sp.cos(q), 0], [0, 0, 1]])
@@ -66,14 +66,14 @@ def rotation() -> Matrix:
 
 @cache
 def spin() -> Matrix:
-    """Angular velocity in the fixed frame, from the rotation matrix: the skew part of R' R^T."""
+    """Return the angular velocity in the fixed frame, from the skew part of R' R^T."""
     turn = rotation()
     skew = (turn.diff(TIME) * turn.T).applyfunc(lambda w: sp.expand(flat(w)))
     return sp.Matrix([tidy(skew[2, 1]), tidy(skew[0, 2]), tidy(skew[1, 0])])
 
 
 def point_velocity(arm: tuple[Expr, Expr, Expr]) -> Matrix:
-    """Velocity of the ball's material point now at ``arm`` from the centre: d/dt (C + R s), s fixed in the body."""
+    """Return the velocity of the material point at ``arm`` from the centre: d/dt (C + R s), s fixed in the body."""
     turn = rotation()
     fixed = sp.symbols("s_1:4")
     moved = (turn.diff(TIME) * sp.Matrix(fixed)).xreplace(dict(zip(fixed, turn.T * sp.Matrix(arm), strict=True)))
@@ -82,14 +82,14 @@ def point_velocity(arm: tuple[Expr, Expr, Expr]) -> Matrix:
 
 @cache
 def rolling() -> dict[Expr, Expr]:
-    """x', y', z' that leave the ball's lowest point A at rest."""
+    """Return x', y', z' for which the ball's lowest point A is at rest."""
     found: dict[Expr, Expr] = sp.solve(list(point_velocity((0, 0, -a))), [dx, dy, dz], dict=True)[0]
     return found
 
 
 @cache
 def angle_energy() -> Expr:
-    """Kinetic energy in Euler rates and the centre's velocity."""
+    """Return the kinetic energy in Euler rates and the centre's velocity."""
     w = spin()
     return m * (dx**2 + dy**2 + dz**2) / 2 + tidy(I * (w.T * w)[0] / 2)
 
@@ -103,25 +103,25 @@ def _angles(**more: Any) -> ImpulsiveMotion:
 
 @cache
 def wall_rows() -> dict[str, Expr]:
-    """V_B = 0, the constraints (4), in Euler rates."""
+    """Return V_B = 0, the constraints (4), in Euler rates."""
     return dict(zip(("wall x", "wall y", "wall z"), point_velocity((-a, 0, 0)), strict=True))
 
 
 @cache
 def floor_rows() -> dict[str, Expr]:
-    """V_A = 0, the constraints (2), in Euler rates."""
+    """Return V_A = 0, the constraints (2), in Euler rates."""
     return dict(zip(("floor x", "floor y", "floor z"), point_velocity((0, 0, -a)), strict=True))
 
 
 @cache
 def both_contacts() -> ImpulsiveMotion:
-    """Section 2 in Euler angles, at any attitude: rolling on the floor, and V_B = 0 for the instant."""
+    """Return section 2 in Euler angles, at any attitude: rolling on the floor, and V_B = 0 for the instant."""
     return _angles(nonhol_coneqs=floor_rows(), instant=wall_rows())
 
 
 @cache
 def freedom() -> dict[Expr, Expr]:
-    """Rates of the one motion that both contacts allow, for varphi' = 1; from the null space of all six rows."""
+    """Return the rates of the only motion that both contacts allow, for varphi' = 1, from the null space of all six rows."""
     column = both_contacts().virtual_displacements([PHI.diff(TIME)])
     rates = dict(zip((dx, dy, dz, dtheta, dphi, dpsi), column, strict=True))
     return {k: tidy(flat(v)) for k, v in rates.items()}
@@ -158,13 +158,13 @@ WALL = {"wall x": dx, "wall y": dy - a * wz, "wall z": dz + a * wy}
 
 
 def wall_contact(**surface: Any) -> Contact:
-    """B as a contact."""
+    """Return B as a contact."""
     return Contact("B", WALL["wall x"], (WALL["wall y"], WALL["wall z"]), **surface)
 
 
 @cache
 def conventional() -> ImpulsiveMotion:
-    """Section 2 in velocity and spin: both contacts act, the floor's afterwards too."""
+    """Return section 2 in velocity and spin: both contacts act, the floor's also afterwards."""
     return _spins(nonhol_coneqs=FLOOR, instant=WALL)
 
 
@@ -172,7 +172,7 @@ def conventional() -> ImpulsiveMotion:
 def first_impact(
     hypothesis: str = "newton", tangential: Expr = sp.S.Zero, rolls: bool = True
 ) -> tuple[ImpulsiveMotion, Jump]:
-    """Section 3.2: the wall alone acts on a ball that rolled (or on any ball)."""
+    """Return section 3.2: the wall alone acts on a ball that rolled (or on any ball)."""
     contact = wall_contact(restitution=e, tangential_restitution=tangential, hypothesis=hypothesis)
     motion = _spins(contacts=[contact], before=FLOOR if rolls else {})
     return motion, motion.solve()
@@ -180,15 +180,14 @@ def first_impact(
 
 @cache
 def sliding_impact() -> tuple[ImpulsiveMotion, Jump]:
-    """The first impact outside the friction cone: B slides throughout."""
+    """Return the first impact outside the friction cone: B slides throughout."""
     motion = _spins(contacts=[wall_contact(restitution=e, friction=mu)], before=FLOOR)
     return motion, motion.solve(modes="slide")
 
 
 @cache
 def second_impact() -> tuple[ImpulsiveMotion, Jump]:
-    """Section 3.3: a ball in the air meets the floor, and V_A = 0 from then on; before (0) and after (1) in its own
-    count."""
+    """Return section 3.3: a ball in the air meets the floor, and V_A = 0 from then on; 0 and 1 mean before and after it."""
     motion = _spins(imposed=FLOOR)
     return motion, motion.solve()
 
@@ -199,13 +198,13 @@ SECOND = (x2, y2, z2, wx2, wy2, wz2)
 
 
 def after(jump: Jump, symbols: tuple[Expr, ...]) -> dict[Expr, Expr]:
-    """The speeds afterwards as facts for the given symbols."""
+    """Return the speeds afterwards as facts for the given symbols."""
     return dict(zip(symbols, jump.after.values(), strict=True))
 
 
 @cache
 def first_facts() -> dict[Expr, Expr]:
-    """Everything just after the first impact, with the impulses and the pre-impact rolling put in."""
+    """Return the state just after the first impact, its impulses, and the relations of rolling before it."""
     motion, jump = first_impact()
     facts = after(jump, FIRST)
     facts |= {Rx: jump.impulses["B.n"], Ry: jump.impulses["B.t1"], Rz: jump.impulses["B.t2"]}
@@ -214,7 +213,7 @@ def first_facts() -> dict[Expr, Expr]:
 
 @cache
 def second_facts() -> dict[Expr, Expr]:
-    """Speeds after the second impact in those before it (1), for any state that lands."""
+    """Return the speeds after the second impact in terms of those before it (1), for any state that lands."""
     _, jump = second_impact()
     renamed = dict(zip(BEFORE, FIRST, strict=True))
     return {k: tidy(v.xreplace(renamed)) for k, v in after(jump, SECOND).items()}
@@ -222,7 +221,7 @@ def second_facts() -> dict[Expr, Expr]:
 
 @cache
 def example_facts() -> dict[Expr, Expr]:
-    """Section 4: (-u0, v0, 0) without side spin, e = 1, a solid ball; both impacts."""
+    """Return both impacts of section 4: (-u0, v0, 0) without side spin, e = 1, a solid ball."""
     given = {x0: -u0, y0: v0, wz0: sp.S.Zero, e: sp.S.One, I: SOLID}
     first = {k: tidy(v.subs(given)) for k, v in first_facts().items()}
     second = {k: tidy(v.subs(first).subs(given)) for k, v in second_facts().items()}
@@ -231,7 +230,7 @@ def example_facts() -> dict[Expr, Expr]:
 
 @cache
 def conventional_roots() -> tuple[tuple[str, dict[Expr, Expr], Jump], ...]:
-    """The roots of (17) with hypotheses 1 to 3, e = 1: name, facts, jump."""
+    """Return the roots of (17) with hypotheses 1 to 3, e = 1: name, facts, jump."""
     motion = conventional()
     energy = eq(motion.energy(motion.u1), motion.energy(motion.u0))
     found = []
@@ -248,5 +247,5 @@ def conventional_roots() -> tuple[tuple[str, dict[Expr, Expr], Jump], ...]:
 
 
 def reversed_root() -> dict[Expr, Expr]:
-    """The conventional answer that the paper gives."""
+    """Return the conventional solution that the paper gives."""
     return next(facts for name, facts, _ in conventional_roots() if "reverses" in name)

@@ -1,4 +1,4 @@
-"""The whole paper in order, as records for JSON and as a LaTeX document."""
+"""All equations of the paper in order, as records for JSON and as a LaTeX document."""
 
 from __future__ import annotations
 
@@ -10,12 +10,12 @@ from typing import Any
 import sympy as sp
 
 from carom.derive.paper import section2, section2_impact, section3, section3_floor, section4
-from carom.derive.paper.ledger import Entry, Verdict, judge, shown
+from carom.derive.paper.ledger import Entry, EquationVerdict, judge, shown
 from carom.errors import CaromError
 
 __all__ = ["STAGES", "as_record", "as_tex", "derive_paper", "find_entries"]
 
-# What is derived in one go: its name for progress, how, the numbers and the section of the unnumbered statements it holds
+# Stages of the derivation: name, function, equation numbers, section of the unnumbered statements
 STAGES: tuple[tuple[str, Callable[[], list[Entry]], range, int], ...] = (
     ("kinematics (1)-(4)", section2.kinematics, range(1, 5), 2),
     ("integrals (5)-(11)", section2.integration, range(5, 12), 2),
@@ -34,7 +34,7 @@ STAGES: tuple[tuple[str, Callable[[], list[Entry]], range, int], ...] = (
 
 
 def order(name: str) -> tuple[int, int, str]:
-    """Numbers first, in order, each followed by its parts; then unnumbered statements by section and count."""
+    """Return a sort key: numbered equations first, each followed by its parts; then statements by section and count."""
     plain = re.fullmatch(r"(\d+)([a-z]?)", name)
     if plain:
         return 0, int(plain[1]), plain[2]
@@ -48,13 +48,12 @@ def order(name: str) -> tuple[int, int, str]:
 
 @cache
 def entries_of(stage: int) -> tuple[Entry, ...]:
-    """The entries of one stage, derived once."""
+    """Return the entries of one stage, derived once."""
     return tuple(STAGES[stage][1]())
 
 
-def derive_paper(progress: Callable[[str, int, int], None] | None = None) -> Iterator[tuple[Entry, Verdict]]:
-    """Every entry of the paper with its verdict, in the order derived; ``progress`` hears of each stage (name, done,
-    all)."""
+def derive_paper(progress: Callable[[str, int, int], None] | None = None) -> Iterator[tuple[Entry, EquationVerdict]]:
+    """Yield every entry of the paper with its verdict; ``progress`` is called with (name, done, all) at each stage."""
     for i, (name, _, _, _) in enumerate(STAGES):
         if progress:
             progress(name, i, len(STAGES))
@@ -64,8 +63,10 @@ def derive_paper(progress: Callable[[str, int, int], None] | None = None) -> Ite
         progress("done", len(STAGES), len(STAGES))
 
 
-def find_entries(wanted: str, progress: Callable[[str, int, int], None] | None = None) -> list[tuple[Entry, Verdict]]:
-    """One equation (with its parts) or one statement; derives only what it needs.
+def find_entries(
+    wanted: str, progress: Callable[[str, int, int], None] | None = None
+) -> list[tuple[Entry, EquationVerdict]]:
+    """Return one equation (with its parts) or one statement; only its stage is derived.
 
     Raises CaromError for a name that the paper does not have.
     """
@@ -85,8 +86,8 @@ def find_entries(wanted: str, progress: Callable[[str, int, int], None] | None =
     )
 
 
-def as_record(entry: Entry, verdict: Verdict) -> dict[str, str]:
-    """An entry as `carom derive --json` gives it."""
+def as_record(entry: Entry, verdict: EquationVerdict) -> dict[str, str]:
+    """Return an entry as `carom derive --json` prints it."""
     said = [part for part in (verdict.sentence, entry.note) if part]
     return {
         "id": entry.id,
@@ -150,7 +151,7 @@ def maths(thing: Any) -> str:
     return "\\[" + inner + "\\]\n"
 
 
-def as_tex(rows: Sequence[tuple[Entry, Verdict]], steps: bool = True) -> str:
+def as_tex(rows: Sequence[tuple[Entry, EquationVerdict]], steps: bool = True) -> str:
     """A LaTeX document with the printed form, the derived form, the steps and the verdict of each entry."""
     lines = [_HEAD]
     for entry, verdict in sorted(rows, key=lambda row: order(row[0].id)):

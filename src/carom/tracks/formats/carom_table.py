@@ -1,4 +1,4 @@
-"""Carom tables that record their games: JSON, places as shares of the table's sides, times in steps of 0.5 ms."""
+"""Carom tables that record their games: JSON, positions as fractions of the table's sides, times in steps of 0.5 ms."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from carom.errors import CaromError
-from carom.tracks.formats.sheet import Given
+from carom.tracks.formats.text_table import Calibration
 from carom.tracks.track import Track
 
 __all__ = ["matches", "read"]
@@ -18,12 +18,12 @@ TICK = 5e-4
 
 
 def matches(text: str) -> bool:
-    """Its one key."""
+    """Return whether the text is JSON with the key PathTracking."""
     return text.lstrip()[:1] == "{" and '"PathTracking"' in text[:2000]
 
 
-def read(name: str, text: str, given: Given) -> list[Track]:
-    """One track a ball. Times count from the start, or from row to row where they do not grow throughout."""
+def read(name: str, text: str, calibration: Calibration) -> list[Track]:
+    """Read one track per ball. Times count from the start, or from row to row if they do not increase throughout."""
     try:
         found = json.loads(text)["PathTracking"]
         size = np.array([float(found["TableWidth"]), float(found["TableHeight"])]) / 1000
@@ -46,16 +46,16 @@ def read(name: str, text: str, given: Given) -> list[Track]:
                 f"{name}: {PROGRAM}: DataSets[{number}]: expected Coords with DeltaT_500us, X and Y, missing: {error}"
             )
             continue
-        tracks.append(_track(one.get("BallColor", number + 1), rows, size, given))
+        tracks.append(_track(one.get("BallColor", number + 1), rows, size, calibration))
     if faults:
         raise CaromError(*faults)
     return tracks
 
 
-def _track(color: Any, rows: np.ndarray, size: np.ndarray, given: Given) -> Track:
+def _track(color: Any, rows: np.ndarray, size: np.ndarray, calibration: Calibration) -> Track:
     ticks = rows[:, 0]
     time = TICK * (ticks if (np.diff(ticks) > 0).all() else np.cumsum(ticks))
     place = rows[:, 1:] * size
-    if given.down:
+    if calibration.down:
         place[:, 1] *= -1
     return Track(f"ball {color}", time, place, moving_only=True)

@@ -1,4 +1,4 @@
-"""Plain tables with named columns and units: t, x, y, and who it was (shot, ball), one row a frame and ball."""
+"""Plain tables with named columns and units: t, x, y, and identifiers (shot, ball); one row per frame and ball."""
 
 from __future__ import annotations
 
@@ -9,16 +9,15 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.checks import nearest
-from carom.errors import CaromError
-from carom.tables.units import Heading, Words
-from carom.tracks.formats.sheet import Given, Sheet, ask, sheet
+from carom.data.headers import ColumnNames, Heading
+from carom.errors import CaromError, suggestion
+from carom.tracks.formats.text_table import Calibration, TextTable, require_calibration, split_rows
 from carom.tracks.track import Track
 
 __all__ = ["matches", "read"]
 
 PROGRAM = "columns"
-WORDS = Words({
+NAMED = ColumnNames({
     "time": ("time", ("t", "seconds")),
     "x": ("length", ("x_long", "pos_x", "position_x")),
     "y": ("length", ("y_short", "pos_y", "position_y")),
@@ -32,20 +31,20 @@ PIXELS = re.compile(r"^(x|y)\s*[\[(_ ]?\s*(px|pix|pixels?)\s*[\])]?$", re.IGNORE
 
 
 def matches(text: str) -> bool:
-    """Columns for x and y in the first row."""
-    rows = sheet("", text[:4000]).rows[:1]
+    """Return whether the first row has columns x and y."""
+    rows = split_rows("", text[:4000]).rows[:1]
     return bool(rows) and {"x", "y"} <= set(_meanings(rows[0])[0])
 
 
 def _meanings(header: list[str]) -> tuple[dict[str, tuple[int, Heading | None]], dict[str, int], list[str]]:
-    """Quantity to column and heading (None: pixels); identifiers to columns; headers with units that nobody knows."""
+    """Return quantity -> column and heading (None: pixels), identifier -> column, and faults of headers with unknown units."""
     found: dict[str, tuple[int, Heading | None]] = {}
     who: dict[str, int] = {}
     unknown = []
     for i, cell in enumerate(header):
         text = cell.strip().lower()
         pixels = PIXELS.match(text)
-        meaning = None if pixels else WORDS.heading(cell)
+        meaning = None if pixels else NAMED.parse(cell)
         if pixels:
             found.setdefault(pixels[1], (i, None))
         elif text in GROUPS:
@@ -59,9 +58,9 @@ def _meanings(header: list[str]) -> tuple[dict[str, tuple[int, Heading | None]],
     return found, who, unknown
 
 
-def read(name: str, text: str, given: Given) -> list[Track]:
-    """Tracks by group and name; a z column makes them tracks in space."""
-    table = sheet(name, text)
+def read(name: str, text: str, calibration: Calibration) -> list[Track]:
+    """Read tracks by group and name; with a z column they have three coordinates."""
+    table = split_rows(name, text)
     if not table.rows:
         raise CaromError(f"{name}: expected a header and rows, got an empty file")
     header = table.rows[0]
@@ -69,47 +68,49 @@ def read(name: str, text: str, given: Given) -> list[Track]:
     table.faults += [f"{name}: {fault}" for fault in unknown]
     for axis in "xy":
         if axis not in found:
-            near = nearest(axis, [cell.strip() for cell in header if cell.strip()])
+            near = suggestion(axis, [cell.strip() for cell in header if cell.strip()])
             table.faults.append(
                 f"{name}: expected a column {axis} (with its unit, as in '{axis} [mm]'), got none; {near}"
             )
     if "time" not in found and "frame" not in found:
         table.faults.append(f"{name}: expected a column t (as in 't [s]') or frame, got none")
-    table.done()
+    table.raise_faults()
     pixels = found["x"][1] is None or found["y"][1] is None
-    ask(
-        name, PROGRAM, given, scale="since its places are pixels" if pixels else None,
-        rate="since it has frames and no time" if "time" not in found else None,
+    require_calibration(
+        name, PROGRAM, calibration, scale="since its positions are in pixels" if pixels else None,
+        rate="since it has frame numbers but no times" if "time" not in found else None,
     )  # fmt: skip
-    sizes = {axis: _units(table, found[axis], given) for axis in "xyz" if axis in found}
+    sizes = {axis: _units(table, found[axis], calibration) for axis in "xyz" if axis in found}
     place = np.stack(list(sizes.values()), axis=-1)
-    down = given.down if given.down is not None else pixels
+    down = calibration.down if calibration.down is not None else pixels
     if down:
         place[:, 1] *= -1
     time = (
-        _units(table, found["time"], given)
+        _units(table, found["time"], calibration)
         if "time" in found
-        else _units(table, found["frame"], given) / (given.rate or 1.0)
+        else _units(table, found["frame"], calibration) / (calibration.rate or 1.0)
     )
     more: dict[str, NDArray[np.float64]] = {
-        key: _units(table, found[key], given) for key in ("angle", "spin") if key in found
+        key: _units(table, found[key], calibration) for key in ("angle", "spin") if key in found
     }
-    table.done()
-    notes = _notes(header, found, given)
+    table.raise_faults()
+    notes = _notes(header, found, calibration)
     labels = {key: [row[i].strip() if i < len(row) else "" for row in table.rows[1:]] for key, i in who.items()}
     return _split(time, place, more, labels, notes)
 
 
-def _units(table: Sheet, column: tuple[int, Heading | None], given: Given) -> NDArray[np.float64]:
+def _units(table: TextTable, column: tuple[int, Heading | None], calibration: Calibration) -> NDArray[np.float64]:
     i, meaning = column
     values = table.column(i, 1, table.rows[0][i].strip())
-    if meaning is None or (meaning.dimension == "length" and given.scale is not None):
-        return values * (given.scale or 1.0)
+    if meaning is None or (meaning.dimension == "length" and calibration.scale is not None):
+        return values * (calibration.scale or 1.0)
     to_si: Callable[[NDArray[np.float64]], NDArray[np.float64]] = meaning.unit.to_si if meaning.unit else (lambda x: x)
     return np.asarray(to_si(values))
 
 
-def _notes(header: list[str], found: dict[str, tuple[int, Heading | None]], given: Given) -> tuple[str, ...]:
+def _notes(
+    header: list[str], found: dict[str, tuple[int, Heading | None]], calibration: Calibration
+) -> tuple[str, ...]:
     lengths = ("length", "time")
     bare = [
         header[i].strip()
@@ -117,7 +118,7 @@ def _notes(header: list[str], found: dict[str, tuple[int, Heading | None]], give
         if meaning is not None and meaning.style == "plain" and meaning.dimension in lengths
     ]
     notes = []
-    if given.scale is not None:
+    if calibration.scale is not None:
         bare = [cell for cell in bare if cell.lower() in ("t", "time")]
         said = [
             header[i].strip()
@@ -126,8 +127,8 @@ def _notes(header: list[str], found: dict[str, tuple[int, Heading | None]], give
         ]
         if said:
             notes.append(f"--scale overrules the unit in {', '.join(map(repr, said))}")
-    if given.rate is not None and "time" in found:
-        notes.append("--rate has no say: the file has times (a column of frames would use it)")
+    if calibration.rate is not None and "time" in found:
+        notes.append("--rate is not used: the file has times (it is for a column of frames)")
     if bare:
         notes.append(f"no unit in {', '.join(map(repr, bare))}: taken as m and s")
     return tuple(notes)
@@ -137,7 +138,7 @@ def _split(
     time: NDArray[np.float64], place: NDArray[np.float64], more: dict[str, NDArray[np.float64]],
     labels: dict[str, list[str]], notes: tuple[str, ...],
 ) -> list[Track]:  # fmt: skip
-    """One track a group and name, in the order in which they come."""
+    """Split rows into tracks by group and name, in the order of their first rows."""
     groups, names = labels.get("group"), labels.get("name")
     if groups is None and names is None:
         return [Track("ball", time, place, more.get("angle"), more.get("spin"), notes=notes)]
@@ -149,6 +150,6 @@ def _split(
     whole = Track("", time, place, more.get("angle"), more.get("spin"), notes=notes)
     tracks = []
     for (group, label), (low, high) in zip(order, pairwise(edges.tolist()), strict=True):
-        part = whole.pick(rows[low:high])
+        part = whole.select(rows[low:high])
         tracks.append(Track(label, part.time, part.position, part.angle, part.spin, group, notes))
     return tracks

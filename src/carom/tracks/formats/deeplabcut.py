@@ -1,10 +1,10 @@
-"""DeepLabCut: three header rows (scorer, bodyparts, coords; four with individuals), pixels, a likelihood for each place."""
+"""DeepLabCut: three header rows (scorer, bodyparts, coords; four with individuals), pixels, a likelihood for each position."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from carom.tracks.formats.sheet import Given, ask, sheet
+from carom.tracks.formats.text_table import Calibration, require_calibration, split_rows
 from carom.tracks.track import Track
 
 __all__ = ["matches", "read"]
@@ -13,14 +13,20 @@ PROGRAM = "DeepLabCut"
 
 
 def matches(text: str) -> bool:
-    """Its first cell."""
+    """Return whether the first cell is ``scorer``."""
     return text.lstrip()[:7].lower() == "scorer,"
 
 
-def read(name: str, text: str, given: Given) -> list[Track]:
-    """One track a body part; a place that the network itself does not believe is missing."""
-    ask(name, PROGRAM, given, scale="since its places are pixels", rate="since it has frames and no time")
-    table = sheet(name, text, ",")
+def read(name: str, text: str, calibration: Calibration) -> list[Track]:
+    """Read one track per body part; positions with a low likelihood are missing."""
+    require_calibration(
+        name,
+        PROGRAM,
+        calibration,
+        scale="since its positions are in pixels",
+        rate="since it has frame numbers but no times",
+    )
+    table = split_rows(name, text, ",")
     titles: dict[str, list[str]] = {}
     first = 0
     while first < len(table.rows) and table.rows[first][0].strip() in ("scorer", "individuals", "bodyparts", "coords"):
@@ -30,13 +36,13 @@ def read(name: str, text: str, given: Given) -> list[Track]:
         table.faults.append(
             f"{name}: {PROGRAM}: expected rows bodyparts and coords under scorer, got {', '.join(titles)}"
         )
-        table.done()
+        table.raise_faults()
     parts: dict[str, dict[str, int]] = {}
     for i in range(1, len(titles["coords"])):
         label = " ".join(titles[row][i] for row in ("individuals", "bodyparts") if row in titles)
         parts.setdefault(label, {})[titles["coords"][i]] = i
     frame = table.column(0, first, "frame")
-    sign = np.array([1.0, -1.0 if given.down in (None, True) else 1.0])
+    sign = np.array([1.0, -1.0 if calibration.down in (None, True) else 1.0])
     tracks = []
     for label, columns in parts.items():
         if not {"x", "y"} <= set(columns):
@@ -45,13 +51,17 @@ def read(name: str, text: str, given: Given) -> list[Track]:
         place = np.stack([table.column(columns[axis], first, f"{label} {axis}") for axis in "xy"], axis=-1)
         notes: tuple[str, ...] = ()
         if "likelihood" in columns:
-            doubtful = ~(table.column(columns["likelihood"], first, f"{label} likelihood") >= given.likelihood)
+            doubtful = ~(table.column(columns["likelihood"], first, f"{label} likelihood") >= calibration.likelihood)
             place[doubtful] = np.nan
             notes = (
-                (f"{label}: {doubtful.sum():,} places with a likelihood below {given.likelihood:g} left out",)
+                (
+                    f"{label}: {doubtful.sum():,} positions with a likelihood below {calibration.likelihood:g} were left out",
+                )
                 if doubtful.any()
                 else ()
             )
-        tracks.append(Track(label, frame / (given.rate or 1.0), place * sign * (given.scale or 1.0), notes=notes))
-    table.done()
+        tracks.append(
+            Track(label, frame / (calibration.rate or 1.0), place * sign * (calibration.scale or 1.0), notes=notes)
+        )
+    table.raise_faults()
     return tracks

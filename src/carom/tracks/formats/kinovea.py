@@ -1,4 +1,4 @@
-"""Kinovea: a CSV file of several points, or the older text export of trajectories; it does not say the unit of length."""
+"""Kinovea: a CSV file of several points, or the older text export of trajectories; neither states the unit of length."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import re
 import numpy as np
 
 from carom.errors import CaromError
-from carom.tracks.formats.sheet import Given, ask, numbers, sheet
+from carom.tracks.formats.text_table import Calibration, numbers, require_calibration, split_rows
 from carom.tracks.track import Track
 
 __all__ = ["matches", "read"]
@@ -18,21 +18,21 @@ COLUMN = re.compile(r"^(.*)/([XY])$", re.IGNORECASE)
 
 
 def matches(text: str) -> bool:
-    """Its own first line, or columns called Name/0/X."""
+    """Return whether the text begins with #Kinovea, or has columns such as Name/0/X."""
     if text.lstrip().startswith("#Kinovea"):
         return True
-    cells = sheet("", text[:4000]).rows[:1]
+    cells = split_rows("", text[:4000]).rows[:1]
     return bool(cells) and any(COLUMN.match(cell.strip()) for cell in cells[0])
 
 
-def read(name: str, text: str, given: Given) -> list[Track]:
-    """Tracks of a file; times in seconds."""
-    ask(name, PROGRAM, given, scale=WHY)
-    scale = given.scale or 1.0
-    flip = np.array([1.0, -1.0 if given.down else 1.0])
+def read(name: str, text: str, calibration: Calibration) -> list[Track]:
+    """Read the tracks of a file; times are in seconds."""
+    require_calibration(name, PROGRAM, calibration, scale=WHY)
+    scale = calibration.scale or 1.0
+    flip = np.array([1.0, -1.0 if calibration.down else 1.0])
     if text.lstrip().startswith("#Kinovea"):
         return _trajectories(name, text, scale * flip)
-    table = sheet(name, text)
+    table = split_rows(name, text)
     header = [cell.strip() for cell in table.rows[0]]
     clock = next((i for i, cell in enumerate(header) if cell.lower().startswith("time")), None)
     if clock is None:
@@ -49,12 +49,12 @@ def read(name: str, text: str, given: Given) -> list[Track]:
             continue
         position = np.stack([table.column(columns[axis], 1, f"{point}/{axis}") for axis in "XY"], axis=-1)
         tracks.append(Track(point.removesuffix("/0"), time, position * scale * flip))
-    table.done()
+    table.raise_faults()
     return tracks
 
 
 def _trajectories(name: str, text: str, scale: np.ndarray) -> list[Track]:
-    """Blocks of rows "T X Y", each after a line with its label."""
+    """Read blocks of rows "T X Y", each after a line with its label."""
     faults: list[str] = []
     blocks: list[tuple[str, list[tuple[int, list[str]]]]] = []
     for number, line in enumerate(text.splitlines(), 1):

@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from carom.errors import CaromError
-from carom.tracks.formats.sheet import Given, Sheet, ask, sheet
+from carom.tracks.formats.text_table import Calibration, TextTable, require_calibration, split_rows
 from carom.tracks.track import Track
 
 __all__ = ["matches", "read"]
@@ -16,21 +16,21 @@ PROGRAM = "Tracker"
 
 
 def matches(text: str) -> bool:
-    """A ``#multi:`` line, or a line with a track's name alone before the header t, x, y."""
+    """Return whether the text has a ``#multi:`` line, or a line with only a track's name before the header t, x, y."""
     if text.lstrip().lower().startswith("#multi"):
         return True
-    rows = sheet("", text[:4000]).rows[:2]
+    rows = split_rows("", text[:4000]).rows[:2]
     if len(rows) < 2:
         return False
     names = {cell.strip().lower() for cell in rows[1]}
     return sum(bool(cell.strip()) for cell in rows[0]) == 1 and "t" in names and bool({"x", "pixelx"} & names)
 
 
-def read(name: str, text: str, given: Given) -> list[Track]:
-    """Tracks of a file. Columns other than t, x, y (or pixelx, pixely, with a scale) are left out."""
+def read(name: str, text: str, calibration: Calibration) -> list[Track]:
+    """Read the tracks of a file. Columns other than t, x, y (or pixelx, pixely, with a scale) are ignored."""
     lines = text.lstrip().splitlines()
     multi = lines[0].lower().startswith("#multi")
-    table = sheet(name, "\n".join(lines[1:] if multi else lines))
+    table = split_rows(name, "\n".join(lines[1:] if multi else lines))
     table.lines = [n + multi for n in table.lines]
     if len(table.rows) < 3:
         raise CaromError(f"{name}: {PROGRAM}: expected a row of names, a header and rows, got {len(table.rows)} rows")
@@ -44,12 +44,12 @@ def read(name: str, text: str, given: Given) -> list[Track]:
     tracks = []
     for start, end in zip(starts, [*starts[1:], len(header)], strict=True):
         title = titles[start].strip() or PROGRAM
-        tracks.append(_one(table, title, time, {header[i]: i for i in reversed(range(start, end))}, given))
-    table.done()
+        tracks.append(_one(table, title, time, {header[i]: i for i in reversed(range(start, end))}, calibration))
+    table.raise_faults()
     return tracks
 
 
-def _one(table: Sheet, title: str, time: np.ndarray, columns: dict[str, int], given: Given) -> Track:
+def _one(table: TextTable, title: str, time: np.ndarray, columns: dict[str, int], calibration: Calibration) -> Track:
     pixels = not {"x", "y"} <= set(columns)
     names = ("pixelx", "pixely") if pixels else ("x", "y")
     if not set(names) <= set(columns):
@@ -57,12 +57,13 @@ def _one(table: Sheet, title: str, time: np.ndarray, columns: dict[str, int], gi
             f"{table.name}: {PROGRAM}: track {title!r}: expected columns x and y, got {', '.join(columns)}"
         )
     if pixels:
-        ask(table.name, PROGRAM, given, scale="since the track has pixels only")
+        require_calibration(table.name, PROGRAM, calibration, scale="since the track is in pixels")
     x, y = (table.column(columns[one], 2, one) for one in names)
-    scale = given.scale if given.scale is not None else 1.0
-    down = given.down if given.down is not None else pixels
+    scale = calibration.scale if calibration.scale is not None else 1.0
+    down = calibration.down if calibration.down is not None else pixels
     position = scale * np.stack([x, -y if down else y], axis=-1)
     # another track's frames
     return replace(
-        Track(title, time, position), notes=() if given.scale else ("lengths as Tracker has them: taken as m",)
+        Track(title, time, position),
+        notes=() if calibration.scale else ("lengths in the units of Tracker: taken as m",),
     )

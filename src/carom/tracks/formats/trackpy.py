@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from carom.tracks.formats.sheet import Given, ask, sheet
+from carom.tracks.formats.text_table import Calibration, require_calibration, split_rows
 from carom.tracks.track import Track
 
 __all__ = ["matches", "read"]
@@ -15,24 +15,30 @@ PROGRAM = "trackpy"
 
 
 def matches(text: str) -> bool:
-    """Columns x, y and frame, and one that only trackpy has."""
-    rows = sheet("", text[:4000]).rows[:1]
+    """Return whether there are columns x, y, frame, and one that only trackpy has."""
+    rows = split_rows("", text[:4000]).rows[:1]
     names = {cell.strip() for cell in rows[0]} if rows else set()
     return {"x", "y", "frame"} <= names and bool({"particle", "mass", "ecc", "raw_mass", "signal"} & names)
 
 
-def read(name: str, text: str, given: Given) -> list[Track]:
-    """One track a particle."""
-    ask(name, PROGRAM, given, scale="since its places are pixels", rate="since it has frames and no time")
-    table = sheet(name, text)
+def read(name: str, text: str, calibration: Calibration) -> list[Track]:
+    """Read one track per particle."""
+    require_calibration(
+        name,
+        PROGRAM,
+        calibration,
+        scale="since its positions are in pixels",
+        rate="since it has frame numbers but no times",
+    )
+    table = split_rows(name, text)
     header = [cell.strip() for cell in table.rows[0]]
     x, y, frame = (table.column(header.index(one), 1, one) for one in ("x", "y", "frame"))
     particle = table.column(header.index("particle"), 1, "particle") if "particle" in header else np.zeros(len(x))
-    table.done()
+    table.raise_faults()
     order = np.lexsort((frame, particle))
     edges = np.flatnonzero(np.diff(particle[order], prepend=np.nan, append=np.nan) != 0)
-    sign = -1.0 if given.down in (None, True) else 1.0
-    scale, rate = given.scale or 1.0, given.rate or 1.0
+    sign = -1.0 if calibration.down in (None, True) else 1.0
+    scale, rate = calibration.scale or 1.0, calibration.rate or 1.0
     tracks = []
     for low, high in pairwise(edges.tolist()):
         rows = order[low:high]

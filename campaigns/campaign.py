@@ -1,0 +1,148 @@
+"""Shared by all campaigns: the command line, runs that are kept, shares with their counting errors, and where results are written.
+
+A campaign counts something that takes minutes to hours: how often error bars hold the truth, how often verdicts are right, how far
+a gas drifts. ``python campaigns/NAME.py`` runs one, ``python campaigns`` (or ``make campaigns``) all. A complete run writes what
+it printed into docs/campaigns.md, with date, commit and time taken; the tests run each with ``--small``.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import subprocess
+import sys
+import time
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
+from datetime import UTC, datetime
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from rich.console import Console
+from rich.progress import track
+
+Row = dict[str, Any]
+SHARES = (0.6827, 0.95)
+ROOT = Path(__file__).parents[1]
+RESULTS = ROOT / "docs" / "campaigns.md"
+# (bits.py compares with a record that somebody made before a change)
+NAMES = sorted(path.stem for path in Path(__file__).parent.glob("[a-z]*.py") if path.stem not in ("campaign", "bits"))
+
+# Made-up data come from the tests' own helpers.
+if str(ROOT / "tests") not in sys.path:
+    sys.path.insert(0, str(ROOT / "tests"))
+
+
+class Campaign:
+    """The arguments of a campaign, and the lines that it has printed."""
+
+    def __init__(self, given: argparse.Namespace, count: int) -> None:
+        self.given = given
+        self.count = count
+        self.small: bool = given.small
+        self.rows = Rows(given.rows)
+        self.lines: list[str] = []
+
+    def say(self, *cells: object) -> None:
+        """Print a line of the result."""
+        self.lines += " ".join(map(str, cells)).split("\n")
+        print(*cells, flush=True)
+
+    def wants(self, name: str, names: Iterable[str] = ()) -> bool:
+        """Return whether ``--only`` means this kind: it names one of ``names``, or all that begin so; with --small the first."""
+        only, names = self.given.only, list(names)
+        if self.small and not only and names:
+            return name == names[0]
+        return name == only or (only not in names and name.startswith(only))
+
+
+@contextmanager
+def campaign(
+    name: str, doc: str, words: Sequence[str] | None, *, count: int = 1, small: int = 1, **options: dict[str, Any]
+) -> Iterator[Campaign]:
+    """Read the command line; write what was said into docs/campaigns.md at the end of a complete run.
+
+    ``count`` is how many of whatever it counts a run has, ``small`` how many with ``--small``. ``options`` are further arguments of
+    the command line, by name, as for :meth:`argparse.ArgumentParser.add_argument`.
+    """
+    parser = argparse.ArgumentParser(name, description=doc.split("\n", maxsplit=1)[0])
+    parser.add_argument("count", nargs="?", type=int, help=f"how many (default: {count})")
+    parser.add_argument("--only", default="", help="kinds whose names begin so")
+    parser.add_argument(
+        "--rows", type=Path, help="keep every run in this file, one line each; go on from what is there"
+    )
+    parser.add_argument("--small", action="store_true", help=f"a first look: {small} of the first kind")
+    parser.add_argument("--results", type=Path, default=RESULTS, help="where a complete run is written")
+    for option, settings in options.items():
+        parser.add_argument(f"--{option.replace('_', '-')}", **settings)
+    given = parser.parse_args(words)
+    run = Campaign(given, given.count or (small if given.small else count))
+    begin = time.monotonic()
+    yield run
+    if not given.small and not given.only and given.count is None:
+        write_result(given.results, name, doc, run.lines, time.monotonic() - begin)
+
+
+def write_result(path: Path, name: str, doc: str, lines: Sequence[str], seconds: float) -> None:
+    """Put the result of a campaign into the page, in place of its last one."""
+    commit = subprocess.run(
+        ["git", "-C", str(ROOT), "describe", "--always", "--dirty"], capture_output=True, text=True, check=False
+    ).stdout.strip()
+    title = doc.split("\n", maxsplit=1)[0]
+    about = f"{datetime.now(UTC):%Y-%m-%d}, commit {commit or 'unknown'}, {seconds / 60:.0f} min: `python campaigns/{name}.py`"
+    section = "\n".join((f"## {name}", "", title, "", about, "", "```text", *lines, "```", ""))
+    head, *old = path.read_text(encoding="utf-8").split("\n## ")
+    sections = {one.split("\n", maxsplit=1)[0]: f"## {one.rstrip()}\n" for one in old} | {name: section}
+    path.write_text(head.rstrip() + "\n" + "".join(f"\n{sections[one]}" for one in sorted(sections)), encoding="utf-8")
+
+
+class Rows:
+    """Runs by kind and seed, in a file of one JSON line each where there is one; a run that was broken off goes on from there."""
+
+    def __init__(self, path: Path | None) -> None:
+        self.path = path
+        self.known: dict[tuple[str, int], Row] = {}
+        if path and path.exists():
+            for line in path.read_text().splitlines():
+                if line.endswith("}"):  # not one that was broken off
+                    row = json.loads(line)
+                    self.known[row["kind"], row["seed"]] = row
+
+    def fill(self, kind: str, seeds: Iterable[int], run: Callable[[int], Row]) -> list[Row]:
+        """Return one row for each seed; ``run`` computes those that are not known yet."""
+        seeds = list(seeds)
+        missing = [seed for seed in seeds if (kind, seed) not in self.known]
+        for seed in track(missing, kind, console=Console(stderr=True), transient=True):
+            row = {"kind": kind, "seed": seed, **run(seed)}
+            self.known[kind, seed] = row
+            if self.path:
+                with self.path.open("a") as file:
+                    file.write(json.dumps(row) + "\n")
+        return [self.known[kind, seed] for seed in seeds]
+
+
+def counting_errors(count: int) -> tuple[float, float]:
+    """Return the standard errors of shares of 68.3 and 95 % among so many, in percentage points."""
+    one, two = (100 * float(np.sqrt(p * (1 - p) / max(count, 1))) for p in SHARES)
+    return one, two
+
+
+def held(pulls: Sequence[float | Sequence[bool]]) -> tuple[float, float]:
+    """Return the shares (%) within 1 and 1.96 error bars: of (fitted - true) / error, or of intervals that held or did not."""
+    each = [one if isinstance(one, (list, tuple)) else (abs(one) < 1, abs(one) < 1.96) for one in pulls]
+    one, two = (100 * np.mean(each, axis=0)).tolist() if each else (np.nan, np.nan)
+    return one, two
+
+
+def shares(pulls: Sequence[float | Sequence[bool] | None]) -> str:
+    """Format shares with their counting errors; an exclamation mark where one is off by more than two of them."""
+    good = [one for one in pulls if one is not None]
+    one, two = held(good)
+    errors = counting_errors(len(good))
+    mark = "!" if any(abs(s - 100 * p) > 2 * e for s, p, e in zip((one, two), SHARES, errors, strict=True)) else " "
+    said = (
+        f"{one:5.1f} / {two:4.1f} {mark} (68.3 ± {errors[0]:.1f}, 95.0 ± {errors[1]:.1f}; {len(good)} of {len(pulls)})"
+    )
+    z = np.array([pull for pull in good if isinstance(pull, float)])
+    return said + (f"; mean {z.mean():+.2f}, scatter {z.std():.2f} error bars" if len(z) else "")

@@ -1,0 +1,16 @@
+"""Single-particle billiards: one ball in a table, bounce by bounce, one orbit or thousands at once.
+
+    from carom import billiards
+    table = billiards.circle(radius=1.0)
+    found = billiards.orbit(table, ((0.2, 0.1), (0.8, 0.3), 0.5), bounces=200)
+    found.arc, found.phase, billiards.caustics(found)
+
+- Tables: `circle`, `ellipse`, `stadium`, `polygon`, `strip`, `wedge`, `sinai`, `torus`, `sphere`, `box`, `cylinder` and others.
+- Orbits: `orbit`, `final`, `reverse`; initial states from the invariant measure: `starts`.
+- Analysis: `period`, `caustics`, `section`, `drift`, `escape`, `uniformity`.
+- Stability: `tangent_map`, `lyapunov`.
+"""
+
+import lazy_loader as _lazy
+
+__getattr__, __dir__, __all__ = _lazy.attach_stub(__name__, __file__)

@@ -1,0 +1,436 @@
+"""Analyse orbits: periods, caustics, Poincaré sections, drift, escape, uniformity of the invariant measure."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer
+from carom.billiards.records import DONE, ESCAPED, POSITION, SPIN, TIME, VELOCITY
+from carom.billiards.sampling import starts
+from carom.billiards.setup import orbit_setup
+from carom.billiards.tables import Table
+from carom.bodies import Ball, Surface
+from carom.errors import CaromError, float_array
+
+__all__ = [
+    "Caustics", "Drift", "Escape", "Section", "Uniformity", "caustics", "drift", "escape", "period", "section", "uniformity",
+]  # fmt: skip
+
+Array = NDArray[np.float64]
+MAX_BOUNCES_AT_ONCE = 20_000_000
+
+
+def period(found: Orbit, tolerance: float = 1e-9) -> Any:
+    """Return the period (...) of orbits in bounces: the least p with equal states at bounces k and k + p; 0 where none is found.
+
+    Positions (relative to the table's size; in a periodic cell or a cylinder, within it), velocities and spins (relative to the
+    energy) are compared to ``tolerance`` over all bounces; an orbit must show its period at least twice.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> found = billiards.orbit(billiards.rectangle(2.0, 1.0), ((0.0, 0.1), (1.0, 0.5), 0.0), bounces=40, law="mirror")
+    >>> billiards.period(found)
+    4
+    """
+    size, ball = found.setup.shape.size, found.setup.ball
+    x = found.folded[..., :2] if found.setup.table.name == "cylinder" else found.folded
+    speed = found.speed[..., :1, None] if found.t.shape[-1] else np.ones((1, 1))
+    spin = found.spin[..., None] if found.setup.planar else found.spin
+    parts = (x / size, found.velocity / speed, np.sqrt(ball.kappa) * ball.radius * spin / speed)
+    states = np.concatenate(parts, axis=-1)
+    count = states.shape[-2]
+    answer = np.zeros(states.shape[:-2], int)
+    # first the returns of the first state, then of all the others
+    for p in range(1, count // 2 + 1):
+        near = (np.abs(states[..., p, :] - states[..., 0, :]) <= tolerance).all(-1) & (answer == 0)
+        if near.any():
+            worst = np.abs(states[near][..., p:, :] - states[near][..., :-p, :]).max(axis=(-1, -2))
+            answer[near] = np.where(worst <= tolerance, p, 0)
+    return answer if answer.ndim else int(answer)
+
+
+@dataclass(frozen=True, eq=False)
+class Caustics:
+    """Circles about a centre that the flights of an orbit touch: one for the flights after odd bounces, one for the others.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> found = billiards.orbit(billiards.circle(), ((0.2, 0.1), (0.8, 0.3), 0.5), bounces=100)
+    >>> bool((billiards.caustics(found).scatter < 1e-11).all())
+    True
+    """
+
+    radii: Array
+    """(..., 2): m."""
+    scatter: Array
+    """(..., 2): range of the distances of the flights from the centre, m; zero for a true caustic."""
+
+
+def caustics(found: Orbit, centre: Sequence[float] = (0.0, 0.0)) -> Caustics:
+    """Return the mean distance of every second flight from a centre: the caustics of an orbit in a circle.
+
+    In space the orbit is projected along z. Raises CaromError where a force bends the flights.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> found = billiards.orbit(billiards.circle(), ((0.0, 0.5), (1.0, 0.0), 0.0), bounces=10, law="mirror")
+    >>> billiards.caustics(found).radii.round(12)
+    array([0.5, 0.5])
+    """
+    if any(found.setup.table.acceleration[:2]):
+        raise CaromError(
+            f"caustics: table: expected one with straight flights (projected along z), got {found.setup.table}"
+        )
+    x, v = found.position[..., :2] - np.asarray(centre, float), found.velocity[..., :2]
+    distance = np.abs(x[..., 0] * v[..., 1] - x[..., 1] * v[..., 0]) / np.hypot(v[..., 0], v[..., 1])
+    both = [distance[..., k::2] for k in (0, 1)]
+    return Caustics(
+        np.stack([np.nanmean(one, axis=-1) for one in both], axis=-1),
+        np.stack([np.nanmax(one, axis=-1) - np.nanmin(one, axis=-1) for one in both], axis=-1),
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Section:
+    """Crossings of flights with a line, in order, of all orbits.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> found = billiards.orbit(billiards.circle(), ((0.0, 0.5), (1.0, 0.0), 0.0), bounces=10, law="mirror")
+    >>> len(billiards.section(found).t)
+    3
+    """
+
+    orbit: NDArray[np.int64]
+    """(M): index of the orbit."""
+    t: Array
+    """(M): time, s."""
+    at: Array
+    """(M): coordinate along the line, measured from its point, m."""
+    velocity: Array
+    """(M, d): velocity there, m/s."""
+    spin: Array
+    """(M) in the plane, (M, 3) in space: rad/s."""
+
+
+def section(
+    found: Orbit, point: Sequence[float] = (0.0, 0.0), direction: Sequence[float] = (1.0, 0.0), *, both: bool = False
+) -> Section:
+    """Return the Poincaré section of orbits with a line in the plane, crossed from its right to its left.
+
+    Parameters
+    ----------
+    found : Orbit
+        The orbits. In a periodic cell the flights are not folded back.
+    point, direction : sequence of 2 floats
+        A point of the line and its direction; in space it stands for the plane parallel to z through it.
+    both : bool
+        Whether crossings from left to right count as well.
+
+    Returns
+    -------
+    Section
+        The crossings.
+
+    Raises
+    ------
+    CaromError
+        A force that is not parallel to the line.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> found = billiards.orbit(billiards.circle(), ((0.0, 0.5), (1.0, 0.0), 0.0), bounces=10, law="mirror")
+    >>> bool((abs(billiards.section(found, both=True).at) >= 0.5).all())
+    True
+    """
+    p, e = np.asarray(point, float), np.asarray(direction, float)
+    if p.shape != (2,) or e.shape != (2,) or not np.isfinite([*p, *e]).all() or not e.any():
+        raise CaromError(f"section: expected a point (x, y) and a direction (x, y), got {point!r} and {direction!r}")
+    e = e / math.hypot(*e)
+    d = found.setup.table.dimension
+    bounces = found.t.shape[-1]
+    x, v = found.position.reshape(-1, bounces, d), found.velocity.reshape(-1, bounces, d)
+    t = found.t.reshape(-1, bounces)
+    spin = found.spin.reshape(len(t), bounces, *found.spin.shape[found.t.ndim :])
+    g = np.array(found.setup.table.acceleration[:2])
+    height = e[0] * (x[..., 1] - p[1]) - e[1] * (x[..., 0] - p[0])
+    rate, force = e[0] * v[..., 1] - e[1] * v[..., 0], e[0] * g[1] - e[1] * g[0]
+    if force:
+        raise CaromError("section: direction: expected that of the force, or a table without one")
+    with np.errstate(divide="ignore", invalid="ignore"):
+        after = -height / rate
+        met = (after >= 0) & (after < np.append(np.diff(t), np.full((len(t), 1), np.nan), axis=1))
+    met &= (rate > 0) | both
+    who, k = np.nonzero(met)
+    dt = after[who, k]
+    where = x[who, k, :2] + v[who, k, :2] * dt[:, None] + g * (dt * dt / 2)[:, None]
+    pull = np.array(found.setup.table.acceleration[:d])
+    return Section(who, t[who, k] + dt, (where - p) @ e, v[who, k] + pull * dt[:, None], spin[who, k])
+
+
+@dataclass(frozen=True, eq=False)
+class Drift:
+    """Motion of an orbit along an axis.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> found = billiards.orbit(billiards.strip(), ((0.0, 0.0), (0.3, 1.0), 0.0), bounces=100, law="mirror")
+    >>> float(billiards.drift(found).velocity.round(12))
+    0.3
+    """
+
+    extent: Any
+    """(...): greatest minus least coordinate, m."""
+    velocity: Any
+    """(...): mean velocity, from the first to the last bounce, m/s."""
+    acceleration: Any
+    """(...): that of the parabola fitted to the coordinates, m/s^2."""
+    growth: Any
+    """(...): extent of the orbit over that of its first half: 1 bounded, 2 uniform drift, 4 uniform acceleration."""
+
+
+def drift(found: Orbit, axis: int | None = None) -> Drift:
+    """Return extent, mean velocity and acceleration of orbits along an axis.
+
+    ``axis``: 0, 1, 2 for x, y, z. Default: the axis along which the table is open. Raises CaromError for orbits with fewer than 4
+    bounces.
+
+    Examples
+    --------
+    No-slip orbits in a strip stay bounded (Broomhead & Gutkin 1993):
+
+    >>> from carom import billiards
+    >>> found = billiards.orbit(billiards.strip(), ((0.0, 0.0), (0.3, 1.0), 0.2), bounces=1000)
+    >>> float(billiards.drift(found).growth.round(6))
+    1.0
+    """
+    if axis is None:
+        axis = 2 if found.setup.table.dimension == 3 and found.setup.table.name == "cylinder" else 0
+    if axis not in range(found.setup.table.dimension):
+        raise CaromError(f"drift: axis: expected one of {list(range(found.setup.table.dimension))}, got {axis!r}")
+    if (np.asarray(found.count) < 4).any():
+        raise CaromError("drift: orbit: expected at least 4 bounces")
+    coordinate, t = found.position[..., axis], found.t
+    half = coordinate.shape[-1] // 2
+
+    def extent(part: Array) -> Any:
+        return np.nanmax(part, axis=-1) - np.nanmin(part, axis=-1)
+
+    span = np.nanmax(t, axis=-1) - t[..., 0]
+    u = (t - t[..., :1]) / span[..., None]
+    flat, rows = coordinate.reshape(-1, coordinate.shape[-1]), u.reshape(-1, coordinate.shape[-1])
+    bend = [np.polyfit(a[np.isfinite(b)], b[np.isfinite(b)], 2)[0] for a, b in zip(rows, flat, strict=True)]
+    ends = np.array([b[np.isfinite(b)][[0, -1]] for b in flat])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return Drift(
+            extent(coordinate), (ends[:, 1] - ends[:, 0]).reshape(span.shape) / span,
+            2 * np.array(bend).reshape(span.shape) / span**2, extent(coordinate) / extent(coordinate[..., :half]),
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Escape:
+    """When orbits leave a table.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> found = billiards.escape(billiards.circle(), ((0.0, 0.0), (1.0, 0.0), 0.0), holes=[(0.0, 0.1)], law="mirror")
+    >>> bool(found.escaped), float(found.t), int(found.bounces)
+    (True, 1.0, 1)
+    """
+
+    t: Array
+    """(...): time at which the orbit enters a hole, or of its last bounce before it leaves an open table; NaN where it stays."""
+    bounces: NDArray[np.int64]
+    """(...): number of bounces until then; where it stays, those made."""
+    escaped: NDArray[np.bool_]
+    """(...): whether it left."""
+
+
+def escape(
+    table: Table,
+    start: Any,
+    bounces: int = 10_000,
+    *,
+    holes: Sequence[Sequence[float]] = (),
+    ball: Ball | None = None,
+    law: Any = "no-slip",
+    surface: Surface | None = None,
+) -> Escape:
+    """Find when orbits leave an open table (a wedge) for good, or a closed table through holes in its wall.
+
+    Parameters
+    ----------
+    table, start, ball, law, surface
+        As for :func:`orbit`.
+    bounces : int
+        Greatest number of bounces.
+    holes : sequence of (from, to)
+        Intervals of arc length; a ball that would bounce there has left.
+
+    Returns
+    -------
+    Escape
+        Times and numbers of bounces.
+
+    Examples
+    --------
+    A wedge of 60 degrees, elastic and smooth, releases every ball after at most three bounces:
+
+    >>> import math
+    >>> from carom import billiards
+    >>> found = billiards.escape(billiards.wedge(math.pi / 3), ((1.0, 0.0), (-1.0, 0.2), 0.0), law="mirror")
+    >>> bool(found.escaped), int(found.bounces)
+    (True, 3)
+    """
+    setup = orbit_setup(table, ball, law, surface, "end")
+    bounces = require_integer("bounces", bounces)
+    intervals = float_array(holes).reshape(-1, 2) if len(holes) else np.empty((0, 2))
+    if not (intervals[:, 0] < intervals[:, 1]).all():
+        raise CaromError(f"escape: holes: expected intervals (from, to) of arc length with from < to, got {holes!r}")
+    first = orbit_from_setup(setup, start, 1)  # validates the starts
+    shape = np.shape(first.count)
+    n = int(np.prod(shape))
+    t, count, gone = np.full(n, np.nan), np.full(n, bounces), np.zeros(n, bool)
+    block = max(1, min(bounces, MAX_BOUNCES_AT_ONCE // max(n, 1)))
+    now = first.start
+    d = table.dimension
+    left = np.arange(n)
+    clock = np.zeros(n)
+    x, v = (np.asarray(a).reshape(n, d) for a in (now.position, now.velocity))
+    w = np.asarray(now.spin).reshape(n, *(() if setup.planar else (3,)))
+    done = 0
+    while done < bounces and len(left):
+        share = min(block, bounces - done)
+        run = orbit_from_setup(setup, (x, v, w), share)
+        s = run.arc
+        through = np.zeros(s.shape, bool)
+        for low, high in intervals:
+            through |= (s >= low) & (s <= high)
+        hit = np.asarray(through.any(1))
+        k = np.asarray(np.where(hit, np.argmax(through, 1), run.count))
+        off = ~hit & (np.asarray(run.ending) == ESCAPED)
+        out = hit | off
+        row = np.arange(len(left))
+        at = np.where(hit, run.t[row, np.minimum(k, share - 1)], run.last[:, TIME])
+        t[left[out]] = clock[left[out]] + at[out]
+        count[left[out]] = done + k[out] + hit[out]
+        gone[left[out]] = True
+        stuck: NDArray[np.bool_] = ~out & (np.asarray(run.ending) != DONE)
+        count[left[stuck]] = done + np.asarray(run.count)[stuck]
+        on = ~out & ~stuck
+        clock[left] += run.last[:, TIME]
+        left = left[on]
+        x, v = run.last[on, POSITION][:, :d], run.last[on, VELOCITY][:, :d]
+        w = run.last[on, SPIN][:, 2] if setup.planar else run.last[on, SPIN]
+        done += share
+    return Escape(t.reshape(shape), count.reshape(shape), gone.reshape(shape))
+
+
+@dataclass(frozen=True)
+class Uniformity:
+    """Kolmogorov-Smirnov test of whether the invariant measure is preserved.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> found = billiards.uniformity(billiards.circle(), orbits=1000, bounces=10)
+    >>> sorted(found.p)
+    ['angle', 'arc', 'radius']
+    """
+
+    bounces: int
+    orbits: int
+    distance: dict[str, float]
+    """Greatest distances of the empirical distributions from the uniform one: of "arc", "radius", "angle"."""
+    p: dict[str, float]
+    """p-values: probability of a distance at least as great if the measure is preserved."""
+
+
+def uniformity(
+    table: Table,
+    orbits: int = 10_000,
+    bounces: int = 100,
+    seed: int = 0,
+    *,
+    ball: Ball | None = None,
+    law: Any = "no-slip",
+    surface: Surface | None = None,
+) -> Uniformity:
+    """Test whether orbits drawn from the invariant measure still follow it after a number of bounces.
+
+    Starts have the measure ``|v.n|`` ds dv d(spin) on one energy shell. Uniformly distributed are then: the arc length (in a sphere
+    the height); the radius in the unit ball of all velocities except the one across, to the power of its dimension (2 in the
+    plane, 5 in space); the angle in the velocity's phase disc. In a cylinder with lids, arc and angle are those of the bounces at
+    its side. Arguments as for :func:`starts` and :func:`orbit`.
+
+    Returns
+    -------
+    Uniformity
+        Distances and p-values of the Kolmogorov-Smirnov test.
+
+    Raises
+    ------
+    CaromError
+        A table that is open, or has a force.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> found = billiards.uniformity(billiards.stadium(), orbits=2000, bounces=20, seed=3)
+    >>> found.orbits, min(found.p.values()) > 0.01
+    (2000, True)
+    """
+    setup = orbit_setup(table, ball, law, surface, "pass")
+    if any(table.acceleration):
+        raise CaromError(f"uniformity: table: expected one without a force, got {table}")
+    if any(math.isinf(f.length) for f in setup.shape.faces if not f.is_lid):
+        raise CaromError(f"uniformity: table: expected a closed one, got {table}")
+    found = orbit_from_setup(setup, starts(table, orbits, seed, ball=ball, law=law), bounces)
+    good = np.asarray(found.count) == bounces
+    # only the last bounce counts
+    ends = {name: getattr(found, name)[:, -1:] for name in ("t", "position", "velocity", "spin", "piece")}
+    found, shape = replace(found, **ends), setup.shape
+    side = good & ~np.isin(found.piece[:, -1], [k for k, f in enumerate(shape.faces) if f.is_lid])
+    if shape.sphere is not None:
+        arc = found.position[side, -1, 2] / (2 * shape.sphere) + 0.5
+    else:
+        lengths = shape.lengths
+        arc = found.arc[side, -1] / lengths[np.isfinite(lengths)].sum()
+    across = np.sqrt(found._rolls) * found.across[good, -1] / found.speed[good, -1]
+    disc = found.phase[side, -1]
+    values = {
+        "arc": arc,
+        "radius": np.maximum(1 - across**2, 0.0) ** (1.0 if setup.planar else 2.5),
+        "angle": np.arctan2(disc[:, 1], disc[:, 0]) / math.tau + 0.5,
+    }
+    distance = {name: _ks_distance(np.sort(value)) for name, value in values.items()}
+    chance = {name: _ks_p_value(distance[name], len(value)) for name, value in values.items()}
+    return Uniformity(bounces, int(good.sum()), distance, chance)
+
+
+def _ks_distance(u: Array) -> float:
+    """Return the Kolmogorov-Smirnov distance of a sorted sample from the uniform distribution on [0, 1]."""
+    n = len(u)
+    return float(max((np.arange(1, n + 1) / n - u).max(), (u - np.arange(n) / n).max()))
+
+
+def _ks_p_value(d: float, n: int) -> float:
+    """Return the p-value by Kolmogorov's limit distribution, with Stephens's correction for finite samples."""
+    x = (math.sqrt(n) + 0.12 + 0.11 / math.sqrt(n)) * d
+    if x < 0.2:
+        return 1.0
+    return min(1.0, max(0.0, 2 * sum((-1.0) ** (k - 1) * math.exp(-2 * k * k * x * x) for k in range(1, 101))))

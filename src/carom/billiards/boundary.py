@@ -1,0 +1,331 @@
+"""The boundary of the region open to a ball's centre, as pieces: their records, arc length, normals, distance to it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.billiards.elliptic_boundary import EllipticArc, arc_along, arc_length, arc_normals, arc_place, arcs
+from carom.billiards.records import PIECES, WORLD
+from carom.core.geometry.polygon import ellipse_depth, polygon_depth
+
+__all__ = ["Boundary", "face"]
+
+Array = NDArray[np.float64]
+INF = math.inf
+
+
+class Face(NamedTuple):
+    """A straight wall, or a plane one in space; the fields are those of a record of :data:`carom.billiards.records.PIECES`."""
+
+    normal: tuple[float, float, float]
+    """Towards the ball."""
+    offset: float
+    """The face is n.x = offset, the ball at n.x > offset."""
+    separation: float
+    """Of a window of a periodic cell: distance to the opposite one."""
+    begin: float
+    """Where it begins, along the tangent (ny, -nx)."""
+    end: float
+    low: float
+    """Its beginning if that is a corner, else -infinity."""
+    high: float
+    """Its end if that is a corner, else infinity."""
+
+    @property
+    def is_lid(self) -> bool:
+        """Whether it closes a cylinder: its normal lies along z."""
+        return self.normal[2] != 0
+
+    @property
+    def length(self) -> float:
+        """Its length, m."""
+        return self.end - self.begin
+
+
+class RoundWall(NamedTuple):
+    """A circle seen from inside, or a half of one."""
+
+    x: float
+    y: float
+    radius: float
+    half: float
+    """-1 or 1: only the half to the left or to the right of the centre; 0: the whole circle."""
+
+
+class Obstacle(NamedTuple):
+    """A circle seen from outside, and the arc of it that a ball can meet."""
+
+    x: float
+    y: float
+    radius: float
+    first: float
+    """Angle at which the arc begins; it runs clockwise."""
+    span: float
+    """Angle of the arc."""
+
+
+class ObstacleImage(NamedTuple):
+    """An obstacle in a neighbouring periodic cell."""
+
+    x: float
+    y: float
+    radius: float
+    of: int
+    """Index of the obstacle."""
+
+
+class InsetEllipse(NamedTuple):
+    """The parallel curve of an ellipse."""
+
+    p: float
+    """Half axis in x."""
+    q: float
+    """Half axis in y."""
+    inset: float
+    """Distance of the parallel curve from the ellipse, inwards."""
+
+
+NO_ELLIPSE = InsetEllipse(1.0, 1.0, 0.0)
+
+
+def face(
+    nx: float,
+    ny: float,
+    c: float,
+    begin: float = -INF,
+    end: float = INF,
+    *,
+    low: float | None = None,
+    high: float | None = None,
+    nz: float = 0.0,
+) -> Face:
+    """Return the face n.x = c with the ball at n.x > c; its ends are corners unless ``low`` or ``high`` is infinite."""
+    return Face((nx, ny, nz), c, 0.0, begin, end, begin if low is None else low, end if high is None else high)
+
+
+@dataclass
+class Boundary:
+    """The pieces of the boundary by kind, and how they follow each other."""
+
+    faces: list[Face] = field(default_factory=list)
+    windows: list[Face] = field(default_factory=list)
+    """Sides of a periodic cell, through which a ball passes to the opposite one."""
+    inside: list[RoundWall] = field(default_factory=list)
+    outside: list[Obstacle] = field(default_factory=list)
+    images: list[ObstacleImage] = field(default_factory=list)
+    order: list[int] | None = None
+    """Indices of the pieces in the order in which they follow each other along the boundary; None: by index."""
+    ellipse: InsetEllipse | None = None
+    sphere: float | None = None
+    """Radius of a sphere about the origin."""
+    finite_faces: bool = False
+    """Whether hits beyond the ends of a face are ignored (a stadium, a table that is not convex)."""
+    size: float = 1.0
+    """Length that sets the tolerances, m."""
+    vertices: Array | None = None
+    """Vertices of the wall, of a polygon that is not convex: they decide what lies within."""
+    clearance: float = 0.0
+    """Distance that the centre keeps from that polygon."""
+    cell: tuple[float, float] | None = None
+    """Sides of the periodic cell about the origin; infinite where it is not periodic."""
+
+    def arrays(self) -> tuple[Any, NDArray[np.void]]:
+        """Return the WORLD record, still without ball and law, and the array of PIECES."""
+        rows: list[tuple[Any, ...]] = [*self.faces]
+        world = np.zeros(1, WORLD)
+        world["faces"] = len(rows)
+        rows += self.windows
+        world["windows"] = len(rows)
+        rows += [((x, y, 0.0), 1 / r, r, half, 0.0, -INF, INF) for x, y, r, half in self.inside]
+        world["inside"] = len(rows)
+        rows += [((x, y, 0.0), 1 / r, r, 0.0, 0.0, -INF, INF) for x, y, r, *_ in [*self.outside, *self.images]]
+        world["outside"] = len(rows)
+        if self.ellipse is not None:
+            p, q, world["inset"] = self.ellipse
+            rows += [((*arc.corner, 0.0), p, q, arc.half, arc.reach, -INF, INF) for arc in self.arcs]
+        world["arc_corners"], world["ellipses"] = len(self.arcs) > 1, len(rows)
+        if self.sphere is not None:
+            rows.append(((0.0, 0.0, 0.0), 1 / self.sphere, self.sphere, 0.0, 0.0, -INF, INF))
+        world["spheres"] = len(rows)
+        world["finite_faces"], world["corner_tolerance"] = self.finite_faces, 1e-12 * self.size
+        return world, np.array(rows, PIECES)
+
+    def crossed_by(self, acceleration: Sequence[float]) -> bool:
+        """Return whether an acceleration has a component across a wall or a window."""
+        flat = bool(acceleration[0] or acceleration[1])
+        if any(
+            n[0] * acceleration[0] + n[1] * acceleration[1] + n[2] * acceleration[2]
+            for n, *_ in [*self.faces, *self.windows]
+        ):
+            return True
+        return flat if self.inside or self.outside or self.ellipse else self.sphere is not None and any(acceleration)
+
+    @property
+    def arcs(self) -> list[EllipticArc]:
+        """Arcs of the centre's curve in an ellipse."""
+        return [] if self.ellipse is None else arcs(*self.ellipse)
+
+    # --- arc length ---------------------------------------------------------------------------------------------------
+
+    @property
+    def lengths(self) -> Array:
+        """Length of each piece, without windows and images; infinite for a strip and a wedge."""
+        found = [f.length for f in self.faces]
+        found += [(math.pi if half else math.tau) * r for _x, _y, r, half in self.inside]
+        found += [span * r for _x, _y, r, _first, span in self.outside]
+        found += [arc_length(*(self.ellipse or NO_ELLIPSE), arc) for arc in self.arcs]
+        return np.array(found)
+
+    @property
+    def starts(self) -> Array:
+        """Arc length at which each piece begins."""
+        lengths = np.where(np.isfinite(self.lengths), self.lengths, 0.0)
+        order = list(range(len(lengths))) if self.order is None else self.order
+        starts = np.empty(len(lengths))
+        starts[order] = np.concatenate([[0.0], np.cumsum(lengths[order])[:-1]])
+        return starts
+
+    def _number(self, piece: NDArray[np.int64]) -> NDArray[np.int64]:
+        """Return the indices of pieces as they are without windows, and with an image counted as its obstacle."""
+        faces, circles = len(self.faces), len(self.inside) + len(self.outside)
+        table = np.arange(-1, faces + len(self.windows) + circles + len(self.images) + max(1, len(self.arcs)))
+        # entry 0 is for piece -1, none
+        table[1 + faces + len(self.windows) :] -= len(self.windows)
+        first = 1 + faces + len(self.windows) + circles
+        table[first : first + len(self.images)] = [faces + len(self.inside) + of for *_, of in self.images]
+        table[first + len(self.images) :] -= len(self.images)
+        return table[piece + 1]
+
+    def coordinate(self, met: Any, x: Any) -> Array:
+        """Return the arc length s (...) of points (..., 2 or 3) on pieces (...); it grows with the ball on the left."""
+        number = self._number(np.asarray(met, int))
+        x = self.folded(np.asarray(x, float))
+        starts = self.starts
+        s = np.full(number.shape, np.nan)
+        k = 0
+        for n, _c, _r, begin, _end, _low, _high in self.faces:
+            here = number == k
+            along = n[1] * x[here][:, 0] - n[0] * x[here][:, 1]
+            s[here] = starts[k] + along - (begin if math.isfinite(begin) else 0.0)
+            k += 1
+        for cx, cy, r, half in self.inside:
+            here = number == k
+            angle = np.arctan2(x[here][:, 1] - cy, x[here][:, 0] - cx)
+            s[here] = starts[k] + r * ((angle + half * math.pi / 2) % math.tau)
+            k += 1
+        for cx, cy, r, first, _span in self.outside:
+            here = number == k
+            d = self.folded(x[here][:, :2] - (cx, cy))
+            s[here] = starts[k] + r * ((first - np.arctan2(d[:, 1], d[:, 0])) % math.tau)
+            k += 1
+        for arc in self.arcs:
+            here = number == k
+            s[here] = starts[k] + arc_along(*(self.ellipse or NO_ELLIPSE), arc, x[here])
+            k += 1
+        return s
+
+    def place(self, s: Any) -> tuple[NDArray[np.int64], Array, Array]:
+        """Return the piece, the point (..., 2) and the normal (..., 2) at an arc length (...) of a closed boundary."""
+        lengths, starts = self.lengths, self.starts
+        order = np.argsort(starts, kind="stable")
+        s = np.asarray(s, float) % lengths.sum()
+        k = order[np.clip(np.searchsorted(starts[order], s, side="right") - 1, 0, len(order) - 1)]
+        along = s - starts[k]
+        x, n = np.empty((*s.shape, 2)), np.empty((*s.shape, 2))
+        m = 0
+        for normal, c, _r, begin, _end, _low, _high in self.faces:
+            here = k == m
+            t = np.array([normal[1], -normal[0]])
+            x[here] = np.multiply(normal[:2], c) + np.multiply.outer(along[here] + begin, t)
+            n[here] = normal[:2]
+            m += 1
+        for cx, cy, r, half in self.inside:
+            here = k == m
+            angle = along[here] / r - half * math.pi / 2
+            n[here] = -np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+            x[here] = np.array([cx, cy]) - r * n[here]
+            m += 1
+        for cx, cy, r, first, _span in self.outside:
+            here = k == m
+            angle = first - along[here] / r
+            n[here] = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+            x[here] = np.array([cx, cy]) + r * n[here]
+            m += 1
+        for arc in self.arcs:
+            here = k == m
+            x[here], n[here] = arc_place(*(self.ellipse or NO_ELLIPSE), arc, along[here])
+            m += 1
+        piece = np.where(k >= len(self.faces), k + len(self.windows), k)
+        return (
+            np.where(k >= len(self.faces) + len(self.inside) + len(self.outside), piece + len(self.images), piece),
+            x,
+            n,
+        )
+
+    def normals(self, met: Any, x: Any) -> Array:
+        """Return normals (..., 3) towards the ball at points (..., 2 or 3) on pieces (...); NaN where the piece is -1."""
+        number = self._number(np.asarray(met, int))
+        x = np.asarray(x, float)
+        n = np.full((*number.shape, 3), np.nan)
+        k = 0
+        for normal, *_ in self.faces:
+            n[number == k] = normal
+            k += 1
+        for sign, circles in ((-1, self.inside), (1, self.outside)):
+            for cx, cy, r, *_ in circles:
+                here = number == k
+                d = self.folded(x[here][:, :2] - (cx, cy)) / r
+                n[here] = np.concatenate([sign * d, np.zeros((len(d), 1))], axis=-1)
+                k += 1
+        for arc in self.arcs:
+            here = number == k
+            n[here, :2], n[here, 2] = arc_normals(*(self.ellipse or NO_ELLIPSE)[:2], arc, x[here]), 0.0
+            k += 1
+        if self.sphere is not None:
+            here = number == k
+            n[here] = -x[here] / self.sphere
+        return n
+
+    def folded(self, x: Array) -> Array:
+        """Return points translated into the periodic cell, whose centre is the origin."""
+        if self.cell is None:
+            return x
+        x = x.copy()
+        for j, side in enumerate(self.cell):
+            if math.isfinite(side):
+                x[..., j] -= side * np.round(x[..., j] / side)
+        return x
+
+    # --- distance to the boundary ---------------------------------------------------------------------------------------------
+
+    def gap(self, x: Any) -> Array:
+        """Return a lower bound (...) of the distance of centres (..., 2 or 3) to the boundary; negative outside."""
+        x = self.folded(np.asarray(x, float))
+        x = np.concatenate([x, np.zeros((*x.shape[:-1], 3 - x.shape[-1]))], axis=-1)
+        gap: Array = np.full(x.shape[:-1], INF)
+        if self.vertices is not None:
+            gap = polygon_depth(self.vertices, x) - self.clearance
+        elif self.faces:
+            for n, c, *_ in self.faces:
+                gap = np.minimum(gap, x @ np.array(n) - c)
+        if any(half for *_, half in self.inside):
+            (right, _y, r, _h) = max(self.inside)
+            d = np.hypot(np.maximum(np.abs(x[..., 0]) - right, 0), x[..., 1])
+            gap = np.minimum(gap, r - d)
+        else:
+            for cx, cy, r, _half in self.inside:
+                gap = np.minimum(gap, r - np.hypot(x[..., 0] - cx, x[..., 1] - cy))
+        for cx, cy, r, *_ in [*self.outside, *self.images]:
+            gap = np.minimum(gap, np.hypot(x[..., 0] - cx, x[..., 1] - cy) - r)
+        if self.ellipse is not None:
+            p, q, inset = self.ellipse
+            gap = np.minimum(gap, ellipse_depth(p, q, x) - inset)
+        if self.sphere is not None:
+            gap = np.minimum(gap, self.sphere - np.linalg.norm(x, axis=-1))
+        return gap

@@ -1,0 +1,204 @@
+"""Follow one ball from bounce to bounce: fly to the nearest piece of the boundary, apply the law, record the state.
+
+The impact is the contact kernel of :mod:`carom.core.contact`, as everywhere in carom.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from carom.billiards.intersections import next_hit, wall_normal
+from carom.billiards.records import (
+    CORNER,
+    DONE,
+    ENDING,
+    ESCAPED,
+    FREE,
+    GRAZED,
+    MAX_EMPTY_CELLS,
+    PIECES,
+    WORLD,
+)  # fmt: skip
+from carom.core.contact import wall_contact
+from carom.core.jit.compile import array_of, njit, parallel_range, signature
+from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel
+from carom.laws.callbacks import call_user, register_calls
+from carom.laws.conventional import conventional_reflection
+from carom.laws.law import CONTACT_WALL, NO_SLIP_WALL, ROLLING_WALL
+from carom.laws.no_slip import no_slip_bounce
+
+__all__ = ["OrbitLoops", "at_corner", "bounce", "compiled_loops", "fly", "follow", "follow_many"]
+
+
+@hot_kernel
+def bounce(world: Any, law: int, a: float, kappa: float, v: Vec, w: Vec, n: Vec) -> tuple[Vec, Vec]:
+    """Return velocity and spin after the impact. (Law and ball are arguments so that a loop can hoist what depends on them.)"""
+    if law == NO_SLIP_WALL:
+        return no_slip_bounce(v, w, n, a, kappa)
+    if law == CONTACT_WALL:
+        v1, w1, _j, _required, _regime = wall_contact(v, w, n, a, kappa, world.e, world.mu, world.beta)
+        return v1, w1
+    if law == ROLLING_WALL:
+        return conventional_reflection(v, w, n, a, kappa)
+    return call_user(world.user, v, w, n, a, kappa, world.e, world.mu, world.beta)
+
+
+@hot_kernel
+def fly(world: Any, x: Vec, v: Vec, t: float) -> tuple[Vec, Vec]:
+    """Return position and velocity after a flight of duration t."""
+    g = world.acceleration
+    h = 0.5 * t * t
+    return (
+        (x[0] + v[0] * t + g[0] * h, x[1] + v[1] * t + g[1] * h, x[2] + v[2] * t + g[2] * h),
+        (v[0] + g[0] * t, v[1] + g[1] * t, v[2] + g[2] * t),
+    )
+
+
+@hot_kernel
+def twice_kinetic_energy(v: Vec, w: Vec, a: float, kappa: float) -> float:
+    """Return twice the kinetic energy per mass."""
+    return dot(v, v) + kappa * (a * a) * dot(w, w)
+
+
+@hot_kernel
+def twice_work(world: Any, x: Vec, ax: float, ay: float) -> float:
+    """Return twice the work of the force per mass, up to a constant; ax, ay: displacement of the current periodic cell."""
+    g = world.acceleration
+    twice: float = 2.0 * (g[0] * (x[0] + ax) + g[1] * (x[1] + ay) + g[2] * x[2])
+    return twice
+
+
+@kernel
+def energy_restored(v: Vec, w: Vec, should: float, has: float) -> tuple[Vec, Vec]:
+    """Return velocity and spin scaled to the exact energy: rounding changes it by some 1e-16 per bounce, often with one sign."""
+    if not (has > 0.0 and abs(should - has) < 1e-6 * has):
+        return v, w
+    f = 1.0 + 0.5 * (should - has) / has
+    return (f * v[0], f * v[1], f * v[2]), (f * w[0], f * w[1], f * w[2])
+
+
+@hot_kernel
+def at_corner(world: Any, pieces: Any, i: int, x: Vec) -> bool:
+    """Return whether a ball that meets face i, or an arc of the curve in an ellipse, is at a corner."""
+    p = pieces[i]
+    if i >= world.faces:
+        # the corners of the arcs lie on the long axis
+        across: bool = abs(x[1] if p.c > p.r else x[0]) < world.corner_tolerance
+        return across
+    s = p.n[1] * x[0] - p.n[0] * x[1]
+    at: bool = s < p.low + world.corner_tolerance or s > p.high - world.corner_tolerance
+    return at
+
+
+def follow(  # noqa: PLR0915  (one loop, from the first bounce to the last)
+    world: Any, pieces: Any, x: Vec, v: Vec, w: Vec, bounces: int, rows: Any, met: Any, last: Any
+) -> tuple[int, int]:
+    """Follow one ball for a number of bounces; return why the orbit ended (an index into ENDS) and the bounces made.
+
+    ``rows`` (bounces, 6) of t, x, y, vx, vy, spin in the plane, or (bounces, 10) of t, position, velocity, spin in space,
+    receives the state just after each bounce, not folded into the periodic cell (length 0: nothing is kept). ``met`` (of the same
+    length) receives the pieces, ``last`` (10) time, position, velocity and spin at the end.
+    """
+    t = 0.0
+    k = 0
+    cells = 0
+    ax, ay = 0.0, 0.0
+    keep = len(rows) > 0
+    planar = world.planar == 1
+    law, a, kappa = world.law, world.a, world.kappa
+    energy = twice_kinetic_energy(v, w, a, kappa) - twice_work(world, x, ax, ay)
+    ended = DONE
+    while k < bounces:
+        dt, i = next_hit(world, pieces, x, v)
+        if i < 0 or not dt < math.inf:
+            ended = ESCAPED
+            break
+        x, v = fly(world, x, v, dt)
+        t += dt
+        if i < world.faces or world.arc_corners != 0:
+            if world.corners and at_corner(world, pieces, i, x):
+                ended = CORNER
+                break
+        elif i < world.windows:
+            # leave the cell through one side, enter through the opposite one at the distance r
+            p = pieces[i]
+            x = (x[0] + p.r * p.n[0], x[1] + p.r * p.n[1], x[2])
+            ax -= p.r * p.n[0]
+            ay -= p.r * p.n[1]
+            cells += 1
+            if cells > MAX_EMPTY_CELLS:
+                ended = FREE
+                break
+            continue
+        cells = 0
+        n = wall_normal(world, pieces, i, x)
+        v, w = bounce(world, law, a, kappa, v, w, n)
+        if not dot(v, n) > 0.0:
+            ended = GRAZED
+            break
+        if keep:
+            row = rows[k]
+            row[0], row[1], row[2] = t, x[0] + ax, x[1] + ay
+            if planar:
+                row[3], row[4], row[5] = v[0], v[1], w[2]
+            else:
+                row[3], row[4], row[5], row[6], row[7], row[8], row[9] = x[2], v[0], v[1], v[2], w[0], w[1], w[2]
+            met[k] = i
+        k += 1
+        if k & 63 == 0 and world.conservative:
+            v, w = energy_restored(v, w, energy + twice_work(world, x, ax, ay), twice_kinetic_energy(v, w, a, kappa))
+    last[0], last[1], last[2], last[3] = t, x[0] + ax, x[1] + ay, x[2]
+    last[4], last[5], last[6] = v[0], v[1], v[2]
+    last[7], last[8], last[9] = w[0], w[1], w[2]
+    return ended, k
+
+
+# What ``follow_many`` calls: replaced by the compiled function (a closure over it would not be cached).
+_follow: Any = follow
+_prange: Any = range
+
+
+def follow_many(worlds: Any, pieces: Any, starts: Any, bounces: int, rows: Any, met: Any, last: Any, ends: Any) -> None:
+    """Follow every row of ``starts`` (N, 9) independently. The one WORLD is in an array: a parallel loop takes no record."""
+    for m in _prange(len(starts)):
+        s = starts[m]
+        ended, count = _follow(
+            worlds[0], pieces, (s[0], s[1], s[2]), (s[3], s[4], s[5]), (s[6], s[7], s[8]), bounces,
+            rows[m], met[m], last[m],
+        )  # fmt: skip
+        ends[m].reason, ends[m].bounces = ended, count
+
+
+class OrbitLoops(NamedTuple):
+    """The compiled loops: one ball, and many balls on all cores."""
+
+    follow: Callable[..., Any]
+    many: Callable[..., Any]
+
+
+@functools.cache
+def compiled_loops() -> OrbitLoops:
+    """Compile the loops, or load them from the cache."""
+    global _follow, _prange  # noqa: PLW0603
+    register_calls()
+    pieces, table, vec = array_of(PIECES), array_of(float, 2), (float, float, float)
+    one = signature((int, int), WORLD, pieces, vec, vec, vec, int, table, array_of(np.dtype("i4")), array_of(float))
+    _follow = njit(follow, signature=one, _nrt=False)
+    _prange = parallel_range()
+    many = signature(
+        None,
+        array_of(WORLD),
+        pieces,
+        table,
+        int,
+        array_of(float, 3),
+        array_of(np.dtype("i4"), 2),
+        table,
+        array_of(ENDING),
+    )
+    return OrbitLoops(_follow, njit(follow_many, signature=many, parallel=True))

@@ -1,0 +1,191 @@
+"""Draw initial states of orbits from the invariant measure of a billiard."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.billiards.boundary import Boundary, Face
+from carom.billiards.orbits import MAX_KEPT_BYTES, require_integer
+from carom.billiards.setup import Start, needs_surface, orbit_setup
+from carom.billiards.tables import Table
+from carom.bodies import Ball, Surface
+from carom.errors import CaromError
+
+__all__ = ["starts"]
+
+Array = NDArray[np.float64]
+BYTES_PER_START = 400  # of memory, while a start is drawn and followed
+ENERGY_SCAN_POINTS = 20_000  # points of a wall at which the greatest kinetic energy is sought
+
+
+def starts(
+    table: Table, count: int, seed: int = 0, *, ball: Ball | None = None, law: Any = "no-slip", speed: float = 1.0
+) -> Start:
+    """Draw states just after a bounce from the invariant measure ``|v.n|`` ds d(velocities and spins of one energy).
+
+    Positions are uniform along the wall. The velocities along the wall and the spins, each times the square root of its inertia,
+    are uniform in the unit ball, so that the velocity across the wall has the density ``|v.n|``. Under a force across walls,
+    positions are weighted by the kinetic energy left there: in the plane by its first power, in space by its power 5/2.
+
+    Along an axis in which the table is invariant, starts lie in one place: of a cylinder at z = 0, of a strip at x = 0, of
+    plates at x = z = 0; in a periodic cell they lie in the first. A wedge has such a measure only under a force that brings back
+    every ball: its walls then count as far as a ball of that energy gets.
+
+    Parameters
+    ----------
+    table : Table
+        The table.
+    count : int
+        Number of starts.
+    seed : int
+        Seed of the random numbers.
+    ball, law
+        As for :func:`orbit`.
+    speed : float
+        sqrt(2 energy / m), m/s; under a force across walls, that of a ball at the origin.
+
+    Returns
+    -------
+    Start
+        Arrays (count, ...).
+
+    Raises
+    ------
+    CaromError
+        A wedge without such a force, an energy with which no ball reaches a wall, too many starts.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> start = billiards.starts(billiards.stadium(), 1000, seed=1)
+    >>> start.position.shape, start.spin.shape
+    ((1000, 2), (1000,))
+    """
+    setup = orbit_setup(table, ball, law, Surface() if needs_surface(law) else None, "end")
+    count, seed = require_integer("count", count), require_integer("seed", seed, 0)
+    if count * BYTES_PER_START > MAX_KEPT_BYTES:
+        raise CaromError(
+            f"starts: count: expected no more than {int(MAX_KEPT_BYTES / BYTES_PER_START):,}, got {count:,}; draw them in parts"
+        )
+    rng = np.random.default_rng(seed)
+    radius, kappa = float(setup.ball.radius), float(setup.ball.kappa)
+    planar = setup.planar
+    # dimension of the unit ball of all components except the one across: 2 in the plane, 5 in space
+    free = 2 if planar else 5
+    if setup.world["force_across"][0]:
+        x, n, pace = _weighted_by_energy(table, setup.shape, count, rng, speed, 1.0 if planar else 2.5)
+    else:
+        x, n = _on_the_wall(_cut_at_energy(table, setup.shape, speed), count, rng)
+        pace = np.full((count, 1), float(speed))
+    u = rng.normal(size=(count, free))
+    u *= (rng.uniform(size=count) ** (1 / free) / np.linalg.norm(u, axis=1))[:, None]
+    across = np.sqrt(1 - (u * u).sum(1))
+    t = np.cross(n, np.where(np.abs(n[:, 2:]) < 0.9, [0.0, 0.0, 1.0], [1.0, 0.0, 0.0]))
+    t /= np.linalg.norm(t, axis=1, keepdims=True)
+    rolls = math.sqrt(1 + kappa) if setup.rolls else 1.0
+    v = pace * (across[:, None] * n + u[:, :1] * t) / rolls
+    inertia = math.sqrt(kappa) * radius
+    if planar:
+        return Start(x[:, :2], v[:, :2], pace[:, 0] * u[:, 1] / inertia)
+    v += pace * u[:, 1:2] * np.cross(n, t)
+    return Start(x, v, pace * u[:, 2:] / inertia)
+
+
+def _weighted_by_energy(
+    table: Table, shape: Boundary, count: int, rng: np.random.Generator, speed: float, power: float
+) -> tuple[Array, Array, Array]:
+    """Draw points (count, 3) of the wall weighted by a power of the kinetic energy there.
+
+    Return them with the normals (count, 3) and sqrt(2 kinetic energy / m) (count, 1).
+    """
+    acceleration, shape = np.array(table.acceleration), _cut_at_energy(table, shape, speed)
+    x, n = np.empty((0, 3)), np.empty((0, 3))
+    # upper bound of the energy: the greatest of many points, and a margin for those between them
+    some = _on_the_wall(shape, ENERGY_SCAN_POINTS, np.random.default_rng(0))[0] @ acceleration
+    most = speed**2 + 2 * (some.max() + 0.02 * np.ptp(some))
+    if not most > 0 or not np.isfinite(speed):
+        raise CaromError(f"starts: speed: expected one at the origin with which a ball reaches a wall, got {speed!r}")
+    while len(x) < count:
+        y, m = _on_the_wall(shape, 2 * count + 100, rng)
+        left = np.maximum(speed**2 + 2 * y @ acceleration, 0)
+        on = rng.uniform(size=len(y)) < (left / most) ** power
+        x, n = np.concatenate([x, y[on]]), np.concatenate([n, m[on]])
+    x, n = x[:count], n[:count]
+    return x, n, np.sqrt(speed**2 + 2 * x @ acceleration)[:, None]
+
+
+def _cut_at_energy(table: Table, shape: Boundary, speed: float) -> Boundary:
+    """Return the boundary with half-infinite walls cut off where a ball of that energy gets no further."""
+    faces: list[Face] = []
+    for (nx, ny, nz), c, r, begin, end, low, high in shape.faces:
+        cut = begin, end
+        if not nz and math.isinf(begin) != math.isinf(end):
+            # speed^2 + 2 g.x is twice the energy per mass that is left: at the corner, and its rate along the wall
+            t, corner = np.array([ny, -nx]), begin if math.isfinite(begin) else end
+            left = speed**2 + 2 * np.dot(table.acceleration[:2], np.multiply((nx, ny), c) + corner * t)
+            rate = 2 * float(np.dot(table.acceleration[:2], t)) * (1 if corner == begin else -1)
+            if not rate < 0:
+                raise CaromError(
+                    f"starts: table: expected a force that brings back every ball, got {table}, whose walls are infinite;"
+                    " give a force towards the vertex, or starts of your own"
+                )
+            reach = max(left, 0.0) / -rate
+            cut = (begin, begin + reach) if corner == begin else (end - reach, end)
+        faces.append(Face((nx, ny, nz), c, r, *cut, low, high))
+    return replace(shape, faces=faces)
+
+
+def _on_infinite_walls(
+    sides: list[Face], lids: list[Face], count: int, rng: np.random.Generator
+) -> tuple[Array, Array]:
+    """Draw points (count, 3) at x = 0 of infinite walls and of the lids between them; return them with the normals."""
+    x, n = np.zeros((count, 3)), np.zeros((count, 3))
+    which = rng.integers(len(sides), size=count)
+    n[:, :2] = np.array([normal[:2] for normal, *_ in sides])[which]
+    x[:, :2] = n[:, :2] * np.array([c for _n, c, *_ in sides])[which, None]
+    if lids:
+        high, width = -float(lids[0].offset), -float(sum(c for _n, c, *_ in sides))
+        x[:, 2] = rng.uniform(-high, high, count)
+        on = rng.uniform(size=count) < width / (width + 2 * high)
+        up = np.where(rng.uniform(size=count) < 0.5, 1.0, -1.0)
+        x[on, 1], x[on, 2] = rng.uniform(-width / 2, width / 2, on.sum()), high * up[on]
+        n[on] = np.stack([np.zeros(on.sum()), np.zeros(on.sum()), -up[on]], axis=1)
+    return x, n
+
+
+def _on_the_wall(shape: Boundary, count: int, rng: np.random.Generator) -> tuple[Array, Array]:
+    """Draw points (count, 3) uniformly on the wall; return them with the normals."""
+    if shape.sphere is not None:
+        out = rng.normal(size=(count, 3))
+        out /= np.linalg.norm(out, axis=1, keepdims=True)
+        return shape.sphere * out, -out
+    lids = [f for f in shape.faces if f.is_lid]
+    side = replace(shape, faces=[f for f in shape.faces if not f.is_lid])
+    if side.faces and not np.isfinite(side.lengths).any():
+        return _on_infinite_walls(side.faces, lids, count, rng)
+    around = float(side.lengths.sum())
+    if not around > 0:
+        raise CaromError("starts: speed: expected one at the origin with which a ball reaches a wall, got less")
+    _k, x2, n2 = side.place(rng.uniform(0, around, count))
+    x, n = (np.concatenate([p, np.zeros((count, 1))], axis=1) for p in (x2, n2))
+    if lids:
+        high = -float(lids[0].offset)
+        x[:, 2] = rng.uniform(-high, high, count)
+        # the share on the lids is that of their area
+        curve = side.place(np.linspace(0, around, 20_001)[:-1])[1]
+        a, b = curve, np.roll(curve, -1, axis=0)
+        area = float((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum() / 2)
+        on = np.flatnonzero(rng.uniform(size=count) < area / (area + around * high))
+        low, size = curve.min(0), np.ptp(curve, axis=0)
+        left = on
+        while len(left):
+            x[left, :2] = low + rng.uniform(size=(len(left), 2)) * size
+            left = left[side.gap(x[left, :2]) < 0]
+        up = np.where(rng.uniform(size=len(on)) < 0.5, 1.0, -1.0)
+        x[on, 2], n[on] = high * up, np.stack([np.zeros(len(on)), np.zeros(len(on)), -up], axis=1)
+    return x, n

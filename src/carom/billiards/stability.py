@@ -1,0 +1,269 @@
+"""Stability of orbits: the exact derivative of a number of bounces, multipliers of periodic orbits, Lyapunov spectrum."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.billiards.orbits import orbit_from_setup, require_integer
+from carom.billiards.records import DONE, ENDING, ENDS, POSITION, TIME, VELOCITY
+from carom.billiards.setup import OrbitSetup, orbit_setup
+from carom.billiards.tables import Table
+from carom.billiards.tangent import compiled_tangent_loop
+from carom.bodies import Ball, Surface
+from carom.errors import CaromError
+from carom.laws.law import CALLED_WALL
+
+__all__ = ["Lyapunov", "TangentMap", "lyapunov", "tangent_map"]
+
+Array = NDArray[np.float64]
+PLANAR = ("s", "v_t", "v_n", "spin")
+SPATIAL = ("s", "b", "v_t", "v_b", "v_n", "spin_t", "spin_b", "spin_n")
+
+
+@dataclass(frozen=True, eq=False)
+class TangentMap:
+    """The derivative of a number of bounces, from just after one bounce to just after another.
+
+    Coordinates are those of the frame (t, b, n) of the wall at each end: t along it, n towards the ball, b = n x t in space. Spins
+    are multiplied by sqrt(kappa) a, so that all velocities contribute equally to the energy.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom import billiards
+    >>> found = billiards.tangent_map(billiards.circle(), ((0.0, 0.0), (1.0, 0.0), 0.0), bounces=2, law="mirror")
+    >>> found.coordinates, bool(found.gap < 1e-12)
+    (('s', 'v_t', 'v_n', 'spin'), True)
+    >>> np.allclose(np.abs(found.eigenvalues), 1.0)  # the diameter of a circle is neutral
+    True
+    """
+
+    matrix: Array
+    """(..., 4, 4), in space (..., 8, 8): element [i, j] is the derivative of coordinate i after by coordinate j before."""
+    coordinates: tuple[str, ...]
+    """Names of rows and columns: "s", "v_t", "v_n", "spin"; in space "s", "b", "v_t", ..., "spin_n"."""
+    across: Array
+    """(..., 2): velocity away from the wall before and after; |det(matrix)| is their ratio where the measure is invariant."""
+    gap: Array
+    """(...): distance of the final state from the initial one (positions plus velocities): 0 for a periodic orbit."""
+
+    @property
+    def eigenvalues(self) -> Array:
+        """(..., 4) or (..., 8), complex: the multipliers of a periodic orbit, one of which is always 1 (the energy)."""
+        return np.linalg.eigvals(self.matrix)  # type: ignore[return-value]
+
+
+@dataclass(frozen=True, eq=False)
+class Lyapunov:
+    """A Lyapunov spectrum, in descending order.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> found = billiards.lyapunov(billiards.sinai(), ((0.4, 0.4), (0.8, 0.3), 0.5), bounces=500, law="mirror")
+    >>> found.per_bounce.shape, found.history.shape
+    ((4,), (20, 4))
+    """
+
+    per_bounce: Array
+    """(..., 4), in space (..., 8): exponents per bounce."""
+    per_time: Array
+    """The same per unit time: divided by the mean time between bounces, 1/s."""
+    error: Array
+    """Standard error of ``per_bounce``, from its scatter between the blocks of the run."""
+    history: Array
+    """(blocks, ..., 4): ``per_bounce`` up to the end of each block."""
+    bounces: int
+    """Number of bounces."""
+    ended: Any
+    """(...): as :attr:`Orbit.ended`; other than "bounces", the exponents are NaN."""
+
+
+def _frame(n: Array) -> tuple[Array, Array]:
+    """Return unit vectors t, b (N, 3) along walls with normals n (N, 3)."""
+    t = np.stack([n[:, 1], -n[:, 0], np.zeros(len(n))], axis=1)
+    flat = np.linalg.norm(t[:, :2], axis=1) < 1e-9
+    t[flat] = [1.0, 0.0, 0.0]
+    t /= np.linalg.norm(t, axis=1, keepdims=True)
+    return t, np.cross(n, t)
+
+
+def _displacements(setup: OrbitSetup, n: Array, v: Array) -> Array:
+    """Return the displacements (N, K, 9) along the K coordinates, at walls with normals n."""
+    t, b = _frame(n)
+    ball = setup.ball
+    size = np.sqrt(ball.kappa) * ball.radius
+    zero = np.zeros_like(n)
+    up = np.broadcast_to([0.0, 0.0, 1.0], n.shape)
+
+    def follows(dv: Array) -> Array:
+        """Return the change of spin of a rolling ball, whose velocity determines it: (18)."""
+        return np.cross(up, dv) / ball.radius if setup.rolls else zero
+
+    if setup.planar:
+        rows = [(t, zero, zero), (zero, t, follows(t)), (zero, n, follows(n)), (zero, zero, up / size)]
+    else:
+        rows = [(t, zero, zero), (b, zero, zero)] + [(zero, e, zero) for e in (t, b, n)]
+        rows += [(zero, zero, e / size) for e in (t, b, n)]
+    return np.stack([np.concatenate(row, axis=1) for row in rows], axis=1)
+
+
+def _coordinates(setup: OrbitSetup, vectors: Array, n: Array) -> Array:
+    """Return the coordinates (N, K, K) of displacements (N, K, 9): a column for each displacement."""
+    t, b = _frame(n)
+    dx, dv, dw = vectors[..., :3], vectors[..., 3:6], vectors[..., 6:]
+    size = np.sqrt(setup.ball.kappa) * setup.ball.radius
+
+    def on(d: Array, e: Array) -> Array:
+        found: Array = np.einsum("nkj,nj->nk", d, e)
+        return found
+
+    if setup.planar:
+        rows = [on(dx, t), on(dv, t), on(dv, n), size * dw[..., 2]]
+    else:
+        rows = [on(dx, t), on(dx, b), *(on(dv, e) for e in (t, b, n)), *(size * on(dw, e) for e in (t, b, n))]
+    return np.stack(rows, axis=1)
+
+
+def _after_first_bounce(setup: OrbitSetup, start: Any) -> tuple[Array, tuple[int, ...], Array]:
+    """Return the states (N, 9) just after the first bounce, the shape of the starts, the normals there."""
+    if setup.response == CALLED_WALL:
+        raise CaromError(
+            f"lyapunov: law: expected one with a known derivative (no-slip, mirror, contact, rolling), got {setup.law}"
+        )
+    begin = orbit_from_setup(setup, start, 1)
+    if (np.asarray(begin.count) != 1).any():
+        raise CaromError("lyapunov: start: expected orbits with at least one bounce, got one without")
+    states = begin.last.reshape(-1, 10)[:, 1:].copy()
+    normals = setup.shape.normals(begin.piece[..., 0].reshape(-1), states[:, :3] if not setup.planar else states[:, :2])
+    states[:, :3] = setup.shape.folded(states[:, :3])
+    return states, np.shape(begin.count), normals
+
+
+def tangent_map(
+    table: Table,
+    start: Any,
+    bounces: int = 1,
+    *,
+    ball: Ball | None = None,
+    law: Any = "no-slip",
+    surface: Surface | None = None,
+) -> TangentMap:
+    """Compute the exact derivative of a number of bounces, counted from the first bounce of the orbit.
+
+    Flight and impact are differentiated in closed form. Arguments as for :func:`orbit`.
+
+    Returns
+    -------
+    TangentMap
+        The matrix in the frames of the two walls.
+
+    Raises
+    ------
+    CaromError
+        An orbit that ends before, a law without a known derivative.
+
+    Examples
+    --------
+    The bouncing-ball orbit of a stadium is parabolic: its multipliers are 1 (in the plane, mirror law).
+
+    >>> import numpy as np
+    >>> from carom import billiards
+    >>> found = billiards.tangent_map(billiards.stadium(), ((0.1, 0.0), (0.0, 1.0), 0.0), bounces=2, law="mirror")
+    >>> np.round(found.matrix[:2, :2], 12)
+    array([[1., 4.],
+           [0., 1.]])
+    """
+    setup = orbit_setup(table, ball, law, surface, "end")
+    bounces = require_integer("bounces", bounces)
+    states, shape, n = _after_first_bounce(setup, start)
+    vectors = _displacements(setup, n, states[:, 3:6])
+    k = vectors.shape[1]
+    last, ends = np.empty((len(states), 10)), np.zeros(len(states), ENDING)
+    sums = np.zeros((len(states), k))
+    compiled_tangent_loop()(setup.world, setup.pieces, states, bounces, vectors, sums, 0, last, ends)
+    if (ends["reason"] != DONE).any():
+        raise CaromError(
+            f"tangent_map: start: expected {bounces} more bounces, got an orbit that ended: {ENDS[int(ends['reason'].max())]}"
+        )
+    after = setup.shape.normals(ends["piece"], last[:, 1 : 1 + table.dimension])
+    across = np.stack([(states[:, 3:6] * n).sum(1), (last[:, VELOCITY] * after).sum(1)], axis=1)
+    gap = np.abs(setup.shape.folded(last[:, POSITION] - states[:, :3])).max(1) + np.abs(
+        last[:, 4:] - states[:, 3:]
+    ).max(1)
+    matrix = _coordinates(setup, vectors, after)
+    names = PLANAR if setup.planar else SPATIAL
+    return TangentMap(matrix.reshape(*shape, k, k), names, across.reshape(*shape, 2), gap.reshape(shape))
+
+
+def lyapunov(
+    table: Table,
+    start: Any,
+    bounces: int = 10_000,
+    *,
+    ball: Ball | None = None,
+    law: Any = "no-slip",
+    surface: Surface | None = None,
+    blocks: int = 20,
+) -> Lyapunov:
+    """Compute the Lyapunov spectrum from the exact tangent map, orthonormalised after every bounce (Benettin et al. 1980).
+
+    There are four exponents in the plane (two coordinates of the boundary map, the spin, the energy), eight in space. One is
+    always zero, because the equations are invariant under scaling of the energy; where the measure is invariant their sum is
+    zero. Other arguments as for :func:`orbit`; many starts run on all cores.
+
+    Parameters
+    ----------
+    bounces : int
+        Number of bounces, after the first.
+    blocks : int
+        The run is divided into this many parts, whose scatter gives the standard error.
+
+    Returns
+    -------
+    Lyapunov
+        Exponents per bounce and per unit time, with standard errors.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> found = billiards.lyapunov(billiards.sinai(), ((0.4, 0.4), (0.8, 0.3), 0.5), bounces=500, law="mirror")
+    >>> bool(found.per_bounce[0] > 0.3), bool(abs(found.per_bounce.sum()) < 0.01)
+    (True, True)
+    """
+    setup = orbit_setup(table, ball, law, surface, "end")
+    bounces, blocks = require_integer("bounces", bounces, 2), require_integer("blocks", blocks, 2)
+    blocks = min(blocks, bounces)
+    states, shape, n = _after_first_bounce(setup, start)
+    vectors = _displacements(setup, n, states[:, 3:6])
+    # a random basis: no direction is special
+    rng = np.random.default_rng(1)
+    k = vectors.shape[1]
+    vectors = np.einsum("ij,njc->nic", np.linalg.qr(rng.normal(size=(k, k)))[0], vectors)
+    last, ends = np.empty((len(states), 10)), np.zeros(len(states), ENDING)
+    sums, time = np.zeros((len(states), k)), np.zeros(len(states))
+    parts, history, done, bad = [], [], 0, np.zeros(len(states), np.int64)
+    for block in range(blocks):
+        share = bounces * (block + 1) // blocks - done
+        before = sums.copy()
+        compiled_tangent_loop()(setup.world, setup.pieces, states, share, vectors, sums, 1, last, ends)
+        bad = np.where(bad != 0, bad, ends["reason"])
+        states = np.where((bad == DONE)[:, None], last[:, 1:], states)
+        time += last[:, TIME]
+        done += share
+        parts.append((sums - before) / share)
+        history.append(sums / done)
+    found = np.where((bad == DONE)[:, None], sums / bounces, np.nan)
+    order = np.argsort(-found, axis=1)
+    found = np.take_along_axis(found, order, 1)
+    scatter = np.std(parts, axis=0, ddof=1) / np.sqrt(blocks)
+    error = np.take_along_axis(scatter, order, 1)
+    run = np.stack([np.take_along_axis(one, order, 1) for one in history])
+    return Lyapunov(
+        found.reshape(*shape, k), (found * (bounces / time)[:, None]).reshape(*shape, k), error.reshape(*shape, k),
+        run.reshape(blocks, *shape, k), bounces, np.array(ENDS)[bad].reshape(shape),
+    )  # fmt: skip

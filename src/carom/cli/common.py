@@ -1,0 +1,162 @@
+"""What commands share: collected errors, the console, progress bars, and checks of output files before a run."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from carom.errors import CaromError
+from carom.files import require_library, require_writable
+
+__all__ = [
+    "attempt",
+    "noting",
+    "out",
+    "require_outputs",
+    "tell",
+    "tick",
+    "working",
+    "write_report_page",
+    "wrote",
+]
+
+if TYPE_CHECKING:
+    from rich.console import Console
+
+
+def attempt(found: list[str], action: Callable[..., Any], *args: Any) -> Any:
+    """Return the result of an action; if it raises CaromError, append its faults to ``found`` and return None."""
+    try:
+        return action(*args)
+    except CaromError as error:
+        found += error.faults
+        return None
+
+
+@contextmanager
+def noting(notes: Iterable[str]) -> Iterator[None]:
+    """Attach notes to a CaromError raised in the block: what was noted while reading a file often says why it failed later."""
+    try:
+        yield
+    except CaromError as error:
+        for note in notes:
+            error.add_note(note)
+        raise
+
+
+def out() -> Console:
+    """Return the console of standard output: colours only on a terminal, no character that it cannot write."""
+    from rich.console import Console
+
+    encoding = (sys.stdout.encoding or "utf-8").lower().replace("-", "")
+    if not encoding.startswith("utf") and hasattr(sys.stdout, "reconfigure"):
+        sys.stdout.reconfigure(errors="replace")
+    return Console(highlight=False)
+
+
+@contextmanager
+def working(
+    what: str, console: Console | None = None, compiling: str = "compiling, once"
+) -> Iterator[Callable[[float, float], None] | None]:
+    """Show a progress bar on standard error if that is a terminal; yield its update function (done, total), else None.
+
+    While loops are compiled, ``compiling`` is shown in the place of ``what``.
+    """
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
+
+    from carom.core.jit.progress import watch_compiling
+
+    console = console or Console(stderr=True, highlight=False)
+    if not console.is_terminal:
+        yield None
+        return
+    columns = (
+        TextColumn("[progress.description]{task.description}"),
+        BarColumn(),
+        TaskProgressColumn(),
+        TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=console, transient=True) as bar:
+        task = bar.add_task(what, total=None)
+        depth = 0
+
+        def describe(_function: str, finished: bool) -> None:
+            nonlocal depth
+            depth += -1 if finished else 1
+            bar.update(task, description=compiling if depth else what)
+
+        with watch_compiling(describe):
+            yield lambda done, size: bar.update(task, completed=done, total=size)
+
+
+def tick(console: Console, good: bool) -> str:
+    """Return a tick or a cross; yes or no if the output has no such characters."""
+    if console.encoding.startswith("utf"):
+        return "✓" if good else "✗"
+    return "yes" if good else "no"
+
+
+def tell(ranking: Any, show: Callable[[Any], None], as_json: bool, console: Console, written: Path | None) -> None:
+    """Print a ranking of laws, as JSON or by ``show``; on the console its notes, and where its report is."""
+    if as_json:
+        sys.stdout.write(json.dumps(ranking.as_dict(), indent=2, allow_nan=False) + "\n")
+    else:
+        show(ranking)
+    for note in ranking.notes:
+        console.print(f"note: {note}", style="yellow", markup=False, soft_wrap=True)
+    if written is not None:
+        wrote(written)
+
+
+def wrote(*paths: Path) -> None:
+    """Print the names of files that were written, on standard error."""
+    for path in paths:
+        sys.stderr.write(f"written: {path}\n")
+
+
+def write_report_page(write: Callable[[], Path], say: Callable[[str, float], None]) -> Path:
+    """Write a report that was asked for and return its path; CaromError where Matplotlib is missing."""
+    require_library("matplotlib", "--report")
+    say("report", 1.0)
+    return write()
+
+
+PICTURES = (".svg", ".pdf", ".png")
+LIBRARIES = {
+    **dict.fromkeys((*PICTURES, ".mp4", ".gif"), ("matplotlib",)),
+    **dict.fromkeys((".parquet", ".pq"), ("pyarrow",)),
+    ".nc": ("xarray", "h5netcdf", "h5py"),
+    ".gsd": ("gsd",),
+}
+"""The optional libraries that a file needs, by its ending."""
+
+
+def require_outputs(
+    found: list[str],
+    named: dict[str, Path | None],
+    kinds: dict[str, tuple[str, ...]] | None = None,
+    source: Path | None = None,
+) -> None:
+    """Add to ``found`` why the files that options name cannot be written.
+
+    ``kinds`` are the endings that an option takes; an option that is not in it takes a picture. Libraries
+    that a file needs have to be installed.
+    ``source`` is a file that is read and must not be written over.
+    """
+    seen: dict[Path, str] = {}
+    for option, path in named.items():
+        if path is None:
+            continue
+        endings = (kinds or {}).get(option, PICTURES)
+        faults: list[str] = []
+        attempt(faults, lambda path=path, endings=endings: require_writable(path, endings, source=source))
+        found += [f"{option} {fault}" for fault in faults]
+        for library in LIBRARIES.get(path.suffix.lower(), ()) if not faults else ():
+            attempt(found, require_library, library, option)
+        if (other := seen.setdefault(path.absolute(), option)) != option:
+            found.append(f"{option} {path}: expected another file than {other}'s, got the same; name a new one")

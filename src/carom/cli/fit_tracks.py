@@ -1,0 +1,159 @@
+"""``carom fit TRACK --whole``: laws against whole tracks, each simulated from a start of its own."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from carom.cli.common import attempt, noting, tell, write_report_page
+from carom.cli.options import parse_length
+from carom.errors import CaromError, did_you_mean, shortened_list
+
+if TYPE_CHECKING:
+    from carom.fitting import Setting
+    from carom.fitting.tracks import TrackRanking
+    from carom.tracks.formats.text_table import Calibration
+    from carom.tracks.track import Track
+
+__all__ = ["TRACK_NUMBERS", "TrackOptions", "fit_track_file"]
+
+TRACK_NUMBERS = ("rolling_resistance", "spin_loss", "wall_left", "wall_right", "wall_bottom", "wall_top")
+"""Parameters of whole tracks that a table of rebounds does not have."""
+MEASURING = 0.4  # of the progress bar, until all contacts are measured
+
+
+class TrackOptions(NamedTuple):
+    """Options that say how tracks are read and followed."""
+
+    view: str | None
+    where: Sequence[str]
+    cushions: int
+    noise: str | None
+    reading: Calibration
+
+
+def fit_track_file(
+    file: Path,
+    given: Setting,
+    laws: Sequence[str],
+    frames: TrackOptions,
+    page: Path | None,
+    as_json: bool,
+    faults: list[str],
+    bar: Any,
+) -> None:
+    """Read, measure, fit, show. ``faults``: of the options, so far."""
+    from rich.console import Console
+
+    from carom.cli.fit_input import is_track
+    from carom.fitting.tracks import TrackSetting, fit_tracks
+    from carom.tracks.contact import Settings
+    from carom.tracks.measurement import measure
+    from carom.tracks.read import read_tracks
+
+    view, where, cushions, noise, reading = frames
+    # (a number of the table like others there: fitted unless it is told)
+    fixed = given.fixed if given.floor_friction is None else {"floor_friction": given.floor_friction} | given.fixed
+    setting = TrackSetting(
+        radius=given.radius, kappa=given.kappa, noise=attempt(faults, parse_length, "noise", noise),
+        contact_height=given.contact_height, restitution=given.restitution, floor_restitution=given.floor_restitution,
+        cushions=cushions, spin_width=given.spin_width or 1.25, fit=given.fit, fixed=fixed, bounds=given.bounds,
+    )  # fmt: skip
+    attempt(faults, setting.check)
+    if given.floor_friction is not None and not 0 <= given.floor_friction < float("inf"):
+        faults.append(f"floor_friction: expected a number of at least 0, got {given.floor_friction!r}")
+    if file.is_file() and not is_track(file):
+        faults.append(f"{file}: expected a track with --whole, got a table of rebounds; leave out --whole")
+    if view == "side":
+        faults.append("--view: expected above with --whole (balls on a table), got side")
+    if faults:
+        raise CaromError(*faults)
+    console = Console(stderr=True, highlight=False)
+    with bar(console) as say:
+        read = read_tracks(file, calibration=reading)
+        settings = Settings(radius=setting.radius, kappa=setting.kappa, view="above", noise=setting.noise)
+        with noting(read.notes):
+            tracks = _chosen(read.tracks, where)
+            measured = measure(tracks, settings, lambda done, total: say("contacts", MEASURING * done / max(total, 1)))
+        measured = replace(measured, notes=(*read.notes, *measured.notes))
+        with noting(measured.notes):
+            ranking = fit_tracks(
+                measured, setting, laws or None, say=lambda what, done: say(what, MEASURING + (1 - MEASURING) * done)
+            )
+        written = None if page is None else write_report_page(lambda: _page(ranking, file, page), say)
+    tell(ranking, _show, as_json, console, written)
+
+
+def _chosen(tracks: Sequence[Track], where: Sequence[str]) -> list[Track]:
+    """Return the tracks that ``--where shot=...`` and ``--where ball=...`` name."""
+    found, faults = list(tracks), []
+    for text in where:
+        name, _equals, value = text.partition("=")
+        if name not in ("shot", "ball") or not value:
+            faults.append(f"--where: expected shot=NAME or ball=NAME with --whole, got {text!r}")
+            continue
+        known = list(dict.fromkeys(track.group if name == "shot" else track.name for track in tracks))
+        if value not in known:
+            faults.append(
+                f"--where {name}: expected one of {shortened_list(known)}, got {value!r}{did_you_mean(value, known)}"
+            )
+        found = [track for track in found if (track.group if name == "shot" else track.name) == value]
+    if faults:
+        raise CaromError(*faults)
+    return found
+
+
+def _page(ranking: TrackRanking, file: Path, page: Path) -> Path:
+    from carom.plot.fit_tracks import write_track_report
+
+    return write_track_report(ranking, str(file), page)
+
+
+def _show(ranking: TrackRanking) -> None:
+    """Print the ranking as a table, and the sentences below it."""
+    from rich import box
+    from rich.table import Table
+    from rich.text import Text
+
+    from carom.cli.common import out
+    from carom.cli.ranking_output import counted, show_unidentified
+    from carom.fitting.result import with_error_bar
+
+    console, best = out(), ranking.best
+    tracks = best.frames.segments
+    console.print(
+        f"{counted(len(tracks), 'track segment')}, {counted(sum(len(one.contacts) for one in tracks), 'contact')},"
+        f" {int(best.frames.count.sum()):,} frames; noise {1e3 * best.noise:.3g} mm {'as given' if best.known else 'estimated'}"
+    )
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
+    for head, side in (
+        ("law", "left"),
+        ("AICc", "right"),
+        ("chi²/dof", "right"),
+        ("RMS, mm", "right"),
+        ("parameters", "left"),
+    ):
+        table.add_column(head, justify=side, no_wrap=head != "parameters")  # type: ignore[arg-type]
+    for fit in ranking.fits:
+        numbers = ", ".join(
+            f"{name} {with_error_bar(estimate)}"
+            for name, estimate in fit.estimates.items()
+            if not name.startswith("wall_")
+        )
+        table.add_row(
+            fit.law.name,
+            f"{fit.aicc:.1f}" if fit is best else f"+{fit.aicc - best.aicc:.1f}",
+            f"{fit.chi2:.4g}/{fit.dof:.0f}" if fit.known else "–",
+            f"{1e3 * fit.median_rms:.3g}",
+            numbers,
+            style="bold" if fit is best else None,
+        )
+    console.print(table)
+    console.print(
+        f"RMS: median of the segments; {best.law.name} over all {1e3 * best.rms():.3g} mm. Wall positions: --json, --report",
+        style="dim",
+    )
+    console.print(Text(ranking.verdict, style="bold green" if ranking.decisive else "bold yellow"), soft_wrap=True)
+    show_unidentified(dict.fromkeys(s for fit in ranking.fits for s in fit.degenerate))

@@ -1,0 +1,244 @@
+"""Output of ``carom gas``: tables, JSON, and progress on standard error (a bar on a terminal, else a line now and then)."""
+
+from __future__ import annotations
+
+import json
+import math
+import time
+from types import TracebackType
+from typing import TYPE_CHECKING, Any
+
+from rich import box
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from carom.cli.common import out
+from carom.formatting import format_number
+from carom.gas.report import report
+
+__all__ = ["Progress", "as_json", "finite", "show"]
+
+if TYPE_CHECKING:
+    from carom.gas.session import Session
+
+
+CONSERVED = 1e-6  # a smaller relative change of the energy is rounding, not dissipation
+LINE_INTERVAL = 20.0  # s between lines of progress where there is no terminal
+
+
+def as_json(session: Session) -> str:
+    """Return the report of a session as JSON, in full precision; infinite and undefined numbers are null."""
+    return json.dumps(finite(report(session)), allow_nan=False, indent=1) + "\n"
+
+
+def finite(value: Any) -> Any:
+    """Return a value with None in place of infinite and undefined numbers, which JSON does not have."""
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, dict):
+        return {key: finite(part) for key, part in value.items()}
+    return [finite(part) for part in value] if isinstance(value, (list, tuple)) else value
+
+
+def show(session: Session) -> None:
+    """Print the report of a session: the gas, its species, its contacts."""
+    found, console = report(session), out()
+    console.print(Text(f"Gas: {session.scene.describe()}"), soft_wrap=True)
+    tables = [_totals(session, found), _species(session, found), _contacts(found)]
+    width = console.width
+    for table in tables:
+        console.width = 1000
+        console.width = max(width, console.measure(table).maximum)
+        console.print(table)
+    console.width = width
+
+
+def _table(heads: list[str], words: int = 1) -> Table:
+    table = Table(box=box.SIMPLE_HEAD, padding=(0, 1), pad_edge=False, header_style="bold")
+    for k, head in enumerate(heads):
+        table.add_column(head, justify="left" if k < words else "right", no_wrap=True, vertical="bottom")
+    return table
+
+
+def _totals(session: Session, found: dict[str, Any]) -> Table:
+    """Return the table of the whole gas."""
+    table = _table(["gas", ""], 1)
+    events, cpu = found["events"], found["cpu_seconds"]
+    rotational, translational = found["temperature_rotational"], found["temperature_translational"]
+    ideal = translational * found["balls"] / session.scene.container.geometry.volume
+    rows = [("pair collisions", f"{found['pair_collisions']:,}")]
+    if found["wall_collisions"]:
+        rows.append(("wall collisions", f"{found['wall_collisions']:,}"))
+    rows += [
+        ("simulated time", format_number(found["simulated_time"], 6)),
+        ("mean free time", format_number(found["mean_free_time"], 6)),
+        ("pressure", format_number(found["pressure"], 6)),
+        ("  relative to an ideal gas", format_number(found["pressure"] / ideal, 5) if ideal > 0 else "–"),
+        ("translational temperature", format_number(translational, 6)),
+        ("rotational temperature", format_number(rotational, 6)),
+        ("  rotational / translational", format_number(rotational / translational, 5) if translational > 0 else "–"),
+    ]
+    if session.measures is not None and session.measures.has_diffusion:
+        rows.append(("diffusion coefficient", format_number(found["diffusion"], 4)))
+    rows += _energy(found)
+    rows += [
+        ("largest overlap / contact distance", f"{found['max_overlap']:.1e}"),
+        ("processor time of the event loop", f"{cpu:.2f} s, {events / cpu:,.0f} events/s" if cpu > 0 else "–"),
+    ]
+    for row in rows:
+        table.add_row(*row)
+    return table
+
+
+def _energy(found: dict[str, Any]) -> list[tuple[str, str]]:
+    """Return the rows of the energy balance; for a gas that conserves energy, its drift."""
+    start, end = found["energy_start"], found["energy_end"]
+    lost = sum(row["lost_normal"] + row["lost_tangential"] for row in found["channels"])
+    given = {
+        "given by walls": sum(found["energy_from_walls"].values()),
+        "given by the thermostat": found["energy_from_thermostat"],
+    }
+    scale = abs(start) + abs(end)
+    moved = [(f"  {name}", format_number(x, 5)) for name, x in given.items() if x != 0]
+    moved += [("  lost in collisions", format_number(lost, 5))] if abs(lost) > CONSERVED * scale else []
+    if not moved:
+        return [("relative energy drift", f"{found['energy_drift']:.1e}")]
+    left = end - start - sum(given.values()) + lost
+    scale += abs(lost)
+    rows = [("energy at start and end", f"{format_number(start, 5)}, {format_number(end, 5)}"), *moved]
+    return [*rows, ("  relative imbalance", f"{left / scale if scale > 0 else 0.0:.1e}")]
+
+
+def _species(session: Session, found: dict[str, Any]) -> Table:
+    """Return the table of the species: temperatures, and fourth cumulants a₂ of velocity and spin."""
+    heads = [
+        "translational\ntemperature",
+        "rotational\ntemperature",
+        "rotational /\ntranslational",
+        "a₂ of\nvelocity",
+        "a₂ of\nspin",
+    ]
+    table = _table(["species", "balls", *heads])
+    for one in session.scene.species:
+        row = found["species"][one.name]
+        translational, rotational = row["temperature_translational"], row["temperature_rotational"]
+        ratio = rotational / translational if translational > 0 else math.nan
+        cells = [format_number(translational, 5), format_number(rotational, 5), format_number(ratio, 4)]
+        table.add_row(
+            one.name, f"{one.count:,}", *cells, _signed(row["a2_translational"]), _signed(row["a2_rotational"])
+        )
+    return table
+
+
+def _signed(x: float) -> str:
+    """Return a fourth cumulant with its sign; a dash for nan."""
+    return "–" if math.isnan(x) else f"{x:+.4f}"
+
+
+def _contacts(found: dict[str, Any]) -> Table:
+    """Return the table of the contacts: rates (per ball of the first species), and energies in units of the scene's."""
+    heads = [
+        "collisions per ball\nper unit time",
+        "energy lost\n(normal)",
+        "energy lost\n(tangential)",
+        "energy\nto spin",
+    ]
+    table = _table(["contact", "collisions", *heads])
+    scale = abs(found["energy_start"]) + abs(found["energy_end"])
+    for row in found["channels"]:
+        # (rounding is shown as zero)
+        energies = [
+            format_number(0.0 if abs(row[name]) < 1e-9 * scale else row[name], 4)
+            for name in ("lost_normal", "lost_tangential", "to_spin")
+        ]
+        table.add_row(" – ".join(row["between"]), f"{row['collisions']:,}", format_number(row["rate"], 4), *energies)
+    return table
+
+
+# --- progress ------------------------------------------------------------------------------------------------------
+
+
+class Progress:
+    """Progress of a session: its part, events, events per second, simulated time. A context manager."""
+
+    def __init__(self, quiet: bool) -> None:
+        self.console = Console(stderr=True, highlight=False)
+        self.quiet = quiet
+        self.bar: Any = None
+        self.task: Any = None
+        self.part: bool | None = None
+        self.begin = self.last_line = time.monotonic()
+        self.first = 0
+
+    def say(self, text: str) -> None:
+        """Print a line, unless quiet."""
+        if not self.quiet:
+            self.console.print(text, soft_wrap=True, markup=False)
+
+    def note_compiling(self) -> None:
+        """Print a line if the event loop has not been compiled yet."""
+        from carom.gas.edmd.driver import loop_is_cached
+
+        if not loop_is_cached():
+            self.say("compiling the event loop (once)")
+
+    def growing(self, fraction: float) -> None:
+        """Show how far a dense start has grown."""
+        now = time.monotonic()
+        if self.quiet or (now - self.last_line < (0.3 if self.console.is_terminal else LINE_INTERVAL) and fraction < 1):
+            return
+        self.last_line = now
+        end = "\r" if self.console.is_terminal and fraction < 1 else "\n"
+        self.console.print(f"growing a dense start: {fraction:.1%} of the final radii ", end=end, markup=False)
+
+    def __enter__(self) -> Progress:
+        """Begin."""
+        if self.console.is_terminal and not self.quiet:
+            from rich.progress import BarColumn, TaskProgressColumn, TextColumn, TimeRemainingColumn
+            from rich.progress import Progress as Bar
+
+            text = TextColumn("{task.fields[events]}  {task.fields[rate]}  {task.fields[time]}")
+            self.bar = Bar(
+                TextColumn("{task.description:13}"), BarColumn(), TaskProgressColumn(), text, TimeRemainingColumn(),
+                console=self.console, transient=True,
+            )  # fmt: skip
+            self.bar.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        """End."""
+        if self.bar is not None:
+            self.bar.stop()
+
+    def show(self, session: Session) -> None:
+        """Show the progress of a session."""
+        if self.quiet:
+            return
+        now = time.monotonic()
+        if session.measuring != self.part:
+            self._next_part(session, now)
+        took = now - self.begin
+        rate = (session.gas.collisions - self.first) / took if took > 0 else 0.0
+        words = (f"{session.done:,} events", f"{rate:,.0f} events/s", f"t = {session.gas.time:.5g}")
+        if self.bar is not None:
+            self.bar.update(self.task, completed=session.completed, events=words[0], rate=words[1], time=words[2])
+        elif now - self.last_line >= LINE_INTERVAL:
+            self.last_line = now
+            self.say(f"{self._part_name(session)}: {session.completed:.0%}, {', '.join(words)}")
+
+    def _next_part(self, session: Session, now: float) -> None:
+        self.part, self.begin, self.first = session.measuring, now, session.gas.collisions
+        if self.bar is not None:
+            if self.task is not None:
+                self.bar.remove_task(self.task)
+            self.task = self.bar.add_task(self._part_name(session), total=1.0, events="", rate="", time="")
+        elif not session.finished:
+            count = session.scene.count
+            self.say(f"{self._part_name(session)}: {count:,} ball{'' if count == 1 else 's'}")
+
+    @staticmethod
+    def _part_name(session: Session) -> str:
+        return "measuring" if session.measuring else "equilibrating"

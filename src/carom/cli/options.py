@@ -1,0 +1,186 @@
+"""Options that several commands have, each defined once; and the parsers of their values."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any
+
+import typer
+
+from carom.errors import CaromError
+
+__all__ = [
+    "BALL",
+    "FLOOR",
+    "OUTPUT",
+    "REBOUNDS",
+    "RUN",
+    "TRACK",
+    "WALL",
+    "comma_separated",
+    "parse_assignments",
+    "parse_bounds",
+    "parse_inertia",
+    "parse_length",
+    "parse_number",
+    "parse_spin",
+    "shared",
+    "unused_options",
+]
+
+# Headings of the help, for options of all commands.
+BALL, WALL, FLOOR, RUN, OUTPUT = "Ball", "Wall", "Floor", "Run", "Output"
+TRACK, REBOUNDS = "Track", "Table of rebounds"
+
+# Each shared option by its parameter's name: heading, help, and what else Typer needs.
+_SHARED: dict[str, tuple[str, str, dict[str, Any]]] = {
+    "radius": (BALL, "Radius, m.", {}),
+    "mass": (BALL, "Mass, kg.", {}),
+    "inertia": (BALL, "solid, hollow, or kappa = I/(m a^2).", {"metavar": "solid|hollow|KAPPA"}),
+    "height": (BALL, "Height at the wall above its place on the floor, m.", {}),
+    "restitution": (WALL, "Restitution, 0 to 1.", {}),
+    "friction": (WALL, "Friction coefficient; inf: never slips.", {}),
+    "tangential_restitution": (WALL, "-1 to 1: 0 stops the slip, 1 reverses it.", {}),
+    "stiffness_ratio": (WALL, "Tangential over normal stiffness, for maw and stronge.", {}),
+    "contact_height": (
+        WALL,
+        "Height of the contact above the floor, in ball radii; billiard cushions: 1.25 to 1.4.",
+        {"flags": ("--contact-height", "--cushion-height")},
+    ),
+    "floor_restitution": (FLOOR, "Restitution, 0 to 1.", {}),
+    "floor_friction": (FLOOR, "Friction coefficient; inf: never slips.", {}),
+    "floor_tangential_restitution": (FLOOR, "-1 to 1: 0 stops the slip, 1 reverses it.", {}),
+    "floor_contact": (
+        FLOOR,
+        "A ball that the wall presses down meets the floor with the wall, or after it.",
+        {"metavar": "with|after"},
+    ),
+    "gravity": (FLOOR, "Gravity, m/s^2.", {}),
+    "duration": (RUN, "Duration; overrides the scene's.", {"metavar": "T"}),
+    "max_events": (RUN, "Largest number of events; overrides the scene's.", {"metavar": "N"}),
+    "seed": (RUN, "Seed of the random numbers.", {"metavar": "N"}),
+    "rate": (TRACK, "Frames per second.", {"flags": ("--rate", "--fps")}),
+    "scale": (TRACK, "Metres per unit of the file: 0.0005, or 0.5mm.", {}),
+    "view": (TRACK, "above (balls on a table) or side (balls in flight).", {"metavar": "above|side"}),
+    "noise": (TRACK, "Error of one coordinate in one frame: 0.0003 (m), or 0.3mm.", {}),
+    "kind": (REBOUNDS, "planar (in flight) or table (rolling).", {"metavar": "planar|table"}),
+    "sigma_v": (REBOUNDS, "Error bar of speeds, m/s.", {}),
+    "sigma_spin": (REBOUNDS, "Error bar of spins, rad/s.", {}),
+    "json": (OUTPUT, "Print JSON on standard output, and nothing else.", {"flags": ("--json",)}),
+    "quiet": (OUTPUT, "Print nothing but errors.", {"flags": ("--quiet",)}),
+    "force": (OUTPUT, "Overwrite a file that exists.", {"flags": ("--force",)}),
+    "plot": (OUTPUT, "Draw a figure: .svg, .pdf or .png.", {"metavar": "FILE"}),
+}
+
+
+def shared(name: str, default: str | None = None, **changes: Any) -> Any:
+    """Return the option with this name in the table, for ``Annotated``.
+
+    ``default``: shown in the help in place of the parameter's default, where that is None. ``changes``: of what Typer is given,
+    for a command where an option means something more special (``help``, ``rich_help_panel``).
+    """
+    panel, text, more = _SHARED[name]
+    settings = {"help": text, "rich_help_panel": panel, **more, **changes}
+    if default is not None:
+        settings["show_default"] = default
+    return typer.Option(*settings.pop("flags", ()), **settings)
+
+
+def comma_separated(text: str) -> list[str]:
+    """Return the non-empty parts between commas."""
+    return [part.strip() for part in text.split(",") if part.strip()]
+
+
+def parse_inertia(text: str) -> float:
+    """Return kappa = I/(m a^2) of solid, hollow or a number."""
+    from carom.bodies import INERTIAS
+
+    try:
+        kappa = INERTIAS[text] if text in INERTIAS else float(text)
+    except ValueError:
+        kappa = math.nan
+    if not 0 < kappa <= 1:
+        raise CaromError(f"--inertia: expected solid, hollow or kappa = I/(m a^2) above 0, up to 1, got {text!r}")
+    return kappa
+
+
+def parse_length(name: str, text: str | None) -> float | None:
+    """Return a length in m from a text with or without a unit."""
+    from carom.core.units import parse_quantity
+
+    if text is None:
+        return None
+    try:
+        value = float(text)
+    except ValueError:
+        try:
+            value = parse_quantity(text, "m")
+        except ValueError:
+            value = math.nan
+    if not math.isfinite(value):
+        raise CaromError(f"--{name}: expected a length, such as 0.0005 (m) or 0.5mm, got {text!r}")
+    return value
+
+
+def parse_spin(text: str | None, whole: bool = False) -> tuple[float | None, dict[str, Any]]:
+    """Return the spin of all rows, or the prior of unmeasured spins as fields of a Setting; ``whole``: at the starts of tracks."""
+    name, _, width = (text or "normal").partition(":")
+    if whole and name != "normal":
+        raise CaromError(
+            f"--spin: expected normal:WIDTH (in v/a) with --whole, got {text!r}; each track's own is fitted"
+        )
+    try:
+        if name == "normal" and not width:
+            return None, {}
+        if name in ("normal", "uniform"):
+            if float(width) > 0:
+                return None, {"spin_prior": name, "spin_width": float(width), "spin_mean": 0.0}
+        elif math.isfinite(value := 0.0 if name == "none" else float(name)):
+            return value, {}
+    except ValueError:
+        pass
+    raise CaromError(f"--spin: expected a spin in rad/s, normal, normal:WIDTH or uniform:WIDTH (in v/a), got {text!r}")
+
+
+def parse_assignments(
+    faults: list[str], option: str, texts: list[str] | None, known: list[str]
+) -> Iterator[tuple[str, str]]:
+    """Yield names and values of repeated NAME=VALUE; names that are not known become faults."""
+    from carom.errors import suggestion
+
+    for text in texts or []:
+        name, equals, value = text.partition("=")
+        if not equals:
+            faults.append(f"{option}: expected NAME=..., got {text!r}")
+        elif name not in known:
+            faults.append(f"{option}: expected a number of a law, got {name!r}; {suggestion(name, known)}")
+        else:
+            yield name, value
+
+
+def parse_number(option: str, name: str, text: str) -> float:
+    """Return the number of NAME=VALUE."""
+    try:
+        return float(text)
+    except ValueError:
+        raise CaromError(f"{option}: {name}: expected a number, got {text!r}") from None
+
+
+def parse_bounds(name: str, text: str) -> tuple[float, float]:
+    """Return the two numbers of NAME=LOW:HIGH."""
+    low, _, high = text.partition(":")
+    try:
+        found = float(low), float(high)
+    except ValueError:
+        found = (1.0, 0.0)
+    if not found[0] < found[1]:
+        raise CaromError(f"--bound: {name}: expected LOW:HIGH, LOW below HIGH, got {text!r}")
+    return found
+
+
+def unused_options(whole: bool, of_contacts: dict[str, Any], of_frames: dict[str, Any]) -> list[str]:
+    """Return faults of options that were given and have no effect: of contacts with ``--whole``, of whole tracks without it."""
+    wanted = "no --whole, which fits frames and not contacts" if whole else "--whole beside it"
+    given = of_contacts if whole else of_frames
+    return [f"{name}: expected {wanted}; leave it out" for name, value in given.items() if value is not None]

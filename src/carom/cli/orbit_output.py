@@ -1,0 +1,197 @@
+"""Output of ``carom orbit``: results as plain numbers, every bounce, tables for the terminal."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from carom.billiards import Orbit, Table
+
+__all__ = ["every_bounce", "orbit_facts", "print_orbit"]
+
+# Why an orbit ended, in words.
+REASONS = {
+    "bounces": "after all bounces",
+    "escaped": "escaped",
+    "corner": "at a corner",
+    "grazed": "grazing the wall",
+    "free": "flying freely",
+}
+
+
+def orbit_facts(
+    found: Orbit, table: Table, begin: Any, options: dict[str, Any], *, lyapunov: bool, back: bool
+) -> dict[str, Any]:
+    """Return what is known of the orbits, as plain numbers; None for what they do not have."""
+    import numpy as np
+
+    from carom import billiards
+
+    ball = found.setup.ball
+    made, ends = np.atleast_1d(found.count), np.atleast_1d(found.ended)
+    facts: dict[str, Any] = {
+        "table": {"name": table.name, "bounds": table.bounds, **table.sizes},
+        "ball": {"radius": float(ball.radius), "kappa": float(ball.kappa)},
+        "law": found.setup.law,
+        "orbits": len(made),
+        "count": int(made.sum()),
+        "ended": {str(name): int((ends == name).sum()) for name in np.unique(ends)},
+        "energy_drift": None,
+    }
+    whole = made == found.t.shape[-1]
+    if made.max(initial=0) > 0:
+        speed = np.atleast_2d(found.speed)
+        facts["mean_time_between_bounces"] = float(np.nansum(found.last[..., 0]) / made.sum())
+        if found.setup.conservative:
+            fall = 2 * (found.position @ np.array(table.acceleration[: table.dimension])).reshape(speed.shape)
+            lost = speed**2 - fall
+            lost = lost[np.arange(len(made)), np.maximum(made, 1) - 1] - lost[:, 0]
+            facts["energy_drift"] = float(np.nanmax(np.abs(lost) / np.nanmax(speed**2, axis=1)))
+    if whole.all():
+        periods = np.atleast_1d(billiards.period(found))
+        names, counts = np.unique(periods, return_counts=True)
+        facts["periods"] = {str(p): int(c) for p, c in zip(names.tolist(), counts.tolist(), strict=True) if p}
+        falls = bool(found.setup.world["force_across"][0])
+        round_ = table.name == "circle" or (table.name == "cylinder" and table.sizes["section"] == "circle")
+        if round_ and not falls:
+            caustics = billiards.caustics(found)
+            facts["caustics"] = np.atleast_2d(caustics.radii)[0].tolist() if len(made) == 1 else None
+        along = any(table.acceleration) or table.name in ("strip", "plates", "cylinder")
+        if along and not falls and found.t.shape[-1] >= 4:
+            axis = 2 if table.name in ("plates", "cylinder") else 0
+            drift = billiards.drift(found, axis)
+            names_ = ("extent", "velocity", "acceleration", "growth")
+            if len(made) == 1:
+                facts["drift"] = {"axis": "xyz"[axis]} | {n: _plain(np.ravel(getattr(drift, n))[0]) for n in names_}
+    if back:
+        _orbit, error = billiards.reverse(found)
+        facts["reversal_error"] = float(np.max(error))
+    if lyapunov:
+        spectrum = billiards.lyapunov(table, begin, found.t.shape[-1], **options)
+        mean = spectrum.per_bounce.reshape(-1, spectrum.per_bounce.shape[-1])
+        # an orbit that ended early has no exponents
+        lasted = np.isfinite(mean).all(axis=-1)
+        means = [mean, spectrum.per_time.reshape(mean.shape), spectrum.error.reshape(mean.shape) ** 2]
+        per_bounce, per_time, error = (
+            np.mean(x[lasted], axis=0) if lasted.any() else np.full(x.shape[-1], np.nan) for x in means
+        )
+        error = np.sqrt(error / max(lasted.sum(), 1))
+        named = {"per_bounce": per_bounce, "per_time": per_time, "error": error}
+        facts["lyapunov"] = {name: [_plain(x) for x in values] for name, values in named.items()}
+    return facts
+
+
+def _plain(x: Any) -> float | None:
+    return float(x) if math.isfinite(x) else None
+
+
+def every_bounce(found: Orbit) -> list[Any]:
+    """Return every bounce: of one orbit a list, of many a list of lists."""
+    import numpy as np
+
+    d = found.setup.table.dimension
+    n = found.t.shape[-1]
+    flat = found.setup.shape.sphere is None
+    columns = {
+        "t": found.t, "piece": found.piece, "s": found.arc if flat else None, "position": found.position,
+        "velocity": found.velocity, "spin": found.spin, "along": found.along, "across": found.across,
+    }  # fmt: skip
+    rows = []
+    counts = np.atleast_1d(found.count)
+    reshaped = {
+        key: np.asarray(value).reshape(
+            len(counts), n, *([-1] if key in ("position", "velocity") or (key == "spin" and d == 3) else [])
+        )
+        for key, value in columns.items()
+        if value is not None
+    }
+    for m, count in enumerate(counts):
+        lists = {key: value[m, :count].tolist() for key, value in reshaped.items()}
+        rows.append([dict(zip(lists, values, strict=True)) for values in zip(*lists.values(), strict=True)])
+    return rows[0] if len(rows) == 1 else rows
+
+
+def print_orbit(facts: dict[str, Any], found: Orbit) -> None:
+    """Print the results as tables."""
+    from rich import box
+    from rich.table import Table as Grid
+
+    from carom.cli.common import out
+
+    console = out()
+    grid = Grid(box=None, show_header=False, pad_edge=False)
+    grid.add_column(style="bold")
+    grid.add_column()
+    sizes = ", ".join(
+        f"{k} {v:.6g}" if isinstance(v, float) else f"{k} {v}"
+        for k, v in facts["table"].items()
+        if k not in ("name", "bounds")
+    )
+    grid.add_row("table", f"{facts['table']['name']}: {sizes}; bounds the {facts['table']['bounds']}")
+    grid.add_row(
+        "ball", f"kappa {facts['ball']['kappa']:.6g}, radius {facts['ball']['radius']:.6g} m; law {facts['law']}"
+    )
+    reasons = {REASONS[name]: count for name, count in facts["ended"].items()}
+    ends = ", ".join(f"{count} {name}" if facts["orbits"] > 1 else name for name, count in reasons.items())
+    grid.add_row(
+        "bounces", f"{facts['count']:,} in {facts['orbits']:,} orbit{'s' * (facts['orbits'] > 1)}; ended: {ends}"
+    )
+    if facts.get("mean_time_between_bounces") is not None:
+        grid.add_row("mean time", f"{facts['mean_time_between_bounces']:.6g} s between bounces")
+    if facts["energy_drift"] is not None:
+        grid.add_row("energy", f"conserved to {facts['energy_drift']:.1e}")
+    if facts.get("periods"):
+        shown = ", ".join(p if facts["orbits"] == 1 else f"{p} ({c})" for p, c in facts["periods"].items())
+        grid.add_row("period", shown)
+    elif "periods" in facts:
+        grid.add_row("period", "no period detected")
+    if facts.get("caustics"):
+        grid.add_row("caustics", " and ".join(f"{r:.9g}" for r in facts["caustics"]) + " m")
+    if facts.get("drift"):
+        d = facts["drift"]
+        kind = "bounded" if d["growth"] is not None and d["growth"] < 1.3 else "not bounded so far"
+        grid.add_row(
+            "along " + d["axis"],
+            f"{kind}: extent {d['extent']:.6g} m, mean velocity {d['velocity']:.3g} m/s, acceleration {d['acceleration']:.3g} m/s²",
+        )
+    if facts.get("reversal_error") is not None:
+        grid.add_row("backwards", f"returns to within {facts['reversal_error']:.1e} m")
+    console.print(grid)
+    if facts.get("lyapunov"):
+        spectrum = Grid(box=box.SIMPLE_HEAD, pad_edge=False)
+        for name in ("Lyapunov exponents", "per bounce", "±", "per second"):
+            spectrum.add_column(name, justify="right")
+        both = facts["lyapunov"]
+        for number, row in enumerate(zip(both["per_bounce"], both["error"], both["per_time"], strict=True)):
+            spectrum.add_row(str(number + 1), *("–" if x is None else f"{x:.5f}" for x in row))
+        console.print(spectrum)
+    if facts["orbits"] == 1 and facts["count"]:
+        console.print(_first_bounces(found))
+
+
+def _first_bounces(found: Orbit) -> Any:
+    """Return the first five bounces and the last as a table that fits 80 columns."""
+    import numpy as np
+    from rich.table import Table as Grid
+
+    n = found.t.shape[-1]
+    x = found.position.reshape(n, -1)
+    columns = {"t": found.t}
+    if found.setup.planar:
+        columns |= {"s": found.arc, "x": x[:, 0], "y": x[:, 1]}
+    else:
+        columns["z"] = x[:, 2]
+    columns |= {"v along": found.along, "v across": found.across}
+    spins = found.spin.reshape(n, -1)
+    grid = Grid(box=None, padding=(0, 1, 0, 0), title="bounces (m, s, rad)", title_style="dim", title_justify="left")
+    for name in ("", *columns, "spin"):
+        grid.add_column(name, justify="right", no_wrap=True, header_style="bold")
+    count = int(np.ravel(found.count)[0])
+    for k in [*range(min(count, 5)), *([count - 1] if count > 5 else [])]:
+        if k > 5:
+            grid.add_row("…")
+        numbers = [float(column.reshape(n)[k]) for column in columns.values()]
+        turn = " ".join(f"{w:.3g}" if len(spins[k]) > 1 else f"{w:.4g}" for w in spins[k])
+        grid.add_row(str(k + 1), *(f"{number + 0.0:.4g}" if math.isfinite(number) else "–" for number in numbers), turn)
+    return grid

@@ -1,0 +1,178 @@
+"""``carom derive``: derive the paper's equations and report which hold. ``carom figures``: redraw its Figures 1 to 3."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Callable
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from carom.cli.common import wrote
+from carom.cli.options import shared
+from carom.errors import CaromError
+from carom.files import require_library, require_writable, write_text
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+    from carom.derive.paper import Entry, EquationVerdict
+
+_STYLE = {"holds": "green", "conditional": "yellow", "misprint": "bold red"}
+
+
+def register(app: typer.Typer) -> None:
+    """Add the commands."""
+    app.command("derive")(derive)
+    app.command("figures")(figures)
+
+
+def derive(
+    destination: Annotated[
+        Path | None,
+        typer.Argument(metavar="[FILE]", help="With --json or --tex: the file to write. Default: standard output."),
+    ] = None,
+    equation: Annotated[
+        str | None,
+        typer.Option(
+            "--equation",
+            "-e",
+            help="Show one equation with all steps: a number (31), a part (41e) or a statement (s4-1).",
+        ),
+    ] = None,
+    as_json: Annotated[bool, shared("json")] = False,
+    as_tex: Annotated[bool, typer.Option("--tex", help="Print a LaTeX document with every step.")] = False,
+) -> None:
+    """Derive every equation of the paper and report which hold, which hold conditionally, and which are misprints."""
+    require_library("sympy", "derive")
+    if as_json and as_tex:
+        raise CaromError("derive: --json and --tex exclude each other; give one of them")
+    if destination is not None and not (as_json or as_tex):
+        raise CaromError(f"derive: {destination}: a file to write goes with --json or --tex; give one of them")
+    if destination is not None:
+        require_writable(destination, (".json",) if as_json else (".tex",))  # before the derivation, which takes long
+    from carom.derive import paper
+
+    with _progress() as report:
+        rows = (
+            list(paper.derive_paper(report)) if equation is None else paper.find_entries(equation.strip("()"), report)
+        )
+    if as_json:
+        records = [paper.as_record(entry, verdict) for entry, verdict in rows]
+        _put(json.dumps({"equations": records}, indent=2, ensure_ascii=False) + "\n", destination)
+    elif as_tex:
+        _put(paper.as_tex(rows), destination)
+    elif equation is None:
+        _table(rows)
+    else:
+        _steps(rows)
+
+
+def _put(text: str, destination: Path | None) -> None:
+    if destination is None:
+        sys.stdout.write(text)
+        return
+    write_text(destination, text)
+    wrote(destination)
+
+
+@contextmanager
+def _progress() -> Iterator[Callable[[str, int, int], None]]:
+    """Show a progress bar on standard error, and remove it at the end."""
+    from rich.console import Console
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    console = Console(stderr=True)
+    columns = (TextColumn("{task.description:<34}"), BarColumn(), TimeElapsedColumn())
+    with Progress(*columns, console=console, transient=True) as bar:
+        task = bar.add_task("starting", total=None)
+
+        def report(name: str, done: int, total: int) -> None:
+            bar.update(task, description=name, completed=done, total=total)
+            if not console.is_terminal:
+                console.print(f"derive: {done}/{total} {name}", highlight=False, markup=False)
+
+        yield report
+
+
+def _table(rows: list[tuple[Entry, EquationVerdict]]) -> None:
+    """Print a table of verdicts, without the parts of an equation unless they are misprints."""
+    from rich.console import Console
+    from rich.table import Table
+    from rich.text import Text
+
+    from carom.derive import paper
+
+    table = Table(title="The paper's equations, derived", title_justify="left", row_styles=["", "dim"])
+    for name in ("", "verdict", "subject", "note"):
+        table.add_column(name, overflow="fold", no_wrap=name == "verdict")
+    counts = dict.fromkeys(_STYLE, 0)
+    for entry, verdict in rows:
+        part = entry.id[0].isdigit() and entry.id[-1].isalpha()
+        counts[verdict.status] += not part
+        if part and verdict.status != "misprint":
+            continue
+        record = paper.as_record(entry, verdict)
+        table.add_row(
+            entry.id, Text(verdict.status, style=_STYLE[verdict.status]), Text(entry.title), Text(record["note"])
+        )
+    console = Console()
+    console.print(table)
+    total = ", ".join(f"{count} {name}" for name, count in counts.items())
+    console.print(
+        Text(f"{sum(counts.values())} equations and statements: {total}. All steps of one: carom derive --equation 31")
+    )
+
+
+def _steps(rows: list[tuple[Entry, EquationVerdict]]) -> None:
+    """Print entries with every step."""
+    from rich.console import Console
+    from rich.text import Text
+
+    from carom.derive import paper
+    from carom.derive.paper.ledger import shown
+
+    console = Console(highlight=False)
+
+    def line(words: str, style: str = "") -> None:
+        console.print(Text(words, style=style), soft_wrap=True)
+
+    def formulas(things: tuple[Any, ...]) -> None:
+        for thing in things:
+            line(f"    {shown(thing)}")
+
+    for i, (entry, verdict) in enumerate(rows):
+        part = entry.id[0].isdigit() and entry.id[-1].isalpha()
+        if part and i > 0:  # the equation itself has the steps; its parts need only their verdicts
+            line(f"({entry.id})  {verdict.status}    {shown(entry.printed[0])}", _STYLE[verdict.status])
+            continue
+        line(f"({entry.id})  {entry.title}" if entry.id[0].isdigit() else f"{entry.id}  {entry.title}", "bold")
+        line("  printed")
+        formulas(entry.printed)
+        line("  steps")
+        for step in entry.steps:
+            if step.text:
+                line(f"    {step.text}")
+            if step.result is not None:
+                formulas((step.result,))
+        line("  derived")
+        formulas(entry.derived)
+        line(f"  verdict: {verdict.status}", _STYLE[verdict.status])
+        note = paper.as_record(entry, verdict)["note"]
+        if note:
+            line(f"  {note}")
+
+
+def figures(
+    out: Annotated[
+        Path, typer.Option("--out", metavar="DIR", help="Folder to write to; created if it does not exist.")
+    ] = Path(),
+) -> None:
+    """Redraw the paper's Figures 1 to 3 as SVG and PDF."""
+    from carom import plot
+
+    for path in plot.figures(out):
+        sys.stdout.write(f"{path}\n")

@@ -1,0 +1,75 @@
+"""Print a ranking of laws as a table, with its verdict and notes."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from carom.fitting import Ranking
+
+__all__ = ["counted", "show", "show_unidentified"]
+
+MAX_OUTLIERS = 10
+
+
+def show(ranking: Ranking) -> None:
+    """Print the ranking as a table, and the sentences below it."""
+    from rich import box
+    from rich.table import Table
+    from rich.text import Text
+
+    from carom.cli.common import out
+    from carom.fitting.result import with_error_bar
+
+    console = out()
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
+    for head, side in (
+        ("law", "left"),
+        ("AICc", "right"),
+        ("weight", "right"),
+        ("chi²/dof", "right"),
+        ("CV score", "right"),
+        ("parameters", "left"),
+    ):
+        table.add_column(head, justify=side, no_wrap=head != "parameters")  # type: ignore[arg-type]
+    least = ranking.best.aicc
+    for one in ranking.ranked:
+        fit = one.fit
+        goodness = "–" if fit.scatter or fit.dof <= 0 else f"{fit.chi2:.4g}/{fit.dof}"
+        numbers = ", ".join(f"{name} {with_error_bar(estimate)}" for name, estimate in fit.estimates.items()) or "none"
+        table.add_row(
+            fit.law.name,
+            f"{fit.aicc:.1f}" if one is ranking.ranked[0] else f"+{fit.aicc - least:.1f}",
+            f"{one.weight:.3g}" if one.weight >= 1e-4 else "0",
+            goodness,
+            "–" if math.isnan(one.score) else f"{one.score:.3g}",
+            numbers,
+            style="bold" if one is ranking.ranked[0] else None,
+        )
+    console.print(table)
+    console.print(Text(ranking.verdict, style="bold green" if ranking.decisive else "bold yellow"), soft_wrap=True)
+    show_unidentified(ranking.degenerate)
+    for outlier in ranking.outliers[:MAX_OUTLIERS]:
+        console.print(Text(f"outlier: {outlier.row}: chi² {outlier.chi2:.1f}, {outlier.why}"), soft_wrap=True)
+    if (more := len(ranking.outliers) - MAX_OUTLIERS) > 0:
+        console.print(f"and {counted(more, 'more outlier')}")
+
+
+def show_unidentified(sentences: Iterable[str]) -> None:
+    """Print what is not identifiable from the data, one law and parameter a line."""
+    from rich.text import Text
+
+    from carom.cli.common import out
+
+    lines = list(sentences)
+    if lines:
+        out().print("Unconstrained parameters:")
+    for line in lines:
+        out().print(Text(f"  {line}"), soft_wrap=True)
+
+
+def counted(n: int, noun: str) -> str:
+    """Return a number and a noun, singular where there is one."""
+    return f"{n:,} {noun}{'' if n == 1 else 's'}"

@@ -1,0 +1,198 @@
+"""Print a run: a description, tables of events and states, the energy budget; or write it as JSON."""
+
+from __future__ import annotations
+
+import json
+import math
+import textwrap
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from rich import box
+from rich.console import Console
+from rich.table import Table
+from rich.text import Text
+
+from carom.cli.common import out
+from carom.formatting import format_number
+from carom.simulation.budget import budget
+from carom.simulation.narrate import describe_run, with_count
+from carom.simulation.tables import event_columns
+
+if TYPE_CHECKING:
+    from carom.bodies import State
+    from carom.simulation.trajectory import Trajectory
+
+__all__ = ["MOST_ROWS", "as_json", "show"]
+
+MOST_ROWS = 40
+WIDE = 112  # from this width on the table has room for the spin
+ROUNDING = 1e-12
+
+
+# --- on the screen -------------------------------------------------------------------------------------------------
+
+
+def show(run: Trajectory, times: list[float], most: int | None) -> None:
+    """Print a run: scene, description, a table of at most ``most`` events (None: all), states, energy budget."""
+    console = out()
+    console.print(Text(f"Scene: {run.scene.describe()}"), soft_wrap=True)
+    for paragraph in describe_run(run):
+        text = textwrap.fill(paragraph[0].upper() + paragraph[1:], max(min(console.width, 110), 40))
+        console.print(Text(f"\n{text}"), soft_wrap=True)
+    if most != 0 and len(run.events):
+        _print(console, _events(run, most, console.width >= WIDE))
+        hidden = 0 if most is None else len(run.events) - most
+        if hidden > 0:
+            said = f"{with_count(hidden, 'event')} not shown: --events all shows all, --table FILE.csv writes them."
+            console.print(Text(said, style="dim"), soft_wrap=True)
+    _print(console, _states(run, times, console.width >= WIDE))
+    console.print(Text(_energy(run)), soft_wrap=True)
+
+
+def _print(console: Console, table: Table) -> None:
+    """Print a table without truncating numbers, even if its lines get too long."""
+    width = console.width
+    console.width = 1000
+    console.width = max(width, console.measure(table).maximum)
+    console.print(table)
+    console.width = width
+
+
+def _new(heads: list[tuple[str, bool]]) -> Table:
+    """A table; of each column its head, and whether it holds words."""
+    table = Table(box=box.SIMPLE_HEAD, padding=(0, 1), pad_edge=False, header_style="bold")
+    for head, words in heads:
+        table.add_column(head, justify="left" if words else "right", no_wrap=True, overflow="fold", vertical="bottom")
+    return table
+
+
+def _triple(values: Any, count: int = 3) -> str:
+    """Format numbers with three digits; rounding errors as zero."""
+    return ", ".join(format_number(0.0 if abs(x) < ROUNDING else x) for x in map(float, values[:count]))
+
+
+def _time(t: float) -> str:
+    """Format a time so that the events of a long run can be distinguished."""
+    return f"{t:.4f}" if t >= 0.01 or t == 0 else format_number(t, 4)
+
+
+def _axes(run: Trajectory) -> int:
+    """Return how many axes the tables show: two if all balls stay on the floor."""
+    z = run.log["x"][:, 2] - np.array([ball.radius for ball in run.scene.balls])[run.log["ball"]]
+    return 2 if run.scene.floor is not None and not z.any() and not run.log["v"][:, 2].any() else 3
+
+
+def _events(run: Trajectory, most: int | None, wide: bool) -> Table:
+    several, axes = len(run.scene.balls) > 1, _axes(run)
+    names = ", ".join("xyz"[:axes])
+    heads = [("t, s", False), *([("ball", True)] if several else []), ("event", True), (f"position\n{names}, m", False)]
+    heads += [(f"velocity after\n{names}, m/s", False)]
+    heads += [("spin after\nx, y, z, rad/s", False)] if wide else []
+    table = _new([*heads, ("energy lost\nJ", False), ("next phase", True)])
+    count = len(run.events)
+    parts = [run.events]
+    if most is not None and count > most:
+        parts = [run.events[: (most + 1) // 2], run.events[count - most // 2 :]]
+    for k, part in enumerate(parts):
+        if k > 0:
+            table.add_row("...")
+        for event in part:
+            name = f" {event.name}" if event.name else ""
+            row = [_time(event.t), *([run.scene.ball_names[event.ball]] if several else []), f"{event.kind}{name}"]
+            row += [_triple(event.after.position, axes), _triple(event.after.velocity, axes)]
+            row += [_triple(event.after.spin)] if wide else []
+            # where nothing is met, nothing is lost at once
+            lost = event.energy_lost if event.kind in ("wall", "floor", "ball") else math.nan
+            row += [
+                format_number(0.0 if abs(lost) < ROUNDING else lost),
+                "" if event.phase == event.kind else event.phase,
+            ]
+            table.add_row(*row)
+    return table
+
+
+def _states(run: Trajectory, times: list[float], wide: bool) -> Table:
+    """Return a table of the states at the requested times, and at the end."""
+    axes = 3 if times else _axes(run)
+    names = ", ".join("xyz"[:axes])
+    heads = [("at t, s", True), ("ball", True), ("phase", True), (f"position\n{names}, m", False)]
+    heads += [(f"velocity\n{names}, m/s", False), ("spin\nx, y, z, rad/s", False)]
+    table = _new(heads if wide else heads[:5])
+    asked = [(_time(t), run.at(t), list(run.phase(t))) for t in times]
+    for when, state, phases in [*asked, (f"end: {_time(run.end)}", run.final, run.final_phase)]:
+        assert state.position is not None
+        for i, name in enumerate(run.scene.ball_names):
+            row = [_triple(state.position[i], axes), _triple(state.velocity[i], axes), _triple(state.spin[i])]
+            table.add_row(when if i == 0 else "", name, phases[i], *(row if wide else row[:2]))
+    return table
+
+
+def _energy(run: Trajectory) -> str:
+    found = budget(run)
+    rounding = ROUNDING * max(abs(found.start), abs(found.end)) * (1 + len(run.events))
+    places = (
+        ("at walls", found.walls),
+        ("at the floor", found.floor),
+        ("between balls", found.balls),
+        ("between events", found.way),
+    )
+    told = [
+        f"{format_number(abs(x))} J {'lost' if x > 0 else 'gained'} {where}" for where, x in places if abs(x) > rounding
+    ]
+    left = format_number(0.0 if abs(found.end) < rounding else found.end)
+    return f"Energy: {format_number(found.start)} J at the start; {''.join(f'{part}, ' for part in told)}{left} J left."
+
+
+# --- as JSON -------------------------------------------------------------------------------------------------------
+
+
+def as_json(run: Trajectory, times: list[float]) -> str:
+    """Return events and final states as JSON in full precision, one event per line; infinite and undefined numbers are null."""
+    columns = {name: values.tolist() for name, values in event_columns(run, run.events.rows).items()}
+    vectors = {
+        name: zip(*(columns[f"{of}{axis}"] for axis in "xyz"), strict=True)
+        for name, of in (("position", ""), ("velocity", "v"), ("spin", "w"), ("impulse", "impulse_"))
+    }
+    series: dict[str, Any] = {
+        **{name: columns[name] for name in ("t", "kind", "ball")},
+        **{name: vectors[name] for name in ("position", "velocity", "spin")},
+        **{name: columns[name] for name in ("other", "name", "phase")},
+        "impulse": vectors["impulse"],
+        **{name: columns[name] for name in ("required_friction", "energy_lost")},
+    }
+    events = [_line(dict(zip(series, row, strict=True))) for row in zip(*series.values(), strict=True)]
+    final = [_line(row) for row in _balls(run, run.final, run.final_phase)]
+    parts = [f'"events": {_listed(events)}', f'"final": {_listed(final)}']
+    if times:
+        asked = [{"t": t, "states": _balls(run, run.at(t), list(run.phase(t)))} for t in times]
+        parts.append(f'"at": {_listed([_line(one) for one in asked])}')
+    parts += [f'"end": {_line(run.end)}', f'"ended": {_line(run.ended)}']
+    return "{\n" + ",\n".join(parts) + "\n}\n"
+
+
+def _balls(run: Trajectory, state: State, phases: list[str]) -> list[dict[str, Any]]:
+    assert state.position is not None
+    return [
+        {
+            "position": state.position[i].tolist(), "velocity": state.velocity[i].tolist(),
+            "spin": state.spin[i].tolist(), "phase": str(phases[i]), "name": name,
+        }
+        for i, name in enumerate(run.scene.ball_names)
+    ]  # fmt: skip
+
+
+def _listed(lines: list[str]) -> str:
+    return "[\n" + ",\n".join(lines) + "\n]" if lines else "[]"
+
+
+def _line(value: Any) -> str:
+    return json.dumps(_finite(value), allow_nan=False)
+
+
+def _finite(value: Any) -> Any:
+    if isinstance(value, float):
+        return value if math.isfinite(value) else None
+    if isinstance(value, dict):
+        return {key: _finite(part) for key, part in value.items()}
+    return [_finite(part) for part in value] if isinstance(value, (list, tuple)) else value

@@ -1,0 +1,161 @@
+"""``carom warm``: compile every loop in advance, in several processes, so that nothing has to wait for it later."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from carom.core.jit.workers import run_in_workers
+
+if TYPE_CHECKING:
+    from carom.bodies import State
+
+__all__ = ["COMPILE_JOBS", "compile_all"]
+
+# What carom compiles, as module:function, what takes longest first. Loops without a fixed signature are compiled by calling them
+# as their users do: the functions below.
+COMPILE_JOBS = (
+    "carom.simulation.wall_and_floor:compiled_joint_impact",
+    "carom.simulation.compiled:compiled_engine",
+    f"{__name__}:measure_gas",
+    f"{__name__}:answer_many_rows",
+    "carom.billiards.tangent:compiled_tangent_loop",
+    f"{__name__}:settle_many_rows",
+    "carom.billiards.loop:compiled_loops",
+    f"{__name__}:fit_bounces",
+    f"{__name__}:load_called_laws",
+    f"{__name__}:draw_shots",
+    "carom.fitting.tracks.simulate:_compiled",
+    "carom.tracks.table_motion:_compiled",
+)
+MANY = 500  # rows; few are computed by Python
+
+
+def compile_all(workers: int | None = None, report: Callable[[str, str], None] | None = None) -> None:
+    """Compile all loops that are not in the cache yet, in so many processes (default: one for each core).
+
+    ``report(job, error)`` is called after each of :data:`COMPILE_JOBS`; ``error`` is empty if it succeeded.
+    """
+    run_in_workers(COMPILE_JOBS, workers, report)
+
+
+def register(app: typer.Typer) -> None:
+    """Add the verb to the command."""
+    app.command("warm")(warm)
+
+
+def warm(
+    workers: Annotated[int, typer.Option(min=0, help="Processes. Default: 0, one for each core.")] = 0,
+) -> None:
+    """Compile everything in advance: what is compiled once is only loaded from then on."""
+    from rich.console import Console
+
+    from carom.core.jit.compile import cache_folder
+    from carom.errors import CaromError
+
+    console, begin, failed = Console(stderr=True, highlight=False), time.monotonic(), []
+
+    def report(job: str, error: str) -> None:
+        if error:
+            failed.append(f"{job}: {error}")
+        else:
+            console.print(f"{time.monotonic() - begin:6.1f} s  {job}", markup=False)
+
+    compile_all(workers or None, report)
+    if failed:
+        raise CaromError(*failed)
+    console.print(f"compiled code: {cache_folder()}", markup=False, soft_wrap=True)
+
+
+# --- calls that compile ---------------------------------------------------------------------------------------------
+
+
+def answer_many_rows() -> None:
+    """Every wall law and the collision of balls, for arrays of states."""
+    import numpy as np
+
+    import carom
+
+    ball, surface, state = carom.Ball(1.0, 1.0), carom.Surface(0.8, 0.2), _states()
+    for law in carom.LAWS.values():
+        if law.name != "two-step":
+            law.answer(carom.Meeting(ball, state, wall=surface))
+    out = carom.State(np.empty((MANY, 3)), np.empty((MANY, 3)))
+    carom.impact(ball, state, surface=surface)
+    carom.impact_into(out, ball, state, surface=surface)
+    carom.collide(ball, state, ball, carom.State(-state.velocity, state.spin), np.array([1.0, 0.0, 0.0]), surface)
+
+
+def settle_many_rows() -> None:
+    """The two-step law, for arrays of states."""
+    import numpy as np
+
+    import carom
+
+    ball, surface, state = carom.Ball(1.0, 1.0), carom.Surface(0.8, 0.2), _states()
+    carom.two_step(ball, state, wall=surface, floor=surface)
+    out = carom.State(np.empty((MANY, 3)), np.empty((MANY, 3)))
+    carom.two_step_into(out, np.empty(MANY, np.int8), ball, state, surface, surface)
+
+
+def _states() -> State:
+    import numpy as np
+
+    import carom
+
+    return carom.rolling(carom.Ball(1.0, 1.0), velocity=np.tile([-1.0, 0.5, 0.0], (MANY, 1)))
+
+
+def load_called_laws() -> None:
+    """The laws that loops call by their address, and the rims of cylinders."""
+    from carom.core.geometry.circles import rim_address
+    from carom.laws.callbacks import user_address
+    from carom.laws.law import CALLED_WALL
+    from carom.laws.registry import laws
+
+    rim_address()
+    for law in laws().values():
+        if law.response == CALLED_WALL and law.kernel is not None:
+            user_address(law.kernel)
+
+
+def draw_shots() -> None:
+    """States of a run between its events, and many runs at once."""
+    import numpy as np
+
+    import carom
+    from carom.simulation.states import FEW_BEFORE_COMPILING
+
+    ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1.0, 0.0), velocity=(-1.0, 0.0, 0.0))
+    wall = carom.scene.Plane(point=(0.0, 0.0, 0.0), normal=(1.0, 0.0, 0.0))
+    run = carom.Run(duration=2.0, law="no-slip")
+    scene = carom.Scene(floor=carom.Floor(friction=0.2), walls=(wall,), balls=(ball,), run=run)
+    found = carom.simulate(scene)
+    times = np.linspace(0, found.end, FEW_BEFORE_COMPILING)
+    found.at(times)
+    found.orientation(times)
+    carom.simulate_many(scene, velocity=np.array([[[-1.0, 0.0, 0.0]], [[-2.0, 0.0, 0.0]]]))
+
+
+def measure_gas() -> None:
+    """The event loop of gases, random starts, and what is counted over all balls."""
+    import carom
+    from carom.gas import Gas, Measures, Species, scattered
+
+    side = (10.0, 10.0, 10.0)
+    gas = Gas([Species(carom.Ball(0.5, 1.0), 50)], side, contacts=carom.Surface(1, math.inf, 1))
+    measures = Measures(gas)
+    gas.run(10)
+    measures.sample(gas)
+    scattered([0.5] * 50, side)
+
+
+def fit_bounces() -> None:
+    """The likelihood of the fits, in the plane and on the table, with and without measured spins."""
+    from carom.fitting import likelihood
+
+    likelihood.compile_likelihood()

@@ -1,0 +1,240 @@
+"""Distance to and hits of a rim, the circle in which a round wall ends. A ball of radius a touches it at a distance a.
+
+With r the centre from the circle's, h what of it is along the axis, rho what is across, that is
+
+    (|r|^2 + R^2 - a^2)^2 = 4 R^2 rho^2,
+
+the product of the gaps to the nearest and to the farthest point of the circle: of degree 8 in flight. On the axis the nearest
+and the farthest are one, and the product touches zero without a change of sign; there (|r|^2 + R^2 - a^2) itself is followed.
+
+Few scenes have rims, and their roots would take a quarter of the engine's compiling: the engine calls :func:`call_rim`
+through an address (:func:`rim_address`), compiled for the first scene that has one.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from typing import Any
+
+from carom.core.jit.kernel import Vec, cross, dot, kernel
+from carom.core.jit.pointers import address_of, answer_at, python_address
+from carom.core.roots.first_root import hit4, hit8, next_hit8
+
+__all__ = ["call_rim", "rim_address", "rim_gap", "rim_hit", "rim_normal", "rim_way_in"]
+
+# As for the other features (carom.core.geometry.features): over its ends; in touch or not; a touch that is none.
+SEAM, BEHIND, GRAZE = 1e-9, 1e-3, 1e-12
+# Nearer to the axis than these shares of R the nearest and the farthest point are met one right after the other: from afar
+# their roots come together, and rounding moves them, or takes both; and at last they are met at once.
+BESIDE, CENTRED, ALL = 0.1, 1e-4, 1e-10
+TOGETHER = 1e-6
+NUMBERS = 23
+
+
+@kernel
+def _across(d: Vec, r: Vec) -> tuple[Vec, float, float]:
+    """What of r is across the axis d, its size, and what is along."""
+    h = dot(r, d)
+    q = (r[0] - h * d[0], r[1] - h * d[1], r[2] - h * d[2])
+    return q, math.sqrt(dot(q, q)), h
+
+
+@kernel
+def rim_gap(p: Vec, d: Vec, radius: float, x: Vec) -> float:
+    """Distance of x from the nearest point of a circle around p."""
+    _q, rho, h = _across(d, (x[0] - p[0], x[1] - p[1], x[2] - p[2]))
+    return math.sqrt((rho - radius) * (rho - radius) + h * h)
+
+
+@kernel
+def rim_normal(p: Vec, d: Vec, radius: float, x: Vec, v: Vec) -> Vec:
+    """Unit vector to x from the nearest point of a circle.
+
+    On the axis all are as near: of a ball that comes along it they push together, of another the one that it moves towards.
+    """
+    q, rho, h = _across(d, (x[0] - p[0], x[1] - p[1], x[2] - p[2]))
+    if not rho > ALL * radius:
+        q, rho, along = _across(d, v)
+        if not radius * rho > TOGETHER * abs(h * along):
+            return d if h >= 0 else (-d[0], -d[1], -d[2])
+        near = math.sqrt(radius * radius + h * h)
+        c, s = -radius / (rho * near), h / near
+    else:
+        near = math.sqrt((rho - radius) * (rho - radius) + h * h)
+        if not near > 0:
+            return d
+        c, s = (rho - radius) / (rho * near), h / near
+    return (c * q[0] + s * d[0], c * q[1] + s * d[1], c * q[2] + s * d[2])
+
+
+@kernel
+def rim_way_in(p: Vec, d: Vec, radius: float, x: Vec, v: Vec, acc: Vec) -> tuple[float, float]:
+    """First and second derivative of the distance from a circle."""
+    q, rho, h = _across(d, (x[0] - p[0], x[1] - p[1], x[2] - p[2]))
+    n = rim_normal(p, d, radius, x, v)
+    near = math.sqrt((rho - radius) * (rho - radius) + h * h)
+    rate = dot(n, v)
+    if not rho > ALL * radius:
+        return rate, dot(n, acc) + (dot(v, v) - rate * rate) / near
+    # the distance bends by 1/near in the plane through the axis, and along the circle by the share of n across, over rho
+    turn = cross(d, q)
+    along = dot(turn, v) / rho
+    rest = max(dot(v, v) - rate * rate - along * along, 0 * near)
+    return rate, dot(n, acc) + rest / near + along * along * (rho - radius) / (rho * near)
+
+
+@kernel
+def _stays(c: tuple[float, ...], until: float, tol: float) -> bool:
+    """Whether the gap c[0] + c[1] s + ... of a ball in touch never closes faster than tol up to s = until."""
+    least, power = c[1], 1 + 0 * until
+    for i in range(2, len(c)):
+        power = power * until
+        if c[i] < 0:
+            least += i * c[i] * power
+    return bool(least >= -tol)
+
+
+@kernel
+def _on_arc(d: Vec, u: Vec, cosine: float, r: Vec) -> bool:
+    """Whether the nearest point of the circle is on the arc around u."""
+    q, rho, _h = _across(d, r)
+    return bool(cosine <= -1 or dot(q, u) >= (cosine - SEAM) * rho)
+
+
+@kernel
+def _at(r: Vec, v: Vec, acc: Vec, s: float) -> tuple[Vec, Vec]:
+    """Place and velocity a time s later."""
+    h = s * s / 2
+    return (
+        (r[0] + v[0] * s + acc[0] * h, r[1] + v[1] * s + acc[1] * h, r[2] + v[2] * s + acc[2] * h),
+        (v[0] + acc[0] * s, v[1] + acc[1] * s, v[2] + acc[2] * s),
+    )
+
+
+@kernel
+def _centred(d: Vec, radius: float, a: float, r: Vec, v: Vec, acc: Vec, until: float, slow: float) -> float:
+    """When a ball larger than the circle comes down on all of it at once, or nearly; infinite where it does not."""
+    far2 = radius * radius - a * a
+    if not far2 < 0:
+        return math.inf
+    tol = 2 * math.sqrt(-far2) * slow
+    c = (dot(r, r) + far2, 2 * dot(r, v), dot(v, v) + dot(r, acc), dot(v, acc), dot(acc, acc) / 4)
+    if c[0] <= 2 * math.sqrt(-far2) * SEAM * a and _stays(c, until, tol):
+        return math.inf
+    s = hit4(c[0], c[1], c[2], c[3], c[4], until, tol)
+    if not s <= until:
+        return math.inf
+    y, _vy = _at(r, v, acc, s)
+    _q, rho, _h = _across(d, y)
+    if not rho <= CENTRED * radius:
+        return math.inf
+    return s
+
+
+@kernel
+def _polished(d: Vec, radius: float, a: float, r: Vec, v: Vec, acc: Vec, s: float, until: float) -> float:
+    """A hit near the axis, where the polynomials say little of the gap: by Newton's steps on the gap itself."""
+    zero = (0 * a, 0 * a, 0 * a)
+    last = math.inf
+    for _ in range(20):
+        y, w = _at(r, v, acc, s)
+        gap = rim_gap(zero, d, radius, y) - a
+        rate, _bend = rim_way_in(zero, d, radius, y, w, acc)
+        step = gap / rate if rate < 0 else 0 * gap
+        if not abs(step) < last / 2 or not 0 <= s - step <= until:
+            break
+        s -= step
+        last = abs(step)
+    return s
+
+
+@kernel
+def rim_hit(
+    p: Vec, d: Vec, radius: float, u: Vec, cosine: float, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: float
+) -> float:
+    """Time in [0, until] at which a ball touches the arc of a circle around u, or infinity."""
+    r = (x[0] - p[0], x[1] - p[1], x[2] - p[2])
+    zero = (0 * a, 0 * a, 0 * a)
+    q, rho, h = _across(d, r)
+    qv, _size, h1 = _across(d, v)
+    qb, _size, _h2 = _across(d, acc)
+    rr = radius * radius
+    near = math.sqrt((rho - radius) * (rho - radius) + h * h)
+    gap = (near - a) * (near + a)
+    far = gap + 4 * radius * rho
+    # |r|^2 + R^2 - a^2, and rho^2
+    a0, a1, a2, a3, a4 = gap + 2 * radius * rho, 2 * dot(r, v), dot(v, v) + dot(r, acc), dot(v, acc), dot(acc, acc) / 4
+    b1, b2, b3, b4 = 2 * dot(q, qv), dot(qv, qv) + dot(q, qb), dot(qv, qb), dot(qb, qb) / 4
+    # the first two as products, which keep their digits in touch
+    c0, c1 = gap * far, 2 * a0 * a1 - 4 * rr * b1
+    if rho > 0:
+        out = dot(q, qv) / rho
+        c1 = 2 * ((rho - radius) * out + h * h1) * far + 2 * ((rho + radius) * out + h * h1) * gap
+    c = (
+        c0,
+        c1,
+        2 * a0 * a2 + a1 * a1 - 4 * rr * b2,
+        2 * (a0 * a3 + a1 * a2) - 4 * rr * b3,
+        2 * (a0 * a4 + a1 * a3) + a2 * a2 - 4 * rr * b4,
+        2 * (a1 * a4 + a2 * a3),
+        2 * a2 * a4 + a3 * a3,
+        2 * a3 * a4,
+        a4 * a4,
+    )
+    tol = 2 * a * abs(far) * slow
+    s = found = math.inf
+    if near < (1 - BEHIND) * a:  # beyond the ends of an arc
+        s = next_hit8(c, 0 * a, until)
+    elif near - a > SEAM * a or not _stays(c, until, tol):
+        s = hit8(c, until, tol)
+    for _ in range(4):
+        if not s <= until:
+            break
+        y, w = _at(r, v, acc, s)
+        # (not where the farthest point is a radius away: that is in reach of no ball that the nearest keeps out)
+        if rim_gap(zero, d, radius, y) >= (1 - BEHIND) * a and _on_arc(d, u, cosine, y):
+            rate, bend = rim_way_in(zero, d, radius, y, w, acc)
+            if rate < 0 and not rate * rate <= 2 * bend * GRAZE * a:
+                found = s
+                break
+        s = next_hit8(c, s, until)
+    s = _centred(d, radius, a, r, v, acc, min(until, found), slow)
+    if s < found:
+        y, _w = _at(r, v, acc, s)
+        if _on_arc(d, u, cosine, y):
+            found = s
+    if found > 0 and found <= until and radius < a:
+        y, _w = _at(r, v, acc, found)
+        _q, rho, _h = _across(d, y)
+        if rho < BESIDE * radius:
+            return _polished(d, radius, a, r, v, acc, found, until)
+    return found
+
+
+@kernel
+def call_rim(
+    address: int, p: Vec, d: Vec, radius: float, u: Vec, cosine: float, a: float, x: Vec, v: Vec, acc: Vec, until: float,
+    slow: float,
+) -> float:  # fmt: skip
+    """:func:`rim_hit` through its address."""
+    numbers = (
+        p[0], p[1], p[2], d[0], d[1], d[2], radius, u[0], u[1], u[2], cosine, a,
+        x[0], x[1], x[2], v[0], v[1], v[2], acc[0], acc[1], acc[2], until, slow,
+    )  # fmt: skip
+    return answer_at(address, numbers)[0]
+
+
+def _entry(
+    px: float, py: float, pz: float, dx: float, dy: float, dz: float, radius: float, ux: float, uy: float, uz: float,
+    cosine: float, a: float, x: float, y: float, z: float, vx: float, vy: float, vz: float, bx: float, by: float,
+    bz: float, until: float, slow: float, out: Any,
+) -> None:  # fmt: skip
+    p, d, u = (px, py, pz), (dx, dy, dz), (ux, uy, uz)
+    out[0] = rim_hit(p, d, radius, u, cosine, a, (x, y, z), (vx, vy, vz), (bx, by, bz), until, slow)
+
+
+@functools.cache
+def rim_address(compiled: bool = True) -> int:
+    """Return the address of :func:`rim_hit`, compiled (some seconds, once) or loaded; or one that only Python knows."""
+    return address_of(_entry, NUMBERS, keep=True) if compiled else python_address(_entry)

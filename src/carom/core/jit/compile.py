@@ -1,0 +1,193 @@
+"""Compile kernels and loops with Numba, and cache them; the other rooms use Numba only through this one.
+
+``register_jitable`` makes a kernel callable from compiled code while it stays a plain function for Python. Compiled loops
+are cached in the user's cache folder, under a hash of carom's sources: Numba looks only at the file of the function that
+it caches, and would go on using a loop whose kernels, in other files, have changed.
+
+Signatures are written with Python's own types (:func:`signature`), so that a module which compiles a loop need not import
+Numba::
+
+    loop = njit(follow, signature=signature((int, int), array_of(WORLD), array_of(float, 2), float), _nrt=False)
+"""
+
+from __future__ import annotations
+
+import inspect
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from carom.core.jit.cache import cache_folder, source_hash
+from carom.core.jit.kernel import HOT, KERNELS
+from carom.core.jit.progress import listen
+from carom.core.jit.shared_cache import LOCATOR, compile_in_one_process
+
+__all__ = [
+    "ArrayOf", "array_of", "cache_folder", "call_compiled", "cfunc", "function_type", "is_cached", "named_tuple_type", "njit",
+    "numba_type", "parallel_range", "signature", "source_hash", "thread_count",
+]  # fmt: skip
+
+_registered: set[Callable[..., Any]] = set()
+
+# Called from compiled code only: the wrappers for Python would take a sixth of the compiling. And no kernel of ours makes an
+# array: counting who holds those that it is handed (_nrt, a private option of Numba's) takes time.
+KERNEL_OPTIONS = {"error_model": "numpy", "no_cpython_wrapper": True, "no_cfunc_wrapper": True, "_nrt": False}
+
+
+@contextmanager
+def _numba_cache() -> Iterator[None]:
+    """Point Numba's cache at ours while a function is decorated, and back: a user's own functions keep theirs."""
+    import numba
+
+    # (a Numba that knows no locators keeps compiled code under the path of its source)
+    config, ours = numba.config, {"CACHE_DIR": str(cache_folder()), "CACHE_LOCATOR_CLASSES": LOCATOR}
+    before = {name: getattr(config, name, "") for name in ours}
+    vars(config).update(ours)
+    try:
+        yield
+    finally:
+        vars(config).update(before)
+
+
+def register_kernels() -> None:
+    """Make every kernel marked so far callable from compiled code."""
+    from numba.extending import register_jitable
+
+    from carom.core.jit.link import linked_only
+
+    for function in KERNELS:
+        if function not in _registered:
+            # (a law of a user's own may do whatever Numba can)
+            own = str(function.__module__).startswith("carom.")
+            options = {**KERNEL_OPTIONS, **linked_only(cache_folder())} if own else {**KERNEL_OPTIONS, "_nrt": True}
+            register_jitable(forceinline=function in HOT, **options)(function)
+            _registered.add(function)
+
+
+# --- types, without an import of Numba by those who need them -----------------------------------------------------------
+
+
+class ArrayOf(NamedTuple):
+    """A C-contiguous array of ``axes`` axes, whose items are of a Python type or a NumPy dtype."""
+
+    item: Any
+    axes: int = 1
+
+
+def array_of(item: Any, axes: int = 1) -> ArrayOf:
+    """Describe a C-contiguous array for :func:`signature`: ``item`` is float, int, bool, or a NumPy dtype (of records, too)."""
+    return ArrayOf(item, axes)
+
+
+def numba_type(described: Any) -> Any:
+    """Return Numba's type for a description.
+
+    ``float``, ``int`` and ``bool`` have 64, 64 and 8 bits, None is no value, a NumPy dtype stands for one item of it (a
+    record), :func:`array_of` for an array, a tuple of descriptions for a tuple. A type of Numba's is returned as it is.
+    """
+    from numba import from_dtype, types
+
+    plain = {float: types.float64, int: types.int64, bool: types.boolean, None: types.none}
+    if isinstance(described, ArrayOf):
+        return types.Array(numba_type(described.item), described.axes, "C")
+    if isinstance(described, np.dtype):
+        return from_dtype(described)
+    if isinstance(described, tuple):
+        return types.Tuple([numba_type(one) for one in described])
+    return plain[described] if described in (float, int, bool, None) else described
+
+
+def signature(returns: Any, *arguments: Any) -> Any:
+    """Return Numba's signature of a function, each type described as for :func:`numba_type`."""
+    return numba_type(returns)(*(numba_type(one) for one in arguments))
+
+
+def function_type(returns: Any, *arguments: Any) -> Any:
+    """Return the type of a compiled function that is passed as an argument (its ``.signature`` compiles such a function)."""
+    from numba import types
+
+    return types.FunctionType(signature(returns, *arguments))
+
+
+def named_tuple_type(kind: type, *items: Any) -> Any:
+    """Return the type of a NamedTuple with items as described."""
+    from numba import types
+
+    return types.NamedTuple(tuple(numba_type(one) for one in items), kind)
+
+
+def parallel_range() -> Any:
+    """Return Numba's ``prange``: assign it to the global that a loop uses in place of ``range`` before the loop is compiled."""
+    import numba
+
+    return numba.prange
+
+
+def thread_count() -> int:
+    """Return how many threads a parallel loop uses."""
+    import numba
+
+    return int(numba.get_num_threads())
+
+
+def call_compiled(function: Callable[..., Any], provide: Callable[[], Callable[..., Any]]) -> None:
+    """Have compiled code that calls ``function`` call the one that ``provide()`` returns, compiled by itself.
+
+    Python goes on calling ``function``. ``provide`` is called when a caller is compiled, once for each caller.
+    """
+    from numba.extending import overload
+
+    from carom.core.jit.link import linked_only
+
+    # Numba wants the arguments by name, the same in both functions, and without annotations
+    names = ", ".join(inspect.signature(function).parameters)
+    space: dict[str, Any] = {"provide": provide}
+    exec(
+        f"def typed({names}):\n    part = provide()\n    def call({names}):\n        return part({names})\n    return call\n",
+        space,
+    )
+    overload(function, jit_options={**KERNEL_OPTIONS, **linked_only(cache_folder())})(space["typed"])
+
+
+# --- compiled functions ----------------------------------------------------------------------------------------------
+
+
+def is_cached(function: Callable[..., Any]) -> bool:
+    """Return whether the compiled code of a loop lies in the cache, for some signature."""
+    name = f"{function.__module__.rpartition('.')[2]}.{function.__qualname__}"
+    return any(cache_folder().glob(f"*/{name}-*.nbi"))
+
+
+def njit(function: Callable[..., Any], signature: Any = None, **options: Any) -> Callable[..., Any]:
+    """Compile a loop over kernels; fastmath stays off, so that it gives the same bits as Python.
+
+    With a signature it is compiled, or loaded, at once and for nothing else.
+    """
+    import numba
+
+    register_kernels()
+    listen()
+    options = {"error_model": "numpy", "cache": True, **options}
+    if options.get("parallel"):
+        function.__globals__["prange"] = numba.prange
+    with _numba_cache():
+        compiled = numba.njit(**options)(function)
+        if options["cache"]:
+            compile_in_one_process(compiled, cache_folder())
+        if signature is not None:
+            compiled.compile(signature)
+            compiled.disable_compile()
+    return compiled  # type: ignore[no-any-return]
+
+
+def cfunc(function: Callable[..., Any], numbers: int, keep: bool = False) -> Any:
+    """Compile a function of so many floats and of a place to write floats to, for calls by its address; ``keep`` it."""
+    import numba
+    from numba import types
+
+    register_kernels()
+    signature = types.void(*[types.float64] * numbers, types.CPointer(types.float64))
+    with _numba_cache():
+        return numba.cfunc(signature, error_model="numpy", cache=keep)(function)

@@ -1,0 +1,54 @@
+"""Mark kernels: plain functions of numbers and 3-tuples, the same in Python, compiled, and on a GPU.
+
+A kernel takes and returns numbers and 3-tuples; it has no arrays, no objects, no ``assert``, no keyword arguments. It
+uses + - * / and ``math.sqrt`` with integer literals, so that the very same function gives the same bits as Python and
+compiled by Numba, and exact rationals when it is given ``fractions.Fraction``.
+
+``@kernel`` only remembers the function: Numba is imported when something is compiled (:mod:`carom.core.jit.compile`).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+__all__ = ["HOT", "KERNELS", "Vec", "cross", "dot", "hot_kernel", "kernel", "prange", "vector"]
+
+Vec = tuple[float, float, float]
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+# A range whose steps do not depend on each other: in a loop that is compiled to run in parallel, it is Numba's.
+prange: Any = range
+
+KERNELS: list[Callable[..., Any]] = []
+HOT: set[Callable[..., Any]] = set()
+
+
+def kernel(function: Function) -> Function:
+    """Mark a function as a kernel: callable as it is, and from compiled code."""
+    KERNELS.append(function)
+    return function
+
+
+def hot_kernel(function: Function) -> Function:
+    """Mark a kernel that runs for every ball: it is inlined into its caller, which halves the time of a short loop."""
+    HOT.add(function)
+    return kernel(function)
+
+
+@hot_kernel
+def dot(p: Vec, q: Vec) -> float:
+    """Return the scalar product."""
+    return p[0] * q[0] + p[1] * q[1] + p[2] * q[2]
+
+
+@hot_kernel
+def cross(p: Vec, q: Vec) -> Vec:
+    """Return the vector product."""
+    return (p[1] * q[2] - p[2] * q[1], p[2] * q[0] - p[0] * q[2], p[0] * q[1] - p[1] * q[0])
+
+
+@hot_kernel
+def vector(row: Any) -> Vec:
+    """Return three numbers of an array as a 3-tuple."""
+    return (row[0], row[1], row[2])

@@ -1,0 +1,88 @@
+"""Call functions through their addresses from compiled code, so that a loop is compiled once for all that it will ever call.
+
+Such a function takes numbers and writes at most six. It is compiled by itself; its address may stand in an array.
+"""
+
+from __future__ import annotations
+
+import ctypes
+import functools
+from collections.abc import Callable
+from typing import Any
+
+__all__ = ["Answer", "address_of", "answer_at", "python_address", "register_answers"]
+
+Answer = tuple[float, float, float, float, float, float]
+SIZE = 6
+_functions: dict[int, Callable[[tuple[float, ...]], list[float]]] = {}
+_alive: list[Any] = []
+
+
+def answer_at(address: int, numbers: tuple[float, ...]) -> Answer:
+    """Return what the function at an address writes, given so many numbers; compiled code jumps to it."""
+    out = _functions[address](numbers)
+    return (out[0], out[1], out[2], out[3], out[4], out[5])
+
+
+def address_of(entry: Callable[..., None], numbers: int, keep: bool = False) -> int:
+    """Compile a function of so many numbers and of an array to write to; return its address, valid while the process lives.
+
+    ``keep``: cache the compiled code.
+    """
+    from carom.core.jit.compile import cfunc
+
+    compiled = cfunc(entry, numbers, keep)
+    call = ctypes.CFUNCTYPE(None, *[ctypes.c_double] * numbers, ctypes.c_void_p)(compiled.address)
+
+    def answer(values: tuple[float, ...]) -> list[float]:
+        out = (ctypes.c_double * SIZE)()
+        call(*values, ctypes.byref(out))
+        return list(out)
+
+    _functions[compiled.address] = answer
+    _alive.append(compiled)
+    return int(compiled.address)
+
+
+@functools.cache
+def python_address(entry: Callable[..., None]) -> int:
+    """Return a number by which :func:`answer_at` finds a function without compiling it; in Python only."""
+
+    def answer(values: tuple[float, ...]) -> list[float]:
+        out = [0.0] * SIZE
+        entry(*values, out)
+        return out
+
+    number = -1 - len(_functions)  # no address is negative
+    _functions[number] = answer
+    return number
+
+
+@functools.cache
+def register_answers() -> None:
+    """Tell the compiler what :func:`answer_at` is."""
+    from llvmlite import ir
+    from numba import types
+    from numba.core import cgutils
+    from numba.extending import intrinsic, overload
+
+    @intrinsic  # type: ignore[untyped-decorator]
+    def jump(_context: Any, address: Any, numbers: Any) -> Any:
+        def build(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+            double, index = ir.DoubleType(), ir.IntType(32)
+            kind = ir.FunctionType(ir.VoidType(), [double] * numbers.count + [double.as_pointer()])
+            function = builder.inttoptr(args[0], kind.as_pointer())
+            out = cgutils.alloca_once(builder, double, size=6)
+            builder.call(function, [*cgutils.unpack_tuple(builder, args[1]), out])
+            found = [builder.load(builder.gep(out, [ir.Constant(index, k)])) for k in range(6)]
+            return context.make_tuple(builder, signature.return_type, found)
+
+        return types.UniTuple(types.float64, 6)(address, numbers), build
+
+    # (Numba compares the annotations of the two signatures as well)
+    @overload(answer_at)  # type: ignore[untyped-decorator]
+    def _answer_at(address: Any, numbers: Any) -> Any:
+        def call(address: Any, numbers: Any) -> Any:
+            return jump(address, numbers)
+
+        return call

@@ -1,0 +1,1 @@
+"""Motion between events in closed form: flight, sliding, rolling, pivoting, bouncing, rest."""

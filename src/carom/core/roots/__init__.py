@@ -1,0 +1,1 @@
+"""First positive roots of polynomials, to their last digits."""

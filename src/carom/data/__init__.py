@@ -1,0 +1,5 @@
+"""Tables: predicted rebounds, measured rebounds, and the published data sets that come with carom."""
+
+import lazy_loader as _lazy
+
+__getattr__, __dir__, __all__ = _lazy.attach_stub(__name__, __file__)

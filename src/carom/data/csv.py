@@ -1,0 +1,272 @@
+"""CSV tables, read and written in chunks: the text of every row is kept, and new cells are appended to it."""
+
+from __future__ import annotations
+
+import csv
+import io
+import itertools
+from collections import deque
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, BinaryIO
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.data.cells import parse_numbers
+from carom.data.plan import TablePlan
+from carom.errors import CaromError
+from carom.files import text_encoding
+
+__all__ = ["CHUNK_ROWS", "CsvTable", "TableChunk"]
+
+Array = NDArray[np.float64]
+CHUNK_ROWS = 1 << 14
+DELIMITERS = ",;\t|"
+
+
+@dataclass
+class TableChunk:
+    """Some rows of a table."""
+
+    columns: dict[str, Array]
+    """The columns that are read, in the units of the table; NaN if a cell is not a number."""
+    notes: dict[int, str]
+    """Problems, by index of the row in the chunk."""
+    label: Callable[[int], str]
+    """Index of a row to its label, such as "line 7"."""
+    rows: Any
+    """The rows as they were read, to be written again."""
+
+
+class NumberedLines:
+    """Iterator of the lines of a file that counts them, and to which lines can be pushed back."""
+
+    def __init__(self, file: io.TextIOBase) -> None:
+        """Iterate over a file."""
+        self.file = iter(file)
+        self.pushed: deque[str] = deque()
+        self.read: list[str] = []
+        self.number = 0
+
+    def __iter__(self) -> Iterator[str]:
+        """Return itself."""
+        return self
+
+    def __next__(self) -> str:
+        """Return the next line: one that was pushed back, or the next of the file."""
+        line = self.pushed.popleft() if self.pushed else next(self.file)
+        self.read.append(line)
+        self.number += 1
+        return line
+
+    def consumed(self) -> list[str]:
+        """Return the lines read since the last call."""
+        lines, self.read = self.read, []
+        return lines
+
+    def push_back(self, lines: list[str]) -> None:
+        """Put lines back, to be read again."""
+        self.pushed.extendleft(reversed(lines))
+        self.number -= len(lines)
+
+
+class CsvTable:
+    """A CSV file. Delimiter, decimal sign, line ends and encoding (UTF-8 or UTF-16) are detected, and kept in the output."""
+
+    def __init__(self, path: Path) -> None:
+        """Open a file and read its headers. Raises CaromError for a file that is not a CSV table."""
+        self.path = path
+        self.raw = path.open("rb")
+        try:
+            self._begin()
+        except BaseException:
+            self.raw.close()
+            raise
+
+    def _begin(self) -> None:
+        path = self.path
+        self.encoding = text_encoding(self.raw.read(4))
+        self.raw.seek(len(self.encoding.mark))
+        # bytes that are not UTF-8, in a name say, go through as they are
+        self.on_error = "surrogateescape" if self.encoding.codec == "utf-8" else "replace"
+        text = io.TextIOWrapper(self.raw, encoding=self.encoding.codec, errors=self.on_error, newline="")
+        self.lines = NumberedLines(text)
+        self.size = path.stat().st_size
+        first = next((line for line in self.lines if line.strip()), "")
+        if not first:
+            raise CaromError(f"{path}: expected a header line and rows, got an empty file")
+        if any(sign < " " and sign not in "\t\r\n" for sign in first):
+            raise CaromError(f"{path}: expected a CSV file, a line of text with names first, got a binary file")
+        self.end = first[len(first.rstrip("\r\n")) :] or "\n"
+        self.delimiter = max(DELIMITERS, key=first.count)
+        self.lines.push_back([first])
+        self.lines.consumed()
+        # strict: text after a closing quote is the sign of a quote that was never closed
+        self.reader = csv.reader(self.lines, delimiter=self.delimiter, strict=True)
+        try:
+            self.headers = next(self.reader)
+        except csv.Error as error:
+            raise CaromError(f"{path}: line {self.lines.number}: expected a header line, got: {error}") from None
+        self.head = self._text(self.lines.consumed())
+        self.decimal = "."
+
+    def __enter__(self) -> CsvTable:
+        """Return itself; the file is closed at the end of the with block."""
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        """Close the file."""
+        self.raw.close()
+
+    @property
+    def done(self) -> float:
+        """Number of bytes read."""
+        return self.raw.tell()
+
+    @staticmethod
+    def _text(lines: list[str]) -> str:
+        return "".join(lines).rstrip("\r\n")
+
+    def records(self) -> Iterator[tuple[int, str, list[str]]]:
+        """Iterate over line number, text and fields of the rows, without blank lines.
+
+        A quote that is opened and never closed would absorb the lines after it: such a row ends at the end of its line.
+        """
+        width = len(self.headers)
+        lines, reader = self.lines, self.reader
+        while True:
+            number = lines.number + 1
+            try:
+                fields, complete = next(reader), True
+            except StopIteration:
+                return
+            except csv.Error:
+                fields, complete = [], False
+            taken = lines.consumed()
+            if not complete or (len(taken) > 1 and len(fields) != width):
+                lines.push_back(taken[1:])
+                taken = taken[:1]
+                fields = self._text(taken).split(self.delimiter)
+                # with its quotes doubled this is one row for any reader of the output
+                yield number, self.delimiter.join(map(self.quoted, fields)), fields
+            elif fields:
+                yield number, self._text(taken), fields
+
+    def _batch(self, records: Iterator[tuple[int, str, list[str]]]) -> tuple[list[int], list[str], list[list[str]]]:
+        """Return line numbers, texts and fields of the next rows: split at once if no cell is in quotes, else one by one."""
+        lines = self.lines
+        if not lines.pushed:
+            first = lines.number + 1
+            taken = list(itertools.islice(lines.file, CHUNK_ROWS))
+            lines.number += len(taken)
+            if '"' not in "".join(taken):
+                # without quotes a line is a row
+                rows = [line.rstrip("\r\n").split(self.delimiter) for line in taken]
+                texts = [line.rstrip("\r\n") for line in taken]
+                numbers = list(range(first, first + len(taken)))
+                if "" in texts:
+                    full = [i for i, text in enumerate(texts) if text]
+                    return [numbers[i] for i in full], [texts[i] for i in full], [rows[i] for i in full]
+                return numbers, texts, rows
+            lines.push_back(taken)
+        batch = list(itertools.islice(records, CHUNK_ROWS))
+        return [row[0] for row in batch], [row[1] for row in batch], [row[2] for row in batch]
+
+    def chunks(self, plan: TablePlan) -> Iterator[TableChunk]:
+        """Iterate over the rows in chunks."""
+        width = len(self.headers)
+        records = self.records()
+        first = True
+        while True:
+            numbers, texts, rows = self._batch(records)
+            if not rows:
+                if self._over():
+                    return
+                continue  # blank lines, as many as are read at once
+            notes: dict[int, str] = {}
+            for i, row in enumerate(rows):
+                if len(row) != width:
+                    texts[i] = self._repaired(i, row, texts[i], notes)
+            if first and self.delimiter != ",":
+                self.decimal = self._decimal_sign(plan, rows)
+            first = False
+            columns = {
+                name: self._numbers([row[source.index] for row in rows], source.header, notes)
+                for name, source in plan.sources.items()
+            }
+            yield TableChunk(columns, notes, _line_label(numbers), texts)
+
+    def _over(self) -> bool:
+        line = next(self.lines, None)
+        self.lines.consumed()
+        if line is not None:
+            self.lines.push_back([line])
+        return line is None
+
+    def _repaired(self, i: int, row: list[str], text: str, notes: dict[int, str]) -> str:
+        """Make a row with too few or too many fields as wide as the table; surplus fields go into its note."""
+        width = len(self.headers)
+        notes[i] = f"expected {width} fields, got {len(row)}"
+        if len(row) < width:
+            text += self.delimiter * (width - len(row))
+            row += [""] * (width - len(row))
+            return text
+        notes[i] += f", of which left out: {self.delimiter.join(row[width:])}"
+        del row[width:]
+        return self.delimiter.join(map(self.quoted, row))
+
+    def _decimal_sign(self, plan: TablePlan, rows: list[list[str]]) -> str:
+        """Return the decimal sign: a comma if the columns that are read have commas and no points."""
+        cells = [row[source.index] for source in plan.sources.values() for row in rows[:1000]]
+        return "," if any("," in cell for cell in cells) and not any("." in cell for cell in cells) else "."
+
+    def _numbers(self, cells: list[str], header: str, notes: dict[int, str]) -> Array:
+        values, bad = parse_numbers(cells, decimal_comma=self.decimal == ",", missing=())
+        for i in bad:
+            got = repr(cells[i]) if cells[i].strip() else "an empty cell"
+            fault = f"{header}: expected a number, got {got}"
+            notes[i] = f"{notes[i]}; {fault}" if i in notes else fault
+        return values
+
+    def quoted(self, cell: str) -> str:
+        """Return a cell in quotes, if it needs them."""
+        if not any(sign in cell for sign in (self.delimiter, '"', "\r", "\n")):
+            return cell
+        return '"' + cell.replace('"', '""') + '"'
+
+    def write_head(self, file: BinaryIO, plan: TablePlan) -> None:
+        """Write the header line with the new headers."""
+        cells = [self.head, *(self.quoted(added.header) for added in plan.added), plan.note]
+        file.write(self.encoding.mark + self._bytes(self.delimiter.join(cells) + self.end))
+
+    def write(self, file: BinaryIO, chunk: TableChunk, added: list[Array]) -> None:
+        """Write the rows of a chunk with the new cells; numbers with all digits, so that they read back exactly."""
+        notes = [""] * len(chunk.rows)
+        for i, note in chunk.notes.items():
+            notes[i] = self.quoted(note)
+        columns = [self._cells(column) for column in added]
+        lines = map(self.delimiter.join, zip(chunk.rows, *columns, notes, strict=True))
+        file.write(self._bytes(self.end.join(lines) + self.end))
+
+    def finish(self) -> None:
+        """Do nothing: a CSV file has no footer."""
+
+    def abort(self) -> None:
+        """Do nothing: an incomplete CSV file needs no closing."""
+
+    def _cells(self, column: Array) -> list[str]:
+        cells = list(map(repr, column.tolist()))
+        if self.decimal == ",":
+            cells = [cell.replace(".", ",") for cell in cells]
+        for i in np.flatnonzero(np.isnan(column)).tolist():
+            cells[i] = ""
+        return cells
+
+    def _bytes(self, text: str) -> bytes:
+        return text.encode(self.encoding.codec, errors=self.on_error)
+
+
+def _line_label(numbers: list[int]) -> Callable[[int], str]:
+    return lambda i: f"line {numbers[i]}"

@@ -1,0 +1,144 @@
+"""Headers of tables: which quantity a column holds, and in which unit.
+
+A header is a known name, alone (SI units), with a unit at its end (``v_n_in_m_s``, ``radius_mm``) or with one in
+brackets (``velocity_x [mm/s]``). Case does not matter, nor does a space for an underscore.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal
+
+from carom.core.units import UNITS, Unit, unit_named
+
+__all__ = [
+    "BRACKETS",
+    "STATE_COLUMNS",
+    "ColumnNames",
+    "Heading",
+    "header_with_unit",
+    "missing_unit",
+    "parse_header",
+    "without_unit",
+]
+
+# The columns of a table of incoming states: name -> dimension, and other names of the same quantity.
+STATE_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {
+    **{f"velocity_{k}": ("speed", (f"v_{k}", f"v{k}")) for k in "xyz"},
+    **{f"spin_{k}": ("spin", (f"omega_{k}", f"w_{k}", f"w{k}")) for k in "xyz"},
+    "v_n_in": ("speed", ("vn_in",)),
+    "v_t_in": ("speed", ("vt_in",)),
+    "spin_in": ("spin", ("spin_y_in",)),
+    "spin_z_in": ("spin", ()),
+    "speed": ("speed", ("speed_in", "v_in")),
+    "incidence": ("angle", ("incidence_from_normal", "incidence_angle", "theta_in", "angle_in")),
+    "radius": ("length", ()),
+    "mass": ("mass", ()),
+    "kappa": ("number", ()),
+    "restitution": ("number", ()),
+    "friction": ("number", ()),
+    "tangential_restitution": ("number", ()),
+    "stiffness_ratio": ("number", ()),
+    "floor_restitution": ("number", ()),
+    "floor_friction": ("number", ()),
+    "floor_tangential_restitution": ("number", ()),
+    "height": ("length", ()),
+    **{f"normal_{k}": ("number", ()) for k in "xyz"},
+}
+BRACKETS = re.compile(r"^(.*?)\s*[\[(]([^\])]*)[\])]$")
+# (the longest first: m_s before s)
+_SUFFIXES = sorted(
+    {suffix for units in UNITS.values() for suffix in units if suffix}, key=lambda text: (-len(text), text)
+)
+
+Style = Literal["plain", "suffix", "bracket"]
+
+
+@dataclass(frozen=True)
+class Heading:
+    """The meaning of a header: the quantity, the name used for it, its unit, and how the unit is written."""
+
+    quantity: str
+    alias: str
+    unit: Unit | None
+    """None if the unit in brackets is unknown, and for an angle without a unit."""
+    style: Style
+    dimension: str
+
+    @property
+    def units(self) -> str:
+        """The units that the quantity may have, for a message."""
+        return ", ".join(unit.name for unit in UNITS[self.dimension].values() if unit.name) or "none: a pure number"
+
+
+class ColumnNames:
+    """The names of columns in one kind of table: name -> (dimension, other names of the same quantity)."""
+
+    def __init__(self, names: Mapping[str, tuple[str, tuple[str, ...]]]) -> None:
+        self.names = names
+        self.known = {alias: name for name, (_dimension, others) in names.items() for alias in (name, *others)}
+        self.by_length = sorted(self.known, key=len, reverse=True)
+
+    def parse(self, header: str) -> Heading | None:
+        """Return the meaning of a header; None for any other column, which is passed on unread."""
+        found = BRACKETS.match(header.strip())
+        if found:
+            alias = _normalized(found[1])
+            name = self.known.get(alias)
+            if name is None:
+                return None
+            dimension = self.names[name][0]
+            return Heading(name, alias, unit_named(found[2], dimension), "bracket", dimension)
+        text = _normalized(header).removesuffix("_derived")
+        if text in self.known:
+            name = self.known[text]
+            dimension = self.names[name][0]
+            # degrees or radians: an angle without a unit is not guessed
+            unit = None if dimension == "angle" else next(iter(UNITS[dimension].values()))
+            return Heading(name, text, unit, "plain", dimension)
+        for alias in self.by_length:
+            if not text.startswith(alias + "_"):
+                continue
+            name = self.known[alias]
+            dimension = self.names[name][0]
+            unit = UNITS[dimension].get(text.removeprefix(alias + "_"))
+            if unit is not None:
+                return Heading(name, alias, unit, "suffix", dimension)
+        return None
+
+
+_STATE_NAMES = ColumnNames(STATE_COLUMNS)
+
+
+def parse_header(header: str) -> Heading | None:
+    """Return the meaning of a header in a table of incoming states; None for any other column."""
+    return _STATE_NAMES.parse(header)
+
+
+def missing_unit(header: str, meaning: Heading) -> str:
+    """Return the message for a column whose unit is missing or unknown."""
+    example = header_with_unit(meaning.alias, next(iter(UNITS[meaning.dimension].values())), "suffix")
+    return f"column {header!r}: expected a unit, one of {meaning.units}; add it to the header, as in {example!r}"
+
+
+def without_unit(header: str) -> str:
+    """Return a header without its unit, in lower case, to compare names of columns."""
+    found = BRACKETS.match(header.strip())
+    text = _normalized(found[1] if found else header)
+    for suffix in _SUFFIXES:
+        if text.endswith("_" + suffix):
+            return text.removesuffix("_" + suffix)
+    return text
+
+
+def header_with_unit(name: str, unit: Unit, style: Style) -> str:
+    """Return a header with its unit, written in the style of the table."""
+    if style == "plain" or not unit.name:
+        return name
+    return f"{name} [{unit.name}]" if style == "bracket" else f"{name}_{unit.name.replace('/', '_')}"
+
+
+def _normalized(header: str) -> str:
+    return re.sub(r"\s+", "_", header.strip().lower())

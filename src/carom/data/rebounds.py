@@ -1,0 +1,447 @@
+"""Measured rebounds: one row per contact, velocity and spin before and after it, with error bars.
+
+Two kinds. A **planar** bounce, of a ball in flight say: ``v_n_in, v_t_in, spin_in, v_n_out, v_t_out, spin_out``, where
+``spin`` is about the axis for which the slip at the contact is v_t - a spin. A ball on a **table**: ``v_n_in, v_t_in,
+spin_z_in, v_n_out, v_t_out, spin_z_out, stage``, where stage is when the ball was measured after the contact:
+``after_wall``, as it leaves the wall, or ``rolling``, once it rolls again; before the contact it rolls. v_n is positive
+toward the wall before and away from it after. SI: m/s and rad/s. A spin that was not measured is NaN, an empty cell in a
+file. Every number may have an error bar, one standard deviation, in a column ``sigma_...``.
+
+In a file the columns may be in any order and in other units (``v_n_in_mm_s``, ``spin_out [rpm]``).
+"""
+
+from __future__ import annotations
+
+import csv
+import io
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom.data.cells import parse_numbers
+from carom.data.csv import CsvTable
+from carom.data.headers import BRACKETS, ColumnNames, missing_unit
+from carom.errors import MAX_MAGNITUDE, CaromError, suggestion
+from carom.files import as_path, atomic_file, import_optional
+
+if TYPE_CHECKING:
+    import pandas as pd
+
+__all__ = ["COLUMNS", "KINDS", "STAGES", "Kind", "Rebounds", "make_rebounds", "read_rebounds"]
+
+Array = NDArray[np.float64]
+Kind = Literal["planar", "table"]
+KINDS: tuple[Kind, ...] = ("planar", "table")
+STAGES = ("after_wall", "rolling")
+COLUMNS: dict[Kind, tuple[str, ...]] = {
+    "planar": ("v_n_in", "v_t_in", "spin_in", "v_n_out", "v_t_out", "spin_out"),
+    "table": ("v_n_in", "v_t_in", "spin_z_in", "v_n_out", "v_t_out", "spin_z_out"),
+}
+_MEASURED = tuple(dict.fromkeys(COLUMNS["planar"] + COLUMNS["table"]))
+
+
+def _aliases(name: str) -> tuple[str, ...]:
+    """Return other names of a column: vn_in, spin_y_in."""
+    if name.startswith("v_"):
+        return (name.replace("v_", "v", 1),)
+    return () if name.startswith("spin_z") else (name.replace("spin", "spin_y", 1),)
+
+
+_NAMES = {name: ("spin" if name.startswith("spin") else "speed", _aliases(name)) for name in _MEASURED}
+NAMED = ColumnNames(_NAMES | {f"sigma_{name}": (kind, (f"u_{name}",)) for name, (kind, _) in _NAMES.items()})
+# A larger ratio of the speeds before and after a contact suggests mixed units.
+MAX_SPEED_RATIO = 20.0
+
+
+@dataclass(frozen=True, eq=False)
+class Rebounds:
+    """N rebounds of one kind, made and checked by :func:`make_rebounds` or :func:`read_rebounds`.
+
+    Examples
+    --------
+    >>> from carom.data import make_rebounds
+    >>> table = make_rebounds("planar", {"v_n_in": [1.5, 2.0], "v_t_in": 0.5, "v_n_out": [1.2, 1.7], "v_t_out": 0.4})
+    >>> len(table), table["v_n_out"], table.select([True, False])["v_n_in"]
+    (2, array([1.2, 1.7]), array([1.5]))
+    """
+
+    kind: Kind
+    columns: dict[str, Array]
+    """The kind's columns (:data:`COLUMNS`), all of them, (N,) each, SI; a spin that was not measured is NaN."""
+    sigma: dict[str, Array] = field(default_factory=dict)
+    """Standard deviations (N,) by name of the column, of those columns that have them; NaN only where the spin is NaN."""
+    stage: NDArray[np.str_] | None = None
+    """(N,) ``after_wall`` or ``rolling`` for a table; None for planar."""
+    extra: dict[str, NDArray[Any]] = field(default_factory=dict)
+    """Other columns, unchanged: shot, ball, wall, spin_source..."""
+    rows: tuple[str, ...] = ()
+    """Label of each row, such as "line 7"."""
+    source: str = ""
+    notes: tuple[str, ...] = ()
+    """What was assumed, and what looks wrong."""
+
+    def __len__(self) -> int:
+        """The number of rebounds."""
+        return len(self.columns["v_n_in"])
+
+    def __getitem__(self, name: str) -> Array:
+        """Return a column (N,) by its name, also ``sigma_...``. Raises KeyError for an unknown name."""
+        return self.sigma[name.removeprefix("sigma_")] if name.startswith("sigma_") else self.columns[name]
+
+    @property
+    def angle_in(self) -> Array:
+        """Angle of incidence from the wall's normal (N,), rad; positive toward positive v_t."""
+        return np.arctan2(self.columns["v_t_in"], self.columns["v_n_in"])
+
+    @property
+    def angle_out(self) -> Array:
+        """Angle of reflection from the wall's normal (N,), rad."""
+        return np.arctan2(self.columns["v_t_out"], self.columns["v_n_out"])
+
+    def select(self, which: ArrayLike) -> Rebounds:
+        """Return the rows of a mask (N,) or of indices."""
+        index = np.asarray(which)
+        index = np.flatnonzero(index) if index.dtype == bool else index.astype(np.intp)
+        return replace(
+            self,
+            columns={name: column[index] for name, column in self.columns.items()},
+            sigma={name: column[index] for name, column in self.sigma.items()},
+            stage=None if self.stage is None else self.stage[index],
+            extra={name: column[index] for name, column in self.extra.items()},
+            rows=tuple(self.rows[i] for i in index.tolist()) if self.rows else (),
+        )
+
+    def flat(self) -> dict[str, NDArray[Any]]:
+        """Return all columns in the order of a file: extras, measured columns each with its sigma, stage."""
+        found: dict[str, NDArray[Any]] = dict(self.extra)
+        for name, column in self.columns.items():
+            found[name] = column
+            if name in self.sigma:
+                found[f"sigma_{name}"] = self.sigma[name]
+        if self.stage is not None:
+            found["stage"] = self.stage
+        return found
+
+    def to_pandas(self) -> pd.DataFrame:
+        """Return a DataFrame (the extra ``carom[pandas]``)."""
+        frame: pd.DataFrame = import_optional("pandas", "Rebounds.to_pandas").DataFrame(self.flat())
+        return frame
+
+    def save(self, path: str | Path) -> Path:
+        """Write a CSV file, or Parquet if the name ends with .parquet, completely or not at all; SI, all digits."""
+        path = as_path("Rebounds.save", path)
+        columns = self.flat()
+        with atomic_file(path) as file:
+            if path.suffix.lower() in (".parquet", ".pq"):
+                _write_parquet(file, columns)
+            else:
+                text = io.StringIO(newline="")
+                writer = csv.writer(text, lineterminator="\n")
+                writer.writerow(columns)
+                writer.writerows(zip(*(map(_cell, column.tolist()) for column in columns.values()), strict=True))
+                file.write(text.getvalue().encode())
+        return path
+
+
+def _cell(value: Any) -> str:
+    if isinstance(value, float):
+        return "" if value != value else repr(value)  # noqa: PLR0124
+    return str(value)
+
+
+def _write_parquet(file: Any, columns: Mapping[str, NDArray[Any]]) -> None:
+    pa, pq = (import_optional(name, "rebounds as Parquet") for name in ("pyarrow", "pyarrow.parquet"))
+    table = {name: pa.array(list(column) if column.dtype.kind == "O" else column, from_pandas=True)
+             for name, column in columns.items()}  # fmt: skip
+    pq.write_table(pa.table(table), file)
+
+
+def make_rebounds(
+    kind: Kind,
+    columns: Mapping[str, ArrayLike],
+    *,
+    stage: str | Sequence[str] | NDArray[np.str_] | None = None,
+    extra: Mapping[str, NDArray[Any]] | None = None,
+    rows: Sequence[str] = (),
+    source: str = "rebounds",
+    notes: Sequence[str] = (),
+) -> Rebounds:
+    """Make a table of rebounds from columns, and check it.
+
+    Parameters
+    ----------
+    kind : "planar" or "table"
+    columns : mapping
+        Columns by name, ``sigma_...`` among them, SI, each (N,) or one number for all rows. A missing spin is unknown; v_t_in
+        and v_t_out may be left out together (0).
+    stage : "after_wall", "rolling", or (N,) of these
+        Required for a table.
+    extra, rows, source, notes : optional
+        Other columns, labels of rows, the name used in messages, and notes of the result.
+
+    Raises
+    ------
+    CaromError
+        With all problems: a missing or unknown column, numbers that are not finite, v_n_in or a sigma not above 0, a missing
+        or unknown stage.
+
+    Examples
+    --------
+    >>> from carom.data import make_rebounds
+    >>> table = make_rebounds("table", {"v_n_in": [1.0], "v_n_out": [0.85], "sigma_v_n_out": 0.01}, stage="rolling")
+    >>> table.kind, table["sigma_v_n_out"], table.notes
+    ('table', array([0.01]), ('no v_t_in and v_t_out: taken as 0, normal incidence',))
+    """
+    if kind not in KINDS:
+        raise CaromError(f"{source}: kind: expected planar or table, got {kind!r}")
+    names = COLUMNS[kind]
+    faults: list[str] = []
+    known = [*names, *(f"sigma_{name}" for name in names)]
+    given = {name: np.atleast_1d(np.asarray(column, dtype=float)) for name, column in columns.items()}
+    faults += [
+        f"{source}: column {name!r}: expected a column of a {kind} bounce; {suggestion(name, known)}"
+        for name in given
+        if name not in known
+    ]
+    sizes = {len(column) for column in given.values() if len(column) != 1}
+    count = sizes.pop() if sizes else 1
+    if sizes:
+        got = ", ".join(f"{name} {len(column)}" for name, column in given.items())
+        raise CaromError(*faults, f"{source}: columns: expected one length for all, got {got}")
+    given = {name: np.broadcast_to(column, count).copy() for name, column in given.items()}
+    said = list(notes)
+    if "v_t_in" not in given and "v_t_out" not in given:
+        given |= {"v_t_in": np.zeros(count), "v_t_out": np.zeros(count)}
+        said.append("no v_t_in and v_t_out: taken as 0, normal incidence")
+    faults += [
+        f"{source}: column {name!r}: expected this column for a {kind} bounce, got none"
+        for name in names
+        if name.startswith("v_") and name not in given
+    ]
+    label = list(rows) or [f"row {i + 1}" for i in range(count)]
+    if count == 0:
+        faults.append(f"{source}: expected rebounds, got none")
+    faults += _bad_cells(given, label, source)
+    stages = _stages(kind, stage, count, label, source, faults)
+    if faults:
+        raise CaromError(*faults)
+    found = Rebounds(
+        kind,
+        {name: given.get(name, np.full(count, np.nan)) for name in names},
+        {name: given[f"sigma_{name}"] for name in names if f"sigma_{name}" in given},
+        stages, dict(extra or {}), tuple(label), source,
+    )  # fmt: skip
+    return replace(found, notes=(*said, *_remarks(found)))
+
+
+def _where(bad: NDArray[np.bool_] | Sequence[int], rows: Sequence[str]) -> str:
+    """Which rows are bad, from a mask or indices: "at line 3 (2 in all)"."""
+    which = np.flatnonzero(bad) if isinstance(bad, np.ndarray) else bad
+    return f"at {rows[which[0]]}" + (f" ({len(which)} in all)" if len(which) > 1 else "")
+
+
+def _bad_cells(given: Mapping[str, Array], rows: Sequence[str], source: str) -> list[str]:
+    """Return what is wrong with the numbers, one line per column and kind of problem."""
+    faults = []
+
+    def check(name: str, bad: NDArray[np.bool_], expected: str, remedy: str) -> None:
+        if bad.any():
+            got = float(given[name][np.flatnonzero(bad)[0]])
+            got_text = "an empty cell" if np.isnan(got) else repr(got)
+            faults.append(f"{source}: {name}: expected {expected}, got {got_text} {_where(bad, rows)}; {remedy}")
+
+    for name, column in given.items():
+        far = ~(np.abs(column) <= MAX_MAGNITUDE)
+        if name.startswith("sigma_"):
+            of = given.get(name.removeprefix("sigma_"))
+            unknown = np.zeros(len(column), bool) if of is None else np.isnan(of) & np.isnan(column)
+            check(name, (far | ~(column > 0)) & ~unknown, "an error bar above 0",
+                  "no measurement is exact: give its real error, or leave the column out")  # fmt: skip
+        elif name.startswith("spin"):
+            check(name, far & ~np.isnan(column), "a finite number", "leave the cell empty where it was not measured")
+        else:
+            check(name, far, "a finite number", "leave the row out, or fill in the cell")
+    if "v_n_in" in given:
+        v = given["v_n_in"]
+        check("v_n_in", np.isfinite(v) & ~(v > 0), "a speed toward the wall, above 0",
+              "v_n is positive toward the wall before the contact and away from it after: change the signs")  # fmt: skip
+    if "v_n_out" in given:
+        v = given["v_n_out"]
+        slack = 3 * np.nan_to_num(given.get("sigma_v_n_out", np.zeros(len(v))))
+        check("v_n_out", np.isfinite(v) & (v < -slack), "a speed away from the wall, at least 0 within 3 sigma",
+              "v_n is positive toward the wall before the contact and away from it after: change the signs")  # fmt: skip
+    return faults
+
+
+def _stages(
+    kind: Kind, stage: Any, count: int, rows: Sequence[str], source: str, faults: list[str]
+) -> NDArray[np.str_] | None:
+    if kind == "planar":
+        if stage is not None:
+            faults.append(
+                f"{source}: stage: expected none for a planar bounce, got {stage!r:.40}; leave it out, or use kind table"
+            )
+        return None
+    if stage is None:
+        faults.append(
+            f"{source}: stage: expected after_wall (measured as the ball leaves the wall) or rolling (once it rolls"
+            " again), got none; give the column, or --stage for all rows"
+        )
+        return None
+    found: NDArray[np.str_] = np.char.strip(np.broadcast_to(np.atleast_1d(np.asarray(stage, dtype=str)), count))
+    bad = ~np.isin(found, STAGES)
+    if bad.any():
+        got = str(found[np.flatnonzero(bad)[0]])
+        faults.append(f"{source}: stage: expected after_wall or rolling, got {got!r} {_where(bad, rows)}")
+    return found
+
+
+def _remarks(found: Rebounds) -> list[str]:
+    """Return notes on what can be read but looks wrong."""
+    remarks = []
+    v_in = np.hypot(found["v_n_in"], found["v_t_in"])
+    v_out = np.hypot(found["v_n_out"], found["v_t_out"])
+    spin_unknown = all(np.isnan(found[name]).all() for name in COLUMNS[found.kind] if name.startswith("spin"))
+    odd = (v_out > MAX_SPEED_RATIO * v_in) | (v_out * MAX_SPEED_RATIO < v_in)
+    if odd.any() and (spin_unknown or odd.mean() > 0.5):
+        i = np.flatnonzero(odd)[0]
+        remarks.append(
+            f"speeds: {v_in[i]:.4g} m/s before and {v_out[i]:.4g} m/s after {_where(odd, found.rows)}: mixed units?"
+            " write units in the headers, as in v_n_in_mm_s"
+        )
+    if not found.sigma:
+        remarks.append("no sigma_ columns: the error bars are unknown, and a fit has to estimate them")
+    return remarks
+
+
+def read_rebounds(path: str | Path, *, kind: Kind | None = None, stage: str | None = None) -> Rebounds:
+    """Read a table of rebounds from a CSV or Parquet file.
+
+    Parameters
+    ----------
+    path : path
+        Columns in any order, with units in their headers (SI without); other columns are kept as ``extra``.
+    kind : "planar" or "table", optional
+        By default recognised from the columns: spin_in or spin_out is planar, spin_z_in, spin_z_out or stage is a table.
+    stage : "after_wall" or "rolling", optional
+        For all rows of a file without that column.
+
+    Raises
+    ------
+    CaromError
+        With all problems of the file.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> from carom.data import read_rebounds
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = pathlib.Path(folder) / "bounces.csv"
+    ...     _ = path.write_text("v_n_in [mm/s],v_t_in,v_n_out,v_t_out,stage\\n1500,0.5,1.2,0.4,rolling\\n")
+    ...     table = read_rebounds(path)
+    >>> table.kind, table["v_n_in"], table.rows
+    ('table', array([1.5]), ('line 2',))
+    """
+    path = as_path("read_rebounds", path)
+    if not path.is_file():
+        raise CaromError(f"{path}: expected a table of rebounds, got {'a folder' if path.is_dir() else 'no such file'}")
+    faults: list[str] = []
+    read = _read_parquet if path.suffix.lower() in (".parquet", ".pq") else _read_csv
+    headers, cells, rows, number = read(path, faults)
+    measured: dict[str, Array] = {}
+    extra: dict[str, NDArray[Any]] = {}
+    stages: Any = stage
+    for i, header in enumerate(headers):
+        name = header.strip().lower()
+        meaning = NAMED.parse(header)
+        if name == "stage":
+            stages = np.array([str(cell) for cell in cells(i)]) if stage is None else stage
+        elif meaning is None:
+            if header.strip():
+                extra[header.strip()] = np.array(["" if cell is None else str(cell) for cell in cells(i)])
+        elif meaning.unit is None:
+            faults.append(f"{path}: {missing_unit(header, meaning)}")
+        elif meaning.quantity in measured:
+            faults.append(f"{path}: column {header!r}: expected one column for {meaning.quantity}, got two")
+        else:
+            measured[meaning.quantity] = meaning.unit.to_si(number(i, header))
+    kind = kind or _kind(path, measured, stages is not None, headers, faults)
+    if faults:
+        # check the columns as well, to report all problems at once
+        try:
+            make_rebounds(kind, measured, stage=stages, rows=rows, source=str(path))
+        except CaromError as error:
+            already = {fault.split(": expected")[0] for fault in faults}
+            faults += [fault for fault in error.faults if fault.split(": expected")[0] not in already]
+        raise CaromError(*faults)
+    if kind == "planar" and stage is None:
+        stages = None
+    return make_rebounds(kind, measured, stage=stages, extra=extra, rows=rows, source=str(path))
+
+
+def _kind(path: Path, measured: Mapping[str, Array], staged: bool, headers: list[str], faults: list[str]) -> Kind:
+    bare = {name.removeprefix("sigma_") for name in measured}
+    planar, table = bare & {"spin_in", "spin_out"}, bare & {"spin_z_in", "spin_z_out"}
+    if planar and table:
+        got = ", ".join(sorted(planar | table))
+        faults.append(f"{path}: columns: expected spin (a planar bounce) or spin_z (a ball on a table), got {got}")
+    elif not planar and not table and not staged:
+        wanted = "v_n_in" if "v_n_in" in measured or not headers else suggestion("v_n_in", headers)
+        faults.append(
+            f"{path}: columns: expected a spin_in or spin_out column (a planar bounce), or spin_z_in, spin_z_out or stage"
+            f" (a ball on a table), got {', '.join(map(repr, headers))}; say which with --kind planar or --kind table"
+            + ("" if wanted == "v_n_in" else f"; v_n_in: {wanted}")
+        )
+    return "table" if (table or staged) and not planar else "planar"
+
+
+Reader = tuple[list[str], Callable[[int], list[Any]], list[str], Callable[[int, str], Array]]
+
+
+def _read_csv(path: Path, faults: list[str]) -> Reader:
+    with CsvTable(path) as table:
+        headers = table.headers
+        records = list(table.records())
+        semicolons = table.delimiter != ","
+    lines = [f"line {number}" for number, _text, _fields in records]
+    width = len(headers)
+    wrong = np.array([len(fields) > width or len(fields) < width for _n, _t, fields in records], bool)
+    rows = [fields[:width] + [""] * (width - len(fields)) for _n, _t, fields in records]
+    spare = [fields[width:] for _n, _t, fields in records]
+    if wrong.any() and any(any(cell.strip() for cell in cells) for cells in spare):
+        got = len(records[np.flatnonzero(wrong)[0]][2])
+        faults.append(f"{path}: rows: expected {width} fields, as the header has, got {got} {_where(wrong, lines)}")
+
+    def number(i: int, header: str) -> Array:
+        cells = [row[i] for row in rows]
+        values, bad = parse_numbers(cells, decimal_comma=semicolons)
+        if bad:
+            unit = BRACKETS.match(header)
+            faults.append(
+                f"{path}: {header if unit else header.strip()}: expected a number, got {cells[bad[0]].strip()!r}"
+                f" {_where(bad, lines)}; write units in the header"
+            )
+        return values
+
+    return headers, lambda i: [row[i] for row in rows], lines, number
+
+
+def _read_parquet(path: Path, faults: list[str]) -> Reader:
+    from carom.data.parquet import ParquetTable
+
+    with ParquetTable(path) as table:
+        arrow = table.file.read()
+    lines = [f"row {i + 1}" for i in range(arrow.num_rows)]
+
+    def number(i: int, header: str) -> Array:
+        values = arrow.column(i).to_pylist()
+        if all(value is None or isinstance(value, int | float) for value in values):
+            return np.array([np.nan if value is None else float(value) for value in values])
+        faults.append(f"{path}: column {header!r}: expected numbers, got {arrow.column(i).type}")
+        return np.full(len(values), np.nan)
+
+    return list(table.headers), lambda i: arrow.column(i).to_pylist(), lines, number

@@ -1,1 +1,0 @@
-"""The event loop: what comes next, what it does, and the loop itself."""

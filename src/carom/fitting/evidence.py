@@ -1,0 +1,105 @@
+"""Evidence for and against laws: Akaike weights, odds against the strongest rival, and the verdict in words.
+
+One rule for rebounds and whole tracks. The rival of the best law is the best that does not contain it as a special case: one that
+contains it fits no worse by construction, and is named separately. Odds are exp of half the difference of AICc. Where no law fits,
+they are those for error bars enlarged until the best one does.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.fitting.laws import FittedLaw
+
+__all__ = ["DECIDED", "LEANS", "UNLIKELY", "Evidence", "decisive", "odds_in_words", "verdict_words", "weigh"]
+
+DECIDED, LEANS = 20.0, 3.0  # odds
+UNLIKELY = 1e-3  # probability of a chi^2 below which a law is said not to fit
+MOST_LOG_ODDS = 700.0
+
+
+class FittedModel(Protocol):
+    """A fit whose law is compared."""
+
+    @property
+    def law(self) -> FittedLaw: ...
+    @property
+    def aicc(self) -> float: ...
+    @property
+    def deviance(self) -> float: ...
+
+
+@dataclass(frozen=True, eq=False)
+class Evidence:
+    """Fits in the order of AICc, compared."""
+
+    weights: NDArray[np.float64]
+    """Akaike's."""
+    odds: float
+    """Of the best law against its rival; infinite where there is none, NaN where they mean nothing."""
+    rival: Any
+    containing: tuple[str, ...]
+    """Laws that contain the best one and fit about as well."""
+    close: tuple[str, ...]
+    """Laws that the data do not decide between."""
+
+
+def weigh(fits: Sequence[FittedModel], enlarge: float = 1.0) -> Evidence:
+    """Compare fits in the order of AICc, with error bars ``enlarge`` times as large."""
+
+    def criterion(fit: FittedModel) -> float:
+        return fit.deviance / enlarge**2 + fit.aicc - fit.deviance
+
+    best = fits[0]
+    aicc = np.array([fit.aicc for fit in fits])
+    weights = np.exp(-(aicc - aicc[0]) / 2)
+    containing = [fit for fit in fits[1:] if fit.law.name in best.law.within]
+    others = [fit for fit in fits[1:] if fit.law.name not in best.law.within]
+    rival = min(others, key=criterion, default=None)
+    log_odds = math.inf if rival is None else (criterion(rival) - criterion(best)) / 2
+    near = [fit.law.name for fit in fits if fit.aicc < aicc[0] + 2 * math.log(LEANS) * enlarge**2]
+    near += [rival.law.name] if rival is not None and rival.law.name not in near else []
+    return Evidence(
+        weights / weights.sum(),
+        math.inf if rival is None else math.exp(min(log_odds, MOST_LOG_ODDS)),
+        rival,
+        tuple(fit.law.name for fit in containing if fit.aicc < aicc[0] + 2 * math.log(DECIDED)),
+        tuple(near),
+    )
+
+
+def verdict_words(called: str, evidence: Evidence, subject: str, support: float, reason: str) -> str:
+    """Return the verdict in words: ``subject`` (the data, the tracks) prefer, lean to or cannot decide.
+
+    ``support``: odds, or a number on their scale; ``reason``: by how much the best law is ahead.
+    """
+    more, these = "", subject.replace("the ", "these ")
+    if evidence.containing:
+        s = "s" if len(evidence.containing) == 1 else ""
+        more = f"; {', '.join(evidence.containing)}, which contain{s} it, fit{s} no better"
+    if evidence.rival is None:
+        return f"{subject} are described by {called}; there was no other law to compare it with{more}"
+    if support >= DECIDED:
+        return f"{subject} prefer {called}, {reason}{more}"
+    if support >= LEANS:
+        return f"{subject} lean to {called}, {reason}: not enough to decide{more}; carom design says which shot to film next"
+    near = evidence.close
+    return f"{these} cannot decide between {', '.join(near[:-1])} and {near[-1]}; carom design says which shot to film next"
+
+
+def decisive(fits: bool, odds: float) -> bool:
+    """Return whether the verdict is a decision for a law that fits."""
+    return fits and odds >= DECIDED
+
+
+def odds_in_words(odds: float) -> str:
+    """Return odds as N to 1."""
+    if odds > 1e6:
+        return "more than a million to 1"
+    return f"{odds:,.0f} to 1" if odds >= 10 else f"{odds:.1f} to 1"

@@ -1,0 +1,228 @@
+"""Covariance of a law's parameters, and which of them, alone or in combination, the data do not identify.
+
+The same for rebounds and for whole tracks: each provides the information at the best place, and the deviance where one parameter
+is moved and the others are held or fitted again (:class:`Subject`).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.fitting.parameters import Parameter
+from carom.fitting.result import Estimate
+
+__all__ = ["FLAT_RISE", "NOT_IDENTIFIABLE", "Identified", "Subject", "identify"]
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+NOT_IDENTIFIABLE = "not identifiable from these data"
+UNIDENTIFIED_STDERR = 0.5  # a standard error of so much of a parameter's range, or of its size, is no information
+INVOLVED_SHARE = 0.3  # of an unidentified direction: a parameter with more of it is involved
+FAR = (5.0, 50.0)  # error bars from the best place, where the deviance must have risen
+FLAT_RISE = 6.63  # of the deviance, 99 % of one parameter: a profile that rises by less there is flat
+ONE_SIDED = 2.706  # of the deviance: 95 % of one parameter on one side
+NEAR_BOUND = 1.5  # error bars: a bound that is nearer is no place to hold a parameter at
+COMPENSATED = (
+    2.0  # ratio of a parameter's error bar to what it were with the others known, above which they compensate for it
+)
+SLIP_RETURN = ("tangential_restitution", "stiffness_ratio")
+NEARER = 0.4  # of a step: 2 error bars where the step is 5
+BISECTIONS = 20
+
+
+class Subject(Protocol):
+    """A fit at its best place."""
+
+    label: str
+    names: tuple[str, ...]
+    parameters: tuple[Parameter, ...]
+    values: Array
+    information: Array
+    trade_offs: bool
+    """Whether unmeasured spins may compensate for parameters, which has to be tested by fits."""
+
+    def covariance(self, inside: NDArray[np.int64]) -> Array:
+        """Return the covariance of some parameters."""
+
+    def rise(self, i: int, value: float) -> float:
+        """Return by how much the deviance rises with parameter i at a value and the other parameters held."""
+
+    def refit_rises(self, i: int, values: Array) -> tuple[Array, Array]:
+        """Return by how much the deviance rises (m,) with parameter i held at values (m,) and all else fitted, and the parameters
+        (m, k) there."""
+
+
+@dataclass(frozen=True, eq=False)
+class Identified:
+    """What the data tell of a law's parameters."""
+
+    covariance: Array
+    estimates: dict[str, Estimate]
+    degenerate: tuple[str, ...]
+    untold: tuple[str, ...]
+
+
+def parameter_ranges(parameters: Sequence[Parameter], values: Array) -> Array:
+    """Return each parameter's scale: its range, or for one with a wide range, such as a speed, its own size, at least 1."""
+    ends = zip(values.tolist(), parameters, strict=True)
+    return np.array([min(p.high - p.low, max(abs(v), 1.0)) for v, p in ends])
+
+
+def identify(subject: Subject) -> Identified:
+    """Compute covariance and estimates, and find the parameters that the data do not identify."""
+    names, parameters, values = list(subject.names), subject.parameters, subject.values
+    k, ranges = len(names), parameter_ranges(parameters, values)
+    low, high = (np.array([getattr(p, end) for p in parameters]) for end in ("low", "high"))
+    bound = (values <= low + 1e-9 * ranges) | (values >= high - 1e-9 * ranges)
+    covariance, sentences, concerned = np.full((k, k), np.nan), [], np.zeros(k, bool)
+
+    def involve(which: Mask) -> None:
+        concerned[which] = True
+        sentences.append(_sentence(subject, [names[i] for i in np.flatnonzero(which)]))
+
+    if k:
+        strength, direction, inner = _directions(subject.information, ranges)
+        bars = np.sqrt(np.diag(inner)) / ranges
+        for column in direction[:, ~(strength > 1 / UNIDENTIFIED_STDERR**2)].T:
+            # a parameter is involved by its share, or by more than its own error bar
+            which = (np.abs(column) > INVOLVED_SHARE) | (np.abs(column) * UNIDENTIFIED_STDERR > np.maximum(bars, 1e-3))
+            if subject.trade_offs:
+                i = int(np.argmax(np.abs(column)))
+                which |= _compensating(subject, i, UNIDENTIFIED_STDERR * ranges[i], np.inf, bars * ranges)
+            involve(which)
+        if subject.trade_offs:
+            for together in _trade_offs(subject, ranges, np.flatnonzero(~bound & ~concerned)):
+                involve(together)
+    inside = np.flatnonzero(~bound & ~concerned)
+    if len(inside):
+        covariance[np.ix_(inside, inside)] = subject.covariance(inside)
+        for i in inside.tolist():
+            if concerned[i] or not (flat := _flat_side(subject, i, math.sqrt(covariance[i, i]))):
+                continue
+            along = np.zeros(k, bool)
+            if subject.trade_offs:
+                own = np.nan_to_num(np.sqrt(np.diag(covariance)), nan=np.inf)
+                along = _compensating(subject, i, UNIDENTIFIED_STDERR * ranges[i], np.inf, own)
+            along[i] = True
+            if along.sum() > 1:
+                involve(along)
+            else:
+                concerned[i] = True
+                sentences.append(f"{subject.label}: {names[i]}: {flat}")
+            covariance[along, :] = covariance[:, along] = np.nan
+    estimates = {}
+    for i, name in enumerate(names):
+        if concerned[i]:
+            estimates[name] = Estimate(None, None, NOT_IDENTIFIABLE)
+        elif bound[i]:
+            which_end = "lower" if values[i] <= low[i] + 1e-9 * ranges[i] else "upper"
+            estimates[name] = Estimate(float(values[i]), None, f"at its {which_end} bound, {values[i]:g}")
+        else:
+            estimates[name] = Estimate(float(values[i]), float(math.sqrt(covariance[i, i])))
+    untold = tuple(names[i] for i in np.flatnonzero(concerned))
+    return Identified(covariance, estimates, tuple(dict.fromkeys(sentences)), untold)
+
+
+def _directions(information: Array, ranges: Array) -> tuple[Array, Array, Array]:
+    """Return the information along its principal directions, in units of the ranges, the directions, and the covariance of those
+    that are identified."""
+    strength, direction = np.linalg.eigh(information * np.outer(ranges, ranges))
+    good = strength > 1 / UNIDENTIFIED_STDERR**2
+    half = direction[:, good] / np.sqrt(strength[good])
+    return strength, direction, half @ half.T * np.outer(ranges, ranges)
+
+
+def identified_covariance(information: Array, ranges: Array) -> Array:
+    """Return the covariance in the identified directions."""
+    return _directions(information, ranges)[2]
+
+
+def _trade_offs(subject: Subject, ranges: Array, inside: NDArray[np.int64]) -> Iterator[Mask]:
+    """Yield parameters that compensate for each other: where spins are integrated over, the curvature between two creases may be
+    large and the profile flat. So the most compensated one is held five error bars away, and the others fitted again."""
+    while len(inside):
+        block, bars = subject.information[np.ix_(inside, inside)], np.zeros(len(ranges))
+        bars[inside] = np.sqrt(np.diag(_directions(block, ranges[inside])[2]))
+        times = np.diag(block) * bars[inside] ** 2
+        i = int(inside[int(np.argmax(times))])
+        if times.max() < COMPENSATED:
+            # returned slip and the spins before the wall are equivalent, whatever the curvature at a crease says
+            i = next((int(j) for j in inside if subject.names[j] in SLIP_RETURN), -1)
+            if i < 0:
+                return
+        together = _compensating(subject, i, FAR[0] * float(bars[i]), bars[i], bars) & (bars > 0)
+        if not together.any():
+            return
+        yield together
+        inside = inside[~together[inside]]
+
+
+def _compensating(subject: Subject, i: int, step: float, bar: float, bars: Array) -> Mask:
+    """Return (k,) parameter i and those that move by more than their error bars when it is held a step away and all else is fitted;
+    none where the deviance rises by a quarter of what its own error bar says, or by 99 % if it has none."""
+    best, parameter = float(subject.values[i]), subject.parameters[i]
+    # (near as well: far away may lie beyond the other end of a valley that is flat and short)
+    shares = np.array([-1, 1]) if bar == np.inf else np.array([-1, -NEARER, NEARER, 1])
+    values = np.clip(best + step * shares, parameter.low, parameter.high)
+    far = np.abs(values - best)
+    some = far > max(NEAR_BOUND * bar if bar < np.inf else 0.0, step / 4)
+    if not some.any():
+        return np.zeros(len(bars), bool)
+    rises, found = subject.refit_rises(i, values[some])
+    short = rises - (np.square(far[some] / bar) / 4 if bar < np.inf else FLAT_RISE)
+    if not (short < 0).any():
+        return np.zeros(len(bars), bool)
+    moved = np.abs(found[int(np.argmin(short))] - subject.values) > np.maximum(bars, 1e-9)
+    moved[i] = True
+    return np.asarray(moved)
+
+
+def _flat_side(subject: Subject, i: int, stderr: float) -> str:
+    """Return a sentence where the deviance does not rise on one side, though the curvature at the best place says that it should.
+
+    So it is where the last contact that identifies a parameter stands at the edge between sticking and sliding. Five error bars
+    away it should have risen by 25; where it has not by half of that, all else is fitted again, there and ten times as far.
+    """
+    best, parameter = float(subject.values[i]), subject.parameters[i]
+    for sign, word in ((1, "more"), (-1, "less")):
+        far = np.clip(best + sign * stderr * np.array(FAR), parameter.low, parameter.high)
+        if abs(far[0] - best) < 0.8 * FAR[0] * stderr:
+            continue  # the bound is near
+        if subject.rise(i, float(far[0])) < FAR[0] ** 2 / 2 and (subject.refit_rises(i, far)[0] < FLAT_RISE).all():
+            return (
+                f"what lies beyond {best:.3g} fits nearly as well: only a limit is identifiable, {_limit(subject, i, -sign):.3g} or"
+                f" {word} (95 %)"
+            )
+    return ""
+
+
+def _limit(subject: Subject, i: int, sign: int) -> float:
+    """Return how far a parameter may go on one side until the deviance has risen by what 95 % allow, the others held."""
+    parameter = subject.parameters[i]
+    inside, outside = float(subject.values[i]), parameter.low if sign < 0 else parameter.high
+    for _ in range(BISECTIONS):
+        middle = (inside + outside) / 2
+        inside, outside = (inside, middle) if subject.rise(i, middle) >= ONE_SIDED else (middle, outside)
+    return (inside + outside) / 2
+
+
+def _sentence(subject: Subject, names: list[str]) -> str:
+    """Return a sentence about parameters that the data do not identify."""
+    said, values = f"{subject.label}: {' and '.join(names)}: ", dict(zip(subject.names, subject.values, strict=True))
+    if names == ["friction"]:
+        limit = _limit(subject, list(subject.names).index("friction"), -1)
+        return f"{said}no contact slides throughout, so only a lower limit is identifiable: {limit:.3g} or more (95 %)"
+    if len(names) == 1 and names[0] in SLIP_RETURN:
+        return f"{said}every contact slides throughout, so nothing depends on it; film steeper hits"
+    if sorted(names) == ["friction", "restitution"]:
+        product = values["friction"] * (1 + values["restitution"])
+        return f"{said}sliding contacts identify only friction (1 + restitution) = {product:.4g}, not each by itself"
+    if len(names) > 1:
+        return f"{said}only a combination of them is identifiable, not each value; measure more (spin, other angles), or fix one"
+    return f"{said}next to nothing in these data depends on it"

@@ -1,0 +1,265 @@
+"""Likelihood of all rebounds under a law: deviances, scores and information; compiled, on all cores.
+
+The laws are compiled separately and passed to the loops as functions, so that one loop serves balls in the air and on tables. Rows
+are split into the same parts whatever the number of cores, and summed in order: results are bitwise identical.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.core.jit.compile import array_of, function_type, named_tuple_type, njit, signature, thread_count
+from carom.core.jit.kernel import kernel
+from carom.fitting.deviance import RELATIVE_STEP, RowData, Trial, Workspace, known_row
+from carom.fitting.parameters import LAW_NUMBERS, NUMBERS
+from carom.fitting.spin_marginal import unmeasured_row
+from carom.fitting.spin_quadrature import INTERVAL, SpinGrid
+from carom.laws.callbacks import register_calls
+
+if TYPE_CHECKING:
+    from carom.data.rebounds import Kind
+
+__all__ = [
+    "Evaluation",
+    "LikelihoodModel",
+    "compile_likelihood",
+    "evaluate",
+    "make_trial",
+    "make_workspace",
+    "predictions",
+]
+
+Array = NDArray[np.float64]
+PARTS = 8
+SHARED_STEP = 0.03  # of an error bar: the step of a derivative in a shared error
+SERIAL_WORK = 4000  # law evaluations, up to which one core is quicker
+
+
+@dataclass(frozen=True, eq=False)
+class LikelihoodModel:
+    """Rows, a law and its fitted parameters."""
+
+    kind: Kind
+    rows: RowData
+    free: NDArray[np.int64]
+    """(k,) indices of the fitted numbers: the law's parameters, then shared errors, from NUMBERS on."""
+    low: Array
+    """(NUMBERS + S,) bounds."""
+    high: Array
+    moved: Array
+    """(S, N, 6) shift of inputs and outputs by one unit of each shared error."""
+    moves: Array
+    """(S, NUMBERS) and of the law's parameters."""
+
+
+@dataclass(frozen=True, eq=False)
+class Evaluation:
+    """The likelihood at B sets of parameters."""
+
+    deviance: Array
+    """(B, N), not weighted."""
+    chi2: Array
+    """(B, N) c, with the most likely spin where that was not measured."""
+    scores: Array
+    """(B, k), weighted."""
+    information: Array
+    """(B, k, k), weighted."""
+
+
+@kernel
+def _set_steps(trial: Any, low: Any, high: Any) -> None:
+    """Set the step of each derivative, in the parameter's own size: away from zero, where forms have kinks, inwards at a bound; of
+    a shared error a small part of its error bar."""
+    for m in range(trial.free.shape[0]):
+        j = trial.free[m]
+        if j >= NUMBERS:
+            trial.steps[j] = SHARED_STEP
+            continue
+        p = trial.values[j]
+        size = RELATIVE_STEP * max(min(high[j] - low[j], 1.0), abs(p) / 10)
+        trial.steps[j] = size if (p >= 0 and p + size <= high[j]) or p - size < low[j] else -size
+
+
+def _evaluate_rows(
+    law: Any, rows: Any, spins: Any, measured: Any, weights: Any, p: Any, trial: Any, bounds: Any, moves: Any, part: Any, out: Any,
+    work: Any,
+) -> None:  # fmt: skip
+    """Evaluate rows part[0] to part[1] at each of p (B, K). ``spins``: rows.spins (an argument: Numba drops the branch where
+    it is None); ``measured``: x and y without shared errors; ``bounds``: low and high; ``out``: deviance and chi2 (B, N), scores
+    (B, k) and information (B, k, k) of these rows."""
+    plain_x, plain_y = measured
+    low, high = bounds
+    first, last = part
+    deviance, chi2, u, h = out
+    k, one, shared = trial.free.shape[0], min(weights.shape[0] - 1, 1), moves.shape[0]
+    ui, hi = np.zeros(k), np.zeros((k, k))
+    for b in range(p.shape[0]):
+        for j in range(p.shape[1]):
+            trial.values[j] = p[b, j]
+        for s in range(shared):
+            for j in range(NUMBERS):
+                trial.values[j] += p[b, NUMBERS + s] * moves[s, j]
+        _set_steps(trial, low, high)
+        for s in range(shared):
+            for j in range(NUMBERS):
+                trial.stepped[s, j] = trial.values[j] + SHARED_STEP * moves[s, j]
+        for i in range(first, last):
+            weight = weights[b * one, i]
+            if weight == 0:
+                deviance[b, i] = chi2[b, i] = 0
+                continue
+            if shared > 0:
+                for m in range(3):
+                    rows.x[i, m], rows.y[i, m] = plain_x[i, m], plain_y[i, m]
+                    for s in range(shared):
+                        rows.x[i, m] += p[b, NUMBERS + s] * trial.moved[s, i, m]
+                        rows.y[i, m] += p[b, NUMBERS + s] * trial.moved[s, i, 3 + m]
+            if spins is not None and rows.x[i, 2] != rows.x[i, 2]:
+                deviance[b, i], chi2[b, i] = unmeasured_row(law, rows, trial, i, ui, hi, work)
+            else:
+                deviance[b, i], chi2[b, i] = known_row(law, rows, trial, i, ui, hi, work)
+            for j in range(k):
+                u[b, j] += weight * ui[j]
+                for m in range(k):
+                    h[b, j, m] += weight * hi[j, m]
+
+
+def _predict_rows(law: Any, rows: Any, x: Any, numbers: Any, out: Any) -> None:
+    """Compute the law's prediction for each row: x (N, 3), numbers (N or 1,) records, out (N, 3)."""
+    one = min(numbers.shape[0] - 1, 1)
+    for i in range(x.shape[0]):
+        f = law(rows.code, rows.form, rows.stages[i], (x[i, 0], x[i, 1], x[i, 2]), rows.radius, numbers[i * one])
+        out[i, 0], out[i, 1], out[i, 2] = f[0], f[1], f[2]
+
+
+@functools.cache
+def _law(kind: Kind) -> Any:
+    """The laws of a kind, compiled."""
+    from carom.fitting.kernels import planar, table
+
+    register_calls()
+    return njit(planar if kind == "planar" else table, _types()["law"].signature, nogil=True)
+
+
+@functools.cache
+def _types() -> Any:
+    """Types of the compiled loops' arguments."""
+    one, two, three, indices, numbers = (
+        array_of(*x) for x in ((float, 1), (float, 2), (float, 3), (int, 1), (LAW_NUMBERS, 1))
+    )
+    vector = (float, float, float)
+    law = function_type(vector, int, int, int, vector, float, LAW_NUMBERS)
+    grid = named_tuple_type(SpinGrid, one, bool)
+
+    def rows(spins: Any) -> Any:
+        return named_tuple_type(RowData, int, int, indices, float, spins, two, two, two, two, two, float)
+
+    trial = named_tuple_type(Trial, one, numbers, indices, one, three, two, numbers)
+    work = named_tuple_type(
+        Workspace, two, two, two, two, two, one, two, one, two, array_of(INTERVAL), two, two, two, two, one, two, two
+    )
+    bounds, part, out = (one, one), (int, int), (two, two, two, three)
+    looks = {
+        averaged: signature(None, law, rows(kind), kind, (two, two), two, two, trial, bounds, two, part, out, work)
+        for averaged, kind in ((False, None), (True, grid))
+    }
+    says = signature(None, law, rows(None), two, numbers, two)
+    return {"law": law, "evaluate": looks, "predict": says}
+
+
+@functools.cache
+def _evaluating(averaged: bool) -> Callable[..., None]:
+    """:func:`_evaluate_rows`, compiled, for rows some of which lack a spin, or none."""
+    return njit(_evaluate_rows, _types()["evaluate"][averaged], nogil=True)
+
+
+@functools.cache
+def _predicting() -> Callable[..., None]:
+    return njit(_predict_rows, _types()["predict"], nogil=True)
+
+
+def compile_likelihood() -> None:
+    """Compile the laws and the loops, or load them from the cache."""
+    for averaged in (False, True):
+        _evaluating(averaged)
+    _predicting()
+    _law("planar")
+    _law("table")
+
+
+@functools.cache
+def _pool() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(thread_count(), thread_name_prefix="carom-fit")
+
+
+def make_trial(free: NDArray[np.int64], moved: Array) -> Trial:
+    """Return the trial point of one thread; its records share their memory with the arrays."""
+    values, stepped = np.zeros(NUMBERS + len(moved)), np.zeros((len(moved), NUMBERS))
+    return Trial(
+        values,
+        values[:NUMBERS].view(LAW_NUMBERS),
+        free,
+        np.zeros(len(values)),
+        moved,
+        stepped,
+        stepped.view(LAW_NUMBERS)[:, 0],
+    )
+
+
+def make_workspace(k: int, points: int) -> Workspace:
+    """Return the scratch arrays of one thread, for k fitted numbers and so many points of the grid of spins (0: none)."""
+
+    def zeros(*shape: int) -> Array:
+        return np.zeros(shape)
+
+    return Workspace(
+        zeros(4 + 3 * k, 3), zeros(3, 3), zeros(3, 3), zeros(3, 3), zeros(2, 3), zeros(3), zeros(2, 3), zeros(4 * points),
+        zeros(4 * points, 3), np.zeros(5 * points, INTERVAL), zeros(k, 3), zeros(k, 3), zeros(k, 3), zeros(k, 3), zeros(k),
+        zeros(k, k), zeros(k, k),
+    )  # fmt: skip
+
+
+def evaluate(model: LikelihoodModel, p: Array, weights: Array | None = None) -> Evaluation:
+    """Evaluate the likelihood at B sets of numbers p (B, K), with weights (B or 1, N) of the rows."""
+    p, rows = np.ascontiguousarray(p, float), model.rows
+    (n, count), k = (len(rows.x), len(p)), len(model.free)
+    weights = np.ones((1, n)) if weights is None else np.ascontiguousarray(weights, float)
+    points = 0 if rows.spins is None else len(rows.spins.sigma)
+    loop, law = _evaluating(points > 0), _law(model.kind)
+    deviance, chi2 = np.empty((count, n)), np.empty((count, n))
+    work = n * count * max(points, 1)
+    # many sets: some sets a part, all rows; few: some rows a part
+    sets, parts = (1, 1) if work < SERIAL_WORK else (PARTS, 1) if count >= PARTS else (1, PARTS)
+    edges = np.linspace(0, n, parts + 1).astype(int).tolist()
+    blocks = np.linspace(0, count, sets + 1).astype(int).tolist()
+    u, h = np.zeros((parts, count, k)), np.zeros((parts, count, k, k))
+
+    def part(some: slice, m: int) -> None:
+        own = rows._replace(x=rows.x.copy(), y=rows.y.copy()) if len(model.moved) else rows
+        loop(
+            law, own, rows.spins, (rows.x, rows.y), weights if len(weights) == 1 else weights[some], p[some],
+            make_trial(model.free, model.moved), (model.low, model.high), model.moves, (edges[m], edges[m + 1]),
+            (deviance[some], chi2[some], u[m, some], h[m, some]), make_workspace(k, points),
+        )  # fmt: skip
+
+    tasks = [(slice(blocks[i], blocks[i + 1]), m) for i in range(sets) for m in range(parts)]
+    if len(tasks) == 1:
+        part(*tasks[0])
+    else:
+        list(_pool().map(lambda task: part(*task), tasks))
+    return Evaluation(deviance, chi2, u.sum(axis=0), h.sum(axis=0))
+
+
+def predictions(model: LikelihoodModel, x: Array, p: Array) -> Array:
+    """Return the law's predictions (N, 3) for x (N, 3), with numbers p (N or 1, K)."""
+    out = np.empty((len(x), 3))
+    numbers = np.ascontiguousarray(np.atleast_2d(p)[:, :NUMBERS], float).view(LAW_NUMBERS)[:, 0]
+    _predicting()(_law(model.kind), model.rows._replace(spins=None), np.ascontiguousarray(x, float), numbers, out)
+    return out

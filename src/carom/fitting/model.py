@@ -1,0 +1,217 @@
+"""A law, its fitted parameters and the rebounds, prepared for the compiled likelihood."""
+
+from __future__ import annotations
+
+import functools
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.fitting.data import Problem
+from carom.fitting.deviance import RowData
+from carom.fitting.laws import FittedLaw
+from carom.fitting.likelihood import LikelihoodModel, evaluate, predictions
+from carom.fitting.optimizer import Minimum, minimize
+from carom.fitting.parameters import FORMS, INDEX, NUMBERS, PARAMETERS, Parameter
+
+__all__ = ["SETTING_NUMBERS", "STEPS", "FitModel", "feels_spins", "free_parameters", "model_of", "predict_law"]
+
+Array = NDArray[np.float64]
+STEPS = 200
+MAX_SHARED = 5.0  # error bars of what rows share
+TOLERANCE = 1e-7  # of the deviance: a step that promises less ends the descent
+MARGINAL_TOLERANCE = 1e-4  # the same where a spin is integrated over, to the precision of the quadrature
+# Taken from the setting where they are not fitted
+SETTING_NUMBERS = ("kappa", "contact_height", "floor_friction", "floor_restitution", "roll")
+
+
+@dataclass(frozen=True, eq=False)
+class FitModel:
+    """A law with some parameters free, and the rebounds."""
+
+    law: FittedLaw
+    problem: Problem
+    form: int
+    parameters: dict[str, Parameter]
+    """The law's free parameters, with bounds."""
+    places: dict[str, int]
+    """Their indices among all numbers; those of the restitution's form have names of their own."""
+    start: Array
+    """(NUMBERS + S,) all numbers, and the shared errors, at the start."""
+    free: NDArray[np.int64]
+    """Indices of the free ones: of the law, then shared errors."""
+    low: Array
+    high: Array
+    moves: Array
+    """(S, NUMBERS) by how much shared errors move the law's parameters."""
+
+    def holding(self, name: str) -> FitModel:
+        """Return the model with one of the law's free parameters held."""
+        return replace(self, free=self.free[self.free != self.places[name]])
+
+    def without_shared(self) -> FitModel:
+        """Return the model with shared errors held."""
+        return replace(self, free=self.free[self.free < NUMBERS])
+
+    def likelihood(self, derivatives: bool = True) -> LikelihoodModel:
+        """Return rows and law for the compiled loops; unmeasured spins are left out where the law does not depend on them."""
+        return self._likelihood if derivatives else replace(self._likelihood, free=self.free[:0])
+
+    @functools.cached_property
+    def _likelihood(self) -> LikelihoodModel:
+        problem, x, spins = self.problem, self.problem.x, self.problem.spins
+        if spins is not None and not feels_spins(self.law, problem):
+            x, spins = np.nan_to_num(x), None
+        stages = (
+            np.zeros(len(x), np.int64) if problem.stages is None else np.ascontiguousarray(problem.stages, np.int64)
+        )
+        measured = (x, problem.vx, problem.covariance, problem.y, problem.vy)
+        x, vx, covariance, y, vy = (np.ascontiguousarray(array, float) for array in measured)
+        rows = RowData(
+            self.law.contact_code,
+            self.form,
+            stages,
+            problem.setting.radius,
+            spins,
+            x,
+            vx,
+            covariance,
+            y,
+            vy,
+            problem.nu,
+        )
+        moved = np.ascontiguousarray(_moved(problem), float)
+        return LikelihoodModel(
+            self.law.kind,
+            rows,
+            np.ascontiguousarray(self.free),
+            self.low,
+            self.high,
+            moved,
+            np.ascontiguousarray(self.moves, float),
+        )
+
+    def minimize(
+        self, p: Array, steps: int = STEPS, weights: Array | None = None, centers: Array | None = None
+    ) -> Minimum:
+        """Minimise the deviance from each of p (B, K); ``p`` of the result holds all numbers.
+
+        ``weights`` (B or 1, N) of the rows. A shared error is normal, with width 1, about 0 or ``centers`` (B, S).
+        """
+        p = np.array(p, dtype=float)
+        centers = np.zeros((len(p), len(self.moves))) if centers is None else centers
+        shared = self.free >= NUMBERS
+        prior = np.diag(shared.astype(float))
+
+        def deviance(which: NDArray[np.int64], at: Array, derivatives: bool) -> tuple[Array, Array, Array]:
+            some = weights if weights is None or len(weights) == 1 else weights[which]
+            every = p[which]
+            every[:, self.free] = at
+            seen = evaluate(self.likelihood(derivatives), every, some)
+            rows = seen.deviance if some is None else seen.deviance * some
+            off = every[:, NUMBERS:] - centers[which]
+            if derivatives:
+                seen.scores[:, shared] -= off[:, self.free[shared] - NUMBERS]
+            return (
+                rows.sum(axis=1) + np.square(off).sum(axis=1),
+                seen.scores,
+                seen.information + prior if derivatives else prior,
+            )
+
+        tolerance = TOLERANCE if self._likelihood.rows.spins is None else MARGINAL_TOLERANCE
+        found = minimize(
+            deviance, p[:, self.free], self.low[self.free], self.high[self.free], steps=steps, tolerance=tolerance
+        )
+        p[:, self.free] = found.p
+        return replace(found, p=p)
+
+    def row_deviances(self, p: Array) -> tuple[Array, Array]:
+        """Return deviance and chi^2 (N,) of each row at p."""
+        seen = evaluate(self.likelihood(derivatives=False), p[None])
+        return seen.deviance[0], seen.chi2[0]
+
+
+def free_parameters(law: FittedLaw, problem: Problem) -> tuple[dict[str, tuple[int, Parameter]], Array, int]:
+    """Return the law's free parameters (index and bounds by name), all numbers at the start, and the form of restitution."""
+    setting = problem.setting
+    start = np.array([p.start for p in PARAMETERS] + [0.0] * len(problem.shared))
+    for name in (*SETTING_NUMBERS, "spin_width", "spin_mean"):
+        if getattr(setting, name) is not None:
+            start[INDEX[name]] = getattr(setting, name)
+    form = FORMS[setting.restitution] if "restitution" in law.free else FORMS["constant"]
+    names = [name for name in law.free if name != "restitution"]
+    names += [name for name in setting.fit if name in INDEX and _matters(name, law)]
+    if feels_spins(law, problem):
+        names += ["spin_mean"] if setting.spin_mean is None and setting.spin_prior == "normal" else []
+        names += ["spin_width"] if setting.spin_width is None else []
+    free = {p.name: (i, p) for i, p in enumerate(form.parameters)} if "restitution" in law.free else {}
+    free |= {name: (INDEX[name], PARAMETERS[INDEX[name]]) for name in names}
+    for name, (low, high) in setting.bounds.items():
+        if name in free:
+            place, parameter = free[name]
+            tried = tuple(t for t in parameter.tried if low <= t <= high) or ((low + high) / 2,)
+            free[name] = (place, replace(parameter, low=low, high=high, tried=tried))
+    for name, value in law.pinned.items():
+        start[INDEX[name]] = value
+    for name, value in setting.fixed.items():
+        if name in free:
+            start[free.pop(name)[0]] = value
+        elif name in SETTING_NUMBERS and name not in law.pinned:
+            start[INDEX[name]] = value
+    if law.upright:
+        start[INDEX["contact_height"]] = 1.0
+    return free, start, form.code
+
+
+def feels_spins(law: FittedLaw, problem: Problem) -> bool:
+    """Return whether the unmeasured spins before the wall affect what was measured after it."""
+    if problem.spins is None:
+        return False
+    return not law.frictionless or bool(np.isfinite(problem.y[problem.unknown, 2]).any())
+
+
+def _matters(name: str, law: FittedLaw) -> bool:
+    """Whether a requested parameter plays a part in a law."""
+    if name in law.pinned or (name == "contact_height" and (law.upright or law.kind == "planar")):
+        return False
+    if name in ("floor_friction", "floor_restitution"):
+        return law.feels_floor
+    return not (name == "roll" and law.kind == "planar")
+
+
+def model_of(law: FittedLaw, problem: Problem) -> FitModel:
+    """Return the law with its free parameters, prepared for the compiled loops."""
+    free, start, form = free_parameters(law, problem)
+    low, high = np.full(NUMBERS, -math.inf), np.full(NUMBERS, math.inf)
+    for place, parameter in free.values():
+        low[place], high[place] = parameter.low, parameter.high
+    moves, floor = np.zeros((len(problem.shared), NUMBERS)), INDEX["floor_friction"]
+    if "floor_friction" not in free and "floor_friction" not in law.pinned:
+        moves[:, floor] = [one.floor for one in problem.shared]
+    least = [max(-MAX_SHARED, 0.01 - start[floor] / move[floor]) if move[floor] else -MAX_SHARED for move in moves]
+    low, high = np.append(low, least), np.append(high, np.full(len(moves), MAX_SHARED))
+    places = np.array([*(place for place, _ in free.values()), *range(NUMBERS, len(start))], dtype=np.int64)
+    parameters = {name: parameter for name, (_, parameter) in free.items()}
+    indices = {name: place for name, (place, _) in free.items()}
+    return FitModel(law, problem, form, parameters, indices, start, places, low, high, moves)
+
+
+def _moved(problem: Problem) -> Array:
+    """(S, N, 6): by how much shared errors move the rows."""
+    return np.stack([one.rows for one in problem.shared]) if problem.shared else np.empty((0, len(problem.x), 6))
+
+
+def predict_law(law: FittedLaw, problem: Problem, p: Array) -> Array:
+    """Return the measurements (N, 3) that a law predicts with numbers p; a spin that was not measured is taken at its mean.
+
+    The numbers may be of a fit to other rows, whose shared errors are then not those of these rows.
+    """
+    model, shared = model_of(law, problem), p[NUMBERS : NUMBERS + len(problem.shared)]
+    moved = np.tensordot(shared, _moved(problem), 1)
+    p = np.append(p[:NUMBERS] + shared @ model.moves, 0 * shared)
+    x = problem.x + moved[:, :3]
+    mean = p[INDEX["spin_mean"]] * x[:, 1] / problem.setting.radius
+    x[:, 2] = np.where(np.isnan(x[:, 2]), mean, x[:, 2])
+    return predictions(model.likelihood(), x, p) - moved[:, 3:]

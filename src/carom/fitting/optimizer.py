@@ -1,0 +1,127 @@
+"""Bounded Levenberg-Marquardt minimisation of many problems at once, and searches that continue beyond creases.
+
+One optimiser serves all fits: rebounds (where a bootstrap is a thousand fits, and the deviance of a row with unmeasured spin is no
+sum of squares), the start of each track segment, and the parameters that all segments share.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["Minimum", "cross_creases", "minimize"]
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.int64]
+Evaluate = Callable[[Indices, Array, bool], tuple[Array, Array, Array]]
+Best = TypeVar("Best")
+MAX_FAILURES = 12  # steps in a row that did not lead down
+NEARBY = (0.7, 0.82, 0.91, 0.96, 0.98, 1.02, 1.04, 1.1, 1.2, 1.4)  # multiples of a friction, to be held
+EVERYWHERE = (0.07, 0.1, 0.14, 0.18, 0.23, 0.3, 0.4)  # frictions
+ROUNDS = 4
+
+
+@dataclass(frozen=True, eq=False)
+class Minimum:
+    """Where B problems ended."""
+
+    p: Array
+    """(B, k)"""
+    value: Array
+    """(B,)"""
+    score: Array
+    """(B, k) -1/2 of the gradient."""
+    information: Array
+    """(B, k, k) 1/2 of the curvature."""
+
+
+def minimize(
+    evaluate: Evaluate, start: Array, low: Array, high: Array, *, steps: int, tolerance: float, dof: Array | None = None,
+    joint: bool = True,
+) -> Minimum:  # fmt: skip
+    """Minimise B functions of k numbers within bounds, from ``start`` (B, k).
+
+    ``evaluate(which, p, derivatives)`` returns values, scores and information of some problems; without derivatives the last two
+    are not read. ``joint``: derivatives cost little more than values, and are evaluated with them unless the last step failed; else
+    only where a step succeeded. A problem ends when a step gains less than ``tolerance``, or than that share of its value per
+    degree of freedom (``dof``) where the fit is poor. ``steps``: evaluations; 1: only the values at the start.
+    """
+    p = np.array(start, dtype=float)
+    count, k = p.shape
+    tried, alive = p.copy(), np.arange(count)
+    now, gained = np.full(count, np.inf), np.full(count, np.inf)
+    damping, failures = np.full(count, 1e-3), np.zeros(count, int)
+    u, h = np.zeros((count, k)), np.zeros((count, k, k))
+
+    def enough(which: Indices) -> Array | float:
+        return tolerance if dof is None else tolerance * np.maximum(1.0, now[which] / dof[which])
+
+    for _ in range(steps):
+        # where a step failed the next one may as well: the value alone, until it succeeds
+        wary = alive[(failures[alive] > 0) | (not joint)]
+        worth = alive[(failures[alive] == 0) & joint]
+        if len(wary):
+            worth = np.sort(np.append(worth, wary[evaluate(wary, tried[wary], False)[0] < now[wary]]))
+        down = worth
+        if len(worth):
+            then, score, information = evaluate(worth, tried[worth], True)
+            better = then < now[worth]
+            down = worth[better]
+            gained[down], now[down], failures[down] = now[down] - then[better], then[better], 0
+            p[down], u[down], h[down] = tried[down], score[better], information[better]
+            damping[down] = np.maximum(damping[down] / 10, 1e-9)
+        up = np.setdiff1d(alive, down)
+        failures[up] += 1
+        damping[up] = np.maximum(damping[up] * 8, 1e-4)
+        alive = alive[(gained[alive] >= enough(alive)) & (failures[alive] <= MAX_FAILURES) & np.isfinite(now[alive])]
+        if not len(alive) or k == 0:
+            break
+        here = p[alive]
+        stuck = ((here <= low) & (u[alive] < 0)) | ((here >= high) & (u[alive] > 0))
+        step, damping[alive] = _step(h[alive], u[alive], ~stuck, damping[alive])
+        tried[alive] = np.clip(here + step, low, high)
+        promise = ((tried[alive] - here) * u[alive]).sum(axis=1)
+        alive = alive[promise > enough(alive)]
+        if not len(alive):
+            break
+    return Minimum(p, now, u, h)
+
+
+def _step(h: Array, u: Array, active: NDArray[np.bool_], damping: Array) -> tuple[Array, Array]:
+    """Return (h + damping diag h)^-1 u over the active ones, with as much damping as makes that positive definite."""
+    k = u.shape[1]
+    plain = np.where(active[:, :, None] & active[:, None, :], h, 0.0)
+    diagonal = np.abs(np.einsum("bjj->bj", plain))
+    damping = damping.copy()
+    for _ in range(40):
+        extra = np.where(active, damping[:, None] * diagonal + 1e-9, 1.0)
+        strength, direction = np.linalg.eigh(plain + extra[:, :, None] * np.eye(k))
+        bad = ~(strength.min(axis=1) > 0)
+        if not bad.any():
+            break
+        damping[bad] = np.maximum(10 * damping[bad], 1e-3)
+    along = np.einsum("bjm,bj->bm", direction, np.where(active, u, 0.0)) / np.where(strength > 0, strength, np.inf)
+    return np.einsum("bjm,bm->bj", direction, along), damping
+
+
+def cross_creases(
+    best: Best, friction: Callable[[Best], float], deviance: Callable[[Best], float],
+    explore: Callable[[Best, list[float], list[float]], Best], everywhere: Callable[[Best, int], bool],
+) -> Best:  # fmt: skip
+    """Continue a search beyond creases of the deviance, where contacts change between sliding and sticking.
+
+    A descent can end at the bottom of one. So other frictions, near ones and where asked for all kinds, are held while all else
+    follows, and the most promising freed (``explore``), until nothing is gained.
+    """
+    for turn in range(ROUNDS):
+        here = friction(best)
+        found = explore(best, [share * here for share in NEARBY], list(EVERYWHERE) if everywhere(best, turn) else [])
+        gained = deviance(best) - deviance(found)
+        best = found if gained > 0 else best
+        if gained < max(0.5, 1e-3 * abs(deviance(best))):
+            break
+    return best

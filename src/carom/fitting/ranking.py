@@ -1,0 +1,281 @@
+"""Fit all laws to rebounds and rank them: which law the data prefer, by what odds, and whether any law fits."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from carom.data.rebounds import Rebounds
+from carom.errors import CaromError, require_type
+from carom.files import require_library
+from carom.fitting.data import Setting, make_problem, require_settings
+from carom.fitting.evidence import UNLIKELY, Evidence, decisive, odds_in_words, verdict_words, weigh
+from carom.fitting.fit import fit_law, kinked_rows_warning
+from carom.fitting.laws import laws_named
+from carom.fitting.model import SETTING_NUMBERS, STEPS
+from carom.fitting.outliers import Outlier, outliers_of
+from carom.fitting.result import Fit, finite, refit, rows_of_fit
+from carom.fitting.uncertainty import with_bootstrap, with_profiles, with_shared
+
+__all__ = ["Outlier", "Ranked", "Ranking", "fit_laws"]
+
+LEAST_DATA = 4  # measured numbers for each fitted one, where the scatter is estimated
+# Law evaluations (carom.fitting.data.Problem.work) up to which these are done by default
+PROFILE_WORK, MARGINAL_PROFILE_WORK, BOOTSTRAP_WORK, CROSS_VALIDATION_WORK = 3e3, 5e3, 3e3, 4e5
+DRAWS = 200
+FOLDS, MAX_FOLDED_ROWS, FEW_STEPS = 10, 20_000, 6
+FIT_SHARE = 0.6  # of the progress bar
+Say = Callable[[str, float], None]
+
+
+@dataclass(frozen=True, eq=False)
+class Ranked:
+    """A law's fit and its place in a ranking."""
+
+    fit: Fit
+    weight: float
+    """Akaike weight among all laws that were fitted."""
+    score: float
+    """Log likelihood per row of rows that it was not fitted to (cross-validation); NaN where that was skipped."""
+
+
+@dataclass(frozen=True, eq=False)
+class Ranking:
+    """All laws, best first, and the verdict."""
+
+    ranked: tuple[Ranked, ...]
+    verdict: str
+    """One sentence."""
+    odds: float
+    """Of the best law against the best that does not contain it; infinite where there is no other, NaN where rows without error
+    bars are too few."""
+    against: str
+    """That other law."""
+    fits: bool
+    """Whether the best law fits: chi^2 is as expected by chance (always so where the scatter was estimated)."""
+    enlarge: float
+    """Factor by which all error bars would have to be enlarged for the best law to fit; 1 where it does."""
+    outliers: tuple[Outlier, ...]
+    notes: tuple[str, ...]
+    swayed: bool = False
+    """Whether outliers have moved the best law's parameters by several error bars."""
+
+    @property
+    def best(self) -> Fit:
+        """The best fit."""
+        return self.ranked[0].fit
+
+    @property
+    def decisive(self) -> bool:
+        """Whether the data decide for a law that fits, whatever the outliers."""
+        return decisive(self.fits, self.odds) and not self.swayed
+
+    @property
+    def degenerate(self) -> list[str]:
+        """What is not identifiable, for all laws."""
+        return [sentence for one in self.ranked for sentence in one.fit.degenerate]
+
+    def with_shared_errors(self, shifted: Sequence[tuple[str, Rebounds]]) -> Ranking:
+        """Return the ranking with standard errors from systematic errors; ``shifted``: what was shifted, and the rows."""
+        if not shifted:
+            return self
+        note = f"systematic errors common to all rows ({', '.join(words for words, _rows in shifted)}) are the second error bar"
+        ranked = tuple(replace(one, fit=with_shared(one.fit, shifted)) for one in self.ranked)
+        return replace(self, ranked=ranked, notes=(*self.notes, note))
+
+    def as_dict(self) -> dict[str, object]:
+        """Return the ranking for JSON: numbers in full precision, None where there is none."""
+        problem = self.best.problem
+        scores = [{"weight": one.weight, "cross_validated_log_score": finite(one.score)} for one in self.ranked]
+        return {
+            "ranking": [one.fit.as_dict() | score for one, score in zip(self.ranked, scores, strict=True)],
+            "degenerate": [
+                {"law": one.fit.law.name, "parameters": list(one.fit.untold), "what": sentence}
+                for one in self.ranked
+                for sentence in one.fit.degenerate
+            ],
+            "verdict": self.verdict,
+            "odds": finite(self.odds),
+            "against": self.against or None,
+            "fits": self.fits,
+            "enlarge_error_bars": self.enlarge,
+            "outliers": [vars(outlier) for outlier in self.outliers],
+            "swayed_by_outliers": self.swayed,
+            "notes": list(self.notes),
+            "rows": len(problem.x),
+            "setting": {name: getattr(problem.setting, name) for name in ("radius", *SETTING_NUMBERS)},
+        }
+
+
+def fit_laws(
+    rebounds: Rebounds,
+    setting: Setting,
+    laws: Sequence[str] | None = None,
+    *,
+    profiles: bool | None = None,
+    bootstrap: int | None = None,
+    seed: int = 0,
+    say: Say | None = None,
+) -> Ranking:
+    """Fit laws to rebounds and rank them.
+
+    Parameters
+    ----------
+    rebounds : Rebounds
+        Measured before and after a wall (:func:`carom.data.rebounds.read_rebounds`).
+    setting : Setting
+        The ball, the wall's height, what to fit.
+    laws : sequence of str, optional
+        Names; all by default.
+    profiles : bool, optional
+        Intervals by profile likelihood; by default where they are quick.
+    bootstrap : int, optional
+        Number of draws; by default 200 where they are quick.
+    seed : int
+        Of the bootstrap.
+    say : callable, optional
+        Is given what is being done and what fraction is done, 0 to 1.
+
+    Returns
+    -------
+    Ranking
+        All laws, best first, with a verdict.
+
+    Raises
+    ------
+    CaromError
+        For tables and settings that cannot be fitted, one line per problem.
+
+    Examples
+    --------
+    >>> from carom.data.rebounds import make_rebounds
+    >>> from carom.fitting import Setting, fit_laws
+    >>> v = [1.0, 2.0, 3.0, 4.0]
+    >>> columns = {"v_n_in": v, "v_t_in": v, "spin_in": [0.0] * 4, "v_n_out": [0.81, 1.59, 2.42, 3.18],
+    ...            "v_t_out": [0.71, 1.43, 2.15, 2.85], "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02}
+    >>> ranking = fit_laws(make_rebounds("planar", columns), Setting(radius=0.02), ["sticking", "mirror"], bootstrap=0)
+    >>> ranking.best.law.name, ranking.fits
+    ('sticking', True)
+    """
+    require_library("scipy", "fit")
+    require_type("fit_laws", "rebounds", rebounds, Rebounds)
+    require_type("fit_laws", "setting", setting, Setting)
+    if isinstance(laws, str):
+        raise CaromError(f"fit_laws: laws: expected a sequence of names, got {laws!r}; write [{laws!r}]")
+    if seed < 0:
+        raise CaromError(f"fit_laws: seed: expected a whole number >= 0, got {seed}")
+    require_settings(setting)
+    if bootstrap is not None and (bootstrap < 0 or bootstrap == 1):
+        raise CaromError(f"bootstrap: expected 0 (none) or a number of draws, 2 or more, got {bootstrap}")
+    chosen, notes = laws_named(list(laws) if laws else None, rebounds.kind, setting.contact_height == 1.0)
+    problem, remarks = make_problem(rebounds, setting)
+    notes = [*rebounds.notes, *notes, *remarks]
+    notes = [note for note in notes if not note.startswith("no sigma_ columns")]
+    tell = say or (lambda _what, _done: None)
+    fits = []
+    for i, law in enumerate(chosen):
+        tell(f"fit {law.name}", i / len(chosen) * FIT_SHARE)
+        fit = fit_law(law, problem)
+        if not math.isfinite(fit.aicc):
+            notes.append(f"{law.name}: left out, {fit.k} parameters for {problem.count} measured numbers; film more")
+            continue
+        fits.append(fit)
+    if not fits:
+        raise CaromError(*(f"{rebounds.source}: {note}" for note in notes))
+    fits.sort(key=lambda fit: fit.aicc)
+    best = fits[0]
+    fits_well, enlarge = _goodness(best)
+    evidence = weigh(fits, 1.0 if fits_well else enlarge)
+    ranked = []
+    for i, (fit, weight) in enumerate(zip(fits, evidence.weights.tolist(), strict=True)):
+        tell(f"error bars of {fit.law.name}", FIT_SHARE + (1 - FIT_SHARE) * i / len(fits))
+        ranked.append(Ranked(_with_error_bars(fit, profiles, bootstrap, seed, i == 0), weight, _score(fit)))
+    best, rival = ranked[0].fit, evidence.rival
+    few = rival is not None and any(_too_few(fit) for fit in (best, rival))
+    tell("outliers", 1.0)
+    outliers, said = outliers_of(best)
+    verdict, swayed = _verdict(best, evidence, few, fits_well, enlarge), bool(said)
+    if swayed:
+        which = f"{outliers[0].row} alone sways" if len(outliers) == 1 else f"{len(outliers)} outliers sway"
+        verdict = f"{verdict[:-1]}; {which} this: leave out what was no such bounce, or fit with --robust."
+    said += [warning for warning in (kinked_rows_warning(best),) if warning]
+    return Ranking(
+        tuple(ranked), verdict, math.nan if few else evidence.odds, rival.law.name if rival else "",
+        fits_well, enlarge, tuple(outliers), tuple(dict.fromkeys([*notes, *said])), swayed,
+    )  # fmt: skip
+
+
+def _with_error_bars(fit: Fit, profiles: bool | None, draws: int | None, seed: int, best: bool) -> Fit:
+    """Add profiles and bootstrap, where asked for or quick."""
+    work = fit.problem.work(fit.law.search_code is not None)
+    marginal = fit.problem.spins is not None
+    if profiles or (profiles is None and work < PROFILE_WORK and not marginal):
+        fit = with_profiles(fit)
+    elif profiles is None and marginal and best and work < MARGINAL_PROFILE_WORK:
+        # A profile takes as long as the fit; but next to a crease a parameter may go ten times as far to one side as to the other.
+        fit = with_profiles(fit, [name for name in fit.names if not name.startswith("spin_")])
+    if draws is None:
+        draws = DRAWS if work < BOOTSTRAP_WORK and not marginal else 0
+    return with_bootstrap(fit, draws, seed) if draws and fit.names else fit
+
+
+def _score(fit: Fit) -> float:
+    """Return the mean log likelihood of a row that was left out, in ten folds of every tenth row, up to a constant that all laws
+    share."""
+    problem, costly = fit.problem, fit.law.search_code is not None
+    n = len(problem.x)
+    if problem.work(costly) > CROSS_VALIDATION_WORK:
+        if not (n > MAX_FOLDED_ROWS and not costly and problem.spins is None):
+            return math.nan
+        problem = problem.select(np.linspace(0, n - 1, MAX_FOLDED_ROWS).astype(int))
+        n = len(problem.x)
+    folds = min(FOLDS, n)
+    # neighbours, which tables often have in order of angle or speed, go to different folds
+    fold = np.arange(n) % folds
+    weights = (fold[None, :] != np.arange(folds)[:, None]).astype(float)
+    # a fold's minimum is near that of all; where spins are integrated over evaluations are costly, and few suffice
+    numbers, _cost = refit(fit, problem, weights, steps=STEPS if problem.spins is None else FEW_STEPS)
+    total = 0.0
+    for one in range(folds):
+        part = problem.select(np.flatnonzero(fold == one))
+        total -= float(rows_of_fit(fit, part, numbers[one])[0].sum()) / 2
+    logs = np.log(problem.vy[0, problem.estimated]) * np.isfinite(problem.y[:, problem.estimated]).sum(axis=0) / 2
+    return (total - float(logs.sum())) / n
+
+
+def _goodness(fit: Fit) -> tuple[bool, float]:
+    """Return whether a fit's chi^2 is likely, and the factor on error bars that makes it so."""
+    from scipy.stats import chi2 as distribution
+
+    if fit.dof <= 0 or fit.scatter or fit.problem.nu:
+        return True, 1.0
+    return bool(distribution.sf(fit.chi2, fit.dof) > UNLIKELY), max(math.sqrt(fit.chi2 / fit.dof), 1.0)
+
+
+def _too_few(fit: Fit) -> bool:
+    """Whether the measured numbers are too few for AICc to mean anything: its correction is derived for errors whose scatter is
+    estimated from many more (Hurvich & Tsai 1989 go down to some three a parameter). Where error bars are given there is none."""
+    return bool(fit.scatter) and fit.problem.count < LEAST_DATA * fit.k
+
+
+def _verdict(best: Fit, evidence: Evidence, few: bool, fits_well: bool, enlarge: float) -> str:
+    first = ""
+    if not fits_well:
+        first = (
+            f"No law fits: the best, {best.law.called}, has chi^2 {best.chi2:.4g} for {best.dof} degrees of"
+            f" freedom; error bars would have to be {enlarge:.2g} times as large. With such error bars, "
+        )
+    if few:
+        said = (
+            f"these data cannot decide: too few rows, {best.problem.count} measured numbers for up to"
+            f" {max(best.k, evidence.rival.k)} fitted ones, scatter among them; film more, or give error bars (--sigma-v,"
+            " --sigma-spin)"
+        )
+    else:
+        reason = f"{odds_in_words(evidence.odds)} over {evidence.rival.law.name}" if evidence.rival else ""
+        said = verdict_words(best.law.called, evidence, "the data", evidence.odds, reason)
+    said = first + said if first else said[0].upper() + said[1:]
+    return said + "."

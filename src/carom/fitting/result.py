@@ -1,0 +1,190 @@
+"""Results of fits: estimates with their uncertainty, the fit of one law to rebounds, and numbers with error bars as text."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.fitting.data import Problem
+from carom.fitting.laws import FittedLaw
+from carom.fitting.model import STEPS, model_of, predict_law
+from carom.fitting.parameters import NUMBERS
+
+__all__ = [
+    "Estimate",
+    "Fit",
+    "covariance_dict",
+    "estimate_dict",
+    "finite",
+    "refit",
+    "rows_of_fit",
+    "scaled",
+    "with_error_bar",
+]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Estimate:
+    """The estimate of one parameter.
+
+    Examples
+    --------
+    >>> from carom.fitting import Estimate
+    >>> Estimate(0.212, 0.006).value
+    0.212
+    """
+
+    value: float | None
+    """None where it is not identifiable from these data."""
+    stderr: float | None
+    """None where it is not identifiable, or at a bound. From the curvature at the best place; from the interval of 95 % where that
+    was computed and is far wider."""
+    note: str = ""
+    interval_68: tuple[float, float] | None = None
+    """By profile likelihood; an end at a bound is the bound."""
+    interval_95: tuple[float, float] | None = None
+    bootstrap: float | None = None
+    """Standard error from resampled rows."""
+    shared: float | None = None
+    """Standard error from systematic errors common to all rows (:func:`carom.fitting.uncertainty.with_shared`)."""
+
+
+@dataclass(frozen=True, eq=False)
+class Fit:
+    """A law fitted to rebounds. ``aicc`` is infinite where there are too few measured numbers for it."""
+
+    law: FittedLaw
+    problem: Problem
+    names: tuple[str, ...]
+    """Of the free parameters."""
+    estimates: dict[str, Estimate]
+    numbers: Array
+    """(K,) all parameters in the order of PARAMETERS, at the best place; then the shared errors, in their error bars."""
+    deviance: float
+    """-2 log likelihood, up to a constant that is the same for all laws."""
+    chi2: float
+    dof: int
+    covariance: Array
+    """(k, k) of the free parameters; NaN where they are not identifiable."""
+    by_row: Array
+    """(N,) chi^2 of each row; where the spin was not measured, at the most likely spin, whose distance from the mean of its prior,
+    in widths, counts too."""
+    degenerate: tuple[str, ...] = ()
+    """What is not identifiable from these data, in sentences."""
+    untold: tuple[str, ...] = ()
+    """The parameters concerned."""
+    scatter: dict[str, float] = field(default_factory=dict)
+    """Of the outputs without error bars."""
+
+    @property
+    def k(self) -> int:
+        """Number of adjusted parameters."""
+        return len(self.names) + len(self.scatter)
+
+    @property
+    def aicc(self) -> float:
+        """Akaike's criterion: chi^2 + 2 k where errors are known, which needs no correction for few data; where the scatter is
+        estimated, that of Hurvich & Tsai (Biometrika 76, 297 (1989)). Infinite where there are too few data."""
+        n, k = self.problem.count, self.k
+        if n <= k + 1:
+            return math.inf
+        return self.deviance + 2 * k + (2 * k * (k + 1) / (n - k - 1) if self.scatter else 0.0)
+
+    @property
+    def bic(self) -> float:
+        """Schwarz's criterion."""
+        return self.deviance + self.k * math.log(self.problem.count)
+
+    def predicted(self) -> Array:
+        """Return the prediction (N, 3) for each row; rows without spin at the mean of its prior."""
+        return predict_law(self.law, self.problem, self.numbers)
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return what JSON holds of the fit."""
+        return {
+            "law": self.law.name,
+            "aicc": finite(self.aicc),
+            "bic": finite(self.bic),
+            "chi2": finite(self.chi2),
+            "dof": self.dof,
+            "parameters": {name: estimate_dict(estimate) for name, estimate in self.estimates.items()},
+            "covariance": covariance_dict(self.names, self.covariance),
+            "scatter": self.scatter,
+            "shared_errors": dict(
+                zip((one.name for one in self.problem.shared), self.numbers[NUMBERS:].tolist(), strict=True)
+            ),
+        }
+
+
+def scaled(fit: Any, name: str, by: float) -> Any:
+    """Return a fit with one error bar scaled, correlations as they are."""
+    i, covariance = list(fit.names).index(name), fit.covariance.copy()
+    covariance[i, :] *= by
+    covariance[:, i] *= by
+    wider = replace(fit.estimates[name], stderr=by * (fit.estimates[name].stderr or 0.0))
+    return replace(fit, covariance=covariance, estimates=fit.estimates | {name: wider})
+
+
+def rows_of_fit(fit: Fit, problem: Problem, p: Array) -> tuple[Array, Array]:
+    """Return deviance and chi^2 (N,) of each row of a problem under the fit's law with numbers p."""
+    return model_of(fit.law, problem).row_deviances(p)
+
+
+def refit(
+    fit: Fit, problem: Problem, weights: Array | None = None, p: Array | None = None, *, hold: str = "", steps: int = STEPS,
+    centers: Array | None = None,
+) -> tuple[Array, Array]:  # fmt: skip
+    """Fit the law again to (weighted) rows, from numbers p (B, K), with one parameter held where ``hold`` names it.
+
+    Returns numbers (B, K) and deviances (B,). ``centers`` (B, S) of shared errors.
+    """
+    model = model_of(fit.law, problem)
+    count = 1 if weights is None else len(weights)
+    p = np.tile(fit.numbers, (count, 1)) if p is None else p
+    found = (model.holding(hold) if hold else model).minimize(p, steps, weights, centers)
+    return found.p, found.value
+
+
+def finite(value: float | None) -> float | None:
+    """Return a finite number, or None."""
+    return float(value) if value is not None and math.isfinite(value) else None
+
+
+def estimate_dict(estimate: Estimate) -> dict[str, Any]:
+    """Return an estimate for JSON."""
+    found: dict[str, Any] = {"value": finite(estimate.value), "stderr": finite(estimate.stderr)}
+    if estimate.interval_68 and estimate.interval_95:
+        found |= {"interval_68": list(estimate.interval_68), "interval_95": list(estimate.interval_95)}
+    if estimate.bootstrap is not None:
+        found["bootstrap_stderr"] = finite(estimate.bootstrap)
+    if estimate.shared is not None:
+        found["shared_stderr"] = finite(estimate.shared)
+    if estimate.note:
+        found["note"] = estimate.note
+    return found
+
+
+def covariance_dict(names: Any, covariance: Array) -> dict[str, Any]:
+    """Return a covariance for JSON."""
+    return {"names": list(names), "matrix": [[finite(x) for x in row] for row in covariance.tolist()]}
+
+
+def with_error_bar(estimate: Estimate, *, interval: bool = False) -> str:
+    """Return a value with its error bar as text, to two digits of the error; with its 95 % interval where asked for and known."""
+    if estimate.value is None:
+        return f"? ({estimate.note})"
+    if estimate.stderr is None or not estimate.stderr > 0:
+        return f"{estimate.value:.4g} ({estimate.note or 'at its bound'})"
+    places = max(0, 1 - math.floor(math.log10(estimate.stderr)))
+    text = f"{estimate.value:.{places}f} ± {estimate.stderr:.{places}f}"
+    if estimate.shared is not None:
+        text += f" ± {estimate.shared:.{places}f}"
+    if interval and estimate.interval_95:
+        text += f" (95 %: {estimate.interval_95[0]:.{places}f} to {estimate.interval_95[1]:.{places}f})"
+    return text

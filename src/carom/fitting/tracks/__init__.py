@@ -1,0 +1,8 @@
+"""Laws fitted to whole tracks: every ball simulated from a start of its own through its cushions, and compared with the frames.
+
+ranking = fit_tracks(measured, TrackSetting(radius=0.03075), ["two-step"])
+"""
+
+import lazy_loader as _lazy
+
+__getattr__, __dir__, __all__ = _lazy.attach_stub(__name__, __file__)

@@ -1,0 +1,4 @@
+from .model import TrackSetting as TrackSetting
+from .ranking import TrackRanking as TrackRanking
+from .ranking import fit_tracks as fit_tracks
+from .result import TrackFit as TrackFit

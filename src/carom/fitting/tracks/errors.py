@@ -1,0 +1,102 @@
+"""Covariance of the shared parameters of whole tracks, and what the tracks do not identify."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.fitting.identifiability import NOT_IDENTIFIABLE, identify
+from carom.fitting.result import Estimate
+from carom.fitting.tracks.objective import BestStarts, descend, projected, settle, shared_slope
+from carom.fitting.tracks.result import TrackFit
+
+__all__ = ["ERROR_TOO_SMALL", "ambiguous", "with_errors"]
+
+Array = NDArray[np.float64]
+ERROR_TOO_SMALL = "error bar too small: the law does not follow the frames"
+SPARE_SHOTS = 4  # more than parameters, from which on error bars are from the scatter of shots
+FOLLOWING_STEPS = 5  # of the starts after a parameter that is moved
+
+
+class _Subject:
+    """A fit of whole tracks, for :func:`carom.fitting.identifiability.identify`.
+
+    Where the law follows the frames, the covariance is from derivatives and the noise, with all starts free. Where it does not, its
+    residuals are correlated from frame to frame, and frames are not independent: shots are, and the covariance is from their
+    scatter (White, Econometrica 48, 817 (1980), by shot).
+    """
+
+    def __init__(self, fit: TrackFit, settled: BestStarts) -> None:
+        self.fit, self.label, self.names, self.trade_offs = fit, fit.law.name, fit.names, False
+        self.parameters = tuple(fit.model.free.values())
+        self.values = np.array([fit.numbers[name] for name in self.names])
+        gaps, prior = projected(settled, fit.starts, shared_slope(fit.model, fit.frames, settled.q, fit.numbers))
+        self.information = np.einsum("ntp,ntq->pq", gaps, gaps) + np.einsum("nkp,nkq->pq", prior, prior)
+        each = np.einsum("ntp,nt->np", gaps, settled.gap)
+        each += np.einsum("nkp,nk->np", prior, np.sqrt(fit.starts.weight) * settled.q)
+        self.scores = np.array([each[rows].sum(axis=0) for rows in fit.frames.groups])
+        self.by_shots = False
+
+    def covariance(self, inside: NDArray[np.int64]) -> Array:
+        """Return the covariance of some parameters."""
+        inverse, shots = np.linalg.inv(self.information[np.ix_(inside, inside)]), self.scores[:, inside]
+        self.by_shots = not self.fit.follows and len(shots) >= len(inside) + SPARE_SHOTS
+        if self.by_shots:
+            inverse = inverse @ (shots.T @ shots) @ inverse * len(shots) / (len(shots) - len(inside))
+        return np.asarray(inverse)
+
+    def rise(self, i: int, value: float) -> float:
+        """Return the deviance above the least with one shared parameter moved and the starts following."""
+        fit = self.fit
+        scene = fit.model.scene({**fit.numbers, self.names[i]: value})
+        return float(settle(scene, fit.frames, fit.starts, fit.q, FOLLOWING_STEPS).cost.sum()) - fit.chi2
+
+    def refit_rises(self, i: int, values: Array) -> tuple[Array, Array]:
+        """Return the profile above the least, and the shared parameters there."""
+        return held_rises(self.fit, self.names[i], values)
+
+
+def held_rises(fit: TrackFit, name: str, values: Array) -> tuple[Array, Array]:
+    """Return by how much chi^2 rises (m,) with a parameter held at values (m,) and all else fitted, and the parameters (m, P)."""
+    rises, found = [], []
+    for value in values.tolist():
+        numbers, settled = descend(
+            fit.model.holding(name, value), fit.frames, fit.starts, fit.q, fit.numbers, lambda: None
+        )
+        rises.append(float(settled.cost.sum()) - fit.chi2)
+        found.append([(numbers | {name: value})[other] for other in fit.names])
+    return np.array(rises), np.array(found)
+
+
+def with_errors(fit: TrackFit, settled: BestStarts) -> TrackFit:
+    """Return the fit with covariance, estimates, and what is not identifiable."""
+    if not fit.names:
+        return fit
+    subject = _Subject(fit, settled)
+    found = identify(subject)
+    estimates = found.estimates
+    if not (fit.follows or subject.by_shots):
+        estimates = {
+            name: one if one.stderr is None else replace(one, note=ERROR_TOO_SMALL) for name, one in estimates.items()
+        }
+    return replace(
+        fit, covariance=found.covariance, estimates=estimates, degenerate=found.degenerate, untold=found.untold
+    )
+
+
+def ambiguous(fit: TrackFit, name: str, other: float) -> TrackFit:
+    """Return the fit without an estimate of a parameter for which two values fit alike."""
+    here = fit.numbers[name]
+    said = (
+        f"{fit.law.name}: {name}: {min(here, other):.4g} and {max(here, other):.4g} fit alike: a contact stands at the edge between"
+        " sliding and sticking; film another shot"
+    )
+    covariance = fit.covariance.copy()
+    i = fit.names.index(name)
+    covariance[i, :] = covariance[:, i] = np.nan
+    estimates = fit.estimates | {name: Estimate(None, None, NOT_IDENTIFIABLE)}
+    return replace(
+        fit, covariance=covariance, estimates=estimates, degenerate=(*fit.degenerate, said), untold=(*fit.untold, name)
+    )

@@ -1,0 +1,199 @@
+"""Fit laws to whole tracks and rank them: which law the tracks prefer, and how surely."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.errors import CaromError
+from carom.files import require_library
+from carom.fitting.evidence import DECIDED, LEANS, Evidence, odds_in_words, verdict_words, weigh
+from carom.fitting.result import finite
+from carom.fitting.tracks.errors import ERROR_TOO_SMALL
+from carom.fitting.tracks.fit import starting_numbers
+from carom.fitting.tracks.model import TrackSetting, track_models
+from carom.fitting.tracks.result import TrackFit
+from carom.fitting.tracks.search import fit_track_law
+from carom.fitting.tracks.segments import find_segments
+from carom.tracks.measurement import Measured
+
+__all__ = ["TrackRanking", "fit_tracks"]
+
+Array = NDArray[np.float64]
+Say = Callable[[str, float], None]
+SURE, HINT = (
+    0.01,
+    0.1,
+)  # probabilities of such a difference between laws that are equally good (Wilcoxon's signed ranks)
+
+
+@dataclass(frozen=True, eq=False)
+class TrackRanking:
+    """All laws fitted to whole tracks, best first, and the verdict."""
+
+    fits: tuple[TrackFit, ...]
+    weights: Array
+    """Akaike's; where no law follows the frames to their noise they are far too sure, and the verdict counts shots."""
+    verdict: str
+    odds: float
+    """Of the best law against the best that does not contain it; NaN where no law follows the frames."""
+    against: str
+    """That other law."""
+    closer: tuple[int, int] | None
+    """Shots in which the best law is nearer than that one, and shots in all."""
+    chance: float
+    """Probability of such a difference between equally good laws (Wilcoxon's signed-rank test on the distances of shots)."""
+    notes: tuple[str, ...]
+    decisive: bool = False
+    """Whether the verdict is a decision."""
+
+    @property
+    def best(self) -> TrackFit:
+        """The best fit."""
+        return self.fits[0]
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the ranking for JSON: numbers in full precision, None where there is none."""
+        best = self.best
+        return {
+            "ranking": [fit.as_dict() | {"weight": float(weight)} for fit, weight in zip(self.fits, self.weights, strict=True)],
+            "degenerate": [
+                {"law": fit.law.name, "parameters": list(fit.untold), "what": sentence}
+                for fit in self.fits
+                for sentence in fit.degenerate
+            ],
+            "verdict": self.verdict,
+            "odds": finite(self.odds),
+            "against": self.against or None,
+            "follows": best.follows,
+            "closer_in": None if self.closer is None else {"shots": self.closer[0], "of": self.closer[1]},
+            "chance": finite(self.chance),
+            "noise": best.noise,
+            "noise_given": best.known,
+            "tracks": [
+                {
+                    "shot": one.group, "ball": one.name, "since": one.since, "frames": int(best.frames.count[n]),
+                    "walls": list(one.walls), "contacts": one.contacts.tolist(),
+                    "slides_at_start": bool(best.starts.free[n].all()),
+                    "rms": {fit.law.name: fit.rms([n]) for fit in self.fits},
+                    "start": {fit.law.name: fit.start(n).tolist() for fit in self.fits},
+                }
+                for n, one in enumerate(best.frames.segments)
+            ],
+            "notes": list(self.notes),
+        }  # fmt: skip
+
+
+def fit_tracks(
+    measured: Measured, setting: TrackSetting, laws: Sequence[str] | None = None, *, say: Say | None = None
+) -> TrackRanking:
+    """Fit laws to whole tracks by simulating every ball, and rank them.
+
+    Parameters
+    ----------
+    measured : Measured
+        Tracks with their walls and contacts (:func:`carom.tracks.measurement.measure`).
+    setting : TrackSetting
+        Ball, noise, how far tracks are followed.
+    laws : sequence of str, optional
+        Names; all by default.
+    say : callable, optional
+        Is given what is being done and what fraction is done, 0 to 1.
+
+    Raises
+    ------
+    CaromError
+        Where there is nothing to follow, or for an invalid setting, one line per problem.
+    """
+    require_library("scipy", "fit")
+    if measured.view != "above":
+        raise CaromError("tracks: expected balls on a table, seen from above, got balls in flight; leave out --whole")
+    setting.check()
+    found, notes = find_segments(measured, setting.cushions, setting.after)
+    if not found:
+        raise CaromError(
+            "tracks: expected a ball that is seen before and after a wall, with nothing else on its way, got none"
+            + "".join(f"; {note}" for note in notes)
+        )
+    tell = say or (lambda _what, _done: None)
+    chosen, more = track_models(laws, setting, measured.walls, starting_numbers(measured))
+    fits = []
+    for i, model in enumerate(chosen):
+
+        def part(done: float, i: int = i, name: str = model.law.name) -> None:
+            tell(f"fit {name}", (i + done) / len(chosen))
+
+        part(0.0)
+        fits.append(fit_track_law(model, found, measured.noise, part))
+    fits.sort(key=lambda fit: fit.aicc)
+    notes = [*measured.notes, *more, *notes]
+    rolling = [fit.law.name for fit in fits if fit.model.rolling_only]
+    if rolling and any(one.slides for one in found):
+        notes.append(f"{', '.join(rolling)}: for balls that roll; balls that slide at the start were taken as rolling")
+    return _ranked(fits, notes)
+
+
+def _ranked(fits: list[TrackFit], notes: list[str]) -> TrackRanking:
+    best = fits[0]
+    poor = best.known and not best.follows
+    evidence = weigh(fits, max(math.sqrt(best.chi2 / max(best.dof, 1)), 1.0) if poor else 1.0)
+    rival: TrackFit | None = evidence.rival
+    closer, chance, support, reason = None, math.nan, evidence.odds, ""
+    if rival is not None:
+        closer, chance, medians = _shots_nearer(best, rival)
+        reason = f"{odds_in_words(evidence.odds)} over {rival.law.name}"
+        if not best.follows:
+            support = 0.0 if chance > HINT or closer[0] <= closer[1] / 2 else LEANS if chance > SURE else DECIDED
+            reason = f"nearer than {rival.law.name} in {closer[0]} of {closer[1]} shots (median {medians})"
+    verdict, decisive = _verdict(best, evidence, support, reason)
+    odds = evidence.odds if rival is not None and best.follows else math.nan
+    return TrackRanking(
+        tuple(fits),
+        evidence.weights,
+        verdict,
+        odds,
+        rival.law.name if rival else "",
+        closer,
+        chance,
+        tuple(notes),
+        decisive,
+    )
+
+
+def _shots_nearer(best: TrackFit, rival: TrackFit) -> tuple[tuple[int, int], float, str]:
+    """Return in how many shots of how many the best is nearer, the probability of that by chance, and the median distances."""
+    from scipy.stats import wilcoxon
+
+    from carom.formatting import format_length
+
+    near, far = (np.array([fit.rms(rows) for rows in best.frames.groups]) for fit in (best, rival))
+    ratio = np.log(np.maximum(far, 1e-12) / np.maximum(near, 1e-12))
+    chance = float(wilcoxon(ratio).pvalue) if len(ratio) > 1 and np.any(ratio != 0) else 1.0
+    medians = f"{format_length(float(np.median(near)))} against {format_length(float(np.median(far)))}"
+    return (int((ratio > 0).sum()), len(ratio)), chance, medians
+
+
+def _verdict(best: TrackFit, evidence: Evidence, support: float, reason: str) -> tuple[str, bool]:
+    """Return the verdict, and whether it is a decision. Where no law follows the frames, these are not independent, and the
+    verdict is by shots."""
+    from carom.formatting import format_length
+
+    first = ""
+    if not best.follows:
+        worst = best.frames.segments[int(np.argmax(best.scatter))].label
+        scatter, noise = (format_length(size) for size in (float(np.median(best.scatter)), best.noise))
+        first = f"No law fits: the best, {best.law.called}, leaves {scatter} where the noise is {noise}"
+        first += f", chi^2 {best.chi2:.0f} for {best.dof:.0f} degrees of freedom" if best.known else ""
+        first += f", most in {worst}" if len(best.scatter) > 1 else ""
+        loose = any(estimate.note == ERROR_TOO_SMALL for estimate in best.estimates.values())
+        first += "; its parameters may be off by many error bars. " if loose else ". "
+    said = verdict_words(best.law.called, evidence, "the tracks", support, reason)
+    if support < LEANS and not best.follows:
+        said += f"; {best.law.name} is {reason}"
+    decided = evidence.rival is not None and support >= DECIDED
+    return f"{first}{said[0].upper()}{said[1:]}.", decided

@@ -1,0 +1,145 @@
+"""Fit of one law to whole tracks: searches from several frictions, continued beyond creases, and the friction's profile.
+
+A contact that changes between sliding and sticking makes a crease in the deviance, and a search on its wrong side stays there, with
+a wrong friction for which sidespins and walls compensate. So other frictions are held until all else has followed, and freed where
+that leads lower.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from carom.errors import CaromError
+from carom.fitting.optimizer import cross_creases
+from carom.fitting.result import scaled
+from carom.fitting.tracks.errors import ambiguous, held_rises
+from carom.fitting.tracks.fit import finish, fit_windows, with_best_sidespins
+from carom.fitting.tracks.model import TrackModel
+from carom.fitting.tracks.objective import Array, Numbers, SegmentArrays, descend
+from carom.fitting.tracks.result import TrackFit
+from carom.fitting.tracks.segments import TrackSegment
+from carom.fitting.uncertainty import LEVELS, half_width
+
+__all__ = ["fit_track_law"]
+
+FREED = 3  # of the frictions that were held
+NEW_STARTS = (0.1, 0.3)  # frictions from which the search begins again
+DISTINCT = 3.0  # error bars between frictions that fit alike, from which on there is more than one
+
+
+class _Held(NamedTuple):
+    """A place with the friction held."""
+
+    chi2: float
+    numbers: Numbers
+    q: Array
+
+
+def fit_track_law(
+    model: TrackModel, found: Sequence[TrackSegment], noise: float, tell: Callable[[float], None]
+) -> TrackFit:
+    """Fit one law to segments; ``noise`` (m) of one coordinate of one frame; ``tell`` is given the fraction done."""
+    frames = SegmentArrays.of(found, model.setting.noise or noise)
+
+    def part(turn: int, done: float) -> None:
+        tell((turn + done) / (2 + len(NEW_STARTS)))
+
+    best = fit_windows(model, frames, noise, partial(part, 0))
+    if "friction" not in model.free:
+        return best
+    parameter = model.free["friction"]
+    for turn, friction in enumerate(NEW_STARTS, 1):
+        if best.follows:
+            break
+        inside = replace(parameter, start=min(max(friction, parameter.low), parameter.high))
+        other = fit_windows(replace(model, free=model.free | {"friction": inside}), frames, noise, partial(part, turn))
+        if other.deviance < best.deviance:
+            best = other
+    best, others = _across_creases(model, replace(best, model=model), noise)
+    return _with_friction_profile(best, others) if best.follows else best
+
+
+def _across_creases(model: TrackModel, best: TrackFit, noise: float) -> tuple[TrackFit, list[tuple[float, float]]]:
+    """Continue the search beyond creases. Return the best fit, and other frictions, each with its chi^2, of the last round.
+
+    Where the law does not follow, frictions of all kinds are held too, with the walls where the contacts have them.
+    """
+    walls = {name: one.start for name, one in model.free.items() if name.startswith("wall_")}
+    seen: list[tuple[float, float]] = []
+
+    def explore(best: TrackFit, nearby: list[float], everywhere: list[float]) -> TrackFit:
+        held = [_hold(model, best, friction, best.numbers) for friction in nearby]
+        held += [_hold(model, best, friction, best.numbers | walls) for friction in everywhere]
+        freed = sorted(_other_minima(best, held) if best.follows else held, key=lambda one: one.chi2)[:FREED]
+        others = [finish(model, best.frames, best.starts, one.q, one.numbers, noise, lambda: None) for one in freed]
+        seen[:] = [(one.numbers["friction"], one.chi2) for one in held]
+        seen.extend((fit.numbers["friction"], fit.chi2) for fit in others)
+        return min([best, *others], key=lambda fit: fit.deviance)
+
+    best = cross_creases(
+        best, lambda fit: fit.numbers["friction"], lambda fit: fit.deviance, explore, lambda fit, _turn: not fit.follows
+    )
+    return best, seen
+
+
+def _other_minima(best: TrackFit, held: Sequence[_Held]) -> list[_Held]:
+    """Return the held places that are in another minimum than the best.
+
+    Along the friction, those lower than their neighbours; and the lowest of each piece of the deviance in which other contacts
+    slide: between creases it is smooth and has one minimum as a rule, which may be too narrow to show along the friction.
+    """
+    line = sorted([_Held(best.chi2, best.numbers, best.q), *held], key=lambda one: one.numbers["friction"])
+    height = np.array([math.inf, *(one.chi2 for one in line), math.inf])
+    low = (height[1:-1] < height[:-2]) & (height[1:-1] <= height[2:])
+    pieces: dict[object, float] = {_regimes(best): -math.inf, None: -math.inf}
+    for one in line:
+        piece = _regimes(replace(best, numbers=one.numbers, q=one.q))
+        pieces[piece] = min(one.chi2, pieces.get(piece, math.inf))
+    there = [one for one, is_low in zip(line, low, strict=True) if is_low or one.chi2 in pieces.values()]
+    return [one for one in there if one.numbers is not best.numbers]
+
+
+def _regimes(fit: TrackFit) -> tuple[tuple[str, ...], ...] | None:
+    """Return whether the contacts of each segment slide or stick; None where a start lies in a wall."""
+    try:
+        return tuple(tuple(event.regime for event in fit.simulate(n).events.of("wall")) for n in range(len(fit.q)))
+    except CaromError:
+        return None
+
+
+def _hold(model: TrackModel, best: TrackFit, friction: float, numbers: Numbers) -> _Held:
+    """Return the place with a friction held and all else following."""
+    parameter = model.free["friction"]
+    friction = min(max(friction, parameter.low), parameter.high)
+    held = model.holding("friction", friction)
+    others = {name: numbers[name] for name in held.free}
+    q = with_best_sidespins(held, best.frames, best.starts, best.q, others)
+    others, settled = descend(held, best.frames, best.starts, q, others, lambda: None, exact=False)
+    return _Held(
+        float(settled.cost.sum()), {name: (others | {"friction": friction})[name] for name in model.free}, settled.q
+    )
+
+
+def _with_friction_profile(best: TrackFit, others: Sequence[tuple[float, float]]) -> TrackFit:
+    """Return the fit with the friction's error bar by profile likelihood, as for rebounds with unmeasured spins; and without an
+    estimate where another friction, beyond a crease, fits as well (95 %)."""
+    step = best.estimates["friction"].stderr
+    if not step:
+        return best
+    here, parameter = best.numbers["friction"], best.model.free["friction"]
+    alike = [one for one, chi2 in others if chi2 < best.chi2 + LEVELS[1] and abs(one - here) > DISTINCT * step]
+    if alike:
+        return ambiguous(best, "friction", alike[0])
+
+    def rises(values: Array, _which: object) -> Array:
+        return held_rises(best, "friction", values)[0]
+
+    half, _rise = half_width(rises, here, step, parameter.low, parameter.high)
+    found: TrackFit = scaled(best, "friction", half / step)
+    return found

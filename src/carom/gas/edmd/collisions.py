@@ -1,0 +1,269 @@
+"""Balls: free flight, prediction of the next cell crossing and the next collision, and the collision of two balls.
+
+Collision times follow Bannerman, Strobl, Formella & Poeschel, arXiv:1211.6718: balls that touch, or overlap by rounding, collide
+now if they approach, and not at all if they separate. The contact is :mod:`carom.core.contact`; its energies are added to totals.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from carom.core.contact import contact
+from carom.core.jit.kernel import Vec, hot_kernel, kernel
+from carom.core.roots.first_root import hit2
+from carom.gas.edmd.calendar import I64, U64
+from carom.gas.edmd.cells import INDEX_MASK
+from carom.gas.edmd.records import INDEX_BITS, NO_BALL
+from carom.laws.pair import pair_contact
+
+__all__ = [
+    "LANES",
+    "add_energies",
+    "collide_balls",
+    "earliest_collision",
+    "free_flight",
+    "next_cell_crossing",
+    "set_velocity",
+    "square",
+]
+
+LANES = 4  # collision times computed at once
+INFINITY_BITS = 0x7FF0000000000000  # of the double
+
+
+@hot_kernel
+def square(w: Vec) -> float:
+    """Return the square of a vector."""
+    return w[0] * w[0] + w[1] * w[1] + w[2] * w[2]
+
+
+@hot_kernel
+def set_velocity(ball: Any, v: Vec) -> None:
+    """Set a ball's velocity."""
+    ball.vx, ball.vy, ball.vz = v[0], v[1], v[2]
+
+
+@hot_kernel
+def free_flight(grid: Any, ball: Any, now: float) -> None:
+    """Move a ball in free flight to the time now."""
+    s = now - ball.time
+    h = s / 2
+    gx, gy, gz = grid.gravity[U64(0)], grid.gravity[U64(1)], grid.gravity[U64(2)]
+    vx, vy, vz = ball.vx, ball.vy, ball.vz
+    ball.x += (vx + gx * h) * s
+    ball.y += (vy + gy * h) * s
+    ball.z += (vz + gz * h) * s
+    ball.vx, ball.vy, ball.vz = vx + gx * s, vy + gy * s, vz + gz * s
+    ball.time = now
+
+
+# --- cell crossings ------------------------------------------------------------------------------------------------
+
+
+@hot_kernel
+def _axis_crossing(grid: Any, axis: int, cell: int, x: float, v: float) -> tuple[float, bool]:
+    """Return the time until a ball leaves its cell along an axis, and whether upwards. Outermost cells have no outer face."""
+    size = grid.cell_size[U64(axis)]
+    low, high = cell * size, (cell + 1) * size
+    if grid.periodic[U64(axis)] == 0:
+        if cell == 0:
+            low = -math.inf
+        if cell + 1 == grid.cells[U64(axis)]:
+            high = math.inf
+    g = grid.gravity[U64(axis)]
+    if g != 0:
+        up, down = hit2(high - x, -v, -g / 2, math.inf, 0.0), hit2(x - low, v, g / 2, math.inf, 0.0)
+        return (up, True) if up < down else (down, False)
+    upwards = v > 0
+    gap = high - x if upwards else low - x
+    s = gap / v if v != 0 else math.inf
+    return max(s, 0.0), upwards
+
+
+@hot_kernel
+def next_cell_crossing(grid: Any, flat: bool, ball: Any, plan: Any, now: float) -> tuple[float, int]:
+    """Return when a ball that is at its position of now reaches a face of its cell, and which: 2 axis + (1 upwards)."""
+    s, up = _axis_crossing(grid, 0, plan.cx, ball.x, ball.vx)
+    which = 1 if up else 0
+    t, up = _axis_crossing(grid, 1, plan.cy, ball.y, ball.vy)
+    if t < s:
+        s, which = t, 3 if up else 2
+    if not flat:
+        t, up = _axis_crossing(grid, 2, plan.cz, ball.z, ball.vz)
+        if t < s:
+            s, which = t, 5 if up else 4
+    return now + s, which
+
+
+# --- collisions of two balls: when ---------------------------------------------------------------------------------
+
+
+@kernel
+def _growing_collisions(
+    motions: Any,
+    pairs: Any,
+    near: Any,
+    row: int,
+    threshold: float,
+    n: int,
+    padded: int,
+    i: int,
+    scale: float,
+    growth: float,
+) -> None:
+    """Compute the collision times of growing balls, whose distance in contact at s is scale + growth s times the final one."""
+    found, times = near.found, near.times
+    for k in range(padded):
+        times[U64(k)] = math.inf
+    for k in range(n):
+        if I64(found[U64(k)]) & INDEX_MASK == i:
+            continue  # (a ball does not grow into itself)
+        final2 = pairs[U64(row + motions[U64(found[U64(k)] & INDEX_MASK)].species)].distance_squared
+        b, u2, c = near.b[U64(k)] - final2 * scale * growth, near.u2[U64(k)] - final2 * growth * growth, near.c[U64(k)]
+        c += final2 * (1.0 - scale * scale)
+        inside = b * b - u2 * c
+        if b < -threshold:
+            if inside > 0.0:
+                times[U64(k)] = max(c, 0.0) / (math.sqrt(inside) - b)
+        elif u2 < 0.0:
+            # they separate, more slowly than they grow
+            times[U64(k)] = max((b + math.sqrt(max(inside, 0.0))) / -u2, 0.0)
+
+
+@hot_kernel
+def earliest_collision(
+    grid: Any, system: Any, motions: Any, pairs: Any, near: Any, n: int, i: int, now: float, threshold: float, scale: float,
+    growth: float, features: Any,
+) -> tuple[float, int]:  # fmt: skip
+    """Return the earliest collision of ball i, at its position of now, with one of the n balls found: its time, and the ball.
+
+    First the coefficients for every ball, then all times, then the least of them, without branches and, where the processor
+    can, eight at once. ``near.time_bits`` is ``near.times`` read as integers, which have the same order as positive floats and
+    whose minimum needs no rule for NaN.
+    """
+    found, images, times, bits = near.found, near.images, near.times, near.time_bits
+    ball = motions[U64(i)]
+    vx, vy, vz = ball.vx, ball.vy, ball.vz
+    row = I64(ball.species) * system.species
+    gx, gy, gz = grid.gravity[U64(0)], grid.gravity[U64(1)], grid.gravity[U64(2)]
+    falls = (gx != 0.0) | (gy != 0.0) | (gz != 0.0)
+    for k in range(n):
+        entry = found[U64(k)]
+        other = motions[U64(entry & INDEX_MASK)]
+        code = entry >> INDEX_BITS
+        s = now - other.time
+        ox, oy, oz = other.vx, other.vy, other.vz
+        dx, dy, dz = ox * s, oy * s, oz * s
+        if falls:
+            # all fall together, so relative motion is straight; but each ball's position has its own time
+            dx, dy, dz = dx + gx * (s * s / 2), dy + gy * (s * s / 2), dz + gz * (s * s / 2)
+            ox, oy, oz = ox + gx * s, oy + gy * s, oz + gz * s
+        rx = images[U64(code & 3)] - (other.x + dx)
+        ry = images[U64(4 + ((code >> 2) & 3))] - (other.y + dy)
+        rz = images[U64(8 + (code >> 4))] - (other.z + dz)
+        ux, uy, uz = vx - ox, vy - oy, vz - oz
+        near.b[U64(k)] = rx * ux + ry * uy + rz * uz
+        near.u2[U64(k)] = ux * ux + uy * uy + uz * uz
+        near.c[U64(k)] = rx * rx + ry * ry + rz * rz - pairs[U64(row + other.species)].distance_squared
+    padded = (n + LANES - 1) & -LANES
+    for k in range(n, padded):
+        near.b[U64(k)] = 0.0
+        found[U64(k)] = NO_BALL
+    fixed_size = padded
+    if features is not None and growth != 0.0:
+        _growing_collisions(motions, pairs, near, row, threshold, n, padded, i, scale, growth)
+        fixed_size = 0
+    for k in range(fixed_size):
+        b, u2, c = near.b[U64(k)], near.u2[U64(k)], near.c[U64(k)]
+        # c + 2 b s + u2 s^2 = 0, for b < 0; overlapping and approaching is now
+        inside = b * b - u2 * c
+        t = (c if c > 0.0 else 0.0) / (math.sqrt(inside if inside > 0.0 else 0.0) - b)
+        times[U64(k)] = t if (b < -threshold) & (inside > 0.0) else math.inf
+    best = INFINITY_BITS
+    for k in range(padded):
+        best = min(best, bits[U64(k)])
+    partner = NO_BALL
+    if best >= INFINITY_BITS:
+        return math.inf, partner
+    for k in range(padded):
+        partner = min(partner, I64(found[U64(k)]) & INDEX_MASK if bits[U64(k)] == best else NO_BALL)
+    bits[U64(0)] = best
+    return now + times[U64(0)], partner
+
+
+# --- collisions of two balls: what they do -------------------------------------------------------------------------
+
+
+@hot_kernel
+def _nearest_image(x: float, side: float, periodic: int) -> float:
+    """Return a coordinate difference, that of the nearest images if the axis is periodic."""
+    if periodic == 0:
+        return x
+    if x > side / 2:
+        return x - side
+    return x + side if x < -side / 2 else x
+
+
+@hot_kernel
+def add_energies(totals: Any, normal: float, translational: float, rotational: float) -> None:
+    """Add a contact to its totals: the energy lost along the normal, the changes of translational and rotational energy."""
+    totals.collisions += 1
+    totals.lost_normal += normal
+    totals.lost_tangential -= translational + rotational + normal
+    totals.to_spin += rotational
+
+
+@hot_kernel
+def collide_balls(system: Any, grid: Any, balls: Any, materials: Any, i: int, j: int, now: float) -> float:
+    """Collide balls i and j; return the impulse along the line of centres times their distance."""
+    motions, bodies = balls.motions, balls.bodies
+    a, b = motions[U64(i)], motions[U64(j)]
+    species1, species2 = I64(a.species), I64(b.species)
+    pair = materials.pairs[U64(species1 * system.species + species2)]
+    one, two = materials.species[U64(species1)], materials.species[U64(species2)]
+    rx = _nearest_image(a.x - b.x, grid.side[U64(0)], grid.periodic[U64(0)])
+    ry = _nearest_image(a.y - b.y, grid.side[U64(1)], grid.periodic[U64(1)])
+    rz = _nearest_image(a.z - b.z, grid.side[U64(2)], grid.periodic[U64(2)])
+    distance = math.sqrt(rx * rx + ry * ry + rz * rz)
+    n = (rx / distance, ry / distance, rz / distance)
+    e = pair.e
+    if system.contact_time > 0:
+        first, second = bodies[U64(i)], bodies[U64(j)]
+        if now - max(first.last_contact, second.last_contact) < system.contact_time:
+            e = 1.0
+        first.last_contact = second.last_contact = now
+    ux, uy, uz = a.vx - b.vx, a.vy - b.vy, a.vz - b.vz
+    # (the surfaces of growing balls approach by themselves)
+    un = ux * n[0] + uy * n[1] + uz * n[2] - pair.distance * system.growth
+    if pair.smooth:
+        m1, m2 = one.mass, two.mass
+        pn, _f, _required, _regime = contact(un, (0.0, 0.0, 0.0), m1 * m2 / (m1 + m2), 1.0, e, 0.0, 0.0)
+        c = pn / m1
+        set_velocity(a, (a.vx + c * n[0], a.vy + c * n[1], a.vz + c * n[2]))
+        c = pn / m2
+        set_velocity(b, (b.vx - c * n[0], b.vy - c * n[1], b.vz - c * n[2]))
+        pair.collisions += 1
+        pair.lost_normal -= (1 - e) / 2 * pn * un
+    else:
+        first, second = bodies[U64(i)], bodies[U64(j)]
+        v1, w1, v2, w2, p, _required, _regime = pair_contact(
+            (a.vx, a.vy, a.vz), (first.wx, first.wy, first.wz), (b.vx, b.vy, b.vz), (second.wx, second.wy, second.wz), n,
+            one.radius, one.mass, one.kappa, two.radius, two.mass, two.kappa, e, pair.mu, pair.beta,
+        )  # fmt: skip
+        pn = p[0] * n[0] + p[1] * n[1] + p[2] * n[2]
+        # an impulse changes the energy of the centres by itself times the mean of the velocities before and after
+        sx, sy, sz = ux + (v1[0] - v2[0]), uy + (v1[1] - v2[1]), uz + (v1[2] - v2[2])
+        i1, i2 = one.kappa * one.mass * one.radius * one.radius, two.kappa * two.mass * two.radius * two.radius
+        rotational = i1 * (square(w1) - square((first.wx, first.wy, first.wz)))
+        rotational = (rotational + i2 * (square(w2) - square((second.wx, second.wy, second.wz)))) / 2
+        add_energies(pair, (e - 1) / 2 * pn * un, (p[0] * sx + p[1] * sy + p[2] * sz) / 2, rotational)
+        set_velocity(a, v1)
+        set_velocity(b, v2)
+        first.wx, first.wy, first.wz = w1[0], w1[1], w1[2]
+        second.wx, second.wy, second.wz = w2[0], w2[1], w2[2]
+    contact_distance = pair.distance * (system.scale + system.growth * now)
+    system.overlap = max(system.overlap, (contact_distance - distance) / contact_distance)
+    a.collisions += 1
+    b.collisions += 1
+    return pn * distance

@@ -1,0 +1,262 @@
+"""Driver of the event engine: make, save, restore and advance the arrays of a gas."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.gas.edmd import loop
+from carom.gas.edmd.calendar import calendar_sizes
+from carom.gas.edmd.cells import SLOTS, morton_offsets, neighbour_tables, walls_of_cells
+from carom.gas.edmd.records import (
+    BODY,
+    ELLIPSE,
+    FACE,
+    MOTION,
+    PAIR,
+    PLAN,
+    PLANE,
+    SPECIES,
+    SYSTEM,
+    WALL_CONTACT,
+    Balls,
+    Calendar,
+    Cells,
+    Features,
+    Grid,
+    Materials,
+    Neighbours,
+    Scratch,
+    WallRecords,
+)
+
+__all__ = [
+    "STATE", "GasArrays", "SystemRecords", "advance", "loop_is_cached", "make", "restore", "saved_state", "synchronized",
+    "time_of_last_event", "total_bytes",
+]  # fmt: skip
+
+BINS_PER_BALL = 4  # of the calendar
+CACHE_LINE = 64  # bytes
+
+# The arrays from which all others follow: the state of a gas, as it is saved, and the type of each one's elements.
+STATE = {
+    "system": SYSTEM,
+    "motions": MOTION,
+    "plans": PLAN,
+    "bodies": BODY,
+    "numbers": np.dtype("u4"),
+    "species": SPECIES,
+    "pairs": PAIR,
+    "contacts": WALL_CONTACT,
+    "faces": FACE,
+}
+
+
+class SystemRecords(NamedTuple):
+    """A gas without its balls: the system, species, contacts of pairs, contacts with walls, faces of walls."""
+
+    system: NDArray[np.void]
+    species: NDArray[np.void]
+    pairs: NDArray[np.void]
+    contacts: NDArray[np.void]
+    faces: NDArray[np.void]
+
+
+class GasArrays(NamedTuple):
+    """All arrays of a gas, grouped as the loop takes them."""
+
+    system: NDArray[np.void]
+    balls: Balls
+    materials: Materials
+    walls: WallRecords
+    calendar: Calendar
+    cells: Cells
+    grid: Grid
+    near: Neighbours
+    scratch: Scratch
+
+
+class _CompiledLoop(NamedTuple):
+    fill_cells: Callable[..., Any]
+    restore_lists: Callable[..., Any]
+    run: Callable[..., Any]
+    synchronize: Callable[..., Any]
+
+
+@functools.cache
+def _compiled() -> _CompiledLoop:
+    from carom.core.jit.compile import njit
+    from carom.core.jit.prefetch import register_prefetch
+
+    register_prefetch()
+    # Without reference counts of arrays (_nrt): nothing is allocated in the loop, and counting took half of its time.
+    return _CompiledLoop(*(njit(getattr(loop, name), _nrt=False) for name in _CompiledLoop._fields))
+
+
+def loop_is_cached() -> bool:
+    """Return whether some variant of the loop has been compiled before, by this version of the sources."""
+    from carom.core.jit.compile import cache_folder
+
+    return any(cache_folder().glob("edmd_*/loop.run-*.nbi"))
+
+
+def _allocate(one: Any, species: Any) -> dict[str, NDArray[Any]]:
+    """Return zeros for all large arrays, in one piece: NumPy gets large memory pages for it, which saves address look-ups.
+
+    Each array begins on a cache line, so that no record of 64 bytes lies on two.
+    """
+    count = int(one["balls"])
+    number, ball = np.dtype("f8"), np.dtype("u4")
+    heads, page_ends, blocks = calendar_sizes(count, int(one["bins"]))
+    # (both slots of the last cell are written, and whole groups of eight)
+    room = _max_neighbours(one, species) + SLOTS + 8 & -8
+    # (the last plan is the thermostat's)
+    wanted = {
+        "motions": (count, MOTION), "plans": (count + 1, PLAN), "bodies": (count, BODY), "numbers": (count, ball),
+        "heads": (heads, ball), "page_ends": (page_ends, ball), "blocks": (blocks, ball),
+        "slots": (morton_offsets(one)[1], ball), "links": (count, ball), "found": (room, ball), "b": (room, number),
+        "u2": (room, number), "c": (room, number), "times": (room, number),
+    }  # fmt: skip
+    sizes = [-(-n * kind.itemsize // CACHE_LINE) * CACHE_LINE for n, kind in wanted.values()]
+    raw = np.zeros(sum(sizes) + CACHE_LINE, np.uint8)
+    at, arrays = -raw.ctypes.data % CACHE_LINE, {}
+    for (name, (n, kind)), size in zip(wanted.items(), sizes, strict=True):
+        arrays[name] = raw[at : at + n * kind.itemsize].view(kind)
+        at += size
+    return arrays
+
+
+def _max_neighbours(one: Any, species: Any) -> int:
+    """Return an upper bound of the number of balls with centres in a cell and those around it: what their volume has room for."""
+    axes, radius = int(one["dimensions"]), species["radius"]
+    region = math.prod(3 * float(one["cell_size"][k]) + 2 * float(radius.max()) for k in range(axes))
+    small = float(radius.min()) * min(float(one["scale"]), 1.0)
+    return min(
+        int(one["balls"]), int(1.01 * region / (math.pi * small**2 if axes == 2 else 4 / 3 * math.pi * small**3))
+    )
+
+
+def _assemble(state: dict[str, Any], memory: dict[str, NDArray[Any]]) -> GasArrays:
+    """Return all arrays of a gas in this state, with calendar and cells empty."""
+    one = state["system"][0]
+    interior, cell_sets, sets = walls_of_cells(one, state["faces"], state["contacts"])
+    offsets, shifts = neighbour_tables(one)
+    return GasArrays(
+        system=state["system"],
+        balls=Balls(*(state[name] for name in Balls._fields)),
+        materials=Materials(state["species"], state["pairs"]),
+        walls=WallRecords(state["faces"], state["contacts"], cell_sets, sets),
+        calendar=Calendar(*(memory[name] for name in Calendar._fields)),
+        cells=Cells(memory["slots"], memory["links"], offsets, shifts),
+        grid=Grid(
+            one["side"].copy(), one["cell_size"].copy(), one["gravity"].copy(), one["cells"].copy(), one["periodic"].copy(),
+            np.array(interior, np.int64),
+        ),
+        near=Neighbours(
+            memory["found"], np.zeros(12), memory["b"], memory["u2"], memory["c"], memory["times"],
+            memory["times"].view(np.int64),
+        ),
+        scratch=Scratch(*(np.zeros(1, kind) for kind in (MOTION, PLAN, BODY, np.uint32))),
+    )  # fmt: skip
+
+
+def _free_axes(one: Any, faces: Any, contacts: Any) -> NDArray[np.int64]:
+    """Return the axes along which momentum is conserved: periodic, no force, no wall that stops or holds balls."""
+    free = (one["periodic"] == 1) & (one["gravity"] == 0)
+    for axis, name in enumerate("xyz"):
+        free[axis] &= not (faces["n" + name].any() or faces["a" + name].any())
+    smooth = (contacts["mu"] == 0) | (contacts["beta"] == -1)
+    isolated = one["rate"] == 0 and one["growth"] == 0 and smooth.all() and (faces["temperature"] < 0).all()
+    return np.asarray(free & isolated, np.int64)
+
+
+def make(records: SystemRecords, kinds: Any, x: Any, v: Any, w: Any) -> GasArrays:
+    """Return the arrays of a gas at its start; positions are wrapped into a periodic box.
+
+    ``kinds`` (N,) are the balls' species; ``x``, ``v``, ``w`` (N, 3) their positions, velocities and spins.
+    """
+    system, species, _pairs, contacts, faces = records
+    one, count = system[0], len(x)
+    one["free"] = _free_axes(one, faces, contacts)
+    one["balls"], one["species"], one["bins"] = count, len(species), BINS_PER_BALL * count
+    memory = _allocate(one, species)
+    motions, plans, bodies = (memory[name] for name in ("motions", "plans", "bodies"))
+    turns = np.where(one["periodic"] == 1, np.floor(x / one["side"]), 0)
+    x = x - turns * one["side"]
+    for k, axis in enumerate("xyz"):
+        motions[axis], motions["v" + axis], bodies["w" + axis] = x[:, k], v[:, k], w[:, k]
+    motions["species"] = kinds
+    bodies["last_contact"], plans["image"][:count] = -math.inf, turns
+    plans[count]["event_time"], plans[count]["collision_time"] = math.inf, -math.inf
+    memory["numbers"][:] = np.arange(count)
+    state = {name: memory[name] for name in Balls._fields} | records._asdict()
+    arrays = _assemble(state, memory)
+    _compiled().fill_cells(one, arrays.grid, arrays.balls, arrays.materials, arrays.cells)
+    return arrays
+
+
+def restore(state: dict[str, NDArray[Any]]) -> GasArrays:
+    """Return the arrays of a gas from its saved state, from which it continues with the same bits."""
+    memory = _allocate(state["system"][0], state["species"])
+    copies = {}
+    for name in STATE:
+        copies[name] = memory.get(name, np.empty_like(state[name]))
+        copies[name][:] = state[name]
+    arrays = _assemble(copies, memory)
+    _compiled().restore_lists(arrays.system[0], arrays.balls, arrays.calendar, arrays.cells)
+    return arrays
+
+
+def saved_state(arrays: GasArrays) -> dict[str, NDArray[Any]]:
+    """Return a copy of the state, without the places in the calendar, which another run would fill in another order."""
+    found = arrays.balls._asdict() | arrays.materials._asdict() | arrays.walls._asdict() | {"system": arrays.system}
+    state = {name: found[name].copy() for name in STATE}
+    for name in ("bin", "next", "previous"):
+        state["plans"][name] = 0
+    return state
+
+
+def _features(arrays: GasArrays) -> Features | None:
+    """Return None where all walls are fixed planes, else what the general loop needs, which takes twice as long to compile.
+
+    An ellipse that bounds surfaces takes some seconds more, and is left out where there is none.
+    """
+    one, faces = arrays.system[0], arrays.walls.faces
+    special = (
+        (faces["form"] != PLANE) | (faces["bounded"] != 0) | (faces["amplitude"] != 0) | (faces["temperature"] >= 0)
+    )
+    if not (special.any() or one["growth"] != 0 or one["rate"] != 0):
+        return None
+    return Features(1 if (faces["form"] == ELLIPSE).any() else None)
+
+
+def advance(arrays: GasArrays, until: float, max_collisions: int) -> None:
+    """Advance to a time, or by so many collisions; ``system["status"]`` says which came first."""
+    _compiled().run(arrays.system[0], *arrays[1:], until, max_collisions, _features(arrays))
+
+
+def total_bytes(arrays: Any) -> int:
+    """Return the memory of arrays in nested tuples."""
+    return arrays.nbytes if isinstance(arrays, np.ndarray) else sum(map(total_bytes, arrays))
+
+
+def time_of_last_event(arrays: GasArrays) -> float:
+    """Return the time of the last event."""
+    one = arrays.system[0]
+    return float(one["base"] + (one["rest"] + one["now"]))
+
+
+def synchronized(arrays: GasArrays, time: float) -> tuple[NDArray[np.void], NDArray[np.void], NDArray[np.int32]]:
+    """Return copies of motions and bodies at a time not before the last event, and images, in the order of the balls' numbers."""
+    system, motions = arrays.system.copy(), arrays.balls.motions.copy()
+    system["now"] = max(system[0]["now"], (time - system[0]["base"]) - system[0]["rest"])
+    _compiled().synchronize(system[0], arrays.grid, motions)
+    numbers = arrays.balls.numbers
+    place = np.empty_like(numbers)
+    place[numbers] = np.arange(len(place))
+    return motions[place], arrays.balls.bodies[place], arrays.balls.plans["image"][place]

@@ -1,0 +1,310 @@
+"""Event loop of a gas: event-driven molecular dynamics with a cell list and a calendar queue.
+
+One event per ball is planned: its earliest collision, or the crossing of its cell's border. A collision is stored with the ball
+that predicted it; that is enough, for of two balls one was the last to be updated. A ball whose partner has collided with another
+meanwhile predicts again when the planned time comes. Ties go to the ball with the lowest index, so the same start gives the same
+bits.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from carom.core.jit.kernel import hot_kernel, kernel
+from carom.gas.edmd.calendar import (
+    I64,
+    PAGE,
+    RING,
+    U64,
+    load_page,
+    nearly_full,
+    page_of,
+    rebuild,
+    schedule,
+    start_cycle,
+    unschedule,
+)
+from carom.gas.edmd.cells import Block, cell_index, gather_neighbours, insert, remove, set_images
+from carom.gas.edmd.collisions import collide_balls, earliest_collision, free_flight, next_cell_crossing
+from carom.gas.edmd.housekeeping import (
+    SORT_INTERVAL,
+    check_progress,
+    remove_momentum_drift,
+    sample_energies,
+    set_threshold,
+    sort_by_cell,
+)
+from carom.gas.edmd.prefetch import page_ends_ahead, prefetch_ahead
+from carom.gas.edmd.records import COLLAPSED, DONE, LIMIT, NO_BALL
+from carom.gas.edmd.walls import (
+    FIRST_WALL,
+    PREDICT_AGAIN,
+    collide_wall,
+    draw_ball,
+    next_kick_time,
+    next_wall_collision,
+    thermostat_kick,
+)
+
+__all__ = ["fill_cells", "restore_lists", "run", "synchronize"]
+
+
+CACHED_BALLS = 10_000  # so many fit the processor's caches; of more, the next ones are prefetched
+# Time stands still when so many collisions, per ball and in addition, happen within this share of a bin of the calendar.
+STILL_SHARE, STILL_PER_BALL, STILL_COLLISIONS = 1e-9, 100, 100_000
+
+
+@kernel
+def fill_cells(system: Any, grid: Any, balls: Any, materials: Any, cells: Any) -> None:
+    """Enter every ball of a new system in its cell."""
+    motions, plans, species = balls.motions, balls.plans, materials.species
+    remove_momentum_drift(system, grid, motions, species)
+    energy = 0.0
+    for i in range(motions.shape[0]):
+        plan, ball = plans[i], motions[i]
+        energy += species[ball.species].mass * (ball.vx * ball.vx + ball.vy * ball.vy + ball.vz * ball.vz)
+        plan.cx = cell_index(grid, 0, ball.x)
+        plan.cy = cell_index(grid, 1, ball.y)
+        plan.cz = cell_index(grid, 2, ball.z)
+        insert(cells, plan, i)
+    set_threshold(system, species, energy)
+
+
+@kernel
+def restore_lists(system: Any, balls: Any, calendar: Any, cells: Any) -> None:
+    """Enter every ball in its cell and its bin: those of a restored system are empty."""
+    plans = balls.plans
+    for i in range(balls.motions.shape[0]):
+        insert(cells, plans[i], i)
+    if system.planned == system.balls:
+        rebuild(plans, calendar, system.bin_width, system.bins, system.bin)
+
+
+@kernel
+def synchronize(system: Any, grid: Any, motions: Any) -> None:
+    """Move every ball to the time of the system (in a copy: a run that goes on needs the balls as they are)."""
+    for i in range(motions.shape[0]):
+        free_flight(grid, motions[i], system.now)
+
+
+@hot_kernel
+def _cross_border(grid: Any, cells: Any, ball: Any, plan: Any, i: int, which: int, cell: int) -> None:
+    """Move ball i on to the next cell."""
+    axis, up = which >> 1, which & 1
+    remove(cells, plan, i)
+    index = cell + (1 if up else -1)
+    n = grid.cells[U64(axis)]
+    turns = 1 if index >= n else (-1 if index < 0 else 0)
+    index -= turns * n
+    shift = turns * grid.side[U64(axis)]
+    if axis == 0:
+        plan.cx = index
+        ball.x -= shift
+    elif axis == 1:
+        plan.cy = index
+        ball.y -= shift
+    else:
+        plan.cz = index
+        ball.z -= shift
+    if turns != 0:
+        plan.image[axis] += turns
+    insert(cells, plan, i)
+
+
+@kernel
+def _start_calendar(features: Any, system: Any, plans: Any, calendar: Any) -> None:
+    """Set the width of the bins by the first events of all balls, and fill the calendar."""
+    total, count = 0.0, 0
+    plans[system.balls].event_time = next_kick_time(features, system, system.now)
+    for i in range(system.balls):
+        if plans[i].event_time < math.inf:
+            total += plans[i].event_time - system.now
+            count += 1
+    # one event per bin, if the waiting times stay as they are
+    system.bin_width = total / count / system.balls if total > 0 else 1.0
+    rebuild(plans, calendar, system.bin_width, system.bins, 0)
+
+
+@hot_kernel
+def _is_interior(grid: Any, cx: int, cy: int, cz: int) -> bool:
+    """Return whether a cell is in the block that no wall reaches."""
+    interior = grid.interior
+    x = (cx >= interior[U64(0)]) & (cx <= interior[U64(1)])
+    y = (cy >= interior[U64(2)]) & (cy <= interior[U64(3)])
+    return bool(x & y & (cz >= interior[U64(4)]) & (cz <= interior[U64(5)]))
+
+
+@kernel
+def _reads_bodies(system: Any, pairs: Any) -> bool:
+    """Return whether collisions of balls read their spins or last contacts."""
+    rough = system.contact_time > 0.0
+    for k in range(pairs.shape[0]):
+        rough = rough or pairs[k].smooth == 0
+    return rough  # type: ignore[no-any-return]
+
+
+@kernel
+def run(  # noqa: PLR0915  (the loop)
+    system: Any, balls: Any, materials: Any, walls: Any, calendar: Any, cells: Any, grid: Any, near: Any, scratch: Any,
+    until: float, max_collisions: int, features: Any,
+) -> int:  # fmt: skip
+    """Process events until a time (later ones stay planned), or until so many more collisions, with walls included.
+
+    The first nine arguments are :class:`carom.gas.edmd.driver.GasArrays`. Returns why it ended, one of the codes in
+    :mod:`carom.gas.edmd.records`.
+    """
+    motions, plans, species, pairs, heads = (
+        balls.motions,
+        balls.plans,
+        materials.species,
+        materials.pairs,
+        calendar.heads,
+    )
+    count, bins, width, now = system.balls, system.bins, system.bin_width, system.now
+    current, events, planned = system.bin, system.events, system.planned
+    end = (until - system.base) - system.rest
+    last = system.pair_collisions + system.wall_collisions + max_collisions
+    flat, threshold, scale, growth = system.dimensions == 2, system.threshold, system.scale, system.growth
+    far, spins = count > CACHED_BALLS, _reads_bodies(system, pairs)
+    virial = system.virial  # (accumulated here, so that the sum is the same in one piece or in many)
+    status = LIMIT
+    ahead = (0, 0, 0)
+    while system.pair_collisions + system.wall_collisions < last and status == LIMIT:
+        # the balls to predict for, and which of the cells around are searched: all, or those that come within reach
+        i, j = planned, NO_BALL
+        x0, x1, y0, y1, z0, z1 = 0, 3, 0, 3, 0, 3
+        if flat:
+            z0, z1 = 1, 2
+        crossed = False
+        if planned == count:
+            if nearly_full(calendar):
+                ahead = (0, 0, 0)
+                rebuild(plans, calendar, width, bins, current)
+            while current < bins and heads[U64(current & (RING - 1))] == NO_BALL:
+                current += 1
+                page = page_of(current)
+                if current & (PAGE - 1) == 0 and (page + 1) * PAGE < bins:
+                    load_page(plans, calendar, page + 1)
+                    ahead = page_ends_ahead(calendar.page_ends, page, bins)
+                if far:
+                    ahead = prefetch_ahead(flat, spins, grid, balls, cells, calendar.blocks, page, ahead)
+            if current == bins:
+                if width * bins > end:
+                    status = DONE
+                    break
+                now = max(now, width * bins)
+                system.now, system.events = now, events
+                sample_energies(system, grid, balls, species, now)
+                start_cycle(system, balls, walls.faces)
+                if far and system.cycles % SORT_INTERVAL == 0:
+                    sort_by_cell(balls, scratch, cells, calendar)
+                rebuild(plans, calendar, system.bin_width, bins, 0)
+                ahead = (0, 0, 0)
+                status = check_progress(motions, plans, species, events)
+                if remove_momentum_drift(system, grid, motions, species):
+                    planned = 0
+                current, events, width, now = 0, 0, system.bin_width, system.now
+                threshold, scale = system.threshold, system.scale
+                system.progress_time = now
+                system.progress_collisions = system.pair_collisions + system.wall_collisions
+                end = (until - system.base) - system.rest
+                continue
+            i = I64(heads[U64(current & (RING - 1))])
+            at = plans[U64(i)].event_time
+            k = plans[U64(i)].next
+            while k != NO_BALL:
+                t = plans[U64(k)].event_time
+                if t < at or (t == at and k < i):
+                    i, at = I64(k), t
+                k = plans[U64(k)].next
+            if at > end:
+                status = DONE
+                break
+            events += 1
+            now = max(now, at)
+            unschedule(plans, calendar, i)
+            kicked = i == count
+            if features is not None and kicked:
+                plans[U64(i)].event_time = next_kick_time(features, system, now)
+                schedule(plans, calendar, i, width, bins, current)
+                i = I64(draw_ball(system))
+                unschedule(plans, calendar, i)
+            ball, plan = motions[U64(i)], plans[U64(i)]
+            free_flight(grid, ball, now)
+            if features is not None and kicked:
+                thermostat_kick(system, species, ball, balls.bodies[U64(i)])
+            elif plan.collision_time == at:
+                k = plan.partner
+                if motions[U64(k)].collisions == plan.partner_collisions:
+                    j = I64(k)
+                    free_flight(grid, motions[U64(j)], now)
+                    virial += collide_balls(system, grid, balls, materials, i, j, now)
+                    system.pair_collisions += 1
+                    unschedule(plans, calendar, j)
+                else:
+                    system.invalidated += 1
+            else:
+                which = I64(plan.boundary)
+                if which < FIRST_WALL:
+                    crossed = True
+                    system.crossings += 1
+                    axis, up = which >> 1, which & 1
+                    cell = plan.cx if axis == 0 else (plan.cy if axis == 1 else plan.cz)
+                    _cross_border(grid, cells, ball, plan, i, which, I64(cell))
+                    if axis == 0:
+                        x0, x1 = 2 * up, 2 * up + 1
+                    elif axis == 1:
+                        y0, y1 = 2 * up, 2 * up + 1
+                    else:
+                        z0, z1 = 2 * up, 2 * up + 1
+                elif which != PREDICT_AGAIN:
+                    collide_wall(
+                        features,
+                        system,
+                        grid.gravity,
+                        walls,
+                        species,
+                        ball,
+                        balls.bodies[U64(i)],
+                        which - FIRST_WALL,
+                        now,
+                    )
+            collisions = system.pair_collisions + system.wall_collisions
+            if now - system.progress_time > STILL_SHARE * width:
+                system.progress_time, system.progress_collisions = now, collisions
+            elif collisions - system.progress_collisions > STILL_PER_BALL * count + STILL_COLLISIONS:
+                status = COLLAPSED
+        while True:
+            ball, plan = motions[U64(i)], plans[U64(i)]
+            block = Block(I64(plan.cx), I64(plan.cy), I64(plan.cz), x0, x1, y0, y1, z0, z1)
+            n = gather_neighbours(cells, near.found, block)
+            set_images(cells.shifts, near.images, block, ball.x, ball.y, ball.z)
+            hit, partner = earliest_collision(
+                grid, system, motions, pairs, near, n, i, now, threshold, scale + growth * now, growth, features
+            )
+            # an earlier prediction stands where the ball has only crossed a border
+            if not crossed or hit < plan.collision_time:
+                plan.collision_time, plan.partner = hit, partner
+                if partner != NO_BALL:
+                    plan.partner_collisions = motions[U64(partner)].collisions
+            crossing, which = next_cell_crossing(grid, flat, ball, plan, now)
+            if not _is_interior(grid, block.x, block.y, block.z):
+                crossing, which = next_wall_collision(
+                    features, system, grid.gravity, walls, ball, plan, now, crossing, which
+                )
+            plan.boundary = which
+            plan.event_time = min(plan.collision_time, crossing)
+            if planned < count:
+                planned += 1
+                if planned == count:
+                    _start_calendar(features, system, plans, calendar)
+                    width = system.bin_width
+                break
+            schedule(plans, calendar, i, width, bins, current)
+            if j == NO_BALL:
+                break
+            i, j = j, NO_BALL
+    system.virial = virial
+    system.bin, system.now, system.events, system.planned, system.status = current, now, events, planned, status
+    return status

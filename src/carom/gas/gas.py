@@ -1,0 +1,416 @@
+"""Gases of rough or smooth balls or discs, by event-driven molecular dynamics."""
+
+from __future__ import annotations
+
+import math
+import time as clocks
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom.errors import CaromError, FaultList
+from carom.gas.containers import Container, as_container
+from carom.gas.edmd import driver as engine
+from carom.gas.edmd.driver import GasArrays, SystemRecords
+from carom.gas.edmd.records import COLLAPSED, DONE, UNDERFLOW
+from carom.gas.initial import dense, first_overlap, lattice, thermal
+from carom.gas.results import GasBalls, GasRun, Mark
+from carom.gas.species import Contacts, Drive, Species, Thermostat, system_records
+
+__all__ = ["Gas", "raise_at_rest", "simulate_gas"]
+
+Array = NDArray[np.float64]
+CHUNK = 200_000  # collisions between two checks for progress and interrupts: some tenths of a second
+TOUCH = 1e-9  # of a radius: balls that overlap by less count as touching
+
+
+class Gas:
+    """A gas of balls or discs in a periodic box or another container.
+
+    Parameters
+    ----------
+    species : sequence of Species
+    side : two (discs) or three lengths, or a Container
+        The box [0, side], whose walls bound the balls' surfaces; or any :func:`carom.gas.container`.
+    periodic : bool, or one for each axis
+        Of a box given by its lengths.
+    contacts : Surface, or a mapping of pairs of names to Surfaces
+        Names of species; ``"wall"`` for all walls, or a wall's own name.
+    gravity : vector
+        Acceleration (m/s^2).
+    contact_time : float
+        Of the TC model (s): a contact within this time after a ball's last one is elastic along the normal, which prevents
+        inelastic collapse (Luding & McNamara, Granular Matter 1, 113 (1998)); from a wall on which gravity or the wall's
+        curvature presses it, a ball leaves at least so fast that it returns after that time. 0: off.
+    drives : mapping of walls' names to Drives
+        Walls that oscillate or are heated.
+    thermostat : Thermostat, optional
+    position, velocity, spin : (N, 3) or (N, 2) arrays, spin of discs (N,)
+        Default: positions on a lattice, or where balls do not fit on one, of :func:`carom.gas.dense`; random velocities and
+        spins with the species' temperatures and no total momentum.
+    seed : int
+        Of the start, and of heated walls and the thermostat.
+    touch : float
+        Balls that overlap by less than this share of a radius count as touching. Positions in single precision need 1e-5.
+
+    Raises CaromError, one line per problem.
+
+    The method is event-driven molecular dynamics with a cell list and a calendar queue (:mod:`carom.gas.edmd.loop`): the motion
+    between events and the instants of collision are exact, up to rounding.
+
+    Examples
+    --------
+    >>> from carom import Ball, Surface
+    >>> from carom.gas import Gas, Species
+    >>> gas = Gas([Species(Ball(0.5, 1.0), 64)], (6.0, 6.0, 6.0), contacts=Surface(0.9, 0.3, 0.5), seed=1)
+    >>> run = gas.run(1000)
+    >>> gas.collisions, run.pair_collisions
+    (1000, 1000)
+    >>> sum(gas.energy()) < 64 * 3  # the contacts dissipate energy
+    True
+    """
+
+    def __init__(
+        self,
+        species: Sequence[Species],
+        side: Sequence[float] | Container,
+        *,
+        periodic: bool | Sequence[bool] = True,
+        contacts: Contacts,
+        gravity: Sequence[float] = (0.0, 0.0, 0.0),
+        contact_time: float = 0.0,
+        drives: Mapping[str, Drive] | None = None,
+        thermostat: Thermostat | None = None,
+        position: ArrayLike | None = None,
+        velocity: ArrayLike | None = None,
+        spin: ArrayLike | None = None,
+        seed: int = 0,
+        touch: float = TOUCH,
+    ) -> None:
+        container = as_container(side, periodic)
+        records = system_records(species, container, contacts, gravity, contact_time, drives or {}, thermostat, seed)
+        kinds, axes = records.species, len(container.size)
+        which = np.repeat(np.arange(len(species)), [one.count for one in species])
+        faults = FaultList("Gas")
+        rng = np.random.default_rng(seed)
+        if position is None:
+            which = rng.permutation(which)
+            x = _start_positions(container, records, kinds["radius"][which], seed)
+        else:
+            x = _vectors(faults, "position", position, len(which), axes)
+        mass, moment = kinds["mass"][which], (kinds["kappa"] * kinds["mass"] * kinds["radius"] ** 2)[which]
+        v = _vectors(faults, "velocity", velocity, len(which), axes)
+        w = _vectors(faults, "spin", spin, len(which), 3 if axes == 3 else 1)
+        faults.raise_if_any()
+        for k, one in enumerate(species):
+            those = which == k
+            rotational = one.temperature if one.temperature_rotational is None else one.temperature_rotational
+            if velocity is None:
+                v[those] = thermal(mass[those], tuple(range(axes)), one.temperature, rng)
+            if spin is None:
+                about = (0, 1, 2) if axes == 3 else (2,)
+                w[those] = thermal(moment[those], about, rotational, rng)
+        _require_no_overlap(container, records, kinds["radius"][which], x, touch)
+        self._names = tuple(face.name for face in container.faces)
+        self._begin(engine.make(records, which, x, v, w))
+
+    @classmethod
+    def restore(cls, state: dict[str, NDArray[Any]]) -> Gas:
+        """Return the gas with a :meth:`state`; it continues with the same bits."""
+        gas = object.__new__(cls)
+        gas._begin(engine.restore({name: state[name] for name in engine.STATE}))
+        gas._names = tuple(str(name) for name in state["names"])
+        gas._time = max(gas._time, float(state["time"][0]))
+        return gas
+
+    def state(self) -> dict[str, NDArray[Any]]:
+        """Return all that a later run needs to continue with the same bits, as copies of a few arrays."""
+        return engine.saved_state(self.arrays) | {
+            "time": np.array([self._time]),
+            "names": np.array(self._names, dtype="U32"),
+        }
+
+    def _begin(self, arrays: GasArrays) -> None:
+        self.arrays = arrays  # of the engine; not to be changed from outside
+        self._time = engine.time_of_last_event(self.arrays)
+        self.cpu_seconds = 0.0  # of the event loop
+
+    @property
+    def walls(self) -> tuple[str, ...]:
+        """Names of the walls, each once."""
+        return tuple(dict.fromkeys(self._names))
+
+    @property
+    def faces(self) -> tuple[str, ...]:
+        """For each face the name of its wall; several may have the same."""
+        return self._names
+
+    def _sum_by_wall(self, numbers: Any) -> dict[str, float]:
+        """Return sums over the faces of each wall."""
+        return {
+            one: float(sum(n for n, name in zip(numbers, self._names, strict=True) if name == one))
+            for one in self.walls
+        }
+
+    @property
+    def time(self) -> float:
+        """The simulated time so far."""
+        return self._time
+
+    def balls(self) -> GasBalls:
+        """Return all balls at the current time."""
+        motions, bodies, images = engine.synchronized(self.arrays, self._time)
+        x, v = (np.stack([motions[name] for name in names], axis=1) for names in (("x", "y", "z"), ("vx", "vy", "vz")))
+        one = self.arrays.system[0]
+        if one["frame"].any():
+            x, v = x + one["frame"] * self._time, v + one["frame"]
+            turns = np.floor(x / one["side"])
+            x = np.where(one["free"] == 1, np.mod(x, one["side"]), x)
+            # (modulo 2^32, as they are counted)
+            images = images + np.where(one["free"] == 1, np.mod(turns, 2**32), 0).astype(np.uint32).view(np.int32)
+        return GasBalls(
+            time=self._time,
+            position=x,
+            velocity=v,
+            spin=np.stack([bodies[name] for name in ("wx", "wy", "wz")], axis=1),
+            species=motions["species"].copy(),
+            images=images,
+        )
+
+    def energy(self) -> tuple[float, float, float]:
+        """Return the translational, rotational and potential energy at the current time (J)."""
+        balls = self.balls()
+        kinds, one = self.arrays.materials.species[balls.species], self.arrays.system[0]
+        moment = kinds["kappa"] * kinds["mass"] * kinds["radius"] ** 2
+        return (
+            float((kinds["mass"] * (balls.velocity**2).sum(axis=1)).sum() / 2),
+            float((moment * (balls.spin**2).sum(axis=1)).sum() / 2),
+            -float((kinds["mass"] * ((balls.position + balls.images * one["side"]) @ one["gravity"])).sum()),
+        )
+
+    @property
+    def bytes_per_ball(self) -> float:
+        """Memory of all arrays, per ball."""
+        return engine.total_bytes(self.arrays) / len(self.arrays.balls.motions)
+
+    def run(
+        self,
+        collisions: int | None = None,
+        until: float = math.inf,
+        *,
+        progress: Callable[[Gas, int], None] | None = None,
+        chunk: int = CHUNK,
+    ) -> GasRun:
+        """Advance by so many collisions (with walls included) or to a time, whichever comes first, and measure meanwhile.
+
+        ``progress`` is called after every ``chunk`` collisions with the gas and the number of collisions. An interrupt ends
+        the run between chunks; the gas can continue from there. Raises CaromError for an inelastic collapse (infinitely many
+        collisions in a finite time), and where all balls are at rest, or too slow for double precision.
+        """
+        mark = self.mark()
+        self.advance(collisions, until, progress=progress, chunk=chunk)
+        return self.measured_since(mark)
+
+    def mark(self) -> Mark:
+        """Begin a measurement: return what :meth:`measured_since` needs, in this process or in another one."""
+        self.arrays.system[0]["overlap"] = -math.inf
+        one = self.arrays
+        return Mark(
+            one.system.copy()[0],
+            one.materials.pairs.copy(),
+            one.walls.contacts.copy(),
+            one.walls.faces.copy(),
+            self.energy(),
+            self._time,
+            self.cpu_seconds,
+        )
+
+    def advance(
+        self,
+        collisions: int | None = None,
+        until: float = math.inf,
+        *,
+        progress: Callable[[Gas, int], None] | None = None,
+        chunk: int = CHUNK,
+    ) -> None:
+        """Advance as :meth:`run` does, without measuring. The result does not depend on how a run is divided into pieces."""
+        if collisions is None and until == math.inf:
+            FaultList.add(faults := FaultList("Gas.run"), "until", "a number of collisions or a time", "neither")
+            faults.raise_if_any()
+        most = 1 << 62 if collisions is None else int(collisions)
+        before, done = self.collisions, 0
+        while done < most:
+            begin = clocks.process_time()
+            engine.advance(self.arrays, until, min(chunk, most - done))
+            self.cpu_seconds += clocks.process_time() - begin
+            self._time = max(self._time, engine.time_of_last_event(self.arrays))
+            done = self.collisions - before
+            if progress is not None:
+                progress(self, done)
+            status = int(self.arrays.system[0]["status"])
+            _raise_if_ended(status, self._time, until)
+            if status == DONE:
+                self._time = max(self._time, until if until < math.inf else self._time)
+                break
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether nothing will ever happen: no ball will collide or leave its cell."""
+        one = self.arrays.system[0]
+        return bool(one["planned"] == one["balls"] and (self.arrays.balls.plans["event_time"] == math.inf).all())
+
+    @property
+    def collisions(self) -> int:
+        """Number of collisions so far, with walls included."""
+        return int(self.arrays.system[0]["pair_collisions"] + self.arrays.system[0]["wall_collisions"])
+
+    def measured_since(self, since: Mark) -> GasRun:
+        """Return what was measured since a :meth:`mark`."""
+        one, before, energy0, time0 = self.arrays.system[0], since.system, since.energy, since.time
+        count, axes, t = int(one["balls"]), int(one["dimensions"]), self._time - time0
+        about = 3 if axes == 3 else 1
+        volume = float(one["volume"])
+        energy = self.energy()
+        pairs, samples = (
+            int(one["pair_collisions"] - before["pair_collisions"]),
+            float(one["sampled"] - before["sampled"]),
+        )
+        # (temperatures and pressure are those of the motion relative to the centre of mass, along free axes)
+        drift = float(
+            (one["frame"] ** 2).sum()
+            * self.arrays.materials.species["mass"][self.arrays.balls.motions["species"]].sum()
+        )
+        means = [
+            float(one[name] - before[name]) / samples if samples > 0 else energy0[k] + energy[k] - (drift, 0.0)[k]
+            for k, name in enumerate(("translational", "rotational"))
+        ]
+        faces = self.arrays.walls.faces
+        areas, pushes, feeds = (
+            self._sum_by_wall(part)
+            for part in (faces["area"], *(faces[k] - since.faces[k] for k in ("impulse", "energy")))
+        )
+        fed = float(one["thermostat_energy"] - before["thermostat_energy"])
+        return GasRun(
+            pair_collisions=pairs,
+            wall_collisions=int(one["wall_collisions"] - before["wall_collisions"]),
+            simulated_time=t,
+            cpu_seconds=self.cpu_seconds - since.cpu,
+            mean_free_time=count * t / (2 * pairs) if pairs else math.inf,
+            pressure=(means[0] + float(one["virial"] - before["virial"]) / t) / (axes * volume) if t > 0 else math.nan,
+            wall_pressure={k: pushes[k] / (areas[k] * t) if t > 0 else math.nan for k in areas},
+            energy_from_walls=feeds,
+            energy_from_thermostat=fed,
+            energy_drift=(sum(energy) - fed - sum(feeds.values())) / sum(energy0) - 1 if sum(energy0) != 0 else 0.0,
+            temperature_translational=means[0] / (axes * count),
+            temperature_rotational=means[1] / (about * count),
+            max_overlap=max(float(one["overlap"]), 0.0),
+            crossings=int(one["crossings"] - before["crossings"]),
+        )
+
+
+def _vectors(faults: FaultList, name: str, given: Any, count: int, axes: int) -> Array:
+    """Return what was given as (count, 3): two components are along x and y, one is about z. Zeros if nothing was given."""
+    rows = np.zeros((count, 3))
+    if given is None:
+        return rows
+    array = np.array(given, dtype=float)
+    if axes == 1 and array.shape == (count,):
+        array = np.column_stack((np.zeros((count, 2)), array))
+    if array.shape not in {(count, 3), (count, axes)} or not np.isfinite(array).all():
+        faults.add(name, f"finite numbers of shape ({count}, {axes})", f"shape {array.shape}")
+        return rows
+    rows[:, : array.shape[1]] = array
+    if (axes == 2 and rows[:, 2].any()) or (axes == 1 and rows[:, :2].any()):
+        faults.add(name, "vectors in the plane of the discs (spins: normal to it)", "other components")
+    return rows
+
+
+def _start_positions(container: Container, records: SystemRecords, radius: Array, seed: int) -> Array:
+    """Return positions on a lattice if the balls fit, else a dense random packing."""
+    try:
+        x = lattice(len(radius), container, float(radius.max()))
+    except CaromError:
+        return dense(radius, container, seed=seed)
+    # (the margin of a box may be more than it has)
+    bad = (container.clearance(radius, x) < 0).any() or first_overlap(records.system[0], radius, x, TOUCH) is not None
+    return dense(radius, container, seed=seed) if bad else x
+
+
+def _require_no_overlap(container: Container, records: SystemRecords, radius: Array, x: Array, touch: float) -> None:
+    """Raise CaromError where balls overlap each other, or a wall, by more than rounding."""
+    faults = FaultList("Gas")
+    out = container.clearance(radius, x) < -touch * radius
+    if out.any():
+        i = int(np.argmax(out))
+        faults.add(
+            "position", "balls inside the container", f"ball {i} at {x[i]} overlaps a wall ({out.sum()} of {len(x)} do)"
+        )
+    faults.raise_if_any()
+    pair = first_overlap(records.system[0], radius, x, touch)
+    if pair is not None:
+        i, j = pair
+        faults.add("position", "balls that do not overlap", f"balls {i} and {j}, at {x[i]} and {x[j]}")
+    faults.raise_if_any()
+
+
+def simulate_gas(
+    species: Sequence[Species],
+    side: Sequence[float] | Container,
+    *,
+    collisions: int,
+    equilibrate: int | None = None,
+    **options: Any,
+) -> tuple[Gas, GasRun]:
+    """Make a gas, equilibrate it, and measure the next collisions.
+
+    Parameters
+    ----------
+    species, side, **options : as for :class:`Gas`
+    collisions : int
+        Number of collisions that are measured, with walls included.
+    equilibrate : int, optional
+        Number of collisions before; default: 40 per ball.
+
+    Returns
+    -------
+    Gas, GasRun
+        The gas at the end, and what was measured. Raises CaromError as :class:`Gas` and :meth:`Gas.run` do.
+
+    Examples
+    --------
+    >>> from carom import Ball, Surface
+    >>> from carom.gas import Species, simulate_gas
+    >>> elastic = Surface(1, 0, -1)
+    >>> gas, run = simulate_gas([Species(Ball(0.5, 1.0), 64)], (6.0, 6.0, 6.0), contacts=elastic, collisions=1000)
+    >>> gas.collisions, run.pair_collisions
+    (3560, 1000)
+    """
+    gas = Gas(species, side, **options)
+    gas.run(40 * sum(one.count for one in species) if equilibrate is None else equilibrate)
+    return gas, gas.run(collisions)
+
+
+def raise_at_rest(time: float) -> None:
+    """Raise CaromError: nothing will ever happen any more."""
+    faults = FaultList("Gas.run")
+    faults.add("collisions", "a gas with collisions to come", f"a gas at rest at t = {time!r}")
+    faults.add_remedy("collisions", "run to a time, not to a number of collisions; or supply energy")
+    faults.raise_if_any()
+
+
+def _raise_if_ended(status: int, time: float, until: float) -> None:
+    """Raise CaromError where the engine says that a gas cannot continue, or will never have the collisions asked for."""
+    faults = FaultList("Gas.run")
+    if status == COLLAPSED:
+        what = f"an inelastic collapse at t = {time!r}: ever more collisions in no time"
+        faults.add("contact_time", "a finite number of collisions", what)
+        faults.add_remedy("contact_time", "give a contact_time > 0, a small part of the mean free time")
+    elif status == UNDERFLOW:
+        what = f"slower balls at t = {time!r}, whose squared speeds double precision cannot hold"
+        faults.add("collisions", "speeds above 1e-140", what)
+        faults.add_remedy("collisions", "end the run earlier, or start with larger speeds")
+    elif status == DONE and until == math.inf:
+        raise_at_rest(time)
+    faults.raise_if_any()

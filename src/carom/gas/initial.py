@@ -1,0 +1,356 @@
+"""Initial states of a gas: lattices, random and dense random positions, thermal velocities; and which balls overlap.
+
+Dense random positions follow Lubachevsky & Stillinger, J. Stat. Phys. 60, 561 (1990), doi:10.1007/BF01025983: small balls are put
+in at random, move, collide and grow until they are as large as asked. Radii grow linearly in time, with their final ratios, and a
+contact separates balls at least as fast as their surfaces grow.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom.bodies import Ball, Surface
+from carom.errors import CaromError, FaultList
+from carom.gas.containers import Container, as_container
+from carom.gas.edmd.driver import advance, make, synchronized, time_of_last_event
+from carom.gas.edmd.records import DONE, PLANE
+from carom.gas.species import Species, system_records
+
+__all__ = ["dense", "first_overlap", "lattice", "scattered", "thermal"]
+
+Array = NDArray[np.float64]
+MAX_LATTICES = 200  # tried, each a twentieth finer
+MAX_PROPOSALS = 300  # per ball, after which a density counts as out of reach of random insertion
+DENSEST = {
+    2: math.pi / math.sqrt(12),
+    3: math.pi / math.sqrt(18),
+}  # packing fractions of equal discs, spheres (Thue, Hales)
+FIRST_FRACTION = {2: 0.25, 3: 0.15}  # packing fraction at which the balls are put in
+GROWTH = 0.05  # of the largest diameter, relative to the mean speed along an axis; slower where the balls jam
+LEAST_GROWTH = 1e-4
+STAGE = 50  # collisions per ball, after which the speeds are reset
+LEAST_STEP = 2e-3  # of the growth that is missing: a stage with less is too slow
+MAX_STAGES = 1500
+MAX_RADII = 500
+
+
+def lattice(count: int, side: Sequence[float] | Container, radius: float = 0.0) -> Array:
+    """Return positions (count, 3) on a face-centred cubic lattice, or in two dimensions on a centred square one.
+
+    Parameters
+    ----------
+    count : int
+    side : two or three lengths, or a Container
+        A box, which the lattice is stretched to fill; in a container it is as wide as leaves enough sites within the walls.
+    radius : float
+        Distance that is kept from the sides of the box, or from the walls.
+
+    Of the sites, ``count`` are used, spread evenly. Raises CaromError where the container has too few.
+
+    Examples
+    --------
+    >>> from carom.gas import lattice
+    >>> lattice(4, (2.0, 2.0, 2.0)).tolist()
+    [[0.5, 0.5, 0.5], [1.5, 1.5, 0.5], [1.5, 0.5, 1.5], [0.5, 1.5, 1.5]]
+    """
+    if not isinstance(side, Container):
+        return _stretched(count, side, [radius] * len(side))
+    if side.shape in {"periodic", "box"} and all(face.form == PLANE for face in side.faces):
+        # (a wall that bounds the centres needs no margin)
+        margin = radius if all(face.bounds_surfaces for face in side.faces) else 0.0
+        return _stretched(count, side.size, [0.0 if closed else margin for closed in side.periodic])
+    # a lattice of the whole box, fine enough to leave enough sites within the walls
+    most = count
+    for _ in range(MAX_LATTICES):
+        x = _stretched(most, side.size, [0.0] * len(side.size))
+        x = x[side.clearance(radius, x) >= 0]
+        if len(x) >= count:
+            return x[(np.arange(count) * len(x)) // count]
+        most += max(most // 20, 1)
+    raise CaromError(
+        f"lattice: expected a container with enough sites for balls of radius {radius:g}, got one of size {side.size}"
+    )
+
+
+def _stretched(count: int, side: Sequence[float], margins: Sequence[float]) -> Array:
+    """Return positions on a lattice stretched to fill a box, within a margin along each axis."""
+    inner = np.array(side, dtype=float) - 2 * np.array(margins)
+    basis = [(0, 0, 0), (1, 1, 0), (1, 0, 1), (0, 1, 1)] if len(inner) == 3 else [(0, 0), (1, 1)]
+    # steps along each axis: the cells nearly cubic, and enough sites
+    step = (inner.prod() * len(basis) / count) ** (1 / len(inner))
+    steps = np.maximum(np.round(inner / step), 1).astype(int)
+    while steps.prod() * len(basis) < count:
+        steps[np.argmax(inner / steps)] += 1
+    corners = np.stack(np.meshgrid(*(np.arange(n) for n in steps), indexing="ij"), axis=-1).reshape(-1, 1, len(inner))
+    sites = ((corners + (np.array(basis) + 0.5) / 2) / steps).reshape(-1, len(inner))
+    taken = sites[(np.arange(count) * len(sites)) // count]
+    centres = np.zeros((count, 3))
+    centres[:, : len(inner)] = np.array(margins) + taken * inner
+    return centres
+
+
+def thermal(mass: Array, axes: tuple[int, ...], temperature: float, rng: np.random.Generator) -> Array:
+    """Draw thermal velocities (N, 3) for balls of masses (N,): normal components along ``axes``, no total momentum.
+
+    They are scaled so that the mean of m v^2 along an axis is ``temperature`` (k_B T, J) exactly. With moments of inertia in
+    place of masses the result are spins.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.gas import thermal
+    >>> v = thermal(np.ones(100), (0, 1, 2), 2.0, np.random.default_rng(1))
+    >>> v.shape, round(float((v**2).sum()) / 300, 12), bool(abs(v.sum(axis=0)).max() < 1e-12)
+    ((100, 3), 2.0, True)
+    """
+    found = np.zeros((len(mass), 3))
+    if temperature == 0 or len(mass) == 0:
+        return found
+    v = rng.normal(size=(len(mass), len(axes))) / np.sqrt(mass)[:, None]
+    if len(mass) > 1:
+        v -= (mass[:, None] * v).sum(axis=0) / mass.sum()
+    found[:, axes] = v * math.sqrt(temperature * len(mass) * len(axes) / (mass[:, None] * v * v).sum())
+    return found
+
+
+def scattered(
+    radius: ArrayLike, side: Sequence[float] | Container, periodic: Any = True, rng: np.random.Generator | None = None
+) -> Array:
+    """Draw random positions (N, 3) without overlap, by random sequential addition, the largest balls first.
+
+    Parameters
+    ----------
+    radius : (N,) radii
+    side, periodic : as for :class:`carom.gas.Gas`
+    rng : numpy.random.Generator, optional
+
+    Random sequential addition reaches a packing fraction of 0.38 (discs: 0.55), and slows down well before;
+    :func:`carom.gas.dense` goes further. Raises CaromError where the balls do not fit.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.gas import scattered
+    >>> x = scattered(np.full(50, 0.5), (6.0, 6.0, 6.0), rng=np.random.default_rng(1))
+    >>> r = np.linalg.norm((x[:, None] - x + 3.0) % 6.0 - 3.0, axis=2)  # nearest images
+    >>> x.shape, bool((r[r > 0] >= 1.0).all())
+    ((50, 3), True)
+    """
+    container, rng = as_container(side, periodic), np.random.default_rng(0) if rng is None else rng
+    axes = len(container.size)
+    size = np.ones(3)
+    size[:axes] = container.size
+    around = np.ones(3, bool)
+    around[:axes] = container.periodic
+    thick = all(face.bounds_surfaces for face in container.faces)
+    radii = np.array(radius, dtype=float)
+    order = np.argsort(-radii, kind="stable")
+    cells = np.maximum((size / (2 * radii.max())).astype(np.int64), 1)
+    cells[axes:] = 1
+    first, after = np.full(cells.prod(), -1, np.int64), np.full(len(radii), -1, np.int64)
+    x, placed, tried = np.zeros((len(radii), 3)), 0, 0
+    while placed < len(radii):
+        if tried > MAX_PROPOSALS * len(radii):
+            raise CaromError(
+                f"scattered: expected a density within reach of random insertion, got {placed} of {len(radii)} balls placed;"
+                " start from a lattice, or with carom.gas.dense"
+            )
+        batch = rng.random((2 * (len(radii) - placed) + 100, 3)) * size
+        tried += len(batch)
+        batch[:, axes:] = 0
+        free = container.clearance(0.0, batch)
+        placed = _compiled()(
+            x, radii[order], placed, batch, free if thick else np.where(free >= 0, math.inf, -1.0), size, around, cells, first,
+            after, axes,
+        )  # fmt: skip
+    found = np.zeros_like(x)
+    found[order] = x
+    return found
+
+
+@functools.cache
+def _compiled() -> Callable[..., int]:
+    from carom.core.jit.compile import njit
+
+    return njit(_scatter)
+
+
+def _scatter(
+    x: Any, radii: Any, placed: int, batch: Any, gap: Any, size: Any, around: Any, cells: Any, first: Any, after: Any,
+    axes: int,
+) -> int:  # fmt: skip
+    """Place as many balls as possible at a batch of positions with these distances from the walls; return how many are placed."""
+    place, there = np.zeros(3, np.int64), np.zeros(3, np.int64)
+    for k in range(batch.shape[0]):
+        if placed == x.shape[0]:
+            break
+        a = radii[placed]
+        if gap[k] < a:
+            continue
+        for axis in range(3):
+            x[placed, axis] = batch[k, axis]
+            place[axis] = min(int(x[placed, axis] / size[axis] * cells[axis]), cells[axis] - 1)
+        free = True
+        for step in range(27 if axes == 3 else 9):
+            rest, inside = step, True
+            for axis in range(3):
+                there[axis] = place[axis] + (rest % 3 - 1 if axis < axes else 0)
+                rest //= 3
+                if around[axis]:
+                    there[axis] %= cells[axis]
+                elif there[axis] < 0 or there[axis] >= cells[axis]:
+                    inside = False
+            if not inside:
+                continue
+            other = first[(there[2] * cells[1] + there[1]) * cells[0] + there[0]]
+            while other >= 0:
+                square = 0.0
+                for axis in range(axes):
+                    r = abs(x[placed, axis] - x[other, axis])
+                    r = min(r, size[axis] - r) if around[axis] else r
+                    square += r * r
+                if square < (a + radii[other]) * (a + radii[other]):
+                    free = False
+                other = after[other]
+        if free:
+            cell = (place[2] * cells[1] + place[1]) * cells[0] + place[0]
+            after[placed] = first[cell]
+            first[cell] = placed
+            placed += 1
+    return placed
+
+
+def dense(
+    radius: ArrayLike,
+    side: Sequence[float] | Container,
+    *,
+    periodic: bool | Sequence[bool] = True,
+    seed: int = 0,
+    progress: Callable[[float], None] | None = None,
+) -> Array:
+    """Draw random positions (N, 3) without overlap, up to dense packings.
+
+    Parameters
+    ----------
+    radius : (N,) radii
+    side, periodic : as for :class:`carom.gas.Gas`
+    seed : int
+        The same seed gives the same bits.
+    progress : callable, optional
+        Called with the current fraction of the final radii.
+
+    Equal spheres reach a packing fraction of about 0.64 before they jam, discs and mixtures more; below that the densest take
+    longest. Raises CaromError where so much cannot fit, or did not.
+
+    After Lubachevsky & Stillinger, J. Stat. Phys. 60, 561 (1990), doi:10.1007/BF01025983.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.gas import dense
+    >>> x = dense(np.full(60, 0.5), (4.2, 4.2, 4.2), seed=1)  # packing fraction 0.42
+    >>> r = np.linalg.norm((x[:, None] - x + 2.1) % 4.2 - 2.1, axis=2)  # nearest images
+    >>> x.shape, bool((r[r > 0] > 1 - 1e-12).all())
+    ((60, 3), True)
+    """
+    container, radii = as_container(side, periodic), np.atleast_1d(np.array(radius, dtype=float))
+    axes = len(container.size)
+    fraction = _packing_fraction(container, radii)
+    rng = np.random.default_rng(seed)
+    scale = min(1.0, (FIRST_FRACTION[axes] / fraction) ** (1 / axes))
+    x = scattered(radii * scale, container, rng=rng)
+    if scale == 1.0:
+        return x
+    sizes, which = np.unique(radii, return_inverse=True)
+    counts = np.bincount(which)
+    species = [
+        Species(Ball(float(a), 1.0, 0.4), int(n), str(k)) for k, (a, n) in enumerate(zip(sizes, counts, strict=True))
+    ]
+    rate = GROWTH / (2 * sizes[-1])
+    v = thermal(np.ones(len(x)), tuple(range(axes)), 1.0, rng)
+    for _ in range(MAX_STAGES):
+        records = system_records(species, container, Surface(1.0, 0.0, -1.0), (0.0,) * axes, 0.0, {}, None, seed)
+        one = records.system[0]
+        one["scale"], one["growth"] = scale, rate
+        arrays = make(records, which, x, v, np.zeros_like(x))
+        advance(arrays, (1 - scale) / rate, STAGE * len(x))
+        one = arrays.system[0]
+        done = one["status"] == DONE
+        time = (1 - scale) / rate if done else time_of_last_event(arrays)
+        motions, _bodies, _images = synchronized(arrays, time)
+        x = np.stack([motions[name] for name in ("x", "y", "z")], axis=1)
+        if done:
+            return x
+        v = np.stack([motions[name] for name in ("vx", "vy", "vz")], axis=1)
+        v *= math.sqrt(len(x) * axes / (v * v).sum())
+        before, scale = scale, min(scale + rate * time, 1.0)
+        if progress is not None:
+            progress(scale)
+        if scale - before < LEAST_STEP * (1 - before):
+            if rate * 2 * sizes[-1] < LEAST_GROWTH:
+                break
+            rate /= 2
+    raise CaromError(
+        f"dense: expected a packing fraction that can be reached, got {fraction:.4f}: the balls jam at"
+        f" {fraction * scale**axes:.4f}; ask for less, or start from a lattice"
+    )
+
+
+def _packing_fraction(container: Container, radii: Array) -> float:
+    """Return the packing fraction of balls in a container; CaromError where they cannot fit."""
+    faults, axes = FaultList("dense"), len(container.size)
+    if radii.ndim != 1 or len(radii) == 0 or not (np.isfinite(radii) & (radii > 0)).all():
+        faults.add("radius", "a number > 0 for each ball", f"{radii!r:.60}")
+    elif len(np.unique(radii)) > MAX_RADII:
+        faults.add("radius", f"at most {MAX_RADII} different radii", f"{len(np.unique(radii))}")
+    faults.raise_if_any()
+    fraction = float((radii**axes).sum()) * (math.pi if axes == 2 else 4 / 3 * math.pi) / container.volume
+    # (walls that bound the centres leave the balls more space than the volume says)
+    inside = all(face.bounds_surfaces for face in container.faces)
+    most = DENSEST[axes] if (radii == radii[0]).all() else 1.0
+    if inside and fraction > most:
+        shapes = "discs" if axes == 2 else "spheres"
+        bound = f"at most {most:.4f}, the densest packing of equal {shapes}" if most < 1 else "at most 1"
+        faults.add("radius", f"a packing fraction of {bound}", f"{fraction:.4f}")
+    faults.raise_if_any()
+    return fraction
+
+
+def first_overlap(one: Any, radius: Array, x: Array, touch: float) -> tuple[int, int] | None:
+    """Return the first pair (i < j) of balls that overlap by more than ``touch`` of the smaller radius, or None.
+
+    Done with cells in NumPy, so that a million balls take a second and nothing has to be compiled.
+    """
+    n, side, periodic = one["cells"], one["side"], one["periodic"] == 1
+    place = np.clip((np.where(periodic, x % side, x) / one["cell_size"]).astype(np.int64), 0, n - 1)
+    key = place @ np.array([1, n[0], n[0] * n[1]])
+    order = np.argsort(key, kind="stable")
+    keys = key[order]
+    worst: tuple[int, int] | None = None
+    steps = [
+        (a, b, c) for a in (-1, 0, 1) for b in (-1, 0, 1) for c in ((-1, 0, 1) if one["dimensions"] == 3 else (0,))
+    ]
+    for step in steps:
+        there = place + step
+        inside = (periodic | ((there >= 0) & (there < n))).all(axis=1)
+        rows = np.flatnonzero(inside)
+        wanted = (there[rows] % n) @ np.array([1, n[0], n[0] * n[1]])
+        first, last = np.searchsorted(keys, wanted), np.searchsorted(keys, wanted, side="right")
+        for k in range(int((last - first).max(initial=0))):
+            here = first + k < last
+            i, j = rows[here], order[(first + k)[here]]
+            r = x[i] - x[j]
+            r -= np.where(periodic, side * np.round(r / side), 0)
+            reach = radius[i] + radius[j] - touch * np.minimum(radius[i], radius[j])
+            bad = (i < j) & ((r * r).sum(axis=1) < reach * reach)
+            if bad.any():
+                at = np.flatnonzero(bad)
+                found = min(zip(i[at].tolist(), j[at].tolist(), strict=True))
+                worst = found if worst is None else min(worst, found)
+    return worst

@@ -1,0 +1,374 @@
+"""Measures of a gas: velocity distributions, pair correlation, diffusion, temperatures over time.
+
+:class:`Measures` samples a gas and returns means over its samples. What is counted at every collision (rates, energies, pressure)
+is in :func:`carom.gas.channels` and :class:`carom.gas.GasRun`.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.polynomial import Polynomial
+from numpy.typing import NDArray
+
+from carom.errors import CaromError, suggestion
+from carom.gas import containers
+from carom.gas.containers import Container
+from carom.gas.edmd.driver import synchronized
+from carom.gas.edmd.records import PLANE
+from carom.gas.gas import Gas
+from carom.gas.histograms import add_component_histograms, add_pair_histograms, species_sums
+
+__all__ = ["SERIES", "Displacement", "Distribution", "Measures", "PairCorrelation", "mean_square_displacement"]
+
+Array = NDArray[np.float64]
+BIN_WIDTH, BINS = 0.1, 120  # of the components, in standard deviations
+GAP_BINS_PER_DIAMETER, MAX_GAP_BINS = 60, 180  # of the gap between balls: per smallest diameter, and in all
+MAX_FOLLOWED = 8192  # balls, for diffusion
+MAX_CENTERS = 8192  # balls around which pairs are counted in one sample
+LAGS = 24  # at which the mean square displacement is given
+# What a sample adds to the series: time, collisions so far, temperatures, and the potential energy per ball.
+SERIES = ("time", "collisions", "translational", "rotational", "height")
+STATE = (
+    "velocity_counts", "spin_counts", "fourth_moments", "temperatures", "pair_counts", "expected_pairs", "samples",
+    "pair_samples", "rows", "followed",
+)  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Distribution:
+    """Distribution of the velocity or spin components of a species, in units of their standard deviation at each time."""
+
+    center: Array
+    """Of the bins, (B,), in standard deviations."""
+    density: Array
+    """Probability density, (B,)."""
+    error: Array
+    """Statistical error of the density, from the counts, (B,)."""
+    a2: float
+    """The fourth cumulant of d components, d <c^4> / ((d + 2) <c^2>^2) - 1: 0 for a Maxwellian."""
+
+    @property
+    def maxwell(self) -> Array:
+        """Return the Maxwellian of the same width, (B,)."""
+        density: Array = np.exp(-(self.center**2) / 2) / math.sqrt(2 * math.pi)
+        return density
+
+
+@dataclass(frozen=True, eq=False)
+class Displacement:
+    """Mean square displacement as a function of the lag time, averaged over starting times."""
+
+    lag: Array
+    square: Array
+    dimensions: int
+
+    @property
+    def diffusion(self) -> float:
+        """Diffusion coefficient in d dimensions: slope of the later two thirds over 2 d (Einstein); nan with too few lags."""
+        late = self.lag >= self.lag.max(initial=0.0) / 3
+        if late.sum() < 3 or not (self.square[late] > 0).all():
+            return math.nan
+        # the error of a mean square is proportional to it
+        line = Polynomial.fit(self.lag[late], self.square[late], 1, w=1 / self.square[late]).convert()
+        return float(line.coef[1] / (2 * self.dimensions))
+
+
+@dataclass(frozen=True, eq=False)
+class PairCorrelation:
+    """Pair correlation function g(r) of two species."""
+
+    distance: Array
+    """Of the centres, (B,): the middles of the bins."""
+    g: Array
+    error: Array
+    """Statistical error of g, from the counts, (B,)."""
+    contact_distance: float
+    """Distance of the centres in contact."""
+
+    @property
+    def contact(self) -> float:
+        """g at contact: a weighted parabola through log g up to 1.25 contact distances; nan with too few bins."""
+        near = (self.distance < 1.25 * self.contact_distance) & (self.g > 0)
+        if near.sum() < 4:
+            return math.nan
+        weight = self.g[near] / self.error[near]
+        fit = Polynomial.fit(self.distance[near] - self.contact_distance, np.log(self.g[near]), 2, w=weight)
+        return float(math.exp(fit(0.0)))
+
+
+class Measures:
+    """Samples of a gas, and means over them.
+
+    Parameters
+    ----------
+    gas : Gas
+    names : names of its species; default: "a", "b", ...
+    container : what holds it; default: a box with the same periodic axes
+
+    Call :meth:`sample` between pieces of a run, at times that do not depend on the collisions: just after a collision two balls are
+    always in contact.
+
+    Examples
+    --------
+    >>> from carom import Ball, Surface
+    >>> from carom.gas import Gas, Measures, Species
+    >>> gas = Gas([Species(Ball(0.5, 1.0), 200)], (8.0, 8.0, 8.0), contacts=Surface(1, 0, -1), seed=1)
+    >>> gas.advance(4000)
+    >>> measures, start = Measures(gas), gas.time
+    >>> for k in range(20):
+    ...     gas.advance(until=start + k)
+    ...     measures.sample(gas)
+    >>> abs(measures.velocity("a").a2) < 0.05  # nearly Maxwellian
+    True
+    >>> round(measures.temperature("a")[0], 6)
+    1.0
+    >>> 1.5 < measures.pair_correlation("a", "a").contact < 2.5
+    True
+    """
+
+    def __init__(self, gas: Gas, names: tuple[str, ...] = (), container: Container | None = None) -> None:
+        self._set_constants(gas, names, container)
+        kinds = len(self.names)
+        self.velocity_counts, self.spin_counts = np.zeros((kinds, BINS), np.int64), np.zeros((kinds, BINS), np.int64)
+        # sums over the samples of d <c^4> / ((d + 2) <c^2>^2), and of the temperatures; of velocities and of spins
+        self.fourth_moments, self.temperatures = np.zeros((kinds, 2)), np.zeros((kinds, 2))
+        self.pair_counts = np.zeros((kinds, kinds, self.bins), np.int64)
+        self.expected_pairs = np.zeros((kinds, kinds))  # sums of central balls times the density of the others
+        self.samples = self.pair_samples = 0
+        self.rows: list[tuple[float, ...]] = []
+        self.followed: list[Array] = []  # positions of the balls followed, at each sample
+
+    def _set_constants(self, gas: Gas, names: tuple[str, ...], container: Container | None) -> None:
+        """Set what does not change: species, lengths."""
+        kinds, one = gas.arrays.materials.species, gas.arrays.system[0]
+        self.names = names or tuple(chr(ord("a") + k) for k in range(len(kinds)))
+        self.dimensions, self.spin_components = (3, 3) if int(one["dimensions"]) == 3 else (2, 1)
+        self.mass, self.radius = kinds["mass"].copy(), kinds["radius"].copy()
+        self.moment = kinds["kappa"] * kinds["mass"] * kinds["radius"] ** 2
+        self.side, self.periodic = one["side"].copy(), one["periodic"] == 1
+        self.periodic[self.dimensions :] = False
+        size, closed = self.side[: self.dimensions], self.periodic[: self.dimensions]
+        self.container = container or containers.container("box", size.tolist(), periodic=closed.tolist())
+        # no further than half a period; within walls no further than a quarter: balls near a wall are no central balls
+        bound = float(np.where(closed, size / 2, size / 4).min())
+        self.width = float(2 * self.radius.min() / GAP_BINS_PER_DIAMETER)
+        self.bins = max(min(int((bound - 2 * self.radius.max()) / self.width), MAX_GAP_BINS), 0)
+        self.reach = float(2 * self.radius.max()) + self.width * self.bins
+        self.inner = _volume_within(self.container, self.reach)
+
+    # --- sampling ----------------------------------------------------------------------------------------------
+
+    def sample(self, gas: Gas, *, pairs: bool = True) -> None:
+        """Add a sample of the gas as it is now; counting the pairs, which is optional, takes the most time."""
+        motions, bodies, images = synchronized(gas.arrays, gas.time)
+        # (fourth powers of the speeds of a gas that has cooled for long would underflow)
+        units = np.array([_scale_to_unit(motions, ("vx", "vy", "vz")), _scale_to_unit(bodies, ("wx", "wy", "wz"))])
+        sums = species_sums(motions, bodies, len(self.names))
+        count = sums[:, :1]
+        # mean squares of the components, of velocities and of spins
+        square = sums[:, [1, 3]] / (count * (self.dimensions, self.spin_components))
+        moves = square > 0
+        scale, fourth = np.zeros_like(square), np.zeros_like(square)
+        scale[moves] = 1 / (BIN_WIDTH * np.sqrt(square[moves]))
+        # <c^4> of a Maxwellian with d components is d (d + 2) times the square of theirs
+        of = np.array([self.dimensions, self.spin_components])
+        fourth[moves] = (sums[:, [2, 4]] / count / (of * (of + 2)))[moves] / square[moves] ** 2
+        add_component_histograms(motions, bodies, self.dimensions, scale, self.velocity_counts, self.spin_counts)
+        heat = square * units**2 * np.stack([self.mass, self.moment], axis=1)
+        self.fourth_moments += fourth
+        self.temperatures += heat
+        mass, number = self.mass[motions["species"]], len(motions)
+        x = _positions(motions)
+        height = -float((mass @ x) @ gas.arrays.system[0]["gravity"])
+        self.rows.append(
+            (gas.time, float(gas.collisions), *map(float, (count * heat).sum(axis=0) / number), height / number)
+        )
+        if self.has_diffusion:
+            x += images * self.side
+            followed = np.arange(min(number, MAX_FOLLOWED)) * number // min(number, MAX_FOLLOWED)
+            self.followed.append((x[followed] - mass @ x / mass.sum())[:, : self.dimensions])
+        self.samples += 1
+        if pairs and self.bins > 0 and self.inner > 0:
+            self._count_pairs(motions)
+
+    def _count_pairs(self, motions: Any) -> None:
+        x, kinds = _positions(motions), len(self.names)
+        inner = np.flatnonzero(self.container.clearance(np.zeros(len(x)), x) >= self.reach)
+        inside = np.bincount(motions["species"][inner], minlength=kinds)
+        # of many balls some, and others in each sample
+        step = max(len(inner) / MAX_CENTERS, 1.0)
+        chosen = inner[((np.arange(min(len(inner), MAX_CENTERS)) + self.pair_samples / 7 % 1) * step).astype(int)]
+        # in a periodic box a ball has all others around it
+        itself = np.eye(kinds) if self.has_diffusion else np.zeros((kinds, kinds))
+        centers = np.bincount(motions["species"][chosen], minlength=kinds)
+        self.expected_pairs += centers[:, None] * (inside[None, :] - itself) / self.inner
+        add_pair_histograms(
+            x,
+            motions["species"],
+            chosen,
+            self.radius,
+            self.side,
+            self.periodic,
+            self.reach,
+            self.width,
+            self.pair_counts,
+        )
+        self.pair_samples += 1
+
+    # --- means -------------------------------------------------------------------------------------------------
+
+    def _kind(self, name: str) -> int:
+        if name not in self.names:
+            raise CaromError(f"Measures: expected a species, got {name!r}; {suggestion(name, list(self.names))}")
+        return self.names.index(name)
+
+    def velocity(self, name: str) -> Distribution:
+        """Return the distribution of the velocity components of a species."""
+        return self._distribution(self.velocity_counts[self._kind(name)], self.fourth_moments[self._kind(name), 0])
+
+    def spin(self, name: str) -> Distribution:
+        """Return the distribution of the spin components of a species; discs have one."""
+        return self._distribution(self.spin_counts[self._kind(name)], self.fourth_moments[self._kind(name), 1])
+
+    def _distribution(self, counts: NDArray[np.int64], fourth: float) -> Distribution:
+        total = max(int(counts.sum()), 1)
+        center: Array = np.linspace(0.5 - BINS / 2, BINS / 2 - 0.5, BINS) * BIN_WIDTH
+        a2 = fourth / self.samples - 1 if counts.any() else math.nan
+        density: Array = counts.astype(float) / (total * BIN_WIDTH)
+        error: Array = np.sqrt(density / (total * BIN_WIDTH))
+        return Distribution(center, density, error, float(a2))
+
+    def temperature(self, name: str) -> tuple[float, float]:
+        """Return the mean translational and rotational temperature of a species (J)."""
+        translational, rotational = self.temperatures[self._kind(name)] / max(self.samples, 1)
+        return float(translational), float(rotational)
+
+    def pair_correlation(self, one: str, two: str) -> PairCorrelation:
+        """Return g(r) of two species, or of one with itself."""
+        i, j = self._kind(one), self._kind(two)
+        reach = float(self.radius[i] + self.radius[j])
+        edges = reach + self.width * np.arange(self.bins + 1)
+        unit = math.pi if self.dimensions == 2 else 4 / 3 * math.pi
+        shells = unit * np.diff(edges**self.dimensions)
+        counts, expected = self.pair_counts[i, j], float(self.expected_pairs[i, j])
+        if i != j:
+            counts, expected = counts + self.pair_counts[j, i], expected + float(self.expected_pairs[j, i])
+        scale = 1 / (shells * expected) if expected > 0 else np.full(self.bins, np.nan)
+        # every pair was counted from both sides, except where one ball was near a wall
+        return PairCorrelation((edges[1:] + edges[:-1]) / 2, counts * scale, np.sqrt(2 * counts) * scale, reach)
+
+    @property
+    def series(self) -> dict[str, Array]:
+        """What each sample found, by the names in SERIES: time, collisions, temperatures, potential energy per ball."""
+        table = np.array(self.rows).reshape(-1, len(SERIES))
+        return {name: table[:, k] for k, name in enumerate(SERIES)}
+
+    @property
+    def has_diffusion(self) -> bool:
+        """Whether displacements are unbounded: only without walls does a gas have a diffusion coefficient."""
+        return not self.container.faces
+
+    @property
+    def is_stationary(self) -> bool:
+        """Whether the temperature stayed within a factor of two: only then may starting times be averaged over."""
+        warm = self.series["translational"]
+        return bool(len(warm) == 0 or warm.max() <= 2 * warm.min())
+
+    def displacement_by_collisions(self) -> tuple[Array, Array]:
+        """Return the collisions since the first sample, and the mean square displacement since then.
+
+        This suits a gas that cools: its balls move about equally far between two collisions, however long that takes.
+        """
+        positions, collisions = np.array(self.followed), self.series["collisions"]
+        return collisions - collisions[:1], ((positions - positions[:1]) ** 2).sum(axis=2).mean(axis=1)
+
+    def displacement(self) -> Displacement:
+        """Return the mean square displacement of up to 8192 balls relative to the centre of mass, averaged over pairs of samples.
+
+        Lags go up to half of the time between the first and the last sample; longer ones have few starting times.
+        """
+        x, t = self.followed, self.series["time"]
+        found = [
+            (t[j] - t[i], float(((x[j] - x[i]) ** 2).sum(axis=1).mean()))
+            for i in range(len(x))
+            for j in range(i + 1, len(x))
+            if t[j] - t[i] <= (t[-1] - t[0]) / 2
+        ]
+        table = np.array(found).reshape(-1, 2)
+        longest = float(table[:, 0].max(initial=0.0))
+        place = np.minimum((table[:, 0] / (longest or 1.0) * LAGS).astype(int), LAGS - 1)
+        count = np.bincount(place, minlength=LAGS)
+        sums = [np.bincount(place, table[:, k], LAGS)[count > 0] / count[count > 0] for k in range(2)]
+        return Displacement(sums[0], sums[1], self.dimensions)
+
+    # --- state -------------------------------------------------------------------------------------------------
+
+    def state(self) -> dict[str, NDArray[Any]]:
+        """Return all that was counted, as arrays."""
+        return {name: np.array(getattr(self, name)) for name in STATE}
+
+    @classmethod
+    def restore(
+        cls, gas: Gas, names: tuple[str, ...], container: Container | None, state: dict[str, NDArray[Any]]
+    ) -> Measures:
+        """Return the measures with a :meth:`state`, to continue."""
+        found = object.__new__(cls)
+        found._set_constants(gas, names, container)
+        for name in STATE:
+            setattr(found, name, state[name].copy())
+        found.samples, found.pair_samples = int(state["samples"]), int(state["pair_samples"])
+        found.rows = [tuple(row) for row in state["rows"].reshape(-1, len(SERIES)).tolist()]
+        found.followed = list(state["followed"])
+        return found
+
+
+def _scale_to_unit(records: Any, names: tuple[str, ...]) -> float:
+    """Divide components by a power of two, exactly, so that the largest is between 1/2 and 1; return the divisor."""
+    largest = max(float(np.abs(records[name]).max()) for name in names)
+    unit = math.ldexp(1.0, math.frexp(largest)[1])
+    for name in names:
+        records[name] /= unit
+    return unit
+
+
+def _positions(motions: Any) -> Array:
+    return np.stack([motions[axis] for axis in "xyz"], axis=1)
+
+
+def _volume_within(container: Container, depth: float) -> float:
+    """Return the volume at least so deep within a container: of boxes exactly, of others by a grid of a million points."""
+    axes, size = len(container.size), np.array(container.size)
+    if not container.faces:
+        return float(size.prod())
+    if container.shape == "box" and all(face.form == PLANE for face in container.faces):
+        return float(np.maximum(np.where(container.periodic, size, size - 2 * depth), 0).prod())
+    n = round(1e6 ** (1 / axes))
+    steps = [(np.arange(n) + 0.5) / n] * axes
+    x = np.zeros((n**axes, 3))
+    x[:, :axes] = np.stack(np.meshgrid(*steps, indexing="ij"), axis=-1).reshape(-1, axes) * size
+    return float(size.prod() * (container.clearance(np.zeros(len(x)), x) >= depth).mean())
+
+
+def mean_square_displacement(positions: Array, masses: Array | None = None) -> Array:
+    """Return the mean square displacement (F,) over 0, 1, 2, ... frames of unwrapped positions (F, N, 3), over all starting frames.
+
+    Positions are relative to the centre of mass of each frame, with ``masses`` (N,). The longer the lag, the fewer starting frames
+    there are to average over.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.gas.measures import mean_square_displacement
+    >>> t = np.arange(4.0)[:, None, None]
+    >>> mean_square_displacement(t * np.array([[1.0, 0, 0], [-1.0, 0, 0]])).tolist()
+    [0.0, 1.0, 4.0, 9.0]
+    """
+    x = np.array(positions, dtype=float)
+    weight = np.ones(x.shape[1]) if masses is None else np.asarray(masses, dtype=float)
+    x -= (weight[:, None] * x).sum(axis=1, keepdims=True) / weight.sum()
+    found = [0.0] + [float(((x[k:] - x[:-k]) ** 2).sum(axis=2).mean()) for k in range(1, len(x))]
+    return np.array(found)

@@ -1,0 +1,100 @@
+"""Results of a gas: its balls at one time, and what was measured in a run."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["GasBalls", "GasRun", "Mark"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class GasBalls:
+    """All N balls of a gas at one time.
+
+    Attributes
+    ----------
+    time : float
+    position, velocity, spin : (N, 3) arrays
+        Positions (m) are in the box; velocities in m/s, spins in rad/s.
+    species : (N,) integers
+        In the order in which the species were given.
+    images : (N, 3) integers
+        Net number of periods that a ball has crossed: ``position + images * side`` is its unwrapped position.
+
+    Examples
+    --------
+    >>> from carom import Ball, Surface
+    >>> from carom.gas import Gas, Species
+    >>> gas = Gas([Species(Ball(0.5, 1.0), 8)], (6.0, 6.0, 6.0), contacts=Surface(1, 0, -1))
+    >>> gas.balls().position.shape
+    (8, 3)
+    """
+
+    time: float
+    position: Array
+    velocity: Array
+    spin: Array
+    species: NDArray[np.uint32]
+    images: NDArray[np.int32]
+
+
+class Mark(NamedTuple):
+    """Where a measurement begins: all totals, and the energies, until then."""
+
+    system: Any
+    pairs: Any
+    contacts: Any
+    faces: Any
+    energy: tuple[float, float, float]
+    time: float
+    cpu: float
+
+
+@dataclass(frozen=True)
+class GasRun:
+    """What was measured in a run of a gas.
+
+    Examples
+    --------
+    >>> from carom import Ball, Surface
+    >>> from carom.gas import Gas, Species
+    >>> gas = Gas([Species(Ball(0.5, 1.0), 64)], (6.0, 6.0, 6.0), contacts=Surface(1, 0, -1), seed=1)
+    >>> run = gas.run(500)
+    >>> run.pair_collisions, abs(run.energy_drift) < 1e-12, round(run.temperature_translational, 6)
+    (500, True, 1.0)
+    """
+
+    pair_collisions: int
+    wall_collisions: int
+    simulated_time: float
+    cpu_seconds: float
+    """Processor time of the event loop alone."""
+    mean_free_time: float
+    """Of a ball, between collisions with others: N t / (2 pair collisions)."""
+    pressure: float
+    """From the virial: (2 K + sum of impulse times distance / t) / (dimensions volume)."""
+    wall_pressure: dict[str, float]
+    """Impulse on each wall, by its name, per area and time."""
+    energy_from_walls: dict[str, float]
+    """Energy given by oscillating or heated walls, by name."""
+    energy_from_thermostat: float
+    energy_drift: float
+    """Relative change of the energy (with potential energy under gravity), less what walls and thermostat gave."""
+    temperature_translational: float
+    """Mean over the run of m v^2 along an axis."""
+    temperature_rotational: float
+    """Mean over the run of I w^2 about an axis of spin."""
+    max_overlap: float
+    """Largest overlap at a contact by rounding, relative to the distance of the centres."""
+    crossings: int = field(repr=False)
+    """Events in which a ball only crossed the border of a cell."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """Return the results as plain numbers."""
+        return asdict(self)

@@ -1,0 +1,252 @@
+"""Scenes of gases: all parts put together, and the checks that need more than one of them."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from typing import Annotated, Any
+
+import numpy as np
+from pydantic import BeforeValidator, model_validator
+
+from carom.bodies import Surface
+from carom.errors import suggestion
+from carom.formatting import format_number
+from carom.gas.containers import JOINT_OVERLAP, WALLS
+from carom.gas.edmd.records import ELLIPSE, MAX_BALLS
+from carom.gas.initial import DENSEST
+from carom.gas.schema import GasContact, GasContainer, GasDrive, GasSettings, GasSpecies, GasThermostat
+from carom.scene.schema import Components, Fault, Model, Number, Unquoted, raise_faults
+
+__all__ = ["GasScene", "gas_faults"]
+
+_CONTACT_TIME = Number("a time >= 0", "s", least=0)
+_GRAVITY = Number("an acceleration downwards, or one number per axis", "m/s^2")
+
+
+def _gravity(value: Any) -> Any:
+    several = isinstance(value, (list, tuple)) or (isinstance(value, np.ndarray) and value.ndim > 0)
+    return tuple(map(_GRAVITY, Components(_GRAVITY.what, (2, 3))(value))) if several else _GRAVITY(value)
+
+
+def _counted(count: int, noun: str) -> str:
+    """Return a number with its noun, in the singular where it is one."""
+    return f"{count:,} {noun}{'' if count == 1 else 's'}"
+
+
+class GasScene(Model):
+    """A gas of balls or discs: container, species, contacts, and how it is run.
+
+    Parameters
+    ----------
+    gravity : a number, downwards (balls: along -z, discs: along -y), or a vector; default: none
+    contact_time : of the TC model: a contact within this time after a ball's last one is elastic; default: 0, off
+    container : GasContainer: shape and size; two lengths: discs in a plane
+    species : GasSpecies, at least one
+    contacts : GasContact for every pair of species, and for every species and the walls
+    drives : GasDrive, walls that oscillate or are heated
+    thermostat : GasThermostat, optional
+    run : GasSettings
+
+    Each part may be given as a dict. Numbers are in SI units, or in any consistent others. Raises CaromError, one line per
+    problem, all at once.
+
+    Examples
+    --------
+    >>> from carom.gas import GasScene
+    >>> contact = {"between": ("a", "a"), "restitution": 0.9, "friction": 0.3}
+    >>> scene = GasScene(
+    ...     container={"shape": "periodic", "size": (10, 10, 10)}, species=[{"count": 500, "radius": 0.5}], contacts=[contact],
+    ...     run={"max_events": 100_000},
+    ... )
+    >>> print(scene.describe())
+    500 balls, periodic 10 x 10 x 10, packing fraction 0.2618, 100,000 events after 20,000 events of equilibration
+    >>> round(scene.packing_fraction, 6)
+    0.261799
+    """
+
+    gravity: Annotated[float | tuple[float, ...], BeforeValidator(_gravity)] = 0.0
+    contact_time: Annotated[float, BeforeValidator(_CONTACT_TIME)] = 0.0
+    container: GasContainer
+    species: tuple[GasSpecies, ...]
+    contacts: tuple[GasContact, ...] = ()
+    drives: tuple[GasDrive, ...] = ()
+    thermostat: GasThermostat | None = None
+    run: GasSettings
+
+    @model_validator(mode="after")
+    def _check(self) -> GasScene:
+        raise_faults(gas_faults(self))
+        return self
+
+    @property
+    def gravity_vector(self) -> tuple[float, ...]:
+        """Gravity as a vector."""
+        if isinstance(self.gravity, tuple):
+            return self.gravity
+        return (*(0.0,) * (self.container.dimensions - 1), -self.gravity)
+
+    @property
+    def count(self) -> int:
+        """Total number of balls."""
+        return sum(one.count for one in self.species)
+
+    @property
+    def packing_fraction(self) -> float:
+        """Fraction of the volume (discs: of the area) that the balls fill."""
+        unit = math.pi if self.container.dimensions == 2 else 4 / 3 * math.pi
+        balls = sum(one.count * unit * one.radius**self.container.dimensions for one in self.species)
+        return balls / self.container.geometry.volume
+
+    @property
+    def surfaces(self) -> dict[tuple[str, str], Surface]:
+        """The contacts of :class:`carom.gas.Gas`."""
+        return {contact.between: contact.surface for contact in self.contacts}
+
+    @property
+    def equilibrate(self) -> int:
+        """Number of collisions before the measurement."""
+        return 40 * self.count if self.run.equilibrate is None else self.run.equilibrate
+
+    def describe(self) -> str:
+        """Return one line: balls, container, packing fraction, length of the run."""
+        kind = "disc" if self.container.dimensions == 2 else "ball"
+        what = _counted(self.count, kind)
+        what += f" of {len(self.species)} species" if len(self.species) > 1 else ""
+        density = f"packing fraction {self.packing_fraction:.4g}"
+        run = [] if self.run.max_events is None else [_counted(self.run.max_events, "event")]
+        run += [] if self.run.duration is None else [f"a duration of {format_number(self.run.duration)}"]
+        before = f"after {_counted(self.equilibrate, 'event')} of equilibration"
+        return f"{what}, {self.container.describe()}, {density}, {' or '.join(run)} {before}"
+
+
+def gas_faults(scene: GasScene) -> list[Fault]:
+    """Return all faults of a gas whose parts are valid."""
+    if not scene.species:
+        advice = "a file has a table [[species]] for each"
+        return [Fault("at least one species", Unquoted("none"), advice, ("species",))]
+    parts = (_species_faults, _contact_faults, _drive_faults, _gravity_faults, _density_faults)
+    return [fault for part in parts for fault in part(scene)]
+
+
+def _species_faults(scene: GasScene) -> list[Fault]:
+    found = []
+    axes, names = scene.container.dimensions, [one.name for one in scene.species]
+    for i, one in enumerate(scene.species):
+        if one.name in names[:i]:
+            found.append(Fault("a different name for each species", one.name, at=("species", i, "name")))
+        if axes == 3 and one.kappa(3) > 2 / 3 * (1 + 1e-12):
+            advice = "for discs give the container two lengths" if one.kappa(3) <= 1 else ""
+            got = format_number(one.kappa(3), 6) if not isinstance(one.inertia, str) else one.inertia
+            found.append(
+                Fault(
+                    "kappa of at most 2/3 for balls, that of a thin shell",
+                    Unquoted(got),
+                    advice,
+                    ("species", i, "inertia"),
+                )
+            )
+    if scene.count > MAX_BALLS:
+        found.append(Fault(f"at most {MAX_BALLS:,} balls", Unquoted(f"{scene.count:,}"), at=("species",)))
+    return found
+
+
+def _contact_faults(scene: GasScene) -> list[Fault]:
+    found = []
+    names = [one.name for one in scene.species]
+    walls = scene.container.geometry.names
+    known = [*names, "wall", *dict.fromkeys((*WALLS[: 2 * scene.container.dimensions], *walls))]
+    given: set[frozenset[str]] = set()
+    names_known = True
+    for i, contact in enumerate(scene.contacts):
+        at: tuple[int | str, ...] = ("contacts", i, "between")
+        strange = [name for name in contact.between if name not in known]
+        if strange:
+            names_known = False
+            found.append(Fault("names of species, or of walls", strange[0], suggestion(strange[0], known), at))
+        elif not any(name in names for name in contact.between):
+            found.append(Fault("at least one species", Unquoted(_quoted(*contact.between)), at=at))
+        elif frozenset(contact.between) in given:
+            found.append(
+                Fault("one contact for each pair", Unquoted(f"a second one for {_quoted(*contact.between)}"), at=at)
+            )
+        given.add(frozenset(contact.between))
+    if not names_known:  # what seems to be missing may be a misspelled name
+        return found
+    for one, two in itertools.combinations_with_replacement(names, 2):
+        if frozenset((one, two)) not in given:
+            found.append(_missing(one, two))
+    for one in names:
+        if frozenset((one, "wall")) not in given:
+            bare = [wall for wall in walls if frozenset((one, wall)) not in given]
+            if bare:
+                found.append(_missing(one, "wall" if len(bare) == len(walls) else bare[0]))
+    return found
+
+
+def _quoted(one: str, two: str) -> str:
+    return f'["{one}", "{two}"]'
+
+
+def _missing(one: str, two: str) -> Fault:
+    advice = f"add a table [[contacts]] with between = {_quoted(one, two)}, restitution and friction"
+    return Fault(f"a contact between {_quoted(one, two)}", Unquoted("none"), advice, ("contacts",))
+
+
+def _drive_faults(scene: GasScene) -> list[Fault]:
+    found = []
+    container = scene.container.geometry
+    for i, drive in enumerate(scene.drives):
+        at: tuple[int | str, ...] = ("drives", i, "wall")
+        if not container.names:
+            found.append(Fault("walls to drive", Unquoted(f"none in a container of shape {container.shape!r}"), at=at))
+        elif drive.wall not in container.names:
+            found.append(Fault("the name of a wall", drive.wall, suggestion(drive.wall, list(container.names)), at))
+        elif drive.wall in [one.wall for one in scene.drives[:i]]:
+            found.append(Fault("one drive for each wall", Unquoted(f"a second one for {drive.wall!r}"), at=at))
+        elif drive.amplitude > 0 and (
+            why := [w.fixed_because for w in container.faces if w.name == drive.wall and w.fixed_because]
+        ):
+            at = ("drives", i, "amplitude")
+            found.append(Fault("a plane wall to oscillate", Unquoted(f"{drive.wall!r}, {why[0]}"), at=at))
+    return found
+
+
+def _gravity_faults(scene: GasScene) -> list[Fault]:
+    axes = scene.container.dimensions
+    if any(scene.gravity_vector) and not scene.container.geometry.faces:
+        advice = 'add walls, such as shape = "box" with periodic = ["x"]'
+        return [Fault("no gravity without walls to fall on", scene.gravity, advice, ("gravity",))]
+    if len(scene.gravity_vector) == axes or (axes == 2 and scene.gravity_vector[2] == 0):
+        return []
+    return [Fault(f"one number, or {axes}", Unquoted(f"{len(scene.gravity_vector)} numbers"), at=("gravity",))]
+
+
+def _density_faults(scene: GasScene) -> list[Fault]:
+    """Return faults of sides that are too short, and of more balls than can be packed in."""
+    found = []
+    axes, container = scene.container.dimensions, scene.container.geometry
+    widest = 2 * max(one.radius for one in scene.species)
+    for axis, (length, around) in enumerate(zip(container.size, container.periodic, strict=True)):
+        if length < (3 if around else 1) * widest:
+            least = "3 diameters of the largest ball" if around else "the diameter of the largest ball"
+            why = "in a shorter periodic box a ball could meet another and its image" if around else ""
+            expected = f"at least {least}, {format_number(3 * widest if around else widest, 6)}"
+            found.append(Fault(expected, length, why, ("container", "size", axis)))
+    narrow = min((min(wall.vector[:2]) for wall in container.faces if wall.form == ELLIPSE), default=math.inf)
+    if not found and widest / 2 > narrow * (1 - JOINT_OVERLAP):
+        i = int(np.argmax([one.radius for one in scene.species]))
+        expected = f"a radius below the ellipse's smaller half axis, {format_number(narrow, 6)}"
+        found.append(Fault(expected, scene.species[i].radius, at=("species", i, "radius")))
+    if found or scene.container.bounds == "centre":  # (balls may then overlap the walls)
+        return found
+    several = len({one.radius for one in scene.species}) > 1
+    # for mixed sizes the only bound is 1
+    most, fraction = (1.0 if several else DENSEST[axes]), scene.packing_fraction
+    if fraction > most * (1 + 1e-12):
+        name = "discs" if axes == 2 else "balls"
+        bound = "at most 1" if several else f"at most {most:.4f}, the densest packing of equal {name}"
+        longer = math.ceil((fraction / most) ** (1 / axes) * 1000) / 1000
+        advice = f"use fewer or smaller {name}, or sides {longer:g} times as long"
+        found.append(Fault(f"a packing fraction of {bound}", Unquoted(f"{fraction:.4f}"), advice, ("species",)))
+    return found

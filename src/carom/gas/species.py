@@ -1,0 +1,299 @@
+"""Species, wall drives and thermostat of a gas: checked, and written as the records of the event engine."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.bodies import Ball, Surface
+from carom.errors import FaultList, checked_number, require_type, suggestion
+from carom.gas.containers import JOINT_OVERLAP, WALLS, Container
+from carom.gas.edmd.driver import SystemRecords
+from carom.gas.edmd.records import ELLIPSE, FACE, MAX_BALLS, PAIR, SPECIES, SYSTEM, WALL_CONTACT
+
+__all__ = ["Contacts", "Drive", "Species", "Thermostat", "system_records"]
+
+Contacts = Surface | Mapping[tuple[str, str], Surface]
+NO_TOTALS = (0, 0.0, 0.0, 0.0)  # of a contact that has not happened yet
+BALLS_PER_CELL = 0.5  # where the balls are small compared with their distances
+# Of the largest radius: a ball whose centre is further behind a wall that bounds centres overlaps it (snapshots are in single
+# precision).
+CENTRE_DEPTH = 1e-4
+
+
+def _check(faults: FaultList, of: Any, **fields: tuple[str, Any]) -> None:
+    """Add a fault for every given field that is not a finite number with the property asked of it."""
+    for field, (expected, holds) in fields.items():
+        if getattr(of, field) is not None:
+            checked_number(faults, field, getattr(of, field), expected, holds)
+
+
+@dataclass(frozen=True)
+class Species:
+    """Balls of one kind.
+
+    Parameters
+    ----------
+    ball : Ball or Disc
+        Radius, mass and moment of inertia.
+    count : int
+        Number of balls.
+    name : str
+        What contacts and tables call it.
+    temperature : float
+        k_B T at the start (J, if masses and speeds are in SI units): the mean of m v^2 along each axis.
+    temperature_rotational : float, optional
+        Mean of I w^2 about each axis of spin; default: the same; 0 starts without spin.
+
+    Examples
+    --------
+    >>> from carom import Ball
+    >>> from carom.gas import Species
+    >>> Species(Ball(0.5, 1.0), 1000, "steel", temperature=2.0).count
+    1000
+    """
+
+    ball: Ball
+    count: int
+    name: str = "a"
+    temperature: float = 1.0
+    temperature_rotational: float | None = None
+
+
+@dataclass(frozen=True)
+class Drive:
+    """A wall that oscillates, or is heated, or both.
+
+    Parameters
+    ----------
+    amplitude : float
+        Of a plane wall's oscillation along its normal (m). Its position consists of parabolas, ``amplitude`` up and then down,
+        half a period each: position and velocity are continuous, and the instants of contact are roots of parabolas, exact. It
+        differs from a sine of this amplitude and frequency by at most 6 % of the amplitude; its greatest speed is
+        8 amplitude frequency (a sine's: 2 pi), its acceleration 32 amplitude frequency^2 (4 pi^2, at most).
+    frequency : float
+        Oscillations per unit time (1/s).
+    phase : float
+        Where in the period it starts, 0 to 1: at 0 in the middle, moving into the gas; at 1/4 furthest into it.
+    temperature : float, optional
+        k_B T of balls that leave a heated wall (J): their velocities are Maxwellian, weighted by the normal component (complete
+        thermalization).
+    temperature_rotational : float, optional
+        k_B T of their spins; default: the same.
+
+    Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom.gas import Drive
+    >>> Drive(amplitude=0.2, frequency=10.0).phase
+    0.0
+    >>> Drive(amplitude=0.2)
+    Traceback (most recent call last):
+    carom.errors.CaromError: Drive: frequency: expected a number > 0 for an oscillating wall, got 0.0
+    """
+
+    amplitude: float = 0.0
+    frequency: float = 0.0
+    phase: float = 0.0
+    temperature: float | None = None
+    temperature_rotational: float | None = None
+
+    def __post_init__(self) -> None:  # noqa: D105
+        faults = FaultList("Drive")
+        warm = ("a number >= 0", lambda x: x >= 0)
+        _check(
+            faults, self, amplitude=warm, frequency=warm, temperature=warm, temperature_rotational=warm,
+            phase=("a number from 0 to 1", lambda x: (x >= 0) & (x <= 1)),
+        )  # fmt: skip
+        if self.amplitude > 0 and not self.frequency > 0:
+            faults.add("frequency", "a number > 0 for an oscillating wall", f"{self.frequency!r}")
+        if self.amplitude == 0 and self.temperature is None:
+            faults.add("amplitude", "an amplitude > 0 or a temperature", "neither")
+        faults.raise_if_any()
+
+
+@dataclass(frozen=True)
+class Thermostat:
+    """Andersen's thermostat: each ball, at random instants, gets a new velocity and spin from a Maxwellian.
+
+    The instants are those of a Poisson process, and events like all others, exact. The gas approaches the canonical
+    distribution, positions included, whatever its contacts conserve; momentum is not conserved (H. C. Andersen,
+    J. Chem. Phys. 72, 2384 (1980)).
+
+    Parameters
+    ----------
+    temperature : float
+        k_B T (J).
+    rate : float
+        Kicks per ball per unit time (1/s).
+    temperature_rotational : float, optional
+        k_B T of the spins; default: the same.
+
+    Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> from carom.gas import Thermostat
+    >>> Thermostat(temperature=1.0, rate=0.1).rate
+    0.1
+    """
+
+    temperature: float
+    rate: float
+    temperature_rotational: float | None = None
+
+    def __post_init__(self) -> None:  # noqa: D105
+        faults = FaultList("Thermostat")
+        warm = ("a number >= 0", lambda x: x >= 0)
+        _check(
+            faults, self, temperature=warm, temperature_rotational=warm,
+            rate=("a number > 0", lambda x: (x > 0) & (x < math.inf)),
+        )  # fmt: skip
+        faults.raise_if_any()
+
+
+def _surface(faults: FaultList, contacts: Contacts, one: str, others: Sequence[str]) -> Surface:
+    """Return the surface between a species and the first of others for which one is given."""
+    if isinstance(contacts, Surface):
+        return contacts
+    for other in others:
+        for key in ((one, other), (other, one)):
+            if key in contacts:
+                return contacts[key]
+    faults.add("contacts", f"a Surface for ({one!r}, {others[-1]!r})", f"keys {sorted(contacts)}")
+    return Surface()
+
+
+def _coefficients(surface: Surface) -> tuple[float, float, float]:
+    return float(surface.restitution), float(surface.friction), float(surface.tangential_restitution)
+
+
+def _set_cells(faults: FaultList, one: Any, container: Container, widest: float, count: int) -> None:
+    """Divide the box into cells of at least a diameter, not many more of them than balls."""
+    size, axes = np.array(container.size), len(container.size)
+    width = max(widest, (BALLS_PER_CELL * size.prod() / count) ** (1 / axes))
+    for axis in range(axes):
+        n = max(int(size[axis] / width), min(3, int(size[axis] / widest)))
+        if n < (3 if container.periodic[axis] else 1):
+            least = "three diameters" if container.periodic[axis] else "one diameter"
+            faults.add(
+                "side", f"at least {least} of the largest ball ({widest:g})", f"{size[axis]:g} along axis {axis}"
+            )
+        one["cells"][axis], one["cell_size"][axis] = n, size[axis] / max(n, 1)
+
+
+def _face_records(
+    faults: FaultList, container: Container, drives: Mapping[str, Drive], widest: float
+) -> NDArray[np.void]:
+    """Return the records of the faces, with the drives of their walls."""
+    faces = np.zeros(len(container.faces), FACE)
+    for name in sorted(set(drives) - set(container.names)):
+        faults.add("drives", "names of walls", f"{name!r}; {suggestion(name, list(container.names))}")
+    for record, face in zip(faces, container.faces, strict=True):
+        record["form"], record["area"], record["temperature"] = face.form, face.area, -1.0
+        for part, numbers in (("n", face.vector), ("m", face.centre), ("a", face.along)):
+            for axis, component in zip("xyz", numbers, strict=True):
+                record[part + axis] = component
+        record["bounded"], record["low"], record["high"] = face.bounded, face.low, face.high
+        if not face.bounds_surfaces:
+            record["depth"] = CENTRE_DEPTH * widest
+        drive = drives.get(face.name)
+        if drive is None:
+            continue
+        if drive.amplitude > 0:
+            if face.fixed_because:
+                faults.add(
+                    "drives", "an amplitude for a plane wall only", f"one for {face.name!r}, {face.fixed_because}"
+                )
+            record["amplitude"], record["half_period"] = drive.amplitude, 0.5 / drive.frequency
+            record["start"] = -drive.phase / drive.frequency
+        if drive.temperature is not None:
+            record["temperature"] = drive.temperature
+            record["spin_temperature"] = (
+                drive.temperature if drive.temperature_rotational is None else drive.temperature_rotational
+            )
+    return faces
+
+
+def system_records(
+    species: Sequence[Species],
+    container: Container,
+    contacts: Contacts,
+    gravity: Any,
+    contact_time: float,
+    drives: Mapping[str, Drive],
+    thermostat: Thermostat | None,
+    seed: int,
+) -> SystemRecords:
+    """Return the records of a gas without its balls; CaromError with every fault."""
+    faults = FaultList("Gas")
+    for one in species:
+        require_type("Gas", "species", one, Species)
+    names = [one.name for one in species]
+    count = sum(one.count for one in species)
+    if not names or min(one.count for one in species) < 0 or not 0 < count <= MAX_BALLS:
+        faults.add("species", f"1 to {MAX_BALLS} balls in total", f"{[one.count for one in species]}")
+    if len(set(names)) < len(names):
+        faults.add("species", "a different name for each", f"{names}")
+    axes = len(container.size)
+    pull = np.array(gravity, dtype=float)
+    if pull.shape not in {(3,), (axes,)} or not np.isfinite(pull).all():
+        faults.add("gravity", f"{axes} numbers", f"{gravity!r}")
+    elif axes == 2 and pull[2:].any():
+        faults.add("gravity", "no component along z for discs", f"{gravity!r}")
+    if not 0 <= contact_time < math.inf:
+        faults.add("contact_time", "a time >= 0", f"{contact_time!r}")
+    if not isinstance(contacts, Surface):
+        known = [*names, "wall", *dict.fromkeys((*WALLS, *container.names))]
+        for name in sorted({name for key in contacts for name in key} - set(known)):
+            faults.add("contacts", "names of species or walls", f"{name!r}; {suggestion(name, known)}")
+    faults.raise_if_any()
+    system = np.zeros(1, SYSTEM)
+    one = system[0]
+    one["dimensions"], one["side"], one["periodic"], one["cells"], one["cell_size"] = axes, 1.0, 1, 1, 1.0
+    one["side"][:axes], one["periodic"][:axes], one["volume"] = container.size, container.periodic, container.volume
+    one["gravity"][: len(pull)] = pull
+    one["contact_time"], one["scale"] = contact_time, 1.0
+    # the engine's random numbers are a stream of their own; consecutive seeds give independent streams
+    one["key"] = np.random.SeedSequence(seed).generate_state(2).astype(np.int64)
+    if thermostat is not None:
+        one["rate"], one["temperature"] = thermostat.rate * count, thermostat.temperature
+        rotational = thermostat.temperature_rotational
+        one["spin_temperature"] = thermostat.temperature if rotational is None else rotational
+    widest = max(float(one.ball.radius) for one in species)
+    _set_cells(faults, one, container, 2 * widest, count)
+    for face in container.faces:
+        if face.form == ELLIPSE and not widest < min(face.vector[:2]) * (1 - JOINT_OVERLAP):
+            faults.add(
+                "species", f"radii below {min(face.vector[:2]):g}, the ellipse's smaller half axis", f"{widest:g}"
+            )
+    faces = _face_records(faults, container, drives, widest)
+    kinds = np.zeros(len(species), SPECIES)
+    pairs, with_walls = np.zeros(len(species) ** 2, PAIR), np.zeros(len(faces) * len(species), WALL_CONTACT)
+    for i, first in enumerate(species):
+        ball = first.ball
+        kinds[i] = (ball.radius, ball.mass, ball.kappa)
+        for j, second in enumerate(species):
+            surface = _surface(faults, contacts, first.name, [second.name])
+            e, mu, beta = _coefficients(surface)
+            distance = ball.radius + second.ball.radius
+            pairs[i * len(species) + j] = (
+                distance,
+                distance * distance,
+                e,
+                mu,
+                beta,
+                mu == 0 or beta == -1,
+                *NO_TOTALS,
+            )
+        for k, face in enumerate(container.faces):
+            surface = _surface(faults, contacts, first.name, [face.name, "wall"])
+            with_walls[k * len(species) + i] = (*face.offset(float(ball.radius)), *_coefficients(surface), *NO_TOTALS)
+    faults.raise_if_any()
+    return SystemRecords(system, kinds, pairs, with_walls, faces)

@@ -1,0 +1,214 @@
+"""Validate states, normals and parameters, broadcast them to rows, and apply a kernel to every row.
+
+A few rows are handled by the kernel as plain Python, many by a loop that Numba compiles; both give the same bits. Rows are
+velocities and spins (N, 3), normals (N or 1, 3), parameters (N or 1, K); a single row of normals or parameters serves all.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom.bodies import Ball, State
+from carom.core.jit.kernel import Vec, kernel, prange
+from carom.core.motion.phases import ROUNDING
+from carom.errors import MAX_MAGNITUDE, CaromError, broadcast_shape, first_bad_index, float_array, require_type
+
+__all__ = [
+    "FEW", "StateRows", "answer_rows", "approaching", "loop_for", "require_approach", "rows_of", "state_arrays", "unit_normal",
+    "wall_law_rows",
+]  # fmt: skip
+
+Array = NDArray[np.float64]
+# Below this many rows compiling, or loading what was compiled, costs more than it saves.
+FEW = 400
+WallKernel = Callable[[Vec, Vec, Vec, float, float, float, float, float], tuple[Vec, Vec]]
+
+
+def unit_normal(normal: ArrayLike) -> Array:
+    """Unit normals (..., 3) of surfaces, from vectors of any length; CaromError where one has none."""
+    try:
+        n = float_array(normal)
+    except (TypeError, ValueError):
+        raise CaromError(f"normal: expected 3 numbers, or an array (..., 3) of them, got {normal!r}") from None
+    if n.ndim == 0 or n.shape[-1] != 3:
+        raise CaromError(f"normal: expected 3 numbers, or an array (..., 3) of them, got shape {n.shape}")
+    if n.ndim == 1:  # one normal, without arrays
+        x, y, z = n.tolist()
+        length = math.sqrt(x * x + y * y + z * z)
+        if length == 1:
+            return n
+        if 0 < length <= MAX_MAGNITUDE:
+            return n / length
+    with np.errstate(over="ignore", invalid="ignore"):
+        lengths = np.sqrt((n * n).sum(axis=-1, keepdims=True))
+    bad = ~((lengths > 0) & (lengths <= MAX_MAGNITUDE))[..., 0]
+    if bad.any():
+        got = n[bad][0] if n.ndim > 1 else n
+        raise CaromError(
+            f"normal: expected a vector that points from the wall to the ball, got {got.tolist()}{first_bad_index(bad)};"
+            " for the wall x = 0 with the ball at x > 0 it is (1, 0, 0)"
+        )
+    unit: Array = n / lengths
+    return unit
+
+
+@dataclass(frozen=True)
+class StateRows:
+    """N rows: velocities and spins (N, 3), normals (N or 1, 3), parameters (N or 1, K), and the shape they came in."""
+
+    shape: tuple[int, ...]
+    velocity: Array
+    spin: Array
+    normal: Array
+    parameters: Array
+
+    @property
+    def count(self) -> int:
+        """N."""
+        return len(self.velocity)
+
+    @property
+    def uniform(self) -> bool:
+        """Whether one normal and one set of parameters serve all rows."""
+        return len(self.normal) == 1 and len(self.parameters) == 1
+
+
+def rows_of(state: State, normal: Array, *parameters: Any) -> StateRows:
+    """Broadcast a state, unit normals and numbers; numbers that are the same for all stay a single row."""
+    v, w = state.velocity, state.spin
+    if v.ndim == 1 and normal.ndim == 1 and all(type(x) is float for x in parameters):
+        return StateRows((), v[None], w[None], normal[None], np.array([parameters]))
+    shape = broadcast_shape(state.shape, normal.shape[:-1], *(np.shape(x) for x in parameters))
+    count = math.prod(shape)
+
+    def spread(array: Array) -> Array:
+        return np.ascontiguousarray(np.broadcast_to(array, (*shape, 3))).reshape(count, 3)
+
+    if all(np.ndim(x) == 0 for x in parameters):
+        p = np.array([[float(x) for x in parameters]])
+    else:
+        p = np.ascontiguousarray(np.stack([np.broadcast_to(x, shape).reshape(count) for x in parameters], axis=-1))
+    return StateRows(shape, spread(v), spread(w), normal[None] if normal.ndim == 1 else spread(normal), p)
+
+
+def approaching(state: State, normal: Array) -> Any:
+    """Mask (...): where a ball does not move away from the wall, u_n <= 0, by more than the rounding of a turned normal."""
+    broadcast_shape(state.shape, normal.shape[:-1])
+    v = state.velocity
+    return np.asarray((v * normal).sum(axis=-1) <= ROUNDING * np.abs(v).sum(axis=-1))
+
+
+def require_approach(ball: Ball, state: State, normal: Array) -> None:
+    """CaromError where a ball moves away from the wall, or a disc leaves its plane, or one is not the other."""
+    require_type("law", "ball", ball, Ball)
+    require_type("law", "state", state, State)
+    if state.velocity.ndim == 1 and normal.ndim == 1:
+        x, y, z = state.velocity.tolist()
+        nx, ny, nz = normal.tolist()
+        away = np.asarray(not x * nx + y * ny + z * nz <= ROUNDING * (abs(x) + abs(y) + abs(z)))
+    else:
+        away = ~approaching(state, normal)
+    if away.any():
+        speed = float(np.broadcast_to((state.velocity * normal).sum(axis=-1), away.shape)[away].flat[0])
+        raise CaromError(
+            f"state: expected a ball that moves towards the wall, got {speed:.6g} m/s away from it{first_bad_index(away)};"
+            " the normal points from the wall to the ball"
+        )
+    if ball.planar:
+        out = (state.velocity[..., 2] != 0) | (state.spin[..., :2] != 0).any(axis=-1)
+        if np.any(out) or np.any(normal[..., 2] != 0):
+            raise CaromError(
+                "state: expected a disc in the plane z = 0 (v_z = 0, spin along z, a wall that stands on the plane),"
+                f" got something else{first_bad_index(np.asarray(out)) if np.any(out) else ' for the normal'};"
+                " use carom.Ball in space"
+            )
+
+
+def answer_rows(
+    kernel: Callable[..., Any], loop: Callable[..., None], rows: StateRows, widths: str, *more: Any
+) -> list[Any]:
+    """What a kernel returns for every row, in its order: "v" a vector (..., 3), "x" a number, "c" a code.
+
+    One row goes straight through the kernel, as Python numbers; many go through the loop.
+    """
+    if rows.shape == ():
+        found = kernel(
+            *(tuple(x[0].tolist()) for x in (rows.velocity, rows.spin, rows.normal)),
+            *rows.parameters[0].tolist(),
+            *more,
+        )
+        return [np.array(x) if kind == "v" else x for x, kind in zip(found, widths, strict=True)]
+    n = rows.count
+    out: list[NDArray[Any]] = [
+        np.empty((n, 3)) if kind == "v" else np.empty(n, dtype=float if kind == "x" else np.int8) for kind in widths
+    ]
+    loop_for(loop, n)(rows.velocity, rows.spin, rows.normal, rows.parameters, *more, *out)
+    return [x.reshape(*rows.shape, *x.shape[1:]) for x in out]
+
+
+def state_arrays(state: State, out: State) -> list[Array]:
+    """Velocities and spins of both states, (3 N,); what is written into must be contiguous, or a copy would be."""
+    for name, array in (("velocity", out.velocity), ("spin", out.spin)):
+        if not array.flags.c_contiguous or array.shape != state.velocity.shape:
+            raise CaromError(
+                f"out: {name}: expected a contiguous array of shape {state.velocity.shape}, got"
+                f" {'shape ' + str(array.shape) if array.shape != state.velocity.shape else 'one that is not contiguous'}"
+            )
+    return [x.reshape(-1) for x in (state.velocity, state.spin, out.velocity, out.spin)]
+
+
+@functools.cache
+def wall_law_rows(law: WallKernel) -> Callable[..., None]:
+    """The loop over rows of any wall law with the signature (v, w, n, a, kappa, e, mu, beta) -> (v, w)."""
+    kernel(law)  # compiled loops call only what is marked, and a law of a user's own need not be
+
+    def rows(v: Array, w: Array, n: Array, p: Array, v1: Array, w1: Array) -> None:
+        sn, sp = min(n.shape[0] - 1, 1), min(p.shape[0] - 1, 1)
+        for i in prange(v.shape[0]):
+            k, q = i * sn, i * sp
+            x, y = law(
+                (v[i, 0], v[i, 1], v[i, 2]),
+                (w[i, 0], w[i, 1], w[i, 2]),
+                (n[k, 0], n[k, 1], n[k, 2]),
+                p[q, 0], p[q, 1], p[q, 2], p[q, 3], p[q, 4],
+            )  # fmt: skip
+            v1[i, 0], v1[i, 1], v1[i, 2] = x
+            w1[i, 0], w1[i, 1], w1[i, 2] = y
+
+    if not law.__module__.startswith("carom."):
+        _FRESH.add(rows)
+    return rows
+
+
+# Loops over kernels from outside carom: the cache's key is a hash of carom's own sources, so it would go on answering
+# with a law that its owner has changed.
+_FRESH: set[Callable[..., None]] = set()
+
+
+@functools.cache
+def _compiled(loop: Callable[..., None]) -> Callable[..., None]:
+    from carom.core.jit.compile import njit
+
+    return njit(loop, parallel=True, cache=loop not in _FRESH)
+
+
+def loop_for(loop: Callable[..., None], rows: int) -> Callable[..., None]:
+    """The loop as Python for a few rows, compiled for many."""
+    return _quiet(loop) if rows < FEW else _compiled(loop)
+
+
+def _quiet(loop: Callable[..., None]) -> Callable[..., None]:
+    """A loop run by Python meets NumPy's numbers, which warn of 0 * inf where compiled code does not."""
+
+    def quiet(*args: Any) -> None:
+        with np.errstate(all="ignore"):
+            loop(*args)
+
+    return quiet

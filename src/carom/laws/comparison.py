@@ -1,0 +1,392 @@
+"""Compare every law's prediction for one incoming ball, and say which laws are admissible and why others are not.
+
+:func:`incoming` makes a :class:`~carom.laws.law.Meeting` of a speed, an angle and a spin; :func:`compare` asks every law;
+:func:`remarks_on` describes a prediction in sentences. Everything is computed as plain Python: one ball needs no compiling.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from carom.bodies import Ball, State, Surface, kinetic_energy, slip
+from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, checked_number, require_type
+from carom.formatting import format_length, format_number, format_time
+from carom.laws.arrays import require_approach
+from carom.laws.law import LIKE_SOLIDS, Answer, Law, Meeting
+from carom.laws.registry import law_named
+from carom.laws.registry import laws as all_laws
+from carom.laws.results import GRAVITY, FloorContact, Settled, TwoStep, angle_from
+
+__all__ = ["Comparison", "Verdict", "compare", "incoming", "remarks_on"]
+
+Thing = TypeVar("Thing")
+
+
+def incoming(
+    speed: float = 1.0,
+    angle: float = 45.0,
+    spin_z: float = 0.0,
+    *,
+    spin_x: float | None = None,
+    spin_y: float | None = None,
+    sliding: bool = False,
+    vertical_speed: float = 0.0,
+    height: float = 0.0,
+    inertia: Any = "solid",
+    radius: float = 0.02625,
+    mass: float = 0.1406,
+    restitution: float = 1.0,
+    friction: float = math.inf,
+    tangential_restitution: float = 0.0,
+    floor_restitution: float = 0.0,
+    floor_friction: float = math.inf,
+    gravity: float = GRAVITY,
+    cushion_height: float | None = None,
+    floor_contact: FloorContact = "with",
+    stiffness_ratio: float = LIKE_SOLIDS,
+) -> Meeting:
+    """One ball on its way to the wall x = 0, from plain numbers; the paper's example by default.
+
+    Parameters
+    ----------
+    speed : float
+        Along the floor, m/s, > 0.
+    angle : float
+        From the wall's normal, in degrees, 0 <= angle < 90: the ball moves along -x and +y.
+    spin_z, spin_x, spin_y : float
+        Angular velocity in the fixed frame, rad/s. Left out, spin_x and spin_y are those of a ball that rolls (27), or
+        zero with ``sliding``.
+    vertical_speed : float
+        Upwards, m/s, just before the wall.
+    height : float
+        Of the centre above its place on the floor just before the wall, m.
+    inertia, radius, mass
+        The ball, as :class:`carom.Ball` takes them.
+    restitution, friction, tangential_restitution
+        The wall, as :class:`carom.Surface` takes them.
+    floor_restitution, floor_friction
+        The floor.
+    gravity : float
+        m/s^2.
+    cushion_height : float, optional
+        Of the wall's contact point above the floor, in radii, as for a cushion's nose: a billiard cushion has 1.2 to
+        1.4. Left out, the wall is a plane and touches the ball at the height of its centre.
+    floor_contact : "with" or "after"
+        As :func:`carom.two_step` takes it.
+    stiffness_ratio : float
+        Of the wall's contact, along the surface over normally, > 0, for the laws with tangential compliance; by default
+        that of like solids with Poisson's ratio 0.3.
+
+    Returns
+    -------
+    Meeting. Raises CaromError with one line a fault, all faults at once.
+    """
+    found: list[str] = []
+    ball = _gathered(found, "", lambda: Ball(radius, mass, inertia), Ball())
+    wall = _gathered(found, "wall", lambda: Surface(restitution, friction, tangential_restitution), Surface())
+    floor = _gathered(found, "floor", lambda: Surface(floor_restitution, floor_friction), Surface())
+    faults = FaultList("incoming")
+    v = checked_number(faults, "speed", speed, "a speed in m/s, > 0", lambda x: x > 0)
+    what = "degrees from the wall's normal, at least 0 and below 90"
+    tau = checked_number(faults, "angle", angle, what, lambda x: (x >= 0) & (x < 90))
+    spins = {"spin_x": spin_x, "spin_y": spin_y, "spin_z": spin_z}
+    given = {
+        key: checked_number(faults, key, w, "a finite spin in rad/s", lambda x: abs(x) <= MAX_MAGNITUDE)
+        for key, w in spins.items()
+        if w is not None
+    }
+    vz = checked_number(
+        faults, "vertical_speed", vertical_speed, "a finite speed in m/s, upwards", lambda x: abs(x) <= MAX_MAGNITUDE
+    )
+    g = checked_number(faults, "gravity", gravity, "a number >= 0 in m/s^2", lambda x: x >= 0)
+    h = checked_number(faults, "height", height, "a length >= 0 in m", lambda x: x >= 0)
+    k = checked_number(faults, "stiffness_ratio", stiffness_ratio, "a number > 0", lambda x: x > 0)
+    if floor_contact not in ("with", "after"):
+        faults.add("floor_contact", "'with' (wall and floor at once) or 'after' (first the wall)", repr(floor_contact))
+    normal = np.array([1.0, 0.0, 0.0])
+    if cushion_height is not None:
+        low, high = h / ball.radius, h / ball.radius + 2
+        c = checked_number(
+            faults, "cushion_height", cushion_height,
+            f"radii above the floor, between the ball's bottom and its top: above {low:g} and below {high:g}",
+            lambda x: (x > low) & (x < high),
+        )  # fmt: skip
+        nz = 1 + h / ball.radius - c
+        normal = np.array([math.sqrt(1 - nz * nz) if abs(nz) < 1 else 1.0, 0.0, nz])
+    found += faults.found.values()
+    if found:
+        raise CaromError(*found)
+    x, y = -v * math.cos(math.radians(tau)), v * math.sin(math.radians(tau))
+    # (27)
+    spin = {"spin_x": 0.0, "spin_y": 0.0} if sliding else {"spin_x": -y / ball.radius, "spin_y": x / ball.radius}
+    spin |= given
+    state = State((x, y, vz), (spin["spin_x"], spin["spin_y"], spin["spin_z"]))
+    return Meeting(ball, state, normal, wall, floor, g, h, floor_contact, k)
+
+
+def _gathered(found: list[str], name: str, make: Callable[[], Thing], instead: Thing) -> Thing:
+    """What ``make`` makes; where it cannot, its faults go to ``found``, said of ``name``."""
+    try:
+        return make()
+    except CaromError as error:
+        found += [f"{name}{fault[fault.index(':') :]}" if name else fault for fault in error.faults]
+        return instead
+
+
+@dataclass(frozen=True, eq=False)
+class Verdict:
+    """One law's prediction for one ball, and why the law may not apply."""
+
+    law: str
+    admissible: bool
+    """Its conditions hold and there is no objection to its prediction."""
+    why: tuple[str, ...]
+    """What is not admissible and why: plain sentences; none where it is."""
+    remarks: tuple[str, ...]
+    """What happens that the numbers do not show at once."""
+    after_wall: State | None
+    """None where the law refuses."""
+    final: State | None
+    """None where the law refuses, or where the ball never rolls again."""
+    angle_after_wall: float | None
+    """Degrees from the wall's normal, along the floor; None where the ball does not move."""
+    reflection_angle: float | None
+    """The same, of the final state."""
+    energy_ratio: float | None
+    """Final over incident kinetic energy."""
+    energy_ratio_after_wall: float | None
+    required_wall: float | None
+    """Friction that the wall must have for what the law says (two-step: to hold without sliding); inf: none will do."""
+    required_floor: float | None
+    """The same of the floor, at the first landing."""
+    answer: Answer | None
+
+    def as_dict(self) -> dict[str, Any]:
+        """As `carom compare --json` has it: no NaN (null), infinity as the string "inf"."""
+        steps = None if self.answer is None else self.answer.steps
+        flight = None if steps is None else {key: plain(x) for key, x in vars(steps.flight).items()}
+        wall = steps.wall if isinstance(steps, TwoStep) else None
+        return {
+            "law": self.law,
+            "after_wall": state_dict(self.after_wall),
+            "final": state_dict(self.final),
+            "angle_after_wall_deg": plain(self.angle_after_wall),
+            "reflection_angle_deg": plain(self.reflection_angle),
+            "energy_ratio_after_wall": plain(self.energy_ratio_after_wall),
+            "energy_ratio": plain(self.energy_ratio),
+            "required_friction": {"wall": plain(self.required_wall), "floor": plain(self.required_floor)},
+            "regime": {"wall": wall and wall.regime, "floor": steps and steps.floor.regime},
+            "flight": flight,
+            "after_floor": None if steps is None else state_dict(steps.after_floor),
+            "admissible": self.admissible,
+            "why": list(self.why),
+            "remarks": list(self.remarks),
+        }
+
+
+@dataclass(frozen=True, eq=False)
+class Comparison:
+    """One incoming ball and every law's verdict on it."""
+
+    meeting: Meeting
+    incident_angle: float
+    """Degrees from the wall's normal, along the floor."""
+    verdicts: tuple[Verdict, ...]
+
+    def __getitem__(self, law: str) -> Verdict:
+        """The verdict of a law by its name."""
+        for verdict in self.verdicts:
+            if verdict.law == law:
+                return verdict
+        raise KeyError(law)
+
+    def as_dict(self) -> dict[str, Any]:
+        """As `carom compare --json` has it; every number in full, null for none, "inf" for infinity."""
+        m = self.meeting
+        return {
+            "incident": {**(state_dict(m.state) or {}), "angle_deg": self.incident_angle},
+            "laws": [verdict.as_dict() for verdict in self.verdicts],
+            "settings": {
+                "ball": {"radius": m.ball.radius, "mass": m.ball.mass, "kappa": m.ball.kappa},
+                "wall": {**{key: plain(x) for key, x in vars(m.wall).items()}, "normal": m.normal.tolist()},
+                "floor": {key: plain(x) for key, x in vars(m.floor).items()},
+                "gravity": m.gravity,
+                "height": m.height,
+                "floor_contact": m.floor_contact,
+                "stiffness_ratio": plain(m.stiffness_ratio),
+            },
+        }
+
+
+def compare(meeting: Meeting | None = None, laws: Iterable[str | Law] | None = None) -> Comparison:
+    """Ask every law what becomes of one ball.
+
+    Parameters
+    ----------
+    meeting : Meeting
+        One ball, one wall (:func:`incoming` makes one from a speed and an angle); the paper's example by default.
+    laws : names or Laws
+        By default those of ``carom.LAWS``, in their order, without special cases of others (:attr:`Law.variant_of`); one
+        that leaves out the floor (contact) only for a ball above it.
+
+    Returns
+    -------
+    Comparison. A law that does not hold for this ball is in it too, with no numbers and the reason.
+
+    Raises
+    ------
+    CaromError for an unknown law (with the nearest name), for a ball that moves away from the wall, and for
+    more than one ball.
+    """
+    m = incoming() if meeting is None else meeting
+    require_type("compare", "meeting", m, Meeting)
+    parts = [m.ball.radius, m.ball.mass, m.ball.kappa, m.height, *vars(m.wall).values(), *vars(m.floor).values()]
+    if m.state.shape or m.normal.ndim != 1 or any(np.ndim(x) for x in parts):
+        raise CaromError("compare: expected one ball and one wall, got arrays; a law by itself takes arrays")
+    require_approach(m.ball, m.state, m.normal)
+    if laws is None:
+        aloft = m.height > 0 or m.ball.planar
+        laws = [law for law in all_laws().values() if not law.variant_of and (aloft or not law.ignores_floor)]
+    if isinstance(laws, str) or not isinstance(laws, Iterable):
+        raise CaromError(f"compare: laws: expected a sequence of names, got {laws!r:.60}; put them in a list")
+    asked = [law if isinstance(law, Law) else law_named(law) for law in laws]
+    angle = math.degrees(angle_from(m.normal, m.state, incoming=True))
+    once = {law.name: law for law in asked}  # a law named twice is asked once
+    return Comparison(m, angle, tuple(_verdict(law, m) for law in once.values()))
+
+
+def _verdict(law: Law, meeting: Meeting) -> Verdict:
+    missing = [expected for holds, expected, *_field in law.conditions(meeting) if not np.all(holds)]
+    if missing:
+        return _refusal(law, f"no answer: it needs {'; and '.join(missing)}")
+    try:
+        answer = law.answer(meeting)
+    except CaromError as error:
+        return _refusal(law, *(f"no answer: {fault}" for fault in error.faults))
+    m = meeting
+    if np.isnan(answer.after_wall.velocity).any():
+        return _refusal(law, f"no answer: {answer.why}")
+    why = tuple(law.objections(m, answer))
+    final = None if np.isnan(answer.final.velocity).any() else answer.final
+    energy = kinetic_energy(m.ball, m.state)
+    ratio = kinetic_energy(m.ball, answer.after_wall) / energy if energy > 0 else None
+    verdict = Verdict(
+        law=law.name,
+        admissible=not why,
+        why=why,
+        remarks=(),
+        after_wall=answer.after_wall,
+        final=final,
+        angle_after_wall=_angle(m, answer.after_wall),
+        reflection_angle=None if final is None else _angle(m, final),
+        energy_ratio=kinetic_energy(m.ball, final) / energy if final is not None and energy > 0 else None,
+        energy_ratio_after_wall=ratio,
+        required_wall=_known(answer.required_wall),
+        required_floor=_known(answer.required_floor),
+        answer=answer,
+    )
+    return Verdict(**{**vars(verdict), "remarks": tuple(remarks_on(m, answer, final))})
+
+
+def _refusal(law: Law, *why: str) -> Verdict:
+    return Verdict(law.name, False, why, (), None, None, None, None, None, None, None, None, None)
+
+
+def _angle(meeting: Meeting, state: State) -> float | None:
+    """Degrees, or None where the ball does not move along the floor by more than rounding."""
+    size = float(np.abs(meeting.state.velocity).sum() + meeting.ball.radius * np.abs(meeting.state.spin).sum())
+    if not float(np.abs(state.velocity[:2]).sum()) > 1e-12 * size:
+        return None
+    return math.degrees(angle_from(meeting.normal, state))
+
+
+def _known(x: ArrayLike) -> float | None:
+    value = float(np.asarray(x))
+    return None if math.isnan(value) else value
+
+
+def plain(x: Any) -> Any:
+    """A number as JSON has it: None for NaN and None, "inf" for infinity."""
+    if x is None or math.isnan(x):
+        return None
+    return ("inf" if x > 0 else "-inf") if math.isinf(x) else float(x)
+
+
+def state_dict(state: State | None) -> dict[str, Any] | None:
+    """Velocity and spin as lists; None for no state, or one that is not known."""
+    if state is None or np.isnan(state.velocity).any():
+        return None
+    return {"velocity": state.velocity.tolist(), "spin": state.spin.tolist()}
+
+
+def remarks_on(meeting: Meeting, answer: Answer, final: State | None) -> Iterator[str]:
+    """Sentences on one ball; ``final`` is None where it never rolls."""
+    steps = answer.steps
+    if isinstance(steps, TwoStep):
+        yield from _wall(meeting, steps)
+    if steps is not None:
+        yield from _floor(meeting, steps)
+    if final is None:
+        yield f"it never rolls again: {answer.why}"
+    else:
+        yield from _way(meeting, final)
+
+
+def _wall(meeting: Meeting, steps: TwoStep) -> Iterator[str]:
+    hit = steps.wall
+    mu = float(meeting.wall.friction)
+    if np.any(steps.floor_impulse != 0):
+        end = _ENDS[hit.regime]
+        yield f"the wall presses the ball on the floor: both act at once, and the wall's contact ends by {end}"
+    elif hit.regime == "slide":
+        needed = format_number(float(hit.required_friction))
+        yield f"the ball slides on the wall, whose friction {format_number(mu)} is below the {needed} that holding it needs"
+    elif hit.regime == "graze":
+        yield "the ball only grazes the wall: no impulse"
+
+
+_ENDS = {
+    "stick": "sticking", "slide": "sliding", "graze": "letting go", "jam": "jamming", "stall": "stalling",
+}  # fmt: skip
+
+
+def _floor(meeting: Meeting, steps: Settled) -> Iterator[str]:
+    flight = steps.flight
+    if math.isfinite(flight.duration) and flight.duration > 0:
+        yield (
+            f"it flies {format_length(flight.distance)} far and {format_length(flight.height)} high,"
+            f" for {format_time(flight.duration)}" + (", bounces" if float(steps.after_floor.velocity[2]) > 0 else "")
+        )
+        if steps.floor.regime == "slide" and steps.rolls:
+            mu, needed = (
+                format_number(float(meeting.floor.friction)),
+                format_number(float(steps.floor.required_friction)),
+            )
+            yield f"it lands sliding: the floor's friction {mu} is below the {needed} that holding it needs"
+    elif flight.duration == 0 and steps.rolls:
+        left = slip(meeting.ball, steps.after_floor)
+        speed = float(np.abs(steps.after_floor.velocity).sum())
+        if float(np.abs(left).max()) > 1e-9 * speed:
+            yield "it stays on the floor and slides until it rolls"
+
+
+def _way(meeting: Meeting, final: State) -> Iterator[str]:
+    v0, v = meeting.state.velocity, final.velocity
+    size = float(np.abs(v0).sum() + meeting.ball.radius * np.abs(meeting.state.spin).sum())
+    if not float(np.abs(v[:2]).sum()) > 1e-12 * size:
+        yield "it stops at the wall"
+        return
+    n = meeting.normal
+    if float(n[0] * v[0] + n[1] * v[1]) < -1e-9 * size:
+        yield "its spin turns it round: it rolls back into the wall, and meets it again"
+    along0, along = (float(n[0] * u[1] - n[1] * u[0]) for u in (v0, v))
+    if along0 * along < 0 and abs(along) > 1e-12 * size:
+        yield "it goes back along the wall to the side it came from"
+    elif along0 == 0 and abs(along) > 1e-12 * size:
+        yield f"it turns to the {'left' if along > 0 else 'right'} of the wall's normal"

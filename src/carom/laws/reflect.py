@@ -1,0 +1,28 @@
+"""The state after a wall by a law that answers at once, refused with the reason where the law does not apply."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from carom.bodies import Ball, State, Surface
+from carom.errors import CaromError, first_bad_index
+from carom.laws.arrays import require_approach, unit_normal
+from carom.laws.law import Law, Meeting, respond
+
+__all__ = ["reflect"]
+
+
+def reflect(law: Law, ball: Ball, state: State, normal: ArrayLike, surface: Surface) -> State:
+    """Return the state (...) after the wall by a law's kernel; CaromError, a line for each condition that fails."""
+    meeting = Meeting(ball, state, unit_normal(normal), surface)
+    require_approach(meeting.ball, meeting.state, meeting.normal)
+    faults = [
+        f"{law.name}: expected {expected}, got another state{first_bad_index(~np.asarray(holds))}"
+        for holds, expected, *_field in law.conditions(meeting)
+        if not np.all(holds)
+    ]
+    if faults:
+        raise CaromError(*faults)
+    assert law.kernel is not None  # every law that answers at once has one
+    return respond(law.kernel, meeting)

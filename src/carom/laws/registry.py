@@ -1,0 +1,63 @@
+"""The laws that there are: every module of this package that defines LAW, and every card in it.
+
+A file that is dropped into the package is found here, and so by `carom laws`, `compare`, `predict`, scenes, billiards and fits.
+"""
+
+from __future__ import annotations
+
+import functools
+import importlib
+import pkgutil
+from typing import Any
+
+from carom.errors import CaromError, did_you_mean, require_type
+from carom.laws.law import Card, Law
+
+__all__ = ["card_named", "cards", "law_named", "laws"]
+
+
+@functools.cache
+def _modules() -> tuple[Any, ...]:
+    package = importlib.import_module(__package__)
+    names = sorted(found.name for found in pkgutil.iter_modules(package.__path__))
+    return tuple(importlib.import_module(f"{__package__}.{name}") for name in names)
+
+
+@functools.cache
+def laws() -> dict[str, Law]:
+    """Return all laws by name, in the order of their ``order``: what ``carom.LAWS`` is."""
+    found = [module.LAW for module in _modules() if isinstance(getattr(module, "LAW", None), Law)]
+    return {law.name: law for law in sorted(found, key=lambda law: (law.order, law.name))}
+
+
+@functools.cache
+def cards() -> dict[str, Card]:
+    """Return every card by name, those of the laws first, then of what is no law by itself: what ``carom.CARDS`` is."""
+    others = [x for module in _modules() for x in vars(module).values() if isinstance(x, Card)]
+    return {card.name: card for card in (*(law.card for law in laws().values()), *others)}
+
+
+def law_named(name: str) -> Law:
+    """Return a law by its name; CaromError with the nearest name where there is none."""
+    require_type("law_named", "name", name, str)
+    for law in laws().values():
+        if name == law.name or name in law.aliases:
+            return law
+    raise CaromError(f"law: expected one of {', '.join(laws())}, got {name!r}{did_you_mean(name, list(laws()))}")
+
+
+def card_named(name: str) -> Card:
+    """Return the card of a law by name; CaromError with the nearest name where there is none."""
+    require_type("card_named", "name", name, str)
+    if name not in cards():
+        raise CaromError(f"law: expected one of {', '.join(cards())}, got {name!r}{did_you_mean(name, list(cards()))}")
+    return cards()[name]
+
+
+def __getattr__(name: str) -> Any:
+    """Make LAWS and CARDS when they are first asked for: the laws are imported then, not with this module."""
+    if name == "LAWS":
+        return laws()
+    if name == "CARDS":
+        return cards()
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

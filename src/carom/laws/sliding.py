@@ -1,0 +1,44 @@
+"""Coulomb sliding: one contact whose slip friction stops at most; nothing of it is given back."""
+
+from __future__ import annotations
+
+from carom.core.jit.kernel import Vec, kernel
+from carom.laws.law import CONTACT_WALL, ON_FLOOR, Card, FitSpec, contact_kernel, drives_into_floor, wall_law
+
+__all__ = ["CARD", "LAW"]
+
+CARD = Card(
+    name="sliding",
+    summary="One contact with restitution and Coulomb friction: it slides, or friction stops the slip and no more.",
+    assumptions=("one impact with restitution e and Coulomb friction mu", "tangential restitution beta = 0"),
+    valid="Balls whose contact does not spring back along the surface: billiard balls on cushions, hard spheres at grazing"
+    " incidence. The contact law with beta = 0.",
+    equations="(19), (28)-(31)",
+    citation="The paper, section 3.1; for the contact O. R. Walton & R. L. Braun, J. Rheol. 30, 949-980 (1986).",
+    doi="10.1122/1.549893",
+)
+
+
+@kernel
+def sliding_kernel(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float) -> tuple[Vec, Vec]:
+    """Velocity and spin after the wall."""
+    return contact_kernel(v, w, n, a, kappa, e, mu, 0 * beta)
+
+
+LAW = wall_law(
+    CARD,
+    sliding_kernel,
+    objections=drives_into_floor,
+    reads=("restitution", "friction", *ON_FLOOR),
+    response=CONTACT_WALL,
+    pinned={"tangential_restitution": 0.0},
+    needs=("restitution", "friction"),
+    in_flight=True,
+    variant_of="contact",
+    fits=(
+        FitSpec("planar", "sliding (Coulomb), slip stopped at most", nested_in=("contact",)),
+        FitSpec("table", same_as="two-step-after"),
+    ),
+    aliases=("coulomb",),
+    order=71,
+)

@@ -1,0 +1,45 @@
+"""Sticking: one contact that always ends without slip, whatever friction that needs: the paper's wall."""
+
+from __future__ import annotations
+
+import math
+
+from carom.core.jit.kernel import Vec, kernel
+from carom.laws.law import CONTACT_WALL, ON_FLOOR, Card, FitSpec, contact_kernel, drives_into_floor, wall_law
+
+__all__ = ["CARD", "LAW"]
+
+CARD = Card(
+    name="sticking",
+    summary="One contact that ends without slip: friction is as large as it has to be.",
+    assumptions=("one impact with restitution e", "friction mu infinite, tangential restitution beta = 0"),
+    valid="Very rough walls, small angles of incidence. The contact law with mu = inf and beta = 0; the paper's wall.",
+    equations="(31)",
+    citation="The paper, section 3.1.",
+)
+
+
+@kernel
+def sticking_kernel(
+    v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float
+) -> tuple[Vec, Vec]:
+    """Velocity and spin after the wall."""
+    return contact_kernel(v, w, n, a, kappa, e, math.inf, 0 * beta)
+
+
+LAW = wall_law(
+    CARD,
+    sticking_kernel,
+    objections=drives_into_floor,
+    reads=("restitution", *ON_FLOOR),
+    response=CONTACT_WALL,
+    pinned={"friction": math.inf, "tangential_restitution": 0.0},
+    needs=("restitution",),
+    in_flight=True,
+    variant_of="contact",
+    fits=(
+        FitSpec("planar", "sticking (the paper's wall)", nested_in=("sliding", "contact", "maw")),
+        FitSpec("table", same_as="two-step-paper"),
+    ),
+    order=72,
+)

@@ -1,0 +1,63 @@
+"""The two-step law with a floor that is softer than the wall: the wall alone, and then the floor."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from carom.laws.law import (
+    CONTACT_WALL,
+    ON_FLOOR,
+    ON_WALL,
+    Answer,
+    Card,
+    FitSpec,
+    Law,
+    Meeting,
+    approaches,
+    contact_kernel,
+)
+from carom.laws.two_step import answer_two_step
+
+__all__ = ["CARD", "LAW"]
+
+CARD = Card(
+    name="two-step-after",
+    summary="The two-step law in which a ball that the wall pushes down meets the wall alone first, and then the floor.",
+    assumptions=(
+        "each contact is one impact with restitution e, Coulomb friction mu and tangential restitution beta",
+        "the contact with the floor comes after that with the wall, even where the wall presses the ball on the floor",
+    ),
+    valid="The limit of a floor that is soft against the wall. It is two-step with floor_contact='after'; they differ only"
+    " where the wall presses the ball down (backspin, sliding, a cushion that touches above the centre).",
+    equations="(27)-(41)",
+    citation="The paper, section 3; O. R. Walton & R. L. Braun, J. Rheol. 30, 949-980 (1986), for the contact.",
+    doi="10.1122/1.549893",
+)
+
+
+def _answer(meeting: Meeting) -> Answer:
+    return answer_two_step(replace(meeting, floor_contact="after"))
+
+
+LAW = Law(
+    CARD,
+    _answer,
+    approaches,
+    lambda _meeting, _answer: [],
+    contact_kernel,
+    reads=(*ON_WALL, *ON_FLOOR),
+    response=CONTACT_WALL,
+    needs=("restitution", "friction"),
+    variant_of="two-step",
+    fits=(
+        FitSpec("planar", same_as="sliding"),
+        FitSpec(
+            "table",
+            "two-step, the wall and then the floor",
+            free=("restitution", "friction"),
+            nested_in=("contact",),
+            redundant_upright=True,
+        ),
+    ),
+    order=41,
+)

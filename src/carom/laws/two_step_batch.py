@@ -1,0 +1,242 @@
+"""The two-step law for many balls in arrays that exist; pressed balls take their integration steps in lockstep.
+
+The steps are those of :mod:`carom.laws.wall_and_floor.sliding`, in vector registers.
+
+A block's balls that slide at both contacts stand in lanes; all take one step, those that are through make room for others. One
+whose slip dies is followed by itself from there (:func:`carom.laws.wall_and_floor.solver.go_on`), until both slide
+again. No lane knows its neighbours, so a ball's answer has the same bits in any company.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom.bodies import Ball, State, Surface
+from carom.core.contact import SLIDE
+from carom.core.jit.kernel import Vec, kernel, prange
+from carom.laws.arrays import loop_for, state_arrays, unit_normal
+from carom.laws.landing import landing_settings, rolling_after
+from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact
+from carom.laws.two_step import two_step_final, two_step_plain
+from carom.laws.wall_and_floor.frame import meet, part
+from carom.laws.wall_and_floor.rates import FLOOR_SLIP, Couplings, Pair, Slips, decide_mode, size
+from carom.laws.wall_and_floor.sliding import DONE, GOES, REACH, glide
+from carom.laws.wall_and_floor.solver import AGAIN, AT_REST, STALL, error_allowed, go_on, pressed_down
+
+__all__ = ["two_step_final_rows", "two_step_into"]
+
+Array = NDArray[Any]
+
+FIRM = 3  # frictions up to which balls stand in lanes, and the slip, in the speeds, down to which they do
+LEAST = 1e-10
+LANES, TOGETHER = 64, 8
+# What a lane holds: six numbers of the state, both directions, compressed or not, what is given back, reach, error, speed,
+# least slip, how it goes on, the ball, the impulse when it came in.
+_DW, _DF, _COMPRESSED, _PEAK, _REACH, _ERROR = (k * LANES for k in (6, 8, 10, 11, 12, 13))
+_SPEED, _LEAST, _GOES, _BALL, _CAME = (k * LANES for k in (14, 15, 16, 17, 18))
+HELD = 19
+ROOM = HELD * LANES
+
+
+@kernel
+def _steps(s: Array, lanes: int, q: Couplings, e: float) -> None:
+    """One step in each lane. One flat array at known distances: so the compiler sees that no lane touches another."""
+    for i in range(lanes):
+        state = (s[i], s[i + LANES], s[i + 2 * LANES], s[i + 3 * LANES], s[i + 4 * LANES], s[i + 5 * LANES])
+        dw, df = (s[i + _DW], s[i + _DW + LANES]), (s[i + _DF], s[i + _DF + LANES])
+        y, compressed, peak, reach, goes = glide(
+            state, dw, df, s[i + _COMPRESSED] > 0, s[i + _PEAK], s[i + _REACH], s[i + _ERROR], s[i + _SPEED], s[i + _LEAST],
+            q, e,
+        )  # fmt: skip
+        s[i], s[i + LANES], s[i + 2 * LANES] = y[0], y[1], y[2]
+        s[i + 3 * LANES], s[i + 4 * LANES], s[i + 5 * LANES] = y[3], y[4], y[5]
+        s[i + _COMPRESSED] = 1.0 if compressed else 0.0
+        s[i + _PEAK] = peak
+        s[i + _REACH] = reach
+        s[i + _GOES] = goes
+
+
+@kernel
+def _glides(y: Slips, vz: float, q: Couplings, scale: float) -> tuple[bool, Slips, Pair, Pair]:
+    """Whether both contacts slide at first, and not in one plane, where every way is straight; the slips, where f starts."""
+    c, _m, _b, _k, _d, _e, _drive, muw, muf, _heed = q
+    zero, tiny = 0 * vz, AT_REST * scale
+    y = (y[0] - c * vz, y[1], y[2], y[3], y[4])
+    straight = y[1] == 0 and y[3] == 0
+    if straight or vz > tiny or not max(muw, muf) <= FIRM or not size(y[0], y[1]) > LEAST * scale:
+        return False, y, (1 + zero, zero), (1 + zero, zero)
+    if muf > 0 and size(y[2], y[3]) <= tiny:
+        y = (y[0], y[1], zero, zero, y[4])
+    wall, floor, level, dw, df = decide_mode(y, q, False, False, True, tiny)
+    slips = y[2] != 0 or y[3] != 0 or muf > 0
+    return wall == SLIDE and floor == FLOOR_SLIP and level == 0 and slips, y, dw, df
+
+
+@kernel
+def _stand(s: Array, i: int, y: Slips, p: float, dw: Pair, df: Pair, compressed: bool, peak: float) -> None:
+    """Put a state into a lane."""
+    s[i], s[i + LANES], s[i + 2 * LANES], s[i + 3 * LANES], s[i + 4 * LANES], s[i + 5 * LANES] = (
+        y[0],
+        y[1],
+        y[2],
+        y[3],
+        y[4],
+        p,
+    )
+    s[i + _DW], s[i + _DW + LANES] = dw
+    s[i + _DF], s[i + _DF + LANES] = df
+    s[i + _COMPRESSED] = 1.0 if compressed else 0.0
+    s[i + _PEAK] = peak
+    s[i + _REACH] = REACH
+    s[i + _CAME] = p
+
+
+@kernel
+def _enters(
+    s: Array, i: int, ball: int, v: Vec, w: Vec, n: Vec, a: float, kappa: float, mu: float, ef: float, muf: float, betaf: float
+) -> bool:  # fmt: skip
+    """Put a ball into a lane; False where it does not slide at both contacts."""
+    v1, _s, _j, _frame, q, slips, speed, scale = meet(v, w, n, a, kappa, mu, ef, muf, betaf)
+    if not speed > 0:
+        return False
+    glides, y, dw, df = _glides(slips, v1[2], q, scale)
+    if glides:
+        _stand(s, i, y, 0 * scale, dw, df, True, 0 * scale)
+        s[i + _CAME] = -1.0
+        s[i + _ERROR] = error_allowed(speed, scale)
+        s[i + _SPEED] = speed
+        s[i + _LEAST] = LEAST * scale
+        s[i + _BALL] = ball
+    return glides
+
+
+@kernel
+def _vector(x: Array, ball: int) -> Vec:
+    return x[3 * ball], x[3 * ball + 1], x[3 * ball + 2]
+
+
+@kernel
+def _put(x: Array, ball: int, to: Vec) -> None:
+    x[3 * ball], x[3 * ball + 1], x[3 * ball + 2] = to
+
+
+@kernel
+def pressed_block(
+    v: Array, w: Array, n: Vec, a: float, kappa: float,
+    e: float, mu: float, beta: float, ef: float, muf: float, betaf: float, g: float, h: float, together: bool,
+    v3: Array, w3: Array, why: Array, s: Array,
+) -> None:  # fmt: skip
+    """:func:`carom.laws.two_step.two_step_final` of the balls of a block that are open, ``why`` below 0; s: ROOM numbers."""
+    smooth = beta == -1 or mu == 0
+    muw = 0 * mu if smooth else mu
+    _v, _s, _j, _frame, q, _slips, _speed, _scale = meet(n, n, n, a, kappa, muw, ef, muf, betaf)
+    lanes, ball = 0, 0
+    left = together and (smooth or beta == 0)
+    while left:
+        while lanes < LANES and ball < why.shape[0]:
+            if why[ball] < 0:
+                x, y = _vector(v, ball), _vector(w, ball)
+                if pressed_down(x, y, n, a, mu, h) and _enters(s, lanes, ball, x, y, n, a, kappa, muw, ef, muf, betaf):
+                    lanes += 1
+            ball += 1
+        # (those at the end of the last handful are what stood there before)
+        _steps(s, (lanes + TOGETHER - 1) // TOGETHER * TOGETHER, q, e)
+        i = 0
+        while i < lanes:
+            if s[i + _GOES] == GOES:
+                i += 1
+                continue
+            k = int(s[i + _BALL])
+            x, y = _vector(v, k), _vector(w, k)
+            met = meet(x, y, n, a, kappa, muw, ef, muf, betaf)
+            slips = (s[i], s[i + LANES], s[i + 2 * LANES], s[i + 3 * LANES], s[i + 4 * LANES])
+            p, up = s[i + 5 * LANES], 0 * a
+            found = s[i + _GOES] == DONE
+            if not found:  # for a while, or to its end, step by step; who has not come any further does not wait again
+                slips, up, p, regime, compressed, peak, dw, df = go_on(
+                    slips, up, q, e, kappa, ef, muf, betaf, met[6], met[7],
+                    p, s[i + _COMPRESSED] > 0, s[i + _PEAK], p > s[i + _CAME],
+                )  # fmt: skip
+                if regime == AGAIN:
+                    _stand(s, i, slips, p, dw, df, compressed, peak)
+                    i += 1
+                    continue
+                found = regime != STALL
+            if found:
+                x, y, _wall, _floor = part(x, y, a, kappa, met, slips, up, p)
+                x, y, why[k] = rolling_after(x, y, n, a, kappa, ef, muf, betaf, g, h)
+                _put(v3, k, x)
+                _put(w3, k, y)
+            lanes -= 1
+            for r in range(HELD):
+                s[i + r * LANES] = s[lanes + r * LANES]
+        left = lanes > 0 or ball < why.shape[0]
+    for k in range(why.shape[0]):
+        if why[k] < 0:
+            x, y = _vector(v, k), _vector(w, k)
+            x, y, why[k] = two_step_final(x, y, n, a, kappa, e, mu, beta, ef, muf, betaf, g, h, together)
+            _put(v3, k, x)
+            _put(w3, k, y)
+
+
+BLOCK = 1024  # balls
+
+
+@kernel
+def _two_step_block(
+    v: Array, w: Array, n: Vec, a: float, kappa: float,
+    e: float, mu: float, beta: float, ef: float, muf: float, betaf: float, g: float, together: bool,
+    v3: Array, w3: Array, why: Any,
+) -> None:  # fmt: skip
+    for i in range(v.shape[0] // 3):
+        k = 3 * i
+        x, y, plain = two_step_plain(
+            (v[k], v[k + 1], v[k + 2]), (w[k], w[k + 1], w[k + 2]), n,
+            a, kappa, e, mu, beta, ef, muf, betaf, g, together,
+        )  # fmt: skip
+        v3[k], v3[k + 1], v3[k + 2] = x[0], x[1], x[2]
+        w3[k], w3[k + 1], w3[k + 2] = y[0], y[1], y[2]
+        why[i] = 0 if plain else -1
+
+
+def two_step_final_rows(v: Array, w: Array, n: Array, p: Array, together: bool, v3: Array, w3: Array, why: Any) -> None:
+    """The two-step, rolling state only; the plain balls of a block first, then in full what that left open.
+
+    Parameters a, kappa, e, mu, beta, the floor's e, mu, beta, gravity, height.
+    """
+    normal, count = (n[0], n[1], n[2]), v.shape[0]
+    a, kappa, e, mu, beta = p[0], p[1], p[2], p[3], p[4]
+    ef, muf, betaf, g, h = p[5], p[6], p[7], p[8], p[9]
+    for block in prange((count + 3 * BLOCK - 1) // (3 * BLOCK)):
+        i = 3 * BLOCK * block
+        k = min(i + 3 * BLOCK, count)
+        _two_step_block(
+            v[i:k], w[i:k], normal, a, kappa, e, mu, beta, ef, muf, betaf, g, together,
+            v3[i:k], w3[i:k], why[i // 3 : k // 3],
+        )  # fmt: skip
+        pressed_block(
+            v[i:k], w[i:k], normal, a, kappa, e, mu, beta, ef, muf, betaf, g, h, together,
+            v3[i:k], w3[i:k], why[i // 3 : k // 3], np.empty(ROOM),
+        )  # fmt: skip
+
+
+def two_step_into(
+    out: State, why: NDArray[np.int8], ball: Ball, state: State, wall: Surface = PAPER_WALL, floor: Surface = PAPER_FLOOR,
+    normal: ArrayLike = (1.0, 0.0, 0.0), gravity: float = GRAVITY, height: float = 0.0, floor_contact: FloorContact = "with",
+) -> None:  # fmt: skip
+    """:func:`two_step`, only the rolling state, into arrays (N, 3) that exist; ``why`` (N,) int8 takes the reasons.
+
+    One normal, one ball, one wall and floor for all; nothing is checked. ``why`` is 0 where the ball rolls; elsewhere the
+    state is NaN, and ``carom.laws.landing.REASONS[why]`` says why.
+    """
+    g, h, together = landing_settings(gravity, height, floor_contact)
+    parameters = (
+        ball.radius, ball.kappa, wall.restitution, wall.friction, wall.tangential_restitution,
+        floor.restitution, floor.friction, floor.tangential_restitution, g, h,
+    )  # fmt: skip
+    v, w, v3, w3 = state_arrays(state, out)
+    loop = loop_for(two_step_final_rows, len(state.velocity))
+    loop(v, w, unit_normal(normal), np.array(parameters), together, v3, w3, why)

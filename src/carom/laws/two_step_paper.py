@@ -1,0 +1,58 @@
+"""The two-step law with the paper's own surfaces: wall of restitution 1, floor of restitution 0, both sticking."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+from carom.core.jit.kernel import Vec, kernel
+from carom.laws.law import CONTACT_WALL, Answer, Card, FitSpec, Law, Meeting, approaches, contact_kernel
+from carom.laws.results import PAPER_FLOOR, PAPER_WALL
+from carom.laws.two_step import answer_two_step
+
+__all__ = ["CARD", "LAW"]
+
+CARD = Card(
+    name="two-step-paper",
+    summary="The two-step law with the paper's surfaces: both stick, the wall returns all of the normal velocity, the floor none.",
+    assumptions=("wall: e = 1, mu infinite, beta = 0", "floor: e = 0, mu infinite, beta = 0"),
+    valid="The paper's own example, without a parameter: 51.52 degrees for 45. Real cushions give back less and slide.",
+    equations="(27)-(41)",
+    citation="The paper, section 3.",
+)
+
+
+@kernel
+def paper_wall_kernel(
+    v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float
+) -> tuple[Vec, Vec]:
+    """Velocity and spin after the wall."""
+    return contact_kernel(v, w, n, a, kappa, 1 + 0 * e, math.inf, 0 * beta)
+
+
+def _answer(meeting: Meeting) -> Answer:
+    return answer_two_step(replace(meeting, wall=PAPER_WALL, floor=PAPER_FLOOR))
+
+
+LAW = Law(
+    CARD,
+    _answer,
+    approaches,
+    lambda _meeting, _answer: [],
+    paper_wall_kernel,
+    reads=(),
+    response=CONTACT_WALL,
+    pinned={"restitution": 1.0, "friction": math.inf, "tangential_restitution": 0.0},
+    variant_of="two-step",
+    fits=(
+        FitSpec("planar", absent="it needs a floor; its wall is the law sticking"),
+        FitSpec(
+            "table",
+            "two-step with the paper's surfaces",
+            pinned={"floor_friction": math.inf},
+            upright=True,
+            rolling_only=True,
+        ),
+    ),
+    order=42,
+)

@@ -1,0 +1,101 @@
+"""A law by its name, or a law of your own from a Python file."""
+
+from __future__ import annotations
+
+import hashlib
+import importlib.util
+import math
+import sys
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+from carom.core.jit.kernel import kernel
+from carom.errors import CaromError, require_type, suggestion
+from carom.laws.arrays import WallKernel
+from carom.laws.law import Answer, Card, Law, Meeting, wall_law
+from carom.laws.registry import law_named
+
+__all__ = ["find_law"]
+
+
+def find_law(name: str) -> Law:
+    """A law by its name, or a user's own by ``file.py:name``.
+
+    That is a :class:`carom.Law`, or a kernel (v, w, n, a, kappa, e, mu, beta) -> (v, w), which the floor then follows.
+
+    Raises CaromError for an unknown name, with the nearest one; for a file that does not run, or has no such thing.
+    """
+    require_type("find_law", "name", name, str)
+    file, colon, what = name.rpartition(":")
+    if not colon or not file.endswith(".py"):
+        if name.endswith(".py"):
+            raise CaromError(f"--law {name}: expected the law's name in the file as well, as in {name}:law")
+        return law_named(name)
+    path = Path(file)
+    try:
+        text = path.read_bytes()
+    except OSError as error:
+        raise CaromError(f"--law {file}: expected a Python file, got: {error.strerror}") from None
+    # The name carries the file's contents: compiled loops are cached under it, and an edited law is another law.
+    module_name = f"carom_law_{hashlib.sha256(str(path.resolve()).encode() + text).hexdigest()[:16]}"
+    spec = importlib.util.spec_from_file_location(module_name, path)
+    if spec is None or spec.loader is None:
+        raise CaromError(f"--law {file}: expected a Python file, got one that Python cannot load")
+    module = importlib.util.module_from_spec(spec)
+    sys.modules[module_name] = module
+    try:
+        spec.loader.exec_module(module)
+    except Exception as error:
+        raise CaromError(f"--law {file}: expected a file that runs, got {type(error).__name__}: {error}") from error
+    found = getattr(module, what, None)
+    if found is None:
+        names = [
+            key
+            for key, value in vars(module).items()
+            if not key.startswith("_") and (callable(value) or isinstance(value, Law))
+        ]
+        raise CaromError(f"--law {name}: expected {what!r} in the file, got no such name; {suggestion(what, names)}")
+    if isinstance(found, Law):
+        law = found
+    elif callable(found):
+        law = wall_law(Card(what, "A law of the user's own.", (), "", str(path), ""), kernel(found))
+    else:
+        raise CaromError(f"--law {name}: expected a carom.Law or a kernel, got {type(found).__name__}")
+    if law.kernel is not None:
+        _try_once(name, law.kernel)
+    return replace(law, answer=_guarded(name, law.answer))
+
+
+def _try_once(name: str, kernel: WallKernel) -> None:
+    """CaromError where a kernel does not take eight things and return two triples of finite numbers."""
+    try:
+        found = kernel((-1.0, 0.5, 0.0), (1.0, 2.0, 3.0), (1.0, 0.0, 0.0), 0.03, 0.4, 0.9, 0.2, 0.0)
+    except Exception as error:
+        raise CaromError(
+            f"--law {name}: expected law(v, w, n, a, kappa, e, mu, beta) -> (v, w), got {type(error).__name__}: {error}"
+        ) from error
+    try:
+        v, w = found
+        good = len(v) == len(w) == 3 and all(math.isfinite(x) for x in (*v, *w))
+    except (TypeError, ValueError):
+        good = False
+    if not good:
+        raise CaromError(f"--law {name}: expected (v, w), two triples of finite numbers, got {found!r}")
+
+
+def _guarded(name: str, answer: Callable[[Meeting], Answer]) -> Callable[[Meeting], Answer]:
+    """What a law of the user's own raises, as one line."""
+
+    def guarded(meeting: Meeting) -> Answer:
+        try:
+            return answer(meeting)
+        except CaromError:
+            raise
+        except Exception as error:
+            first = " ".join(str(error).split())[:300]
+            raise CaromError(
+                f"--law {name}: expected numbers for this ball, got {type(error).__name__}: {first}"
+            ) from error
+
+    return guarded

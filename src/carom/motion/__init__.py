@@ -1,1 +1,0 @@
-"""What lies between two events: flight, sliding, rolling, pivoting, rest; and when the next contact comes."""

@@ -1,0 +1,17 @@
+from .animation import animate as animate
+from .billiards import plot_boundary as plot_boundary
+from .billiards import plot_lyapunov as plot_lyapunov
+from .billiards import plot_orbit as plot_orbit
+from .billiards import plot_portrait as plot_portrait
+from .comparison import PathAfterWall as PathAfterWall
+from .comparison import compare as compare
+from .comparison import path_after_wall as path_after_wall
+from .gas import plot_gas as plot_gas
+from .paper import collision as collision
+from .paper import figures as figures
+from .paper import incidence_and_reflection as incidence_and_reflection
+from .paper import setting as setting
+from .style import require_matplotlib as require_matplotlib
+from .style import require_writable as require_writable
+from .style import save as save
+from .trajectory import plot_trajectory as plot_trajectory

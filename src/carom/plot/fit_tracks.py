@@ -1,0 +1,165 @@
+"""Figures of whole tracks and their simulations, and the HTML report."""
+
+from __future__ import annotations
+
+import html
+from itertools import pairwise
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from carom.fitting.result import with_error_bar
+from carom.plot.fit import PAGE, SHOWN, listed, svg, tabled
+from carom.plot.style import GREY, INK, law_styles, new_figure, style
+
+if TYPE_CHECKING:
+    from carom.fitting.tracks import TrackFit, TrackRanking
+
+__all__ = ["plot_tracks", "write_track_report"]
+
+SHOTS, MORE = 6, 12  # drawn from above; of tables that are wide, so that more rows find room
+BALLS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+
+
+def plot_tracks(ranking: TrackRanking) -> Any:
+    """Plot shots from above, tracked and simulated, distances by shot and law, and over time. Returns a Matplotlib Figure."""
+    best = ranking.best
+    shots = list(dict.fromkeys(one.group for one in best.frames.segments))
+    size = np.ptp(np.concatenate([one.position for one in best.frames.segments]), axis=0)
+    shown = shots[: MORE if size[0] > 1.5 * size[1] else SHOTS]
+    with style():
+        figure = new_figure(10.4, 6.6)
+        left, right = figure.subfigures(1, 2, width_ratios=[1.55, 1])
+        columns = min(3, len(shown)) if len(shown) > 1 else 1
+        rows = -(-len(shown) // columns)
+        panels = left.subplots(rows, columns, squeeze=False)
+        names = list(dict.fromkeys(one.name for one in best.frames.segments))
+        for axes in panels.flat[len(shown) :]:
+            axes.set_axis_off()
+        for axes, shot in zip(panels.flat, shown, strict=False):
+            _from_above(axes, best, shot, names)
+        left.subplots_adjust(left=0.02, right=0.98, top=0.91, bottom=0.03, wspace=0.08, hspace=0.2)
+        more = f", {len(shown)} of {len(shots)} shots" if len(shots) > len(shown) else ""
+        left.suptitle(f"Tracked (dots) and simulated by {best.law.name} (lines){more}", fontsize=9)
+        upper, lower = right.subplots(2, 1, height_ratios=[1, 1])
+        _by_shot(upper, ranking)
+        _over_time(lower, best)
+        right.subplots_adjust(left=0.17, right=0.97, top=0.93, bottom=0.09, hspace=0.36)
+    return figure
+
+
+def _from_above(axes: Any, fit: TrackFit, shot: str, names: list[str]) -> None:
+    """Plot one shot: all its segments, and the lines on which the ball's centre turns."""
+    at = {**fit.model.held, **fit.numbers}
+    which = [n for n, one in enumerate(fit.frames.segments) if one.group == shot]
+    every = np.concatenate([one.position for one in fit.frames.segments])
+    low, high = every.min(axis=0), every.max(axis=0)
+    for name, value in at.items():
+        side = name.removeprefix("wall_")
+        if side in ("left", "right"):
+            axes.plot([value, value], [low[1], high[1]], color=GREY, lw=0.8)
+        elif side in ("bottom", "top"):
+            axes.plot([low[0], high[0]], [value, value], color=GREY, lw=0.8)
+    for n in which:
+        one = fit.frames.segments[n]
+        colour = BALLS[names.index(one.name) % len(BALLS)]
+        count = int(fit.frames.count[n])
+        t = np.linspace(0.0, one.time[count - 1], 300)
+        run = fit.simulate(n)
+        x = np.asarray(run.at(np.minimum(t, run.end)).position)[:, 0, :2]
+        axes.plot(*x.T, "-", color=colour, lw=0.9, zorder=2)
+        step = max(1, count // 60)
+        axes.plot(*one.position[:count:step].T, "o", color=colour, ms=2.2, mec="none", alpha=0.75, zorder=3)
+        axes.plot(*one.position[0], "o", color=colour, ms=5, mfc="none", mew=0.8, zorder=3)
+    margin = 0.03 * float((high - low).max())
+    axes.set(aspect="equal", xlim=(low[0] - margin, high[0] + margin), ylim=(low[1] - margin, high[1] + margin))
+    axes.set(xticks=[], yticks=[])
+    for spine in axes.spines.values():
+        spine.set_visible(False)
+    axes.set_title(f"{shot or 'track'}: {1e3 * fit.rms(which):.2g} mm", fontsize=8)
+
+
+def _by_shot(axes: Any, ranking: TrackRanking) -> None:
+    """Plot the cumulative distribution of the shots' distances for each law."""
+    fits = ranking.fits[: SHOWN + 2]
+    look = law_styles([fit.law.name for fit in fits])
+    rows = ranking.best.frames.groups
+    for fit in fits:
+        size = np.sort([1e3 * fit.rms(which) for which in rows])
+        colour, dashes = look[fit.law.name]
+        share = np.arange(1, len(size) + 1)
+        axes.plot(
+            size, share, color=colour, ls=dashes, marker="o", ms=2.5 if len(size) > 8 else 4, lw=1, label=fit.law.name
+        )
+    axes.axvline(1e3 * ranking.best.noise * np.sqrt(2), color=GREY, lw=0.8, ls=":")
+    axes.set(xscale="log", xlabel="RMS distance of a shot, mm (dotted: noise)", ylabel="shots that are nearer")
+    axes.set_ylim(0, len(rows) * 1.04)
+    axes.set_title("Distance from track to simulation", fontsize=9)
+    axes.legend(fontsize=7, frameon=False, loc="lower right")
+
+
+def _over_time(axes: Any, fit: TrackFit) -> None:
+    """Plot the distances of the best law since the first contact, one line per track."""
+    for n, one in enumerate(fit.frames.segments):
+        count = int(fit.frames.count[n])
+        gap = 1e3 * np.hypot(*fit.gap[n, :count].T)
+        axes.plot(one.time[:count] - one.contacts[0], gap, color=INK, lw=0.4, alpha=0.3)
+    since = np.concatenate(
+        [one.time[: int(c)] - one.contacts[0] for one, c in zip(fit.frames.segments, fit.frames.count, strict=True)]
+    )
+    every = 1e3 * np.concatenate([np.hypot(*fit.gap[n, : int(c)].T) for n, c in enumerate(fit.frames.count)])
+    edges = np.linspace(since.min(), since.max(), 25)
+    middles = [(a + b) / 2 for a, b in pairwise(edges) if ((since >= a) & (since < b)).sum() >= 10]
+    medians = [
+        np.median(every[(since >= a) & (since < b)])
+        for a, b in pairwise(edges)
+        if ((since >= a) & (since < b)).sum() >= 10
+    ]
+    axes.plot(middles, medians, color="#D55E00", lw=1.8, label="median")
+    axes.legend(fontsize=7, frameon=False, loc="upper left")
+    axes.axvline(0, color=GREY, lw=0.8, ls=":")
+    axes.set(yscale="log", xlabel="time since the first contact, s", ylabel="distance, mm")
+    axes.set_title(f"Over time, {fit.law.name}", fontsize=9)
+
+
+def _laws(ranking: TrackRanking) -> str:
+    rows = []
+    least = ranking.best.aicc
+    for i, fit in enumerate(ranking.fits):
+        numbers = "<br>".join(f"{name} {html.escape(with_error_bar(e))}" for name, e in fit.estimates.items())
+        goodness = f"{fit.chi2:.5g} / {fit.dof:.0f}" if fit.known else "–"
+        cells = f"<td><b>{fit.law.name}</b><br>{html.escape(fit.law.words)}</td>"
+        cells += f'<td class="n">{fit.aicc - least:.1f}</td><td class="n">{goodness}</td>'
+        cells += (
+            f'<td class="n">{1e3 * fit.median_rms:.3g}</td><td class="n">{1e3 * fit.rms():.3g}</td><td>{numbers}</td>'
+        )
+        rows.append(f'<tr class="{"best" if i == 0 else ""}">{cells}</tr>')
+    return tabled(["law", "AICc above the best", "chi² / dof", "median RMS, mm", "RMS, mm", "parameters"], rows)
+
+
+def write_track_report(ranking: TrackRanking, source: str, path: str | Path) -> Path:
+    """Write the HTML report: verdict, figure, table, unconstrained parameters. The file appears complete or not at all."""
+    from carom import __version__
+    from carom.files import write_text
+
+    path, best = Path(path), ranking.best
+    name = html.escape(Path(source).name)
+    tracks = best.frames.segments
+    contacts = sum(len(one.contacts) for one in tracks)
+    ball = f"{1e3 * best.model.setting.radius:.4g} mm, moment of inertia {best.model.setting.kappa:.4g} m a²"
+    body = [
+        f"<h1>Which law follows {name}?</h1>",
+        f'<p class="verdict">{html.escape(ranking.verdict)}</p>',
+        f"<p>{len(tracks)} track segments, {contacts} contacts, {int(best.frames.count.sum()):,} frames; each segment is simulated"
+        f" from its own start. Ball of radius {ball}.</p>",
+        svg(plot_tracks(ranking)), "<h2>The laws, best first</h2>", _laws(ranking),
+        listed("Unconstrained parameters", [s for fit in ranking.fits for s in fit.degenerate]),
+        listed("Notes", list(ranking.notes)),
+        f"<footer>carom {__version__}. wall_left, ...: position at which the ball's centre turns, m.</footer>",
+    ]  # fmt: skip
+    text = PAGE.format(
+        title=f"carom fit: {name}", colour="#009E73" if ranking.decisive else "#E69F00", body="\n".join(body)
+    )
+    write_text(path, text)
+    return path

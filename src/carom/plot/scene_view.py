@@ -1,0 +1,154 @@
+"""What pictures, films and pages of a run share: colours, the balls' ways, the walls in view, the times that show it all."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, SLIDING
+from carom.scene.wall import WallShape
+from carom.simulation.records import START
+from carom.simulation.setup import set_up
+from carom.simulation.states import states
+from carom.simulation.trajectory import Trajectory
+
+__all__ = ["SEEN", "View", "colour", "last_time", "steps", "view", "walls_in", "way"]
+
+Array = NDArray[np.float64]
+# Okabe & Ito's colours, which colour-blind people tell apart.
+COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
+# A white ball is drawn grey, so that it is seen on paper.
+CALLED = {
+    "white": "#8f887c", "yellow": "#dba800", "red": "#c23616", "blue": "#0072B2", "green": "#009E73", "black": "#222222",
+    "orange": "#D55E00", "brown": "#8c5a2b", "pink": "#CC79A7",
+}  # fmt: skip
+# A hop of less than this part of the radius cannot be seen.
+SEEN = 1e-3
+# Above this number of events paths are drawn with fewer points.
+MANY = 4000
+
+
+def colour(run: Trajectory, ball: int) -> str:
+    """The colour of a ball: the one that it is called after, or else by its number."""
+    return CALLED.get(run.scene.ball_names[ball].lower(), COLOURS[ball % len(COLOURS)])
+
+
+def last_time(run: Trajectory) -> float:
+    """Where a picture of a run ends, s: its end, and a little of what follows where a ball then flies or rolls for ever."""
+    speed = np.linalg.norm(run.final.velocity, axis=1)
+    goes_on = run.ended == "nothing more happens" and any(
+        s > 0 and phase in ("flight", "sliding", "rolling") for s, phase in zip(speed, run.final_phase, strict=True)
+    )
+    if not goes_on:  # of balls that lie still from the start, a second
+        return run.end if run.end > 0 or run.ended != "nothing more happens" else 1.0
+    return 1.15 * run.end if run.end > 0 else 20 * max(ball.radius for ball in run.scene.balls) / float(speed.max())
+
+
+def way(run: Trajectory, ball: int, until: float) -> list[tuple[int, Array, Array]]:
+    """The way of a ball: (phase's number, times (N,), centres (N, 3)) of each phase, sampled on its closed form."""
+    rows = run.log[run.log["ball"] == ball]
+    setup = set_up(run.scene)
+    ends = np.minimum(np.append(rows["t"][1:], until), until)
+    keep = (ends > rows["t"]) & (rows["phase"] < HELD)
+    rows, lasts = rows[keep], (ends - rows["t"])[keep]
+    # straight pieces need their ends only; a run of very many events is drawn a little coarser
+    fine = 33 if len(rows) < MANY else 5
+    bent = np.isin(rows["phase"], (FLIGHT, SLIDING, BOUNCING))
+    counts = np.where(rows["phase"] == BOUNCING, 400, np.where(bent, fine, 3))
+    which = np.repeat(np.arange(len(rows)), counts)
+    place = np.concatenate([np.linspace(0, 1, n) for n in counts]) if len(counts) else np.zeros(0)
+    after = place * lasts[which]
+    x, _v, _w, _phase = states(setup.world, setup.balls, rows[which], after)
+    t = rows["t"][which] + after
+    found: list[tuple[int, Array, Array]] = []
+    for phase, a, b in zip(rows["phase"], np.cumsum(counts) - counts, np.cumsum(counts), strict=True):
+        if found and found[-1][0] == phase:
+            _, t0, x0 = found[-1]
+            found[-1] = (int(phase), np.append(t0, t[a:b]), np.append(x0, x[a:b], axis=0))
+        else:
+            found.append((int(phase), t[a:b], x[a:b]))
+    return found
+
+
+def steps(run: Trajectory, until: float, grid: int = 400) -> Array:
+    """Times from 0 to ``until`` that show what changes at events: an even grid, each event, and the instant before it."""
+    events = run.log["t"][(run.log["kind"] != START) & (run.log["t"] <= until)]
+    return np.unique(np.concatenate((np.linspace(0, until, grid), events, np.nextafter(events[events > 0], 0))))
+
+
+@dataclass(frozen=True)
+class View:
+    """What a picture shows, m: left, right, bottom, top."""
+
+    x: tuple[float, float]
+    y: tuple[float, float]
+
+    @property
+    def size(self) -> tuple[float, float]:
+        """Width and height, m."""
+        return self.x[1] - self.x[0], self.y[1] - self.y[0]
+
+
+def view(run: Trajectory, points: Array) -> View:
+    """All walls that end somewhere, and all points (N, 3) of the balls' ways, with a little air."""
+    a = max(ball.radius for ball in run.scene.balls)
+    seen = [line for wall in run.scene.walls if wall.bounded for line in wall.outline()]
+    low = np.min([points[:, :2].min(axis=0) - 1.4 * a, *(line.min(axis=0) for line in seen)], axis=0)
+    high = np.max([points[:, :2].max(axis=0) + 1.4 * a, *(line.max(axis=0) for line in seen)], axis=0)
+    air = 0.03 * float((high - low).max())
+    # a path along one line would be a picture without height
+    thin = np.maximum(0.3 * float((high - low).max()) - (high - low), 0) / 2
+    low, high = low - air - thin, high + air + thin
+    return View((float(low[0]), float(high[0])), (float(low[1]), float(high[1])))
+
+
+def walls_in(run: Trajectory, shown: View) -> list[tuple[Array, str]]:
+    """What of the walls is in view: polylines or polygons (N, 2) and what each is: "line", "felt", "solid"."""
+    found: list[tuple[Array, str]] = []
+    z = float(run.start.position[0, 2]) if run.start.position is not None else 0.0
+    for wall in run.scene.walls:
+        for line in wall.outline():
+            if not wall.bounded:
+                for piece in _clipped(line, shown):
+                    band = _behind(wall, piece, z, 0.018 * max(shown.size))
+                    found += [(band, "solid")] if band is not None else []
+                    found.append((piece, "line"))
+                continue
+            if len(line) > 3 and np.allclose(line[0], line[-1]):
+                x, y = line[:-1].mean(axis=0)
+                found.append((line, "solid" if wall.blocked((float(x), float(y), z)) else "felt"))
+            found.append((line, "line"))
+    order = ("felt", "solid", "line")
+    return sorted(found, key=lambda one: order.index(one[1]))
+
+
+def _clipped(line: Array, shown: View) -> list[Array]:
+    """The parts of a polyline in view (Liang and Barsky, 1984, side by side), so that no file holds lines of 2 km."""
+    found: list[Array] = []
+    for p, q in pairwise(line):
+        first, last, d = 0.0, 1.0, q - p
+        for step, low, high in (
+            (d[0], shown.x[0] - p[0], shown.x[1] - p[0]),
+            (d[1], shown.y[0] - p[1], shown.y[1] - p[1]),
+        ):
+            if step == 0:
+                first, last = (first, last) if low <= 0 <= high else (1.0, 0.0)
+            else:
+                first, last = max(first, min(low / step, high / step)), min(last, max(low / step, high / step))
+        if first < last:
+            found.append(np.array([p + first * d, p + last * d]))
+    return found
+
+
+def _behind(wall: WallShape, line: Array, z: float, depth: float) -> Array | None:
+    """A band along a straight wall, on the side where no ball can be; none where both sides are open."""
+    d = line[1] - line[0]
+    normal = np.array([-d[1], d[0]]) / np.hypot(*d)
+    x, y = line.mean(axis=0)
+    for n in (normal, -normal):
+        if wall.blocked((float(x + depth * n[0]), float(y + depth * n[1]), z)):
+            return np.array([line[0], line[1], line[1] + depth * n, line[0] + depth * n])
+    return None

@@ -1,0 +1,137 @@
+"""Write figures, and what all figures share: style, size, line styles of the laws, arrows, labels that do not overlap.
+
+Figures are written atomically, and the same figure gives the same bytes.
+"""
+
+from __future__ import annotations
+
+import io
+import math
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from carom import files
+from carom.files import as_path, atomic_path, require_library
+from carom.laws.registry import laws as laws_by_name
+
+__all__ = [
+    "GREY",
+    "INK",
+    "PALE",
+    "arrow",
+    "law_styles",
+    "new_figure",
+    "require_matplotlib",
+    "require_writable",
+    "save",
+    "spread_apart",
+    "style",
+]
+
+# Metadata of a file, by kind: nothing that changes from one run to the next.
+METADATA: dict[str, dict[str, str | None]] = {
+    "svg": {"Date": None},
+    "pdf": {"CreationDate": None, "Creator": "carom", "Producer": None},
+    "png": {"Software": None},
+}
+
+
+def require_matplotlib() -> None:
+    """Raise CaromError if Matplotlib (the extra ``plot``) is not installed."""
+    require_library("matplotlib", "plot")
+
+
+def require_writable(path: str | os.PathLike[str]) -> None:
+    """Raise CaromError if a picture cannot be written: another ending than .svg, .pdf, .png, no such folder, no permission."""
+    files.require_writable(as_path("plot", path), [f".{kind}" for kind in METADATA])
+
+
+def style() -> Any:
+    """Return the context in which figures are drawn and written: carom's settings over Matplotlib's defaults, not the user's."""
+    require_matplotlib()
+    import matplotlib.style
+
+    return matplotlib.style.context(["default", str(Path(__file__).with_name("carom.mplstyle"))])
+
+
+def save(figure: Any, path: str | os.PathLike[str]) -> None:
+    """Write a Figure as .svg, .pdf or .png, by the name's ending.
+
+    The file is complete or not there, and the same figure gives the same bytes. Raises CaromError if it cannot be written.
+
+    >>> import tempfile
+    >>> from carom import plot
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     plot.save(plot.compare(angle=30), f"{folder}/angle.svg")
+    """
+    require_writable(path)
+    path = Path(path)
+    kind = path.suffix.lower().removeprefix(".")
+    with style(), atomic_path(path) as part:
+        figure.savefig(part, format=kind, metadata=METADATA[kind])
+
+
+INK, GREY, PALE = "#222222", "#8a8a8a", "#eceae4"
+
+# The laws' own lines have the colours of Okabe & Ito, distinct for colour-blind people, each with its own dashes for print.
+MORE_COLOURS = ("#B8A600", "#000000", "#7A4FB5", "#A0522D")
+
+
+def law_styles(laws: Sequence[str]) -> dict[str, tuple[str, Any]]:
+    """Return colour and dashes of each law; custom laws get the colours that are left, in order."""
+    known = laws_by_name()
+    found: dict[str, tuple[str, Any]] = {}
+    new = 0
+    for law in laws:
+        if law in known and (line := known[law].line) is not None:
+            found[law] = line
+        else:
+            found[law] = (MORE_COLOURS[new % len(MORE_COLOURS)], (0, (3 + new, 1.5)))
+            new += 1
+    return found
+
+
+def new_figure(width: float, height: float) -> Any:
+    """Return an empty Figure, its size in inches, that notebooks show; call it in the context of :func:`style`."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(width, height))
+    setattr(figure, "_repr_png_", lambda: _png(figure))  # noqa: B010
+    return figure
+
+
+def _png(figure: Any) -> bytes:
+    buffer = io.BytesIO()
+    with style():
+        figure.savefig(buffer, format="png", metadata={"Software": None}, dpi=150)
+    return buffer.getvalue()
+
+
+def arrow(axes: Any, tail: tuple[float, float], head: tuple[float, float], colour: str = INK, **options: Any) -> None:
+    """Draw an arrow with a small filled head, from tail to head in data coordinates."""
+    look = {
+        "arrowstyle": "-|>,head_length=0.75,head_width=0.24",
+        "color": colour,
+        "lw": 1.0,
+        "shrinkA": 0,
+        "shrinkB": 0,
+    }
+    axes.annotate(
+        "", xy=head, xytext=tail, arrowprops=look | options, annotation_clip=False, zorder=options.get("zorder", 6)
+    )
+
+
+def spread_apart(wanted: Sequence[float], gap: float, low: float, high: float) -> list[float]:
+    """Return positions near the wanted ones, in their order, at least ``gap`` apart and within [low, high] if they fit."""
+    order = sorted(range(len(wanted)), key=lambda i: wanted[i])
+    gap = min(gap, (high - low) / max(len(wanted) - 1, 1))
+    placed = [0.0] * len(wanted)
+    floor = -math.inf
+    for i in order:
+        placed[i] = floor = max(wanted[i], floor + gap, low)
+    ceiling = high + gap
+    for i in reversed(order):
+        placed[i] = ceiling = min(placed[i], ceiling - gap)
+    return placed

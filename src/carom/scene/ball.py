@@ -1,0 +1,141 @@
+"""A ball of a scene: its properties and its initial state."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+import numpy as np
+from pydantic import AfterValidator, BeforeValidator, model_validator
+
+from carom.bodies import INERTIAS, Ball, State
+from carom.errors import CaromError, suggestion
+from carom.scene.schema import (
+    Components,
+    Fault,
+    Flag,
+    Length,
+    Mass,
+    Model,
+    Number,
+    Size,
+    Speed,
+    Spin,
+    Vector,
+    raise_faults,
+)
+
+__all__ = ["SceneBall"]
+
+_KAPPA = Number("'solid', 'hollow', or kappa = I/(m a^2) in (0, 2/3]", least=0, most=2 / 3 * (1 + 1e-12), above=True)
+
+
+def _inertia(value: Any) -> str | float:
+    if not isinstance(value, str):
+        return _KAPPA(value)
+    if value not in INERTIAS:
+        raise Fault(_KAPPA.what, value, suggestion(value, list(INERTIAS))).error()
+    return value
+
+
+def _three(value: tuple[float, ...]) -> Vector:
+    return (value[0], value[1], value[2] if len(value) == 3 else 0.0)
+
+
+class SceneBall(Model):
+    """A ball and its initial state.
+
+    Parameters
+    ----------
+    radius, mass : m and kg
+    inertia : "solid", "hollow", or kappa = I/(m a^2); default: "solid"
+    position : 2 or 3 lengths, m: the centre; two: on the floor (z = radius), or in the plane z = 0 of a scene without a floor
+    velocity : 2 or 3 speeds, m/s; default: at rest
+    rolling : whether it rolls on the floor: its spin follows from its velocity, except for ``spin_z``
+    spin : 3 numbers, rad/s: angular velocity of a ball that does not roll; default: none
+    spin_z : rad/s: sidespin of a ball that rolls; default: 0
+    name : its name in tables; default: its number
+
+    Every number with a unit may also be a text such as "61.5 mm". Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> import carom
+    >>> ball = carom.SceneBall(radius="30.75 mm", mass=0.21, position=(1.0, 0.5), velocity=(-2, 1), rolling=True)
+    >>> [round(float(w), 3) for w in ball.state.spin]
+    [-32.52, -65.041, 0.0]
+    """
+
+    radius: Size
+    mass: Mass
+    inertia: Annotated[str | float, BeforeValidator(_inertia)] = "solid"
+    position: Annotated[
+        tuple[Length, ...], BeforeValidator(Components("2 or 3 lengths in m: x, y and z, of the centre", (2, 3)))
+    ]
+    velocity: Annotated[
+        tuple[Speed, ...],
+        BeforeValidator(Components("2 or 3 speeds in m/s: along x, y and z", (2, 3))),
+        AfterValidator(_three),
+    ] = (0.0, 0.0, 0.0)
+    rolling: Flag = False
+    spin: (
+        Annotated[tuple[Spin, Spin, Spin], BeforeValidator(Components("3 spins in rad/s: about x, y and z", (3,)))]
+        | None
+    ) = None
+    spin_z: Spin | None = None
+    name: str | None = None
+
+    @model_validator(mode="after")
+    def _one_spin(self) -> SceneBall:
+        faults = []
+        if self.rolling and self.spin is not None:
+            advice = (
+                "the spin of a ball that rolls follows from its velocity, except for spin_z; leave out rolling, or spin"
+            )
+            faults.append(Fault("no spin with rolling = true", list(self.spin), advice, ("spin",)))
+        if self.rolling and self.velocity[2] != 0:
+            faults.append(Fault("no speed along z with rolling = true", self.velocity[2], at=("velocity", 2)))
+        if not self.rolling and self.spin_z is not None:
+            faults.append(Fault("no spin_z without rolling = true", self.spin_z, "give spin = [x, y, z]", ("spin_z",)))
+        raise_faults(faults)
+        return self
+
+    @classmethod
+    def of(cls, ball: Ball, state: State, name: str | None = None) -> SceneBall:
+        """Return the scene's ball for a carom.Ball and a carom.State with a position. CaromError for arrays and for discs."""
+        where = "SceneBall.of"
+        if ball.planar:
+            raise CaromError(f"{where}: ball: expected a ball, got a disc")
+        if state.position is None:
+            raise CaromError(f"{where}: state: expected one with a position, got None; State(velocity, spin, position)")
+        shape = np.broadcast_shapes(state.shape, state.position.shape[:-1], np.shape(ball.radius), np.shape(ball.mass))
+        if shape:
+            raise CaromError(f"{where}: state: expected one ball, got shape {shape}; make one SceneBall of each")
+        return cls(
+            radius=float(ball.radius),
+            mass=float(ball.mass),
+            inertia=float(ball.kappa),
+            position=tuple(state.position.tolist()),
+            velocity=tuple(state.velocity.tolist()),
+            spin=tuple(state.spin.tolist()),
+            name=name,
+        )
+
+    @property
+    def ball(self) -> Ball:
+        """Return the ball without its state."""
+        return Ball(self.radius, self.mass, self.inertia)
+
+    @property
+    def center(self) -> Vector:
+        """Return its centre (3,), m; of two numbers, with z = radius."""
+        x, y, *z = self.position
+        return (x, y, z[0] if z else self.radius)
+
+    @property
+    def state(self) -> State:
+        """Return the initial velocity, spin and position."""
+        x, y, z = self.velocity
+        spin = self.spin or (0.0, 0.0, 0.0)
+        if self.rolling:  # (27)
+            spin = (-y / self.radius, x / self.radius, self.spin_z or 0.0)
+        return State(velocity=(x, y, z), spin=spin, position=self.center)

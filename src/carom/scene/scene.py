@@ -1,0 +1,434 @@
+"""A scene: gravity, floor, walls, balls, and run settings, with the same names in Python and in TOML; and its validation.
+
+The parts validate themselves; here the scene as a whole is checked: overlaps, numbers that a law needs, what a floor admits.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import BeforeValidator, Field, field_validator, model_validator
+from pydantic_core.core_schema import ValidationInfo
+
+from carom.bodies import State, Surface
+from carom.core.geometry.features import FEATURES, OVER, distance, feature_normal
+from carom.core.jit.kernel import Vec
+from carom.core.motion.restitution import CONSTANT
+from carom.formatting import format_length, format_time
+from carom.laws.law import CALLED_WALL, CONTACT_WALL, Law, Meeting
+from carom.laws.registry import laws
+from carom.laws.user import find_law
+from carom.scene.ball import SceneBall
+from carom.scene.feature_builders import Feature
+from carom.scene.restitution import Bounce, Constant
+from carom.scene.schema import (
+    Acceleration,
+    Components,
+    Fault,
+    Friction,
+    Model,
+    NotNegative,
+    Number,
+    Spring,
+    Time,
+    Unquoted,
+    raise_faults,
+)
+from carom.scene.shapes import AnyWall
+from carom.scene.wall import ContactParameters, LawChoice, WallShape, contact, format_vector, law_name
+
+__all__ = ["BallContact", "Floor", "Run", "Scene", "scene_faults"]
+
+
+class Floor(Model):
+    """The plane z = 0, under the balls.
+
+    Parameters
+    ----------
+    restitution : number from 0 to 1, or a form of the normal speed; default: 0
+    friction : >= 0, or inf: of impacts and of sliding
+    tangential_restitution : -1 to 1; default: 0
+    rolling_resistance : deceleration / g while rolling; default: 0
+    spin_friction : |d omega_z / dt| = spin_friction g / (kappa a); default: 0
+
+    Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> import carom
+    >>> carom.Floor(restitution=0.5, friction=0.2, rolling_resistance=0.01).rolling_resistance
+    0.01
+    """
+
+    restitution: Bounce = Constant(value=0.0)
+    friction: Friction
+    tangential_restitution: Spring = 0.0
+    rolling_resistance: NotNegative = 0.0
+    spin_friction: NotNegative = 0.0
+
+    @property
+    def contact(self) -> ContactParameters:
+        """Return the parameters of its surface as numbers."""
+        return contact(self.restitution, self.friction, self.tangential_restitution)
+
+
+class BallContact(Model):
+    """The surface of the balls for impacts of two of them; default: elastic, without friction.
+
+    Parameters
+    ----------
+    restitution : number from 0 to 1, or a form of the normal speed; default: 1
+    friction : >= 0, or inf; default: 0
+    tangential_restitution : -1 to 1; default: 0
+
+    Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> import carom
+    >>> carom.BallContact(restitution=0.95, friction=0.06).friction
+    0.06
+    """
+
+    restitution: Bounce = Constant(value=1.0)
+    friction: Friction = 0.0
+    tangential_restitution: Spring = 0.0
+
+    @property
+    def contact(self) -> ContactParameters:
+        """Return the parameters of the contact as numbers."""
+        return contact(self.restitution, self.friction, self.tangential_restitution)
+
+
+def _count(value: Any) -> int:
+    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 1:
+        raise Fault("a whole number >= 1", value).error()
+    return int(value)
+
+
+class Run(Model):
+    """Run settings: the law of the walls, and when to stop.
+
+    Parameters
+    ----------
+    law : law of the walls: "two-step", "conventional", "no-slip", "mirror", "maw", "stronge", "file.py:name", or a carom.Law
+    duration : s; default: no limit
+    max_events : whole number; default: no limit
+    floor_contact : "with" (default): wall and floor act at once on a ball that the wall presses on the floor; "after": one after
+        the other
+
+    Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> import carom
+    >>> carom.Run(law="no-slip", duration="500 ms").duration
+    0.5
+    """
+
+    law: LawChoice = "two-step"
+    duration: Time | None = None
+    max_events: Annotated[int, BeforeValidator(_count)] | None = None
+    floor_contact: Literal["with", "after"] = "with"
+
+
+_GRAVITY = Number("an acceleration in m/s^2, or 3 of them", "m/s^2")
+_VECTOR = Components(_GRAVITY.what, (3,))
+
+
+def _gravity(value: Any) -> tuple[Any, ...]:
+    several = isinstance(value, (list, tuple)) or (isinstance(value, np.ndarray) and value.ndim > 0)
+    return _VECTOR(value) if several else (0.0, 0.0, -_GRAVITY(value))
+
+
+class Scene(Model):
+    """Gravity, floor, walls, balls, and run settings.
+
+    Parameters
+    ----------
+    gravity : m/s^2: a number, downwards, or 3 numbers; default: 9.80665
+    floor : Floor; default: none
+    walls : walls of any shape (:mod:`carom.scene`); default: none
+    balls : SceneBalls, at least one
+    ball_contact : BallContact; default: elastic, without friction
+    run : Run; default: the two-step law, no limits
+
+    Parts may also be given as dicts of their fields, a wall with its ``shape``. A scene is validated as a whole when it is made:
+    overlaps, and numbers that a law needs. Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> import carom
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0), velocity=(-2, 1), rolling=True)
+    >>> scene = carom.Scene(floor=carom.Floor(friction=0.2), walls=[wall], balls=[ball], run=carom.Run(duration=2))
+    >>> scene.describe()
+    'a floor, a plane through (0, 0, 0) with normal (1, 0, 0), 1 ball, law two-step, 2 s'
+    """
+
+    gravity: Annotated[tuple[Acceleration, Acceleration, Acceleration], BeforeValidator(_gravity)] = (
+        0.0,
+        0.0,
+        -9.80665,
+    )
+    floor: Floor | None = None
+    walls: tuple[AnyWall, ...] = ()
+    balls: Annotated[tuple[SceneBall, ...], Field(validate_default=True)] = ()
+    ball_contact: BallContact = BallContact()
+    run: Run = Run()
+
+    @field_validator("balls")
+    @classmethod
+    def _placed(cls, balls: tuple[SceneBall, ...], info: ValidationInfo) -> tuple[SceneBall, ...]:
+        """Balls with three numbers for a position: on the floor, or in the plane z = 0."""
+        if not balls:
+            raise Fault("at least one ball", Unquoted("none"), "a file has a table [[balls]] for each").error()
+        floor = info.data.get("floor")
+        return tuple(
+            ball
+            if len(ball.position) == 3
+            else ball.model_copy(update={"position": (*ball.position, ball.radius if floor else 0.0)})
+            for ball in balls
+        )
+
+    @model_validator(mode="after")
+    def _sound(self) -> Scene:
+        raise_faults(scene_faults(self))
+        return self
+
+    @property
+    def wall_laws(self) -> tuple[str | Law, ...]:
+        """Return the law of each wall as it was given: its own, or the run's."""
+        return tuple(wall.law or self.run.law for wall in self.walls)
+
+    @functools.cached_property
+    def found_laws(self) -> dict[str | Law, Law]:
+        """Laws by what walls call them: a custom law's file is run once. (A copy with other walls shares them.)"""
+        return {}
+
+    @property
+    def laws(self) -> tuple[Law, ...]:
+        """The law of each wall."""
+        for law in self.wall_laws:
+            if law not in self.found_laws:
+                self.found_laws[law] = law if isinstance(law, Law) else find_law(law)
+        return tuple(self.found_laws[law] for law in self.wall_laws)
+
+    @property
+    def called_laws(self) -> tuple[Law, ...]:
+        """The laws that the event loop calls by their address: each once, in the order of the walls."""
+        return tuple(dict.fromkeys(law for law in self.laws if law.response == CALLED_WALL))
+
+    def features(self) -> NDArray[np.void]:
+        """Return all that a ball can touch, (F,) of :data:`carom.core.geometry.features.FEATURES`, wall by wall.
+
+        ``law`` is the law's response; from CALLED_WALL on, its place in ``called_laws``. A law of tangential compliance has
+        the stiffness ratio in the place of the tangential restitution.
+        """
+        rows = []
+        for i, (wall, law) in enumerate(zip(self.walls, self.laws, strict=True)):
+            number, contact = law.response, wall.contact
+            if number == CALLED_WALL:
+                number += self.called_laws.index(law)
+            elif number == CONTACT_WALL:
+                contact = _pinned(contact, law)
+            if law.last == "stiffness_ratio":
+                contact = contact._replace(beta=wall.stiffness_ratio)
+            surface = (*contact, number, wall.encloses, 0)
+            rows += [(*feature, i, *surface) for feature in wall.features()]
+        return np.array(rows, dtype=FEATURES)
+
+    @property
+    def wall_names(self) -> tuple[str, ...]:
+        """Return the walls' names; of one without, its shape and its number."""
+        return tuple(wall.name or f"{wall.kind} {i}" for i, wall in enumerate(self.walls))
+
+    @property
+    def ball_names(self) -> tuple[str, ...]:
+        """Return the balls' names; of one without, its number."""
+        return tuple(ball.name or f"ball {i}" for i, ball in enumerate(self.balls))
+
+    def describe(self) -> str:
+        """Return one line: floor, walls, balls, law, limits of the run."""
+        words = [wall.describe() for wall in self.walls]
+        shown = words if len(words) <= 3 else [*words[:2], f"{len(words) - 2} more walls"]
+        floor = [] if self.floor is None else ["a floor"]
+        balls = f"{len(self.balls)} ball{'s' if len(self.balls) > 1 else ''}"
+        laws = dict.fromkeys(map(law_name, self.wall_laws)) or {law_name(self.run.law): None}
+        law = f"law{'s' if len(laws) > 1 else ''} {' and '.join(laws)}"
+        run = [] if self.run.duration is None else [format_time(self.run.duration)]
+        run += [] if self.run.max_events is None else [f"at most {self.run.max_events:,} events"]
+        return ", ".join([*floor, *shown, balls, law, *run])
+
+
+def _pinned(contact: ContactParameters, law: Law) -> ContactParameters:
+    """Return a wall's surface as numbers, with those that its law holds fixed."""
+    p = law.pinned
+    form, e = (CONSTANT, (p["restitution"], 0.0, 0.0)) if "restitution" in p else (contact.form, contact.p)
+    return ContactParameters(form, e, p.get("friction", contact.mu), p.get("tangential_restitution", contact.beta))
+
+
+TOUCH = 1e-9  # of the radius: what overlaps by less touches
+
+
+def scene_faults(scene: Scene) -> list[Fault]:
+    """Return all problems of a scene whose parts are valid."""
+    return [*_floor_faults(scene), *_law_faults(scene), *_wall_overlaps(scene), *_ball_overlaps(scene)]
+
+
+# --- floor --------------------------------------------------------------------------------------------------------
+
+
+def _floor_faults(scene: Scene) -> list[Fault]:
+    found = []
+    gx, gy, gz = scene.gravity
+    if scene.floor is not None and (gx != 0 or gy != 0 or gz > 0):
+        advice = (
+            "on a tilted floor a sliding ball has no path in closed form; leave the floor out and use a wall of shape"
+            " 'plane', on which the ball flies and bounces"
+        )
+        got = Unquoted(format_vector(scene.gravity))
+        found.append(Fault("gravity along -z, as there is a floor", got, advice if gx or gy else "", ("gravity",)))
+    for i, ball in enumerate(scene.balls):
+        z, a = ball.center[2], ball.radius
+        if scene.floor is not None and z < a * (1 - TOUCH):
+            got = Unquoted(f"{z:.6g}, which overlaps the floor by {format_length(a - z)}")
+            advice = "leave out z to put it on the floor"
+            found.append(Fault(f"z of at least the radius, {a:.6g}", got, advice, ("balls", i, "position", 2)))
+        elif ball.rolling and scene.floor is None:
+            found.append(
+                Fault("a floor to roll on", Unquoted("true in a scene without one"), at=("balls", i, "rolling"))
+            )
+        elif ball.rolling and z > a * (1 + TOUCH):
+            got, advice = Unquoted(f"{z:.6g} of a ball that rolls"), "leave out z, or rolling"
+            found.append(Fault(f"z = radius = {a:.6g}", got, advice, ("balls", i, "position", 2)))
+    return found
+
+
+# --- laws ---------------------------------------------------------------------------------------------------------
+
+
+def _law_faults(scene: Scene) -> list[Fault]:
+    found = []
+    for i, (wall, law) in enumerate(zip(scene.walls, scene.laws, strict=True)):
+        at = ("walls", i)
+        for name, expected in NEEDED.items():
+            if name in law.needs and getattr(wall, name) is None:
+                others = [one.name for one in laws().values() if name not in one.needs and not one.variant_of]
+                advice = f"the law {law.name} reads it; {', '.join(others)} do not need it"
+                found.append(Fault(expected, Unquoted("nothing"), advice, (*at, name)))
+        found += _condition_faults(scene, wall, law, i)
+        if law.last == "stiffness_ratio" and wall.tangential_restitution != 0:
+            advice = "it has springs in its place; leave it out, and give stiffness_ratio"
+            expected = f"0 for the law {law.name}"
+            found.append(Fault(expected, wall.tangential_restitution, advice, (*at, "tangential_restitution")))
+    return found
+
+
+NEEDED = {"restitution": "a number from 0 to 1, or a form", "friction": "a number >= 0 (inf: never slips)"}
+
+
+def _condition_faults(scene: Scene, wall: WallShape, law: Law, i: int) -> list[Fault]:
+    """Ask a law's conditions on what a scene declares (its walls, its floor) of each ball, coming square to the wall."""
+    found: dict[str, Fault] = {}
+    own: tuple[str | int, ...] = ("walls", i, "law") if wall.law else ("run", "law")
+    restitution = wall.restitution
+    e = 1.0 if restitution is None else restitution.value if isinstance(restitution, Constant) else 0.5
+    got = {
+        "shape": (Unquoted(wall.describe()), ("walls", i)),
+        "floor": (Unquoted("a scene without a floor"), own),
+        "restitution": (Unquoted("" if restitution is None else restitution.describe().removeprefix("restitution ")),
+                        ("walls", i, "restitution")),
+        "stiffness_ratio": (wall.stiffness_ratio, ("walls", i, "stiffness_ratio")),
+    }  # fmt: skip
+    for ball in {(ball.ball.kappa, ball.radius): ball for ball in scene.balls}.values():
+        towards = State((-1.0, 0.0, 0.0), (0.0, -1.0 / ball.radius if scene.floor else 0.0, 0.0))
+        normal = np.array([1.0, 0.0, 0.0] if wall.vertical(ball.radius) else [0.8, 0.0, 0.6])
+        meeting = Meeting(ball.ball, towards, normal, Surface(e), stiffness_ratio=wall.stiffness_ratio)
+        for holds, expected, *field in law.conditions(meeting):
+            if field and field[0] in got and not np.all(holds):
+                value, at = got[field[0]]
+                found.setdefault(field[0], Fault(f"{expected}, for the law {law.name}", value, at=at))
+    return list(found.values())
+
+
+# --- walls --------------------------------------------------------------------------------------------------------
+
+
+def _wall_overlaps(scene: Scene) -> list[Fault]:
+    found = []
+    largest = max(range(len(scene.balls)), key=lambda i: scene.balls[i].radius)
+    for k, wall in enumerate(scene.walls):
+        name = f"walls[{k}] ({scene.wall_names[k]})"
+        if scene.balls[largest].radius >= wall.room:
+            expected = f"room for a ball of radius {format_length(scene.balls[largest].radius)} (balls[{largest}])"
+            got = Unquoted(f"room for radii below {format_length(wall.room)}")
+            found.append(Fault(expected, got, "make the wall larger, or the ball smaller", ("walls", k)))
+            continue
+        found += _rolls_under(scene, wall, k)
+        features = [feature for feature in wall.features() if feature.kind != OVER]
+        for i, ball in enumerate(scene.balls):
+            at = ("balls", i, "position")
+            if wall.blocked(ball.center):
+                got = Unquoted(f"{format_vector(ball.center)}, where {wall.describe()} lets no ball be")
+                advice = "move the ball" + ("; or turn the normal round" if wall.kind == "plane" else "")
+                found.append(Fault(f"a place on the free side of {name}", got, advice, at))
+            else:
+                found += _overlap(ball, features, name, at)
+    return found
+
+
+def _rolls_under(scene: Scene, wall: WallShape, k: int) -> list[Fault]:
+    """Report a table whose cushions a ball would roll under: there is nothing behind them."""
+    nose = getattr(wall, "nose_height", None)
+    smallest = min(range(len(scene.balls)), key=lambda i: scene.balls[i].radius)
+    diameter = 2 * scene.balls[smallest].radius
+    if nose is None or nose < diameter:
+        return []
+    expected = f"less than {format_length(diameter)}, the diameter of balls[{smallest}], which would roll under it"
+    return [Fault(expected, nose, "a cushion's nose stands at 5/4 to 7/5 of the radius", ("walls", k, "nose_height"))]
+
+
+def _overlap(ball: SceneBall, features: list[Feature], name: str, at: tuple[str | int, ...]) -> list[Fault]:
+    """Report the deepest overlap of a ball with a wall; a face that the ball is behind does not count."""
+    a, x = ball.radius, ball.center
+    gaps = [distance(feature, a, x) for feature in features]
+    gap = min((gap for gap in gaps if gap >= -a), default=math.inf)
+    if gap >= -TOUCH * a:
+        return []
+    n: Vec = feature_normal(features[gaps.index(gap)], x)
+    place = (x[0] - (gap + a) * n[0], x[1] - (gap + a) * n[1], x[2] - (gap + a) * n[2])
+    got = Unquoted(f"{format_vector(x)}, which overlaps {name} by {format_length(-gap)} at {format_vector(place)}")
+    return [Fault("a place where the ball touches nothing", got, f"move it by {format_length(-gap)} or more", at)]
+
+
+# --- balls --------------------------------------------------------------------------------------------------------
+
+
+def _ball_overlaps(scene: Scene) -> list[Fault]:
+    """Report pairs of balls that overlap, found by sorting along x."""
+    found = []
+    x = np.array([ball.center for ball in scene.balls])
+    a = np.array([ball.radius for ball in scene.balls])
+    order = np.argsort(x[:, 0], kind="stable")
+    x, a = x[order], a[order]
+    last = np.searchsorted(x[:, 0], x[:, 0] + a + a.max(), side="right")
+    for i in range(len(x) - 1):
+        near = slice(i + 1, last[i])
+        gap = np.sqrt(((x[near] - x[i]) ** 2).sum(axis=1)) - a[near] - a[i]
+        for j in np.flatnonzero(gap < -TOUCH * np.minimum(a[near], a[i])):
+            one, two = sorted((int(order[i]), int(order[i + 1 + j])))
+            found.append((one, two, float(-gap[j])))
+    return [
+        Fault(
+            "a place where the ball touches nothing",
+            Unquoted(f"{format_vector(scene.balls[two].center)}, which overlaps balls[{one}] by {format_length(deep)}"),
+            f"move it by {format_length(deep)} or more",
+            ("balls", two, "position"),
+        )
+        for one, two, deep in sorted(found)
+    ]

@@ -1,0 +1,51 @@
+"""The energy budget of a run: what was lost at walls, at the floor, between balls, and in between."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from carom.simulation.records import BALL, FLOOR, WALL
+from carom.simulation.trajectory import Trajectory
+
+__all__ = ["Budget", "budget"]
+
+
+class Budget(NamedTuple):
+    """Energies of a run, J: at the start, lost where, at the end."""
+
+    start: float
+    walls: float
+    floor: float
+    """In landings."""
+    balls: float
+    """Where balls meet."""
+    way: float
+    """Between events: by sliding and rolling on the floor, and in bounces that are summed (phase bouncing)."""
+    end: float
+
+
+def budget(run: Trajectory) -> Budget:
+    """Return the energy at the start, what was lost where, and what is left (kinetic and potential, as ``run.energy``).
+
+    A ball that left, or is held, counts with the energy that it had last.
+    """
+    log = run.log
+    lost = run.kinetic_energy(log["ball"], log["v_before"], log["w_before"]) - run.kinetic_energy(
+        log["ball"], log["v"], log["w"]
+    )
+    start, end = run.start, run.final
+    at = {kind: float(lost[log["kind"] == kind].sum()) for kind in (WALL, FLOOR, BALL)}
+    e0, e1 = _energy(run, start), _energy(run, end)
+    way = e0 - e1 - sum(at.values())
+    return Budget(e0, at[WALL], at[FLOOR], at[BALL], way, e1)
+
+
+def _energy(run: Trajectory, state: Any) -> float:
+    balls = run.scene.balls
+    base = np.array([[0.0, 0.0, ball.radius if run.scene.floor is not None else 0.0] for ball in balls])
+    lift = -((state.position - base) * np.array(run.scene.gravity)).sum(axis=1) * np.array(
+        [ball.mass for ball in balls]
+    )
+    return float((run.kinetic_energy(slice(None), state.velocity, state.spin) + lift).sum())

@@ -1,0 +1,174 @@
+"""Read a run from a file that :meth:`carom.Trajectory.save` wrote; all numbers have the same bits."""
+
+from __future__ import annotations
+
+import json
+from contextlib import suppress
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import ValidationError
+
+from carom.errors import CaromError
+from carom.files import as_path, import_optional
+from carom.scene.scene import Scene
+from carom.scene.schema import fault_lines
+from carom.simulation.records import LOG
+from carom.simulation.save import AXES, FORMAT, FORMATS, NAMED, SCALARS, VECTORS, digest_of, log_columns, version
+from carom.simulation.trajectory import Trajectory
+
+__all__ = ["load_trajectory"]
+
+Array = NDArray[Any]
+
+
+def load_trajectory(path: str | Path) -> Trajectory:
+    """Read a run from a file that :meth:`Trajectory.save` wrote; every number has the same bits.
+
+    Parameters
+    ----------
+    path : str or Path
+        A .parquet file (the extra ``parquet``) or a .nc file (the extra ``xarray``).
+
+    Returns
+    -------
+    Trajectory
+
+    Raises CaromError, one line, for a file that is missing, damaged, of another kind, or of a newer format.
+
+    Examples
+    --------
+    >>> import carom
+    >>> carom.load_trajectory("run.csv")
+    Traceback (most recent call last):
+    carom.errors.CaromError: run.csv: expected a name that ends with .parquet or .nc, got '.csv'
+    """
+    path = as_path("load_trajectory", path)
+    if path.suffix.lower() not in FORMATS:
+        raise CaromError(f"{path}: expected a name that ends with {' or '.join(FORMATS)}, got {path.suffix!r}")
+    try:
+        with path.open("rb"):
+            pass
+    except OSError as error:
+        raise CaromError(f"{path}: expected a run that carom saved, got: {error.strerror}") from None
+    try:
+        about, fields = _from_netcdf(path) if path.suffix.lower() == ".nc" else _from_parquet(path)
+    except UnicodeDecodeError:
+        raise _damaged(path, "one with invalid characters") from None
+    log = np.zeros(len(fields["t"]), LOG)
+    for field, values in fields.items():
+        log[field] = _codes(path, field, values) if field in NAMED else values
+    try:
+        whole_as_saved = about["sha256"] == digest_of(log, about)
+    except (KeyError, TypeError, ValueError):
+        raise _damaged(path, "one with an unreadable description") from None
+    if not whole_as_saved:
+        raise _damaged(path, "one that was changed since it was saved")
+    try:
+        scene = Scene.model_validate(json.loads(about["scene"]))
+    except ValidationError as error:
+        raise CaromError(*fault_lines(f"{path}: scene", error, Scene)) from None
+    return Trajectory(scene, log, float(about["end"]), str(about["ended"]))
+
+
+def _damaged(path: Path, what: str) -> CaromError:
+    return CaromError(f"{path}: expected an undamaged file that carom saved, got {what}; save the run again")
+
+
+def _foreign(path: Path, kind: str) -> CaromError:
+    return CaromError(f"{path}: expected a run that carom saved, got {kind} without one; Trajectory.save writes one")
+
+
+def _known_format(path: Path, about: dict[str, Any]) -> None:
+    """CaromError for a file of a later carom. First of all: its columns may be others."""
+    number = about.get("carom_format")
+    if not isinstance(number, int):
+        raise _damaged(path, "no number of its format")
+    if number > FORMAT:
+        raise CaromError(
+            f"{path}: expected format {FORMAT}, which this carom ({version()}) reads, got format {number} of carom"
+            f" {about.get('carom')}; use that one or a later one"
+        )
+
+
+def _from_parquet(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
+    pa = import_optional("pyarrow", path.name)
+    pq = import_optional("pyarrow.parquet", path.name)
+    try:
+        with pq.ParquetFile(path) as file:
+            text = (file.schema_arrow.metadata or {}).get(b"carom")
+            if text is None:
+                raise _foreign(path, "a Parquet file")
+            about = json.loads(text)
+            _known_format(path, about)
+            table = file.read()
+    except (pa.ArrowException, OSError) as error:
+        raise CaromError(f"{path}: expected an undamaged Parquet file, got: {str(error).splitlines()[0]}") from None
+    except (json.JSONDecodeError, AttributeError):
+        raise _damaged(path, "one with an unreadable description") from None
+    names = list(log_columns(np.zeros(0, LOG)))
+    if missing := [name for name in names if name not in table.column_names]:
+        raise _damaged(path, f"none of the column{'s' if len(missing) > 1 else ''} {', '.join(missing)}")
+    fields: dict[str, Any] = {}
+    for field in LOG.names or ():
+        if field in VECTORS:
+            parts = [_numbers(path, table, VECTORS[field].format(axis)) for axis in AXES]
+            fields[field] = np.stack(parts, axis=1)
+        elif field in NAMED:
+            fields[field] = table.column(field).to_pylist()
+        else:
+            fields[field] = _numbers(path, table, SCALARS[field])
+    return about, fields
+
+
+def _numbers(path: Path, table: Any, name: str) -> Array:
+    column = table.column(name)
+    values: Array = column.to_numpy()
+    if column.null_count or values.dtype.kind not in "if":
+        raise _damaged(path, f"a column {name!r} that is not all numbers")
+    return values
+
+
+def _from_netcdf(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
+    h5py = import_optional("h5py", path.name)
+    try:
+        # as HDF5, which NetCDF is: nothing is decoded, neither times nor missing numbers
+        with h5py.File(path) as file:
+            about = {name: _plain(value) for name, value in file.attrs.items()}
+            if "carom_format" not in about:
+                raise _foreign(path, "a NetCDF file")
+            _known_format(path, about)
+            found = {name: (file[name][()], file[name].attrs.get("flag_meanings")) for name in file}
+    except CaromError:
+        raise
+    except Exception as error:  # HDF5 tells of damage in many classes
+        first = (str(error).splitlines() or [type(error).__name__])[0]
+        raise CaromError(f"{path}: expected an undamaged NetCDF file, got: {first}") from None
+    fields: dict[str, Any] = {}
+    for field in LOG.names or ():
+        if field not in found:
+            raise _damaged(path, f"no variable {field!r}")
+        values, meanings = found[field]
+        if values.shape != (len(found["t"][0]), *LOG[field].shape) or values.dtype.kind not in "if":
+            raise _damaged(path, f"a variable {field!r} of another shape")
+        if field in NAMED:
+            names = str(meanings).split()
+            fields[field] = [names[i] if 0 <= i < len(names) else str(i) for i in values.tolist()]
+        else:
+            fields[field] = values
+    return about, fields
+
+
+def _plain(value: Any) -> Any:
+    """An attribute as Python has it."""
+    return np.ravel(value)[0].item() if isinstance(value, (np.ndarray, np.generic)) and np.size(value) == 1 else value
+
+
+def _codes(path: Path, field: str, names: list[Any]) -> list[int]:
+    known = {name: code for code, name in enumerate(NAMED[field])}
+    with suppress(KeyError, TypeError):
+        return [known[name] for name in names]
+    unknown = next(name for name in names if name not in known)
+    raise _damaged(path, f"a {field} {unknown!r}")

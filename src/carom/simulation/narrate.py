@@ -1,0 +1,356 @@
+"""Describe a run in plain sentences."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.core.contact import SLIDE, STICK
+from carom.core.geometry.features import OVER, distance, feature_normal
+from carom.core.jit.kernel import dot
+from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, PIVOTING, REST, ROLLING, SLIDING
+from carom.formatting import format_length, format_number, format_time
+from carom.laws.law import CONTACT_WALL, TWO_STEP_WALL
+from carom.laws.wall_and_floor.solver import JAM
+from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, START, WALL
+from carom.simulation.trajectory import Trajectory
+
+__all__ = ["describe_run", "with_count"]
+
+IMPACT_KINDS = (START, WALL, BALL, LEFT_EVENT, HELD_EVENT)
+# How many impacts of a ball are described, the first and the last; those between are counted.
+FIRST, LAST = 6, 3
+# Lower bounces (m) and shorter phases (s) are not mentioned.
+SMALL, SHORT = 1e-6, 1e-4
+MOST_BALLS = 4  # that are described one by one
+PHASE_VERBS = {
+    FLIGHT: "flies",
+    SLIDING: "slides",
+    ROLLING: "rolls",
+    PIVOTING: "spins on the spot",
+    REST: "rests",
+    BOUNCING: "bounces",
+}
+REGIME_PHRASES = {STICK: ", sticks", SLIDE: ", slides along it", JAM: ", is wedged between it and the floor"}
+
+Rows = NDArray[np.void]
+
+
+def describe_run(run: Trajectory) -> list[str]:
+    """Describe a run: a paragraph for each of the first balls that move, one for all others, one for how it ended.
+
+    Of a ball with many impacts, the first and the last are described and the others counted.
+    """
+    rows = [run.log[run.log["ball"] == i] for i in range(len(run.scene.balls))]
+    moved = [i for i, own in enumerate(rows) if len(own) > 1 or own["phase"][0] != REST]
+    described = moved if len(moved) <= MOST_BALLS else moved[: MOST_BALLS - 1]
+    tables = run.scene.features().view(np.recarray)
+    found = [_ball(run, tables, rows[i]) for i in described]
+    if more := moved[len(described) :]:
+        found.append(_others(run, [rows[i] for i in more]))
+    if still := [i for i in range(len(rows)) if i not in moved]:
+        names = run.scene.ball_names
+        if len(still) <= MOST_BALLS:
+            found.append(f"{_and([names[i] for i in still])} {'stays' if len(still) == 1 else 'stay'} at rest.")
+        else:
+            found.append(f"{len(still)} balls stay at rest.")
+    if run.ended == "duration":
+        found.append(
+            f"The run ends after its duration, {format_time(run.end)}, and {with_count(len(run.events), 'event')}."
+        )
+    elif run.ended == "max_events":
+        found.append(f"The run ends at its greatest number of events, {_most(run)}, after {_when(run.end)}.")
+    return found
+
+
+def _most(run: Trajectory) -> str:
+    # (a meeting of two balls is one event of the loop, and two of the record)
+    own = run.scene.run.max_events
+    return f"{len(run.events) if own is None else own:,}"
+
+
+def with_count(count: int, one: str, many: str = "") -> str:
+    """Return a number with its noun, singular or plural."""
+    return f"{count:,} {one if count == 1 else many or one + 's'}"
+
+
+def _and(parts: list[str]) -> str:
+    return parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} and {parts[-1]}"
+
+
+# --- one ball ------------------------------------------------------------------------------------------------------
+
+
+def _ball(run: Trajectory, features: Any, rows: Rows) -> str:
+    """A ball's paragraph: a sentence for each of its meetings, and for what it does until the next."""
+    firsts = [k for k, kind in enumerate(rows["kind"]) if kind in IMPACT_KINDS]
+    # what is held is held by what it met at that instant: one sentence
+    firsts = [k for k in firsts if not (rows["kind"][k] == HELD_EVENT and k > 0 and rows["t"][k] == rows["t"][k - 1])]
+    parts = [rows[a:b] for a, b in zip(firsts, [*firsts[1:], len(rows)], strict=True)]
+    ends = [float(part["t"][0]) for part in parts[1:]] + [run.end]
+    shown = range(len(parts))
+    skipped = range(0)
+    if len(parts) > FIRST + LAST + 2:
+        skipped = shown[FIRST:-LAST]
+    sentences = []
+    for k in shown:
+        if k in skipped:
+            if k == skipped[0]:
+                sentences.append(_skipped([parts[m] for m in skipped]))
+        else:
+            sentences.append(_sentence(run, features, parts[k], ends[k]))
+    sentences.append(_outcome(run, rows))
+    return " ".join(text for text in sentences if text)
+
+
+def _skipped(parts: list[Rows]) -> str:
+    """Count the impacts that are not described one by one."""
+    return f"Then come {_met([part[0] for part in parts], 'more ')}, up to {_when(parts[-1]['t'][0])}."
+
+
+def _met(firsts: list[Any], more: str = "") -> str:
+    kinds = Counter(int(row["kind"]) for row in firsts)
+    said = [with_count(kinds[kind], f"{more}{noun}") for kind, noun in ((WALL, "wall"), (BALL, "ball")) if kinds[kind]]
+    if kinds[LEFT_EVENT]:
+        said.append(with_count(kinds[LEFT_EVENT], f"{more}wall that it clears", f"{more}walls that it clears"))
+    return _and(said) if said else "nothing"
+
+
+def _sentence(run: Trajectory, features: Any, part: Rows, end: float) -> str:
+    """Describe one impact, and the motion until the time ``end``."""
+    row = part[0]
+    kind = int(row["kind"])
+    if kind == START:
+        head = _start(run, row)
+    elif kind == WALL:
+        head = _wall(run, features, row)
+    elif kind == BALL:
+        head = _other_ball(run, row)
+    elif kind == LEFT_EVENT:
+        head = f"{_at(row)} it clears {run.scene.wall_names[row['other']]}"
+    else:
+        return f"{_at(row)} it is held where it is, pressed between what it touches, and is followed no further."
+    if row["phase"] == LEFT:
+        return f"{head} and has left: it is followed no further."
+    if part["phase"][-1] == HELD:
+        return f"{head} and is held there, pressed on it: it is followed no further."
+    then = _then(run, part, end)
+    return f"{head}{'; it ' if then else ''}{_and(then) if then else ''}."
+
+
+def _at(row: Any) -> str:
+    return f"At {_when(row['t'])}"
+
+
+def _when(t: Any) -> str:
+    """Format a time; a late one with all digits before the point."""
+    return f"{format_number(float(t))} s" if t < 1000 else f"{float(t):,.1f} s"
+
+
+def _speed(v: Any) -> float:
+    return math.sqrt(float((v * v).sum()))
+
+
+def _start(run: Trajectory, row: Any) -> str:
+    """Describe the initial state."""
+    name, phase, v = run.scene.ball_names[row["ball"]], int(row["phase"]), row["v"]
+    if phase in (REST, PIVOTING):
+        spin = f", {format_number(abs(float(row['w'][2])))} rad/s" if phase == PIVOTING else ""
+        return f"{name} {PHASE_VERBS[phase]}{spin}" if phase == PIVOTING else f"{name} is at rest"
+    if _speed(v) == 0:
+        return f"{name} {'is let go' if phase == FLIGHT else 'starts from rest'}{_spin(row)}"
+    return f"{name} {PHASE_VERBS[phase]} at {format_number(_speed(v))} m/s{_direction(v)}{_spin(row)}"
+
+
+def _direction(v: Any) -> str:
+    flat = math.hypot(float(v[0]), float(v[1]))
+    if flat == 0:
+        return ", straight up" if v[2] > 0 else ", straight down"
+    degrees = math.degrees(math.atan2(float(v[1]), float(v[0])))
+    words = f", {degrees:.0f}° from the x axis".replace("-", "−") if abs(degrees) >= 0.5 else ", along the x axis"
+    steep = math.degrees(math.atan2(float(v[2]), flat))
+    return words + (f", {abs(steep):.0f}° {'upwards' if steep > 0 else 'downwards'}" if abs(steep) >= 0.5 else "")
+
+
+def _spin(row: Any) -> str:
+    """Describe the spin: sidespin; of a ball that slides, topspin or backspin as well."""
+    v, w = row["v"], row["w"]
+    said = []
+    flat = math.hypot(float(v[0]), float(v[1]))
+    if row["phase"] == SLIDING and flat > 0:
+        over = float(v[0] * w[1] - v[1] * w[0]) / flat
+        if over != 0:
+            said.append(f"{format_number(abs(over))} rad/s of {'topspin' if over > 0 else 'backspin'}")
+    elif row["phase"] != ROLLING and (w[:2] != 0).any():
+        return f", spinning at {format_number(_speed(w))} rad/s"
+    if w[2] != 0:
+        # seen from above, a ball hit on its right side turns counterclockwise
+        said.append(f"{format_number(abs(float(w[2])))} rad/s of side to the {'right' if w[2] > 0 else 'left'}")
+    return f", with {_and(said)}" if said else ""
+
+
+def _normal(features: Any, row: Any, radius: float) -> Any:
+    """Return the normal of the wall where the ball meets it: of its nearest feature."""
+    x = tuple(row["x"].tolist())
+    own = [f for f in features if f.wall == row["other"] and f.kind != OVER]
+    nearest = min(own, key=lambda f: abs(distance(f, radius, x)))
+    return feature_normal(nearest, x)
+
+
+def _angle(v: Any, n: Any, above: bool) -> float | None:
+    """Return the angle between a velocity and a normal, degrees; on a table as seen from above. None for no velocity."""
+    n, v = np.array(n), np.array(v)
+    if above and abs(n[2]) < 0.9 and (v[:2] != 0).any():
+        n[2] = v[2] = 0.0
+    size = _speed(n) * _speed(v)
+    return math.degrees(math.acos(max(-1.0, min(1.0, float(n @ v) / size)))) if size > 0 else None
+
+
+def _wall(run: Trajectory, features: Any, row: Any) -> str:
+    """Describe an impact on a wall: angle of incidence, sticking or sliding, speed and angle afterwards."""
+    wall = int(row["other"])
+    n = _normal(features, row, run.scene.balls[row["ball"]].radius)
+    table = run.scene.floor is not None
+    came, went = _angle(-row["v_before"], n, table), _angle(row["v"], n, table)
+    text = f"{_at(row)} it meets {run.scene.wall_names[wall]}"
+    text += "" if came is None else f", {came:.0f}° from its normal"
+    response = int(next(f.law for f in features if f.wall == wall))
+    friction = response in (TWO_STEP_WALL, CONTACT_WALL) and dot(n, tuple(row["impulse"])) != 0
+    text += REGIME_PHRASES.get(int(row["regime"]), "") if friction else ""
+    if row["phase"] in (HELD, REST, PIVOTING) or went is None:
+        return text
+    return f"{text}{',' if friction else ''} and leaves at {format_number(_speed(row['v']))} m/s, {went:.0f}° from it"
+
+
+def _other_ball(run: Trajectory, row: Any) -> str:
+    """Describe an impact of two balls: who strikes whom, and this one's speed afterwards."""
+    other = run.scene.ball_names[row["other"]]
+    before, after = _speed(row["v_before"]), _speed(row["v"])
+    how = f"is struck by {other}" if before == 0 else f"meets {other} at {format_number(before)} m/s"
+    text = f"{_at(row)} it {how}"
+    if row["phase"] in (HELD, LEFT):
+        return text
+    if after <= 1e-9 * before:
+        return f"{text} and stops"
+    return f"{text} and goes off at {format_number(after)} m/s{_direction(row['v'])}"
+
+
+# --- what it does between two meetings --------------------------------------------------------------------------------
+
+
+def _then(run: Trajectory, part: Rows, end: float) -> list[str]:
+    """Describe the motion after an impact: flying, landing, bouncing, sliding, rolling."""
+    said: list[str] = []
+    phases = part["phase"].tolist()
+    lands = [k for k in range(1, len(part)) if part["kind"][k] == FLOOR]
+    if run.scene.floor is not None and phases[0] in (FLIGHT, BOUNCING):
+        said += _hop(run, part, lands, end)
+    times = [*part["t"].tolist(), end]
+    for k, phase in enumerate(phases):
+        lasts = times[k + 1] - times[k]
+        if phase == PIVOTING and k > 0 and lasts > SHORT and k + 1 < len(phases):
+            said.append(f"spins on the spot for {format_time(lasts)}")
+        elif phase == SLIDING and lasts > SHORT and k + 1 < len(phases):
+            said.append(f"slides for {format_time(lasts)}")
+        elif phase == ROLLING and (k > 0 or part["kind"][0] != START):
+            said.append("rolls on" if k == 0 else "rolls")
+    if phases[-1] == REST and len(part) > 1 and run.end > end:
+        said.append(f"comes to rest at {_place(part[-1])} at {_when(times[-2])}")
+    return said
+
+
+def _hop(run: Trajectory, part: Rows, lands: list[int], end: float) -> list[str]:
+    """Describe a flight over the floor: its height and length, and the bounces."""
+    row = part[0]
+    g, up = -run.scene.gravity[2], float(row["v"][2])
+    said: list[str] = []
+    if row["kind"] != START and row["phase"] == FLIGHT and up * up < 2 * g * SMALL and lands:
+        return said
+    if up > 0 and g > 0 and row["kind"] != START:
+        said.append(f"is lifted {format_length(up * up / (2 * g))}")
+    if row["phase"] == BOUNCING:
+        return [*said, f"bounces infinitely often within {format_time(_bouncing_time(part, 0, end))}"]
+    if not lands:
+        return said
+    first = part[lands[0]]
+    far = math.hypot(*(first["x"] - row["x"])[:2].tolist())
+    if first["t"] > row["t"] and far > 0:
+        said.append(
+            f"flies {format_length(far)}" if row["kind"] != START else f"comes down {format_length(far)} further on"
+        )
+    bounces = [k for k in lands if part["phase"][k] in (FLIGHT, BOUNCING)]
+    if not bounces:
+        return [*said, f"lands at {_when(first['t'])}"]
+    last = bounces[-1]
+    ever = part["phase"][last] == BOUNCING
+    more = (
+        f", the last time in infinitely many bounces within {format_time(_bouncing_time(part, last, end))}"
+        if ever
+        else ""
+    )
+    return [*said, f"bounces {_times(len(bounces))} from {_when(first['t'])} on{more}"]
+
+
+def _times(count: int) -> str:
+    return {1: "once", 2: "twice"}.get(count, f"{count:,} times")
+
+
+def _bouncing_time(part: Rows, k: int, end: float) -> float:
+    """Return how long infinitely many bounces last, s."""
+    return float(part["t"][k + 1] if k + 1 < len(part) else end) - float(part["t"][k])
+
+
+def _place(row: Any) -> str:
+    x, y, z = (format_number(float(c) if abs(c) > 1e-9 else 0.0) for c in row["x"])
+    return f"({x}, {y}) m" if row["phase"] in (PIVOTING, REST) else f"({x}, {y}, {z}) m"
+
+
+def _outcome(run: Trajectory, rows: Rows) -> str:
+    """Describe the final state of a ball, after how long and how many impacts."""
+    last = rows[-1]
+    phase, ball = int(last["phase"]), int(last["ball"])
+    if phase in (HELD, LEFT):
+        return ""
+    met = _met(list(rows[1:]))
+    after = "" if met == "nothing" else f" and {met}" if " and " not in met else f", {met}"
+    if phase == REST:
+        return f"It comes to rest at {_place(last)} after {_when(last['t'])}{after}."
+    final = run.final
+    assert final.position is not None
+    v = final.velocity[ball]
+    how = (
+        f"{PHASE_VERBS[phase]} at {format_number(_speed(v))} m/s"
+        if phase != PIVOTING and _speed(v) > 0
+        else PHASE_VERBS[phase]
+    )
+    if run.ended == "nothing more happens":
+        verb = PHASE_VERBS[phase]
+        on = "goes on spinning on the spot" if phase == PIVOTING else how.replace(verb, f"{verb} on", 1)
+        return f"Then it meets nothing more, and {on}{_direction(v) if _speed(v) else ''}."
+    x, y, _z = (format_number(float(c)) for c in final.position[ball])
+    return f"At the end, after {_when(run.end)}{after}, it {how} at ({x}, {y}) m."
+
+
+def _others(run: Trajectory, balls: list[Rows]) -> str:
+    """Describe all other balls in one sentence: their impacts and final states."""
+    firsts = [row for rows in balls for row in rows[1:] if row["kind"] in IMPACT_KINDS]
+    ends = Counter(int(rows["phase"][-1]) for rows in balls)
+    words = {REST: ("is at rest", "are at rest"), HELD: ("is held", "are held"), LEFT: ("has left", "have left")}
+    how = [
+        f"{count:,} {words[k][count > 1] if k in words else _plural(PHASE_VERBS[k], count)}"
+        for k, count in sorted(ends.items())
+    ]
+    noun = with_count(len(balls), "more ball")
+    return f"{noun} {'meets' if len(balls) == 1 else 'meet'} {_met(firsts)}; at the end {_and(how)}."
+
+
+def _plural(verb: str, count: int) -> str:
+    return (
+        verb
+        if count == 1
+        else {"flies": "fly", "spins on the spot": "spin on the spot"}.get(verb, verb.removesuffix("s"))
+    )

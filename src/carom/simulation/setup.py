@@ -1,0 +1,80 @@
+"""Convert a scene to the arrays that the event loop works on."""
+
+from __future__ import annotations
+
+import weakref
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.core.geometry.circles import rim_address
+from carom.core.geometry.features import RIM
+from carom.laws.callbacks import user_address
+from carom.scene.scene import Scene
+from carom.simulation.records import BALLS, WORLD
+
+__all__ = ["SceneArrays", "set_up"]
+
+
+class SceneArrays(NamedTuple):
+    """A scene as arrays of records."""
+
+    world: NDArray[np.void]
+    """(1,) of WORLD."""
+    features: NDArray[np.void]
+    """(F,) of FEATURES."""
+    balls: NDArray[np.void]
+    """(B,) of BALLS, at the start."""
+    users: NDArray[np.int64]
+    """Addresses of laws that are not compiled in, in the order of ``scene.called_laws``."""
+
+
+# The arrays of scenes that are alive: a run of a shot takes less time than making them. (Not kept in the scene itself, whose
+# copies with other walls would take them along.)
+_kept: dict[tuple[int, bool], tuple[weakref.ref[Scene], SceneArrays, bytes]] = {}
+
+
+def set_up(scene: Scene, compiled: bool = True) -> SceneArrays:
+    """Return the arrays of a scene, those of the balls made anew, for a run changes them.
+
+    With ``compiled`` false nothing is compiled but laws of the user's, and only Python can run the event loop on these arrays.
+    """
+    key = id(scene), compiled
+    found = _kept.get(key)
+    if found is None or found[0]() is not scene:
+        made = _set_up(scene, compiled)
+        found = weakref.ref(scene, lambda _gone: _kept.pop(key, None)), made, made.balls.tobytes()
+        _kept[key] = found
+    world, features, _balls, users = found[1]
+    # (from bytes: NumPy copies the fields of records one by one)
+    return SceneArrays(world, features, np.frombuffer(bytearray(found[2]), BALLS), users)
+
+
+def _set_up(scene: Scene, compiled: bool) -> SceneArrays:
+    world = np.zeros(1, WORLD)
+    world["force"] = scene.gravity
+    floor = scene.floor
+    if floor is not None:
+        world["floor"], world["g"] = 1, -scene.gravity[2]
+        _surface(world, "floor", floor.contact)
+        world["resistance"], world["spin_friction"] = floor.rolling_resistance, floor.spin_friction
+    _surface(world, "pair", scene.ball_contact.contact)
+    world["together"] = scene.run.floor_contact == "with"
+    balls = np.zeros(len(scene.balls), BALLS)
+    for row, ball in zip(balls, scene.balls, strict=True):
+        state = ball.state
+        row["radius"], row["mass"], row["kappa"] = ball.radius, ball.mass, ball.ball.kappa
+        row["x"], row["v"], row["w"] = ball.center, state.velocity, state.spin
+    kernels = [law.kernel for law in scene.called_laws]
+    users = [user_address(kernel, compiled) for kernel in kernels if kernel is not None]
+    features = scene.features()
+    rims = features["kind"] == RIM
+    if rims.any():
+        features["at"][rims] = rim_address(compiled)
+    return SceneArrays(world, features, balls, np.array(users, dtype=np.int64))
+
+
+def _surface(world: Any, name: str, contact: Any) -> None:
+    for field, value in zip(("form", "p", "mu", "beta"), contact, strict=True):
+        world[f"{name}_{field}"] = value

@@ -1,0 +1,282 @@
+"""Simulate a scene: one run with all its events, or many runs on all cores."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom.bodies import State, vectors
+from carom.core.motion.phases import PHASES
+from carom.errors import CaromError, FaultList, require_type
+from carom.scene.scene import Scene
+from carom.simulation.compiled import compiled_engine, compiled_many
+from carom.simulation.interpreted import run_interpreted, worth_interpreting
+from carom.simulation.loop import ALL, FULL, LIMIT, PHASES_FROM, QUIET, ROWS
+from carom.simulation.records import KINDS, LOG
+from carom.simulation.resolve import DONE, REFUSED_ROLLING, REFUSED_STALL, REFUSED_UNDEFINED
+from carom.simulation.setup import set_up
+from carom.simulation.trajectory import Trajectory
+
+__all__ = ["MOST_EVENTS", "ManyRuns", "simulate", "simulate_many"]
+
+Array = NDArray[np.float64]
+# Where a scene names no end: a ball between elastic walls would never stop.
+MOST_EVENTS = 100_000
+# Rows of the log that the loop fills before it is called again: enough for a shot, then more each time.
+FIRST_ROWS, MOST_ROWS = 128, 65_536
+
+REFUSALS = {
+    REFUSED_ROLLING: "the wall's law is for a ball that rolls into a vertical wall (carom laws conventional); this one slides or"
+    " flies there; the law two-step takes any ball",
+    REFUSED_UNDEFINED: "a wall with tangential restitution presses the ball on the floor, which has no law; take"
+    " tangential_restitution = 0, or floor_contact = 'after'",
+    REFUSED_STALL: "wall and floor lock the ball between them, which is not followed to its end; take a smaller friction,"
+    " or floor_contact = 'after'",
+}
+
+
+def _refusal(code: int, scene: Scene, ball: Any, i: int) -> CaromError:
+    return CaromError(
+        f"simulate: {scene.ball_names[i]}: expected an event that its law has an answer for, got one at"
+        f" t = {float(ball['clock']):.6g} s, x = ({', '.join(f'{x:.4g}' for x in ball['x'])}): {REFUSALS[code]}"
+    )
+
+
+def _limits(scene: Scene) -> tuple[float, int]:
+    run = scene.run
+    most = run.max_events if run.max_events is not None else MOST_EVENTS if run.duration is None else 2**62
+    return math.inf if run.duration is None else run.duration, most
+
+
+def simulate(scene: Scene, progress: Callable[[int, float], None] | None = None) -> Trajectory:
+    """Simulate a scene event by event.
+
+    Parameters
+    ----------
+    scene : Scene
+        The run ends after ``scene.run.duration``, after ``scene.run.max_events``, or when no event follows; with neither given,
+        after 100,000 events at most.
+    progress : function of (events so far, simulated time in s), optional
+        Called from time to time on long runs.
+
+    Returns
+    -------
+    Trajectory
+        The same bits on every run, interpreted or compiled.
+
+    Raises CaromError for an event for which a law has no answer.
+
+    Examples
+    --------
+    >>> import carom
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0), velocity=(-2, 1), rolling=True)
+    >>> scene = carom.Scene(floor=carom.Floor(friction=0.2), walls=[wall], balls=[ball], run=carom.Run(duration=2))
+    >>> run = carom.simulate(scene)
+    >>> run.events.kinds
+    ['wall', 'floor', 'rolling']
+    >>> run.final.velocity.round(3)
+    array([[1.051, 0.796, 0.   ]])
+    """
+    require_type("simulate", "scene", scene, Scene)
+    until, most = _limits(scene)
+    interpreted = worth_interpreting(scene)
+    world, features, balls, users = set_up(scene, compiled=not interpreted)
+    loop = run_interpreted if interpreted else compiled_engine().run
+    log, parts = _rows(FIRST_ROWS + len(balls)), []
+    events, status, slow = 0, FULL, -1.0
+    while status == FULL:
+        answer = loop(world, features, balls, log, slow, until, most - events, users, ALL)
+        if answer is not None:
+            status, more, written, at_fault, slow, last = answer
+            parts.append(log[:written])
+            events += more
+        if status == FULL:
+            if interpreted and (answer is None or not worth_interpreting(scene)):
+                interpreted, loop = False, compiled_engine().run
+                world, features, _balls, users = set_up(scene)
+            log = _rows(len(log) if interpreted else min(4 * len(log), MOST_ROWS))
+            if progress is not None and answer is not None:
+                progress(events, last)
+    if status not in (DONE, QUIET, LIMIT):
+        raise _refusal(status, scene, balls[at_fault], at_fault)
+    if status == LIMIT:
+        end, ended = last, "max_events"
+    elif status == DONE and until < math.inf:
+        end, ended = until, "duration"
+    else:
+        end, ended = last, "nothing more happens"
+    return Trajectory(scene, _joined(parts), end, ended)
+
+
+def _rows(count: int) -> NDArray[np.void]:
+    """An empty log (records from bytes: NumPy takes three times as long for an array of records by itself)."""
+    return np.frombuffer(np.empty(count * LOG.itemsize, np.uint8), LOG)
+
+
+def _joined(parts: list[NDArray[np.void]]) -> NDArray[np.void]:
+    """Parts of a log as one (records as bytes: NumPy copies the fields of records one by one, which takes a while)."""
+    if len(parts) == 1:
+        return parts[0]
+    return np.concatenate([part.view(np.uint8) for part in parts]).view(LOG)
+
+
+@dataclass(frozen=True, eq=False)
+class ManyRuns:
+    """Final states of N runs of B balls, and selected events, at most M per run.
+
+    Examples
+    --------
+    >>> import carom
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0))
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0, 0))
+    >>> scene = carom.Scene(gravity=0, walls=[wall], balls=[ball], run=carom.Run(law="mirror", duration=2))
+    >>> runs = carom.simulate_many(scene, velocity=[[-1, 0, 0], [-2, 0, 0]])
+    >>> runs.final.velocity[:, 0, 0], runs.count
+    (array([1., 2.]), array([1, 1]))
+    """
+
+    final: State
+    """(N, B, 3)."""
+    code: NDArray[np.int64]
+    """(N, B): final phases as numbers; ``phase`` has their names."""
+    end: Array
+    """(N,), s: time up to which each run was followed."""
+    count: NDArray[np.int64]
+    """(N,): number of events."""
+    why: NDArray[np.str_]
+    """(N,): empty, or why a run ended at an event for which a law has no answer."""
+    events: NDArray[np.void]
+    """(N, M) rows of the log: the first M selected events of each run; kind START (0) where there are fewer."""
+
+    @property
+    def phase(self) -> NDArray[np.str_]:
+        """(N, B): flight, sliding, rolling, pivoting, rest, bouncing, held, left."""
+        return np.array(PHASES)[self.code]
+
+
+def simulate_many(
+    scene: Scene,
+    velocity: ArrayLike | None = None,
+    spin: ArrayLike | None = None,
+    position: ArrayLike | None = None,
+    *,
+    events: int = 0,
+    kinds: tuple[str, ...] = (),
+    progress: Callable[[int, int], None] | None = None,
+) -> ManyRuns:
+    """Simulate a scene from many initial states, on all cores, each run independently.
+
+    Parameters
+    ----------
+    scene : Scene
+    velocity, spin, position : array (N, B, 3), or (N, 3) for a scene of one ball, optional
+        Initial velocities (m/s), spins (rad/s) and positions (m); default: the scene's. They broadcast.
+    events : int
+        How many events of each run to keep, the first ones; default: none.
+    kinds : tuple of str
+        Kinds of events to keep, such as "wall"; default: all.
+    progress : function of (runs done, runs in total), optional
+
+    Returns
+    -------
+    ManyRuns
+        The same bits whatever the number of cores.
+
+    Raises CaromError for initial states that overlap something, and for unknown kinds.
+
+    Examples
+    --------
+    See :class:`ManyRuns`.
+    """
+    require_type("simulate_many", "scene", scene, Scene)
+    faults = FaultList("simulate_many")
+    if not isinstance(events, int) or events < 0:
+        faults.add("events", "a whole number >= 0", repr(events))
+    names = [*KINDS, *PHASES]
+    for kind in kinds:
+        if kind not in names:
+            faults.add(
+                "kinds",
+                f"kinds of events ({', '.join(sorted(set(names) - {'start', 'phase', 'nothing'}))})",
+                repr(kind),
+            )
+    given = {}
+    for field, unit, value in (("v", "m/s", velocity), ("w", "rad/s", spin), ("x", "m", position)):
+        if value is not None:
+            given[field] = vectors(faults, {"v": "velocity", "w": "spin", "x": "position"}[field], value, unit)
+    faults.raise_if_any()
+    setup = set_up(scene)
+    count = len(setup.balls)
+    shape: tuple[int, ...] = (1, count)
+    if count == 1:
+        given = {field: array[:, None, :] if array.ndim == 2 else array for field, array in given.items()}
+    for array in given.values():
+        try:
+            shape = np.broadcast_shapes(shape, array.shape[:-1])
+        except ValueError:
+            shape = ()
+        if len(shape) != 2 or shape[1] != count:
+            raise CaromError(f"simulate_many: expected states (N, {count}, 3), got shape {array.shape}")
+    balls = np.empty(shape, setup.balls.dtype)
+    balls[:] = setup.balls
+    for field, array in given.items():
+        balls[field] = array
+    _check_starts(scene, balls, given)
+    until, most = _limits(scene)
+    return _run_many(setup, balls, until, most, events, kinds, progress)
+
+
+def _check_starts(scene: Scene, balls: NDArray[np.void], given: dict[str, Array]) -> None:
+    """Raise CaromError for the first initial state that overlaps something, or lies where no ball can be."""
+    if "x" not in given:
+        return
+    from carom.simulation.overlaps import overlapping
+
+    bad = overlapping(set_up(scene), balls)
+    places, which = np.unique(balls["x"].reshape(-1, 3), axis=0, return_inverse=True)
+    blocked = np.array([any(wall.blocked(tuple(x)) for wall in scene.walls) for x in places.tolist()])
+    bad |= blocked[which.reshape(balls.shape)].any(axis=1)
+    if bad.any():
+        n = int(np.flatnonzero(bad)[0])
+        raise CaromError(
+            f"simulate_many: position: expected places where the balls touch nothing, got {balls['x'][n].tolist()}"
+            f" at index {n} ({int(bad.sum())} in all)"
+        )
+
+
+# Runs that are done in one go: enough to keep all cores busy, few enough that memory stays small.
+BLOCK = 16_384
+
+
+def _bits(kinds: tuple[str, ...]) -> int:
+    """The loop's ``keep`` for kinds of events by name."""
+    bits = 0
+    for kind in kinds or tuple(KINDS[1:]) + PHASES:
+        bits |= 1 << (KINDS.index(kind) if kind in KINDS else PHASES_FROM + PHASES.index(kind))
+    return bits
+
+
+def _run_many(
+    setup: Any, balls: NDArray[np.void], until: float, most: int, events: int, kinds: tuple[str, ...], progress: Any
+) -> ManyRuns:
+    many = compiled_many()
+    total = len(balls)
+    ended = np.zeros((total, 3), np.int64)
+    kept = np.zeros((total, events), LOG)
+    room = events + ROWS - 1 if events else 0
+    for first in range(0, total, BLOCK):
+        block = slice(first, min(first + BLOCK, total))
+        logs = np.zeros((block.stop - block.start, room), LOG)
+        many(setup.world, setup.features, balls[block], logs, until, most, setup.users, _bits(kinds), ended[block])
+        kept[block] = logs[:, :events]
+        if progress is not None:
+            progress(block.stop, total)
+    why = np.array([REFUSALS.get(int(code), "") for code in ended[:, 0]])
+    final = State.of(np.array(balls["v"]), np.array(balls["w"]), np.array(balls["x"]))
+    return ManyRuns(final, np.array(balls["phase"]), balls["clock"].max(axis=1), ended[:, 1].copy(), why, kept)

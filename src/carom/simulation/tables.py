@@ -1,0 +1,163 @@
+"""Tables of a run: events, or states at given times, as columns, as pandas DataFrames, or as an xarray Dataset.
+
+All numbers are in SI units, named in ``table.attrs["units"]`` and, in a Dataset, in the ``units`` of each variable.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom.bodies import State
+from carom.core.motion.phases import PHASES
+from carom.files import import_optional
+from carom.laws.results import REGIME_NAMES as NAMES
+from carom.scene.scene import Scene
+from carom.simulation.records import BALL, WALL, kind_names
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+__all__ = ["UNITS", "RunRecord", "event_columns", "events_table", "states_dataset", "states_table"]
+
+Columns = dict[str, NDArray[Any]]
+AXES = ("x", "y", "z")
+UNITS = {
+    "t": "s", **dict.fromkeys(AXES, "m"),
+    **{f"{of}{axis}{when}": unit for of, unit in (("v", "m/s"), ("w", "rad/s")) for axis in AXES for when in ("", "_before")},
+    **{f"{of}_{axis}": "N s" for of in ("impulse", "floor_impulse") for axis in AXES},
+    "energy_lost": "J", "energy": "J",
+}  # fmt: skip
+
+
+class RunRecord(Protocol):
+    """What tables and files need of a run; :class:`carom.Trajectory` offers it."""
+
+    scene: Scene
+    log: NDArray[np.void]
+    end: float
+    ended: str
+
+    def at(self, t: ArrayLike) -> State:
+        """Return states (..., B, 3) at times (...)."""
+        ...
+
+    def phase(self, t: ArrayLike) -> Any:
+        """Return the names of phases (..., B)."""
+        ...
+
+    def orientation(self, t: ArrayLike) -> NDArray[np.float64]:
+        """Return unit quaternions (..., B, 4)."""
+        ...
+
+    def energy(self, t: ArrayLike, *, each: bool = False) -> Any:
+        """Return energies (...), or (..., B) of each ball, J."""
+        ...
+
+    def kinetic_energy(self, ball: Any, velocity: NDArray[np.float64], spin: NDArray[np.float64]) -> Any:
+        """Return kinetic energies (N,), J, of balls given by number (N,) at velocities and spins (N, 3)."""
+        ...
+
+
+def _parts(columns: Columns, name: str, vectors: NDArray[np.float64], after: str = "") -> None:
+    for k, axis in enumerate(AXES):
+        columns[f"{name}{axis}{after}"] = np.ascontiguousarray(vectors[:, k])
+
+
+def _names(names: tuple[str, ...], which: NDArray[Any]) -> NDArray[Any]:
+    found: NDArray[Any] = np.array([*names, ""], dtype=object)[which]
+    return found
+
+
+def event_columns(run: RunRecord, rows: NDArray[np.void]) -> Columns:
+    """Return rows of a run's log as named columns (N,).
+
+    ``vx`` ... ``wz`` are velocity and spin just after the event, ``vx_before`` ... just before; ``other`` is the number of the wall
+    or of the other ball, -1 for none, ``name`` its name; ``energy_lost`` is that of this ball.
+    """
+    wall = np.where(rows["met"] == WALL, rows["other"], -1)
+    ball = np.where(rows["met"] == BALL, rows["other"], -1)
+    columns: Columns = {
+        "t": np.array(rows["t"]),
+        "kind": kind_names(rows),
+        "ball": np.array(rows["ball"]),
+        "other": np.array(rows["other"]),
+        "name": _names(run.scene.wall_names, wall) + _names(run.scene.ball_names, ball),
+        "phase_before": np.array(PHASES, dtype=object)[rows["phase_before"]],
+        "phase": np.array(PHASES, dtype=object)[rows["phase"]],
+    }
+    _parts(columns, "", rows["x"])
+    _parts(columns, "v", rows["v_before"], "_before")
+    _parts(columns, "w", rows["w_before"], "_before")
+    _parts(columns, "v", rows["v"])
+    _parts(columns, "w", rows["w"])
+    _parts(columns, "impulse_", rows["impulse"])
+    _parts(columns, "floor_impulse_", rows["floor_impulse"])
+    columns["required_friction"] = np.array(rows["required"])
+    columns["regime"] = np.array([*NAMES, ""], dtype=object)[rows["regime"]]
+    of = rows["ball"]
+    columns["energy_lost"] = run.kinetic_energy(of, rows["v_before"], rows["w_before"]) - run.kinetic_energy(
+        of, rows["v"], rows["w"]
+    )
+    return columns
+
+
+def _frame(columns: Columns, what: str) -> pandas.DataFrame:
+    pandas = import_optional("pandas", what)
+    frame = pandas.DataFrame(columns)
+    frame.attrs["units"] = {name: UNITS[name] for name in columns if name in UNITS}
+    return frame
+
+
+def events_table(run: RunRecord, rows: NDArray[np.void]) -> pandas.DataFrame:
+    """Return a DataFrame, one row per event (:func:`event_columns`). Raises CaromError without pandas."""
+    return _frame(event_columns(run, rows), "Events.table")
+
+
+def states_table(run: RunRecord, times: NDArray[np.float64]) -> pandas.DataFrame:
+    """Return a DataFrame, one row per ball and time. Raises CaromError without pandas."""
+    state, count = run.at(times), len(run.scene.balls)
+    assert state.position is not None
+    columns: Columns = {
+        "t": np.repeat(times.ravel(), count),
+        "ball": np.tile(np.arange(count), times.size),
+        "name": np.array(run.scene.ball_names * times.size, dtype=object),
+        "phase": run.phase(times).astype(object).ravel(),
+    }
+    for name, vectors in (("", state.position), ("v", state.velocity), ("w", state.spin)):
+        _parts(columns, name, vectors.reshape(-1, 3))
+    columns["energy"] = np.ravel(run.energy(times, each=True))
+    return _frame(columns, "Trajectory.table")
+
+
+def states_dataset(run: RunRecord, times: NDArray[np.float64]) -> xarray.Dataset:
+    """Return a Dataset of the states, with the dimensions time, ball, axis. Raises CaromError without xarray.
+
+    ``orientation`` is a unit quaternion (w, x, y, z) from the body's frame.
+    """
+    labelled = import_optional("xarray", "Trajectory.to_xarray")
+    times = times.ravel()
+    state = run.at(times)
+    vector = ("time", "ball", "axis")
+    dataset: xarray.Dataset = labelled.Dataset(
+        {
+            "position": (vector, state.position, {"units": "m"}),
+            "velocity": (vector, state.velocity, {"units": "m/s"}),
+            "spin": (vector, state.spin, {"units": "rad/s"}),
+            "orientation": (("time", "ball", "part"), run.orientation(times), {"units": "1"}),
+            "energy": (("time", "ball"), run.energy(times, each=True), {"units": "J"}),
+            "phase": (("time", "ball"), run.phase(times)),
+        },
+        coords={
+            "time": ("time", times, {"units": "s"}),
+            "ball": np.arange(len(run.scene.balls)),
+            "name": ("ball", np.array(run.scene.ball_names)),
+            "axis": list(AXES),
+            "part": ["w", *AXES],
+        },
+        attrs={"scene": run.scene.describe()},
+    )
+    return dataset

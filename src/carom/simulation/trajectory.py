@@ -1,0 +1,371 @@
+"""The result of a run: its events, and the exact state of every ball at any time."""
+
+from __future__ import annotations
+
+import functools
+import importlib
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, overload
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom.bodies import State
+from carom.core.motion.phases import PHASES
+from carom.errors import CaromError
+from carom.files import as_path
+from carom.laws.results import REGIME_NAMES as NAMES
+from carom.scene.scene import Scene
+from carom.simulation.records import BALL, START, WALL, kind_names
+from carom.simulation.save import save
+from carom.simulation.setup import set_up
+from carom.simulation.states import orientations, states
+from carom.simulation.tables import events_table, states_dataset, states_table
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+__all__ = ["Event", "Events", "Trajectory"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Event:
+    """One event of one ball. An impact of two balls is two events, one for each.
+
+    Examples
+    --------
+    >>> import carom
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0), velocity=(-2, 1), rolling=True)
+    >>> scene = carom.Scene(floor=carom.Floor(friction=0.2), walls=[wall], balls=[ball], run=carom.Run(duration=2))
+    >>> run = carom.simulate(scene)
+    >>> hit = run.events[0]
+    >>> hit.name, hit.regime, round(hit.t, 3), round(hit.energy_lost, 3)
+    ('plane 0', 'stick', 0.485, 0.254)
+    """
+
+    t: float
+    """s."""
+    kind: str
+    """ "wall", "floor", "ball"; "rolling", "pivoting", "rest": the phase that begins; "settled": the end of infinitely many
+    bounces; "left": it cleared a wall; "held": a force presses it on a wall or a ball, and it is followed no further."""
+    ball: int
+    other: int
+    """Number of the wall, or of the other ball; -1 for none."""
+    name: str
+    """Name of the wall or of the other ball; empty for none."""
+    phase: str
+    """The phase that begins: flight, sliding, rolling, pivoting, rest, bouncing, held, left."""
+    before: State
+    after: State
+    """Velocity, spin, position."""
+    impulse: Array
+    """(3,), N s, on the ball."""
+    floor_impulse: Array
+    """(3,), N s: of the floor, while a wall pressed the ball on it."""
+    required_friction: float
+    """The least coefficient of friction with which the contact would have stuck."""
+    regime: str
+    """Regime of the contact: "stick", "slide", ...; empty if there was none."""
+    energy_lost: float
+    """J, of this ball (negative for a ball that is struck)."""
+
+
+class Events(Sequence[Event]):
+    """The events of a run, in order of time.
+
+    Examples
+    --------
+    >>> import carom
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0), velocity=(-2, 1), rolling=True)
+    >>> scene = carom.Scene(floor=carom.Floor(friction=0.2), walls=[wall], balls=[ball], run=carom.Run(duration=2))
+    >>> run = carom.simulate(scene)
+    >>> run.events
+    <3 events: 1 floor, 1 rolling, 1 wall>
+    >>> run.events.of("wall").t.round(3)
+    array([0.485])
+    """
+
+    def __init__(self, run: Trajectory, rows: NDArray[np.void]) -> None:
+        self._run = run
+        self.rows = rows
+
+    def __len__(self) -> int:
+        """Return the number of events."""
+        return len(self.rows)
+
+    @overload
+    def __getitem__(self, index: int) -> Event: ...
+    @overload
+    def __getitem__(self, index: slice) -> Events: ...
+    def __getitem__(self, index: int | slice) -> Event | Events:
+        """Return one event, or a slice of them."""
+        if isinstance(index, slice):
+            return Events(self._run, self.rows[index])
+        return self._run._event(self.rows[index])
+
+    def __iter__(self) -> Iterator[Event]:
+        """Iterate over the events."""
+        return (self[i] for i in range(len(self)))
+
+    def of(self, *kinds: str, ball: int | None = None) -> Events:
+        """Return the events of some kinds (default: all), and of one ball (default: of all)."""
+        names = kind_names(self.rows)
+        keep = np.isin(names, kinds) if kinds else np.ones(len(self), dtype=bool)
+        if ball is not None:
+            keep &= self.rows["ball"] == ball
+        return Events(self._run, self.rows[keep])
+
+    @property
+    def t(self) -> Array:
+        """Return their times (N,), s."""
+        return np.array(self.rows["t"])
+
+    @property
+    def kinds(self) -> list[str]:
+        """Return their kinds."""
+        return list(kind_names(self.rows))
+
+    def table(self) -> pandas.DataFrame:
+        """Return a pandas DataFrame, one row per event. CaromError without pandas."""
+        return events_table(self._run, self.rows)
+
+    def __repr__(self) -> str:
+        """Return how many there are of each kind."""
+        names, counts = np.unique(kind_names(self.rows), return_counts=True)
+        listed = ", ".join(f"{count} {name}" for name, count in zip(names, counts, strict=True))
+        return f"<{len(self)} events: {listed}>" if listed else "<no events>"
+
+
+class Trajectory:
+    """The result of a run: its events, and the exact state of every ball at any time.
+
+    Returned by :func:`carom.simulate` and :func:`carom.load_trajectory`. Between two events the motion of every ball has a closed
+    form, so nothing is interpolated.
+
+    Examples
+    --------
+    >>> import carom
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0), velocity=(-2, 1), rolling=True)
+    >>> scene = carom.Scene(floor=carom.Floor(friction=0.2), walls=[wall], balls=[ball], run=carom.Run(duration=2))
+    >>> run = carom.simulate(scene)
+    >>> run
+    <Trajectory: 1 ball, 3 events, 2 s, duration>
+    >>> run.phase(0.0).tolist(), run.final_phase
+    (['rolling'], ['rolling'])
+    >>> run.at([0.0, 2.0]).position.round(3)[:, 0, 0]
+    array([1.   , 1.772])
+    """
+
+    def __init__(self, scene: Scene, log: NDArray[np.void], end: float, ended: str) -> None:
+        self.scene = scene
+        self.log = log
+        """All rows, the balls' starts first (carom.simulation.records.LOG)."""
+        self.end = end
+        """s: time up to which the balls were followed."""
+        self.ended = ended
+        """Why it ended: "nothing more happens", "duration", "max_events"."""
+
+    # --- what happened ---------------------------------------------------------------------------------------------
+
+    @functools.cached_property
+    def events(self) -> Events:
+        """All events, in order of time, without the initial states."""
+        return Events(self, self.log[self.log["kind"] != START])
+
+    def _event(self, row: Any) -> Event:
+        i, met, other = int(row["ball"]), int(row["met"]), int(row["other"])
+        x = np.array(row["x"])
+        before = State.of(np.array(row["v_before"]), np.array(row["w_before"]), x)
+        after = State.of(np.array(row["v"]), np.array(row["w"]), x)
+        names = {WALL: self.scene.wall_names, BALL: self.scene.ball_names}.get(met)
+        return Event(
+            t=float(row["t"]),
+            kind=str(kind_names(row)),
+            ball=i,
+            other=other,
+            name=names[other] if names else "",
+            phase=PHASES[row["phase"]],
+            before=before,
+            after=after,
+            impulse=np.array(row["impulse"]),
+            floor_impulse=np.array(row["floor_impulse"]),
+            required_friction=float(row["required"]),
+            regime="" if row["regime"] < 0 else str(NAMES[row["regime"]]),
+            energy_lost=float(
+                self.kinetic_energy(i, before.velocity, before.spin)
+                - self.kinetic_energy(i, after.velocity, after.spin)
+            ),
+        )
+
+    # --- states ----------------------------------------------------------------------------------------------------
+
+    @functools.cached_property
+    def _setup(self) -> Any:
+        return set_up(self.scene)
+
+    @functools.cached_property
+    def _rows_of(self) -> list[NDArray[np.int64]]:
+        """Numbers of the log's rows of each ball."""
+        return [np.flatnonzero(self.log["ball"] == i) for i in range(len(self.scene.balls))]
+
+    def _find(self, t: ArrayLike) -> tuple[Array, Array, NDArray[np.int64]]:
+        """Times (T,), and for each time and ball (T, B) the row of the log that it follows and by how much."""
+        times = np.asarray(t, dtype=float)
+        flat = np.atleast_1d(times).ravel()
+        late = self.ended != "nothing more happens"
+        bad = ~((flat >= 0) & ((flat <= self.end) if late else np.isfinite(flat)))
+        if bad.any():
+            span = f"from 0 to {self.end:.9g} s" if late else "from 0 on"
+            raise CaromError(f"Trajectory: t: expected times {span}, got {float(flat[bad][0])!r}")
+        rows = np.stack(
+            [own[np.searchsorted(self.log["t"][own], flat, side="right") - 1] for own in self._rows_of], axis=1
+        )
+        return times, flat[:, None] - self.log["t"][rows], rows
+
+    def at(self, t: ArrayLike) -> State:
+        """Return the exact states at a time, s, or at times: arrays (B, 3), or (..., B, 3) for times (...).
+
+        At the time of an event, the state just after it. NaN after a ball has left or is held. Raises CaromError for
+        times before the start or after the end of the run.
+        """
+        times, after, rows = self._find(t)
+        x, v, w, _phase = states(self._setup.world, self._setup.balls, self.log[rows.ravel()], after.ravel())
+        shape = (*times.shape, len(self.scene.balls), 3)
+        return State.of(v.reshape(shape), w.reshape(shape), x.reshape(shape))
+
+    def phase(self, t: ArrayLike) -> Any:
+        """Return the names of the phases at a time or times, s: (B,) or (..., B)."""
+        times, _after, rows = self._find(t)
+        return np.array(PHASES)[self.log["phase"][rows]].reshape(*times.shape, len(self.scene.balls))
+
+    def phases(self, ball: int = 0) -> list[tuple[float, float, str]]:
+        """Return the phases of a ball in order: start and end (s), name."""
+        rows = self.log[self._rows_of[ball]]
+        found: list[tuple[float, float, str]] = []
+        for start, end, phase in zip(rows["t"], [*rows["t"][1:], self.end], rows["phase"], strict=True):
+            name = PHASES[phase]
+            if found and found[-1][2] == name:
+                found[-1] = (found[-1][0], float(end), name)
+            elif end > start or start == self.end:
+                found.append((float(start), float(end), name))
+        return found
+
+    @property
+    def start(self) -> State:
+        """Return the initial states (B, 3)."""
+        rows = self.log[: len(self.scene.balls)]
+        return State.of(np.array(rows["v"]), np.array(rows["w"]), np.array(rows["x"]))
+
+    @property
+    def final(self) -> State:
+        """Return the final states (B, 3); of a ball that left or is held, its last one."""
+        found = self.at(self.end)
+        last = self.log[[own[-1] for own in self._rows_of]]
+        gone = np.isnan(found.velocity[:, 0])
+        position = found.position
+        assert position is not None
+        for array, field in ((found.velocity, "v"), (found.spin, "w"), (position, "x")):
+            array[gone] = last[field][gone]
+        return found
+
+    @property
+    def final_phase(self) -> list[str]:
+        """Return the final phase of each ball."""
+        return [PHASES[self.log["phase"][own[-1]]] for own in self._rows_of]
+
+    @functools.cached_property
+    def _turned(self) -> Array:
+        """Orientation (rows of the log, 4) of the row's ball at each row."""
+        q = np.zeros((len(self.log), 4))
+        for own in self._rows_of:
+            turn = orientations(
+                self._setup.world, self._setup.balls, self.log[own[:-1]], np.diff(self.log["t"][own]),
+                np.tile([1.0, 0.0, 0.0, 0.0], (len(own) - 1, 1)),
+            )  # fmt: skip
+            q[own[0]] = last = np.array([1.0, 0.0, 0.0, 0.0])
+            for row, by in zip(own[1:], turn, strict=True):
+                last = _product(by, last)
+                q[row] = last
+        return q
+
+    def orientation(self, t: ArrayLike) -> Array:
+        """Return orientations at a time or times, s: unit quaternions (w, x, y, z) from the body's frame, (B, 4) or (..., B, 4).
+
+        All balls start with the unit quaternion. Exact where the spin keeps its direction, elsewhere to 1e-10 rad a phase
+        (:mod:`carom.core.motion.rotation`).
+        """
+        times, after, rows = self._find(t)
+        which = rows.ravel()
+        q = orientations(self._setup.world, self._setup.balls, self.log[which], after.ravel(), self._turned[which])
+        return q.reshape(*times.shape, len(self.scene.balls), 4)
+
+    # --- energy ----------------------------------------------------------------------------------------------------
+
+    def kinetic_energy(self, ball: Any, velocity: Array, spin: Array) -> Any:
+        """Return the kinetic energy, J, of ball number ``ball`` at a velocity and spin (3,); or of several (N,) at (N, 3)."""
+        balls = self._setup.balls
+        m, moment = balls["mass"][ball], (balls["kappa"] * balls["mass"] * balls["radius"] ** 2)[ball]
+        return m * (velocity * velocity).sum(axis=-1) / 2 + moment * (spin * spin).sum(axis=-1) / 2
+
+    def energy(self, t: ArrayLike, *, each: bool = False) -> Any:
+        """Return kinetic plus potential energy at a time or times, J: of all balls (...), or of each (..., B).
+
+        The potential energy is measured from the floor's contact (z = a), without a floor from z = 0.
+        """
+        state = self.at(t)
+        x, balls = state.position, self._setup.balls
+        assert x is not None
+        base = np.zeros((len(balls), 3))
+        if self.scene.floor is not None:
+            base[:, 2] = balls["radius"]
+        lift = -((x - base) * np.array(self.scene.gravity)).sum(axis=-1) * balls["mass"]
+        found = self.kinetic_energy(slice(None), state.velocity, state.spin) + lift
+        if not each:
+            found = found.sum(axis=-1)
+        return float(found) if np.ndim(found) == 0 else found
+
+    # --- tables, files, pictures -------------------------------------------------------------------------------------
+
+    def table(self, times: ArrayLike) -> pandas.DataFrame:
+        """Return a pandas DataFrame, one row per ball and time (s). CaromError without pandas."""
+        return states_table(self, np.atleast_1d(np.asarray(times, dtype=float)))
+
+    def to_xarray(self, times: ArrayLike) -> xarray.Dataset:
+        """Return the states at the given times (s) as an xarray Dataset. CaromError without xarray."""
+        return states_dataset(self, np.atleast_1d(np.asarray(times, dtype=float)))
+
+    def save(self, path: str | Path) -> Path:
+        """Write the run to a .parquet or .nc file; :func:`carom.load_trajectory` gives back the same bits."""
+        return save(self, as_path("Trajectory.save", path))
+
+    def plot(self, file: str | Path | None = None, **options: Any) -> Any:
+        """Return a Matplotlib figure: the run from above and from the side, its energy over time. ``file``: write it there."""
+        return _plotting("plot_trajectory")(self, file, **options)
+
+    def animate(self, file: str | Path, **options: Any) -> Path:
+        """Write an animation to ``file``: .mp4, .gif, or a self-contained .html page."""
+        return _plotting("animate")(self, as_path("Trajectory.animate", file), **options)  # type: ignore[no-any-return]
+
+    def __repr__(self) -> str:
+        """Return one line."""
+        balls = len(self.scene.balls)
+        return f"<Trajectory: {balls} ball{'s' if balls > 1 else ''}, {len(self.events)} events, {self.end:.6g} s, {self.ended}>"
+
+
+def _plotting(name: str) -> Any:
+    """Return a function of carom.plot, which imports this module and is therefore imported by name, when it is called."""
+    return getattr(importlib.import_module("carom.plot"), name)
+
+
+def _product(p: Array, q: Array) -> Array:
+    from carom.core.motion.rotation import compose
+
+    return np.array(compose(tuple(p.tolist()), tuple(q.tolist())))

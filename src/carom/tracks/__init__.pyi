@@ -1,0 +1,13 @@
+from .contact import Settings as Settings
+from .contact import TrackContact as TrackContact
+from .events import TrackEvent as TrackEvent
+from .events import WallLine as WallLine
+from .formats.text_table import Calibration as Calibration
+from .least_squares import ContactFit as ContactFit
+from .measurement import Measured as Measured
+from .measurement import measure as measure
+from .read import TrackFile as TrackFile
+from .read import read_tracks as read_tracks
+from .rebounds import to_rebounds as to_rebounds
+from .rebounds import usable_stages as usable_stages
+from .track import Track as Track

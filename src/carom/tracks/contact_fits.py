@@ -1,0 +1,319 @@
+"""Fits of all contacts of some tracks, in rounds: all contacts together determine the floor and the noise for the next round."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.tracks.contact import Settings, TrackContact, TrackedSpin, View, motion_before_resolved
+from carom.tracks.contact_models import fit_flight, fit_table
+from carom.tracks.events import TrackEvent, WallLine
+from carom.tracks.floor import WithError, pool_floor, pool_gravity
+from carom.tracks.least_squares import AT_CONTACT, ContactFit, Prior
+from carom.tracks.track import Track
+
+__all__ = ["ContactFitter", "blind_time"]
+
+Array = NDArray[np.float64]
+MIN_FRAMES_BEFORE, MIN_FRAMES_AFTER = 4, 5
+# Frames on each side that a fit uses at most: beyond, errors of the model outweigh the noise.
+MAX_FRAMES = 500
+# If a side has more frames than this, they are averaged in so many groups, except for those next to the contact.
+MAX_SINGLE_FRAMES, GROUPS, NEAR_FRAMES = 160, 56, 8
+# A fit that scatters more than this many times as much as the others is not free motion on both sides of a wall.
+MAX_EXCESS_SCATTER = 3.0
+# The first knows no noise, and the floor from the literature; the second estimates the floor from starts near the truth.
+ROUNDS = 3
+Progress = Callable[[int, int], None]
+NAMES = {"wall": "the wall {}", "ball": "ball {}", "gap": "a gap", "start": "the start of the track",
+         "end": "the end of the track", "onset": "the ball's start"}  # fmt: skip
+
+
+@dataclass
+class ContactFitter:
+    """Fits all contacts, and estimates the noise, the blind time and the floor on the way."""
+
+    settings: Settings
+    view: View
+    walls: dict[str, WallLine]
+    interval: float
+    noise: float
+    blind: tuple[float, float] = (0.0, 0.0)
+    """Times before and after a contact whose frames are left out, s."""
+    floor: dict[str, WithError] = field(default_factory=dict)
+
+    def run(
+        self,
+        tracks: list[Track],
+        events: dict[tuple[str, str], list[TrackEvent]],
+        notes: list[str],
+        progress: Progress | None,
+    ) -> list[TrackContact]:
+        """Fit all contacts: first with the floor of the literature, then with the estimate of all other contacts."""
+        jobs = [
+            (track, events[track.group, track.name], i)
+            for track in tracks
+            for i, event in enumerate(events[track.group, track.name])
+            if event.kind == "wall"
+        ]
+        prior = self._prior()
+        known = [prior] * len(jobs)
+        together = pool_floor if self.view == "above" else pool_gravity
+        found: list[TrackContact] | None = None
+        for number in range(ROUNDS):
+            found = self._round(jobs, known, found, number, progress)
+            if number == 0 and self.settings.blind is None:
+                self._find_blind(found, notes)
+            if number < ROUNDS - 1:
+                owners = [(one.group, one.track) for one in found]
+                fits = [one.fit for one in found]
+                # a ball that slides where rolling is assumed, or rolls where sliding is, would bias the estimate of the floor
+                usable = [_determines_floor(one) for one in found]
+                self.floor, known = together(fits, owners, known, prior, self.settings.gravity, usable)
+        return [self._checked(one) for one in found or []]
+
+    def _find_blind(self, found: list[TrackContact], notes: list[str]) -> None:
+        """Determine the blind time from the residuals of the first fits."""
+        self.blind = blind_time(found, self.interval)
+        if any(self.blind):
+            before, after = (f"{1e3 * blind:.3g} ms" for blind in self.blind)
+            notes.append(
+                f"frames up to {before} before and {after} after a contact scatter across the wall twice as much as"
+                " others (a soft wall, or a tracker that smooths): left out (--blind 0 keeps them)"
+            )
+
+    def _round(
+        self, jobs: list[tuple[Track, list[TrackEvent], int]], priors: Sequence[Prior], before: list[TrackContact] | None,
+        done: int, progress: Progress | None,
+    ) -> list[TrackContact]:  # fmt: skip
+        """Fit every contact once, starting from the round before."""
+        found = []
+        for number, (job, prior) in enumerate(zip(jobs, priors, strict=True)):
+            old = before[number] if before else None
+            found.append(old if old is not None and old.fit is None else self._contact(*job, prior, old))
+            if progress:
+                progress(done * len(jobs) + number + 1, ROUNDS * len(jobs))
+        if self.settings.noise is None:
+            self.noise = pooled_noise(found, self.noise)
+        return found
+
+    def _prior(self) -> Prior:
+        given = self.settings
+        k = given.kappa / (1 + given.kappa)
+        prior = Prior(k=k)
+        if given.cloth is not None:
+            prior = replace(prior, mu_g=given.cloth * given.gravity, mu_g_error=1e-4 * given.cloth * given.gravity)
+        if given.rolling is not None:
+            prior = replace(
+                prior, c_g=given.rolling * given.gravity, c_g_error=max(1e-4 * given.rolling * given.gravity, 1e-6)
+            )
+        return prior
+
+    def _contact(
+        self, track: Track, events: list[TrackEvent], i: int, prior: Prior, old: TrackContact | None = None
+    ) -> TrackContact:
+        """Fit one contact, or say why it cannot be fitted. ``old``: the contact of the round before."""
+        event, wall = events[i], self.walls[events[i].what]
+        middle = (event.low + event.high) / 2 if old is None else old.time
+        rows, why = self._rows(track, events, i, middle)
+        t = track.time[rows]
+        before, after = int((t < middle).sum()), int((t >= middle).sum())
+        bare = TrackContact(
+            track.name,
+            track.group,
+            wall,
+            middle,
+            before,
+            after,
+            why=why,
+            interval=self.interval,
+            planar=self.view == "side",
+            prior=prior,
+        )
+        if why:
+            return bare
+        x = wall.frame(track.position[rows])
+        at = 0.0 if self.settings.hard else None
+        if self.view == "above":
+            t, x, weight = averaged_frames(t, x, middle)
+            fit = fit_table(t, x, middle, self.noise, prior, at, weight, None if old is None else old.fit)
+        else:
+            gravity = wall.turned(np.array([0.0, -self.settings.gravity]))
+            fit = fit_flight(t, x, middle, self.noise, gravity, 0.05 * self.settings.gravity, at)
+        if (
+            not np.isfinite(fit.value[AT_CONTACT]).all()
+            or not np.isfinite(fit.covariance[AT_CONTACT, AT_CONTACT]).all()
+        ):
+            return replace(bare, why="the fit did not converge for these frames")
+        scatter = fit.noise * float(np.sqrt(fit.chi2 / max(fit.dof, 1)))
+        return replace(
+            bare,
+            time=fit["t"],
+            fit=fit,
+            last=float(track.time[rows[-1]]),
+            scatter=scatter,
+            spin=_tracked_spin(track, rows, fit["t"]),
+        )
+
+    def _rows(self, track: Track, events: list[TrackEvent], i: int, middle: float) -> tuple[NDArray[np.intp], str]:
+        """Return the frames of free motion on both sides, and why they do not suffice."""
+        event, before, after = events[i], events[i - 1], events[i + 1]
+        said = [NAMES[other.kind].format(other.what) for other in (before, after)]
+        for other, name in zip((before, after), said, strict=True):
+            if other.kind in ("wall", "ball") and other.low <= event.high and event.low <= other.high:
+                return np.zeros(
+                    0, np.intp
+                ), f"{name} is met within two frames: contacts that the frames cannot separate"
+        # the frame nearest to another wall may lie on either side of that contact
+        low = max(before.high + self.blind[1] * (before.kind == "wall"), middle - self.settings.window)
+        high = min(after.low - self.blind[0] * (after.kind == "wall"), middle + self.settings.window)
+        rows = np.arange(np.searchsorted(track.time, low), np.searchsorted(track.time, high, "right"))
+        t, x = track.time[rows] - middle, track.position[rows]
+        use = (t < -self.blind[0]) | (t > self.blind[1])
+        for other_wall in self.walls.values():
+            # a single frame on the extreme line may have been clamped there: no other row would show it
+            if other_wall.clamped or other_wall.found:
+                use &= other_wall.frame(x)[:, 0] > 1e-6
+        first, second = rows[use & (t < 0)], rows[use & (t >= 0)]
+        rows = np.concatenate([first[-MAX_FRAMES:], second[:MAX_FRAMES]])
+        if len(first) < MIN_FRAMES_BEFORE:
+            return rows, f"{len(first)} frames between {said[0]} and the wall, expected {MIN_FRAMES_BEFORE} or more"
+        if len(second) < MIN_FRAMES_AFTER:
+            return rows, f"{len(second)} frames between the wall and {said[1]}, expected {MIN_FRAMES_AFTER} or more"
+        return rows, ""
+
+    def _checked(self, one: TrackContact) -> TrackContact:
+        """Scale the errors to the noise of all contacts, or of this one if it scatters more; reject it if it scatters far more."""
+        if one.fit is None:
+            return one
+        corner = self._second_wall(one, one.fit)
+        if corner:
+            return replace(one, fit=None, why=corner)
+        excess = one.scatter / self.noise
+        if excess > MAX_EXCESS_SCATTER:
+            why = (
+                f"the frames scatter by {1e3 * one.scatter:.2g} mm about {'slide and roll' if self.view == 'above' else 'flight'},"
+                f" {excess:.1f} times as much as elsewhere: another contact, or a ball that hops?"
+            )
+            return replace(one, fit=None, why=why)
+        # more than chance does in 1 of 1000 fits
+        if excess**2 > 1 + 3.1 * np.sqrt(2 / max(one.fit.dof, 1)) + 3 / max(one.fit.dof, 1):
+            return replace(one, fit=one.fit.scaled(one.scatter))
+        return replace(one, fit=one.fit.scaled(self.noise))
+
+    def _second_wall(self, one: TrackContact, fit: ContactFit) -> str:
+        """Return a message if the ball may have met another wall as well between two frames, else an empty text.
+
+        It moved toward that wall before, moves away from it after, and had the time to reach it.
+        """
+        time, t = fit.time, fit["t"]
+        gap = float(time[time >= t].min(initial=np.inf) - time[time < t].max(initial=-np.inf))
+        n = np.array(one.wall.normal)
+        across = np.array([-n[1], n[0]])
+        place = one.wall.back(np.array([[fit["away"], fit["along"]]]))
+        for other in self.walls.values():
+            if other.name == one.wall.name:
+                continue
+            before, after = (
+                other.turned(fit[f"vn_{side}"] * n + fit[f"vt_{side}"] * across)[0] for side in ("in", "out")
+            )
+            if before < 0 < after and other.frame(place)[0, 0] < -before * gap + 6 * self.noise:
+                name = NAMES["wall"].format(other.name)
+                return f"{name} is met within two frames: contacts that the frames cannot separate"
+        return ""
+
+
+def _determines_floor(one: TrackContact) -> bool:
+    """Whether a contact may be used to estimate the floor: its motion before the wall is known."""
+    return one.fit is not None and motion_before_resolved(one, one.fit) and not one.fit.slid_until_contact
+
+
+def averaged_frames(t: Array, x: Array, middle: float) -> tuple[Array, Array, Array]:
+    """Average neighbouring frames if a side of the contact has more than MAX_SINGLE_FRAMES: times, positions and weights.
+
+    The frames next to the contact are kept. Over a few ms the path of a ball is straight to some micrometres, so a mean is as
+    good as its frames; and if their errors are not independent (pixels without noise), the means show it: they scatter more
+    than independent errors would.
+    """
+    times, places, weights = [], [], []
+    for side in (t < middle, t >= middle):
+        s, y = t[side], x[side]
+        size = max(1, (len(s) - NEAR_FRAMES) // GROUPS) if len(s) > MAX_SINGLE_FRAMES else 1
+        order = slice(None) if s[0] >= middle else slice(None, None, -1)  # counted from the contact
+        group = np.maximum((np.arange(len(s)) - NEAR_FRAMES) // size, -1)[order]
+        group = np.where(group < 0, np.arange(len(s))[order] - NEAR_FRAMES, group)
+        group -= group.min()
+        count = np.bincount(group)
+        keep = count > 0
+        means = [np.bincount(group, one)[keep] / count[keep] for one in (s, y[:, 0], y[:, 1])]
+        rows = np.argsort(means[0])
+        times.append(means[0][rows])
+        places.append(np.stack(means[1:], axis=-1)[rows])
+        weights.append(np.sqrt(count[keep][rows]))
+    return np.concatenate(times), np.concatenate(places), np.concatenate(weights)
+
+
+def blind_time(contacts: Sequence[TrackContact], interval: float) -> tuple[float, float]:
+    """Return for how long (s) before and after contacts the positions across the wall scatter twice as much as elsewhere.
+
+    In steps of half a frame, as long as there are enough contacts. A wall that gives way affects the frames of the contact
+    itself, a tracker that smooths some frames after it.
+    """
+    parts = [(one.fit.time - one.fit["t"], one.fit.residuals[:, 0]) for one in contacts if one.fit is not None]
+    if not parts:
+        return 0.0, 0.0
+    frames = np.concatenate([part[0] for part in parts]) / interval
+    size = np.abs(np.concatenate([part[1] for part in parts]))
+    far = size[np.abs(frames) > 5]
+    if len(far) < 50:
+        return 0.0, 0.0
+    usual = float(np.quantile(far, 0.8))
+    found = []
+    for side in (-frames, frames):
+        k = 0
+        while k < 40:
+            there = size[(side >= k / 2) & (side < (k + 1) / 2)]
+            if len(there) < 15 or np.quantile(there, 0.8) < 1.8 * usual:
+                break
+            k += 1
+        found.append(k / 2 * interval)
+    return found[0], found[1]
+
+
+def pooled_noise(contacts: Sequence[TrackContact], otherwise: float) -> float:
+    """Estimate the noise from the residuals of all contacts, leaving out those that scatter far more than the others."""
+    fits = [(one.scatter, one.fit.dof) for one in contacts if one.fit is not None]
+    if not fits:
+        return otherwise
+    scatter, dof = np.array(fits).T
+    good = scatter < 2 * np.median(scatter)
+    return float(np.sqrt((scatter[good] ** 2 * dof[good]).sum() / dof[good].sum()))
+
+
+def _tracked_spin(track: Track, rows: NDArray[np.intp], contact: float) -> TrackedSpin:
+    """Return the spin before and after with their errors, if the track has an angle or a spin."""
+    source = track.spin if track.spin is not None else track.angle
+    if source is None:
+        return TrackedSpin()
+    values, errors = [], []
+    for side in (track.time[rows] < contact, track.time[rows] >= contact):
+        t, y = track.time[rows][side], source[rows][side]
+        good = np.isfinite(y)
+        t, y = t[good], y[good]
+        if len(t) < (2 if track.spin is not None else 3):
+            values.append(np.nan)
+            errors.append(np.nan)
+        elif track.spin is not None:
+            values.append(float(y.mean()))
+            errors.append(float(y.std(ddof=1) / np.sqrt(len(y))))
+        else:
+            y = np.unwrap(y)
+            t = t - t.mean()
+            slope = float(t @ y / (t @ t))
+            gap = y - y.mean() - slope * t
+            values.append(slope)
+            errors.append(float(np.sqrt(gap @ gap / max(len(t) - 2, 1) / (t @ t))))
+    return TrackedSpin(*values, *errors)

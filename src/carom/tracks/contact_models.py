@@ -1,0 +1,372 @@
+"""Models of a contact: on a table the ball slides or rolls before it, and slides, then rolls after it; in flight, two parabolas.
+
+On a table, Coulomb friction while the ball slides and constant resistance while it rolls (:mod:`carom.tracks.table_motion`). Each
+model is fitted to the frames on both sides of the contact, in the frame of the wall (:mod:`carom.tracks.least_squares`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.tracks.least_squares import (
+    OUTPUTS,
+    ContactFit,
+    Prior,
+    central_differences,
+    contact_fit,
+    solve,
+    starting_values,
+    unresolved_time,
+)
+from carom.tracks.table_motion import slide_then_roll, slide_then_roll_derivatives
+
+__all__ = ["fit_flight", "fit_table", "slide_would_show"]
+
+Array = NDArray[np.float64]
+Free = NDArray[np.bool_]
+
+# A slide before the contact is accepted if it lowers chi2 by more than chance does in 1 % of fits: two parameters more, or one
+# for a ball that slides until the contact.
+CHI2_SLIDING = 9.21
+CHI2_SLIDING_UNTIL_CONTACT = 6.63
+# By how much a slide all the way to the contact has to raise the chi2 of rolling, so that it is detected almost certainly.
+CHI2_DETECTABLE = 20.0
+FEW_FRAMES_AFTER = 15
+SHORT_SLIDE_FRAMES = 3.0  # a slide as short as this may be spurious, found before the cloth's friction was known
+MIN_FRAMES_SLIDING = 6  # before the contact, to distinguish a slide from noise
+MAX_TIME_SLACK_S = 0.02  # between the contact and the frames beside it, at most
+
+# The parameters of a contact on a table. Before the contact the ball has, at the first frame, a slip u0 of magnitude SLIP in the
+# direction ANGLE, and the velocity ROLL + k u0: ROLL is its velocity once it rolls, which late frames determine even if they
+# determine nothing of u0.
+TIME, PLACE, DISTANCE, ROLL, SLIP, ANGLE = 0, slice(1, 3), 1, slice(3, 5), 5, 6
+V_OUT, U_OUT, MU_G, C_G = slice(7, 9), slice(9, 11), 11, 12
+COUNT = 13
+# of a contact in flight, after TIME and PLACE
+FLIGHT_IN, FLIGHT_OUT, FLIGHT_GRAVITY = slice(3, 5), slice(5, 7), slice(7, 9)
+
+# Which parameters are free: for a ball that rolls before the contact, that slides until the contact, that slides and then rolls.
+_NUMBERS = np.arange(COUNT)
+ROLLING, SLIDING_UNTIL_CONTACT, SLIDING = (_NUMBERS != SLIP) & (_NUMBERS != ANGLE), _NUMBERS != SLIP, _NUMBERS >= 0
+FLOOR_HELD = _NUMBERS < MU_G
+
+
+class _Candidate(NamedTuple):
+    """A minimum of one kind of motion before the contact."""
+
+    theta: Array
+    chi2: float
+    penalty: float
+    """By how much chi2 has to be lower than that of rolling."""
+    free: Free
+    slid_until_contact: bool = False
+
+
+# --- on a table --------------------------------------------------------------------------------------------------------
+
+
+def _first_slip(theta: Array) -> Array:
+    """Return the slip u0 (2,) at the first frame, m/s."""
+    return np.asarray(theta[SLIP] * np.array([np.cos(theta[ANGLE]), np.sin(theta[ANGLE])]))
+
+
+def _table_before(theta: Array, since: float, t: Array, k: float) -> tuple[Array, Array, Array]:
+    """Return the positions at times t before the contact, and the velocity and slip at the contact."""
+    u0 = _first_slip(theta)
+    span = max(theta[TIME] - since, 0.0)
+    way = slide_then_roll(
+        theta[ROLL] + k * u0, u0, np.append(np.clip(t - since, 0.0, span), span), theta[MU_G], theta[C_G], k
+    )
+    return theta[PLACE] + way.displacement[:-1] - way.displacement[-1], way.velocity[-1], way.slip[-1]
+
+
+def _table_position(theta: Array, since: float, t: Array, k: float) -> Array:
+    """Return the positions (n, 2) at times t; ``since``: the time of the first frame."""
+    before = t < theta[TIME]
+    places = np.empty((len(t), 2))
+    places[before] = _table_before(theta, since, t[before], k)[0]
+    after = slide_then_roll(theta[V_OUT], theta[U_OUT], t[~before] - theta[TIME], theta[MU_G], theta[C_G], k)
+    places[~before] = theta[PLACE] + after.displacement
+    return places
+
+
+def _table_slope(theta: Array, since: float, t: Array, k: float) -> Array:
+    """Return the derivatives (n, 2, COUNT) of the positions with respect to theta."""
+    found = np.zeros((len(t), 2, COUNT))
+    found[:, 0, PLACE.start] = found[:, 1, PLACE.start + 1] = 1.0
+    before = t < theta[TIME]
+    u0 = _first_slip(theta)
+    span = max(theta[TIME] - since, 0.0)
+    s = np.append(np.clip(t[before] - since, 0.0, span), span)
+    _way, v, by = slide_then_roll_derivatives(theta[ROLL] + k * u0, u0, s, theta[MU_G], theta[C_G], k)
+    by = by[:-1] - by[-1]
+    by_slip = by[:, :, 2:4] + k * by[:, :, 0:2]
+    found[before, :, TIME] = -v[-1]
+    found[before, :, ROLL] = by[:, :, 0:2]
+    found[before, :, SLIP] = by_slip @ np.array([np.cos(theta[ANGLE]), np.sin(theta[ANGLE])])
+    found[before, :, ANGLE] = by_slip @ np.array([-u0[1], u0[0]])
+    found[before, :, MU_G:] = by[:, :, 4:]
+    _way, v, by = slide_then_roll_derivatives(
+        theta[V_OUT], theta[U_OUT], t[~before] - theta[TIME], theta[MU_G], theta[C_G], k
+    )
+    found[~before, :, TIME] = -v
+    found[~before, :, V_OUT.start :] = by
+    return found
+
+
+def _table_outputs(theta: Array, since: float, k: float) -> Array:
+    """Return the quantities of OUTPUTS."""
+    _places, v, u = _table_before(theta, since, np.zeros(0), k)
+    v1, u1 = theta[V_OUT], theta[U_OUT]
+    slides = k * np.sqrt(u1 @ u1) / theta[MU_G]
+    return np.array([theta[TIME], *theta[PLACE], *v, *v1, *(v1 - k * u1), *u, *u1, theta[MU_G], theta[C_G], slides])
+
+
+class _TableContact:
+    """The least-squares problem of one contact."""
+
+    def __init__(
+        self, time: Array, position: Array, near: float, noise: float, prior: Prior, wall: float | None, weight: Array
+    ) -> None:
+        self.weight = np.repeat(weight, 2)
+        self.time, self.position, self.noise = time, position, noise
+        self.k, self.since = prior.k, float(time[0])
+        before, after = time < near, time >= near
+        self.after, self.interval = int(after.sum()), float(np.median(np.diff(time)))
+        start = starting_values(time, position, before, after, near)
+        v_in, v_out = start[FLIGHT_IN], start[FLIGHT_OUT]
+        self.start = np.concatenate([start[TIME : ROLL.stop], [0.0, 0.0], v_out, [0.0, 0.0], [prior.mu_g, prior.c_g]])
+        self.scale = np.array([1e-3, 1e-3, 1e-3, *[0.05] * 2, 0.3, 0.3, *[0.05] * 2, *[0.3] * 2, 0.2, 0.03])
+        # no wall gives a ball more slip than its speed accounts for
+        far = 0.2 + 2.0 * float(np.hypot(*v_in))
+        self.low, self.high = np.full(COUNT, -np.inf), np.full(COUNT, np.inf)
+        # the contact is next to the frame nearest to the wall, but for the noise of that frame
+        gap = max(time[after][0] - time[before][-1], self.interval)
+        gap += min(4 * noise / max(min(abs(v_in[0]), abs(v_out[0])), 1e-9), MAX_TIME_SLACK_S)
+        self.low[TIME], self.high[TIME] = time[before][-1] - gap, time[after][0] + gap
+        self.low[SLIP], self.low[MU_G], self.low[C_G] = 0.0, prior.mu_g / 20, 0.0
+        self.high[MU_G] = prior.mu_g * 20
+        # what is known besides the frames, one row each: the floor, the slip after, the wall's place
+        known = [
+            (MU_G, prior.mu_g, prior.mu_g_error), (C_G, prior.c_g, prior.c_g_error),
+            (U_OUT.start, 0.0, far), (U_OUT.start + 1, 0.0, far),
+        ]  # fmt: skip
+        if wall is not None:
+            known.append((DISTANCE, wall, noise))
+        self.known = known
+        self.known_slope = np.zeros((len(known), COUNT))
+        for row, (i, _value, error) in enumerate(known):
+            self.known_slope[row, i] = 1 / error
+
+    def residual(self, theta: Array) -> Array:
+        """Return the residuals in standard deviations: frames first, then prior knowledge."""
+        gap = (self.position - _table_position(theta, self.since, self.time, self.k)) / self.noise
+        return np.concatenate(
+            [gap.ravel() * self.weight, [(theta[i] - value) / error for i, value, error in self.known]]
+        )
+
+    def slope(self, theta: Array) -> Array:
+        """Return the derivatives of the residuals (rows, COUNT)."""
+        places = _table_slope(theta, self.since, self.time, self.k)
+        return np.concatenate([places.reshape(-1, COUNT) * (self.weight / -self.noise)[:, None], self.known_slope])
+
+    def solve(self, start: Array, free: Free) -> tuple[Array, float]:
+        """Minimise over the free parameters from a start: the parameters, and the sum of squares."""
+
+        def filled_in(part: Array) -> Array:
+            filled = start.copy()
+            filled[free] = part
+            return filled
+
+        found, cost = solve(
+            lambda part: self.residual(filled_in(part)), lambda part: self.slope(filled_in(part))[:, free],
+            start[free], self.scale[free], (self.low[free], self.high[free]),
+            1e-4 if not free[MU_G] else 1e-9,  # a first approximation need not be exact
+        )  # fmt: skip
+        return filled_in(found), cost
+
+    def rolling(self, old: ContactFit | None) -> tuple[Array, _Candidate]:
+        """Fit a ball that rolls before the contact: the parameters with the floor as known, and the fit with the floor free.
+
+        Freed at once, a wrong floor would be found instead of a slide before the contact. ``old``: an earlier fit to start from.
+        """
+        tries = []
+        if old is not None and not old.slid_before:
+            start = old.theta.copy()
+            start[MU_G:] = self.start[MU_G:]
+            tries.append(self.solve(start, ROLLING & FLOOR_HELD))
+        # few frames after the contact are fitted by a slide of some ms as well as by a long one, before the cloth is known
+        short = old is not None and old["slides"] < SHORT_SLIDE_FRAMES * self.interval
+        if not tries or self.after < FEW_FRAMES_AFTER or short:
+            for spin_kept in (0.8, 0.2):
+                start = self.start.copy()
+                start[U_OUT] = start[V_OUT] - spin_kept * start[ROLL]
+                tries.append(self.solve(start, ROLLING & FLOOR_HELD))
+        first = min(tries, key=lambda one: one[1])[0]
+        return first, _Candidate(*self.solve(first, ROLLING), 0.0, ROLLING)
+
+    def sliding_again(self, old: ContactFit) -> _Candidate:
+        """Fit a ball that slides before the contact, from an earlier such fit: other starts may miss the slide after it."""
+        start, until_contact = old.theta.copy(), old.slid_until_contact
+        free = SLIDING_UNTIL_CONTACT if until_contact else SLIDING
+        start[MU_G:] = self.start[MU_G:]
+        found = self.solve(self.solve(start, free & FLOOR_HELD)[0], free)
+        return _Candidate(*found, CHI2_SLIDING_UNTIL_CONTACT if until_contact else CHI2_SLIDING, free, until_contact)
+
+    def sliding(self, start: Array) -> list[_Candidate]:
+        """Fit a ball that slides before the contact: all the way, and until some time before it."""
+        on = self.solve(start, SLIDING_UNTIL_CONTACT & FLOOR_HELD)[0]
+        found = [
+            _Candidate(*self.solve(on, SLIDING_UNTIL_CONTACT), CHI2_SLIDING_UNTIL_CONTACT, SLIDING_UNTIL_CONTACT, True)
+        ]
+        frames = self.time[self.time < on[TIME]]
+        v0 = on[ROLL] + self.k * _first_slip(on)
+        for end in (0.9, 0.6, 0.3):
+            start = on.copy()
+            start[SLIP] = on[MU_G] * end * (on[TIME] - self.since) / self.k
+            start[ROLL] = v0 - self.k * _first_slip(start)
+            other, chi2 = self.solve(self.solve(start, SLIDING & FLOOR_HELD)[0], SLIDING)
+            # a slide that ends with the last frames leaves the slip undetermined: sliding until the contact fits as well with less
+            if self.k * other[SLIP] / other[MU_G] < frames[-1] - self.since - 1.5 * self.interval:
+                found.append(_Candidate(other, chi2, CHI2_SLIDING, SLIDING))
+                if chi2 < 1.3 * (2 * len(self.time) - COUNT):
+                    break  # as good as it can be: other starts would end here too
+        return found
+
+
+def fit_table(
+    time: Array, position: Array, near: float, noise: float, prior: Prior, wall: float | None = None,
+    weight: Array | None = None, old: ContactFit | None = None,
+) -> ContactFit:  # fmt: skip
+    """Fit a contact of a ball on a table.
+
+    Parameters
+    ----------
+    time, position : (n,) s and (n, 2) m
+        Frames, in the frame of the wall.
+    near : float
+        Approximate time of the contact, s.
+    noise : float
+        Standard deviation of one coordinate, m.
+    prior : Prior
+        Prior knowledge of the floor.
+    wall : float, optional
+        Distance from the wall's line at which the motions meet, m, within the noise. None: where they meet is free, which is
+        right for a cushion that gives way.
+    weight : (n,), optional
+        sqrt(m) for a row that is the mean of m frames; its residual is multiplied by it.
+    old : ContactFit, optional
+        An earlier fit, with another floor or noise, to start from.
+    """
+    weight = np.ones(len(time)) if weight is None else weight
+    job = _TableContact(time, position, near, noise, prior, wall, weight)
+    k, since = job.k, job.since
+    first, rolling = job.rolling(old)
+    candidates = [rolling]
+    gap = (position - _table_position(first, since, time, k)) * weight[:, None]
+    start = _start_of_slide(time, gap, weight, first, noise, k)
+    if start is not None:
+        candidates += job.sliding(start)
+    if old is not None and old.slid_before:
+        candidates.append(job.sliding_again(old))
+    chosen = min(candidates, key=lambda one: one.chi2 + one.penalty)
+    best = chosen.theta
+    fitted = contact_fit(
+        best, chosen.free, job.residual, job.slope(best), lambda theta: _table_outputs(theta, since, k),
+        lambda t: _table_position(best, since, t, k), scale=job.scale, time=time, noise=noise,
+        slid_before=bool(chosen.free[ANGLE]), slid_until_contact=chosen.slid_until_contact,
+    )  # fmt: skip
+    fitted = replace(fitted, theta=best)
+    if chosen.slid_until_contact:
+        # it may have come to roll so short a time before the wall that no frame shows it
+        late = best[MU_G] * unresolved_time(best[MU_G], noise, time)
+        e = np.zeros(len(OUTPUTS))
+        v_in = OUTPUTS.index("vn_in")
+        e[v_in : v_in + 2] = late / np.sqrt(3.0) * np.array([np.cos(best[ANGLE]), np.sin(best[ANGLE])])
+        fitted = replace(fitted, covariance=fitted.covariance + np.outer(e, e))
+    return fitted
+
+
+def _start_of_slide(time: Array, gap: Array, weight: Array, rolling: Array, noise: float, k: float) -> Array | None:
+    """Return starting values for a ball that slides until the contact; None if the frames before it show no sliding.
+
+    Relative to the line on which it rolls later, a ball that slides until T is displaced by -e mu g (T - t)^2 / 2:
+    some T are tried. ``gap`` (n, 2): measured less fitted positions, times the weights, of the fit ``rolling`` (COUNT,).
+    """
+    rows = time < rolling[TIME]
+    s, gap, weight = time[rows] - time[0], gap[rows] / noise, weight[rows, None]
+    if len(s) < MIN_FRAMES_SLIDING:
+        return None
+    span = rolling[TIME] - time[0]
+    most, direction = CHI2_SLIDING_UNTIL_CONTACT, np.nan
+    for end in span * np.array([0.1, 0.2, 0.35, 0.5, 0.75, 1.0, 1.5]):
+        columns = np.stack([np.ones_like(s), s, np.maximum(end - s, 0.0) ** 2], axis=-1) * weight
+        if (columns[:, 2] > 0).sum() < 2:
+            continue
+        solved = np.linalg.lstsq(columns, gap, rcond=None)[0]
+        gain = float((gap**2).sum() - ((gap - columns @ solved) ** 2).sum())
+        if gain > most:
+            most, direction = gain, float(np.arctan2(-solved[2, 1], -solved[2, 0]))
+    if not np.isfinite(direction):
+        return None
+    # no frame shows how much slip is left: any size that lasts until the contact will do
+    start = rolling.copy()
+    start[SLIP], start[ANGLE] = 3 * rolling[MU_G] * span / k, direction
+    e = np.array([np.cos(direction), np.sin(direction)])
+    start[ROLL] += e * (rolling[MU_G] * span / 2) - k * start[SLIP] * e
+    return start
+
+
+def slide_would_show(frames: int, span: float, noise: float, mu_g: float) -> bool:
+    """Return whether so many frames over ``span`` s would show that a ball slides: its path bends by mu g / 2 t^2.
+
+    Relative to the straight line through the frames such a parabola has the RMS (mu g / 2) span^2 / (6 sqrt(5)).
+    """
+    bend = mu_g / 2 * span * span / (6 * np.sqrt(5.0))
+    return frames >= MIN_FRAMES_SLIDING and bool(frames * (bend / noise) ** 2 > CHI2_DETECTABLE)
+
+
+# --- in flight ---------------------------------------------------------------------------------------------------------
+
+
+def _flight_position(theta: Array, t: Array) -> Array:
+    s = (t - theta[TIME])[:, None]
+    velocity = np.where(s < 0, theta[FLIGHT_IN], theta[FLIGHT_OUT])
+    return np.asarray(theta[PLACE] + velocity * s + theta[FLIGHT_GRAVITY] * (s * s / 2))
+
+
+def _flight_outputs(theta: Array) -> Array:
+    """Return the quantities of OUTPUTS, with the components of gravity for mu_g and c_g."""
+    return np.array([*theta[: FLIGHT_OUT.stop], *[np.nan] * 6, *theta[FLIGHT_GRAVITY], np.nan])
+
+
+def fit_flight(
+    time: Array, position: Array, near: float, noise: float, gravity: Array, error: float, wall: float | None = None
+) -> ContactFit:
+    """Fit a contact of a ball in flight: two parabolas that meet.
+
+    Parameters as in :func:`fit_table`; ``gravity`` (2,), m/s^2, is a prior in the frame of the wall with the standard deviation
+    ``error``. In the result the fitted gravity takes the place of mu_g (away from the wall) and c_g (along it).
+    """
+    theta = np.concatenate([starting_values(time, position, time < near, time >= near, near), gravity])
+    scale = np.array([1e-3, 1e-3, 1e-3, *[0.05] * 4, *[0.2] * 2])
+
+    def residual(theta: Array) -> Array:
+        gap = (position - _flight_position(theta, time)) / noise
+        known = list((theta[FLIGHT_GRAVITY] - gravity) / error)
+        if wall is not None:
+            known.append((theta[DISTANCE] - wall) / noise)
+        return np.concatenate([gap.ravel(), known])
+
+    def slope(theta: Array) -> Array:
+        return central_differences(residual, theta, 1e-4 * scale)
+
+    best, _chi2 = solve(residual, slope, theta, scale)
+    return contact_fit(
+        best, np.ones(len(theta), bool), residual, slope(best), _flight_outputs, lambda t: _flight_position(best, t),
+        scale=scale, time=time, noise=noise,
+    )  # fmt: skip

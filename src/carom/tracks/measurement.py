@@ -1,0 +1,158 @@
+"""Measurement of the contacts in tracks: camera clock, walls, events and fits; each contact not measured has a reason."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.errors import CaromError
+from carom.files import require_library
+from carom.tracks.contact import Settings, TrackContact, View
+from carom.tracks.contact_fits import ContactFitter, Progress
+from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
+from carom.tracks.floor import WithError
+from carom.tracks.preprocess import guess_view, initial_noise, on_camera_clock, rounding_step
+from carom.tracks.track import Track
+
+__all__ = ["Measured", "Settings", "TrackContact", "measure"]
+
+Array = NDArray[np.float64]
+SIDES = {"above": ("left", "right", "bottom", "top"), "side": ("bottom",)}
+
+
+@dataclass(frozen=True, eq=False)
+class Measured:
+    """Everything that was found in some tracks: walls, events, contacts, noise, floor.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.tracks import Settings, Track, measure
+    >>> t = np.arange(40) / 100
+    >>> ball = Track("ball", t, np.stack([np.abs(0.2 - t), 0.1 * t], axis=-1))
+    >>> found = measure([ball], Settings(view="above", noise=1e-4))
+    >>> [wall.name for wall in found.walls], len(found.contacts)
+    (['left'], 1)
+    """
+
+    tracks: tuple[Track, ...]
+    """As they were fitted: seen frames only, with times on the camera's clock."""
+    view: View
+    walls: tuple[WallLine, ...]
+    events: dict[tuple[str, str], list[TrackEvent]]
+    """By group and name of a track."""
+    contacts: tuple[TrackContact, ...]
+    noise: float
+    """Standard deviation of one coordinate of one frame, m."""
+    noise_given: bool
+    step: tuple[float, float]
+    """Step to which positions were rounded along each axis, m; 0 if there is no sign of rounding."""
+    interval: float
+    """Between frames, s."""
+    blind: tuple[float, float]
+    """Times before and after a contact whose frames were left out, s."""
+    floor: dict[str, WithError] = field(default_factory=dict)
+    """Estimates from all contacts: ``cloth friction`` and ``rolling resistance``, or ``gravity`` (m/s^2), with their errors."""
+    notes: tuple[str, ...] = ()
+    gravity: float = 9.80665
+    """m/s^2, by which decelerations were divided to give the friction of the floor."""
+
+    @property
+    def measured(self) -> list[TrackContact]:
+        """The contacts that were measured."""
+        return [contact for contact in self.contacts if contact.fit is not None]
+
+
+def measure(tracks: Sequence[Track], settings: Settings | None = None, progress: Progress | None = None) -> Measured:
+    """Find and measure the contacts of balls with walls in tracks filmed with one camera.
+
+    On both sides of a contact the motion is fitted by the physics: sliding and rolling with friction on a table, parabolas in
+    flight; the two motions meet at the wall. Floor, noise and blind time are estimated from all contacts together.
+
+    Parameters
+    ----------
+    tracks : sequence of Track
+        In one coordinate system, m and s; tracks of one ``group`` were filmed together.
+    settings : Settings, optional
+        What is known beforehand.
+    progress : callable(done, total), optional
+        Called after each fit.
+
+    Raises
+    ------
+    CaromError
+        For settings out of range, tracks with three coordinates, an unknown radius where balls may meet, and without SciPy.
+
+    Examples
+    --------
+    A ball in flight bounces at t = 0.1 s:
+
+    >>> import numpy as np
+    >>> from carom.tracks import Settings, Track, measure
+    >>> t = np.arange(40) / 200
+    >>> y = np.where(t < 0.1, 2 * (0.1 - t), 1.6 * (t - 0.1)) - 9.81 / 2 * (t - 0.1) ** 2
+    >>> found = measure([Track("ball", t, np.stack([0.5 * t, y], axis=-1))], Settings(view="side", noise=1e-4))
+    >>> contact = found.contacts[0]
+    >>> contact.wall.name, round(contact.time, 6), round(contact.fit["vn_out"], 3)
+    ('bottom', 0.1, 1.6)
+    """
+    settings = settings or Settings()
+    require_library("scipy", "tracks")
+    settings.check()
+    if not tracks or not all(isinstance(track, Track) for track in tracks):
+        raise CaromError(f"measure: tracks: expected one or more carom.tracks.Track, got {tracks!r:.60}")
+    notes: list[str] = []
+    seen, interval = on_camera_clock(tracks, notes)
+    step = (rounding_step([t.position[:, 0] for t in seen]), rounding_step([t.position[:, 1] for t in seen]))
+    noise = settings.noise if settings.noise is not None else initial_noise(seen, interval, step)
+    view = settings.view or guess_view(seen, settings.gravity, notes)
+    walls = settings.walls if settings.walls is not None else tuple(find_walls(seen, noise, SIDES[view]))
+    groups: dict[str, list[Track]] = {}
+    for track in seen:
+        groups.setdefault(track.group, []).append(track)
+    if settings.radius is None and any(len(members) > 1 for members in groups.values()):
+        raise CaromError(
+            "tracks: expected the balls' radius, since several were filmed together and may meet, got none;"
+            " --radius 30.75mm, or --radius 0 if they cannot meet"
+        )
+    radii = 2 * settings.radius if settings.radius else None
+    events = {
+        (track.group, track.name): find_events(
+            track, [other for other in groups[track.group] if other is not track], walls, noise, radii, interval
+        )
+        for track in seen
+    }
+    job = ContactFitter(
+        settings, view, {wall.name: wall for wall in walls}, interval, noise, (settings.blind or 0.0,) * 2
+    )
+    found = job.run(seen, events, notes, progress)
+    if not walls:
+        notes.append("no wall found: no ball turns back at an extreme of the positions (--wall gives one)")
+    notes += _plausibility_notes(walls, events, job.floor, settings)
+    return Measured(
+        tracks=tuple(seen), view=view, walls=walls, events=events, contacts=tuple(found), noise=job.noise,
+        noise_given=settings.noise is not None, step=step, interval=interval, blind=job.blind, floor=job.floor,
+        notes=tuple(notes), gravity=settings.gravity,
+    )  # fmt: skip
+
+
+def _plausibility_notes(
+    walls: Sequence[WallLine], events: dict[tuple[str, str], list[TrackEvent]], floor: dict[str, WithError],
+    settings: Settings,
+) -> list[str]:  # fmt: skip
+    """Return notes on what looks like a wall in the wrong place, or a wrong scale, rate or view."""
+    met = {event.what for some in events.values() for event in some}
+    notes = [
+        f"wall {wall.name}: no ball reaches it; --wall is the line on which the ball's centre turns, in m"
+        for wall in walls
+        if not wall.found and wall.name not in met
+    ]
+    if "gravity" in floor and not abs(floor["gravity"][0] / settings.gravity - 1) < 0.1:
+        notes.append(
+            f"gravity is {floor['gravity'][0]:.3g} m/s^2 in this film instead of {settings.gravity:.3g}: is the scale (--scale),"
+            " the frame rate (--rate) or the view (--view) wrong?"
+        )
+    return notes

@@ -1,0 +1,252 @@
+"""Preparation of tracks for fits: times on the camera's clock, rounding and noise of positions, and the camera's view."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.errors import CaromError
+from carom.tracks.contact import View
+from carom.tracks.track import Track
+
+__all__ = [
+    "CameraClock",
+    "camera_clock",
+    "guess_view",
+    "initial_noise",
+    "on_camera_clock",
+    "position_noise",
+    "rounding_step",
+]
+
+Array = NDArray[np.float64]
+# Smallest share of the series (and at least two) that has to show the same rounding step: fast and resting balls show none.
+MIN_AGREEING_SHARE = 0.1
+
+
+@dataclass(frozen=True, eq=False)
+class CameraClock:
+    """The times at which a camera took its frames."""
+
+    interval: float
+    """From frame to frame, s."""
+    time: Array
+    """(n,) s: on the clock if the file's times were rounded, else as they are in the file."""
+    frame: NDArray[np.bool_]
+    """(n,): rows that are frames; the others lie between frames, interpolated by a program."""
+    rounded: float
+    """Step to which the file's times were rounded, s; 0 if they are exact enough."""
+    steady: bool
+    """Whether the frames are evenly spaced."""
+
+
+def camera_clock(time: Array) -> CameraClock:
+    """Find the clock behind sorted times (n,), s, which may have gaps, duplicates, rounding, and rows between the frames."""
+    n = len(time)
+    every = np.ones(n, bool)
+    steps = np.diff(time)
+    steps = steps[steps > 0]
+    if len(steps) < 3:
+        return CameraClock(float(steps.min()) if len(steps) else np.nan, time, every, 0.0, False)
+    interval = _commonest(steps)
+    grid = _grid(time)
+    start = _start(time, interval)
+    if start is None:
+        return CameraClock(interval, time, every, 0.0, False)
+    first, size = start
+    zero = float(time[first])
+    reach, near = size, np.zeros(n, bool)
+    while True:
+        rows = slice(max(first - reach, 0), first + reach)
+        count = np.round((time[rows] - zero) / interval)
+        off = time[rows] - zero - count * interval
+        near = np.abs(off) < 0.08 * interval + grid
+        if near.sum() < 3:
+            return CameraClock(interval, time, every, 0.0, False)
+        interval, zero = (float(x) for x in np.polyfit(count[near], time[rows][near], 1))
+        if reach >= n:
+            break
+        reach *= 2
+    count = np.round((time - zero) / interval)
+    off = time - zero - count * interval
+    near = np.abs(off) < 0.08 * interval + grid
+    if near.mean() < 0.7:
+        return CameraClock(interval, time, every, 0.0, False)
+    spread = float(np.median(np.abs(off[near])))
+    frame = np.abs(off) < max(4 * spread, 1e-3 * interval)
+    if grid > 0:
+        frame &= np.abs(time / grid - np.round(time / grid)) < 0.02
+    # of two rows in one frame the nearer to the clock
+    order = np.lexsort((np.abs(off), count))
+    doubled = np.zeros(n, bool)
+    doubled[order[1:]] = count[order][1:] == count[order][:-1]
+    frame &= ~doubled
+    rounded = max(grid, 4 * spread) if spread > 2e-3 * interval else 0.0
+    clock = np.where(frame, zero + count * interval, time) if rounded else time
+    return CameraClock(interval, clock, frame, rounded, True)
+
+
+def _commonest(steps: Array) -> float:
+    """Return the smallest common step: a slow ball may have rows in every second frame only."""
+    steps = np.sort(steps)
+    count = np.searchsorted(steps, 1.04 * steps) - np.searchsorted(steps, 0.96 * steps)
+    least = float(steps[np.flatnonzero(count >= 0.25 * count.max())[0]])
+    return float(np.median(steps[np.abs(steps / least - 1) < 0.08]))
+
+
+def _start(time: Array, interval: float) -> tuple[int, int] | None:
+    """Return the middle and half the length of the longest run of even steps."""
+    even = np.abs(np.diff(time) - interval) < 0.1 * interval
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], even, [False]]).astype(int)))
+    runs = edges.reshape(-1, 2)
+    if not len(runs):
+        return None
+    low, high = runs[np.argmax(runs[:, 1] - runs[:, 0])]
+    return (int(low + high) // 2, max((int(high - low) + 1) // 2, 2)) if high - low >= 3 else None
+
+
+def _grid(time: Array) -> float:
+    """Return the round step (10 ms, 1 ms, 0.5 ms, 0.1 ms) of which nearly all times are multiples; 0 if there is none."""
+    for grid in (1e-2, 1e-3, 5e-4, 1e-4):
+        if (np.abs(time / grid - np.round(time / grid)) < 0.02).mean() > 0.8:
+            return grid
+    return 0.0
+
+
+def rounding_step(series: Sequence[Array]) -> float:
+    """Return the step to which coordinates were rounded (a pixel, say), m: the commonest among the series; 0 if there is none.
+
+    One camera rounds all series to the same step. A few series may show a step by chance, such as an even motion with missing
+    frames; their steps differ.
+    """
+    steps = np.array([step for step in map(_step_of_one, series) if np.isfinite(step)])
+    same = [np.abs(steps - step) < 0.05 * step for step in steps]
+    most = max(same, key=np.count_nonzero, default=np.zeros(0, bool))
+    return (
+        float(np.median(steps[most]))
+        if most.sum() >= max(MIN_AGREEING_SHARE * len(steps), min(2, len(steps)), 1)
+        else 0.0
+    )
+
+
+def _step_of_one(x: Array) -> float:
+    """Return the step of which differences of neighbouring values are multiples: the largest at which their phases agree.
+
+    0 if there is none, NaN if there are too few values.
+    """
+    values = np.unique(x[np.isfinite(x)])[:20000]
+    gaps = np.diff(values)
+    gaps = gaps[gaps > 1e-6 * (values[-1] - values[0])] if len(values) else gaps
+    if len(gaps) < 20:
+        return np.nan
+    # rounding to decimal places leaves gaps of 1 beside gaps of 10: steps far below the usual gap are not pixels
+    whole = np.sort(gaps)
+    gaps = whole[: max(len(gaps) // 2, 20)][:1000]
+    most = float(gaps[-1])
+    least = max(float(gaps[len(gaps) // 20]) / 1.5, most / 60)
+    per = np.arange(1 / (1.1 * most), 1 / least, 1 / (12 * most))
+    agree = np.array([np.cos(2 * np.pi * gaps * f).mean() for f in per])
+    best = float(agree.max())
+    if best < 0.6:
+        return 0.0
+    first = int(np.flatnonzero(agree > 0.85 * best)[0])
+    peak = first + int(np.argmax(agree[first : first + 8]))
+    step = float(1 / per[peak])
+    count = np.round(gaps / step)
+    good = (count > 0) & (np.abs(gaps / step - count) < 0.2)
+    # an even motion has even gaps too: if no position repeats, many gaps of several sizes have to fit
+    again = len(values) < 0.8 * len(x)
+    kinds = np.unique(np.round(whole / step), return_counts=True)[1]
+    if not again and ((kinds > 0.03 * len(whole)).sum() < 3 or best < (0.6 if len(x) > 250 else 0.95)):
+        return 0.0
+    return float((gaps[good] * count[good]).sum() / (count[good] ** 2).sum()) if good.any() else step
+
+
+def position_noise(time: Array, position: Array, interval: float) -> float:
+    """Estimate the noise of one coordinate of one frame, m, from fourth differences of the positions (n, 2).
+
+    Contacts affect few of them, so their median is used; frames in which the ball rests are left out.
+    """
+    parts = []
+    span = 4.5 * interval if np.isfinite(interval) else np.inf
+    for k in range(position.shape[1]):
+        x = position[:, k]
+        difference = x[4:] - 4 * x[3:-1] + 6 * x[2:-2] - 4 * x[1:-3] + x[:-4]
+        moves = np.abs(position[4:] - position[:-4]).max(axis=1) > 0
+        good = moves & (time[4:] - time[:-4] < span) & np.isfinite(difference)
+        parts.append(np.abs(difference[good]))
+    sizes = np.concatenate(parts)
+    if len(sizes) < 4:
+        return 0.0
+    # the median of |N(0, 1)| is 0.6745; 1 + 16 + 36 + 16 + 1 = 70
+    return float(np.median(sizes) / 0.6745 / np.sqrt(70.0))
+
+
+def on_camera_clock(tracks: Sequence[Track], notes: list[str]) -> tuple[list[Track], float]:
+    """Return the tracks with their seen frames only, on the clock of their group, and the interval between frames, s."""
+    seen = []
+    intervals = []
+    groups: dict[str, list[Track]] = {}
+    for track in tracks:
+        if track.position.shape[1] != 2:
+            raise CaromError(
+                f"track {track.name!r}: expected positions in a plane, got three coordinates; leave the third column out"
+            )
+        groups.setdefault(track.group, []).append(track.select(track.seen))
+    off = rounded = unsteady = 0
+    for members in groups.values():
+        times = np.unique(np.concatenate([track.time for track in members]))
+        clock = camera_clock(times)
+        off += int((~clock.frame).sum())
+        rounded += clock.rounded > 0
+        unsteady += not clock.steady
+        if np.isfinite(clock.interval):
+            intervals.append(clock.interval)
+        seen += [_on_clock(track, times, clock) for track in members]
+    interval = float(np.median(intervals)) if intervals else np.nan
+    if off:
+        notes.append(f"{off:,} rows lie between the camera's frames: interpolated by a program, left out")
+    if rounded:
+        notes.append(
+            f"times were rounded: replaced by those of the camera's clock, one frame every {1e3 * interval:.4g} ms"
+        )
+    if unsteady:
+        notes.append(
+            f"frames are not evenly spaced in {unsteady} of {len(groups)} files or shots: times are taken as they are"
+        )
+    return [track for track in seen if len(track)], interval
+
+
+def _on_clock(track: Track, times: Array, clock: CameraClock) -> Track:
+    rows = np.searchsorted(times, track.time)
+    return replace(track, time=clock.time[rows]).select(clock.frame[rows])
+
+
+def initial_noise(tracks: Sequence[Track], interval: float, step: tuple[float, float]) -> float:
+    """Estimate the noise of a coordinate, m, before anything is fitted; at least that of rounding."""
+    found = [position_noise(track.time, track.position, interval) for track in tracks]
+    found = [x for x in found if x > 0]
+    least = max(step) / np.sqrt(12.0)
+    size = max(float(np.ptp(track.position, axis=0).max()) for track in tracks)
+    return float(max(np.median(found) if found else 0.0, least, 1e-6 * size))
+
+
+def guess_view(tracks: Sequence[Track], gravity: float, notes: list[str]) -> View:
+    """Return ``side`` if most pieces of the tracks fall with gravity, else ``above``; add a note."""
+    falls = []
+    for track in tracks:
+        t, y = track.time, track.position[:, 1]
+        size = max(8, int(0.12 / max(float(np.median(np.diff(t))), 1e-9))) if len(t) > 8 else len(t)
+        for low in range(0, max(len(t) - size, 1), max(size // 2, 1)):
+            rows = slice(low, low + size)
+            if len(t[rows]) >= 6:
+                falls.append(2 * np.polyfit(t[rows] - t[rows][0], y[rows], 2)[0])
+    side = len(falls) > 0 and float((np.abs(np.array(falls) + gravity) < 0.3 * gravity).mean()) > 0.4
+    notes.append(
+        "the balls fall with gravity: taken as filmed from the side (--view above overrules)" if side
+        else "taken as filmed from above, a ball on a table (--view side: a ball in flight)"
+    )  # fmt: skip
+    return "side" if side else "above"

@@ -1,0 +1,105 @@
+"""Sliding and rolling of a ball on a table, in closed form at many times at once, with derivatives for fits.
+
+A ball with the slip u slides, decelerated by mu g against the slip, for the time k |u| / (mu g), k = kappa / (1 + kappa); then it
+rolls with the velocity v - k u, decelerated by c g along its path. Physics and sources are those of
+:mod:`carom.core.motion.phases`, whose kernels go from one state to the next; a fit needs arrays of times, and parameters
+without a spin, since a track shows positions only.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["TableMotion", "slide_then_roll", "slide_then_roll_derivatives"]
+
+Array = NDArray[np.float64]
+TINY = 1e-12
+
+
+class TableMotion(NamedTuple):
+    """Motion of a ball at n times since its start."""
+
+    displacement: Array
+    """(n, 2) from the start, m."""
+    velocity: Array
+    """(n, 2) m/s."""
+    slip: Array
+    """(n, 2) m/s."""
+
+
+def slide_then_roll(v: Array, u: Array, t: Array, mu_g: float, c_g: float, k: float) -> TableMotion:
+    """Compute the motion of a ball at times t (n,), s >= 0, after it had the velocity v (2,) and the slip u (2,), m/s.
+
+    ``mu_g`` and ``c_g`` are the decelerations while it slides and rolls, m/s^2; k = kappa / (1 + kappa), 2/7 for a solid ball.
+    """
+    return _filled(v, u, t, mu_g, c_g, k, np.empty((0, 2, 6)))
+
+
+def slide_then_roll_derivatives(
+    v: Array, u: Array, t: Array, mu_g: float, c_g: float, k: float
+) -> tuple[Array, Array, Array]:
+    """Compute displacement (n, 2), velocity (n, 2), and the derivatives of the displacement (n, 2, 6).
+
+    The derivatives are with respect to v (2), u (2), mu_g and c_g. Parameters as in :func:`slide_then_roll`.
+    """
+    slope = np.empty((len(t), 2, 6))
+    found = _filled(v, u, t, mu_g, c_g, k, slope)
+    return found.displacement, found.velocity, slope
+
+
+def _filled(v: Array, u: Array, t: Array, mu_g: float, c_g: float, k: float, slope: Array) -> TableMotion:
+    found = TableMotion(np.empty((len(t), 2)), np.empty((len(t), 2)), np.empty((len(t), 2)))
+    numbers = (float(v[0]), float(v[1]), float(u[0]), float(u[1]), float(mu_g), float(c_g), float(k))
+    _compiled()(*numbers, np.ascontiguousarray(t), *found, slope)
+    return found
+
+
+def _fill(
+    vx: float, vy: float, ux: float, uy: float, mu_g: float, c_g: float, k: float, t: Any,
+    way: Any, velocity: Any, left: Any, slope: Any,
+) -> None:  # fmt: skip
+    """Fill displacements, velocities and slips (n, 2), and derivatives (n, 2, 6), or none (0, 2, 6)."""
+    slip = math.sqrt(ux * ux + uy * uy) + TINY
+    ex, ey = ux / slip, uy / slip
+    slides = k * slip / mu_g
+    rx, ry = vx - k * ux, vy - k * uy
+    speed = math.sqrt(rx * rx + ry * ry) + TINY
+    px, py = rx / speed, ry / speed
+    least = c_g if c_g > TINY else TINY
+    for i in range(t.shape[0]):
+        f = min(t[i], slides)
+        h = min(max(t[i] - slides, 0.0), speed / least)
+        far, size = speed * h - c_g / 2 * h * h, max(slip - mu_g / k * t[i], 0.0)
+        way[i, 0] = vx * f - ex * (mu_g / 2 * f * f) + px * far
+        way[i, 1] = vy * f - ey * (mu_g / 2 * f * f) + py * far
+        left[i, 0], left[i, 1] = size * ex, size * ey
+        # the slip is k's share of what the ball still has to lose
+        velocity[i, 0] = px * (speed - c_g * h) + k * left[i, 0]
+        velocity[i, 1] = py * (speed - c_g * h) + k * left[i, 1]
+        if slope.shape[0] == 0:
+            continue
+        # what rolling adds, by the velocity r with which it begins; what the slide's end adds, by its time
+        bent, turned = c_g / (2 * speed) * h * h, mu_g / (2 * slip) * f * f
+        xx, xy, yy = h - (1 - px * px) * bent, px * py * bent, h - (1 - py * py) * bent
+        endx, endy = px * c_g * h, py * c_g * h
+        row = slope[i]
+        row[0, 0], row[0, 1], row[1, 0], row[1, 1] = f + xx, xy, xy, f + yy
+        row[0, 2] = -(1 - ex * ex) * turned - k * xx + endx * (k / mu_g) * ex
+        row[0, 3] = ex * ey * turned - k * xy + endx * (k / mu_g) * ey
+        row[1, 2] = ex * ey * turned - k * xy + endy * (k / mu_g) * ex
+        row[1, 3] = -(1 - ey * ey) * turned - k * yy + endy * (k / mu_g) * ey
+        row[0, 4], row[1, 4] = -ex * (f * f / 2) - endx * (slides / mu_g), -ey * (f * f / 2) - endy * (slides / mu_g)
+        row[0, 5], row[1, 5] = -px * (h * h / 2), -py * (h * h / 2)
+
+
+@functools.cache
+def _compiled() -> Callable[..., None]:
+    from carom.core.jit.compile import njit
+
+    return njit(_fill)

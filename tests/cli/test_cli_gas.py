@@ -1,0 +1,328 @@
+"""carom gas: JSON that is the library's answer, files that are whole, runs that are stopped, killed, and gone on with."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+from reference.gases import MIXED, ROUGH
+from typer.testing import CliRunner
+
+import carom
+from carom.cli import app, main
+from carom.gas.build import load_gas
+from carom.gas.session import Session
+
+runner = CliRunner()
+KEYS = [
+    "pair_collisions", "wall_collisions", "simulated_time", "cpu_seconds", "mean_free_time", "pressure", "energy_drift",
+    "temperature_translational", "temperature_rotational", "max_overlap",
+]  # fmt: skip
+LONG = ROUGH.replace("60_000", "1_000_000")
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch) -> Path:
+    for name, text in (("rough", ROUGH), ("mixed", MIXED), ("long", LONG)):
+        (tmp_path / f"{name}.toml").write_text(text)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def run(*words: str) -> str:
+    done = runner.invoke(app, ["gas", *words], catch_exceptions=False)
+    assert done.exit_code == 0
+    return done.stdout
+
+
+def answer(*words: str):
+    found = json.loads(run(*words, "--json"))
+    assert found.pop("cpu_seconds") > 0
+    return found
+
+
+def refusal(capsys, monkeypatch, *words: str) -> list[str]:
+    monkeypatch.setattr(sys, "argv", ["carom", "gas", *words])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    out, err = capsys.readouterr()
+    assert ended.value.code == 2
+    assert out == ""
+    lines = err.splitlines()
+    assert all(line.startswith("carom: ") for line in lines)
+    return [line.removeprefix("carom: ") for line in lines]
+
+
+def process(*words: str, code: tuple[str, ...] = ("-m", "carom")) -> subprocess.Popen[str]:
+    source = Path(carom.__file__).parents[1]
+    return subprocess.Popen(
+        [sys.executable, *code, "gas", *words], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        env={**os.environ, "PYTHONPATH": str(source)},
+    )  # fmt: skip
+
+
+HIT = """
+import os, signal, sys
+from carom.cli import main
+from carom.gas import checkpoint, snapshots
+
+where, call, which = sys.argv.pop(1), int(sys.argv.pop(1)), int(sys.argv.pop(1))
+room, name = {"a checkpoint": (checkpoint.os, "fsync"), "a frame": (snapshots.Snapshots, "write")}[where]
+before, calls = getattr(room, name), []
+
+
+def hit(*words):
+    calls.append(before(*words))
+    if len(calls) == call:
+        os.kill(os.getpid(), which)
+
+
+setattr(room, name, hit)
+main()
+"""
+
+
+def struck(where: str, call: int, which: signal.Signals, *words: str) -> tuple[int, str, str]:
+    """A run that gets a signal while it writes ``where`` for so many times: always at the same event."""
+    running = process(*words, code=("-c", HIT, where, str(call), str(int(which))))
+    out, err = running.communicate(timeout=120)
+    return running.returncode, out, err
+
+
+# --- what it says --------------------------------------------------------------------------------------------------
+
+
+def test_json_has_the_keys_and_is_the_librarys_answer(folder):
+    found = json.loads(run("rough.toml", "--json"))
+    assert [key for key in found if key in KEYS] == KEYS
+    session = Session(load_gas(folder / "rough.toml"))
+    session.run()
+    result = session.result
+    for key in KEYS:
+        if key != "cpu_seconds":
+            assert found[key] == getattr(result, key), key
+    assert found["pair_collisions"] == 60_000 == found["events"]
+    assert found["wall_collisions"] == 0
+    assert found["mean_free_time"] == pytest.approx(200 * found["simulated_time"] / 120_000, rel=1e-12)
+    assert abs(found["energy_drift"]) < 1e-12
+    # conserving: both temperatures end where the energy is shared
+    assert found["temperature_translational"] == pytest.approx(0.75, rel=0.02)
+    assert found["temperature_rotational"] == pytest.approx(0.75, rel=0.02)
+    # what Gas.run of the same gas says, by another way through the same events
+    from carom.gas.build import build
+
+    gas = build(load_gas(folder / "rough.toml"))
+    gas.run(5000)
+    other = gas.run(60_000)
+    assert (other.pressure, other.simulated_time) == (result.pressure, result.simulated_time)
+
+
+def test_what_is_not_known_is_null(folder):
+    found = answer("mixed.toml")
+    assert found["diffusion"] is None  # a box with walls
+    assert set(found["species"]) == {"big", "small"}
+    pairs = {tuple(row["between"]): row for row in found["channels"]}
+    assert set(pairs) == {
+        ("big", "big"), ("big", "small"), ("small", "small"),
+        ("big", "front"), ("small", "front"), ("big", "back"), ("small", "back"),
+    }  # fmt: skip
+    assert sum(row["collisions"] for row in pairs.values()) == found["events"]
+    assert (
+        sum(row["collisions"] for name, row in pairs.items() if name[1] in ("front", "back"))
+        == found["wall_collisions"]
+    )
+    lost = sum(row["lost_normal"] + row["lost_tangential"] for row in found["channels"])
+    assert lost == pytest.approx(found["energy_start"] - found["energy_end"], rel=1e-10)
+    assert pairs["small", "small"]["to_spin"] == 0
+    assert pairs["big", "big"]["lost_tangential"] > 0
+    assert found["simulated_time"] == pytest.approx(20, abs=1e-12)
+
+
+def test_the_same_input_gives_the_same_answer_and_options_count(folder):
+    one = answer("rough.toml")
+    assert answer("rough.toml") == one
+    assert answer("rough.toml", "--seed", "2") != one
+    assert answer("rough.toml", "--max-events", "1000")["events"] == 1000
+    assert answer("mixed.toml", "--duration", "2.5")["simulated_time"] == pytest.approx(2.5, abs=1e-12)
+
+
+def test_the_table(folder):
+    text = run("mixed.toml")
+    assert "Gas: 160 discs of 2 species, a box 20 x 16, periodic along x, packing fraction" in text
+    for words in (
+        "wall collisions",
+        "mean free time",
+        "rotational /",
+        "big – small",
+        "small – back",
+        "(tangential)",
+    ):
+        assert words in text
+    assert "energy drift" not in text  # it is no drift, friction takes it
+    assert run("rough.toml", "--quiet") == ""
+    assert "relative energy drift" in run("rough.toml")
+
+
+def test_files_are_written(folder):
+    done = runner.invoke(app, ["gas", "rough.toml", "--measures", "m.json", "--plot", "g.svg", "--checkpoint", "c.npz"])
+    assert done.exit_code == 0
+    assert "written: g.svg" in done.stderr
+    assert "written: c.npz" in done.stderr
+    found = json.loads((folder / "m.json").read_text())
+    assert set(KEYS) < set(found)
+    assert len(found["series"]["time"]) == found["looks"] >= 45
+    assert len(found["pair_correlation"][0]["g"]) > 50
+    assert sorted(path.name for path in folder.iterdir()) == [
+        "c.npz", "g.svg", "long.toml", "m.json", "mixed.toml", "rough.toml",
+    ]  # fmt: skip
+
+
+def test_a_new_scene_checks_and_is_checked(folder):
+    assert runner.invoke(app, ["scene", "new", "--gas", "new.toml"]).exit_code == 0
+    done = runner.invoke(app, ["scene", "check", "new.toml"])
+    assert done.stdout.startswith(
+        "new.toml: 1,000 balls, periodic 12.6 x 12.6 x 12.6, packing fraction 0.2618, 1,000,000 events"
+    )
+    assert done.stdout.endswith(": ok\n")
+
+
+# --- what is wrong -------------------------------------------------------------------------------------------------
+
+
+def test_faults_are_lines_and_nothing_runs(folder, capsys, monkeypatch):
+    (folder / "bad.toml").write_text(ROUGH.replace("count = 200", "count = 900"))
+    (line,) = refusal(capsys, monkeypatch, "bad.toml", "--json")
+    assert line.startswith("bad.toml: species: expected a packing fraction of at most 0.7405, the densest packing of")
+    assert ", got 1.1220; use fewer or smaller balls" in line
+    (folder / "x.csv").write_text("x,y,z\n" + "1,2,3\n" * 200)
+    (folder / "bad.toml").write_text(ROUGH + 'start = "x.csv"')
+    (line,) = refusal(capsys, monkeypatch, "bad.toml", "--quiet")
+    assert line.startswith("bad.toml: run.start: expected balls that do not overlap, got balls 0 and 1, at [1. 2. 3.]")
+    lines = refusal(
+        capsys, monkeypatch, "none.toml", "--plot", "g.xyz", "--measures", "m.csv", "--snapshots", "no/s.gsd", "--every", "soon",
+        "--checkpoint-every", "0 events",
+    )  # fmt: skip
+    assert [line.split(":")[0] for line in lines] == [
+        "--plot g.xyz", "--measures m.csv", "--snapshots no/s.gsd", "--checkpoint-every", "none.toml", "--every",
+    ]  # fmt: skip
+    (line,) = refusal(capsys, monkeypatch)
+    assert line == "SCENE.toml: expected a scene, got none; carom scene new --gas FILE writes one"
+    (line,) = refusal(capsys, monkeypatch, "rough.toml", "--every", "5")
+    assert line == "--every: expected --snapshots FILE.gsd as well, got none"
+    (line,) = refusal(capsys, monkeypatch, "rough.toml", "--checkpoint-every", "5")
+    assert line == "--checkpoint-every: expected --checkpoint FILE as well, got none"
+    (line,) = refusal(capsys, monkeypatch, "rough.toml", "--max-events", "0")
+    assert line == "--max-events: expected a whole number >= 1, got 0"
+
+
+def test_a_restart_file_of_another_scene_is_refused(folder, capsys, monkeypatch):
+    run("rough.toml", "--checkpoint", "c.npz")
+    (line,) = refusal(capsys, monkeypatch, "mixed.toml", "--resume", "c.npz")
+    assert line.startswith(
+        "c.npz: expected a checkpoint of this scene, got one of another scene: its gravity is 0.0, not 0.2"
+    )
+    (line,) = refusal(capsys, monkeypatch, "rough.toml", "--resume", "rough.toml", "--quiet")
+    assert (
+        line
+        == "rough.toml: expected an intact checkpoint of carom gas, got a file that cannot be read (not a file of NumPy)"
+    )
+    (line,) = refusal(capsys, monkeypatch, "rough.toml", "--resume", "none.npz", "--quiet")
+    assert line.startswith("none.npz: expected a checkpoint, got: No such file or directory")
+
+
+def test_a_gas_that_collapses_is_told(folder, capsys, monkeypatch):
+    # inelastic, no contact_time: three balls clap together without end
+    text = MIXED.replace("contact_time = 1e-6\n", "").replace("restitution = 0.99", "restitution = 0.0")
+    text = text.replace("gravity = 0.2", "gravity = 5.0").replace("restitution = 1.0", "restitution = 0.0")
+    (folder / "dead.toml").write_text(text.replace("duration = 20.0", "duration = 1000.0"))
+    lines = refusal(capsys, monkeypatch, "dead.toml", "--quiet")
+    (line,) = lines
+    assert line.startswith(
+        "Gas.run: contact_time: expected a finite number of collisions, got an inelastic collapse at t = "
+    )
+    assert "give a contact_time > 0" in line
+
+
+# --- stopped, killed, gone on with ---------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_ends_it_with_a_checkpoint(folder, which):
+    keep = ("--checkpoint", "c.npz", "--checkpoint-every", "20000 events")
+    code, out, err = struck("a checkpoint", 2, which, "long.toml", "--json", *keep)
+    assert code == 128 + which
+    assert out == ""
+    last = err.splitlines()[-1]
+    assert last.startswith("carom: stopped after ")
+    assert last.endswith("resume with: carom gas long.toml --resume c.npz")
+    assert answer("long.toml", "--resume", "c.npz") == answer("long.toml")
+
+
+def test_a_signal_without_a_checkpoint_asked_for_makes_one(folder):
+    code, _out, err = struck("a frame", 3, signal.SIGINT, "long.toml", "--snapshots", "s.gsd", "--every", "1000 events")
+    assert code == 130
+    assert err.splitlines()[-1].endswith("resume with: carom gas long.toml --resume long.checkpoint.npz")
+    assert answer("--resume", "long.checkpoint.npz") == answer("long.toml")
+
+
+# in the middle of its fourth checkpoint, and between two of them
+@pytest.mark.parametrize(("where", "call"), [("a checkpoint", 4), ("a frame", 20)])
+def test_a_killed_run_goes_on_with_the_same_bits(folder, where, call):
+    import gsd.hoomd
+
+    options = ("--snapshots", "s.gsd", "--every", "3.0")
+    keep = ("--checkpoint", "c.npz", "--checkpoint-every", "30000 events")
+    code, out, _err = struck(where, call, signal.SIGKILL, "long.toml", "--json", *keep, *options)
+    assert code == -signal.SIGKILL
+    assert out == ""
+    kept = dict(np.load(folder / "c.npz"))
+    assert 0 < kept["gas.system"]["pair_collisions"][0] < 1_005_000
+    resumed = answer("long.toml", "--resume", "c.npz", *options)
+    whole = answer("long.toml", "--snapshots", "w.gsd", "--every", "3.0")
+    assert resumed == whole
+    with gsd.hoomd.open(str(folder / "s.gsd")) as one, gsd.hoomd.open(str(folder / "w.gsd")) as two:
+        assert len(one) == len(two) > 50
+        for a, b in zip(one, two, strict=True):
+            assert a.configuration.step == b.configuration.step
+            assert a.particles.position.tobytes() == b.particles.position.tobytes()
+            assert a.particles.angmom.tobytes() == b.particles.angmom.tobytes()
+    # the finished run's checkpoint goes on too, for longer
+    more = answer("long.toml", "--resume", "c.npz", "--max-events", "1100000")
+    again = answer("long.toml", "--max-events", "1100000")
+    for key in ("pressure", "simulated_time", "energy_drift", "temperature_rotational", "channels"):
+        assert more[key] == again[key]
+
+
+def test_a_full_disk_does_not_end_the_run(folder, monkeypatch):
+    from carom.gas import checkpoint
+
+    tries = []
+
+    def full(handle):
+        tries.append(handle)
+        if len(tries) < 4:
+            raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(checkpoint.os, "fsync", full)
+    done = runner.invoke(
+        app, ["gas", "rough.toml", "--json", "--checkpoint", "c.npz", "--checkpoint-every", "1000 events"]
+    )
+    assert done.exit_code == 0
+    full = "expected room to write, got: No space left on device; free some space, or choose another place"
+    said = f"carom: c.npz: {full}; the previous checkpoint stays, and the run continues"
+    assert done.stderr.splitlines().count(said) == 3
+    assert (folder / "c.npz").exists()
+
+
+def test_progress_goes_to_standard_error(folder):
+    running = process("rough.toml", "--json")
+    out, err = running.communicate(timeout=120)
+    assert set(KEYS) < set(json.loads(out))
+    assert "equilibrating: 200 balls" in err
+    assert "measuring: 200 balls" in err

@@ -1,0 +1,260 @@
+"""carom orbit: tables, JSON that is the library's answer, pictures that are whole or not there, faults of one line."""
+
+from __future__ import annotations
+
+import io
+import json
+import math
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from typer.testing import CliRunner
+
+import carom
+from carom import billiards
+from carom.cli import app, main
+from carom.plot import plot_boundary, plot_lyapunov, plot_orbit, plot_portrait, save
+
+runner = CliRunner()
+START = ["--position", "0.2,0.1", "--velocity", "0.8,0.3", "--spin", "0.5"]
+
+
+def run(*words: str) -> Any:
+    done = runner.invoke(app, ["orbit", *words])
+    assert done.exit_code == 0, (done.output, done.exception)
+    return done
+
+
+def fails(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], *words: str) -> list[str]:
+    monkeypatch.setattr(sys, "argv", ["carom", "orbit", *words])
+    with pytest.raises(SystemExit) as end:
+        main()
+    assert end.value.code == 2
+    said = capsys.readouterr()
+    assert said.out == ""
+    return said.err.splitlines()
+
+
+def test_json_is_the_librarys_answer_in_full() -> None:
+    done = json.loads(
+        run("circle", "--radius", "1.5", "--kappa", "0.3", "--bounces", "50", *START, "--reverse", "--json").stdout
+    )
+    ball = carom.Disc(1.0, 1.0, 0.3)
+    found = billiards.orbit(billiards.circle(1.5), ((0.2, 0.1), (0.8, 0.3), 0.5), 50, ball=ball)
+    assert [b["t"] for b in done["bounces"]] == found.t.tolist()
+    assert [b["position"] for b in done["bounces"]] == found.position.tolist()
+    assert [b["s"] for b in done["bounces"]] == found.arc.tolist()
+    assert [b["spin"] for b in done["bounces"]] == found.spin.tolist()
+    assert done["caustics"] == billiards.caustics(found).radii.tolist()
+    assert done["ended"] == {"bounces": 1}
+    assert done["reversal_error"] == billiards.reverse(found)[1].max() < 1e-12
+    assert done["table"] == {"name": "circle", "bounds": "centre", "radius": 1.5}
+
+
+TABLES = [
+    ["circle"], ["ellipse", "--major", "1", "--minor", "0.7"], ["stadium", "--straight", "1"], ["polygon", "--sides", "5"],
+    ["polygon", "--vertices", "0,0 2,0 2,1 1,1 1,2 0,2"], ["rectangle", "--width", "2"], ["sinai", "--radius", "0.2"],
+    ["periodic-strip"], ["sphere"], ["box", "--depth", "2"], ["cylinder:stadium", "--height", "2"],
+    ["cylinder:circle", "--acceleration", "-9.81"], ["cylinder:polygon", "--sides", "3"],
+    ["cylinder:polygon", "--height", "2"], ["cylinder:rectangle", "--height", "2", "--acceleration", "1"],
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("words", TABLES, ids=" ".join)
+@pytest.mark.parametrize("bounds", ["centre", "surface"])
+def test_every_table(words: list[str], bounds: str) -> None:
+    """Drawn starts, both bounds: tables for people, nothing cut at 80 columns; the same as JSON, every bounce there."""
+    done = run(*words, "--bounds", bounds, "--bounces", "30", "--seed", "3")
+    assert "30 in 1 orbit" in done.stdout
+    assert "…" not in "".join(line for line in done.stdout.splitlines() if line.strip() != "…")
+    assert max(map(len, done.stdout.splitlines())) <= 80
+    found = json.loads(run(*words, "--bounds", bounds, "--bounces", "30", "--seed", "3", "--json").stdout)
+    assert len(found["bounces"]) == found["count"] == 30
+
+
+def test_open_tables_and_their_drift() -> None:
+    words = ["strip", "--acceleration", "0.5", *START[:2], "--velocity", "0.3,0.9", "--bounces", "500"]
+    assert "bounded" in run(*words).stdout
+    assert json.loads(run(*words, "--json").stdout)["drift"]["growth"] < 1.1
+    falls = [
+        "plates",
+        "--acceleration",
+        "-1",
+        "--law",
+        "mirror",
+        "--position",
+        "0,0,0",
+        "--velocity",
+        "0,1,0",
+        "--bounces",
+        "500",
+    ]
+    assert "not bounded so far" in run(*falls).stdout
+    assert json.loads(run(*falls, "--json").stdout)["drift"]["acceleration"] == pytest.approx(-1.0)
+    wedge = json.loads(run("wedge", "--angle", "20", "--position", "1,0", "--velocity", "1,0.1", "--json").stdout)
+    assert wedge["ended"] == {"escaped": 1}
+
+
+def test_the_force_is_along_the_cylinder() -> None:
+    """Over a strip, which could have a force of its own, along z as well, as the option says."""
+    start = ("--position", "0,0.1,0", "--velocity", "0,0.9,0", "--bounces", "20", "--law", "mirror", "--json")
+    for section in ("strip", "circle"):
+        last = json.loads(run(f"cylinder:{section}", "--acceleration", "-1", *start).stdout)["bounces"][-1]
+        assert last["position"][0] == pytest.approx(0, abs=1e-12)
+        assert last["position"][2] == pytest.approx(-0.5 * last["t"] ** 2)
+
+
+def test_many_orbits_laws_and_exponents() -> None:
+    many = json.loads(run("polygon", "--orbits", "7", "--bounces", "40", "--json").stdout)
+    assert len(many["bounces"]) == 7
+    assert set(many["periods"]) <= {"4", "6"}
+    assert sum(many["periods"].values()) == 7
+    chaos = json.loads(run("stadium", "--law", "mirror", "--lyapunov", "--bounces", "3000", "--json").stdout)
+    spectrum = chaos["lyapunov"]["per_bounce"]
+    assert spectrum[0] > 0.5
+    assert sum(spectrum) == pytest.approx(0, abs=0.01)
+    soft = json.loads(
+        run("circle", "--law", "contact", "--restitution", "0.9", *START, "--bounces", "20", "--json").stdout
+    )
+    speeds = [math.hypot(*b["velocity"]) for b in soft["bounces"]]
+    assert speeds[-1] < 0.5 * speeds[0]
+    assert "Lyapunov" in run("circle", "--lyapunov", "--bounces", "100").stdout
+    # an orbit that ends has no exponents, and nothing but that is said
+    short = run("circle", "--law", "contact", "--restitution", "0.5", "--lyapunov", "--json")
+    assert json.loads(short.stdout)["lyapunov"] == dict.fromkeys(("per_bounce", "per_time", "error"), [None] * 4)
+    assert not short.stderr
+
+
+def test_pictures(tmp_path: Path) -> None:
+    files = [tmp_path / name for name in ("way.svg", "phase.png", "map.pdf")]
+    done = run(
+        "circle", *START, "--plot", str(files[0]), "--portrait", str(files[1]), "--boundary", str(files[2]), "--json"
+    )
+    json.loads(done.stdout)
+    assert all(f.stat().st_size > 2000 for f in files)
+    first = files[0].read_bytes()
+    run("circle", *START, "--plot", str(files[0]))
+    assert files[0].read_bytes() == first
+
+
+def drawn(figure: Any) -> None:
+    """All of a picture, as coarse as will do; files are written above."""
+    figure.savefig(io.BytesIO(), format="png", dpi=40)
+
+
+@pytest.mark.parametrize(
+    "table",
+    [billiards.sinai(bounds="surface"), billiards.periodic_strip(), billiards.strip(acceleration=0.4), billiards.wedge(0.7),
+     billiards.sphere(), billiards.box(), billiards.cylinder(billiards.stadium(), acceleration=-9.81),
+     billiards.ellipse(bounds="surface")],
+    ids=str,
+)  # fmt: skip
+def test_every_kind_of_picture(table: billiards.Table) -> None:
+    d = table.dimension
+    begin = ((0.45, 0.1, 0.0)[:d], (0.1, 0.9, 0.3)[:d], 1.0 if d == 2 else (0.3, 0.2, 1.0))
+    found = billiards.orbit(table, begin, 50)
+    figure = plot_orbit(found)
+    drawn(figure)
+    # what is drawn lies within what is shown
+    axes = figure.axes[0]
+    (lines,) = axes.collections
+    points = np.concatenate([np.asarray(p.vertices) for p in lines.get_paths()])
+    (x0, x1), (y0, y1) = axes.get_xlim(), axes.get_ylim()
+    assert points[:, 0].min() >= x0
+    assert points[:, 0].max() <= x1
+    assert points[:, 1].min() >= y0
+    assert points[:, 1].max() <= y1
+    drawn(plot_portrait(found))
+    if table.name != "sphere":
+        drawn(plot_boundary(found))
+    else:
+        with pytest.raises(carom.CaromError, match="boundary map"):
+            plot_boundary(found)
+
+
+def test_exponents_drawn(tmp_path: Path) -> None:
+    table = billiards.stadium()
+    save(plot_lyapunov(billiards.lyapunov(table, billiards.starts(table, 3, 1), 500)), tmp_path / "l.png")
+    assert (tmp_path / "l.png").stat().st_size > 2000
+
+
+BAD = [
+    (["circl"], "did you mean 'circle'?"),
+    (["cylinder:cone"], "orbit: table: expected one of"),
+    (["circle", "--sides", "3"], "--sides: a circle has no such size; it has --radius"),
+    (["circle", "--radius", "-1"], "circle: radius: expected a length > 0, got -1.0"),
+    (["circle", "--kappa", "3"], "Disc: inertia: expected kappa"),
+    (["circle", "--position", "1"], "--velocity: expected one together with --position, got none"),
+    (["circle", "--position", "1", "--velocity", "1,0"], "--position: expected two numbers, such as 0.1,0.2, got '1'"),
+    (["circle", "--position", "3,0", "--velocity", "1,0"], "2 outside"),
+    (["circle", "--spin", "3"], "--spin: expected --position and --velocity with it"),
+    (["circle", "--bounces", "0"], "bounces: expected an integer >= 1, got 0"),
+    (["circle", "--orbits", "3", *START], "--orbits: expected 1 with --position, got 3"),
+    (["circle", "--law", "noslip"], "did you mean 'no-slip'?"),
+    (["circle", "--friction", "0.3"], "--friction: law no-slip does not use it"),
+    (["circle", "--law", "mirror", "--friction", "0.1"], "--friction: law mirror does not use it; --law contact does"),
+    (["circle", "--plot", "a.png", "--boundary", "./a.png"], "--boundary a.png: expected another file than --plot's"),
+    (["cylinder:plates"], "orbit: table: expected one of"),
+    (["wedge", "--angle", "400"], "--angle: expected degrees > 0 and < 180, got 400"),
+    (["sphere", "--kappa", "0.9"], "got 0.9; a thin shell is 'hollow'; carom.Disc takes up to 1"),
+    (["sinai", "--radius", "0.8"], "sinai: scatterers: expected room between them, got one that covers the cell"),
+    (["periodic-strip", "--radius", "0.8"], "periodic strip: scatterers: expected room between them"),
+    (["circle", "--seed", "-1"], "seed: expected an integer >= 0, got -1"),
+    (["circle", "--orbits", "100000000000"], "starts: count: expected no more than 10,000,000, got 100,000,000,000"),
+    (["circle", "--bounds", "center"], "did you mean 'centre'?"),
+    (["circle", "--corners", "stop"], "corners: expected 'end' or 'pass', got 'stop'"),
+    (["wedge"], "give a force towards the vertex, or --position and --velocity"),
+    (["polygon", "--vertices", "0,0 1,x 2,2"], "--vertices: expected two numbers"),
+    (
+        ["polygon", "--vertices", "0,0 4,0 4,4 2,4 2,2 2,4 0,4"],
+        "the side from corner 5 to 6 back along that from 4 to 5",
+    ),
+    (["circle", "--plot", "nowhere/a.svg"], "expected a folder that exists"),
+    (["circle", "--law", "contact", "--restitution", "2", *START], "Surface: restitution"),
+    (["ellipse", "--minor", "0.1", "--bounds", "surface"], "expected one that fits in the ellipse, got 0.1"),
+    (["circle", "--law", "contact", "--restitution", "0.5", "--reverse"], "expected a reversible one"),
+]
+
+
+@pytest.mark.parametrize(("words", "said"), BAD, ids=[" ".join(words) for words, _said in BAD])
+def test_a_fault_is_a_line(
+    words: list[str], said: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    lines = fails(monkeypatch, capsys, *words)
+    assert len(lines) == 1
+    assert said in lines[0]
+
+
+def test_all_faults_at_once(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    assert len(fails(monkeypatch, capsys, "stadium", "--sides", "4", "--angle", "3")) == 2
+
+
+def test_all_faults_of_the_options_at_once(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("stadium", "--sides", "4", "--law", "noslip", "--bounces", "0", "--plot", "nowhere/a.svg")
+    lines = fails(monkeypatch, capsys, *words)
+    assert [line.split(": ")[1] for line in lines] == ["--plot nowhere/a.svg", "--sides", "orbit", "orbit"]
+    words = ("circle", "--friction", "0.3", "--bounces", "0", "--position", "3")
+    assert [line.split(": ")[1] for line in fails(monkeypatch, capsys, *words)] == ["--friction", "orbit", "--velocity"]
+    words = ("circle", "--law", "contact", "--friction", "0.3", "--reverse", "--position", "3,0", "--velocity", "1,0")
+    assert [line.split(": ")[1] for line in fails(monkeypatch, capsys, *words)] == ["reverse", "orbit"]
+    lines = fails(monkeypatch, capsys, "circle", "--orbits", "-1", "--seed", "-5")
+    assert [line.split(": ")[2] for line in lines] == ["seed", "orbits"]
+
+
+def test_no_orbit_is_run_that_could_not_be_reversed(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def never(*_args: Any, **_options: Any) -> None:
+        raise AssertionError("it was run")
+
+    monkeypatch.setattr(billiards, "orbit", never)
+    (line,) = fails(monkeypatch, capsys, "circle", "--law", "contact", "--restitution", "0.5", "--reverse")
+    assert "reverse: law: expected a reversible one" in line
+
+
+def test_why_orbits_ended_is_printed_in_words() -> None:
+    assert "ended: after all bounces" in run("circle", "--bounces", "3", *START).stdout
+    assert "ended: 2 after all bounces" in run("circle", "--bounces", "3", "--orbits", "2").stdout

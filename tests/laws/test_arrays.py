@@ -1,0 +1,263 @@
+"""Many balls at once: the same bits compiled and as Python, on one thread and on two; shapes that broadcast."""
+
+import subprocess
+import sys
+
+import numba
+import numpy as np
+import pytest
+from reference.identities import approaching, surfaces, units, with_zeros
+
+import carom
+from carom.laws.arrays import FEW, loop_for, wall_law_rows
+from carom.laws.contact import contact_final_rows, contact_rows
+from carom.laws.landing import second_rows
+from carom.laws.pair import pair_rows
+from carom.laws.registry import LAWS
+from carom.laws.two_step import first_rows
+from carom.laws.two_step_batch import two_step_final_rows
+
+COUNT = 20_000
+
+
+def rows(seed, count, *, floor):
+    """Arguments for the loops: states, normals, parameters for wall and floor; half of the balls on the floor."""
+    rng = np.random.default_rng(seed)
+    v, w, n = approaching(rng, count)
+    if floor:
+        n[:, 2] = np.where(rng.random(count) < 0.5, 0.0, n[:, 2] / 2)
+        n[(n[:, :2] == 0).all(axis=-1), 0] = 1.0
+        n /= np.linalg.norm(n, axis=-1, keepdims=True)
+        v[rng.random(count) < 0.7, 2] = 0.0
+        away = (v * n).sum(axis=-1) > 0
+        v[away] *= -1
+    kappa = rng.choice([2 / 5, 2 / 3, 0.1], count)
+    height = np.where(rng.random(count) < 0.7, 0.0, rng.random(count))
+    wall, ground = surfaces(rng, count), surfaces(rng, count)
+    # floors that return nearly everything bounce some million times: a thing for another test
+    ef = np.minimum(ground[0], 0.95)
+    return v, w, n, np.ones(count), kappa, wall, (ef, *ground[1:]), np.full(count, 9.81), height
+
+
+def by_python(loop, args, out):
+    loop(*args, *out)
+    return out
+
+
+def by_threads(loop, args, out, threads):
+    before = numba.get_num_threads()
+    numba.set_num_threads(min(threads, numba.config.NUMBA_NUM_THREADS))
+    try:
+        loop_for(loop, FEW)(*args, *out)
+    finally:
+        numba.set_num_threads(before)
+    return out
+
+
+def same_bits(loop, args, make):
+    with np.errstate(
+        all="ignore"
+    ):  # the loops' Python runs on NumPy's numbers, which warn where compiled code does not
+        expected = by_python(loop, args, make())
+    for threads in (1, 2):
+        for got, want in zip(by_threads(loop, args, make(), threads), expected, strict=True):
+            np.testing.assert_array_equal(got, want)  # NaN equals NaN
+            assert (np.signbit(got) == np.signbit(want)).all() or got.dtype != float
+
+
+def room(count, *widths):
+    return [np.full((count, k), 7.0) if k > 0 else np.zeros(count, dtype=np.int8 if k < 0 else float) for k in widths]
+
+
+def test_contact():
+    v, w, n, a, kappa, wall, *_ = rows(50, COUNT, floor=False)
+    p = np.stack([a, kappa, *wall], axis=-1)
+    same_bits(contact_rows, (v, w, n, p), lambda: room(COUNT, 3, 3, 3, 0, -1))
+    # the short loop, flat, one wall for all
+    same_bits(
+        contact_final_rows, (v.ravel(), w.ravel(), n[0], p[0]), lambda: [np.zeros(3 * COUNT), np.zeros(3 * COUNT)]
+    )
+
+
+def test_two_step_of_lifted_balls():
+    count = 6000  # Python takes its time
+    v, w, n, a, kappa, wall, floor, g, h = rows(51, count, floor=True)
+    p = np.stack([a, kappa, *wall, *floor, h], axis=-1)
+    same_bits(first_rows, (v, w, n, p, False), lambda: room(count, 3, 3, 3, 3, 0, -1))
+    q = np.stack([a, kappa, *floor, g, h], axis=-1)
+    v1, w1 = by_threads(first_rows, (v, w, n, p, False), room(count, 3, 3, 3, 3, 0, -1), 2)[:2]
+
+    def second():
+        return room(count, 0, 0, 0, 3, 3, 3, 0, -1, 3, 3, -1)
+
+    same_bits(second_rows, (v1, w1, n, q), second)
+    # the short loop, one wall and one floor for all
+    both = np.array([1.0, 2 / 5, 0.8, 0.3, 0.0, 0.5, 0.2, 0.0, 9.81, 0.0])
+    for wall_normal in (n[0], np.array([1.0, 0.0, 0.0])):
+        args = (v.ravel(), w.ravel(), wall_normal, both, False)
+        same_bits(two_step_final_rows, args, lambda: [np.zeros(3 * count), np.zeros(3 * count), *room(count, -1)])
+
+
+def test_two_step_of_pressed_balls():
+    """Wall and floor at once uses atan2 where a ball is lifted while the wall acts, which need not round alike."""
+    count = 300
+    v, w, n, a, kappa, wall, floor, _g, _h = rows(52, count, floor=True)
+    beta = np.where(wall[2] == -1, -1.0, 0.0)
+    v[:, 2] = np.minimum(v[:, 2], 0)
+    p = np.stack([a, kappa, wall[0], wall[1], beta, *floor, 0 * a], axis=-1)
+    args, out = (v, w, n, p, True), room(count, 3, 3, 3, 3, 0, -1)
+    keep = (v * n).sum(axis=-1) <= 0
+    args = (v[keep], w[keep], n[keep], p[keep], True)
+    out = [x[keep] for x in out]
+    with np.errstate(all="ignore"):
+        expected = by_python(first_rows, args, [x.copy() for x in out])
+    one, two = (by_threads(first_rows, args, [x.copy() for x in out], t) for t in (1, 2))
+    for x, y, z in zip(one, two, expected, strict=True):
+        np.testing.assert_array_equal(x, y)
+        np.testing.assert_allclose(x, z, rtol=1e-12, atol=1e-12)
+        assert (x == z).mean() > 0.9
+
+
+@pytest.mark.parametrize("name", [name for name in LAWS if name != "two-step"])
+def test_laws(name):
+    v, w, n, a, kappa, wall, *_ = rows(53, COUNT, floor=False)
+    n[:, 2] = 0
+    n[(n == 0).all(axis=-1), 0] = 1.0
+    n /= np.linalg.norm(n, axis=-1, keepdims=True)
+    v, w, n, p = (np.ascontiguousarray(x[:5000]) for x in (v, w, n, np.stack([a, kappa, *wall], axis=-1)))
+    if LAWS[name].last == "stiffness_ratio":
+        p[:, 4] = 0.5 + 0.5 * np.abs(p[:, 4])
+    same_bits(wall_law_rows(LAWS[name].kernel), (v, w, n, p), lambda: room(5000, 3, 3))
+
+
+def test_pairs():
+    rng = np.random.default_rng(54)
+    v1, w1, v2, w2 = (with_zeros(rng, rng.normal(size=(COUNT, 3))) for _ in range(4))
+    n = units(rng, COUNT)
+    balls = [rng.uniform(0.5, 2, COUNT), 10 ** rng.uniform(-1, 1, COUNT), rng.choice([2 / 5, 2 / 3], COUNT)]
+    p = np.stack([*balls, *balls[::-1][1:], balls[2], *surfaces(rng, COUNT)], axis=-1)
+    p[:, 3], p[:, 4] = balls[0][::-1], balls[1][::-1]
+    same_bits(pair_rows, (v1, w1, v2, w2, n, p), lambda: room(COUNT, 15, 0, -1))
+
+
+# --- the public verbs ---------------------------------------------------------------------------------------------
+
+
+def many_states(count=1000):
+    rng = np.random.default_rng(55)
+    velocity = rng.normal(size=(count, 2))
+    velocity[:, 0] = -np.abs(velocity[:, 0])
+    return carom.rolling(carom.Ball(), velocity, rng.normal(size=count))
+
+
+def test_into_equals_the_full_answer():
+    ball, states = carom.Ball(), many_states()
+    wall, floor = carom.Surface(0.85, 0.2), carom.Surface(0.5, 0.2)
+    for count in (1000, 100):  # compiled, and Python
+        some = states[:count]
+        out = carom.State(np.zeros((count, 3)), np.zeros((count, 3)))
+        carom.impact_into(out, ball, some, surface=wall)
+        assert out == carom.impact(ball, some, surface=wall).after
+        why = np.zeros(count, dtype=np.int8)
+        carom.two_step_into(out, why, ball, some, wall, floor)
+        full = carom.two_step(ball, some, wall, floor)
+        assert out == full.rolling
+        np.testing.assert_array_equal(why == 0, full.rolls)
+
+
+def test_one_as_many():
+    """What one state gives is what it gives among a thousand, bit for bit, in every field."""
+    ball, states = carom.Ball(), many_states()
+    wall, floor = carom.Surface(0.5, 0.2, 0.0), carom.Surface(0.7, 0.2, 0.3)
+    many = carom.two_step(ball, states, wall, floor, height=0.0)
+    for i in (0, 17, 999):
+        one = carom.two_step(ball, states[i], wall, floor)
+        assert one.after_wall == many.after_wall[i]
+        assert one.after_floor == many.after_floor[i]
+        assert one.rolling == many.rolling[i]
+        assert one.rolls == many.rolls[i]
+        assert one.why == many.why[i]
+        assert one.wall.regime == many.wall.regime[i]
+        assert one.floor.regime == many.floor.regime[i]
+        np.testing.assert_array_equal(one.wall.impulse, many.wall.impulse[i])
+        np.testing.assert_array_equal(one.floor.impulse, many.floor.impulse[i])
+        for field in ("duration", "height", "distance"):
+            assert getattr(one.flight, field) == getattr(many.flight, field)[i]
+        assert one.wall.required_friction == many.wall.required_friction[i]
+        assert one.wall.energy_lost == many.wall.energy_lost[i]
+        np.testing.assert_array_equal(one.reflection_angle, many.reflection_angle[i])
+        assert isinstance(one.rolls, bool | np.bool_)
+        assert isinstance(one.reflection_angle, float)
+
+
+def test_everything_broadcasts():
+    """States (3, 1), normals (4,), radii (4,), masses (3, 1), frictions (4,): answers (3, 4), each as it is alone."""
+    v = np.array([(-1, 0.3, 0), (-1, -1, 0), (-2, 0.1, 0)], dtype=float)[:, None]
+    states = carom.State(v, (0.0, -20.0, 3.0))
+    normals = np.array([(1, 0, 0), (2, 0.1, 0), (1, -0.1, 0), (1, 0, 0.1)])
+    radius, mass = np.array([0.02, 0.03, 0.04, 0.05]), np.array([0.1, 0.2, 0.3])[:, None]
+    mu = np.array([0.0, 0.1, 0.5, np.inf])
+    ball, wall = carom.Ball(radius, mass), carom.Surface(0.9, mu)
+    hit = carom.impact(ball, states, normals, wall)
+    two = carom.two_step(ball, states, wall, carom.Surface(0.5, mu[::-1]), normals, height=np.array([0, 0, 0.1, 0]))
+    assert hit.after.shape == two.rolling.shape == (3, 4)
+    assert hit.regime.shape == two.why.shape == two.flight.duration.shape == (3, 4)
+    assert hit.energy_lost.shape == two.wall.energy_lost.shape == two.reflection_angle.shape == (3, 4)
+    for i in range(3):
+        for k in range(4):
+            one = carom.Ball(radius[k], mass[i, 0])
+            single = carom.impact(one, states[i, 0], normals[k], carom.Surface(0.9, mu[k]))
+            assert single.after == hit.after[i, k]
+            np.testing.assert_array_equal(single.impulse, hit.impulse[i, k])
+            np.testing.assert_allclose(single.energy_lost, hit.energy_lost[i, k], rtol=1e-13, atol=1e-18)
+            step = carom.two_step(
+                one, states[i, 0], carom.Surface(0.9, mu[k]), carom.Surface(0.5, mu[::-1][k]), normals[k],
+                height=[0, 0, 0.1, 0][k],
+            )  # fmt: skip
+            assert step.rolling == two.rolling[i, k]
+            assert step.why == two.why[i, k]
+
+
+def test_normal_of_any_length():
+    ball, state = carom.Ball(), carom.State((-1, 0.5, 0), (1, 2, 3))
+    unit = carom.impact(ball, state, (0.6, 0.8, 0))
+    for factor in (5, 1e-90, 1e90):
+        got = carom.impact(ball, state, np.array([0.6, 0.8, 0]) * factor)
+        np.testing.assert_allclose(got.after.velocity, unit.after.velocity, rtol=1e-14)
+
+
+def test_no_states_at_all():
+    none = carom.State(np.zeros((0, 3)))
+    assert carom.impact(carom.Ball(), none).after.shape == (0,)
+    assert carom.two_step(carom.Ball(), none).rolls.shape == (0,)
+    assert carom.two_step(carom.Ball(), none).why.shape == (0,)
+
+
+def test_input_is_left_alone():
+    ball, states = carom.Ball(), many_states(500)
+    v, w = states.velocity.copy(), states.spin.copy()
+    carom.two_step(ball, states)
+    carom.conventional(ball, states)
+    np.testing.assert_array_equal(states.velocity, v)
+    np.testing.assert_array_equal(states.spin, w)
+
+
+# --- what is imported when ------------------------------------------------------------------------------------------
+
+HEAVY = ("numba", "matplotlib", "sympy", "scipy", "pyarrow", "rich", "typer")
+
+
+@pytest.mark.parametrize(
+    "code",
+    [
+        "import carom",
+        "import carom; b = carom.Ball(); carom.two_step(b, carom.rolling(b, (-1, 1)))",
+        "import carom; b = carom.Ball(); carom.two_step(b, carom.State((-1, 1, 0), (0, 90, 0)))",
+        "import carom; b = carom.Ball(); carom.conventional(b, carom.rolling(b, (-1, 1)))",
+        "import carom; carom.domenech(carom.Ball()).regime",
+    ],
+)
+def test_light(code):
+    code += f"; import sys; print([m for m in {HEAVY} if m in sys.modules])"
+    out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert out.stdout.strip() == "[]"

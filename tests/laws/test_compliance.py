@@ -1,0 +1,212 @@
+"""Tangential compliance: Stronge's lumped springs against an integration that knows nothing of arcs; identities, limits."""
+
+from __future__ import annotations
+
+import json
+import math
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from reference.identities import contact_velocity, energy, mirrored, rotation, units
+
+import carom
+from carom.laws.arrays import loop_for
+from carom.laws.arrays import wall_law_rows as law_rows
+from carom.laws.law import LIKE_SOLIDS
+from carom.laws.maw import maw_contact
+from carom.laws.stronge import kept_slip, stronge_contact
+
+COUNT = 20_000
+KERNELS = {"stronge": stronge_contact, "maw": maw_contact}
+
+
+def springs(u: Any, kappa: Any, e: Any, k: Any, steps: int) -> Any:
+    """The share of the slip that is left, by leapfrog: a spring along the surface, clipped to the normal one's force."""
+    x, v, inverse = np.zeros_like(u), u.copy(), 1 + 1 / kappa
+    for half, lasts in ((0, 1.0), (1, e)):
+        step = math.pi / 2 * lasts / steps
+        for i in range(steps):
+            most = math.sin(math.pi / 2 * (half + (i + 1) / steps))
+            v = v - inverse * x * step / 2
+            x = np.clip(x + k * v * step, -most, most)
+            v = v - inverse * x * step / 2
+    return v / u
+
+
+def test_against_an_integration_of_the_springs() -> None:
+    """400 contacts of all kinds: stuck to the end, slip-stick-slip many times over, slipping throughout; order 2 in the step."""
+    rng = np.random.default_rng(60)
+    count = 400
+    u, k = np.exp(rng.uniform(-3, 2.5, count)), np.exp(rng.uniform(-2.5, 3, count))
+    kappa, e = rng.uniform(0.05, 2 / 3, count), rng.uniform(0.02, 1, count)
+    law = np.array([kept_slip(*map(float, row)) for row in zip(u, kappa, e, k, strict=True)])
+    rough, fine = (springs(u, kappa, e, k, steps) for steps in (5_000, 10_000))
+    assert np.abs(law - fine).max() < 1e-5
+    # the law is what the integration tends to: a third of what halving the step changed, and in the same direction
+    np.testing.assert_allclose(law - fine, (fine - rough) / 3, atol=1e-6)
+    assert (law < 0).sum() > 50  # slip turned round
+    assert (law > 0.9).sum() > 5
+
+
+def states(rng: Any, count: int = COUNT) -> tuple[Any, ...]:
+    """v, w, n and parameters a, kappa, e, mu, k."""
+    n = units(rng, count)
+    v, w = rng.normal(size=(count, 3)), rng.normal(size=(count, 3)) * 3
+    v -= np.maximum((v * n).sum(axis=-1), 0)[:, None] * n * 2
+    kappa = rng.choice([2 / 5, 2 / 3, 1 / 2], count)
+    p = np.stack(
+        [
+            rng.uniform(0.5, 2, count), kappa, rng.choice([0.0, 1e-3, 0.3, 0.8, 1.0], count),
+            rng.choice([0.0, 1e-9, 0.05, 0.3, 2.0, 1e6, math.inf], count), rng.choice([0.2, LIKE_SOLIDS, 1.3], count),
+        ],
+        axis=-1,
+    )  # fmt: skip
+    return v, w, n, p
+
+
+def answers(name: str, v: Any, w: Any, n: Any, p: Any) -> tuple[Any, Any]:
+    v1, w1 = np.empty_like(v), np.empty_like(w)
+    loop_for(law_rows(KERNELS[name]), len(v))(*(np.ascontiguousarray(x) for x in (v, w, n, p)), v1, w1)
+    return v1, w1
+
+
+@pytest.mark.parametrize("name", KERNELS)
+def test_identities(name: str) -> None:
+    """Energy never grows, Newton's e, the cone, no lever about the contact point, the plane of slip, symmetry."""
+    v, w, n, p = states(np.random.default_rng(61))
+    a, kappa, e, mu, _k = p.T
+    v1, w1 = answers(name, v, w, n, p)
+    assert np.isfinite(v1).all()
+    assert np.isfinite(w1).all()
+    size = np.abs(v).max(axis=-1) + a * np.abs(w).max(axis=-1)
+    assert (energy(v1, w1, a, kappa) <= energy(v, w, a, kappa) + 1e-13 * size**2).all()
+    un, ut = contact_velocity(v, w, n, a[:, None])
+    un1, ut1 = contact_velocity(v1, w1, n, a[:, None])
+    np.testing.assert_allclose(un1, -e * un, atol=1e-13 * size.max())
+    j = v1 - v
+    jn = (j * n).sum(axis=-1)
+    f = j - jn[:, None] * n
+    rough = np.isfinite(mu)
+    assert (np.sqrt((f * f).sum(axis=-1)) <= np.where(rough, mu, 0) * jn * (1 + 1e-9) + 1e-13 * size)[rough].all()
+    # about the contact point, divided by a
+    before, after = (np.cross(n, x) + (kappa * a)[:, None] * y for x, y in ((v, w), (v1, w1)))
+    np.testing.assert_allclose(after, before, atol=1e-12 * size.max())
+    assert (np.abs(np.cross(ut, ut1)).max(axis=-1) < 1e-12 * size**2).all()
+    r = rotation((1, 2, 3), 0.7).T
+    for x, y, m, x1, y1 in (
+        (v @ r, w @ r, n @ r, v1 @ r, w1 @ r),
+        (*mirrored(v, w, (0.6, 0, 0.8)), mirrored(n, n, (0.6, 0, 0.8))[0], *mirrored(v1, w1, (0.6, 0, 0.8))),
+        (3 * v, 3 * w, n, 3 * v1, 3 * w1),
+    ):
+        got = answers(name, x, y, m, p)
+        assert (np.abs(got[0] - x1).max(axis=-1) < 1e-10 * size).mean() > 0.999
+        assert (np.abs(got[1] - y1).max(axis=-1) < 1e-10 * size).mean() > 0.999
+
+
+def test_where_it_slips_throughout_it_is_coulombs() -> None:
+    """From (1 + e)(1 + 1/kappa) - 1/(k e) on, in units of mu u_n, where the spring is fast enough to take over later."""
+    v, w, n, p = states(np.random.default_rng(62), 4000)
+    p[:, 2] = np.maximum(p[:, 2], 0.3)
+    _a, kappa, e, _mu, k = p.T
+    un, ut = contact_velocity(v, w, n, p[:, :1])
+    slip = np.sqrt((ut * ut).sum(axis=-1))
+    inverse = 1 + 1 / kappa
+    omega = np.sqrt(k * inverse)
+    border = np.where(e * omega > 1, (1 + e) * inverse - 1 / (k * e), np.where(omega > 1, inverse, 1 / k))
+    border = np.maximum(border, 1 / k)
+    for share in (1.001, 0.97):
+        p[:, 3] = slip / -un / (border * share)
+        v1, _w1 = answers("stronge", v, w, n, p)
+        used = -((v1 - v) * ut).sum(axis=-1) / slip / (p[:, 3] * (1 + e) * -un)
+        if share > 1:
+            np.testing.assert_allclose(used, 1, rtol=1e-9)
+        else:
+            assert (used < 1 - 1e-6).all()
+    p[:, 3] = 0
+    for name in KERNELS:
+        v1, w1 = answers(name, v, w, n, p)
+        np.testing.assert_array_equal(w1, w)
+        np.testing.assert_allclose(v1, v - ((1 + e) * un)[:, None] * n, atol=1e-14)
+
+
+def test_no_compliance_is_the_rigid_contact() -> None:
+    """A stiffer and stiffer spring stores less: the slip that is left falls as 1/sqrt(k), where a rigid contact stops it."""
+    far = [abs(kept_slip(1.5, 0.4, 0.8, k)) for k in (10.0, 1e3, 1e5)]
+    assert far[0] > far[1] > far[2]
+    for k in (1e3, 1e5):
+        left = [abs(kept_slip(u, 0.4, 0.8, k)) * u for u in np.linspace(0.5, 6.2, 40)]
+        # on the cone until the spring takes over, with no more than mu F in it: |u| <= mu u_n sqrt((1 + 1/kappa)/k)
+        assert max(left) < math.sqrt(3.5 / k)
+    assert kept_slip(7.0, 0.4, 0.8, 1e5) == pytest.approx(1 - 1.8 * 3.5 / 7.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("e", [0.0, 0.3, 1.0])
+def test_a_point_that_holds_swings(e: float) -> None:
+    """mu = inf: the spring swings for as long as the wall acts, and large frictions tend to that."""
+    omega = math.sqrt(LIKE_SOLIDS * 3.5)
+    known = math.cos(omega * (1 + e) * math.pi / 2)
+    assert kept_slip(0.0, 0.4, e, LIKE_SOLIDS) == known
+    assert kept_slip(1e-7, 0.4, e, LIKE_SOLIDS) == pytest.approx(known, abs=1e-6)
+
+
+def test_nothing_jumps() -> None:
+    """Along the slip, the restitution and the stiffness, across every border between regimes (but for e -> 0 at the end)."""
+    for vary in range(3):
+        rows = [
+            (u, 0.4, e, k)
+            for u, e, k in (
+                (x if vary == 0 else 1.4, 0.2 + x / 10 if vary == 1 else 0.8, 0.3 + x if vary == 2 else 1.2)
+                for x in np.linspace(0.05, 8, 20_001).tolist()
+            )
+        ]
+        kept = np.array([kept_slip(*row) for row in rows])
+        assert np.abs(np.diff(kept)).max() < 2e-3
+
+
+# --- through the verbs and the command ------------------------------------------------------------------------------
+
+
+def test_compare_and_predict_agree(tmp_path: Path) -> None:
+    """The same ball by either verb; the ratio as an option and as a column."""
+    run = [sys.executable, "-m", "carom"]
+    wall = ["--restitution", "0.9", "--friction", "0.15"]
+    told = subprocess.run(
+        [*run, "compare", "--angle", "15", "--stiffness-ratio", "1.1", "--law", "maw", "--law", "stronge", *wall, "--json"],
+        capture_output=True, text=True, check=True,
+    )  # fmt: skip
+    laws = {row["law"]: row for row in json.loads(told.stdout)["laws"]}
+    assert laws["maw"]["admissible"]
+    assert laws["stronge"]["admissible"]
+    assert json.loads(told.stdout)["settings"]["stiffness_ratio"] == 1.1
+    table = tmp_path / "in.csv"
+    tau = math.radians(15)
+    table.write_text(f"velocity_x,velocity_y,stiffness_ratio\n{-math.cos(tau)!r},{math.sin(tau)!r},1.1\n")
+    for name, row in laws.items():
+        out = tmp_path / f"{name}.csv"
+        subprocess.run(
+            [*run, "predict", str(table), "--law", name, "--spin", "rolling", *wall, "--out", str(out)], check=True,
+            capture_output=True,
+        )  # fmt: skip
+        header, values = (line.split(",") for line in out.read_text().splitlines())
+        found = dict(zip(header, values, strict=True))
+        assert [float(found[f"velocity_{k}_out"]) for k in "xyz"] == pytest.approx(
+            row["after_wall"]["velocity"], abs=1e-14
+        )
+        assert [float(found[f"velocity_{k}_rolling"]) for k in "xyz"] == pytest.approx(
+            row["final"]["velocity"], abs=1e-14
+        )
+
+
+def test_what_they_refuse() -> None:
+    meeting = carom.incoming(stiffness_ratio=9.0, tangential_restitution=0.5)
+    verdicts = carom.compare(meeting)
+    assert verdicts["maw"].after_wall is None
+    assert "stiffness ratio from 0.171 to 3.43" in verdicts["maw"].why[0]
+    assert any("springs in the place of this wall's tangential restitution" in why for why in verdicts["stronge"].why)
+    for bad in (0.0, -1.0, math.nan, math.inf):
+        with pytest.raises(carom.CaromError, match="stiffness_ratio: expected a number > 0"):
+            carom.incoming(stiffness_ratio=bad)

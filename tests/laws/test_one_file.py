@@ -1,0 +1,114 @@
+"""A law is one file: dropped into a copy of the package, every part of carom knows it, with no other file touched."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import carom
+
+LAW = '''
+"""A wall that takes half of the tangential velocity, an example."""
+
+from __future__ import annotations
+
+from carom.core.jit.kernel import Vec, dot, kernel
+from carom.laws.law import Card, wall_law
+
+CARD = Card("half-slide", "Half of the velocity along the wall is lost.", ("spin unchanged",), "A test.", "none", "none")
+
+
+@kernel
+def half_slide(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float) -> tuple[Vec, Vec]:
+    """Velocity and spin after the wall."""
+    u = dot(v, n)
+    c = 0.5 * u + e * u
+    return (0.5 * v[0] - c * n[0], 0.5 * v[1] - c * n[1], 0.5 * v[2] - c * n[2]), w
+
+
+LAW = wall_law(CARD, half_slide, reads=("restitution",))
+'''
+
+SCENE = """
+gravity = 0.0
+[[walls]]
+shape = "plane"
+point = [0.0, 0.0, 0.0]
+normal = [1.0, 0.0, 0.0]
+restitution = 0.5
+[[balls]]
+radius = 0.03
+mass = 0.1
+position = [0.2, 0.0]
+velocity = [-1.0, 1.0]
+[run]
+law = "half-slide"
+duration = 1.0
+"""
+
+MANY = """
+import json, carom, numpy as np
+scene = carom.load_scene("scene.toml")
+many = carom.simulate_many(scene, velocity=np.array([[[-1.0, 1.0, 0.0]], [[-2.0, 1.0, 0.0]]]))
+orbit = carom.billiards.orbit(carom.billiards.circle(), ((0.2, 0.0), (1.0, 0.3)), 3, law="half-slide")
+print(json.dumps([many.final.velocity.tolist(), int(np.sum(orbit.count)), orbit.setup.law]))
+"""
+
+
+@pytest.fixture(scope="module")
+def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of the package with one file more, a scene and tables beside it."""
+    folder = tmp_path_factory.mktemp("copy")
+    shutil.copytree(Path(carom.__file__).parent, folder / "carom", ignore=shutil.ignore_patterns("__pycache__"))
+    (folder / "carom" / "laws" / "half_slide.py").write_text(LAW)
+    (folder / "scene.toml").write_text(SCENE)
+    (folder / "shots.csv").write_text("v_n_in,v_t_in,spin_z_in\n1.0,0.5,0.0\n2.0,0.5,0.0\n")
+    rows = [(1 + 0.1 * k, 0.5 + 0.2 * (k % 4), 0.0) for k in range(12)]
+    lines = [f"{n:.3f},{t:.3f},{s:.1f},{0.7 * n:.3f},{0.5 * t:.3f},{s:.1f},0.02,0.02,0.5" for n, t, s in rows]
+    head = "v_n_in,v_t_in,spin_in,v_n_out,v_t_out,spin_out,sigma_v_n_out,sigma_v_t_out,sigma_spin_out"
+    (folder / "rebounds.csv").write_text("\n".join([head, *lines]) + "\n")
+    return folder
+
+
+def run(package: Path, *args: str) -> str:
+    # (a cache of its own: a second copy of the sources must not push the first one's compiled code out)
+    env = {**os.environ, "PYTHONPATH": str(package), "CAROM_CACHE": str(package / "cache"), "NO_COLOR": "1"}
+    done = subprocess.run([sys.executable, *args], cwd=package, env=env, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    return done.stdout
+
+
+def test_the_command_knows_it(package: Path) -> None:
+    assert "half-slide" in {law["name"] for law in json.loads(run(package, "-m", "carom", "laws", "--json"))["laws"]}
+    compared = json.loads(run(package, "-m", "carom", "compare", "--restitution", "0.5", "--json"))["laws"]
+    found = next(law for law in compared if law["law"] == "half-slide")
+    assert found["after_wall"]["velocity"][:2] == pytest.approx([0.5 * 0.5**0.5, 0.5 * 0.5**0.5])
+    predicted = run(
+        package, "-m", "carom", "predict", "shots.csv", "--law", "half-slide", "--restitution", "0.5", "--spin", "none"
+    )
+    assert predicted.splitlines()[1].split(",")[3:5] == ["0.5", "0.25"]
+
+
+def test_scenes_many_runs_and_billiards_know_it(package: Path) -> None:
+    events = json.loads(run(package, "-m", "carom", "simulate", "scene.toml", "--json"))
+    assert events["final"][0]["velocity"] == pytest.approx([0.5, 0.5, 0.0])
+    many, bounces, law = json.loads(run(package, "-c", MANY).splitlines()[-1])
+    assert [v[0][:2] for v in many] == [[0.5, 0.5], [1.0, 0.5]]
+    assert (bounces, law) == (3, "half-slide")
+
+
+def test_fits_know_it(package: Path) -> None:
+    ranked = json.loads(run(package, "-m", "carom", "fit", "rebounds.csv", "--radius", "0.02", "--json"))
+    laws = {law["law"]: law for law in ranked["ranking"]}
+    assert laws["half-slide"]["parameters"]["restitution"]["value"] == pytest.approx(0.7, abs=0.02)
+
+
+def test_the_documentation_knows_it(package: Path) -> None:
+    # (the page of the laws is made from carom.CARDS)
+    assert "half-slide" in run(package, "-c", "import carom; print(list(carom.CARDS))")

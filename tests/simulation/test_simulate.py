@@ -1,0 +1,190 @@
+"""simulate and simulate_many: what they take, how they end, laws of a user's own."""
+
+import math
+
+import numpy as np
+import pytest
+
+import carom
+from carom.scene.shapes import Plane, Segment, Sphere
+from carom.simulation.setup import set_up
+
+A = 0.03
+
+
+def ball(position, velocity=(0.0, 0.0, 0.0), **more):
+    return carom.SceneBall(radius=A, mass=0.2, position=position, velocity=velocity, **more)
+
+
+def wall(law="mirror", **more):
+    return Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=1.0, friction=0.2, law=law, **more)
+
+
+def test_a_copy_of_a_scene_is_another_scene():
+    """The arrays that a run was set up with are not those of a copy with other walls; and scenes still compare."""
+    scene = carom.Scene(gravity=0, walls=[wall()], balls=[ball((1, 0, 0), (-1, 0, 0))], run=carom.Run(duration=3.0))
+    assert carom.simulate(scene).events.kinds == ["wall"]
+    bare = scene.model_copy(update={"walls": ()})
+    assert carom.simulate(bare).events.kinds == []
+    assert scene == carom.Scene.model_validate(scene.model_dump())
+    assert carom.simulate(scene).events.kinds == ["wall"]
+
+
+def test_a_run_changes_nothing_of_its_scene():
+    scene = carom.Scene(gravity=0, walls=[wall()], balls=[ball((1, 0, 0), (-1, 0, 0))], run=carom.Run(duration=3.0))
+    before = set_up(scene).balls.tobytes()
+    first = carom.simulate(scene)
+    assert set_up(scene).balls.tobytes() == before
+    assert carom.simulate(scene).log.tobytes() == first.log.tobytes()
+
+
+def test_how_a_run_ends():
+    fall = carom.simulate(carom.Scene(balls=[ball((0, 0, 1))], run=carom.Run(duration=1.0)))
+    assert (fall.end, fall.ended) == (1.0, "duration")
+    np.testing.assert_allclose(fall.final.position[0], (0, 0, 1 - 9.80665 / 2), rtol=1e-15)
+    rests = carom.simulate(
+        carom.Scene(floor=carom.Floor(friction=0.2, rolling_resistance=0.01), balls=[ball((0, 0), (1, 0, 0))])
+    )
+    assert rests.ended == "nothing more happens"
+    assert rests.final_phase == ["rest"]
+    assert rests.at(rests.end + 5).position[0, 0] == rests.final.position[0, 0]
+    most = carom.simulate(
+        carom.Scene(
+            gravity=0, walls=[Sphere(center=(0, 0, 0), radius=1, inside=True, restitution=1.0, friction=0.0)],
+            balls=[ball((0, 0, 0), (1, 0.2, 0))], run=carom.Run(max_events=7),
+        )
+    )  # fmt: skip
+    assert most.ended == "max_events"
+    assert len(most.events) == 7
+    with pytest.raises(carom.CaromError, match=r"expected times from 0 to .* s, got"):
+        most.at(most.end + 1)
+
+
+def test_conventional_refuses_a_ball_that_does_not_roll():
+    def scene(**more):
+        return carom.Scene(
+            floor=carom.Floor(friction=0.2), walls=[Plane(point=(0, 0, 0), normal=(1, 0, 0))],
+            balls=[ball((0.2, 0), (-1, 0.5, 0), **more)], run=carom.Run(law="conventional", duration=1.0),
+        )  # fmt: skip
+
+    run = carom.simulate(scene(rolling=True))
+    state = carom.conventional(carom.Ball(A, 0.2), carom.rolling(carom.Ball(A, 0.2), (-1.0, 0.5)))
+    np.testing.assert_allclose(run.final.velocity[0], state.velocity, rtol=1e-14)
+    with pytest.raises(carom.CaromError, match=r"simulate: ball 0: .* the wall's law is for a ball that rolls"):
+        carom.simulate(scene(spin=(0, 20.0, 0)))
+
+
+def test_laws_of_a_users_own():
+    """Two of them, on two walls, called through their addresses; the same numbers as the functions themselves."""
+
+    def soft(v, w, n, a, kappa, e, mu, beta):
+        un = v[0] * n[0] + v[1] * n[1] + v[2] * n[2]
+        return (v[0] - 1.5 * un * n[0], v[1] - 1.5 * un * n[1], v[2] - 1.5 * un * n[2]), (2 * w[0], w[1], w[2])
+
+    def hard(v, w, n, a, kappa, e, mu, beta):
+        un = v[0] * n[0] + v[1] * n[1] + v[2] * n[2]
+        return (v[0] - 2 * e * un * n[0], v[1] - 2 * e * un * n[1], v[2] - 2 * e * un * n[2]), (a, kappa, mu)
+
+    laws = [carom.wall_law(carom.Card(f.__name__, "", (), "", "", ""), f) for f in (soft, hard)]
+    scene = carom.Scene(
+        gravity=0,
+        walls=[
+            wall(laws[0]),
+            Plane(point=(2, 0, 0), normal=(-1, 0, 0), restitution=1.0, friction=0.3, law=laws[1]),
+        ],
+        balls=[ball((1, 0, 0), (-1, 0.25, 0), spin=(1.0, 2.0, 3.0))],
+        run=carom.Run(max_events=2),
+    )
+    first, second = carom.simulate(scene).events
+    assert (first.name, second.name) == ("plane 0", "plane 1")
+    np.testing.assert_allclose(first.after.velocity, (0.5, 0.25, 0))
+    np.testing.assert_allclose(first.after.spin, (2, 2, 3))
+    np.testing.assert_allclose(second.after.velocity, (-0.5, 0.25, 0))
+    np.testing.assert_allclose(second.after.spin, (A, 0.4, 0.3))
+    assert first.regime == ""  # such a law does not say
+
+
+def test_many_runs_are_single_runs():
+    """Bit by bit; kept events are the single run's; a refused run says why."""
+    scene = carom.Scene(
+        floor=carom.Floor(friction=0.2, restitution=0.5, rolling_resistance=0.01),
+        walls=[
+            Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.8, friction=0.2),
+            Segment(start=(1, -1), end=(1, 1), height=0.05, restitution=0.9, friction=0.1),
+        ],
+        balls=[ball((0.5, 0)), ball((0.6, 0.2), (0.1, 0, 0))],
+        ball_contact=carom.BallContact(restitution=0.9, friction=0.1),
+    )
+    rng = np.random.default_rng(3)
+    v = np.concatenate([rng.normal(size=(40, 2, 2)), np.zeros((40, 2, 1))], axis=2) * (3, 3, 0)
+    many = carom.simulate_many(scene, velocity=v, events=5, kinds=("wall", "rest"))
+    for n in range(40):
+        balls = [b.model_copy(update={"velocity": tuple(u)}) for b, u in zip(scene.balls, v[n].tolist(), strict=True)]
+        one = carom.simulate(scene.model_copy(update={"balls": tuple(balls)}))
+        assert many.final[n] == one.final
+        assert many.phase[n].tolist() == one.final_phase
+        rows = one.events.of("wall", "rest").rows[:5]
+        assert many.events[n, : len(rows)].tobytes() == rows.tobytes()
+        assert (many.events[n, len(rows) :]["kind"] == 0).all()
+        assert many.count[n] == len(
+            {(e.t, min(e.ball, e.other) if e.kind == "ball" else (e.ball, e.kind)) for e in one.events}
+        )
+
+
+def test_many_starts_are_checked():
+    scene = carom.Scene(gravity=0, walls=[wall()], balls=[ball((1, 0, 0), (-1, 0, 0))], run=carom.Run(duration=3.0))
+    x = np.tile([1.0, 0.0, 0.0], (5, 1))
+    for bad in ((A / 2, 0, 0), (-1.0, 0, 0)):  # in the wall, behind it
+        x[3] = bad
+        with pytest.raises(carom.CaromError, match=r"position: .* at index 3 \(1 in all\)"):
+            carom.simulate_many(scene, position=x)
+    with pytest.raises(carom.CaromError, match=r"expected states \(N, 1, 3\), got shape \(5, 2, 3\)"):
+        carom.simulate_many(scene, velocity=np.zeros((5, 2, 3)))
+    with pytest.raises(carom.CaromError, match=r"kinds: expected kinds of events .* got 'wal'"):
+        carom.simulate_many(scene, kinds=("wal",))
+    with pytest.raises(carom.CaromError, match="velocity: expected finite numbers"):
+        carom.simulate_many(scene, velocity=np.full((5, 3), math.nan))
+
+
+def test_what_holds_a_ball_is_named():
+    held = carom.simulate(
+        carom.Scene(
+            walls=[Plane(name="slope", point=(0, 0, 0), normal=(0, -0.6, 0.8), restitution=0.2, friction=0.1)],
+            balls=[ball((0, 0, 0.3))], run=carom.Run(duration=5.0),
+        )
+    )  # fmt: skip
+    last = held.events[-1]
+    assert (last.kind, last.name, last.phase, held.final_phase) == ("held", "slope", "held", ["held"])
+    assert np.isnan(held.at(held.end + 0.1).velocity).all()
+    assert np.isfinite(held.final.velocity).all()
+
+
+def test_a_wall_far_away_does_not_keep_bounces_from_being_summed():
+    """A ball is behind one of the two faces of a thin wall, wherever it is."""
+
+    def run(walls):
+        return carom.simulate(
+            carom.Scene(
+                floor=carom.Floor(friction=0.2, restitution=0.5), walls=walls, balls=[ball((0, 0), (1, 0, 1))],
+                run=carom.Run(duration=2.0),
+            )
+        )  # fmt: skip
+
+    alone = run([])
+    assert alone.events.of("settled")
+    beside = run([Segment(start=(50, 0), end=(51, 0), restitution=0.5, friction=0.1)])
+    assert beside.log.tobytes() == alone.log.tobytes()
+
+
+def test_a_users_law_may_make_arrays():
+    """carom's own kernels make none, and are compiled without what that takes; a user's may."""
+
+    def rotated(v, w, n, a, kappa, e, mu, beta):
+        u = np.array(v) - 2 * np.dot(np.array(v), np.array(n)) * np.array(n)
+        return (u[0], u[1], u[2]), w
+
+    law = carom.wall_law(carom.Card("rotated", "", (), "", "", ""), rotated)
+    scene = carom.Scene(
+        gravity=0, walls=[wall(law)], balls=[ball((1, 0, 0), (-1, 0.25, 0))], run=carom.Run(max_events=1)
+    )
+    np.testing.assert_allclose(carom.simulate(scene).final.velocity[0], (1, 0.25, 0))

@@ -1,0 +1,57 @@
+"""Every campaign runs, as small as it goes; and what a complete run writes, and where."""
+
+from __future__ import annotations
+
+import importlib
+import re
+from pathlib import Path
+
+import pytest
+from campaign import NAMES, RESULTS, campaign, counting_errors, held, shares, write_result
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_it_runs(name: str, capsys: pytest.CaptureFixture[str]) -> None:
+    before = RESULTS.read_text(encoding="utf-8")
+    assert not importlib.import_module(name).main(["--small"])
+    said = capsys.readouterr().out
+    assert said
+    assert not re.search(r"\b(nan|inf)\b", said)
+    assert RESULTS.read_text(encoding="utf-8") == before  # a small run is no result
+    assert f"| `{name}` |" in before  # and the page names every campaign
+
+
+def test_error_bars_of_fits_hold_the_truth(capsys: pytest.CaptureFixture[str]) -> None:
+    # 60 tables: each share within three counting errors of what is promised
+    importlib.import_module("fit_coverage").main(["--small", "60", "--only", "40 bounces, all measured"])
+    for line in capsys.readouterr().out.splitlines():
+        one, two = map(float, re.findall(r"(\d+\.\d) / +(\d+\.\d) ", line)[0])
+        errors = counting_errors(60)
+        assert abs(one - 68.27) < 3 * errors[0]
+        assert abs(two - 95.0) < 3 * errors[1]
+
+
+def test_a_complete_run_is_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    page = tmp_path / "page.md"
+    page.write_text("# Campaigns\n\nWhat they are.\n")
+    for words, result in (
+        ([], "first"),
+        ([], "second"),
+        (["--small"], "small"),
+        (["7"], "seven"),
+        (["--only", "a"], "a"),
+    ):
+        with campaign("one", "What it counts.\n\nMore.", [*words, "--results", str(page)]) as run:
+            run.say(result, run.count)
+    write_result(page, "another", "Title.", ["line"], 60.0)
+    text = page.read_text()
+    assert text.startswith("# Campaigns\n\nWhat they are.\n\n## another\n\nTitle.\n")
+    assert "second 1" in text
+    assert not re.search("first|small|seven|\\na 1", text)
+    assert len(capsys.readouterr().out.splitlines()) == 5
+
+
+def test_shares_and_their_counting_errors() -> None:
+    assert held([0.5, -1.5, 2.5, [True, True]]) == (50.0, 75.0)
+    assert counting_errors(100) == pytest.approx((4.654, 2.179), abs=1e-3)
+    assert "(68.3 ± 23.3, 95.0 ± 10.9; 4 of 5)" in shares([0.1, 0.2, 0.3, 1.5, None])

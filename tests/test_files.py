@@ -1,0 +1,93 @@
+"""Files are complete or not there; libraries that are missing are one line that names the extra."""
+
+import errno
+import os
+import sys
+from pathlib import Path
+
+import pytest
+
+from carom.cli import main
+from carom.errors import CaromError, MissingLibraryError
+from carom.files import OPTIONAL, atomic_path, require_library, require_writable, write_text
+
+
+def fail_half_way(target, error):
+    with atomic_path(target) as part:
+        part.write_text("half")
+        raise error
+
+
+def test_a_file_that_fails_leaves_the_one_before(tmp_path):
+    target = tmp_path / "a.txt"
+    write_text(target, "before")
+    with pytest.raises(RuntimeError):
+        fail_half_way(target, RuntimeError())
+    assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("a.txt", "before")]
+
+
+def test_a_link_is_followed_and_modes_are_those_of_new_files(tmp_path):
+    target, link, plain = tmp_path / "a.txt", tmp_path / "link.txt", tmp_path / "plain.txt"
+    target.write_text("before")
+    link.symlink_to(target)
+    write_text(link, "after")
+    plain.write_text("")
+    assert link.is_symlink()
+    assert target.read_text() == "after"
+    assert target.stat().st_mode == plain.stat().st_mode
+
+
+def test_standard_output_and_devices(capfdbinary):
+    write_text(None, "text\n")
+    assert capfdbinary.readouterr().out == b"text\n"
+    write_text(Path(os.devnull), "gone")
+    assert not Path(os.devnull).is_file()
+
+
+def test_a_full_disk_is_one_line(tmp_path):
+    full = OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+    with pytest.raises(
+        CaromError, match=r"a\.txt: expected room to write, got: No space left on device; free some space"
+    ):
+        fail_half_way(tmp_path / "a.txt", full)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_errors_of_other_files_are_not_those_of_the_target(tmp_path):
+    with pytest.raises(FileNotFoundError), atomic_path(tmp_path / "a.txt"):
+        (tmp_path / "other.txt").read_text()
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("a.pgn", "expected a name that ends with .svg or .png, got '.pgn'; did you mean '.png'?"),
+        ("a", "expected a name that ends with .svg or .png, got none"),
+        ("no/a.svg", "expected a folder that exists, got '{folder}/no'; make it first"),
+    ],
+)
+def test_where_nothing_can_be_written(tmp_path, name, said):
+    with pytest.raises(CaromError) as caught:
+        require_writable(tmp_path / name, (".svg", ".png"))
+    assert str(caught.value) == f"{tmp_path / name}: {said.format(folder=tmp_path)}"
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", OPTIONAL)
+def test_a_missing_library_names_the_extra(name, monkeypatch):
+    monkeypatch.setitem(sys.modules, name, None)
+    prose, extra = OPTIONAL[name]
+    with pytest.raises(MissingLibraryError) as caught:
+        require_library(name, "here")
+    assert str(caught.value) == f"here: needs {prose}, which is not installed; run: pip install 'carom[{extra}]'"
+    assert isinstance(caught.value, ImportError)
+
+
+def test_fit_without_scipy_is_one_line(monkeypatch, capsys):
+    monkeypatch.setitem(sys.modules, "scipy", None)
+    monkeypatch.setattr(sys, "argv", ["carom", "fit", "kharaz2001", "--no-report"])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    lines = [line for line in capsys.readouterr().err.splitlines() if not line.startswith("note: ")]
+    assert ended.value.code == 2
+    assert lines == ["carom: fit: needs SciPy, which is not installed; run: pip install 'carom[fit]'"]

@@ -1,0 +1,137 @@
+"""The rules of the layout: rooms, circles, laws by file, class names; import-linter keeps the layers (`lint-imports`)."""
+
+from __future__ import annotations
+
+import ast
+import collections
+from pathlib import Path
+
+import pytest
+
+import carom
+
+ROOT = Path(carom.__file__).parent
+MODULES = {
+    ".".join(("carom", *path.relative_to(ROOT).with_suffix("").parts)).removesuffix(".__init__"): path
+    for path in sorted(ROOT.rglob("*.py"))
+}
+
+
+def imports_of(name: str) -> set[str]:
+    """Modules of carom that a module imports anywhere: at its top, in functions, for types."""
+    found = set()
+    for node in ast.walk(ast.parse(MODULES[name].read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            for alias in node.names:
+                inner = f"{node.module}.{alias.name}"
+                found.add(inner if inner in MODULES else node.module)
+    return {one for one in found if one in MODULES} - {name}
+
+
+GRAPH = {name: imports_of(name) for name in MODULES}
+
+
+def circles(graph: dict[str, set[str]]) -> list[list[str]]:
+    """Strongly connected sets of more than one node (Tarjan)."""
+    index: dict[str, int] = {}
+    low: dict[str, int] = {}
+    stack: list[str] = []
+    found: list[list[str]] = []
+
+    def visit(node: str) -> None:
+        index[node] = low[node] = len(index)
+        stack.append(node)
+        for other in graph.get(node, ()):
+            if other not in index:
+                visit(other)
+                low[node] = min(low[node], low[other])
+            elif other in stack:
+                low[node] = min(low[node], index[other])
+        if low[node] == index[node]:
+            group = [stack.pop()]
+            while group[-1] != node:
+                group.append(stack.pop())
+            if len(group) > 1:
+                found.append(sorted(group))
+
+    for node in graph:
+        if node not in index:
+            visit(node)
+    return found
+
+
+def packages_of(graph: dict[str, set[str]]) -> dict[str, set[str]]:
+    """Imports between the rooms, the packages and modules at the top of carom."""
+    found: dict[str, set[str]] = collections.defaultdict(set)
+    for name, others in graph.items():
+        here = name.split(".")[1:2]
+        for other in others:
+            there = other.split(".")[1:2]
+            if here and there and here != there:
+                found[here[0]].add(there[0])
+    return dict(found)
+
+
+def test_no_circle_of_modules_or_rooms() -> None:
+    assert circles(GRAPH) == []
+    assert circles(packages_of(GRAPH)) == []
+
+
+def test_a_circle_is_found() -> None:
+    assert circles({"a": {"b"}, "b": {"c"}, "c": {"a"}, "d": {"a"}}) == [["a", "b", "c"]]
+
+
+def test_few_rooms_and_few_modules_at_the_top() -> None:
+    rooms = [path.name for path in ROOT.iterdir() if path.is_dir() and (path / "__init__.py").exists()]
+    assert len(rooms) <= 13
+    assert len(list(ROOT.glob("*.py"))) <= 6
+    assert len(levels(packages_of(GRAPH))) <= 10
+
+
+def levels(graph: dict[str, set[str]]) -> list[set[str]]:
+    """Floors: each room above all that it imports."""
+    rooms = set(graph) | {other for others in graph.values() for other in others}
+    floor: list[set[str]] = []
+    placed: set[str] = set()
+    while rooms - placed:
+        now = {room for room in rooms - placed if graph.get(room, set()) <= placed}
+        floor.append(now)
+        placed |= now
+    return floor
+
+
+def test_tests_stand_in_the_same_rooms() -> None:
+    rooms = {path.name for path in ROOT.iterdir() if (path / "__init__.py").exists()}
+    folders = {path.name for path in Path(__file__).parent.iterdir() if path.is_dir() and list(path.glob("test_*.py"))}
+    assert folders <= rooms
+
+
+@pytest.mark.parametrize("name", [name for name in MODULES if not name.startswith("carom.core")])
+def test_only_core_imports_numba(name: str) -> None:
+    tree = ast.parse(MODULES[name].read_text(encoding="utf-8"))
+    outside = {
+        (alias.name if isinstance(node, ast.Import) else node.module or "").split(".")[0]
+        for node in ast.walk(tree)
+        if isinstance(node, ast.Import | ast.ImportFrom)
+        for alias in node.names
+    }
+    assert not outside & {"numba", "llvmlite"}
+
+
+def test_a_class_name_occurs_once() -> None:
+    names = collections.Counter(
+        node.name
+        for path in MODULES.values()
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(node, ast.ClassDef) and not node.name.startswith("_")
+    )
+    twice = {name for name, count in names.items() if count > 1}
+    # public names of two rooms each: a billiard's table and start beside a scene's and a gas's, a constraint's contact
+    assert twice <= {"Start", "Table", "Contact"}
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_modules_are_short(name: str) -> None:
+    assert len(MODULES[name].read_text(encoding="utf-8").splitlines()) <= 450

@@ -1,0 +1,199 @@
+"""Tracks as the programs write them: recognised, read in SI, what is missing asked for by name, every fault told."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from carom.errors import CaromError
+from carom.tracks import Calibration
+from carom.tracks.read import FORMATS, TrackFile, read_tracks
+
+HERE = Path(__file__).parent / "files"
+PIXELS = Calibration(scale=1 / 2000, rate=120)
+CENTIMETRES = Calibration(scale=0.01)
+
+
+def way(k: np.ndarray) -> np.ndarray:
+    """The places that all the example files hold, by frame."""
+    t = k / 120
+    before = np.stack([0.30 - 1.2 * t, 0.10 + 0.5 * t], axis=-1)
+    after = np.stack([0.9 * (t - 0.25), 0.225 + 0.45 * (t - 0.25)], axis=-1)
+    return np.where((t < 0.25)[:, None], before, after)
+
+
+def put(folder: Path, text: str | bytes, name: str = "track.csv") -> Path:
+    file = folder / name
+    file.write_bytes(text if isinstance(text, bytes) else text.encode())
+    return file
+
+
+def faults(path: Path, given: Calibration | None = None, **options: str) -> tuple[str, ...]:
+    with pytest.raises(CaromError) as error:
+        read_tracks(path, calibration=given, **options)
+    return error.value.faults
+
+
+@pytest.mark.parametrize(
+    ("name", "format_", "given", "tracks"),
+    [
+        ("tracker_single.txt", "tracker", None, ["ball A"]),
+        ("tracker_single_comma.txt", "tracker", None, ["ball A"]),
+        ("tracker_single_spaces.txt", "tracker", None, ["ballA"]),
+        ("tracker_multi.csv", "tracker", None, ["A", "B"]),
+        ("kinovea_2026.csv", "kinovea", CENTIMETRES, ["Ball", "Mark"]),
+        ("kinovea_trajectory.txt", "kinovea", CENTIMETRES, ["Ball", "Mark"]),
+        ("trackpy.csv", "trackpy", PIXELS, ["particle 0", "particle 1"]),
+        ("deeplabcut.csv", "deeplabcut", PIXELS, ["ball", "mark"]),
+        ("columns.csv", "columns", None, ["white", "red"]),
+    ],
+)
+def test_every_program(name: str, format_: str, given: Calibration | None, tracks: list[str]) -> None:
+    found = read_tracks(HERE / name, calibration=given)
+    assert found.format == format_
+    assert [track.name for track in found.tracks] == tracks
+    first = found.tracks[0]
+    frames = np.round(first.time * 120)
+    np.testing.assert_allclose(first.time, frames / 120, atol=1e-6)
+    assert len(first) == 60
+    expected = way(frames)
+    if name in ("trackpy.csv", "deeplabcut.csv"):  # pictures count from their upper edge
+        expected = expected - [0, 0.45]
+    missing = ~first.seen
+    assert missing.sum() == (1 if name in ("tracker_multi.csv", "deeplabcut.csv") else 0)
+    np.testing.assert_allclose(first.position[~missing], expected[~missing], atol=2e-6)
+
+
+def test_carom_table() -> None:
+    found = read_tracks(HERE / "pathtracking_carom.json")
+    assert found.format == "carom-table"
+    ball, other = found.tracks
+    assert (ball.name, len(ball), len(other)) == ("ball 1", 30, 1)
+    np.testing.assert_allclose(ball.time, np.arange(30) / 50.2, atol=3e-4)
+    np.testing.assert_allclose(ball.position, way(np.round(np.arange(30) / 50.2 * 120)), atol=2e-4)
+    assert other.position[0].tolist() == [1.42, 0.71]
+
+
+def test_carom_table_that_counts_from_the_start(tmp_path: Path) -> None:
+    told = json.loads((HERE / "pathtracking_carom.json").read_text())
+    coords = told["PathTracking"]["DataSets"][0]["Coords"]
+    for row, tick in zip(coords, np.cumsum([row["DeltaT_500us"] for row in coords]).tolist(), strict=True):
+        row["DeltaT_500us"] = tick
+    ball = read_tracks(put(tmp_path, json.dumps(told), "game.json")).tracks[0]
+    np.testing.assert_allclose(ball.time, np.arange(30) / 50.2, atol=3e-4)
+
+
+def test_own_layout_of_the_carom_shots(tmp_path: Path) -> None:
+    text = "shot,ball,t_s,x_long_m,y_short_m\nshot_00,1,0.0000,2.13540,0.52725\nshot_00,2,0.0000,1.1,0.5\nshot_01,1,0.0195,2,0.5\n"
+    found = read_tracks(put(tmp_path, text))
+    assert [(track.group, track.name) for track in found.tracks] == [
+        ("shot_00", "1"),
+        ("shot_00", "2"),
+        ("shot_01", "1"),
+    ]
+    assert found.tracks[0].position[0].tolist() == [2.1354, 0.52725]
+
+
+@pytest.mark.parametrize("change", ["bom", "crlf", "utf-16", "trailing"])
+def test_spreadsheets(tmp_path: Path, change: str) -> None:
+    text = "t [s],x [mm],y [mm]\n0,0,10\n0.1,,20\n0.2,200,30\n"
+    raw = {
+        "bom": b"\xef\xbb\xbf" + text.encode(),
+        "crlf": text.replace("\n", "\r\n").encode(),
+        "utf-16": text.encode("utf-16"),
+        "trailing": text.replace("\n", ",\n").encode() + b"\n\n,,,\n",
+    }[change]
+    (track,) = read_tracks(put(tmp_path, raw)).tracks
+    np.testing.assert_array_equal(track.position, [[0, 0.01], [np.nan, 0.02], [0.2, 0.03]])
+
+
+def test_decimal_commas(tmp_path: Path) -> None:
+    (track,) = read_tracks(put(tmp_path, "t;x [cm];y [cm]\n0,5;1,25;2\n0,6;1,5;3\n")).tracks
+    assert track.time.tolist() == [0.5, 0.6]
+    assert track.position.tolist() == [[0.0125, 0.02], [0.015, 0.03]]
+
+
+def test_what_is_missing_is_asked_for() -> None:
+    for name in ("trackpy.csv", "deeplabcut.csv"):
+        found = faults(HERE / name)
+        assert len(found) == 2
+        assert "--scale" in found[0]
+        assert "--rate" in found[1]
+    assert "--scale" in faults(HERE / "kinovea_2026.csv")[0]
+    (fault,) = faults(HERE / "trackpy.csv", Calibration(scale=0.001))
+    assert "--rate" in fault
+
+
+def test_a_guess_can_be_overruled() -> None:
+    found = read_tracks(HERE / "trackpy.csv", "columns", Calibration(scale=1 / 2000, rate=120, down=True))
+    assert found.format == "columns"
+    assert "expected the frame rate" in faults(HERE / "trackpy.csv", format="columns")[0]
+    assert "did you mean 'tracker'" in faults(HERE / "tracker_multi.csv", format="traker")[0]
+    assert set(FORMATS) == {"tracker", "kinovea", "deeplabcut", "carom-table", "trackpy", "columns"}
+
+
+def test_up_and_down(tmp_path: Path) -> None:
+    file = put(tmp_path, "frame,x [px],y [px]\n0,10,20\n1,11,30\n")
+    assert read_tracks(file, calibration=Calibration(0.001, 10)).tracks[0].position[:, 1].tolist() == [-0.02, -0.03]
+    assert read_tracks(file, calibration=Calibration(0.001, 10, down=False)).tracks[0].position[:, 1].tolist() == [
+        0.02,
+        0.03,
+    ]
+
+
+def test_angle_and_spin(tmp_path: Path) -> None:
+    (track,) = read_tracks(put(tmp_path, "t,x,y,angle_deg,spin [rpm]\n0,0,0,180,60\n1,1,1,90,\n")).tracks
+    assert track.angle is not None
+    assert track.spin is not None
+    np.testing.assert_allclose(track.angle, [np.pi, np.pi / 2])
+    np.testing.assert_allclose(track.spin, [2 * np.pi, np.nan])
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"),
+    [
+        ("", "empty file"),
+        ("hello\nworld\n", "a table with columns t, x and y can always be read"),
+        ("t,x [furlong],y [mm]\n0,1,2\n", "'x [furlong]': expected a unit"),
+        ("t,x,y\n0,1 mm,2\n", "got '1 mm' at line 2; write units in the header"),
+        ("t,x,y\n0,0,0\n0.2,1,1\n0.1,2,2\n", "expected increasing times, got 0.1 s after 0.2 s, at its row 3"),
+        ("t,x,y\n,,\n", "expected positions of a ball, got none"),
+        ("x,y\n0,0\n", "expected a column t"),
+    ],
+)
+def test_faults(tmp_path: Path, text: str, expected: str) -> None:
+    assert any(expected in fault for fault in faults(put(tmp_path, text)))
+
+
+def test_all_faults_at_once(tmp_path: Path) -> None:
+    found = faults(put(tmp_path, "t,x,y\n0,a,1\n1,b,2\nc,1,1\n"))
+    assert len(found) == 2
+    assert "'a' at line 2 (2 in all)" in found[0]
+    assert "'c' at line 4" in found[1]
+
+
+def test_odd_units_and_doubled_times_are_said(tmp_path: Path) -> None:
+    found = read_tracks(put(tmp_path, "t,x,y\n0,0,0\n8,1200,3\n8,1201,3\n16,2400,5\n"))
+    said = " ".join(found.notes)
+    assert "is the unit right?" in said
+    assert "one frame every 8 s" in said
+    assert "the first is used" in said
+    assert found.tracks[0].position[1].tolist() == [1200, 3]
+
+
+def test_not_a_file(tmp_path: Path) -> None:
+    assert "a folder" in faults(tmp_path)[0]
+    assert "No such file" in faults(tmp_path / "none.csv")[0]
+    assert "binary" in faults(put(tmp_path, b"\x89PNG\0\0\0\0"))[0]
+
+
+def test_many_rows(tmp_path: Path) -> None:
+    n = 200_000
+    rows = np.stack([np.arange(n) / 1000, np.sin(np.arange(n) / 100), np.cos(np.arange(n) / 100)], axis=-1)
+    file = tmp_path / "long.csv"
+    np.savetxt(file, rows, fmt="%.6f", delimiter=",", header="t,x,y", comments="")
+    found: TrackFile = read_tracks(file)
+    np.testing.assert_array_equal(found.tracks[0].position, np.round(rows[:, 1:], 6))
