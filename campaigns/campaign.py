@@ -84,6 +84,23 @@ def campaign(
         write_result(given.results, name, doc, run.lines, time.monotonic() - begin)
 
 
+def film_campaign(
+    name: str,
+    doc: str,
+    words: Sequence[str] | None,
+    kinds: Iterable[str],
+    report: Callable[[Campaign, str], None],
+    count: int,
+) -> None:
+    """Run a campaign over filmed tables: ``report`` on each kind that is wanted, with ``--shots`` of a table."""
+    shots = {"type": int, "help": "of a table (default: 20; with --small 5)"}
+    with campaign(name, doc, words, count=count, small=1, shots=shots) as run:
+        run.given.shots = run.given.shots or (5 if run.small else 20)
+        for kind in kinds:
+            if run.wants(kind, kinds):
+                report(run, kind)
+
+
 def write_result(path: Path, name: str, doc: str, lines: Sequence[str], seconds: float) -> None:
     """Put the result of a campaign into the page, in place of its last one."""
     commit = subprocess.run(

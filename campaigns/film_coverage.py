@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from campaign import Campaign, campaign, shares
+from campaign import Campaign, film_campaign, shares
 from reference.synthetic_tracks import NOSE, RADIUS, Camera, filmed
 
 from carom.errors import CaromError
@@ -73,23 +73,13 @@ def one(law: str, camera: Camera, seed: int, shots: int) -> dict[str, Any]:
 
 def main(words: Sequence[str] | None = None) -> None:
     """A line a number."""
-    with campaign(
-        "film_coverage",
-        __doc__,
-        words,
-        count=200,
-        small=1,
-        shots={"type": int, "help": "of a table (default: 20; with --small 5)"},
-    ) as run:
-        for name in KINDS:
-            if run.wants(name, KINDS):
-                report(run, name)
+    film_campaign("film_coverage", __doc__, words, KINDS, report, count=200)
 
 
 def report(run: Campaign, name: str) -> None:
     """Fit the tables of a law and camera, and print the shares."""
     law, camera = KINDS[name]
-    shots = run.given.shots or (5 if run.small else 20)
+    shots: int = run.given.shots
     rows = run.rows.fill(name, range(run.count), lambda seed: one(law, camera, seed, shots))
     good = [row for row in rows if "why" not in row]
     run.say(f"{name}: {len(good)} of {len(rows)} tables fitted, {np.mean([row['rows'] for row in good]):.1f} contacts each,"

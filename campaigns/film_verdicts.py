@@ -15,7 +15,7 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from campaign import Campaign, campaign
+from campaign import Campaign, film_campaign
 from film_coverage import KINDS, LAWS, SETTING
 from reference.synthetic_tracks import Camera, filmed
 
@@ -45,23 +45,13 @@ def one(law: str, camera: Camera, seed: int, shots: int) -> dict[str, Any]:
 
 def main(words: Sequence[str] | None = None) -> None:
     """A line a law and camera."""
-    with campaign(
-        "film_verdicts",
-        __doc__,
-        words,
-        count=100,
-        small=1,
-        shots={"type": int, "help": "of a table (default: 20; with --small 5)"},
-    ) as run:
-        for name in KINDS:
-            if run.wants(name, KINDS):
-                report(run, name)
+    film_campaign("film_verdicts", __doc__, words, KINDS, report, count=100)
 
 
 def report(run: Campaign, name: str) -> None:
     """Rank the laws on the tables of a law and camera, and print the verdicts."""
     law, camera = KINDS[name]
-    shots = run.given.shots or (5 if run.small else 20)
+    shots: int = run.given.shots
     kind = f"{name}, {shots} shots"
     rows = run.rows.fill(kind, range(run.count), lambda seed: one(law, camera, seed, shots))
     share = {

@@ -13,6 +13,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from reference.scene_file import EXAMPLE
 from typer.testing import CliRunner
 
 import carom
@@ -23,32 +24,6 @@ from carom.simulation.narrate import FIRST, LAST, describe_run
 
 runner = CliRunner()
 
-DESIGN = """
-gravity = 9.80665                 # a number along -z, or a vector; every length may also be a string with a unit, "61.5 mm"
-[floor]                           # left out: no floor
-restitution = 0.5
-friction = 0.2                    # impact and sliding
-rolling_resistance = 0.01         # deceleration / g while rolling; left out: 0
-spin_friction = 0.0127            # |d omega_z / dt| = spin_friction * g / (kappa a); left out: 0
-[[walls]]
-shape = "plane"                   # plane | segment | box | polygon | cylinder | sphere | stadium ...
-point = [0.0, 0.0, 0.0]
-normal = [1.0, 0.0, 0.0]
-restitution = 0.85
-friction = 0.2
-tangential_restitution = 0.0      # left out: 0
-[[balls]]
-radius = 0.03075
-mass = 0.21
-inertia = "solid"                 # or "hollow", or kappa; left out: solid
-position = [1.0, 0.5]             # the centre; z left out: on the floor
-velocity = [-2.0, 1.0]
-rolling = true                    # or spin = [..]
-[run]
-# a law reads from a surface what it needs; what it does not need may be left out ("no-slip" needs nothing)
-law = "two-step"                  # what the walls do: "two-step" (contact by contact, with friction), "conventional", "no-slip", "mirror", ...
-duration = 10.0                   # or max_events = 20000, or both
-"""  # noqa: E501
 BOX = """
 gravity = 0
 [[walls]]
@@ -96,7 +71,7 @@ def _compiled() -> None:
 @pytest.fixture
 def scenes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A folder with scenes, in which the commands run."""
-    for name, text in (("design", DESIGN), ("box", BOX), ("pair", PAIR)):
+    for name, text in (("design", EXAMPLE), ("box", BOX), ("pair", PAIR)):
         (tmp_path / f"{name}.toml").write_text(text)
     monkeypatch.chdir(tmp_path)
     return tmp_path
@@ -154,7 +129,7 @@ def told(text: str, tmp_path: Path, **run: Any) -> tuple[carom.Trajectory, list[
 
 
 def test_the_numbers_told_are_those_of_the_run(tmp_path: Path) -> None:
-    run, words = told(DESIGN, tmp_path)
+    run, words = told(EXAMPLE, tmp_path)
     wall = run.events.of("wall")[0]
     first = run.events.of("floor")[0]
     assert wall.after.velocity[2] ** 2 / (2 * 9.80665) * 1e3 == pytest.approx(15.9, abs=0.05)
@@ -230,7 +205,7 @@ position = [0, 0, 0.1]
 
 
 def test_the_energy_adds_up(tmp_path: Path) -> None:
-    for text in (DESIGN, PAIR, BOX):
+    for text in (EXAMPLE, PAIR, BOX):
         run, _words = told(text, tmp_path, run=carom.Run(law="mirror", duration=2.0))
         found = budget(run)
         assert found.start == pytest.approx(run.energy(0.0), rel=1e-12)
@@ -382,7 +357,7 @@ WRONG = {
 @pytest.mark.parametrize("case", WRONG)
 def test_what_is_wrong_is_one_line(scenes: Path, case: str, capsys: pytest.CaptureFixture[str]) -> None:
     (scenes / "bad.toml").write_text("[floor\n")
-    (scenes / "overlap.toml").write_text(DESIGN.replace("position = [1.0, 0.5]", "position = [1.0, 0.5, 0.01075]"))
+    (scenes / "overlap.toml").write_text(EXAMPLE.replace("position = [1.0, 0.5]", "position = [1.0, 0.5, 0.01075]"))
     (scenes / "folder.csv").mkdir()
     arguments, expected = WRONG[case]
     lines = fails(capsys, *arguments)

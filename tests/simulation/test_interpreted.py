@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from reference.brute_force_scene import random_scene
 
 import carom
 from carom.simulation import interpreted, simulate
@@ -14,7 +15,6 @@ from carom.simulation.compiled import compiled_engine
 from carom.simulation.loop import ALL
 from carom.simulation.records import LOG
 from carom.simulation.setup import set_up
-from reference.brute_force_scene import random_scene
 
 SCENES = 40
 

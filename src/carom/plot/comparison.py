@@ -110,11 +110,6 @@ def _notes(figure: Any, comparison: laws_compared.Comparison, x: float) -> None:
         f" ball of radius {format_length(float(m.ball.radius), 4)}",
         ha="left", va="top", size=8, color=INK,
     )  # fmt: skip
-    missing = [v.law for v in comparison.verdicts if v.after_wall is None]
-    if missing:
-        below = 0.45 / figure.get_figheight()
-        words = "no answer:\n" + "\n".join(missing)
-        figure.text(0.78, below, words, ha="left", va="bottom", size=8, color=GREY, linespacing=1.4)
 
 
 def _above(
@@ -150,7 +145,15 @@ def _above(
                 axes.plot(*point, "o", ms=2.6, color=ink, zorder=7)
         ends.append(line[-1])
         words.append(f"{verdict.law}  {_angle(verdict)}")
-    _labels(axes, ends, words, [styles[v.law][0] for v in shown], r)
+    bottom = -HALF_HEIGHT_OVER_WIDTH * r
+    missing = [v.law for v in comparison.verdicts if v.after_wall is None]
+    if missing:  # below the labels
+        text = "no answer:\n" + "\n".join(missing)
+        axes.text(
+            1.06 * r, 0.98 * bottom, text, ha="left", va="bottom", size=8, color=GREY, linespacing=1.4, clip_on=False
+        )
+        bottom += 0.06 * r * (len(missing) + 1)
+    _labels(axes, ends, words, [styles[v.law][0] for v in shown], r, bottom)
     axes.set_ylabel("along the wall, mm")
     axes.set_xticklabels([])
     axes.text(
@@ -205,11 +208,11 @@ def _leave(point: Array, direction: Array, r: float) -> Array:
     return np.asarray(point + direction * max(min(t), 0.0))
 
 
-def _labels(axes: Any, ends: list[Array], words: list[str], colours: list[str], r: float) -> None:
+def _labels(axes: Any, ends: list[Array], words: list[str], colours: list[str], r: float, bottom: float) -> None:
     """Write each law's name at the right edge, level with the end of its path and joined to it by a thin line."""
     # those that leave through the top or the bottom follow those at the right edge, the farther the nearer to the wall
     order = [float(end[1]) + math.copysign(max(r - float(end[0]), 0.0), float(end[1])) for end in ends]
-    places = spread_apart(order, 0.09 * r, 0.03 * r - HALF_HEIGHT_OVER_WIDTH * r, HALF_HEIGHT_OVER_WIDTH * r - 0.03 * r)
+    places = spread_apart(order, 0.09 * r, bottom + 0.03 * r, HALF_HEIGHT_OVER_WIDTH * r - 0.03 * r)
     for end, place, word, colour in zip(ends, places, words, colours, strict=True):
         axes.plot([end[0], 1.045 * r], [end[1], place], color=colour, lw=0.5, clip_on=False, zorder=2)
         axes.text(1.06 * r, place, word, color=colour, ha="left", va="center", size=9, clip_on=False)

@@ -138,7 +138,7 @@ def _balls(axes: Any, session: Session) -> None:
     axes.set_ylim(low[1] - margin, low[1] + window[1] + margin)
     axes.set_aspect("equal")
     axes.set_axis_off()
-    what = "discs" if flat else f"cross-section through the middle, {names[0]} and {names[1]}"
+    what = "discs" if flat else f"middle cross-section, {names[0]} and {names[1]}"
     part = ", part of the box" if window[0] < size[pair][0] else ""
     text = what + part if len(kinds) == 1 else f"{'discs' if flat else 'cross-section'}{part}: {_listed(session)}"
     place = axes.get_subplotspec().get_position(axes.figure)  # (the panel itself is as narrow as the box)
