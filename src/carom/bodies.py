@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.errors import (
     MAX_MAGNITUDE,
+    MIN_MAGNITUDE,
     CaromError,
     FaultList,
     broadcast_shape,
@@ -223,7 +224,7 @@ class State:
     Raises
     ------
     CaromError
-        For other shapes, and for what is not a finite number.
+        For other shapes, for what is not a finite number, and for a motion so slow that its energy is not a float.
 
     Examples
     --------
@@ -251,6 +252,12 @@ class State:
             except ValueError:
                 message = f"State: velocity and spin: expected shapes that broadcast, got {v.shape} and {w.shape}"
                 raise CaromError(message) from None
+        largest = np.maximum(np.abs(v).max(axis=-1), np.abs(w).max(axis=-1))
+        tiny = (largest > 0) & (largest < MIN_MAGNITUDE)
+        if tiny.any():
+            got = f"{float(largest[tiny].flat[0])!r}{first_bad_index(tiny)}"
+            faults.add("velocity and spin", f"a ball at rest, or a component of at least {MIN_MAGNITUDE:g}", got)
+            faults.raise_if_any()
         _set(self, v, w, x)
 
     @classmethod

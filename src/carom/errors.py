@@ -16,6 +16,7 @@ import numpy as np
 
 __all__ = [
     "MAX_MAGNITUDE",
+    "MIN_MAGNITUDE",
     "CaromError",
     "FaultList",
     "MissingLibraryError",
@@ -31,8 +32,10 @@ __all__ = [
     "with_size_limit",
 ]
 
-# Squares of all inputs must be finite: no ball is faster, heavier or larger than this.
+# Squares of all inputs must be finite and not zero: no ball is faster, heavier or larger than the one, or moves more slowly
+# without being at rest, is lighter or smaller than the other.
 MAX_MAGNITUDE = 1e100
+MIN_MAGNITUDE = 1e-100
 MAX_SHOWN_CHARACTERS = 200  # of a bad value in a message
 
 
@@ -116,7 +119,7 @@ def checked_number(
 ) -> Any:
     """Return a float, or an array of floats, for which ``holds`` is true; else add a fault and return 1.0."""
     if type(value) is float or type(value) is int:  # the common case, without arrays
-        if holds(value) and (value <= MAX_MAGNITUDE or (infinite and value == np.inf)):
+        if holds(value) and (_in_range(value) or (infinite and value == np.inf)):
             return float(value)
         faults.add(field, with_size_limit(expected, value), f"{value!r}")
         return 1.0
@@ -125,7 +128,7 @@ def checked_number(
     except (TypeError, ValueError):
         faults.add(field, expected, repr(value))
         return 1.0
-    good = holds(array) & ((array <= MAX_MAGNITUDE) | (infinite & (array == np.inf)))
+    good = holds(array) & (_in_range(array) | (infinite & (array == np.inf)))
     bad = ~np.asarray(good)
     if bad.any():
         first = float(array[bad].flat[0])
@@ -134,9 +137,16 @@ def checked_number(
     return float(array) if array.ndim == 0 else array
 
 
+def _in_range(x: Any) -> Any:
+    """Return whether a number, or each of an array, has a size whose square is a float, or is 0."""
+    return (x == 0) | ((abs(x) >= MIN_MAGNITUDE) & (abs(x) <= MAX_MAGNITUDE))
+
+
 def with_size_limit(expected: str, value: float) -> str:
-    """Return what is expected, with the largest size allowed if ``value`` is finite and beyond it."""
-    return f"{expected}, at most {MAX_MAGNITUDE:g} in size" if MAX_MAGNITUDE < abs(value) < np.inf else expected
+    """Return what is expected, with the largest or least size allowed if ``value`` is finite and beyond it."""
+    if MAX_MAGNITUDE < abs(value) < np.inf:
+        return f"{expected}, at most {MAX_MAGNITUDE:g} in size"
+    return f"{expected}, at least {MIN_MAGNITUDE:g} in size" if 0 < abs(value) < MIN_MAGNITUDE else expected
 
 
 def float_array(value: Any) -> np.ndarray[Any, np.dtype[np.float64]]:

@@ -242,3 +242,26 @@ def test_collide_refuses_balls_that_part():
     ball = carom.Ball()
     with pytest.raises(carom.CaromError, match=r"move apart at index \(1,\)"):
         carom.collide(ball, carom.State([(-1, 0, 0), (1, 0, 0)]), ball, carom.State((0, 0, 0)), (1, 0, 0))
+
+
+def test_collide_takes_the_rounding_of_a_graze():
+    """One row of many moves apart by the rounding of its normal, as :func:`carom.impact` accepts it."""
+    ball, n = carom.Ball(), np.array([0.6, 0.8, 0.0])
+    along = np.array([-0.8, 0.6, 0.0])
+    rows = np.array([-n, along * (1 + 1e-15) + 1e-16 * n])
+    assert rows[1] @ n > 0
+    hit = carom.collide(ball, carom.State(rows), ball, carom.State((0, 0, 0)), n, carom.Surface(0.9, math.inf))
+    assert list(hit.regime) == ["stick", "graze"]
+    np.testing.assert_array_equal(hit.after[0].velocity[1], rows[1])
+    single = carom.impact(ball, carom.State(rows), n, carom.Surface(0.9, math.inf))
+    assert list(single.regime) == ["stick", "graze"]
+
+
+def test_balls_of_micrometres_collide_like_large_ones():
+    """Whether a contact presses is a matter of velocities: of a mass of 1e-18 kg as of one of 1 kg."""
+    state, rest, surface = carom.State((-1.0, 0.7, 0.2), (3.0, 2.0, 1.0)), carom.State((0, 0, 0)), carom.Surface(0.9, 0.3)
+    large, small = (carom.collide(ball, state, ball, rest, (1, 0, 0), surface)
+                    for ball in (carom.Ball(1e-3, 1.0), carom.Ball(1e-3, 1e-18)))  # fmt: skip
+    assert small.regime == large.regime == "slide"
+    np.testing.assert_allclose(small.after[0].velocity, large.after[0].velocity, rtol=1e-14)
+    np.testing.assert_allclose(small.after[0].spin, large.after[0].spin, rtol=1e-14)

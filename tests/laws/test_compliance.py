@@ -17,7 +17,7 @@ import carom
 from carom.laws.arrays import loop_for
 from carom.laws.arrays import wall_law_rows as law_rows
 from carom.laws.law import LIKE_SOLIDS
-from carom.laws.maw import maw_contact
+from carom.laws.maw import CHI, maw_contact, slip_kept
 from carom.laws.stronge import kept_slip, stronge_contact
 
 COUNT = 20_000
@@ -210,3 +210,44 @@ def test_what_they_refuse() -> None:
     for bad in (0.0, -1.0, math.nan, math.inf):
         with pytest.raises(carom.CaromError, match="stiffness_ratio: expected a number > 0"):
             carom.incoming(stiffness_ratio=bad)
+
+
+@pytest.mark.parametrize("kappa", [1.4519770036461357e-05, 1e-3, 1e-9, 1e-300])
+@pytest.mark.parametrize("k", [1e-3, 1.0, 449.4471833045699, 1e3])
+def test_a_moment_of_inertia_near_zero_ends(kappa: float, k: float) -> None:
+    """The tangential spring swings ever faster; the kernel is bounded, whatever the numbers, and keeps no more slip than it got."""
+    for u in (1e-9, 0.21083695130965174, 1.0, 50.0):
+        for e in (0.0, 0.5, 1.0):
+            kept = kept_slip(u, kappa, e, k)
+            assert abs(kept) <= 1 + 1e-9, (u, e)
+
+
+def test_many_swings_against_an_integration() -> None:
+    """A stiff spring on a light moment of inertia: 160 half swings and more, near the bound that the law states."""
+    kappa, k, e, u = 1e-3, 250.0, 1.0, np.array([0.5, 5.0, 40.0, 400.0])
+    law = np.array([kept_slip(float(x), kappa, e, k) for x in u])
+    rough, fine = (springs(u, kappa, e, k, steps) for steps in (200_000, 400_000))
+    np.testing.assert_allclose(law, fine + (fine - rough) / 3, atol=3e-6)
+
+
+def test_what_swings_too_fast_is_refused() -> None:
+    verdict = carom.compare(carom.incoming(inertia=1e-5, stiffness_ratio=100.0), ["stronge"])["stronge"]
+    assert verdict.after_wall is None
+    assert "k (1 + 1/kappa) at most 1e+06" in verdict.why[0]
+
+
+def test_maw_keeps_no_more_slip_than_it_got() -> None:
+    """Its table passes 1 by its own error, 2e-4; energy must not."""
+    rng = np.random.default_rng(11)
+    for psi, chi in zip(rng.uniform(0, 3, 20_000), np.exp(rng.uniform(*np.log(CHI), 20_000)), strict=True):
+        assert abs(slip_kept(float(psi), float(chi))) <= 1, (psi, chi)
+    v, w = maw_contact((-1.0, 1.0, 0.0), (0.0, 0.0, 0.0), (1.0, 0.0, 0.0), 1.0, 0.4, 1.0, 0.5, 0.29)
+    assert energy(np.array(v), np.array(w), 1.0, 0.4) <= 1 + 1e-14
+
+
+@pytest.mark.parametrize("name", KERNELS)
+def test_a_ball_along_the_wall_is_left_alone(name: str) -> None:
+    """An approach that is the rounding of a ball moving along the wall gives no rough wall a hold of it."""
+    v, w = KERNELS[name]((-1e-17, 1.0, 0.0), (0.0, 0.0, 0.0), (1.0, 0.0, 0.0), 0.03, 0.4, 1.0, math.inf, 0.8)
+    assert v == pytest.approx((0, 1, 0), abs=1e-15)
+    assert w == (0, 0, 0)

@@ -431,3 +431,18 @@ def test_turning_the_scene_changes_no_verdict():
             assert two.rolls, (angle, two.why)
             along = carom.impact(BALL, carom.State((-0.3 * s, 0.3 * c, 0.0)), (c, s, 0))
             assert np.abs(along.impulse).max() < 1e-15
+
+
+def test_a_smooth_wall_without_a_friction_limit_presses_the_ball_on_the_floor():
+    """Tangential restitution -1 turns friction off, whatever its coefficient: infinite is as none."""
+    ball, state = carom.Ball(), carom.State((-1.0, 0.4, 0.0), (2.0, 3.0, 1.0))
+    nose = (0.9, 0.0, -0.3)
+    answers = [carom.two_step(ball, state, carom.Surface(0.9, mu, beta), carom.Surface(0.5, 0.2), nose)
+               for mu, beta in ((math.inf, -1.0), (0.3, -1.0), (0.0, 0.0))]  # fmt: skip
+    for other in answers[:2]:
+        np.testing.assert_array_equal(other.after_wall.velocity, answers[2].after_wall.velocity)
+        np.testing.assert_array_equal(other.rolling.velocity, answers[2].rolling.velocity)
+    many = carom.State(np.tile(state.velocity, (500, 1)), np.tile(state.spin, (500, 1)))
+    out = carom.State(np.zeros((500, 3)), np.zeros((500, 3)))
+    carom.two_step_into(out, np.zeros(500, np.int8), ball, many, carom.Surface(0.9, math.inf, -1.0), carom.Surface(0.5, 0.2), nose)
+    np.testing.assert_allclose(out.velocity, np.tile(answers[2].rolling.velocity, (500, 1)), rtol=1e-12)

@@ -54,7 +54,7 @@ def contact(
     holds = hold * slip <= mu * pn
     c = -hold if holds else -cap
     regime = STICK if holds else SLIDE
-    presses = pn > LEAST * slip
+    presses = -(1 + e) * un > LEAST * slip  # (velocities: balls of 1e-18 kg press too)
     if not presses:  # nothing approaches, or too slowly to count: no normal impulse and so no friction, whatever mu
         pn = c = un - un
         regime = GRAZE

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from carom.errors import MAX_MAGNITUDE
+from carom.errors import MAX_MAGNITUDE, MIN_MAGNITUDE
 
 __all__ = ["CHECKS", "FINITE", "bad_numbers"]
 
@@ -18,7 +18,7 @@ def _within(low: float, high: float) -> Callable[[Any], Any]:
 
 
 def _positive(x: Any) -> Any:
-    return (x > 0) & (x <= MAX_MAGNITUDE)
+    return (x >= MIN_MAGNITUDE) & (x <= MAX_MAGNITUDE)
 
 
 def _friction(x: Any) -> Any:

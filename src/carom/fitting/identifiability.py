@@ -33,6 +33,7 @@ COMPENSATED = (
 )
 SLIP_RETURN = ("tangential_restitution", "stiffness_ratio")
 NEARER = 0.4  # of a step: 2 error bars where the step is 5
+ALONG = np.array([-8.0, -4.0, -2.0, 2.0, 4.0, 8.0])  # steps along a valley
 BISECTIONS = 20
 
 
@@ -178,7 +179,10 @@ def _compensating(subject: Subject, i: int, step: float, bar: float, bars: Array
     short = rises - (np.square(far[some] / bar) / 4 if bar < np.inf else FLAT_RISE)
     if not (short < 0).any():
         return np.zeros(len(bars), bool)
-    moved = np.abs(found[int(np.argmin(short))] - subject.values) > np.maximum(bars, 1e-9)
+    # along the whole valley: close by, a parameter with a wide error bar may hardly have moved yet
+    rises_along, along = subject.refit_rises(i, np.clip(best + step * ALONG, parameter.low, parameter.high))
+    flat = np.concatenate([found[short < 0], along[rises_along < FLAT_RISE]])
+    moved = (np.abs(flat - subject.values) > np.maximum(bars, 1e-9)).any(axis=0)
     moved[i] = True
     return np.asarray(moved)
 

@@ -23,7 +23,7 @@ from typing import Any
 
 import numpy as np
 
-from carom.core.contact import slip_velocity, struck_along
+from carom.core.contact import LEAST, slip_velocity, struck_along
 from carom.core.jit.kernel import Vec, dot, kernel
 from carom.laws.compliance import COMPLIANT_READS, compliant_objections
 from carom.laws.law import Card, Condition, FitSpec, Meeting, approaches, wall_law
@@ -129,7 +129,8 @@ def slip_kept(psi: float, chi: float) -> float:
     q, r = _along(part, m, place), _along(part, m + 1, place)
     p = _along(part, m - 1, place) if m > 0 else 2 * q - r
     s = _along(part, m + 2, place) if m + 2 < CHIS else 2 * r - q
-    return _cubic(p, q, r, s, across - m)
+    # (no contact stores more slip than it was given: the table passes 1 by its own error, 2e-4)
+    return max(-1.0, min(1.0, _cubic(p, q, r, s, across - m)))
 
 
 @kernel
@@ -140,7 +141,7 @@ def maw_contact(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: fl
     pn = -(1 + e) * un
     most = mu * pn
     f = 0 * slip
-    if slip > 0 and most > 0:
+    if slip > 0 and most > 0 and pn > LEAST * slip:
         chi = min(max(k * (1 + 1 / kappa) / 2, CHI[0]), CHI[1])
         k = 2 * chi / (1 + 1 / kappa)
         kept = slip_kept(2 * k * slip / most, chi) if most < math.inf else slip_kept(0 * k, chi)

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from carom.bodies import Ball, State, Surface, kinetic_energy, rolling
 from carom.core.contact import contact
 from carom.core.jit.kernel import Vec, cross, dot, kernel, prange
+from carom.core.motion.phases import ROUNDING
 from carom.core.motion.rolling import rolls_at_last
 from carom.errors import CaromError, broadcast_shape, first_bad_index, require_type
 from carom.laws.arrays import loop_for, unit_normal
@@ -139,7 +140,9 @@ def collide(
         np.broadcast_to(x, (*shape, 3)).reshape(-1, 3)
         for x in (state.velocity, state.spin, other_state.velocity, other_state.spin, n)
     )
-    apart = (((v1 - v2) * normals).sum(axis=-1) > 0).reshape(shape)
+    # (by more than the rounding of a turned normal)
+    limit = ROUNDING * (np.abs(v1) + np.abs(v2)).sum(axis=-1)
+    apart = (((v1 - v2) * normals).sum(axis=-1) > limit).reshape(shape)
     if apart.any():
         raise CaromError(
             f"collide: expected two balls that approach, got two that move apart{first_bad_index(apart)};"

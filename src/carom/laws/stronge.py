@@ -43,7 +43,11 @@ CARD = Card(
 )
 
 STIFFNESS = (1e-3, 1e3)  # the ratios that it takes
-ARCS = 1000  # at most: each half swing has three, and a stiff spring swings often
+# The largest omega: the tangential spring swings through so many radians while the normal one swings through one. Beyond, which
+# needs a moment of inertia near zero, the phase at the end is no longer resolved.
+MOST_OMEGA = 1e3
+SWINGS = 1000  # half swings in a quarter of the contact, at most: MOST_OMEGA / 2, and the two at its ends
+ARCS = 3 * SWINGS  # at most: each half swing has three
 
 
 @kernel
@@ -91,13 +95,16 @@ def _holds_until(x: float, y: float, w: float, start: float, end: float, falls: 
     Between two zeros of x, x / sin(phi) has one extremum at most (see :func:`_spare`). So one look at that tells whether
     it passes 1 there, and where to seek. ``falls``: it starts from 1 and falls, to the next zero.
     """
-    low, most = start, math.atan2(y, x)  # x is largest when it has turned by so much
-    while low < end:
-        ahead = most + math.pi / 2 - w * (low - start)
-        ahead -= math.pi * math.floor(ahead / math.pi)
-        if ahead < 1e-12:
-            ahead += math.pi
-        high = min(end, low + ahead / w)
+    # x is largest when it has turned by atan2(y, x); it is zero a quarter of a turn later, and then after every half turn
+    zero = math.atan2(y, x) + math.pi / 2
+    zero -= math.pi * math.floor(zero / math.pi)
+    if zero < 1e-12:
+        zero += math.pi
+    low = start
+    for swing in range(SWINGS):
+        high = min(end, start + (zero + swing * math.pi) / w)
+        if not low < high:
+            break
         first, last = low + 1e-9 * (high - low), high - 1e-9 * (high - low)  # x is not zero there
         if not falls and (w <= 1 or _spare(x, y, w, start, first, True) > 0):
             top = high
@@ -138,7 +145,7 @@ def _quarter(x: float, y: float, w: float, slips: bool, side: int, second: bool)
 @kernel
 def kept_slip(u: float, kappa: float, e: float, k: float) -> float:
     """The share of the slip that is left, with its sign; u = slip / (mu u_n) > 0, k the stiffness ratio."""
-    omega = math.sqrt(k * (1 + 1 / kappa))
+    omega = min(math.sqrt(k * (1 + 1 / kappa)), MOST_OMEGA)
     if not u > 0:  # no force can let go but the last
         return math.cos(omega * (1 + e) * math.pi / 2)
     y0 = k * u / omega
@@ -167,7 +174,13 @@ def stronge_contact(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu
 def _conditions(meeting: Meeting) -> list[Condition]:
     k = np.asarray(meeting.stiffness_ratio)
     expected = f"a stiffness ratio from {STIFFNESS[0]:g} to {STIFFNESS[1]:g}"
-    return [*approaches(meeting), Condition((k >= STIFFNESS[0]) & (k <= STIFFNESS[1]), expected, "stiffness_ratio")]
+    slow = np.sqrt(k * (1 + 1 / np.asarray(meeting.ball.kappa))) <= MOST_OMEGA
+    resolved = f"a stiffness ratio k and an inertia kappa with k (1 + 1/kappa) at most {MOST_OMEGA**2:g}"
+    return [
+        *approaches(meeting),
+        Condition((k >= STIFFNESS[0]) & (k <= STIFFNESS[1]), expected, "stiffness_ratio"),
+        Condition(slow, resolved, "stiffness_ratio"),
+    ]
 
 
 LAW = wall_law(

@@ -95,7 +95,7 @@ def _pressed(
     if not smooth and beta != 0:
         x = math.nan
         return (x, x, x), (x, x, x), (x, x, x), (x, x, x), x, UNDEFINED
-    v1, w1, j, jf, regime = wall_and_floor(v, w, n, a, kappa, e, 0 * mu if smooth else mu, ef, muf, betaf)
+    v1, w1, j, jf, regime = wall_and_floor(v, w, n, a, kappa, e, 0 * e if smooth else mu, ef, muf, betaf)
     if regime == STALL:
         x = math.nan
         return (x, x, x), (x, x, x), j, jf, x, regime

@@ -131,7 +131,7 @@ def pressed_block(
 ) -> None:  # fmt: skip
     """:func:`carom.laws.two_step.two_step_final` of the balls of a block that are open, ``why`` below 0; s: ROOM numbers."""
     smooth = beta == -1 or mu == 0
-    muw = 0 * mu if smooth else mu
+    muw = 0 * e if smooth else mu
     _v, _s, _j, _frame, q, _slips, _speed, _scale = meet(n, n, n, a, kappa, muw, ef, muf, betaf)
     lanes, ball = 0, 0
     left = together and (smooth or beta == 0)

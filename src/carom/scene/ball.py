@@ -8,7 +8,7 @@ import numpy as np
 from pydantic import AfterValidator, BeforeValidator, model_validator
 
 from carom.bodies import INERTIAS, Ball, State
-from carom.errors import CaromError, suggestion
+from carom.errors import MIN_MAGNITUDE, CaromError, suggestion
 from carom.scene.schema import (
     Components,
     Fault,
@@ -96,6 +96,10 @@ class SceneBall(Model):
             faults.append(Fault("no speed along z with rolling = true", self.velocity[2], at=("velocity", 2)))
         if not self.rolling and self.spin_z is not None:
             faults.append(Fault("no spin_z without rolling = true", self.spin_z, "give spin = [x, y, z]", ("spin_z",)))
+        largest = max(map(abs, (*self.velocity, *(self.spin or ()), self.spin_z or 0.0)))
+        if 0 < largest < MIN_MAGNITUDE:
+            what = f"a ball at rest, or a component of velocity or spin of at least {MIN_MAGNITUDE:g}"
+            faults.append(Fault(what, largest, at=("velocity",)))
         raise_faults(faults)
         return self
 

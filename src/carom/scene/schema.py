@@ -17,7 +17,7 @@ from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Str
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
 from carom.core.units import parse_quantity
-from carom.errors import MAX_MAGNITUDE, CaromError, suggestion, with_size_limit
+from carom.errors import MAX_MAGNITUDE, MIN_MAGNITUDE, CaromError, suggestion, with_size_limit
 
 __all__ = [
     "Acceleration",
@@ -225,7 +225,8 @@ class Number:
         elif isinstance(value, np.ndarray) and value.ndim == 0 and value.dtype.kind in "iuf":
             x = float(value)
         held = self.least < x if self.above else self.least <= x
-        if not (held and x <= self.most and (abs(x) <= MAX_MAGNITUDE or (self.infinite and math.isinf(x)))):
+        least = MIN_MAGNITUDE if self.above else 0.0
+        if not (held and x <= self.most and (least <= abs(x) <= MAX_MAGNITUDE or (self.infinite and math.isinf(x)))):
             raise Fault(with_size_limit(self.what, x), value, advice).error()
         return x
 
