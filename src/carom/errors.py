@@ -118,8 +118,9 @@ def checked_number(
     faults: FaultList, field: str, value: Any, expected: str, holds: Callable[[Any], Any], *, infinite: bool = False
 ) -> Any:
     """Return a float, or an array of floats, for which ``holds`` is true; else add a fault and return 1.0."""
+    least = 0.0 if holds(0.0) else MIN_MAGNITUDE
     if type(value) is float or type(value) is int:  # the common case, without arrays
-        if holds(value) and (_in_range(value) or (infinite and value == np.inf)):
+        if holds(value) and (least <= abs(value) <= MAX_MAGNITUDE or (infinite and value == np.inf)):
             return float(value)
         faults.add(field, with_size_limit(expected, value), f"{value!r}")
         return 1.0
@@ -128,18 +129,14 @@ def checked_number(
     except (TypeError, ValueError):
         faults.add(field, expected, repr(value))
         return 1.0
-    good = holds(array) & (_in_range(array) | (infinite & (array == np.inf)))
+    in_range = (np.abs(array) >= least) & (np.abs(array) <= MAX_MAGNITUDE)
+    good = holds(array) & (in_range | (infinite & (array == np.inf)))
     bad = ~np.asarray(good)
     if bad.any():
         first = float(array[bad].flat[0])
         faults.add(field, with_size_limit(expected, first), f"{first!r}{first_bad_index(bad)}")
         return 1.0
     return float(array) if array.ndim == 0 else array
-
-
-def _in_range(x: Any) -> Any:
-    """Return whether a number, or each of an array, has a size whose square is a float, or is 0."""
-    return (x == 0) | ((abs(x) >= MIN_MAGNITUDE) & (abs(x) <= MAX_MAGNITUDE))
 
 
 def with_size_limit(expected: str, value: float) -> str:

@@ -259,7 +259,11 @@ def test_collide_takes_the_rounding_of_a_graze():
 
 def test_balls_of_micrometres_collide_like_large_ones():
     """Whether a contact presses is a matter of velocities: of a mass of 1e-18 kg as of one of 1 kg."""
-    state, rest, surface = carom.State((-1.0, 0.7, 0.2), (3.0, 2.0, 1.0)), carom.State((0, 0, 0)), carom.Surface(0.9, 0.3)
+    state, rest, surface = (
+        carom.State((-1.0, 0.7, 0.2), (3.0, 2.0, 1.0)),
+        carom.State((0, 0, 0)),
+        carom.Surface(0.9, 0.05),
+    )
     large, small = (carom.collide(ball, state, ball, rest, (1, 0, 0), surface)
                     for ball in (carom.Ball(1e-3, 1.0), carom.Ball(1e-3, 1e-18)))  # fmt: skip
     assert small.regime == large.regime == "slide"

@@ -684,3 +684,18 @@ def test_what_reads_no_scene_does_not_load_what_reads_scenes() -> None:
     )
     out = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout.splitlines()
     assert [json.loads(line) for line in out] == [[False, False], False]
+
+
+def test_a_motion_whose_square_is_no_float_is_refused(tmp_path: Path) -> None:
+    text = EXAMPLE.replace("velocity = [-2.0, 1.0]", "velocity = [-2e-161, 1e-161]").replace(
+        "mass = 0.21", "mass = 1e-320"
+    )
+    with pytest.raises(carom.CaromError) as error:
+        load(tmp_path, text)
+    assert len(error.value.faults) == 1
+    assert "mass: expected a mass in kg, > 0, at least 1e-100 in size, got 1e-320" in error.value.faults[0]
+    with pytest.raises(
+        carom.CaromError,
+        match="velocity: expected a ball at rest, or a component of velocity or spin of at least 1e-100",
+    ):
+        load(tmp_path, text.replace("1e-320", "0.21"))

@@ -39,7 +39,8 @@ CARD = Card(
         "the impact is slow against sound in the ball; restitution below 1 only scales the normal speed",
     ),
     valid="Hard balls on hard walls at every angle, where no constant tangential restitution fits. For rubber, shells and"
-    " blades the stiffness ratio is a number to be fitted, not 2 (1 - nu)/(2 - nu).",
+    " blades the stiffness ratio is a number to be fitted, not 2 (1 - nu)/(2 - nu): with that default the tangential velocity of"
+    " steel superballs has the wrong sign at small slip. `carom fit --laws maw,stronge` fits it.",
     equations="carom.laws.maw",
     citation="N. Maw, J. R. Barber & J. N. Fawcett, The oblique impact of elastic spheres, Wear 38, 101-114 (1976).",
     doi="10.1016/0043-1648(76)90201-5",
