@@ -150,7 +150,8 @@ def test_options_that_do_not_fit_the_file_are_told(
     code, told, notes = run(capsys, monkeypatch, str(shot_file), "--wall", "x=99", "--rate", "100", "--scale", "2mm")
     assert code == 0
     assert "wall x=99: no ball reaches it" in notes
-    assert "--rate is not used" in notes
+    assert "the file's times say 60 frames per second; --rate 100 overrides them" in notes
+    assert "100 frames per second" in told
     assert "--scale overrules the unit in" in notes
     assert "cloth friction" not in told  # nothing was measured: the literature's is no finding
     _code, _told, notes = run(capsys, monkeypatch, str(shot_file), "--view", "side")

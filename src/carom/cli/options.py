@@ -60,7 +60,7 @@ _SHARED: dict[str, tuple[str, str, dict[str, Any]]] = {
     "duration": (RUN, "Duration; overrides the scene's.", {"metavar": "T"}),
     "max_events": (RUN, "Largest number of events; overrides the scene's.", {"metavar": "N"}),
     "seed": (RUN, "Seed of the random numbers.", {"metavar": "N"}),
-    "rate": (TRACK, "Frames per second.", {"flags": ("--rate", "--fps")}),
+    "rate": (TRACK, "Frames per second; overrides the times of the file.", {"flags": ("--rate", "--fps")}),
     "scale": (TRACK, "Metres per unit of the file: 0.0005, or 0.5mm.", {}),
     "view": (TRACK, "above (balls on a table) or side (balls in flight).", {"metavar": "above|side"}),
     "noise": (TRACK, "Error of one coordinate in one frame: 0.0003 (m), or 0.3mm.", {}),

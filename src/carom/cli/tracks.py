@@ -225,7 +225,7 @@ def _tell(console: Console, found: TrackFile, measured: Measured, stage: str, sl
     if len(found.tracks) > MAX_TRACKS:
         facts.add_row("", f"and {_count(len(found.tracks) - MAX_TRACKS, 'more track')}")
     facts.add_row(
-        "camera", f"{1 / measured.interval:.4g} frames per second" if measured.interval > 0 else "frame rate unknown"
+        "camera", f"{1 / measured.interval:.5g} frames per second" if measured.interval > 0 else "frame rate unknown"
     )
     steps = ", ".join(format_length(x) if x else "no step" for x in measured.step)
     rounded = f"; positions rounded to {steps}" if any(measured.step) else ""

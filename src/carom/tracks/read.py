@@ -13,6 +13,7 @@ from carom.errors import CaromError, suggestion
 from carom.files import as_path, read_text
 from carom.tracks.formats import carom_table, columns, deeplabcut, kinovea, tracker, trackpy
 from carom.tracks.formats.text_table import Calibration
+from carom.tracks.frame_numbers import at_rate, without_rounding
 from carom.tracks.track import Track
 
 __all__ = ["FORMATS", "Format", "TrackFile", "read_tracks"]
@@ -118,6 +119,11 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
     checked = [_in_order(track, str(path), notes, faults) for track in tracks]
     if faults:
         raise CaromError(*faults)
+    if calibration.rate is not None:
+        checked = at_rate(checked, calibration.rate, str(path), notes)
+    else:
+        checked = without_rounding(checked, notes)
+    checked = [_one_row_per_time(track, notes) for track in checked]
     checked = [track for track in checked if track.seen.any()]
     for track in checked:
         notes += [note for note in track.notes if note not in notes]
@@ -136,8 +142,8 @@ def _check(calibration: Calibration) -> None:
 
 
 def _in_order(track: Track, path: str, notes: list[str], faults: list[str]) -> Track:
-    """Return the track with increasing times: of rows with the same time the first; times that decrease are a fault."""
-    label = " ".join(filter(None, (track.group, track.name)))
+    """Return the rows that have a time; times that decrease are a fault."""
+    label = _label(track)
     known: NDArray[np.bool_] = np.isfinite(track.time)
     if (~known & np.isfinite(track.position).any(axis=1)).any():
         notes.append(f"{label}: {(~known).sum():,} rows without a time were left out")
@@ -149,16 +155,25 @@ def _in_order(track: Track, path: str, notes: list[str], faults: list[str]) -> T
             f"{path}: {label}: time: expected increasing times, got {track.time[i + 1]:g} s after {track.time[i]:g} s, at its row"
             f" {i + 2} ({(step < 0).sum()} in all); sort the rows, or give each ball and shot a name in columns 'ball', 'shot'"
         )
-        return track
-    if (step == 0).any():
-        again = np.concatenate([[False], step == 0])
+    return track
+
+
+def _one_row_per_time(track: Track, notes: list[str]) -> Track:
+    """Return the track with increasing times: of rows with the same time the first."""
+    again = np.diff(track.time, prepend=-np.inf) == 0
+    if again.any():
         moved = np.abs(np.diff(track.position, axis=0)).max(axis=1) > 0
-        if (moved & (step == 0)).any():
+        if (moved & again[1:]).any():
             notes.append(
-                f"{label}: {again.sum()} rows repeat the time of the row before at another position: the first is used"
+                f"{_label(track)}: {again.sum()} rows repeat the time of the row before at another position: the first is used"
             )
         track = track.select(~again)
     return replace(track, position=np.ascontiguousarray(track.position))
+
+
+def _label(track: Track) -> str:
+    """Return group and name of a track, for messages."""
+    return " ".join(filter(None, (track.group, track.name)))
 
 
 def _plausibility_notes(tracks: list[Track], notes: list[str]) -> None:
@@ -192,7 +207,7 @@ def _jumps(track: Track) -> list[str]:
         return []
     step = np.hypot(*np.diff(seen.position[:, :2], axis=0).T)
     usual = float(np.median(step))
-    label = " ".join(filter(None, (track.group, track.name)))
+    label = _label(track)
     if float(np.median(np.hypot(*(seen.position[2:, :2] - seen.position[:-2, :2]).T))) < 0.1 * usual:
         return [f"{label}: the positions alternate from row to row: are there rows in two units, or of two balls?"]
     far = np.flatnonzero(

@@ -40,6 +40,8 @@ class Track:
     """What was assumed and left out."""
     moving_only: bool = field(default=False)
     """Whether frames in which the ball rested may be missing."""
+    frame: Array | None = None
+    """(n,) frame numbers, if the program wrote them."""
 
     def __len__(self) -> int:
         """The number of samples."""
@@ -58,4 +60,5 @@ class Track:
             position=self.position[which],
             angle=None if self.angle is None else self.angle[which],
             spin=None if self.spin is None else self.spin[which],
+            frame=None if self.frame is None else self.frame[which],
         )

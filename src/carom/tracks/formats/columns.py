@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -91,7 +92,7 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
         else _units(table, found["frame"], calibration) / (calibration.rate or 1.0)
     )
     more: dict[str, NDArray[np.float64]] = {
-        key: _units(table, found[key], calibration) for key in ("angle", "spin") if key in found
+        key: _units(table, found[key], calibration) for key in ("angle", "spin", "frame") if key in found
     }
     table.raise_faults()
     notes = _notes(header, found, calibration)
@@ -127,8 +128,6 @@ def _notes(
         ]
         if said:
             notes.append(f"--scale overrules the unit in {', '.join(map(repr, said))}")
-    if calibration.rate is not None and "time" in found:
-        notes.append("--rate is not used: the file has times (it is for a column of frames)")
     if bare:
         notes.append(f"no unit in {', '.join(map(repr, bare))}: taken as m and s")
     return tuple(notes)
@@ -139,17 +138,16 @@ def _split(
     labels: dict[str, list[str]], notes: tuple[str, ...],
 ) -> list[Track]:  # fmt: skip
     """Split rows into tracks by group and name, in the order of their first rows."""
+    whole = Track("", time, place, more.get("angle"), more.get("spin"), notes=notes, frame=more.get("frame"))
     groups, names = labels.get("group"), labels.get("name")
     if groups is None and names is None:
-        return [Track("ball", time, place, more.get("angle"), more.get("spin"), notes=notes)]
+        return [replace(whole, name="ball")]
     keys = list(zip(groups or [""] * len(time), names or ["ball"] * len(time), strict=True))
     order = {key: k for k, key in enumerate(dict.fromkeys(keys))}
     number = np.fromiter((order[key] for key in keys), np.intp, len(keys))
     rows = np.argsort(number, kind="stable")
     edges = np.searchsorted(number[rows], np.arange(len(order) + 1))
-    whole = Track("", time, place, more.get("angle"), more.get("spin"), notes=notes)
     tracks = []
     for (group, label), (low, high) in zip(order, pairwise(edges.tolist()), strict=True):
-        part = whole.select(rows[low:high])
-        tracks.append(Track(label, part.time, part.position, part.angle, part.spin, group, notes))
+        tracks.append(replace(whole.select(rows[low:high]), name=label, group=group))
     return tracks

@@ -61,7 +61,13 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
                 else ()
             )
         tracks.append(
-            Track(label, frame / (calibration.rate or 1.0), place * sign * (calibration.scale or 1.0), notes=notes)
+            Track(
+                label,
+                frame / (calibration.rate or 1.0),
+                place * sign * (calibration.scale or 1.0),
+                frame=frame,
+                notes=notes,
+            )
         )
     table.raise_faults()
     return tracks

@@ -43,5 +43,5 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     for low, high in pairwise(edges.tolist()):
         rows = order[low:high]
         place = scale * np.stack([x[rows], sign * y[rows]], axis=-1)
-        tracks.append(Track(f"particle {particle[rows[0]]:.0f}", frame[rows] / rate, place))
+        tracks.append(Track(f"particle {particle[rows[0]]:.0f}", frame[rows] / rate, place, frame=frame[rows]))
     return tracks
