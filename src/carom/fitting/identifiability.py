@@ -182,9 +182,9 @@ def _compensating(subject: Subject, i: int, step: float, bar: float, bars: Array
     # along the whole valley: close by, a parameter with a wide error bar may hardly have moved yet
     rises_along, along = subject.refit_rises(i, np.clip(best + step * ALONG, parameter.low, parameter.high))
     flat = np.concatenate([found[short < 0], along[rises_along < FLAT_RISE]])
-    moved = (np.abs(flat - subject.values) > np.maximum(bars, 1e-9)).any(axis=0)
+    moved: Mask = np.asarray((np.abs(flat - subject.values) > np.maximum(bars, 1e-9)).any(axis=0))
     moved[i] = True
-    return np.asarray(moved)
+    return moved
 
 
 def _flat_side(subject: Subject, i: int, stderr: float) -> str:
