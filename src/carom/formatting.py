@@ -1,10 +1,24 @@
-"""Format numbers, lengths and times for people: three significant digits, and the unit that suits the size."""
+"""Format numbers, lengths and times for people: three significant digits, and the unit that suits the size; names as text."""
 
 from __future__ import annotations
 
 import math
+import re
 
-__all__ = ["format_length", "format_number", "format_time"]
+__all__ = ["escape_controls", "format_length", "format_number", "format_time"]
+
+# What steers a terminal and is no text: C0 without tab and new line, C1, line separators, changes of the writing direction, and
+# the halves of characters that stand for bytes of a file's name.
+_CONTROLS = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff]")
+
+
+def escape_controls(text: str) -> str:
+    r"""Return a text in which control characters are written out, so that a name cannot steer the terminal.
+
+    >>> print(escape_controls("\x1b[31mred"))
+    \x1b[31mred
+    """
+    return _CONTROLS.sub(lambda found: ascii(found[0])[1:-1], text)
 
 
 def format_number(x: float | None, digits: int = 3) -> str:

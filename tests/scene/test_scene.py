@@ -39,10 +39,10 @@ from carom.scene import (
 from carom.scene.restitution import Exponential, Han2005, Polynomial, Power, Viscoelastic
 
 
-def load(tmp_path: Path, text: str) -> Scene:
+def load(tmp_path: Path, text: str, **options: bool) -> Scene:
     file = tmp_path / "scene.toml"
     file.write_text(text, encoding="utf-8")
-    return load_scene(file)
+    return load_scene(file, **options)
 
 
 # --- what a scene means -------------------------------------------------------------------------------------------
@@ -234,7 +234,7 @@ def test_a_law_of_ones_own_lies_beside_the_scene(tmp_path: Path) -> None:
     text = EXAMPLE.replace('law = "two-step"', 'law = "soft.py:soft"').replace(
         "restitution = 0.85\nfriction = 0.2\n", ""
     )
-    scene = load(tmp_path, text)
+    scene = load(tmp_path, text, allow_own_laws=True)
     assert [law.name for law in scene.called_laws] == ["soft"]
     assert scene.features()["law"].tolist() == [CALLED_WALL]
 
@@ -562,11 +562,12 @@ def test_a_law_file_that_is_none(tmp_path: Path, capsys: pytest.CaptureFixture[s
     file, law = tmp_path / "s.toml", tmp_path / "own.py"
     file.write_text(SOUND + "[run]\nlaw = 'own.py:soft'\n")
     expected = f"carom: {file}: run.law: {LAW}, got"
-    assert fails(capsys, "scene", "check", str(file)) == [
+    check = ("scene", "check", str(file), "--allow-own-laws")
+    assert fails(capsys, *check) == [
         f"{expected} '{law}:soft', and {law}: expected a Python file, got: No such file or directory"
     ]
     law.write_text("def sift(v, w, n, a, kappa, e, mu, beta):\n    return v, w\n")
-    assert fails(capsys, "scene", "check", str(file)) == [
+    assert fails(capsys, *check) == [
         f"{expected} '{law}:soft', and {law}:soft: expected 'soft' in the file, got no such name; did you mean 'sift'?"
     ]
 

@@ -67,6 +67,7 @@ _SHARED: dict[str, tuple[str, str, dict[str, Any]]] = {
     "kind": (REBOUNDS, "planar (in flight) or table (rolling).", {"metavar": "planar|table"}),
     "sigma_v": (REBOUNDS, "Error bar of speeds, m/s.", {}),
     "sigma_spin": (REBOUNDS, "Error bar of spins, rad/s.", {}),
+    "allow_own_laws": (RUN, "Run the Python files that the scene names as laws.", {"flags": ("--allow-own-laws",)}),
     "json": (OUTPUT, "Print JSON on standard output, and nothing else.", {"flags": ("--json",)}),
     "quiet": (OUTPUT, "Print nothing but errors.", {"flags": ("--quiet",)}),
     "force": (OUTPUT, "Overwrite a file that exists.", {"flags": ("--force",)}),

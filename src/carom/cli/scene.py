@@ -43,7 +43,10 @@ def new(
     wrote(file)
 
 
-def check(file: Annotated[Path, typer.Argument(metavar="FILE", help="A scene, as TOML.")]) -> None:
+def check(
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="A scene, as TOML.")],
+    allow_own_laws: Annotated[bool, shared("allow_own_laws")] = False,
+) -> None:
     """Validate a scene, or summarise it."""
     from carom.gas.build import is_gas, load_gas
     from carom.scene.toml import load_scene
@@ -55,5 +58,5 @@ def check(file: Annotated[Path, typer.Argument(metavar="FILE", help="A scene, as
         build(gas, str(file))
         sys.stdout.write(f"{file}: {gas.describe()}: ok\n")
         return
-    scene = load_scene(file)
+    scene = load_scene(file, allow_own_laws=allow_own_laws)
     sys.stdout.write(f"{file}: {scene.describe()}: ok\n")

@@ -40,6 +40,7 @@ def simulate(
             metavar="NAME", help="Law of the walls, or my_law.py:law. Default: the scene's.", rich_help_panel=RUN
         ),
     ] = None,
+    allow_own_laws: Annotated[bool, shared("allow_own_laws")] = False,
     duration: Annotated[
         str | None, shared("duration", default="the scene's", help='Duration: a number in s, or "500 ms".')
     ] = None,
@@ -81,7 +82,9 @@ def simulate(
         most, times = attempt(found, _most, events), attempt(found, _times, at)
         kinds = {"--animate": ANIMATIONS, "--save": FORMATS, "--table": TABLES}
         require_outputs(found, {"--plot": plot, "--animate": animate, "--save": save, "--table": table}, kinds)
-        given = attempt(found, _scene, scene, {"law": law, "duration": duration, "max_events": max_events})
+        given = attempt(
+            found, _scene, scene, allow_own_laws, {"law": law, "duration": duration, "max_events": max_events}
+        )
         if found:
             raise CaromError(*found)
         run = _run(given, quiet)
@@ -124,13 +127,13 @@ def _times(texts: list[str] | None) -> list[float]:
     return sorted(found)
 
 
-def _scene(path: Path, changes: dict[str, Any]) -> Scene:
+def _scene(path: Path, allow_own_laws: bool, changes: dict[str, Any]) -> Scene:
     """Return the scene of a file, with the options in place of its [run] settings."""
     from carom.scene.scene import Run, Scene
     from carom.scene.toml import load_scene
 
     found: list[str] = []
-    scene = attempt(found, load_scene, path)
+    scene = attempt(found, lambda: load_scene(path, allow_own_laws=allow_own_laws))
     changes = {name: value for name, value in changes.items() if value is not None}
     with contextlib.suppress(KeyError, ValueError):
         changes["duration"] = float(changes["duration"])

@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pydantic import ValidationError
 
 from carom.errors import CaromError, suggestion
 from carom.files import as_path
@@ -16,7 +15,7 @@ from carom.gas.gas import Gas
 from carom.gas.initial import dense
 from carom.gas.scene import GasScene
 from carom.gas.snapshots import InitialState, read_initial_state
-from carom.scene.schema import fault_lines
+from carom.scene.schema import from_file
 from carom.scene.toml import read_toml
 
 __all__ = ["build", "is_gas", "load_gas", "new_gas"]
@@ -137,10 +136,7 @@ def load_gas(path: str | Path) -> GasScene:
     run = table.get("run")
     if isinstance(run, dict) and isinstance(start := run.get("start"), str) and Path(start).suffix:
         run["start"] = str(path.parent / start)
-    try:
-        return GasScene.model_validate(table)
-    except ValidationError as error:
-        raise CaromError(*fault_lines(str(path), error, GasScene)) from None
+    return from_file(str(path), GasScene, table)
 
 
 def is_gas(path: str | Path) -> bool:

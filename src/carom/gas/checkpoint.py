@@ -16,13 +16,12 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from pydantic import ValidationError
 
 from carom.errors import CaromError
 from carom.files import as_path, atomic_file
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
-from carom.scene.schema import fault_lines
+from carom.scene.schema import from_file
 
 __all__ = ["FORMAT", "load_checkpoint", "require_checkpoint", "save_checkpoint"]
 
@@ -112,10 +111,7 @@ def load_checkpoint(
             f"{path}: expected a checkpoint of format {FORMAT}, got format {about['format']} of carom {about['carom']};"
             " continue with that version"
         )
-    try:
-        own = GasScene.model_validate(about["scene"])
-    except ValidationError as error:
-        raise CaromError(*fault_lines(f"{path}: scene", error, GasScene)) from None
+    own = from_file(f"{path}: scene", GasScene, about["scene"])
     if scene is not None and (other := _difference(_fixed(own), _fixed(scene))) is not None:
         field, was, now = other
         raise CaromError(

@@ -10,11 +10,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from difflib import get_close_matches
 from numbers import Real
-from typing import Annotated, Any, ClassVar, get_args
+from typing import Annotated, Any, ClassVar, TypeVar, get_args
 
 import numpy as np
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Strict, ValidationError
 from pydantic_core import InitErrorDetails, PydanticCustomError
+from pydantic_core.core_schema import ValidationInfo
 
 from carom.core.units import parse_quantity
 from carom.errors import MAX_MAGNITUDE, MIN_MAGNITUDE, CaromError, suggestion, with_size_limit
@@ -47,7 +48,9 @@ __all__ = [
     "Unquoted",
     "Vector",
     "fault_lines",
+    "from_file",
     "raise_faults",
+    "runs_own_laws",
 ]
 
 EXPECTED = {
@@ -98,13 +101,37 @@ class Model(BaseModel):
     """The field that tells which of several models one is: shape, form."""
 
     def __init__(self, **fields: Any) -> None:
+        # (in Python a law is named by who writes the program; a file that is opened has to be allowed to, `from_file`)
         try:
-            super().__init__(**fields)
+            self.__pydantic_validator__.validate_python(fields, self_instance=self, context=OWN_LAWS)
         except ValidationError as error:
             raise CaromError(*fault_lines(type(self).__name__, error, type(self))) from None
 
     # Inside another model pydantic makes this one itself, and gathers its faults with all the others.
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
+
+
+OWN_LAWS = {"own_laws": True}  # pydantic's context, where custom laws may run
+
+
+def runs_own_laws(info: ValidationInfo) -> bool:
+    """Return whether what is validated may name a Python file as a law, which is then run: only where that is said."""
+    return bool((info.context or {}).get("own_laws"))
+
+
+_Model = TypeVar("_Model", bound=Model)
+
+
+def from_file(where: str, model: type[_Model], table: Any, *, allow_own_laws: bool = False) -> _Model:
+    """Return the model of a table that a file holds: the one way from any file to a scene.
+
+    Opening a file runs no code: a custom law in the table is a fault, unless ``allow_own_laws``. Raises CaromError, one line per
+    problem, each beginning with ``where``.
+    """
+    try:
+        return model.model_validate(table, context=OWN_LAWS if allow_own_laws else None)
+    except ValidationError as error:
+        raise CaromError(*fault_lines(where, error, model)) from None
 
 
 def fault_lines(where: str, error: ValidationError, model: type[Model]) -> list[str]:

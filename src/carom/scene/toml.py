@@ -8,23 +8,24 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from pydantic import ValidationError
-
 from carom.errors import CaromError
 from carom.files import as_path
 from carom.scene.scene import Scene
-from carom.scene.schema import fault_lines
+from carom.scene.schema import from_file
 
 __all__ = ["load_scene", "new_scene", "read_toml"]
 
 
-def load_scene(path: str | Path) -> Scene:
+def load_scene(path: str | Path, *, allow_own_laws: bool = False) -> Scene:
     """Read a scene from a TOML file.
 
     Parameters
     ----------
     path : str or Path
-        The file. A custom law in it, ``law = "file.py:name"``, is looked up in the file's folder.
+        The file.
+    allow_own_laws : bool, optional
+        Whether a custom law in it, ``law = "file.py:name"``, is looked up in the file's folder and run. Default: it is refused, so
+        that opening a file runs no code.
 
     Returns
     -------
@@ -49,10 +50,7 @@ def load_scene(path: str | Path) -> Scene:
             f"{path}: expected a scene of single balls, got a gas, with {' and '.join(strange)}; carom gas {path}"
         )
     _beside(table, path.parent)
-    try:
-        return Scene.model_validate(table)
-    except ValidationError as error:
-        raise CaromError(*fault_lines(str(path), error, Scene)) from None
+    return from_file(str(path), Scene, table, allow_own_laws=allow_own_laws)
 
 
 def read_toml(path: Path, remedy: str) -> dict[str, Any]:

@@ -9,6 +9,7 @@ from typing import Annotated, Any, ClassVar, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, PlainSerializer
+from pydantic_core.core_schema import ValidationInfo
 
 from carom.core.motion.restitution import CONSTANT
 from carom.errors import CaromError, suggestion
@@ -17,7 +18,7 @@ from carom.laws.registry import laws
 from carom.laws.user import find_law
 from carom.scene.feature_builders import Feature
 from carom.scene.restitution import Bounce, Restitution
-from carom.scene.schema import Fault, Friction, Model, PositiveNumber, Spring, Unquoted, Vector
+from carom.scene.schema import Fault, Friction, Model, PositiveNumber, Spring, Unquoted, Vector, runs_own_laws
 
 __all__ = ["ContactParameters", "LawChoice", "WallShape", "contact", "format_vector", "law_name"]
 
@@ -41,7 +42,7 @@ def contact(
     return ContactParameters(form, p, math.inf if friction is None else friction, tangential_restitution)
 
 
-def _known_law(value: Any) -> str | Law:
+def _known_law(value: Any, info: ValidationInfo) -> str | Law:
     """Validate the law of a wall."""
     known = [law.name for law in laws().values() if law.kernel is not None]
     expected = f"one of {', '.join(known)}, or file.py:name"
@@ -54,6 +55,9 @@ def _known_law(value: Any) -> str | Law:
     if value not in known:
         if ".py" not in value:
             raise Fault(expected, value, suggestion(value, known)).error()
+        if not runs_own_laws(info):
+            advice = "to run that Python file, if you trust it: --allow-own-laws, or allow_own_laws=True in Python"
+            raise Fault("one of carom's laws, as opening a file runs no code", value, advice).error()
         try:
             find_law(value)
         except CaromError as error:

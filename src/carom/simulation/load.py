@@ -9,12 +9,11 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import ValidationError
 
 from carom.errors import CaromError
 from carom.files import as_path, import_optional
 from carom.scene.scene import Scene
-from carom.scene.schema import fault_lines
+from carom.scene.schema import from_file
 from carom.simulation.records import LOG
 from carom.simulation.save import AXES, FORMAT, FORMATS, NAMED, SCALARS, VECTORS, digest_of, log_columns, version
 from carom.simulation.trajectory import Trajectory
@@ -24,13 +23,16 @@ __all__ = ["load_trajectory"]
 Array = NDArray[Any]
 
 
-def load_trajectory(path: str | Path) -> Trajectory:
+def load_trajectory(path: str | Path, *, allow_own_laws: bool = False) -> Trajectory:
     """Read a run from a file that :meth:`Trajectory.save` wrote; every number has the same bits.
 
     Parameters
     ----------
     path : str or Path
         A .parquet file (the extra ``parquet``) or a .nc file (the extra ``xarray``).
+    allow_own_laws : bool, optional
+        Whether a custom law, a Python file that the stored scene names, is run. Default: it is refused, so that opening a file runs
+        no code.
 
     Returns
     -------
@@ -67,9 +69,10 @@ def load_trajectory(path: str | Path) -> Trajectory:
     if not whole_as_saved:
         raise _damaged(path, "one that was changed since it was saved")
     try:
-        scene = Scene.model_validate(json.loads(about["scene"]))
-    except ValidationError as error:
-        raise CaromError(*fault_lines(f"{path}: scene", error, Scene)) from None
+        table = json.loads(about["scene"])
+    except (TypeError, ValueError, RecursionError):
+        raise _damaged(path, "one with an unreadable scene") from None
+    scene = from_file(f"{path}: scene", Scene, table, allow_own_laws=allow_own_laws)
     return Trajectory(scene, log, float(about["end"]), str(about["ended"]))
 
 
