@@ -27,6 +27,7 @@ __all__ = [
     "as_path",
     "atomic_file",
     "atomic_path",
+    "cannot_write",
     "import_optional",
     "read_text",
     "require_library",
@@ -115,7 +116,7 @@ def require_writable(path: Path, endings: Sequence[str] = (), *, source: Path | 
     _require_other_file(path, source)
     if _is_device(path):
         if not os.access(path, os.W_OK):
-            raise _cannot_write(path, PermissionError(errno.EACCES, os.strerror(errno.EACCES)))
+            raise cannot_write(path, PermissionError(errno.EACCES, os.strerror(errno.EACCES)))
         return
     folder = path.absolute().parent
     if not folder.is_dir():
@@ -128,7 +129,7 @@ def require_writable(path: Path, endings: Sequence[str] = (), *, source: Path | 
         with tempfile.NamedTemporaryFile(prefix=".carom-", dir=folder):
             pass
     except OSError as error:
-        raise _cannot_write(path, error) from None
+        raise cannot_write(path, error) from None
 
 
 def _require_other_file(path: Path, source: Path | None) -> None:
@@ -141,7 +142,7 @@ def _is_device(path: Path) -> bool:
     return path.exists() and not path.is_file() and not path.is_dir()
 
 
-def _cannot_write(where: Path | str, error: OSError) -> CaromError:
+def cannot_write(where: Path | str, error: OSError) -> CaromError:
     """Return the error, in one line, of a file that could not be written."""
     expected, remedy = "a place to write to", "choose another one"
     if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
@@ -188,7 +189,7 @@ def atomic_path(target: Path | None, *, source: Path | None = None) -> Iterator[
         place = Path("output") if target is None else target.resolve()
         folder = tempfile.mkdtemp(prefix=".carom-", dir=place.parent if in_place else None)
     except OSError as error:
-        raise _cannot_write(where, error) from None
+        raise cannot_write(where, error) from None
     try:
         part = Path(folder) / place.name
         yield part
@@ -200,7 +201,7 @@ def atomic_path(target: Path | None, *, source: Path | None = None) -> Iterator[
         # the block may also read files, whose errors name them
         if error.filename is not None and not str(error.filename).startswith((folder, str(place))):
             raise
-        raise _cannot_write(where, error) from None
+        raise cannot_write(where, error) from None
     finally:
         shutil.rmtree(folder, ignore_errors=True)
 

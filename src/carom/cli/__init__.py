@@ -48,12 +48,23 @@ def root(
 
 def main() -> None:
     """Run the command; each problem is one line on standard error, and the exit code is 2."""
+    from carom.cli.streams import guarded_streams
+
+    with guarded_streams():
+        code = _run()
+        try:
+            sys.stdout.flush()
+        except CaromError as error:
+            code = _report(error)
+        sys.stderr.flush()
+    sys.exit(code)
+
+
+def _run() -> int:
     try:
-        sys.exit(app(standalone_mode=False) or 0)
+        return int(app(standalone_mode=False) or 0)
     except CaromError as error:
-        _print_errors(*error.faults)
-        for note in getattr(error, "__notes__", ()):
-            sys.stderr.write(f"note: {note}\n")
+        return _report(error)
     except Exception as error:  # usage errors: Typer's own class has no public name in all its versions
         if not hasattr(error, "format_message"):
             raise
@@ -61,11 +72,22 @@ def main() -> None:
             sys.stderr.write(f"{error}\n")
         else:
             _print_errors(f"{error.format_message()} (carom --help)")
-    sys.exit(2)
+    return 2
+
+
+def _report(error: CaromError) -> int:
+    from carom.cli.streams import note
+
+    _print_errors(*error.faults)
+    for text in getattr(error, "__notes__", ()):
+        note(f"note: {text}")
+    return 2
 
 
 def _print_errors(*faults: str) -> None:
+    from carom.formatting import escape_controls
+
     colour = sys.stderr.isatty() and "NO_COLOR" not in os.environ
     for fault in faults:
-        line = " ".join(fault.split())
+        line = escape_controls(" ".join(fault.split()))
         sys.stderr.write(f"\033[1;31mcarom:\033[0m {line}\n" if colour else f"carom: {line}\n")

@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from rich.console import Console
 
 from carom.cli.common import require_outputs, wrote
+from carom.cli.console import err
 from carom.cli.options import shared
 from carom.errors import CaromError
 
@@ -52,7 +52,7 @@ def _table(cards: list[Card]) -> None:
     from rich.table import Table
     from rich.text import Text
 
-    from carom.cli.common import out
+    from carom.cli.console import out
 
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
     table.add_column("law", no_wrap=True, style="bold")
@@ -71,7 +71,7 @@ def _card(card: Card) -> None:
     from rich.table import Table
     from rich.text import Text
 
-    from carom.cli.common import out
+    from carom.cli.console import out
 
     table = Table.grid(padding=(0, 2))
     table.add_column(no_wrap=True, style="bold")
@@ -121,17 +121,20 @@ def datasets(
     elif not json_:
         sys.stdout.write(one.path.read_text(encoding="utf-8"))
         sys.stdout.flush()
-    console = Console(stderr=True, highlight=False)
-    console.print(f"{one.citation}{' doi ' + one.doi if one.doi else ''}", markup=False, soft_wrap=True)
-    console.print(one.notes, markup=False, style="dim", soft_wrap=True)
+    console = err()
+    console.print(f"{one.citation}{' doi ' + one.doi if one.doi else ''}", soft_wrap=True)
+    console.print(one.notes, style="dim", soft_wrap=True)
     if out is not None:
         wrote(out)
 
 
 def _list(chosen: list[Any]) -> None:
     from rich.table import Table
+    from rich.text import Text
+
+    from carom.cli.console import out
 
     table = Table(box=None, padding=(0, 2, 0, 0), show_header=False)
     for one in chosen:
-        table.add_row(f"[bold]{one.name}[/]", f"{one.title}\n[dim]{one.citation}[/]")
-    Console(highlight=False).print(table)
+        table.add_row(Text(one.name, "bold"), Text.assemble(f"{one.title}\n", (one.citation, "dim")))
+    out().print(table)

@@ -9,13 +9,13 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from carom.cli.streams import note
 from carom.errors import CaromError
 from carom.files import require_library, require_writable
 
 __all__ = [
     "attempt",
     "noting",
-    "out",
     "require_outputs",
     "tell",
     "tick",
@@ -48,16 +48,6 @@ def noting(notes: Iterable[str]) -> Iterator[None]:
         raise
 
 
-def out() -> Console:
-    """Return the console of standard output: colours only on a terminal, no character that it cannot write."""
-    from rich.console import Console
-
-    encoding = (sys.stdout.encoding or "utf-8").lower().replace("-", "")
-    if not encoding.startswith("utf") and hasattr(sys.stdout, "reconfigure"):
-        sys.stdout.reconfigure(errors="replace")
-    return Console(highlight=False)
-
-
 @contextmanager
 def working(
     what: str, console: Console | None = None, compiling: str = "compiling, once"
@@ -66,17 +56,17 @@ def working(
 
     While loops are compiled, ``compiling`` is shown in the place of ``what``.
     """
-    from rich.console import Console
     from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
 
+    from carom.cli.console import err
     from carom.core.jit.progress import watch_compiling
 
-    console = console or Console(stderr=True, highlight=False)
+    console = console or err()
     if not console.is_terminal:
         yield None
         return
     columns = (
-        TextColumn("[progress.description]{task.description}"),
+        TextColumn("{task.description}", markup=False),
         BarColumn(),
         TaskProgressColumn(),
         TimeRemainingColumn(),
@@ -107,8 +97,8 @@ def tell(ranking: Any, show: Callable[[Any], None], as_json: bool, console: Cons
         sys.stdout.write(json.dumps(ranking.as_dict(), indent=2, allow_nan=False) + "\n")
     else:
         show(ranking)
-    for note in ranking.notes:
-        console.print(f"note: {note}", style="yellow", markup=False, soft_wrap=True)
+    for text in ranking.notes:
+        console.print(f"note: {text}", style="yellow", soft_wrap=True)
     if written is not None:
         wrote(written)
 
@@ -116,7 +106,7 @@ def tell(ranking: Any, show: Callable[[Any], None], as_json: bool, console: Cons
 def wrote(*paths: Path) -> None:
     """Print the names of files that were written, on standard error."""
     for path in paths:
-        sys.stderr.write(f"written: {path}\n")
+        note(f"written: {path}")
 
 
 def write_report_page(write: Callable[[], Path], say: Callable[[str, float], None]) -> Path:

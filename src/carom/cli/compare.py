@@ -15,7 +15,8 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from carom.cli.common import attempt, out, require_outputs, tick, wrote
+from carom.cli.common import attempt, require_outputs, tick, wrote
+from carom.cli.console import out
 from carom.cli.options import BALL, OUTPUT, shared
 from carom.errors import CaromError
 from carom.formatting import format_length, format_number

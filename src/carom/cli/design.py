@@ -11,6 +11,7 @@ import typer
 
 from carom.cli.common import attempt, require_outputs, working, wrote
 from carom.cli.options import BALL, WALL, comma_separated, parse_assignments, parse_inertia, parse_number, shared
+from carom.cli.streams import note
 from carom.errors import CaromError
 
 SHOTS = "Shots"
@@ -122,8 +123,8 @@ def design(
         sys.stdout.write(json.dumps(plan.as_dict(), indent=2, allow_nan=False) + "\n")
     else:
         _show(plan)
-    for note in plan.notes:
-        sys.stderr.write(f"note: {note}\n")
+    for line in plan.notes:
+        note(f"note: {line}")
 
 
 def _no_table(stage: bool, contact_height: bool, floor_friction: bool) -> list[str]:
@@ -150,7 +151,7 @@ def _show(plan: Any) -> None:
     from rich.table import Table
     from rich.text import Text
 
-    from carom.cli.common import out
+    from carom.cli.console import out
 
     console = out()
     said = ", ".join(f"{name} {value:.4g}" for name, value in plan.truth.items()) or "no parameters"

@@ -156,8 +156,7 @@ def fit(
 
     carom fit kharaz
     """
-    from rich.console import Console
-
+    from carom.cli.console import err
     from carom.cli.fit_tracks import TRACK_NUMBERS, TrackOptions, fit_track_file
     from carom.fitting import Setting, fit_laws
     from carom.fitting.parameters import FORMS, INDEX
@@ -214,7 +213,7 @@ def fit(
         frames = TrackOptions(view, where or [], cushions, noise, Calibration(scale=scale, rate=rate))
         return fit_track_file(file, setting, names, frames, report, as_json, faults, _bar)
     attempt(faults, _checked, setting)
-    console = Console(stderr=True, highlight=False)
+    console = err()
     if own_faults or (ours and faults):
         raise CaromError(*faults, *own_faults)
     film = Calibration(scale=scale, rate=rate)
@@ -290,7 +289,7 @@ def _bar(console: Console) -> Iterator[Any]:
         return
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-    columns = (BarColumn(), TextColumn("[progress.description]{task.description}"), TimeElapsedColumn())
+    columns = (BarColumn(), TextColumn("{task.description}", markup=False), TimeElapsedColumn())
     with Progress(*columns, console=console, transient=True) as progress:
         task = progress.add_task("compiling, once", total=1.0)
         yield lambda what, done: progress.update(task, completed=done, description=what)

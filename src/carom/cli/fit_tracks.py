@@ -45,8 +45,7 @@ def fit_track_file(
     bar: Any,
 ) -> None:
     """Read, measure, fit, show. ``faults``: of the options, so far."""
-    from rich.console import Console
-
+    from carom.cli.console import err
     from carom.cli.fit_input import is_track
     from carom.fitting.tracks import TrackSetting, fit_tracks
     from carom.tracks.contact import Settings
@@ -70,7 +69,7 @@ def fit_track_file(
         faults.append("--view: expected above with --whole (balls on a table), got side")
     if faults:
         raise CaromError(*faults)
-    console = Console(stderr=True, highlight=False)
+    console = err()
     with bar(console) as say:
         read = read_tracks(file, calibration=reading)
         settings = Settings(radius=setting.radius, kappa=setting.kappa, view="above", noise=setting.noise)
@@ -117,7 +116,7 @@ def _show(ranking: TrackRanking) -> None:
     from rich.table import Table
     from rich.text import Text
 
-    from carom.cli.common import out
+    from carom.cli.console import out
     from carom.cli.ranking_output import counted, show_unidentified
     from carom.fitting.result import with_error_bar
 

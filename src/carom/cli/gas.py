@@ -14,6 +14,7 @@ import typer
 
 from carom.cli.common import attempt, require_outputs, wrote
 from carom.cli.options import OUTPUT, shared
+from carom.cli.streams import note
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -123,7 +124,7 @@ def gas(
         # the report is printed even if a file cannot be written
         _write(found, written, plot, _plot, session, plot)
         _write(found, written, measures, _write_measures, session, measures)
-        _print_report(session, as_json, quiet)
+        attempt(found, _print_report, session, as_json, quiet)
         wrote(*(() if quiet else (*written, *([] if snapshots is None else [snapshots]))))
     if found:
         raise CaromError(*found)
@@ -239,13 +240,13 @@ def _signals() -> Iterator[list[int]]:
     """Collect signals that ask the run to end; the second one ends it at once."""
     received: list[int] = []
 
-    def note(which: int, _frame: Any) -> None:
+    def receive(which: int, _frame: Any) -> None:
         if received:
-            sys.stderr.write("carom: interrupted; nothing was saved\n")
+            note("carom: interrupted; nothing was saved")
             raise typer.Exit(128 + which)
         received.append(which)
 
-    before = {which: signal.signal(which, note) for which in (signal.SIGINT, signal.SIGTERM)}
+    before = {which: signal.signal(which, receive) for which in (signal.SIGINT, signal.SIGTERM)}
     try:
         yield received
     finally:
@@ -292,9 +293,9 @@ def _counted(events: int) -> str:
 def _stopped(session: Session, scene: Path | None, checkpoint: Path | None, which: int) -> None:
     """Print where the run was stopped and how to resume it, and exit."""
     command = " ".join(str(part) for part in ("carom gas", scene, "--resume", checkpoint) if part is not None)
-    sys.stderr.write(
+    note(
         f"carom: stopped after {_counted(session.done)} of the {'run' if session.measuring else 'equilibration'},"
-        f" t = {session.gas.time:.6g}; resume with: {command}\n"
+        f" t = {session.gas.time:.6g}; resume with: {command}"
     )
     raise typer.Exit(128 + which)
 

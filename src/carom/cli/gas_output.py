@@ -9,11 +9,10 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
 from rich import box
-from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from carom.cli.common import out
+from carom.cli.console import err, out
 from carom.formatting import format_number
 from carom.gas.report import report
 
@@ -163,7 +162,7 @@ class Progress:
     """Progress of a session: its part, events, events per second, simulated time. A context manager."""
 
     def __init__(self, quiet: bool) -> None:
-        self.console = Console(stderr=True, highlight=False)
+        self.console = err()
         self.quiet = quiet
         self.bar: Any = None
         self.task: Any = None

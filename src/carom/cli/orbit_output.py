@@ -117,7 +117,7 @@ def print_orbit(facts: dict[str, Any], found: Orbit) -> None:
     from rich import box
     from rich.table import Table as Grid
 
-    from carom.cli.common import out
+    from carom.cli.console import out
 
     console = out()
     grid = Grid(box=None, show_header=False, pad_edge=False)

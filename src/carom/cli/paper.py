@@ -12,7 +12,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.common import wrote
+from carom.cli.console import err, out
 from carom.cli.options import shared
+from carom.cli.streams import say
 from carom.errors import CaromError
 from carom.files import require_library, require_writable, write_text
 
@@ -82,10 +84,9 @@ def _put(text: str, destination: Path | None) -> None:
 @contextmanager
 def _progress() -> Iterator[Callable[[str, int, int], None]]:
     """Show a progress bar on standard error, and remove it at the end."""
-    from rich.console import Console
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-    console = Console(stderr=True)
+    console = err()
     columns = (TextColumn("{task.description:<34}"), BarColumn(), TimeElapsedColumn())
     with Progress(*columns, console=console, transient=True) as bar:
         task = bar.add_task("starting", total=None)
@@ -100,7 +101,6 @@ def _progress() -> Iterator[Callable[[str, int, int], None]]:
 
 def _table(rows: list[tuple[Entry, EquationVerdict]]) -> None:
     """Print a table of verdicts, without the parts of an equation unless they are misprints."""
-    from rich.console import Console
     from rich.table import Table
     from rich.text import Text
 
@@ -119,7 +119,7 @@ def _table(rows: list[tuple[Entry, EquationVerdict]]) -> None:
         table.add_row(
             entry.id, Text(verdict.status, style=_STYLE[verdict.status]), Text(entry.title), Text(record["note"])
         )
-    console = Console()
+    console = out()
     console.print(table)
     total = ", ".join(f"{count} {name}" for name, count in counts.items())
     console.print(
@@ -129,13 +129,12 @@ def _table(rows: list[tuple[Entry, EquationVerdict]]) -> None:
 
 def _steps(rows: list[tuple[Entry, EquationVerdict]]) -> None:
     """Print entries with every step."""
-    from rich.console import Console
     from rich.text import Text
 
     from carom.derive import paper
     from carom.derive.paper.ledger import shown
 
-    console = Console(highlight=False)
+    console = out()
 
     def line(words: str, style: str = "") -> None:
         console.print(Text(words, style=style), soft_wrap=True)
@@ -175,4 +174,4 @@ def figures(
     from carom import plot
 
     for path in plot.figures(out):
-        sys.stdout.write(f"{path}\n")
+        say(str(path))

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 import typer
 from rich.console import Console
-from rich.markup import escape
+from rich.text import Text
 
 from carom.cli.common import attempt, require_outputs, working, wrote
+from carom.cli.console import err
 from carom.cli.options import WALL, parse_inertia, shared
 from carom.errors import CaromError
 
@@ -105,10 +106,10 @@ def predict(
         faults.append("--out: expected a file for the table, got none, and --json takes the standard output")
     if faults:
         raise CaromError(*faults)
-    console = Console(stderr=True, highlight=False)
+    console = err()
 
     def say(note: str) -> None:
-        console.print(f"[dim]{escape(note)}[/]", soft_wrap=True)
+        console.print(note, style="dim", soft_wrap=True)
 
     with working("predict", console, *(["compiling the law"] if ".py:" in law else [])) as progress:
         summary = predict_table(table, out, PredictSettings(**values), strict=strict, progress=progress, say=say)
@@ -119,18 +120,15 @@ def predict(
 
 def _report(console: Console, summary: Any) -> None:
     for fault in summary.faults:
-        console.print(f"[yellow]{fault['row']}:[/] {escape(fault['what'])}", soft_wrap=True)
+        console.print(Text.assemble((f"{fault['row']}:", "yellow"), f" {fault['what']}"), soft_wrap=True)
     more = summary.without_answer - len(summary.faults)
     if more > 0:
-        console.print(
-            f"[yellow]and {more:,} more row{'s' * (more > 1)} without an answer[/]; the column {summary.added[-1]} lists all"
-        )
+        left = (f"and {more:,} more row{'s' * (more > 1)} without an answer", "yellow")
+        console.print(Text.assemble(left, f"; the column {summary.added[-1]} lists all"))
     rate = summary.rows / summary.seconds if summary.seconds else 0
-    console.print(
-        f"[bold]{summary.law}[/]: {summary.answered:,} of {summary.rows:,} row{'s' * (summary.rows != 1)} answered"
-        + (f" in {summary.seconds:.1f} s ({rate:,.0f} rows/s)" if summary.seconds > 1 else ""),
-        soft_wrap=True,
-    )
+    answered = f": {summary.answered:,} of {summary.rows:,} row{'s' * (summary.rows != 1)} answered"
+    took = f" in {summary.seconds:.1f} s ({rate:,.0f} rows/s)" if summary.seconds > 1 else ""
+    console.print(Text.assemble((summary.law, "bold"), answered, took), soft_wrap=True)
     if summary.out:
         wrote(Path(summary.out))
 

@@ -20,7 +20,7 @@ def show(ranking: Ranking) -> None:
     from rich.table import Table
     from rich.text import Text
 
-    from carom.cli.common import out
+    from carom.cli.console import out
     from carom.fitting.result import with_error_bar
 
     console = out()
@@ -61,7 +61,7 @@ def show_unidentified(sentences: Iterable[str]) -> None:
     """Print what is not identifiable from the data, one law and parameter a line."""
     from rich.text import Text
 
-    from carom.cli.common import out
+    from carom.cli.console import out
 
     lines = list(sentences)
     if lines:

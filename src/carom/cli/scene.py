@@ -48,6 +48,7 @@ def check(
     allow_own_laws: Annotated[bool, shared("allow_own_laws")] = False,
 ) -> None:
     """Validate a scene, or summarise it."""
+    from carom.cli.streams import say
     from carom.gas.build import is_gas, load_gas
     from carom.scene.toml import load_scene
 
@@ -56,7 +57,7 @@ def check(
 
         gas = load_gas(file)
         build(gas, str(file))
-        sys.stdout.write(f"{file}: {gas.describe()}: ok\n")
+        say(f"{file}: {gas.describe()}: ok")
         return
     scene = load_scene(file, allow_own_laws=allow_own_laws)
-    sys.stdout.write(f"{file}: {scene.describe()}: ok\n")
+    say(f"{file}: {scene.describe()}: ok")

@@ -19,8 +19,6 @@ from carom.cli.options import OUTPUT, RUN, shared
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
-    from rich.console import Console
-
     from carom.scene.scene import Scene
     from carom.simulation.trajectory import Trajectory
 
@@ -164,11 +162,12 @@ def _renamed(fault: str, names: dict[str, str]) -> str:
 
 
 def _run(scene: Scene, quiet: bool) -> Trajectory:
+    from carom.cli.console import err
     from carom.cli.progress import show_progress
     from carom.simulation.compiled import loops_of
     from carom.simulation.simulate import simulate as follow
 
-    with show_progress(_console(), quiet, *loops_of(scene)) as say, _interruptible() as asked:
+    with show_progress(err(), quiet, *loops_of(scene)) as say, _interruptible() as asked:
 
         def on_the_way(events: int, t: float) -> None:
             if asked:  # and nothing came of it
@@ -176,12 +175,6 @@ def _run(scene: Scene, quiet: bool) -> Trajectory:
             say(f"simulating: {events:,} events, {t:.4g} s")
 
         return follow(scene, on_the_way)
-
-
-def _console() -> Console:
-    from rich.console import Console
-
-    return Console(stderr=True, highlight=False)
 
 
 @contextlib.contextmanager
@@ -265,7 +258,9 @@ def _table(run: Trajectory, path: Path) -> None:
 def _animate(run: Trajectory, path: Path, quiet: bool) -> None:
     from rich.progress import Progress
 
-    console = _console()
+    from carom.cli.console import err
+
+    console = err()
     with Progress(console=console, transient=True, disable=quiet or not console.is_terminal) as bar:
         task = bar.add_task("rendering", total=None)
         run.animate(path, progress=lambda done, total: bar.update(task, completed=done, total=total))

@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.console import Console
-from rich.markup import escape
+from rich.text import Text
 
 from carom.cli.common import attempt, require_outputs, wrote
-from carom.cli.common import out as stdout
+from carom.cli.console import err
+from carom.cli.console import out as stdout
 from carom.cli.options import FLOOR, parse_inertia, parse_length, shared
 from carom.errors import CaromError
 
@@ -113,7 +114,7 @@ def show(
         radius=lengths["radius"], kappa=kappa, view=view, walls=walls, noise=lengths["noise"],  # type: ignore[arg-type]
         cloth=cloth, rolling=rolling, gravity=gravity, window=window, blind=blind, hard=hard,
     )  # fmt: skip
-    console = Console(stderr=True, highlight=False)
+    console = err()
     measured = _with_bar(console, lambda progress: measure(found.tracks, settings, progress))
     written = None
     if out is not None:
@@ -129,7 +130,7 @@ def show(
     else:
         _tell(stdout(), found, measured, stage, sliding)
     for note in (*found.notes, *measured.notes):
-        console.print(f"[dim]{escape(note)}[/]", soft_wrap=True)
+        console.print(note, style="dim", soft_wrap=True)
     if written:
         console.print(f"{_count(written[1], 'rebound')} in the table")
         wrote(written[0])
@@ -219,7 +220,7 @@ def _tell(console: Console, found: TrackFile, measured: Measured, stage: str, sl
     from carom.tracks.read import FORMATS
 
     facts = Table(box=None, show_header=False, padding=(0, 2, 0, 0))
-    facts.add_row("[bold]format[/]", FORMATS[found.format].title)
+    facts.add_row(Text("format", "bold"), FORMATS[found.format].title)
     for track in found.tracks[:MAX_TRACKS]:
         facts.add_row("track", _track_line(track))
     if len(found.tracks) > MAX_TRACKS:
@@ -257,7 +258,7 @@ def _track_line(track: Any) -> str:
     from carom.formatting import format_length
 
     seen = track.select(track.seen)
-    label = escape(" ".join(filter(None, (track.group, track.name))))
+    label = " ".join(filter(None, (track.group, track.name)))
     gaps = int((~track.seen).sum())
     spans = " × ".join(format_length(float(x)) for x in np.ptp(seen.position, axis=0)) if len(seen) else "nothing"
     return f"{label}: {_count(len(seen), 'position')}{f', {gaps:,} missing' if gaps else ''}, {np.ptp(track.time):.3g} s, {spans}"
@@ -289,20 +290,20 @@ def _contacts(console: Console, measured: Measured, stage: str, sliding: bool) -
             tail = "roll" if name == "rolling" else "out"
             cells = [_with_error(one, key, sign) for key, sign in
                      (("vn_in", -1), ("vt_in", 1), (f"vn_{tail}", 1), (f"vt_{tail}", 1))]  # fmt: skip
-            label = escape(" ".join(filter(None, (one.group, one.track))))
+            label = " ".join(filter(None, (one.group, one.track)))
             table.add_row(label, one.wall.name, f"{one.time:.4f}", *cells, "" if one.planar else name)
     if shown:
         console.print(table)
-        console.print("[dim]Parentheses give the uncertainty in the last digits: 1.2292(12) is 1.2292 ± 0.0012[/]")
+        console.print("Parentheses give the uncertainty in the last digits: 1.2292(12) is 1.2292 ± 0.0012", style="dim")
     if shown > MAX_ROWS:
         console.print(f"and {_count(shown - MAX_ROWS, 'more row')}: --out and --json list all")
     lost = sum(whys.values())
+    found = (_count(len(measured.contacts), "contact"), "bold")
     console.print(
-        f"[bold]{_count(len(measured.contacts), 'contact')}[/], {len(measured.contacts) - lost} measured"
-        + (f"; {lost} not measured:" if lost else "")
+        Text.assemble(found, f", {len(measured.contacts) - lost} measured", f"; {lost} not measured:" if lost else "")
     )
     for why, count in whys.most_common():
-        console.print(f"  {count} × {escape(why)}", soft_wrap=True)
+        console.print(f"  {count} × {why}", soft_wrap=True)
 
 
 def _count(number: int, noun: str) -> str:

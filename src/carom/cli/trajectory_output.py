@@ -13,7 +13,7 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from carom.cli.common import out
+from carom.cli.console import out
 from carom.formatting import format_number
 from carom.simulation.budget import budget
 from carom.simulation.narrate import describe_run, with_count

@@ -52,12 +52,11 @@ def warm(
     workers: Annotated[int, typer.Option(min=0, help="Processes. Default: 0, one for each core.")] = 0,
 ) -> None:
     """Compile everything in advance: what is compiled once is only loaded from then on."""
-    from rich.console import Console
-
+    from carom.cli.console import err
     from carom.core.jit.compile import cache_folder
     from carom.errors import CaromError
 
-    console, begin, failed = Console(stderr=True, highlight=False), time.monotonic(), []
+    console, begin, failed = err(), time.monotonic(), []
 
     def report(job: str, error: str) -> None:
         if error:

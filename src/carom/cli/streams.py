@@ -1,0 +1,118 @@
+"""Standard output and standard error of the command: full, closed or read no further, they lose nothing and end in one line."""
+
+from __future__ import annotations
+
+import errno
+import io
+import os
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, suppress
+from typing import Any
+
+from carom.files import cannot_write
+from carom.formatting import escape_controls
+
+__all__ = ["guarded_streams", "note", "say"]
+
+
+def say(line: str) -> None:
+    """Print a line on standard output, with control characters escaped."""
+    sys.stdout.write(escape_controls(line) + "\n")
+
+
+def note(line: str) -> None:
+    """Print a line on standard error, with control characters escaped."""
+    sys.stderr.write(escape_controls(line) + "\n")
+
+
+@contextmanager
+def guarded_streams() -> Iterator[None]:
+    """While inside, what cannot be written to standard output is a CaromError, and what standard error cannot take is dropped.
+
+    A reader that closes the pipe early, such as `head`, is not an error: the rest of the output is dropped, and files are written.
+    """
+    before = sys.stdout, sys.stderr
+    _fill_closed_descriptors()
+    sys.stdout, sys.stderr = _Output(before[0]), _Messages(before[1])
+    try:
+        yield
+    finally:
+        sys.stdout, sys.stderr = before
+
+
+def _fill_closed_descriptors() -> None:
+    """Open the null device for closed standard streams, so that no file of the run becomes standard output."""
+    if None in (sys.stdin, sys.stdout, sys.stderr):
+        while (descriptor := os.open(os.devnull, os.O_RDWR)) <= 2:
+            pass
+        os.close(descriptor)
+
+
+class _Stream:
+    """A text stream, with its errors as a subclass takes them; everything else is the stream's own."""
+
+    def __init__(self, stream: Any) -> None:
+        self._stream = _nowhere() if stream is None else stream
+        self._closed = stream is None
+        self.buffer = _Bytes(self)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._stream, name)
+
+    def write(self, text: str) -> int:
+        """Write a text."""
+        self.attempt(lambda stream: stream.write(text))
+        return len(text)
+
+    def flush(self) -> None:
+        """Write what is held back."""
+        self.attempt(lambda stream: stream.flush(), empty=True)
+
+    def attempt(self, action: Callable[[Any], Any], *, empty: bool = False) -> None:
+        """Do something with the stream; an error sends what is held back, and all that is still to come, nowhere."""
+        try:
+            if self._closed and not empty:
+                raise OSError(errno.EBADF, "a closed one")
+            action(self._stream)
+        except OSError as error:
+            with suppress(OSError, ValueError):
+                null = os.open(os.devnull, os.O_WRONLY)
+                os.dup2(null, self._stream.fileno())
+                os.close(null)
+            self._stream, self._closed = _nowhere(), False
+            self._failed(error)
+
+    def _failed(self, error: OSError) -> None:
+        raise NotImplementedError
+
+
+class _Bytes:
+    """The bytes of a stream."""
+
+    def __init__(self, stream: _Stream) -> None:
+        self._stream = stream
+
+    def write(self, data: bytes) -> int:
+        """Write bytes."""
+        self._stream.attempt(lambda stream: stream.buffer.write(data))
+        return len(data)
+
+    def flush(self) -> None:
+        """Write what is held back."""
+        self._stream.flush()
+
+
+def _nowhere() -> io.TextIOWrapper:
+    return io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
+
+
+class _Output(_Stream):
+    def _failed(self, error: OSError) -> None:
+        if error.errno != errno.EPIPE:
+            raise cannot_write("standard output", error) from None
+
+
+class _Messages(_Stream):
+    def _failed(self, error: OSError) -> None:
+        pass
