@@ -7,6 +7,7 @@ import pytest
 
 import carom
 from carom import billiards
+from carom.billiards.elliptic_boundary import EllipticArc, arc_along, arc_length, arc_place
 from carom.core.geometry.polygon import ellipse_depth
 from carom.gas import Gas, Species, container
 
@@ -136,3 +137,18 @@ def test_corners_make_it_chaotic():
     ]
     small, wide = ((spectrum > 0.02).mean() for spectrum in map(np.nan_to_num, spectra))
     assert wide > small
+
+
+@pytest.mark.parametrize("share", [0.3, 0.999, 1.0])
+def test_places_along_an_ellipse_that_is_as_sharp_as_the_ball(share: float) -> None:
+    """Centres of a ball of (up to) the ellipse's least radius of curvature: evenly along the curve, its ends among them."""
+    p, q = 2.0, 1.0
+    arc = EllipticArc(0.0, -math.pi / 2, math.pi / 2, 0.0, (0.0, 0.0))
+    a = share * q * q / p
+    length = arc_length(p, q, a, arc)
+    s = np.linspace(0, length, 2001)
+    x, n = arc_place(p, q, a, arc, s)
+    steps = np.hypot(*np.diff(x, axis=0).T)
+    assert steps.max() < 1.001 * length / 2000
+    np.testing.assert_allclose(arc_along(p, q, a, arc, x), s, atol=1e-8)
+    np.testing.assert_allclose(((x - a * n) / (p, q)) ** 2 @ (1, 1), 1, atol=1e-12)

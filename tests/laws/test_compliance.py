@@ -17,7 +17,7 @@ import carom
 from carom.laws.arrays import loop_for
 from carom.laws.arrays import wall_law_rows as law_rows
 from carom.laws.law import LIKE_SOLIDS
-from carom.laws.maw import CHI, maw_contact, slip_kept
+from carom.laws.maw import CHI, maw_contact, slip_kept, solve
 from carom.laws.stronge import kept_slip, stronge_contact
 
 COUNT = 20_000
@@ -251,3 +251,16 @@ def test_a_ball_along_the_wall_is_left_alone(name: str) -> None:
     v, w = KERNELS[name]((-1e-17, 1.0, 0.0), (0.0, 0.0, 0.0), (1.0, 0.0, 0.0), 0.03, 0.4, 1.0, math.inf, 0.8)
     assert v == pytest.approx((0, 1, 0), abs=1e-15)
     assert w == (0, 0, 0)
+
+
+@pytest.mark.parametrize("chi", [CHI[0], 0.31, 1.0, 5.9, CHI[1]])
+def test_the_curve_at_the_edges_of_its_table(chi: float) -> None:
+    """In the first and last cell of either part, and in the first and last row, as well as within: the springs themselves."""
+    far = max(4 * chi - 1, 1.0)
+    places = [0.02, 0.5, 0.985]
+    if far > 1:
+        places += [1 + (far - 1) * share for share in (0.015, 0.5, 0.985)]
+    for psi in places:
+        # (as near as 31 rows and 32 cells a part allow: the curve swings faster where chi is large)
+        near = 2e-3 if chi < 2 else 0.03
+        assert psi * slip_kept(psi, chi) == pytest.approx(solve(psi, chi), abs=near), psi

@@ -188,3 +188,19 @@ def test_a_users_law_may_make_arrays():
         gravity=0, walls=[wall(law)], balls=[ball((1, 0, 0), (-1, 0.25, 0))], run=carom.Run(max_events=1)
     )
     np.testing.assert_allclose(carom.simulate(scene).final.velocity[0], (1, 0.25, 0))
+
+
+def test_a_meeting_is_two_rows_and_what_follows_has_its_own() -> None:
+    """A head-on meeting in mid-air: both initial states, the meeting of either ball, then the wall."""
+    balls = [
+        carom.SceneBall(radius=0.1, mass=1.0, position=(x, 0, 1), velocity=(v, 0, 0))
+        for x, v in ((1.0, -1.0), (0.5, 0.0))
+    ]
+    walls = [carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=1, friction=0)]
+    run = carom.simulate(carom.Scene(balls=balls, walls=walls, gravity=0.0, run=carom.Run(max_events=3)))
+    events = run.events
+    assert list(events.kinds) == ["ball", "ball", "wall", "ball", "ball"]
+    who = events.rows["ball"].tolist()
+    assert sorted(who[:2]) == sorted(who[3:]) == [0, 1]
+    assert who[2] == 1
+    np.testing.assert_allclose(events.rows["t"], [0.3, 0.3, 0.7, 1.1, 1.1], rtol=1e-12)

@@ -231,9 +231,11 @@ def arc_place(p: float, q: float, a: float, arc: EllipticArc, s: Array) -> tuple
     u = np.linspace(arc.begin, arc.end, 4001)
     u = np.interp(s, ellipse_arc_length(p, q, u) - first - a * (_turned(p, q, u) - turned), u)
     for _ in range(4):  # Newton; ds/du = rho dN: |E'| - a d(normal's angle)/du
-        rate = _rate(p, q, u) - a * p * q / _rate(p, q, u) ** 2
+        along = _rate(p, q, u)
+        # (it is zero at the ends of an ellipse that is as sharp as the ball: there a step is rounding over rounding)
+        rate = np.maximum(along - a * p * q / along**2, 1e-9 * along)
         step = ellipse_arc_length(p, q, u) - first - a * (_turned(p, q, u) - turned) - s
-        u = np.clip(u - step / np.maximum(rate, 1e-300), arc.begin, arc.end)
+        u = np.clip(u - step / rate, arc.begin, arc.end)
     out = np.stack([q * np.cos(u), p * np.sin(u)], axis=-1)
     out /= np.linalg.norm(out, axis=-1, keepdims=True)
     return np.stack([p * np.cos(u), q * np.sin(u)], axis=-1) - a * out, -out
