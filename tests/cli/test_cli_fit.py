@@ -24,7 +24,10 @@ def run(monkeypatch, capsys, *arguments: str) -> tuple[int, str, str]:
 
 
 def write(path: Path, columns) -> Path:
-    rows = zip(*(np.broadcast_to(column, len(columns["v_n_in"])).tolist() for column in columns.values()), strict=True)
+    rows = zip(
+        *(np.broadcast_to(column, len(next(iter(columns.values())))).tolist() for column in columns.values()),
+        strict=True,
+    )
     text = [",".join(columns), *(",".join("" if x != x else repr(x) for x in row) for row in rows)]  # noqa: PLR0124
     path.write_text("\n".join(text) + "\n")
     return path
@@ -132,7 +135,11 @@ def test_every_fault_at_once_and_nothing_written(here, monkeypatch, capsys):
     ("change", "said"),
     [
         (lambda c: c | {"v_n_in": -c["v_n_in"]}, "change the signs"),
-        (lambda c: {k: v for k, v in c.items() if k != "v_n_out"}, "v_n_out"),
+        (lambda c: {k: v for k, v in c.items() if k != "v_n_in"}, "v_n_in"),
+        (
+            lambda c: {k: v for k, v in c.items() if "_out" not in k},
+            "expected at least one of v_n_out, v_t_out, spin_out",
+        ),
         (lambda c: {k: v[:2] for k, v in c.items()}, "at least 3"),
         (lambda c: {k: v for k, v in (c | {"spin_in": np.full(20, np.nan)}).items() if "sigma" not in k}, "--sigma-v"),
     ],

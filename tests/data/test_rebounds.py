@@ -94,13 +94,13 @@ def test_the_kind_is_asked_for(tmp_path: Path) -> None:
 def test_all_faults_at_once(tmp_path: Path) -> None:
     text = (
         f"{TABLE},sigma_v_n_in,sigma_v_t_in [furlong]\n"
-        "1,0,0,nan,0,0,rolling,0.1,1\n-1,0,0,1,0,inf,after,0,1\n1,0,x,1,0,0,rolling,0.1,1\n"
+        "1,nan,0,1,0,0,rolling,0.1,1\n-1,0,0,1,0,inf,after,0,1\n1,0,x,1,0,0,rolling,0.1,1\n"
     )
     found = faults(tmp_path, text)
     expected = [
         ("sigma_v_t_in [furlong]", "expected a unit"),
         ("spin_z_in", "got 'x' at line 4"),
-        ("v_n_out", "got an empty cell at line 2"),
+        ("v_t_in", "got an empty cell at line 2"),
         ("spin_z_out", "got inf at line 3"),
         ("sigma_v_n_in", "above 0, got 0.0 at line 3"),
         ("v_n_in", "toward the wall, above 0, got -1.0 at line 3"),
@@ -112,8 +112,8 @@ def test_all_faults_at_once(tmp_path: Path) -> None:
 
 
 def test_missing_and_doubled_columns(tmp_path: Path) -> None:
-    found = faults(tmp_path, "v_n_in,v_t_in,spin_in,v_n_out,vn_out\n1,1,1,1,1\n")
-    assert any("'v_t_out'" in fault for fault in found)
+    found = faults(tmp_path, "v_n_in,spin_in,v_t_out,v_n_out,vn_out\n1,1,1,1,1\n")
+    assert any("'v_t_in'" in fault for fault in found)
     assert any("expected one column for v_n_out" in fault for fault in found)
     (fault,) = faults(tmp_path, "v_n_in,v_n_out,spin_in,spin_z_in,stage\n1,1,1,1,rolling\n")[:1]
     assert "got spin_in, spin_z_in" in fault

@@ -4,8 +4,8 @@ Two kinds. A **planar** bounce, of a ball in flight say: ``v_n_in, v_t_in, spin_
 ``spin`` is about the axis for which the slip at the contact is v_t - a spin. A ball on a **table**: ``v_n_in, v_t_in,
 spin_z_in, v_n_out, v_t_out, spin_z_out, stage``, where stage is when the ball was measured after the contact:
 ``after_wall``, as it leaves the wall, or ``rolling``, once it rolls again; before the contact it rolls. v_n is positive
-toward the wall before and away from it after. SI: m/s and rad/s. A spin that was not measured is NaN, an empty cell in a
-file. Every number may have an error bar, one standard deviation, in a column ``sigma_...``.
+toward the wall before and away from it after. SI: m/s and rad/s. What was not measured (a spin before the contact, anything after
+it) is NaN: an empty cell, or no column. Every number may have an error bar, one standard deviation, in a column ``sigma_...``.
 
 In a file the columns may be in any order and in other units (``v_n_in_mm_s``, ``spin_out [rpm]``).
 """
@@ -71,9 +71,9 @@ class Rebounds:
 
     kind: Kind
     columns: dict[str, Array]
-    """The kind's columns (:data:`COLUMNS`), all of them, (N,) each, SI; a spin that was not measured is NaN."""
+    """The kind's columns (:data:`COLUMNS`), all of them, (N,) each, SI; what was not measured is NaN."""
     sigma: dict[str, Array] = field(default_factory=dict)
-    """Standard deviations (N,) by name of the column, of those columns that have them; NaN only where the spin is NaN."""
+    """Standard deviations (N,) by name of the column, of those columns that have them; NaN only where the column is NaN."""
     stage: NDArray[np.str_] | None = None
     """(N,) ``after_wall`` or ``rolling`` for a table; None for planar."""
     extra: dict[str, NDArray[Any]] = field(default_factory=dict)
@@ -176,8 +176,8 @@ def make_rebounds(
     ----------
     kind : "planar" or "table"
     columns : mapping
-        Columns by name, ``sigma_...`` among them, SI, each (N,) or one number for all rows. A missing spin is unknown; v_t_in
-        and v_t_out may be left out together (0).
+        Columns by name, ``sigma_...`` among them, SI, each (N,) or one number for all rows. What was not measured is left out
+        or NaN: not v_n_in and v_t_in, nor all that follows. v_t_in and v_t_out may be left out together (0).
     stage : "after_wall", "rolling", or (N,) of these
         Required for a table.
     extra, rows, source, notes : optional
@@ -214,14 +214,17 @@ def make_rebounds(
         raise CaromError(*faults, f"{source}: columns: expected one length for all, got {got}")
     given = {name: np.broadcast_to(column, count).copy() for name, column in given.items()}
     said = list(notes)
+    followed = any(np.isfinite(given[name]).any() for name in names[3:] if name in given)
     if "v_t_in" not in given and "v_t_out" not in given:
         given |= {"v_t_in": np.zeros(count), "v_t_out": np.zeros(count)}
         said.append("no v_t_in and v_t_out: taken as 0, normal incidence")
     faults += [
         f"{source}: column {name!r}: expected this column for a {kind} bounce, got none"
         for name in names
-        if name.startswith("v_") and name not in given
+        if name in ("v_n_in", "v_t_in") and name not in given
     ]
+    wanted = f"{source}: columns: expected at least one of {', '.join(names[3:])} with a number, got none"
+    faults += [] if followed or count == 0 else [wanted]
     label = list(rows) or [f"row {i + 1}" for i in range(count)]
     if count == 0:
         faults.append(f"{source}: expected rebounds, got none")
@@ -261,7 +264,7 @@ def _bad_cells(given: Mapping[str, Array], rows: Sequence[str], source: str) -> 
             unknown = np.zeros(len(column), bool) if of is None else np.isnan(of) & np.isnan(column)
             check(name, (far | ~(column > 0)) & ~unknown, "an error bar above 0",
                   "no measurement is exact: give its real error, or leave the column out")  # fmt: skip
-        elif name.startswith("spin"):
+        elif name.startswith("spin") or name.endswith("_out"):
             check(name, far & ~np.isnan(column), "a finite number", "leave the cell empty where it was not measured")
         else:
             check(name, far, "a finite number", "leave the row out, or fill in the cell")

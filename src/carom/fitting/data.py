@@ -392,6 +392,26 @@ def _warnings(problem: Problem, spin: str) -> list[str]:
         notes.append(
             f"speeds: v_n_in only from {speed.min():.3g} to {speed.max():.3g} m/s: too few for a restitution that depends on it"
         )
-    if not np.isfinite(problem.y[:, 2]).any():
+    return [*notes, *_unmeasured(problem, spin)]
+
+
+def _unmeasured(problem: Problem, spin: str) -> list[str]:
+    """Return notes on what was not measured after the wall, and what then depends on nothing that was."""
+    n, after = len(problem.x), np.isfinite(problem.y)
+    seen = dict(zip(("v_n_out", "v_t_out", spin), after.sum(axis=0).tolist(), strict=True))
+    notes = [
+        f"{name}: not measured in {n - count} of {n} rows; it does not enter the likelihood there"
+        for name, count in seen.items()
+        if 0 < count < n
+    ]
+    if not seen["v_n_out"]:
+        notes.append(
+            "v_n_out: not measured; of the restitution only its product with the friction, where balls slide, has a say"
+        )
+    if not seen[spin]:
         notes.append(f"{spin}: not measured; only v_t depends on friction")
+    elif not seen["v_t_out"] and problem.rebounds["v_t_in"].any():
+        notes.append(f"v_t_out: not measured; only {spin} depends on friction")
+    if (empty := int((~after.any(axis=1)).sum())) > 0:
+        notes.append(f"rows: nothing was measured after the wall in {empty} of {n}: they have no say")
     return notes

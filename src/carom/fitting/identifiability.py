@@ -225,6 +225,13 @@ def _sentence(subject: Subject, names: list[str]) -> str:
     if len(names) == 1 and names[0] in SLIP_RETURN:
         return f"{said}every contact slides throughout, so nothing depends on it; film steeper hits"
     if sorted(names) == ["friction", "restitution"]:
+        i = list(subject.names).index("friction")
+        if subject.rise(i, subject.parameters[i].high) < FLAT_RISE:
+            limit = _limit(subject, i, -1) * (1 + values["restitution"])
+            return (
+                f"{said}no contact slides throughout, so only a lower limit of friction (1 + restitution) is identifiable:"
+                f" {limit:.3g} or more (95 %)"
+            )
         product = values["friction"] * (1 + values["restitution"])
         return f"{said}sliding contacts identify only friction (1 + restitution) = {product:.4g}, not each by itself"
     if len(names) > 1:

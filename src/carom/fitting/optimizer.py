@@ -13,7 +13,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Minimum", "cross_creases", "minimize"]
+__all__ = ["Minimum", "cross_creases", "damped_step", "minimize"]
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -82,7 +82,7 @@ def minimize(
             break
         here = p[alive]
         stuck = ((here <= low) & (u[alive] < 0)) | ((here >= high) & (u[alive] > 0))
-        step, damping[alive] = _step(h[alive], u[alive], ~stuck, damping[alive])
+        step, damping[alive] = damped_step(h[alive], u[alive], ~stuck, damping[alive])
         tried[alive] = np.clip(here + step, low, high)
         promise = ((tried[alive] - here) * u[alive]).sum(axis=1)
         alive = alive[promise > enough(alive)]
@@ -91,7 +91,7 @@ def minimize(
     return Minimum(p, now, u, h)
 
 
-def _step(h: Array, u: Array, active: NDArray[np.bool_], damping: Array) -> tuple[Array, Array]:
+def damped_step(h: Array, u: Array, active: NDArray[np.bool_], damping: Array) -> tuple[Array, Array]:
     """Return (h + damping diag h)^-1 u over the active ones, with as much damping as makes that positive definite."""
     k = u.shape[1]
     plain = np.where(active[:, :, None] & active[:, None, :], h, 0.0)

@@ -6,27 +6,25 @@ import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
-import numpy as np
-
 from carom.data.rebounds import Rebounds
 from carom.errors import CaromError, require_type
 from carom.files import require_library
+from carom.fitting.cross_validation import cross_validated_score, score_warnings
 from carom.fitting.data import Setting, make_problem, require_settings
 from carom.fitting.evidence import UNLIKELY, Evidence, decisive, odds_in_words, verdict_words, weigh
 from carom.fitting.fit import fit_law, kinked_rows_warning
 from carom.fitting.laws import laws_named
-from carom.fitting.model import SETTING_NUMBERS, STEPS
+from carom.fitting.model import SETTING_NUMBERS
 from carom.fitting.outliers import Outlier, outliers_of
-from carom.fitting.result import Fit, finite, refit, rows_of_fit
+from carom.fitting.result import Fit, finite
 from carom.fitting.uncertainty import with_bootstrap, with_profiles, with_shared
 
 __all__ = ["Outlier", "Ranked", "Ranking", "fit_laws"]
 
 LEAST_DATA = 4  # measured numbers for each fitted one, where the scatter is estimated
 # Law evaluations (carom.fitting.data.Problem.work) up to which these are done by default
-PROFILE_WORK, MARGINAL_PROFILE_WORK, BOOTSTRAP_WORK, CROSS_VALIDATION_WORK = 3e3, 5e3, 3e3, 4e5
+PROFILE_WORK, MARGINAL_PROFILE_WORK, BOOTSTRAP_WORK = 3e3, 5e3, 3e3
 DRAWS = 200
-FOLDS, MAX_FOLDED_ROWS, FEW_STEPS = 10, 20_000, 6
 FIT_SHARE = 0.6  # of the progress bar
 Say = Callable[[str, float], None]
 
@@ -39,7 +37,7 @@ class Ranked:
     weight: float
     """Akaike weight among all laws that were fitted."""
     score: float
-    """Log likelihood per row of rows that it was not fitted to (cross-validation); NaN where that was skipped."""
+    """Log likelihood per row of rows that it was not fitted to (cross-validation); NaN where there is none, and a note says so."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -192,8 +190,11 @@ def fit_laws(
     ranked = []
     for i, (fit, weight) in enumerate(zip(fits, evidence.weights.tolist(), strict=True)):
         tell(f"error bars of {fit.law.name}", FIT_SHARE + (1 - FIT_SHARE) * i / len(fits))
-        ranked.append(Ranked(_with_error_bars(fit, profiles, bootstrap, seed, i == 0), weight, _score(fit)))
+        ranked.append(
+            Ranked(_with_error_bars(fit, profiles, bootstrap, seed, i == 0), weight, cross_validated_score(fit))
+        )
     best, rival = ranked[0].fit, evidence.rival
+    scores = {one.fit.law.name: one.score for one in ranked}
     few = rival is not None and any(_too_few(fit) for fit in (best, rival))
     tell("outliers", 1.0)
     outliers, said = outliers_of(best)
@@ -201,6 +202,7 @@ def fit_laws(
     if swayed:
         which = f"{outliers[0].row} alone sways" if len(outliers) == 1 else f"{len(outliers)} outliers sway"
         verdict = f"{verdict[:-1]}; {which} this: leave out what was no such bounce, or fit with --robust."
+    said += score_warnings(best.law.name, scores, rival.law.name if rival else "")
     said += [warning for warning in (kinked_rows_warning(best),) if warning]
     return Ranking(
         tuple(ranked), verdict, math.nan if few else evidence.odds, rival.law.name if rival else "",
@@ -220,30 +222,6 @@ def _with_error_bars(fit: Fit, profiles: bool | None, draws: int | None, seed: i
     if draws is None:
         draws = DRAWS if work < BOOTSTRAP_WORK and not marginal else 0
     return with_bootstrap(fit, draws, seed) if draws and fit.names else fit
-
-
-def _score(fit: Fit) -> float:
-    """Return the mean log likelihood of a row that was left out, in ten folds of every tenth row, up to a constant that all laws
-    share."""
-    problem, costly = fit.problem, fit.law.search_code is not None
-    n = len(problem.x)
-    if problem.work(costly) > CROSS_VALIDATION_WORK:
-        if not (n > MAX_FOLDED_ROWS and not costly and problem.spins is None):
-            return math.nan
-        problem = problem.select(np.linspace(0, n - 1, MAX_FOLDED_ROWS).astype(int))
-        n = len(problem.x)
-    folds = min(FOLDS, n)
-    # neighbours, which tables often have in order of angle or speed, go to different folds
-    fold = np.arange(n) % folds
-    weights = (fold[None, :] != np.arange(folds)[:, None]).astype(float)
-    # a fold's minimum is near that of all; where spins are integrated over evaluations are costly, and few suffice
-    numbers, _cost = refit(fit, problem, weights, steps=STEPS if problem.spins is None else FEW_STEPS)
-    total = 0.0
-    for one in range(folds):
-        part = problem.select(np.flatnonzero(fold == one))
-        total -= float(rows_of_fit(fit, part, numbers[one])[0].sum()) / 2
-    logs = np.log(problem.vy[0, problem.estimated]) * np.isfinite(problem.y[:, problem.estimated]).sum(axis=0) / 2
-    return (total - float(logs.sum())) / n
 
 
 def _goodness(fit: Fit) -> tuple[bool, float]:

@@ -83,7 +83,7 @@ def _normal(axes: Any, ranking: Ranking) -> None:
     axes.plot(
         v[order], predicted[order], ".", ms=3, color=_look(ranking)[best.law.name][0], label=best.law.name, zorder=2
     )
-    top = max(float(v.max()), float(out.max())) * 1.05
+    top = float(np.nanmax(np.concatenate([v, out]))) * 1.05
     axes.plot((0, top), (0, top), color=GREY, lw=0.6, ls=":")
     axes.set(xlim=(0, top), ylim=(0, top), xlabel="normal speed before, m/s", ylabel="after, m/s", title="normal speed")
     axes.legend(loc="upper left", fontsize=7, frameon=False)
@@ -95,7 +95,8 @@ def _along(axes: Any, ranking: Ranking) -> None:
     planar = best.law.kind == "planar"
     rebounds, a = best.problem.rebounds, best.problem.setting.radius
     look = _look(ranking)
-    if planar and np.isfinite(rebounds["spin_out"]).all() and np.isfinite(rebounds["spin_in"]).all():
+    seen = np.isfinite(best.problem.y)
+    if planar and seen[:, 1:].all() and np.isfinite(rebounds["spin_in"]).all():
         v = rebounds["v_n_in"]
 
         def place(y: Any) -> Any:
@@ -104,6 +105,18 @@ def _along(axes: Any, ranking: Ranking) -> None:
         x = (rebounds["v_t_in"] - a * rebounds["spin_in"]) / v
         sign = np.where(x < 0, -1.0, 1.0)
         words = ("slip before / normal speed", "slip after / normal speed before", "along the wall")
+        xerr = yerr = None
+    elif not seen[:, :2].all(axis=1).any():
+        # no angle of reflection: the one that was measured
+
+        def place(y: Any) -> Any:
+            return (y[:, 1] if seen[:, 1].any() else a * y[:, 2]) / v
+
+        v = rebounds["v_n_in"]
+        x = rebounds["v_t_in"] / v
+        sign = np.where(x < 0, -1.0, 1.0)
+        after = "speed along the wall" if seen[:, 1].any() else "radius times spin"
+        words = ("speed along the wall before / normal speed", f"{after} after / normal speed before", "along the wall")
         xerr = yerr = None
     else:
 
@@ -127,7 +140,7 @@ def _along(axes: Any, ranking: Ranking) -> None:
             (x * sign)[order], (place(one.fit.predicted()) * sign)[order], ".", ms=2.5, color=ink, label=name, zorder=2
         )
     low, high = axes.get_xlim()
-    if not planar:
+    if not planar and words[1].endswith("degrees"):
         axes.plot((0, 90), (0, 90), color=GREY, lw=0.6, ls=":")
         axes.set_xlim(low, high)
         top = float(np.nanmax(np.abs(place(measured)))) * 1.15

@@ -1,0 +1,169 @@
+"""How far a verdict carries: whether the best law describes the data at all, and which contacts the data cover.
+
+Two tests of the best law by itself. Where error bars are given, the probability of its chi^2. And whether its residuals still depend
+on incidence, speed or spin: rows in the order of one of these, von Neumann's ratio of the ranks of their residuals (Bartels,
+J. Am. Stat. Assoc. 77, 40 (1982)), which is 2 where neighbours are independent and smaller where they err together. The second needs
+no error bars, so that it can reject a law whose scatter was estimated. Its probability counts all orders that were looked at.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.fitting.data import Problem
+from carom.fitting.evidence import UNLIKELY
+from carom.fitting.result import Fit, finite
+
+__all__ = ["Adequacy", "Coverage", "adequacy", "coverage"]
+
+Array = NDArray[np.float64]
+LEAST_ROWS = 10  # for the test of residuals
+OUTPUTS = ("v_n", "v_t", "spin")
+# Fewer rows, or a smaller range, and odds do not carry over to other contacts
+NARROW_ROWS, NARROW_ANGLE, NARROW_SPEED = 20, 15.0, 1.5  # rows; degrees; ratio of fastest to slowest
+
+
+@dataclass(frozen=True)
+class Adequacy:
+    """Whether a law, fitted, describes the data."""
+
+    chi2_probability: float
+    """Of a chi^2 at least as large by chance; NaN where scatter was estimated, or errors have heavy tails."""
+    pattern_probability: float
+    """Of residuals at least as dependent by chance; NaN where there are too few rows."""
+    pattern: str
+    """Which residuals, and on what they depend most."""
+    enlarge: float
+    """Factor on the error bars with which chi^2 equals the degrees of freedom; 1 where chi^2 is likely."""
+
+    @property
+    def chi2_likely(self) -> bool:
+        """Whether chi^2 is as expected by chance, or not known."""
+        return not self.chi2_probability <= UNLIKELY
+
+    @property
+    def fits(self) -> bool:
+        """Whether neither test rejects the law."""
+        return self.chi2_likely and not self.pattern_probability <= UNLIKELY
+
+    def as_dict(self) -> dict[str, object]:
+        """Return what JSON holds of it."""
+        return {
+            "chi2_probability": finite(self.chi2_probability),
+            "residual_pattern_probability": finite(self.pattern_probability),
+            "residual_pattern": self.pattern or None,
+        }
+
+    def in_words(self) -> str:
+        """Return the tests that the law passes, in words."""
+        chi2 = f"its chi^2 is as expected (p = {self.chi2_probability:.2g})"
+        if not math.isnan(self.chi2_probability):
+            return chi2
+        if math.isnan(self.pattern_probability):
+            return "nothing tests it by itself without error bars"
+        return f"its residuals show no pattern (p = {self.pattern_probability:.2g}); without error bars nothing else tests it by itself"
+
+
+@dataclass(frozen=True)
+class Coverage:
+    """The contacts from which a verdict comes."""
+
+    rows: int
+    angle: tuple[float, float]
+    """Degrees from the normal, least and largest, whatever the side."""
+    speed: tuple[float, float]
+    """m/s"""
+    spin: tuple[float, float] | None
+    """v/a, positive where it runs along v_t; None: not measured."""
+
+    @property
+    def narrow(self) -> str:
+        """In what the range is small, in words; empty where it is not."""
+        found = []
+        if self.rows < NARROW_ROWS:
+            found.append(f"{self.rows} rows are few")
+        if self.angle[1] - self.angle[0] < NARROW_ANGLE:
+            found.append("they cover a small range of incidence")
+        if self.speed[1] < NARROW_SPEED * self.speed[0]:
+            found.append("they cover a small range of speed")
+        return " and ".join(found)
+
+    def in_words(self) -> str:
+        """Return rows and ranges."""
+        spin = "spin not measured"
+        if self.spin is not None:
+            low, high = (round(end, 2) + 0.0 for end in self.spin)
+            spin = f"spin {low:g} v/a" if low == high else f"spin {low:g} to {high:g} v/a"
+        return f"{self.rows} rows, incidence {_range(*self.angle, '°')}, {_range(*self.speed, ' m/s')}, {spin}"
+
+    def as_dict(self) -> dict[str, object]:
+        """Return what JSON holds of it."""
+        return {
+            "rows": self.rows, "incidence_deg": list(self.angle), "speed": list(self.speed),
+            "spin": None if self.spin is None else list(self.spin), "narrow": self.narrow or None,
+        }  # fmt: skip
+
+
+def _range(low: float, high: float, unit: str) -> str:
+    one, two = f"{low:.3g}", f"{high:.3g}"
+    return f"{one}{unit}" if one == two else f"{one} to {two}{unit}"
+
+
+def coverage(problem: Problem) -> Coverage:
+    """Return rows and ranges of incidence, speed and spin; of rows in which something was measured after the wall."""
+    x = problem.x[np.isfinite(problem.y).any(axis=1)]
+    angle, speed = np.degrees(np.arctan2(np.abs(x[:, 1]), x[:, 0])), np.hypot(x[:, 0], x[:, 1])
+    spin = (np.where(x[:, 1] < 0, -1.0, 1.0) * x[:, 2] * problem.setting.radius / speed)[np.isfinite(x[:, 2])]
+    ends = None if not len(spin) else (float(spin.min()), float(spin.max()))
+    return Coverage(
+        len(x), (float(angle.min()), float(angle.max())), (float(speed.min()), float(speed.max())), ends
+    )
+
+
+def adequacy(fit: Fit) -> Adequacy:
+    """Test a fitted law by itself: its chi^2, and whether its residuals depend on incidence, speed or spin."""
+    from scipy.stats import chi2 as distribution
+
+    probability, enlarge = math.nan, 1.0
+    if fit.dof > 0 and not fit.scatter and not fit.problem.nu:
+        probability = float(distribution.sf(fit.chi2, fit.dof))
+        enlarge = max(math.sqrt(fit.chi2 / fit.dof), 1.0) if probability <= UNLIKELY else 1.0
+    least, words = _pattern(fit)
+    return Adequacy(probability, least, words, enlarge)
+
+
+def _pattern(fit: Fit) -> tuple[float, str]:
+    """Return the probability of the strongest dependence of residuals, all that were looked at counted, and its words."""
+    problem = fit.problem
+    side = np.where(problem.x[:, 1] < 0, -1.0, 1.0)
+    speed = np.hypot(problem.x[:, 0], problem.x[:, 1])
+    gap = (problem.y - fit.predicted()) / np.sqrt(np.where(problem.vy > 0, problem.vy, 1.0))
+    gap[:, 1:] *= side[:, None]
+    orders = {"incidence": np.abs(problem.x[:, 1]) / problem.x[:, 0], "speed": speed, "spin": side * problem.x[:, 2] / speed}
+    found = []
+    for m, name in enumerate(OUTPUTS):
+        for of, order in orders.items():
+            rows = np.isfinite(gap[:, m]) & np.isfinite(order)
+            if rows.sum() >= LEAST_ROWS and len(np.unique(order[rows])) >= LEAST_ROWS:
+                found.append((_serial_probability(gap[rows, m][np.argsort(order[rows], kind="stable")]), f"{name} on {of}"))
+    if not found:
+        return math.nan, ""
+    probability, words = min(found)
+    return min(1.0, probability * len(found)), words
+
+
+def _serial_probability(residuals: Array) -> float:
+    """Return the probability of ranks that follow each other so closely by chance (Bartels 1982, normal approximation)."""
+    from scipy.stats import norm, rankdata
+
+    n, ranks = len(residuals), rankdata(residuals)
+    spread = float(np.square(ranks - ranks.mean()).sum())
+    if not spread > 0:
+        return 1.0
+    ratio = float(np.square(np.diff(ranks)).sum()) / spread
+    variance = 4 * (n - 2) * (5 * n * n - 2 * n - 9) / (5 * n * (n + 1) * (n - 1) ** 2)
+    return float(norm.cdf((ratio - 2) / math.sqrt(variance)))
