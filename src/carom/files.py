@@ -264,7 +264,7 @@ def text_encoding(start: bytes) -> TextEncoding:
 def read_text(path: Path) -> str:
     """Read a text file: UTF-8, or UTF-16 with its byte-order mark; Latin-1 if the bytes are not valid UTF-8.
 
-    Raises CaromError for a file that cannot be read, and for a binary one.
+    Raises CaromError for a file that cannot be read, for a binary one, and for UTF-16 that is damaged.
     """
     try:
         raw = path.read_bytes()
@@ -274,8 +274,13 @@ def read_text(path: Path) -> str:
     raw = raw[len(encoding.mark) :]
     try:
         text = raw.decode(encoding.codec)
-    except UnicodeDecodeError:  # the degree sign of an old program, say
-        text = raw.decode("latin-1")
+    except UnicodeDecodeError as error:
+        if encoding.codec != "utf-8":
+            raise CaromError(
+                f"{path}: expected text in UTF-16, as its first two bytes say, got {error.reason} at byte {error.start + 2}: is the"
+                " file cut short? save it again, as UTF-8 if possible"
+            ) from None
+        text = raw.decode("latin-1")  # the degree sign of an old program, say
     if "\0" in text[:1000]:
         raise CaromError(f"{path}: expected a text file, got a binary one; export it as CSV")
     return text

@@ -14,6 +14,7 @@ from carom.tracks.read import FORMATS, TrackFile, read_tracks
 
 HERE = Path(__file__).parent / "files"
 PIXELS = Calibration(scale=1 / 2000, rate=120)
+IMAGES = ("trackpy.csv", "deeplabcut.csv", "deeplabcut_multi.csv", "trackmate.csv", "mtrack2.txt", "idtracker.txt")
 CENTIMETRES = Calibration(scale=0.01)
 
 
@@ -48,6 +49,10 @@ def faults(path: Path, given: Calibration | None = None, **options: str) -> tupl
         ("kinovea_trajectory.txt", "kinovea", CENTIMETRES, ["Ball", "Mark"]),
         ("trackpy.csv", "trackpy", PIXELS, ["particle 0", "particle 1"]),
         ("deeplabcut.csv", "deeplabcut", PIXELS, ["ball", "mark"]),
+        ("deeplabcut_multi.csv", "deeplabcut", PIXELS, ["white centre", "red centre"]),
+        ("trackmate.csv", "trackmate", None, ["track 0", "track 1"]),
+        ("mtrack2.txt", "mtrack2", PIXELS, ["object 1", "object 2"]),
+        ("idtracker.txt", "idtracker", PIXELS, ["1", "2"]),
         ("columns.csv", "columns", None, ["white", "red"]),
     ],
 )
@@ -56,15 +61,53 @@ def test_every_program(name: str, format_: str, given: Calibration | None, track
     assert found.format == format_
     assert [track.name for track in found.tracks] == tracks
     first = found.tracks[0]
-    frames = np.round(first.time * 120)
-    np.testing.assert_allclose(first.time, frames / 120, atol=1e-6)
+    frames = np.round(first.time * 120) - (1 if name == "mtrack2.txt" else 0)  # (its frames count from 1)
+    np.testing.assert_allclose(first.time - first.time[0], (frames - frames[0]) / 120, atol=1e-6)
     assert len(first) == 60
     expected = way(frames)
-    if name in ("trackpy.csv", "deeplabcut.csv"):  # pictures count from their upper edge
+    if name in IMAGES:  # pictures count from their upper edge
         expected = expected - [0, 0.45]
     missing = ~first.seen
     assert missing.sum() == (1 if name in ("tracker_multi.csv", "deeplabcut.csv") else 0)
     np.testing.assert_allclose(first.position[~missing], expected[~missing], atol=2e-6)
+
+
+def test_trackmate_in_pixels_and_without_units(tmp_path: Path) -> None:
+    text = (HERE / "trackmate.csv").read_text()
+    first, _names, _short, _units, *rows = text.splitlines()
+    spots = put(tmp_path, "\n".join([first, *rows]))  # as older versions write them
+    assert ["--scale" in one or "--rate" in one for one in faults(spots)] == [True, True]
+    (one, _other) = read_tracks(spots, calibration=Calibration(scale=1e-6, rate=120)).tracks
+    np.testing.assert_allclose(one.position, way(np.arange(60)) - [0, 0.45], atol=2e-6)
+    pixels = put(tmp_path, text.replace("(micron)", "(pixel)"), "pixels.csv")
+    (fault,) = faults(pixels)
+    assert "TrackMate: expected the scale, since its positions are in pixels" in fault
+    found = read_tracks(HERE / "trackmate.csv")
+    assert "2 spots that belong to no track were left out" in found.notes
+
+
+def test_more_than_75_objects_of_mtrack2(tmp_path: Path) -> None:
+    text = "Tracks 1 to 1\nFrame\tX1\tY1\tFlag1\n1\t10\t20\t \n2\t11\t21\t*\nTracks 2 to 2\nFrame\tX2\tY2\tFlag2\n1\t5\t6\t \n"
+    one, other = read_tracks(put(tmp_path, text, "more.txt"), calibration=Calibration(1.0, 10)).tracks
+    assert (one.name, other.name) == ("object 1", "object 2")
+    assert one.position.tolist() == [[10, -20], [11, -21]]
+    assert other.position.tolist() == [[5, -6]]
+
+
+def test_idtracker_ai_has_times(tmp_path: Path) -> None:
+    file = put(tmp_path, "time,x1,y1,x2,y2\n0.0,10,20,1,2\n0.02,11,21,1,\n")
+    one, other = read_tracks(file, calibration=Calibration(scale=0.001)).tracks
+    assert one.time.tolist() == [0, 0.02]
+    assert other.seen.tolist() == [True, False]
+
+
+@pytest.mark.parametrize("index", ["labeled-data/film/img0012.png", "labeled-data,film,img0012.png"])
+def test_labels_of_single_images_are_refused_by_name(tmp_path: Path, index: str) -> None:
+    more = "," * index.count(",")
+    text = f"scorer{more},net,net\nbodyparts{more},ball,ball\ncoords{more},x,y\n{index},10,20\n"
+    (fault,) = faults(put(tmp_path, text, "machinelabels.csv"), PIXELS)
+    assert "got labels of single images ('labeled-data" in fault
+    assert "machinelabels" in fault
 
 
 def test_carom_table() -> None:
@@ -117,7 +160,7 @@ def test_decimal_commas(tmp_path: Path) -> None:
 
 
 def test_what_is_missing_is_asked_for() -> None:
-    for name in ("trackpy.csv", "deeplabcut.csv"):
+    for name in ("trackpy.csv", "deeplabcut.csv", "mtrack2.txt", "idtracker.txt"):
         found = faults(HERE / name)
         assert len(found) == 2
         assert "--scale" in found[0]
@@ -132,7 +175,9 @@ def test_a_guess_can_be_overruled() -> None:
     assert found.format == "columns"
     assert "expected the frame rate" in faults(HERE / "trackpy.csv", format="columns")[0]
     assert "did you mean 'tracker'" in faults(HERE / "tracker_multi.csv", format="traker")[0]
-    assert set(FORMATS) == {"tracker", "kinovea", "deeplabcut", "carom-table", "trackpy", "columns"}
+    assert set(FORMATS) == {
+        "tracker", "kinovea", "deeplabcut", "carom-table", "trackpy", "trackmate", "mtrack2", "idtracker", "columns"
+    }  # fmt: skip
 
 
 def test_up_and_down(tmp_path: Path) -> None:

@@ -18,6 +18,7 @@ from carom.cli.options import (
     parse_assignments,
     parse_bounds,
     parse_inertia,
+    parse_length,
     parse_number,
     parse_spin,
     shared,
@@ -95,7 +96,7 @@ def fit(
         str | None, typer.Option(help="Stage of all rows: after_wall or rolling.", rich_help_panel=DATA)
     ] = None,
     rate: Annotated[float | None, shared("rate", default="from the times")] = None,
-    scale: Annotated[float | None, shared("scale", help="Metres per pixel, if the file is in pixels.")] = None,
+    scale: Annotated[str | None, shared("scale")] = None,
     view: Annotated[str | None, shared("view", default="by the motion")] = None,
     whole: Annotated[
         bool,
@@ -189,6 +190,7 @@ def fit(
          "--kind": kind, "--stage": stage, "--seed": seed, "--robust": robust or None, "--roll": None if roll == 1 else roll},
         {"--noise": noise, "--cushions": cushions if cushions != 3 else None},
     )  # fmt: skip
+    metres = attempt(faults, parse_length, "scale", scale)
     names = [name for text in laws or [] for name in comma_separated(text)]
     if laws and not names:
         faults.append("--laws: expected names of laws, NAME,NAME, got none; leave it out for all of them")
@@ -210,13 +212,13 @@ def fit(
         bounds={name: value for name, value in bounds.items() if value is not None}, robust=robust,
     )  # fmt: skip
     if whole:
-        frames = TrackOptions(view, where or [], cushions, noise, Calibration(scale=scale, rate=rate))
+        frames = TrackOptions(view, where or [], cushions, noise, Calibration(scale=metres, rate=rate))
         return fit_track_file(file, setting, names, frames, report, as_json, faults, _bar)
     attempt(faults, _checked, setting)
     console = err()
     if own_faults or (ours and faults):
         raise CaromError(*faults, *own_faults)
-    film = Calibration(scale=scale, rate=rate)
+    film = Calibration(scale=metres, rate=rate)
     rebounds = ours.rebounds if ours else read(file, faults, setting, film, view, kind, stage, lambda: _bar(console))
 
     _read(rebounds, ours is None and is_track(file), {"--scale": scale, "--rate": rate, "--view": view},

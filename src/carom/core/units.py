@@ -14,6 +14,8 @@ from dataclasses import dataclass
 from decimal import Decimal
 from typing import Any
 
+import numpy as np
+
 __all__ = ["UNITS", "Unit", "parse_quantity", "unit_named"]
 
 
@@ -31,12 +33,14 @@ class Unit:
     """Whether both factors are exact as written, in decimals: not those with pi."""
 
     def to_si(self, x: Any) -> Any:
-        """Convert numbers in this unit to SI."""
-        return x if self.numerator == self.denominator else x * self.numerator / self.denominator
+        """Convert numbers in this unit to SI; those too large for a float become infinite."""
+        with np.errstate(over="ignore"):
+            return x if self.numerator == self.denominator else x * self.numerator / self.denominator
 
     def from_si(self, x: Any) -> Any:
-        """Convert SI numbers to this unit."""
-        return x if self.numerator == self.denominator else x * self.denominator / self.numerator
+        """Convert SI numbers to this unit; those too large for a float become infinite."""
+        with np.errstate(over="ignore"):
+            return x if self.numerator == self.denominator else x * self.denominator / self.numerator
 
 
 def _units(factors: dict[str, tuple[float, float]], exact: bool = True) -> dict[str, Unit]:

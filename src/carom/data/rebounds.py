@@ -274,7 +274,7 @@ def _bad_cells(given: Mapping[str, Array], rows: Sequence[str], source: str) -> 
               "v_n is positive toward the wall before the contact and away from it after: change the signs")  # fmt: skip
     if "v_n_out" in given:
         v = given["v_n_out"]
-        slack = 3 * np.nan_to_num(given.get("sigma_v_n_out", np.zeros(len(v))))
+        slack = 3 * np.clip(np.nan_to_num(given.get("sigma_v_n_out", np.zeros(len(v)))), 0, MAX_MAGNITUDE)
         check("v_n_out", np.isfinite(v) & (v < -slack), "a speed away from the wall, at least 0 within 3 sigma",
               "v_n is positive toward the wall before the contact and away from it after: change the signs")  # fmt: skip
     return faults

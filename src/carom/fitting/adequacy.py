@@ -119,9 +119,7 @@ def coverage(problem: Problem) -> Coverage:
     angle, speed = np.degrees(np.arctan2(np.abs(x[:, 1]), x[:, 0])), np.hypot(x[:, 0], x[:, 1])
     spin = (np.where(x[:, 1] < 0, -1.0, 1.0) * x[:, 2] * problem.setting.radius / speed)[np.isfinite(x[:, 2])]
     ends = None if not len(spin) else (float(spin.min()), float(spin.max()))
-    return Coverage(
-        len(x), (float(angle.min()), float(angle.max())), (float(speed.min()), float(speed.max())), ends
-    )
+    return Coverage(len(x), (float(angle.min()), float(angle.max())), (float(speed.min()), float(speed.max())), ends)
 
 
 def adequacy(fit: Fit) -> Adequacy:
@@ -143,13 +141,19 @@ def _pattern(fit: Fit) -> tuple[float, str]:
     speed = np.hypot(problem.x[:, 0], problem.x[:, 1])
     gap = (problem.y - fit.predicted()) / np.sqrt(np.where(problem.vy > 0, problem.vy, 1.0))
     gap[:, 1:] *= side[:, None]
-    orders = {"incidence": np.abs(problem.x[:, 1]) / problem.x[:, 0], "speed": speed, "spin": side * problem.x[:, 2] / speed}
+    orders = {
+        "incidence": np.abs(problem.x[:, 1]) / problem.x[:, 0],
+        "speed": speed,
+        "spin": side * problem.x[:, 2] / speed,
+    }
     found = []
     for m, name in enumerate(OUTPUTS):
         for of, order in orders.items():
             rows = np.isfinite(gap[:, m]) & np.isfinite(order)
             if rows.sum() >= LEAST_ROWS and len(np.unique(order[rows])) >= LEAST_ROWS:
-                found.append((_serial_probability(gap[rows, m][np.argsort(order[rows], kind="stable")]), f"{name} on {of}"))
+                found.append(
+                    (_serial_probability(gap[rows, m][np.argsort(order[rows], kind="stable")]), f"{name} on {of}")
+                )
     if not found:
         return math.nan, ""
     probability, words = min(found)

@@ -89,7 +89,7 @@ def frames_per_side(time: Array) -> int:
     At a high frame rate a ball moves less than the noise in three frames.
     """
     interval = float(np.median(np.diff(time))) if len(time) > 1 else np.inf
-    return max(3, round(TURN_TIME_S / interval)) if interval > 0 else 3
+    return max(3, round(min(TURN_TIME_S / max(interval, 1e-12), len(time)))) if interval > 0 else 3
 
 
 def turning_points(d: Array, noise: float, reach: int = 3) -> NDArray[np.intp]:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
-from carom.tracks.preprocess import camera_clock
+from carom.tracks.preprocess import MIN_INTERVAL_S, camera_clock
 from carom.tracks.track import Track
 
 __all__ = ["at_rate", "rounding_of_times", "without_rounding"]
@@ -121,6 +121,8 @@ def _interval_behind_rounding(time: Array) -> float | None:
     if len(time) < MIN_ROWS or (np.diff(time) == 0).mean() < MIN_REPEATED:
         return None
     interval = _interval_by_rows(time)
+    if not interval > MIN_INTERVAL_S:
+        return None
     # where rounding makes rows share a time, no time of its grid is skipped
     step, jump = rounding_of_times(time)[1:], np.diff(time)
     coarse = step > interval
@@ -141,14 +143,14 @@ def _interval_of_file(time: Array, rate: float, zero: float) -> float | None:
 
     Tried are rows in successive frames, the clock of ``rate`` and that of :func:`camera_clock`. None if there is no clock.
     """
-    if len(time) < 2 or time[-1] == time[0]:
+    if len(time) < 2 or not time[-1] - time[0] > MIN_INTERVAL_S:
         return 1 / rate
     clock = camera_clock(np.unique(time))
     best: tuple[int, float] | None = None
     step = float(rounding_of_times(time).max())
     for interval in (_interval_by_rows(time), 1 / rate, clock.interval):
         # (a clock that ticks as the times are rounded explains them whatever they are)
-        if not 0 < interval < np.inf or (interval == clock.interval and step > 0.5 * interval):
+        if not MIN_INTERVAL_S < interval < np.inf or (interval == clock.interval and step > 0.5 * interval):
             continue
         number, missing = _numbers(time, interval, zero)
         if number is not None and (best is None or missing < best[0]):
@@ -190,7 +192,7 @@ def _interval_by_frames(track: Track) -> float:
     """Return the time of the file from frame to frame, s; that of one frame if there is only one."""
     frame = np.asarray(track.frame)
     span = float(track.time[-1] - track.time[0])
-    return span / float(frame[-1] - frame[0]) if frame[-1] > frame[0] and span > 0 else np.inf
+    return span / float(frame[-1] - frame[0]) if frame[-1] > frame[0] and span > MIN_INTERVAL_S else np.inf
 
 
 def _compare(interval: float, track: Track, rate: float, notes: list[str]) -> None:
@@ -198,7 +200,7 @@ def _compare(interval: float, track: Track, rate: float, notes: list[str]) -> No
     step = float(rounding_of_times(track.time).max())
     span = float(track.time[-1] - track.time[0])
     note = ""
-    error = 4 * step / (span * np.sqrt(len(track))) if span > 0 else np.inf
+    error = 4 * step / (span * np.sqrt(len(track))) if span > MIN_INTERVAL_S else np.inf
     if np.isfinite(interval) and abs(interval * rate - 1) > max(SAME_RATE, error):
         note = (
             f"the file's times say {1 / interval:.5g} frames per second; --rate {rate:g} overrides them (leave it out if they are"

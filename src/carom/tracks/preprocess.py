@@ -13,6 +13,7 @@ from carom.tracks.contact import View
 from carom.tracks.track import Track
 
 __all__ = [
+    "MIN_INTERVAL_S",
     "CameraClock",
     "camera_clock",
     "guess_view",
@@ -23,6 +24,7 @@ __all__ = [
 ]
 
 Array = NDArray[np.float64]
+MIN_INTERVAL_S = 1e-9  # between two frames: no camera is faster
 # Smallest share of the series (and at least two) that has to show the same rounding step: fast and resting balls show none.
 MIN_AGREEING_SHARE = 0.1
 
@@ -48,7 +50,7 @@ def camera_clock(time: Array) -> CameraClock:
     n = len(time)
     every = np.ones(n, bool)
     steps = np.diff(time)
-    steps = steps[steps > 0]
+    steps = steps[steps > MIN_INTERVAL_S]
     if len(steps) < 3:
         return CameraClock(float(steps.min()) if len(steps) else np.nan, time, every, 0.0, False)
     interval = _commonest(steps)

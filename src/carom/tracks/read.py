@@ -11,14 +11,27 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError, suggestion
 from carom.files import as_path, read_text
-from carom.tracks.formats import carom_table, columns, deeplabcut, kinovea, tracker, trackpy
+from carom.tracks.formats import (
+    carom_table,
+    columns,
+    deeplabcut,
+    idtracker,
+    kinovea,
+    mtrack2,
+    tracker,
+    trackmate,
+    trackpy,
+)
 from carom.tracks.formats.text_table import Calibration
 from carom.tracks.frame_numbers import at_rate, without_rounding
+from carom.tracks.preprocess import MIN_INTERVAL_S
 from carom.tracks.track import Track
 
 __all__ = ["FORMATS", "Format", "TrackFile", "read_tracks"]
 
 MIN_POSITIONS = 9  # fewer cannot hold a contact
+# Beyond these a number is damaged, or its unit wrong.
+MAX_POSITION_M, MAX_TIME_S = 1e9, 1e9
 JUMP_STEPS = 30.0  # times the usual step: no ball moves so far between two frames
 
 
@@ -38,6 +51,9 @@ FORMATS = {
     "deeplabcut": Format("DeepLabCut", deeplabcut.matches, deeplabcut.read),
     "carom-table": Format("carom table (JSON)", carom_table.matches, carom_table.read),
     "trackpy": Format("trackpy data frame", trackpy.matches, trackpy.read),
+    "trackmate": Format("TrackMate spots", trackmate.matches, trackmate.read),
+    "mtrack2": Format("MTrack2 (ImageJ)", mtrack2.matches, mtrack2.read),
+    "idtracker": Format("idTracker", idtracker.matches, idtracker.read),
     "columns": Format("named columns", columns.matches, columns.read),
 }
 
@@ -70,7 +86,7 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
     Parameters
     ----------
     path : path
-        A file of Tracker, Kinovea, trackpy, DeepLabCut, a carom table, or any table with columns t, x, y.
+        A file of one of the programs in FORMATS, or any table with columns t, x, y.
     format : str, optional
         A key of FORMATS; by default the format is recognised from the content.
     calibration : Calibration, optional
@@ -101,7 +117,7 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
         raise CaromError(
             f"--format: expected one of {', '.join(FORMATS)}, got {format!r}; {suggestion(format, list(FORMATS))}"
         )
-    text = read_text(path)
+    text = read_text(path).replace("\r\n", "\n").replace("\r", "\n")
     if not text.strip():
         raise CaromError(f"{path}: expected a track, got an empty file")
     name = format or next((name for name, one in FORMATS.items() if one.matches(text)), None)
@@ -144,6 +160,15 @@ def _check(calibration: Calibration) -> None:
 def _in_order(track: Track, path: str, notes: list[str], faults: list[str]) -> Track:
     """Return the rows that have a time; times that decrease are a fault."""
     label = _label(track)
+    for name, values, most, unit in (
+        ("time", track.time, MAX_TIME_S, "s"), ("position", track.position.ravel(), MAX_POSITION_M, "m")
+    ):  # fmt: skip
+        far = np.flatnonzero(np.abs(values) > most)
+        if len(far):
+            faults.append(
+                f"{path}: {label}: {name}: expected at most {most:g} {unit}, got {values[far[0]]:g} {unit} ({len(far)} in all);"
+                " is the unit right? --scale is the length of one unit of the file"
+            )
     known: NDArray[np.bool_] = np.isfinite(track.time)
     if (~known & np.isfinite(track.position).any(axis=1)).any():
         notes.append(f"{label}: {(~known).sum():,} rows without a time were left out")
@@ -160,7 +185,7 @@ def _in_order(track: Track, path: str, notes: list[str], faults: list[str]) -> T
 
 def _one_row_per_time(track: Track, notes: list[str]) -> Track:
     """Return the track with increasing times: of rows with the same time the first."""
-    again = np.diff(track.time, prepend=-np.inf) == 0
+    again = np.diff(track.time, prepend=-np.inf) < MIN_INTERVAL_S
     if again.any():
         moved = np.abs(np.diff(track.position, axis=0)).max(axis=1) > 0
         if (moved & again[1:]).any():

@@ -8,13 +8,15 @@ from typing import Any
 import numpy as np
 
 from carom.errors import CaromError
-from carom.tracks.formats.text_table import Calibration
+from carom.tracks.formats.text_table import Calibration, require_sizes
 from carom.tracks.track import Track
 
 __all__ = ["matches", "read"]
 
 PROGRAM = "carom table"
 TICK = 5e-4
+KEYS = ("DeltaT_500us", "X", "Y")
+UNREADABLE = (KeyError, TypeError, ValueError, AttributeError, OverflowError)
 
 
 def matches(text: str) -> bool:
@@ -27,29 +29,32 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     try:
         found = json.loads(text)["PathTracking"]
         size = np.array([float(found["TableWidth"]), float(found["TableHeight"])]) / 1000
-        sets = found["DataSets"]
+        sets = list(found["DataSets"])
     except json.JSONDecodeError as error:
         raise CaromError(f"{name}: {PROGRAM}: expected JSON, got: {error.msg} at line {error.lineno}") from None
-    except (KeyError, TypeError, ValueError) as error:
+    except RecursionError:
+        raise CaromError(f"{name}: {PROGRAM}: expected PathTracking, got brackets too deep to read") from None
+    except UNREADABLE as error:
         message = (
-            f"{name}: {PROGRAM}: expected PathTracking with DataSets, TableWidth and TableHeight (mm), missing: {error}"
+            f"{name}: {PROGRAM}: expected PathTracking with DataSets, TableWidth and TableHeight (mm); missing: {error}"
         )
         raise CaromError(message) from None
     tracks, faults = [], []
     for number, one in enumerate(sets):
         try:
-            rows = np.array([[float(row[key]) for key in ("DeltaT_500us", "X", "Y")] for row in one["Coords"]]).reshape(
-                -1, 3
-            )
-        except (KeyError, TypeError, ValueError) as error:
+            rows = np.array([[float(row[key]) for key in KEYS] for row in one["Coords"]]).reshape(-1, 3)
+        except UNREADABLE as error:
             faults.append(
-                f"{name}: {PROGRAM}: DataSets[{number}]: expected Coords with DeltaT_500us, X and Y, missing: {error}"
+                f"{name}: {PROGRAM}: DataSets[{number}]: expected Coords with DeltaT_500us, X and Y, missing or no number: {error}"
             )
             continue
-        tracks.append(_track(one.get("BallColor", number + 1), rows, size, calibration))
+        for axis, values in enumerate(rows.T):
+            require_sizes(values, f"{name}: {PROGRAM}: DataSets[{number}]: {KEYS[axis]}", faults)
+        tracks.append((one.get("BallColor", number + 1), rows))
+    require_sizes(size, f"{name}: {PROGRAM}: TableWidth, TableHeight", faults)
     if faults:
         raise CaromError(*faults)
-    return tracks
+    return [_track(color, rows, size, calibration) for color, rows in tracks]
 
 
 def _track(color: Any, rows: np.ndarray, size: np.ndarray, calibration: Calibration) -> Track:

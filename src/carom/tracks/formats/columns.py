@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from carom.data.headers import ColumnNames, Heading
 from carom.errors import CaromError, suggestion
-from carom.tracks.formats.text_table import Calibration, TextTable, require_calibration, split_rows
+from carom.tracks.formats.text_table import Calibration, TextTable, first_rows, require_calibration, split_rows
 from carom.tracks.track import Track
 
 __all__ = ["matches", "read"]
@@ -33,7 +33,7 @@ PIXELS = re.compile(r"^(x|y)\s*[\[(_ ]?\s*(px|pix|pixels?)\s*[\])]?$", re.IGNORE
 
 def matches(text: str) -> bool:
     """Return whether the first row has columns x and y."""
-    rows = split_rows("", text[:4000]).rows[:1]
+    rows = first_rows(text, 1)
     return bool(rows) and {"x", "y"} <= set(_meanings(rows[0])[0])
 
 

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 
+from carom.errors import CaromError
 from carom.tracks.formats.text_table import Calibration, require_calibration, split_rows
 from carom.tracks.track import Track
 
 __all__ = ["matches", "read"]
 
 PROGRAM = "DeepLabCut"
+IMAGE = re.compile(r"^labeled-data|\.(png|jpe?g|bmp|tiff?)$", re.IGNORECASE)
 
 
 def matches(text: str) -> bool:
@@ -33,12 +37,17 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
         titles[table.rows[first][0].strip()] = [cell.strip() for cell in table.rows[first]]
         first += 1
     if "bodyparts" not in titles or "coords" not in titles:
-        table.faults.append(
-            f"{name}: {PROGRAM}: expected rows bodyparts and coords under scorer, got {', '.join(titles)}"
+        raise CaromError(
+            f"{name}: {PROGRAM}: expected rows bodyparts and coords under scorer, got {', '.join(titles) or 'none'}"
         )
-        table.raise_faults()
+    if first < len(table.rows) and any(IMAGE.search(cell.strip()) for cell in table.rows[first][:3]):
+        raise CaromError(
+            f"{name}: {PROGRAM}: expected the positions in all frames of a film, which analyze_videos writes, got labels of single"
+            f" images ({table.rows[first][0].strip()[:40]!r} ...), as in machinelabels and CollectedData files; export the analysed"
+            " film as CSV"
+        )
     parts: dict[str, dict[str, int]] = {}
-    for i in range(1, len(titles["coords"])):
+    for i in range(1, min(map(len, titles.values()))):
         label = " ".join(titles[row][i] for row in ("individuals", "bodyparts") if row in titles)
         parts.setdefault(label, {})[titles["coords"][i]] = i
     frame = table.column(0, first, "frame")

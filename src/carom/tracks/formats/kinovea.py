@@ -7,7 +7,7 @@ import re
 import numpy as np
 
 from carom.errors import CaromError
-from carom.tracks.formats.text_table import Calibration, numbers, require_calibration, split_rows
+from carom.tracks.formats.text_table import Calibration, first_rows, numbers, require_calibration, split_rows
 from carom.tracks.track import Track
 
 __all__ = ["matches", "read"]
@@ -21,8 +21,7 @@ def matches(text: str) -> bool:
     """Return whether the text begins with #Kinovea, or has columns such as Name/0/X."""
     if text.lstrip().startswith("#Kinovea"):
         return True
-    cells = split_rows("", text[:4000]).rows[:1]
-    return bool(cells) and any(COLUMN.match(cell.strip()) for cell in cells[0])
+    return any(COLUMN.match(cell.strip()) for row in first_rows(text, 1) for cell in row)
 
 
 def read(name: str, text: str, calibration: Calibration) -> list[Track]:
@@ -40,7 +39,7 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     time = table.column(clock, 1, "Time")
     points: dict[str, dict[str, int]] = {}
     for i, cell in enumerate(header):
-        if found := COLUMN.match(cell):
+        if found := COLUMN.match(cell.strip()):
             points.setdefault(found[1], {})[found[2].upper()] = i
     tracks = []
     for point, columns in points.items():

@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
+import contextlib
 import csv
 import io
+import itertools
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import NDArray
 
 from carom.data.cells import parse_numbers
-from carom.errors import CaromError
+from carom.errors import MAX_MAGNITUDE, CaromError
 
-__all__ = ["Calibration", "TextTable", "numbers", "require_calibration", "split_rows"]
+__all__ = ["Calibration", "TextTable", "first_rows", "numbers", "require_calibration", "require_sizes", "split_rows"]
 
 Array = NDArray[np.float64]
 DELIMITERS = "\t;,"
+DELIMITER_NAMES = {"\t": "tabs", ";": "semicolons", ",": "commas"}
+HEAD_CHARACTERS = 4000  # in which the format and the delimiter show
 
 
 @dataclass(frozen=True)
@@ -60,6 +64,10 @@ class TextTable:
             cells, self.delimiter != ",", lambda k: self.lines[first + k], f"{self.name}: {label}", self.faults
         )
 
+    def between(self, low: int, high: int) -> TextTable:
+        """Return some of the rows as a table of their own, without faults."""
+        return TextTable(self.name, self.rows[low:high], self.lines[low:high], self.delimiter)
+
     def raise_faults(self) -> None:
         """Raise CaromError with all faults, if there are any."""
         if self.faults:
@@ -67,19 +75,49 @@ class TextTable:
 
 
 def split_rows(name: str, text: str, delimiter: str | None = None) -> TextTable:
-    """Split a text into rows of cells, at tabs, semicolons or commas, whichever occurs first in this list, else at spaces."""
-    head = text[:4000].splitlines()[:20]
-    if delimiter is None:
-        delimiter = next((sign for sign in DELIMITERS if any(sign in line for line in head)), " ")
-        if delimiter == "," and _spaced(head):  # decimal commas between spaces
-            delimiter = " "
+    """Split a text into rows of cells, at tabs, semicolons or commas, whichever occurs first in this list, else at spaces.
+
+    Raises CaromError for a quote that is not closed, and for a cell that is too long for any table.
+    """
+    delimiter = delimiter or _delimiter(text)
+    table = TextTable(name, [], [], delimiter)
+    for number, row in _rows(name, text, delimiter):
+        table.rows.append(row)
+        table.lines.append(number)
+    return table
+
+
+def first_rows(text: str, count: int, delimiter: str | None = None) -> list[list[str]]:
+    """Return the first rows of a text table, at most ``count``; fewer where the text is no table. They tell its format."""
+    head = text[:HEAD_CHARACTERS]
+    rows = _rows("", head, delimiter or _delimiter(head))
+    found: list[list[str]] = []
+    with contextlib.suppress(CaromError):
+        found += (row for _number, row in itertools.islice(rows, count))
+    return found
+
+
+def _delimiter(text: str) -> str:
+    head = text[:HEAD_CHARACTERS].splitlines()[:20]
+    delimiter = next((sign for sign in DELIMITERS if any(sign in line for line in head)), " ")
+    return " " if delimiter == "," and _spaced(head) else delimiter  # decimal commas between spaces
+
+
+def _rows(name: str, text: str, delimiter: str) -> Iterator[tuple[int, list[str]]]:
+    """Iterate over the rows that are not empty, with the numbers of their lines; a lone carriage return ends a line too."""
+    lines = io.StringIO(text, newline=None)
     if delimiter == " ":
-        split = [(n, line.split()) for n, line in enumerate(text.splitlines(), 1)]
-        kept = [(n, row) for n, row in split if row]
-    else:
-        reader = csv.reader(io.StringIO(text), delimiter=delimiter)
-        kept = [(reader.line_num, row) for row in reader if any(cell.strip() for cell in row)]
-    return TextTable(name, [row for _n, row in kept], [n for n, _row in kept], delimiter)
+        yield from ((n, row) for n, row in enumerate((line.split() for line in lines), 1) if row)
+        return
+    # strict: text after a closing quote is the sign of a quote that was never closed
+    reader = csv.reader(lines, delimiter=delimiter, strict=True)
+    try:
+        yield from ((reader.line_num, row) for row in reader if any(cell.strip() for cell in row))
+    except csv.Error as error:
+        raise CaromError(
+            f"{name}: line {reader.line_num}: expected cells between {DELIMITER_NAMES.get(delimiter, delimiter)}, got: {error};"
+            " is a quote missing?"
+        ) from None
 
 
 def _spaced(head: Sequence[str]) -> bool:
@@ -91,17 +129,33 @@ def _spaced(head: Sequence[str]) -> bool:
 def numbers(
     cells: Sequence[str], decimal_comma: bool, line: Callable[[int], int], label: str, faults: list[str]
 ) -> Array:
-    """Return cells as numbers (n,), NaN where one is missing; add a fault for those that are none.
+    """Return cells as numbers (n,), NaN where one is missing; add a fault for those that are none, or far too large.
 
     ``line``: from the index of a cell to the number of its line in the file.
     """
     values, bad = parse_numbers(cells, decimal_comma=decimal_comma)
     if bad:
-        more = f" ({len(bad)} in all)" if len(bad) > 1 else ""
         faults.append(
-            f"{label}: expected a number, got {cells[bad[0]].strip()!r} at line {line(bad[0])}{more}; write units in the header"
+            f"{label}: expected a number, got {cells[bad[0]].strip()[:40]!r}{_at_line(bad, line)}; write units in the header"
         )
+    require_sizes(values, label, faults, lambda where: _at_line(where, line))
     return values
+
+
+def _at_line(bad: Sequence[int], line: Callable[[int], int]) -> str:
+    return f" at line {line(bad[0])}" + (f" ({len(bad)} in all)" if len(bad) > 1 else "")
+
+
+def require_sizes(
+    values: Array, label: str, faults: list[str], where: Callable[[Sequence[int]], str] = lambda _bad: ""
+) -> None:
+    """Add a fault for numbers (n,) that are infinite, or so large that their squares may be."""
+    far = np.flatnonzero(np.abs(values) > MAX_MAGNITUDE).tolist()
+    if far:
+        faults.append(
+            f"{label}: expected numbers of at most {MAX_MAGNITUDE:g} in size, got {values[far[0]]:g}{where(far)};"
+            " leave the cell empty where there is none"
+        )
 
 
 def require_calibration(

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
 
 from carom.errors import CaromError
-from carom.tracks.formats.text_table import Calibration, TextTable, require_calibration, split_rows
+from carom.tracks.formats.text_table import Calibration, TextTable, first_rows, require_calibration, split_rows
 from carom.tracks.track import Track
 
 __all__ = ["matches", "read"]
@@ -19,7 +20,7 @@ def matches(text: str) -> bool:
     """Return whether the text has a ``#multi:`` line, or a line with only a track's name before the header t, x, y."""
     if text.lstrip().lower().startswith("#multi"):
         return True
-    rows = split_rows("", text[:4000]).rows[:2]
+    rows = first_rows(text, 2)
     if len(rows) < 2:
         return False
     names = {cell.strip().lower() for cell in rows[1]}
@@ -28,10 +29,11 @@ def matches(text: str) -> bool:
 
 def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     """Read the tracks of a file. Columns other than t, x, y (or pixelx, pixely, with a scale) are ignored."""
-    lines = text.lstrip().splitlines()
-    multi = lines[0].lower().startswith("#multi")
-    table = split_rows(name, "\n".join(lines[1:] if multi else lines))
-    table.lines = [n + multi for n in table.lines]
+    first, _end, rest = text.lstrip().partition("\n")
+    multi = first.lower().startswith("#multi")
+    table = split_rows(name, rest if multi else text.lstrip())
+    above = text[: len(text) - len(text.lstrip())].count("\n") + multi
+    table.lines = [n + above for n in table.lines]
     if len(table.rows) < 3:
         raise CaromError(f"{name}: {PROGRAM}: expected a row of names, a header and rows, got {len(table.rows)} rows")
     titles, header = table.rows[0], [cell.strip().lower() for cell in table.rows[1]]
@@ -40,13 +42,22 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
             f"{name}: {PROGRAM}: expected a column t, got {', '.join(filter(None, header))}; export it with the time"
         )
     time = table.column(header.index("t"), 2, "t")
-    starts = [i for i, cell in enumerate(titles) if cell.strip()] if multi else [0]
+    starts = [i for i, cell in enumerate(titles) if cell.strip()]
+    parts = list(pairwise([*starts, len(header)])) if multi else [(0, len(header))]
     tracks = []
-    for start, end in zip(starts, [*starts[1:], len(header)], strict=True):
-        title = titles[start].strip() or PROGRAM
-        tracks.append(_one(table, title, time, {header[i]: i for i in reversed(range(start, end))}, calibration))
+    for title, (start, end) in zip((titles[i].strip() for i in starts), parts, strict=False):
+        tracks.append(
+            _one(table, title, time, {header[i]: i for i in reversed(range(start, min(end, len(header))))}, calibration)
+        )
+    frame = _frames(table, header)
     table.raise_faults()
-    return tracks
+    return [replace(track, frame=frame) for track in tracks]
+
+
+def _frames(table: TextTable, header: list[str]) -> np.ndarray | None:
+    """Return the frame numbers (n,): each track has them for its own rows; None without such a column."""
+    columns = [table.column(i, 2, "frame") for i, cell in enumerate(header) if cell == "frame"]
+    return np.fmax.reduce(columns) if columns else None
 
 
 def _one(table: TextTable, title: str, time: np.ndarray, columns: dict[str, int], calibration: Calibration) -> Track:
@@ -54,7 +65,8 @@ def _one(table: TextTable, title: str, time: np.ndarray, columns: dict[str, int]
     names = ("pixelx", "pixely") if pixels else ("x", "y")
     if not set(names) <= set(columns):
         raise CaromError(
-            f"{table.name}: {PROGRAM}: track {title!r}: expected columns x and y, got {', '.join(columns)}"
+            f"{table.name}: {PROGRAM}: track {title!r}: expected columns x and y, got"
+            f" {', '.join(filter(None, columns)) or 'none'}"
         )
     if pixels:
         require_calibration(table.name, PROGRAM, calibration, scale="since the track is in pixels")
@@ -62,8 +74,5 @@ def _one(table: TextTable, title: str, time: np.ndarray, columns: dict[str, int]
     scale = calibration.scale if calibration.scale is not None else 1.0
     down = calibration.down if calibration.down is not None else pixels
     position = scale * np.stack([x, -y if down else y], axis=-1)
-    # another track's frames
-    return replace(
-        Track(title, time, position),
-        notes=() if calibration.scale else ("lengths in the units of Tracker: taken as m",),
-    )
+    notes = () if calibration.scale else ("lengths in the units of Tracker: taken as m",)
+    return Track(title, time, position, notes=notes)

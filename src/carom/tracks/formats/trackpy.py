@@ -6,7 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from carom.tracks.formats.text_table import Calibration, require_calibration, split_rows
+from carom.tracks.formats.text_table import Calibration, first_rows, require_calibration, split_rows
 from carom.tracks.track import Track
 
 __all__ = ["matches", "read"]
@@ -16,8 +16,7 @@ PROGRAM = "trackpy"
 
 def matches(text: str) -> bool:
     """Return whether there are columns x, y, frame, and one that only trackpy has."""
-    rows = split_rows("", text[:4000]).rows[:1]
-    names = {cell.strip() for cell in rows[0]} if rows else set()
+    names = {cell.strip() for row in first_rows(text, 1) for cell in row}
     return {"x", "y", "frame"} <= names and bool({"particle", "mass", "ecc", "raw_mass", "signal"} & names)
 
 
