@@ -128,6 +128,15 @@ def fit(
             rich_help_panel=DATA,
         ),
     ] = None,
+    scatter: Annotated[
+        str | None,
+        typer.Option(
+            metavar="share|absolute",
+            help="Fit what contacts scatter beyond the error bars: a share of the speed before the wall, or m/s.",
+            show_default="none",
+            rich_help_panel=DATA,
+        ),
+    ] = None,
     bootstrap: Annotated[
         int | None,
         typer.Option(help="Number of bootstrap fits.", show_default="200 where quick", rich_help_panel=OUTPUT),
@@ -187,7 +196,8 @@ def fit(
     faults += unused_options(
         whole,
         {"--sigma-v": sigma_v, "--sigma-spin": sigma_spin, "--bootstrap": bootstrap, "--profiles": profiles,
-         "--kind": kind, "--stage": stage, "--seed": seed, "--robust": robust or None, "--roll": None if roll == 1 else roll},
+         "--kind": kind, "--stage": stage, "--seed": seed, "--robust": robust or None, "--scatter": scatter,
+         "--roll": None if roll == 1 else roll},
         {"--noise": noise, "--cushions": cushions if cushions != 3 else None},
     )  # fmt: skip
     metres = attempt(faults, parse_length, "scale", scale)
@@ -209,7 +219,7 @@ def fit(
         **ball,
         restitution=restitution, floor_restitution=floor_restitution, roll=roll, fit=extra, **prior,
         fixed={name: value for name, value in fixed.items() if value is not None},
-        bounds={name: value for name, value in bounds.items() if value is not None}, robust=robust,
+        bounds={name: value for name, value in bounds.items() if value is not None}, robust=robust, scatter=scatter or "",
     )  # fmt: skip
     if whole:
         frames = TrackOptions(view, where or [], cushions, noise, Calibration(scale=metres, rate=rate))

@@ -38,7 +38,8 @@ def show(ranking: Ranking) -> None:
     for one in ranking.ranked:
         fit = one.fit
         goodness = "–" if fit.scatter or fit.dof <= 0 else f"{fit.chi2:.4g}/{fit.dof}"
-        numbers = ", ".join(f"{name} {with_error_bar(estimate)}" for name, estimate in fit.estimates.items()) or "none"
+        numbers = ", ".join(f"{name} {with_error_bar(estimate)}" for name, estimate in fit.estimates.items())
+        numbers = ", ".join(part for part in (numbers, fit.scatter_in_words) if part) or "none"
         table.add_row(
             fit.law.name,
             f"{fit.aicc:.1f}" if one is ranking.ranked[0] else f"+{fit.aicc - least:.1f}",

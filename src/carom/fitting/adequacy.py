@@ -1,9 +1,10 @@
 """How far a verdict carries: whether the best law describes the data at all, and which contacts the data cover.
 
-Two tests of the best law by itself. Where error bars are given, the probability of its chi^2. And whether its residuals still depend
-on incidence, speed or spin: rows in the order of one of these, von Neumann's ratio of the ranks of their residuals (Bartels,
-J. Am. Stat. Assoc. 77, 40 (1982)), which is 2 where neighbours are independent and smaller where they err together. The second needs
-no error bars, so that it can reject a law whose scatter was estimated. Its probability counts all orders that were looked at.
+Two tests of the best law by itself. Where error bars are given, the probability of its chi^2. And whether its residuals still
+depend on incidence, speed, spin or slip: rows in the order of one of these, von Neumann's ratio of the ranks of their residuals
+(Bartels, J. Am. Stat. Assoc. 77, 40 (1982)), which is 2 where neighbours are independent and smaller where they err together. The
+second needs no error bars, so that it can reject a law whose scatter was estimated. Its probability counts all orders that were
+looked at.
 """
 
 from __future__ import annotations
@@ -37,6 +38,8 @@ class Adequacy:
     """Of residuals at least as dependent by chance; NaN where there are too few rows."""
     pattern: str
     """Which residuals, and on what they depend most."""
+    scattered: bool
+    """Whether the scatter between contacts was fitted, beyond error bars."""
     enlarge: float
     """Factor on the error bars with which chi^2 equals the degrees of freedom; 1 where chi^2 is likely."""
 
@@ -63,9 +66,12 @@ class Adequacy:
         chi2 = f"its chi^2 is as expected (p = {self.chi2_probability:.2g})"
         if not math.isnan(self.chi2_probability):
             return chi2
+        why = "with a fitted scatter" if self.scattered else "without error bars"
         if math.isnan(self.pattern_probability):
-            return "nothing tests it by itself without error bars"
-        return f"its residuals show no pattern (p = {self.pattern_probability:.2g}); without error bars nothing else tests it by itself"
+            return f"nothing tests it by itself {why}"
+        return (
+            f"its residuals show no pattern (p = {self.pattern_probability:.2g}); {why} nothing else tests it by itself"
+        )
 
 
 @dataclass(frozen=True)
@@ -123,7 +129,7 @@ def coverage(problem: Problem) -> Coverage:
 
 
 def adequacy(fit: Fit) -> Adequacy:
-    """Test a fitted law by itself: its chi^2, and whether its residuals depend on incidence, speed or spin."""
+    """Test a fitted law by itself: its chi^2, and whether its residuals depend on incidence, speed, spin or slip."""
     from scipy.stats import chi2 as distribution
 
     probability, enlarge = math.nan, 1.0
@@ -131,28 +137,29 @@ def adequacy(fit: Fit) -> Adequacy:
         probability = float(distribution.sf(fit.chi2, fit.dof))
         enlarge = max(math.sqrt(fit.chi2 / fit.dof), 1.0) if probability <= UNLIKELY else 1.0
     least, words = _pattern(fit)
-    return Adequacy(probability, least, words, enlarge)
+    return Adequacy(probability, least, words, fit.contact_scatter is not None, enlarge)
 
 
 def _pattern(fit: Fit) -> tuple[float, str]:
     """Return the probability of the strongest dependence of residuals, all that were looked at counted, and its words."""
     problem = fit.problem
-    side = np.where(problem.x[:, 1] < 0, -1.0, 1.0)
-    speed = np.hypot(problem.x[:, 0], problem.x[:, 1])
+    v_n, v_t, spin = problem.x.T
+    speed, slip = np.hypot(v_n, v_t), v_t - problem.setting.radius * spin
     gap = (problem.y - fit.predicted()) / np.sqrt(np.where(problem.vy > 0, problem.vy, 1.0))
-    gap[:, 1:] *= side[:, None]
+    # what comes from one side and from the other is the same, mirrored
+    side, slips = (np.where(along < 0, -1.0, 1.0) for along in (v_t, slip))
     orders = {
-        "incidence": np.abs(problem.x[:, 1]) / problem.x[:, 0],
-        "speed": speed,
-        "spin": side * problem.x[:, 2] / speed,
-    }
+        "incidence": (np.abs(v_t) / v_n, side), "speed": (speed, side), "spin": (side * spin / speed, side),
+        "slip": (np.abs(slip) / v_n, slips),
+    }  # fmt: skip
     found = []
     for m, name in enumerate(OUTPUTS):
-        for of, order in orders.items():
+        for of, (order, sign) in orders.items():
             rows = np.isfinite(gap[:, m]) & np.isfinite(order)
             if rows.sum() >= LEAST_ROWS and len(np.unique(order[rows])) >= LEAST_ROWS:
+                residuals = gap[rows, m] * (sign[rows] if m > 0 else 1.0)
                 found.append(
-                    (_serial_probability(gap[rows, m][np.argsort(order[rows], kind="stable")]), f"{name} on {of}")
+                    (_serial_probability(residuals[np.argsort(order[rows], kind="stable")]), f"{name} on {of}")
                 )
     if not found:
         return math.nan, ""

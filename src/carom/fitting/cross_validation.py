@@ -51,7 +51,7 @@ def cross_validated_score(fit: Fit) -> float:
         part = problem.select(np.flatnonzero(fold == one))
         total -= float(rows_of_fit(fit, part, numbers[one])[0].sum()) / 2
     logs = np.log(problem.vy[0, problem.estimated]) * np.isfinite(problem.y[:, problem.estimated]).sum(axis=0) / 2
-    return (total - float(logs.sum())) / n
+    return (total - float(logs.sum()) - fit.determinants * n / len(fit.problem.x) / 2) / n
 
 
 def one_step_without(fit: Fit, problem: Problem, left_out: Array) -> Array:

@@ -23,6 +23,7 @@ MAX_CORRELATION = 0.95  # of errors before and after: a row with fully correlate
 # What a film measures once for all its rows: the prefix of the columns, and its name
 SHARED = {"cloth": "cloth friction", "rolling": "rolling resistance"}
 CLOTH_FRICTION = 0.2  # of a billiard table, where nothing else is known
+SCATTERS = ("share", "absolute")
 MAX_SPIN = 5.0  # mean or width of spins before the wall, in v/a
 FEW_ROWS, SAME_ANGLE, SAME_SPEED = 12, 3.0, 1.3  # rows; degrees; ratio of the fastest to the slowest
 
@@ -65,6 +66,9 @@ class Setting:
     bounds: dict[str, tuple[float, float]] = field(default_factory=dict)
     robust: bool = False
     """Errors with heavy tails: Student's t with 4 degrees of freedom instead of normal."""
+    scatter: str = ""
+    """Scatter between contacts that is fitted beyond the error bars: "share" (of the speed before the wall), "absolute" (m/s), or
+    none."""
 
 
 def table_faults(radius: float, contact_height: float, floor_restitution: float) -> list[str]:
@@ -101,6 +105,8 @@ def require_settings(setting: Setting) -> None:
             faults.append(f"fix: {name}: expected {limits[name].low:g} to {limits[name].high:g}, got {value!r}")
     if setting.spin_prior not in ("uniform", "normal"):
         faults.append(f"spin_prior: expected uniform or normal, got {setting.spin_prior!r}")
+    if setting.scatter not in ("", *SCATTERS):
+        faults.append(f"scatter: expected {' or '.join(SCATTERS)}, got {setting.scatter!r}")
     if setting.spin_prior == "uniform" and setting.spin_width is None:
         faults.append("spin_width: expected a width in v/a for a uniform prior, got none; a normal one's can be fitted")
     if setting.spin_width is not None and not 0 < float_or_nan(setting.spin_width) <= MAX_SPIN:
@@ -231,6 +237,7 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
             notes.append(
                 f"{lacks}: not given; that scatter is estimated for each law separately, so no law can fit badly"
             )
+        faults += _no_scatter(rebounds, setting, lacks)
         vy[:, estimated] = 1.0
     if len(rebounds) < 3:
         faults.append(f"{rebounds.source}: rows: expected at least 3 rebounds to fit, got {len(rebounds)}; film more")
@@ -261,6 +268,12 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
         )
     notes += _warnings(problem, spins)
     return problem, notes
+
+
+def _no_scatter(rebounds: Rebounds, setting: Setting, lacks: str) -> list[str]:
+    """Return an error line where a scatter beyond error bars is asked for, and there are no error bars."""
+    said = f"{rebounds.source}: scatter: expected error bars, beyond which contacts scatter, got no {lacks}"
+    return [f"{said}; leave it out, all scatter is estimated then"] if setting.scatter else []
 
 
 def _covariances(rebounds: Rebounds, most: Array) -> tuple[Array, list[str]]:

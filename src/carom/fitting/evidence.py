@@ -74,10 +74,13 @@ def weigh(fits: Sequence[FittedModel], enlarge: float = 1.0) -> Evidence:
     )
 
 
-def verdict_words(called: str, evidence: Evidence, subject: str, support: float, reason: str) -> str:
+def verdict_words(
+    called: str, evidence: Evidence, subject: str, support: float, reason: str, *, nearest: bool = False, narrow: str = ""
+) -> str:  # fmt: skip
     """Return the verdict in words: ``subject`` (the data, the tracks) prefer, lean to or cannot decide.
 
-    ``support``: odds, or a number on their scale; ``reason``: by how much the best law is ahead.
+    ``support``: odds, or a number on their scale; ``reason``: by how much the best law is ahead. ``nearest``: no law fits, and the
+    best is only the nearest one; ``narrow``: why the data cover too little to decide.
     """
     more, these = "", subject.replace("the ", "these ")
     if evidence.containing:
@@ -85,6 +88,10 @@ def verdict_words(called: str, evidence: Evidence, subject: str, support: float,
         more = f"; {', '.join(evidence.containing)}, which contain{s} it, fit{s} no better"
     if evidence.rival is None:
         return f"{subject} are described by {called}; there was no other law to compare it with{more}"
+    if nearest and support >= LEANS:
+        return f"{called} is nearest to {subject}, {reason}{more}"
+    if support >= DECIDED and narrow:
+        return f"{subject} lean to {called}, {reason}{more}, but {narrow}: film other contacts before you decide"
     if support >= DECIDED:
         return f"{subject} prefer {called}, {reason}{more}"
     if support >= LEANS:

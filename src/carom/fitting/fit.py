@@ -1,13 +1,13 @@
 """Fit of one law to rebounds: starting points, descent, continuation beyond creases, scatter where no error bars are given.
 
 Error bars given with the data are used as they are: the deviance is chi^2, AIC is chi^2 + 2 k. Where there are none, the scatter
-of each measured quantity is one more parameter of the law, and the deviance is n log(scatter^2) + n.
+of each measured quantity is one more parameter of the law, and the deviance is n log(scatter^2) + n. Scatter between contacts
+beyond given error bars is one parameter more where it is asked for (:mod:`carom.fitting.scatter`).
 """
 
 from __future__ import annotations
 
 import itertools
-import math
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -21,12 +21,13 @@ from carom.fitting.model import STEPS, FitModel, feels_spins, model_of, predict_
 from carom.fitting.optimizer import cross_creases
 from carom.fitting.parameters import INDEX, NUMBERS
 from carom.fitting.result import Fit, refit, rows_of_fit
+from carom.fitting.scatter import with_contact_scatter, with_estimated_scatter
 from carom.fitting.uncertainty import with_marginal_errors, with_profiled_friction
 
 __all__ = ["fit_law", "kinked_rows_warning"]
 
 Array = NDArray[np.float64]
-FEW_STEPS, HELD_STEPS, SCATTER_ROUNDS = 40, 12, 40
+FEW_STEPS, HELD_STEPS = 40, 12
 SEARCH_ROWS, MARGINAL_SEARCH_ROWS = 150, 40  # rows, of many, in which starts are tried
 STARTS, MARGINAL_STARTS = 8, 12  # from which the search descends
 FREED = 3  # of the frictions that were held
@@ -118,12 +119,11 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     """
     model = model_of(law, problem)
     scatter: dict[str, float] = {}
-    extra, n_by = 0.0, np.isfinite(problem.y).sum(axis=0)
-    if problem.estimated.any():
-        p, model, extra = _with_scatter(model)
+    extra, n_by, contacts = 0.0, np.isfinite(problem.y).sum(axis=0), None
+    if problem.estimated.any() or problem.setting.scatter:
+        fits_scatter = with_estimated_scatter if problem.estimated.any() else with_contact_scatter
+        p, model, extra, scatter, contacts = fits_scatter(model, _search, lambda at, p: _descend(at, p).p)
         problem = model.problem
-        outputs = ("v_n_out", "v_t_out", "spin_out" if law.kind == "planar" else "spin_z_out")
-        scatter = {outputs[j]: math.sqrt(problem.vy[0, j]) for j in np.flatnonzero(problem.estimated).tolist()}
     else:
         p = _search(model.without_shared())
     own = model.without_shared()
@@ -147,7 +147,8 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     information = _own_information(best.information, len(names))
     information = information * ((STUDENT_NU + d) / (STUDENT_NU + d + 2) if problem.nu else 1.0)
     if scatter:
-        information = information * max(problem.count - k, 1) / max(int(n_by[problem.estimated].sum()), 1)
+        counted = int(n_by[problem.estimated].sum()) if problem.estimated.any() else problem.count
+        information = information * max(problem.count - k, 1) / max(counted, 1)
     # an error that all rows share is one more number, and what the film says of it one more datum
     chi2 = float(chi2_by_row.sum() + np.square(best.p[NUMBERS:]).sum())
     fit = Fit(
@@ -162,6 +163,8 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
         np.zeros((0, 0)),
         chi2_by_row,
         scatter=scatter,
+        contact_scatter=contacts,
+        determinants=0.0 if contacts is None else extra,
     )
     done = _identified(fit, information)
     if problem.spins is not None and "friction" in done.untold:
@@ -194,33 +197,6 @@ def _across_creases(model: FitModel, best: _Place) -> _Place:
     return cross_creases(
         best, lambda place: float(place.p[i]), lambda place: place.deviance, explore, lambda _place, turn: turn == 0
     )
-
-
-def _with_scatter(model: FitModel) -> tuple[Array, FitModel, float]:
-    """Fit parameters and scatter in turn until neither changes. Return places, the model with that scatter, and the part of the
-    deviance that is the scatter's logarithm."""
-    problem = model.problem
-    columns = [column[np.isfinite(column)] for column in problem.y.T]
-    size = np.array([column.std() if len(column) else 1.0 for column in columns]) / 3 + 1e-9
-    n = np.isfinite(problem.y).sum(axis=0)
-    estimated = problem.estimated & (n > 0)
-
-    def having(variance: Array, which: NDArray[np.bool_]) -> FitModel:
-        vy = model.problem.vy.copy()
-        vy[:, which] = variance[which]
-        return replace(model, problem=replace(model.problem, vy=vy))
-
-    model = having(np.square(size), problem.estimated)
-    p = _search(model)
-    for _ in range(SCATTER_ROUNDS):
-        p = _descend(model, p).p[None]
-        gap = np.nan_to_num(problem.y - predict_law(model.law, model.problem, p[0]))
-        new = np.maximum(np.square(gap).sum(axis=0) / np.maximum(n, 1), np.square(1e-9 * (size + 1)))
-        old = model.problem.vy[0]
-        model = having(new, estimated)
-        if np.all(np.abs(new - old)[estimated] < 1e-6 * old[estimated]):
-            break
-    return p, model, float((n[estimated] * np.log(model.problem.vy[0, estimated])).sum())
 
 
 class _Subject:

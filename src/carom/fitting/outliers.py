@@ -39,8 +39,9 @@ def outliers_of(fit: Fit) -> tuple[list[Outlier], list[str]]:
     if len(d) < LEAST_ROWS or not d.any():
         return [], []
     steady = fit
-    if not fit.scatter and not problem.nu and fit.names:
-        steady = fit_law(fit.law, replace(problem, setting=replace(problem.setting, robust=True)))
+    if not problem.estimated.any() and not problem.nu and fit.names:
+        # (the scatter between contacts, if it was fitted, is in the error bars)
+        steady = fit_law(fit.law, replace(problem, setting=replace(problem.setting, robust=True, scatter="")))
     chi2 = rows_of_fit(fit, problem, steady.numbers)[1]
     # where no law fits, a row is an outlier among the others, not by error bars that are wrong for all
     scale = max(float(np.median(chi2[d > 0] / distribution.median(d[d > 0]))), 1.0)

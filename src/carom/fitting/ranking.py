@@ -9,9 +9,10 @@ from dataclasses import dataclass, replace
 from carom.data.rebounds import Rebounds
 from carom.errors import CaromError, require_type
 from carom.files import require_library
+from carom.fitting.adequacy import Adequacy, Coverage, adequacy, coverage
 from carom.fitting.cross_validation import cross_validated_score, score_warnings
 from carom.fitting.data import Setting, make_problem, require_settings
-from carom.fitting.evidence import UNLIKELY, Evidence, decisive, odds_in_words, verdict_words, weigh
+from carom.fitting.evidence import Evidence, decisive, odds_in_words, verdict_words, weigh
 from carom.fitting.fit import fit_law, kinked_rows_warning
 from carom.fitting.laws import laws_named
 from carom.fitting.model import SETTING_NUMBERS
@@ -46,16 +47,16 @@ class Ranking:
 
     ranked: tuple[Ranked, ...]
     verdict: str
-    """One sentence."""
+    """Which law, by what odds, whether it fits, and for which contacts, in words."""
     odds: float
     """Of the best law against the best that does not contain it; infinite where there is no other, NaN where rows without error
     bars are too few."""
     against: str
     """That other law."""
-    fits: bool
-    """Whether the best law fits: chi^2 is as expected by chance (always so where the scatter was estimated)."""
-    enlarge: float
-    """Factor by which all error bars would have to be enlarged for the best law to fit; 1 where it does."""
+    adequacy: Adequacy
+    """Whether the best law describes the data at all, by tests of it alone."""
+    coverage: Coverage
+    """The contacts from which the verdict comes, and to which it is limited."""
     outliers: tuple[Outlier, ...]
     notes: tuple[str, ...]
     swayed: bool = False
@@ -67,9 +68,19 @@ class Ranking:
         return self.ranked[0].fit
 
     @property
+    def fits(self) -> bool:
+        """Whether the best law fits: chi^2 is as expected by chance (where it is known), and residuals show no pattern."""
+        return self.adequacy.fits
+
+    @property
+    def enlarge(self) -> float:
+        """Factor by which all error bars would have to be enlarged for the best law to fit; 1 where chi^2 is likely."""
+        return self.adequacy.enlarge
+
+    @property
     def decisive(self) -> bool:
-        """Whether the data decide for a law that fits, whatever the outliers."""
-        return decisive(self.fits, self.odds) and not self.swayed
+        """Whether the data decide for a law that fits, whatever the outliers, and not only for a small range of contacts."""
+        return decisive(self.fits, self.odds) and not self.swayed and not self.coverage.narrow
 
     @property
     def degenerate(self) -> list[str]:
@@ -100,6 +111,9 @@ class Ranking:
             "against": self.against or None,
             "fits": self.fits,
             "enlarge_error_bars": self.enlarge,
+            "adequacy": self.adequacy.as_dict(),
+            "coverage": self.coverage.as_dict(),
+            "decisive": self.decisive,
             "outliers": [vars(outlier) for outlier in self.outliers],
             "swayed_by_outliers": self.swayed,
             "notes": list(self.notes),
@@ -185,8 +199,8 @@ def fit_laws(
         raise CaromError(*(f"{rebounds.source}: {note}" for note in notes))
     fits.sort(key=lambda fit: fit.aicc)
     best = fits[0]
-    fits_well, enlarge = _goodness(best)
-    evidence = weigh(fits, 1.0 if fits_well else enlarge)
+    found, covers = adequacy(best), coverage(problem)
+    evidence = weigh(fits, found.enlarge)
     ranked = []
     for i, (fit, weight) in enumerate(zip(fits, evidence.weights.tolist(), strict=True)):
         tell(f"error bars of {fit.law.name}", FIT_SHARE + (1 - FIT_SHARE) * i / len(fits))
@@ -198,15 +212,17 @@ def fit_laws(
     few = rival is not None and any(_too_few(fit) for fit in (best, rival))
     tell("outliers", 1.0)
     outliers, said = outliers_of(best)
-    verdict, swayed = _verdict(best, evidence, few, fits_well, enlarge), bool(said)
+    verdict, swayed = _verdict(best, evidence, few, found, covers), bool(said)
     if swayed:
         which = f"{outliers[0].row} alone sways" if len(outliers) == 1 else f"{len(outliers)} outliers sway"
-        verdict = f"{verdict[:-1]}; {which} this: leave out what was no such bounce, or fit with --robust."
+        verdict = (
+            f"{verdict} {which[0].upper() + which[1:]} this: leave out what was no such bounce, or fit with --robust."
+        )
     said += score_warnings(best.law.name, scores, rival.law.name if rival else "")
     said += [warning for warning in (kinked_rows_warning(best),) if warning]
     return Ranking(
         tuple(ranked), verdict, math.nan if few else evidence.odds, rival.law.name if rival else "",
-        fits_well, enlarge, tuple(outliers), tuple(dict.fromkeys([*notes, *said])), swayed,
+        found, covers, tuple(outliers), tuple(dict.fromkeys([*notes, *said])), swayed,
     )  # fmt: skip
 
 
@@ -224,27 +240,24 @@ def _with_error_bars(fit: Fit, profiles: bool | None, draws: int | None, seed: i
     return with_bootstrap(fit, draws, seed) if draws and fit.names else fit
 
 
-def _goodness(fit: Fit) -> tuple[bool, float]:
-    """Return whether a fit's chi^2 is likely, and the factor on error bars that makes it so."""
-    from scipy.stats import chi2 as distribution
-
-    if fit.dof <= 0 or fit.scatter or fit.problem.nu:
-        return True, 1.0
-    return bool(distribution.sf(fit.chi2, fit.dof) > UNLIKELY), max(math.sqrt(fit.chi2 / fit.dof), 1.0)
-
-
 def _too_few(fit: Fit) -> bool:
     """Whether the measured numbers are too few for AICc to mean anything: its correction is derived for errors whose scatter is
     estimated from many more (Hurvich & Tsai 1989 go down to some three a parameter). Where error bars are given there is none."""
     return bool(fit.scatter) and fit.problem.count < LEAST_DATA * fit.k
 
 
-def _verdict(best: Fit, evidence: Evidence, few: bool, fits_well: bool, enlarge: float) -> str:
-    first = ""
-    if not fits_well:
+def _verdict(best: Fit, evidence: Evidence, few: bool, found: Adequacy, covers: Coverage) -> str:
+    """Return the verdict in one sentence: which law, by what odds, how well it fits, and for which contacts."""
+    first, name = "", best.law.called
+    if not found.chi2_likely:
         first = (
-            f"No law fits: the best, {best.law.called}, has chi^2 {best.chi2:.4g} for {best.dof} degrees of"
-            f" freedom; error bars would have to be {enlarge:.2g} times as large. With such error bars, "
+            f"No law fits: the best, {name}, has chi^2 {best.chi2:.4g} for {best.dof} degrees of freedom; error bars would have"
+            f" to be {found.enlarge:.2g} times as large (--scatter fits what contacts scatter beyond them). With such error bars, "
+        )
+    elif not found.fits:
+        first = (
+            f"No law fits: the residuals of the best, {name}, depend on what came before ({found.pattern}, p ="
+            f" {found.pattern_probability:.1g}). Of laws that are all approximations, "
         )
     if few:
         said = (
@@ -254,6 +267,9 @@ def _verdict(best: Fit, evidence: Evidence, few: bool, fits_well: bool, enlarge:
         )
     else:
         reason = f"{odds_in_words(evidence.odds)} over {evidence.rival.law.name}" if evidence.rival else ""
-        said = verdict_words(best.law.called, evidence, "the data", evidence.odds, reason)
+        said = verdict_words(
+            name, evidence, "the data", evidence.odds, reason, nearest=not found.fits, narrow=covers.narrow
+        )
+        said += "" if first else f"; {found.in_words()}"
     said = first + said if first else said[0].upper() + said[1:]
-    return said + "."
+    return f"{said}. This is for contacts like these: {covers.in_words()}."

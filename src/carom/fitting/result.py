@@ -80,7 +80,11 @@ class Fit:
     untold: tuple[str, ...] = ()
     """The parameters concerned."""
     scatter: dict[str, float] = field(default_factory=dict)
-    """Of the outputs without error bars."""
+    """Of the outputs without error bars, or between ``contacts`` beyond the error bars."""
+    contact_scatter: Estimate | None = None
+    """The scatter between contacts, where it was fitted: a share of the speed before the wall, or m/s,"""
+    determinants: float = 0.0
+    """and what log det S has grown by with it, in all rows."""
 
     @property
     def k(self) -> int:
@@ -101,6 +105,14 @@ class Fit:
         """Schwarz's criterion."""
         return self.deviance + self.k * math.log(self.problem.count)
 
+    @property
+    def scatter_in_words(self) -> str:
+        """The scatter between contacts with its unit; empty where it was not fitted."""
+        if self.contact_scatter is None:
+            return ""
+        unit = " m/s" if self.problem.setting.scatter == "absolute" else " of the speed"
+        return f"scatter {with_error_bar(self.contact_scatter)}{unit if self.contact_scatter.value else ''}"
+
     def predicted(self) -> Array:
         """Return the prediction (N, 3) for each row; rows without spin at the mean of its prior."""
         return predict_law(self.law, self.problem, self.numbers)
@@ -116,6 +128,7 @@ class Fit:
             "parameters": {name: estimate_dict(estimate) for name, estimate in self.estimates.items()},
             "covariance": covariance_dict(self.names, self.covariance),
             "scatter": self.scatter,
+            "contact_scatter": None if self.contact_scatter is None else estimate_dict(self.contact_scatter),
             "shared_errors": dict(
                 zip((one.name for one in self.problem.shared), self.numbers[NUMBERS:].tolist(), strict=True)
             ),

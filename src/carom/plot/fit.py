@@ -235,7 +235,9 @@ def _laws(ranking: Ranking) -> str:
     for i, one in enumerate(ranking.ranked):
         fit = one.fit
         numbers = "<br>".join(f"{html.escape(n)} {_estimate(e)}" for n, e in fit.estimates.items()) or "none"
-        if fit.scatter:
+        if fit.contact_scatter is not None:
+            numbers += "<br>" + fit.scatter_in_words
+        elif fit.scatter:
             numbers += "<br>scatter: " + ", ".join(f"{n} {s:.3g}" for n, s in fit.scatter.items())
         goodness = "–" if fit.scatter or fit.dof <= 0 else f"{fit.chi2:.1f} / {fit.dof}"
         cells = _cell(f"<b>{fit.law.name}</b><br>{html.escape(fit.law.words)}", False) + _cell(f"{fit.aicc:.1f}")

@@ -1,0 +1,160 @@
+"""Scatter that no error bar has: of outputs without error bars, or of contacts beyond the error bars that are given.
+
+Outputs without error bars have one scatter each, estimated from the law's residuals. The scatter between contacts is one number s
+that adds in quadrature to the error bars after the wall: s times the speed before it ("share"), or s itself ("absolute"); of a spin
+over the radius. It is found in turn with the law's parameters, as the minimum of the deviance and log det S(s) - log det S(0).
+Without error bars before the wall, that is the likelihood; with them, log det S beyond its change in s has no place
+(:mod:`carom.fitting.deviance`).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.fitting.data import Problem
+from carom.fitting.model import FitModel, feels_spins, predict_law
+from carom.fitting.result import Estimate
+
+__all__ = ["Scattered", "log_determinants", "with_contact_scatter", "with_estimated_scatter"]
+
+Array = NDArray[np.float64]
+Search = Callable[[FitModel], Array]
+Descend = Callable[[FitModel, Array], Array]
+ROUNDS, CONTACT_ROUNDS = 40, 12
+FIRST_SHARE = 0.05  # of the speed: the scatter with which the search begins
+SETTLED = 2e-3  # of the scatter: it is found
+LEAST_SHARE, MOST_SHARE = 1e-5, 1.0
+CURVATURE_STEP = 0.1  # of log s
+JACOBIAN_STEP = 0.1  # of an error bar before the wall
+GOLDEN = (math.sqrt(5) - 1) / 2
+CONTACT_SCATTER = "contacts"
+
+
+class Scattered(NamedTuple):
+    """Places from which to descend, the model with its scatter, and what that adds to the deviance."""
+
+    p: Array
+    model: FitModel
+    extra: float
+    scatter: dict[str, float]
+    estimate: Estimate | None
+
+
+def with_estimated_scatter(model: FitModel, search: Search, descend: Descend) -> Scattered:
+    """Fit parameters and the scatter of outputs without error bars in turn until neither changes."""
+    problem = model.problem
+    columns = [column[np.isfinite(column)] for column in problem.y.T]
+    size = np.array([column.std() if len(column) else 1.0 for column in columns]) / 3 + 1e-9
+    n = np.isfinite(problem.y).sum(axis=0)
+    estimated = problem.estimated & (n > 0)
+
+    def having(variance: Array, which: NDArray[np.bool_]) -> FitModel:
+        vy = model.problem.vy.copy()
+        vy[:, which] = variance[which]
+        return replace(model, problem=replace(model.problem, vy=vy))
+
+    model = having(np.square(size), problem.estimated)
+    p = search(model)
+    for _ in range(ROUNDS):
+        p = descend(model, p)[None]
+        gap = np.nan_to_num(problem.y - predict_law(model.law, model.problem, p[0]))
+        new = np.maximum(np.square(gap).sum(axis=0) / np.maximum(n, 1), np.square(1e-9 * (size + 1)))
+        old = model.problem.vy[0]
+        model = having(new, estimated)
+        if np.all(np.abs(new - old)[estimated] < 1e-6 * old[estimated]):
+            break
+    outputs = ("v_n_out", "v_t_out", "spin_out" if model.law.kind == "planar" else "spin_z_out")
+    scatter = {outputs[j]: math.sqrt(model.problem.vy[0, j]) for j in np.flatnonzero(problem.estimated).tolist()}
+    extra = float((n[estimated] * np.log(model.problem.vy[0, estimated])).sum())
+    return Scattered(p, model, extra, scatter, None)
+
+
+def with_contact_scatter(model: FitModel, search: Search, descend: Descend) -> Scattered:
+    """Fit parameters and the scatter between contacts in turn until neither changes."""
+    plain, unit = model.problem, _unit(model.problem)
+    size = float(np.median(np.hypot(plain.x[:, 0], plain.x[:, 1]))) if plain.setting.scatter == "absolute" else 1.0
+    low, high = math.log(LEAST_SHARE * size), math.log(MOST_SHARE * size)
+
+    def having(s: float) -> FitModel:
+        return replace(model, problem=replace(plain, vy=plain.vy + np.square(s * unit)))
+
+    def deviance(p: Array, log_s: float) -> float:
+        at = having(math.exp(log_s))
+        rows = replace(at, free=at.free[:0]).row_deviances(p)[0]
+        return float(rows.sum() + log_determinants(at, p).sum() - log_determinants(model, p).sum())
+
+    log_s = math.log(FIRST_SHARE * size)
+    p = search(having(math.exp(log_s)).without_shared())
+    for turn in range(CONTACT_ROUNDS):
+        at = having(math.exp(log_s))
+        p = descend(at if turn else at.without_shared(), p)[None]
+        was = log_s
+        # later the scatter is near where it was
+        reach = (low, high) if turn == 0 else (max(low, was - 0.5), min(high, was + 0.5))
+        log_s = _least(lambda x, here=p[0]: deviance(here, x), *reach, SETTLED / 4 if turn else 0.05)  # type: ignore[misc]
+        if abs(log_s - was) < SETTLED or log_s < low + 0.1:
+            break
+    if log_s < low + 0.1:
+        return Scattered(p, model, 0.0, {CONTACT_SCATTER: 0.0}, Estimate(0.0, None, "none beyond the error bars"))
+    s, at = math.exp(log_s), having(math.exp(log_s))
+    around = [deviance(p[0], log_s + step) for step in (-CURVATURE_STEP, 0.0, CURVATURE_STEP)]
+    curvature = (around[0] + around[2] - 2 * around[1]) / CURVATURE_STEP**2
+    stderr = s * math.sqrt(2 / curvature) if curvature > 0 else None
+    extra = float(log_determinants(at, p[0]).sum() - log_determinants(model, p[0]).sum())
+    return Scattered(p, at, extra, {CONTACT_SCATTER: s}, Estimate(s, stderr))
+
+
+def _unit(problem: Problem) -> Array:
+    """(N, 3): by how much a scatter of 1 moves what is measured after the wall."""
+    speed = np.hypot(problem.x[:, 0], problem.x[:, 1])
+    velocity = np.ones(len(speed)) if problem.setting.scatter == "absolute" else speed
+    return np.stack([velocity, velocity, velocity / problem.setting.radius], axis=-1)
+
+
+def _least(value: Callable[[float], float], low: float, high: float, close: float) -> float:
+    """Return where a function is least, by the golden section."""
+    one, two = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
+    at_one, at_two = value(one), value(two)
+    while high - low > close:
+        if at_one < at_two:
+            high, two, at_two = two, one, at_one
+            one = high - GOLDEN * (high - low)
+            at_one = value(one)
+        else:
+            low, one, at_one = one, two, at_two
+            two = low + GOLDEN * (high - low)
+            at_two = value(two)
+    return (low + high) / 2
+
+
+def log_determinants(model: FitModel, p: Array) -> Array:
+    """Return log det S of each row (N,), as far as its deviance is relative to it: of a row whose spin was not measured, of the
+    normal part and of the variances along the wall under a mirror law."""
+    law, problem = model.law, model.problem
+    seen = np.isfinite(problem.y)
+    s = np.einsum("im,mn->imn", problem.vy, np.eye(3))
+    here = predict_law(law, problem, p)
+    for o in range(3):
+        size = np.sqrt(problem.vx[:, o])
+        if not size.any():
+            continue
+        step = size[:, None] * np.eye(3)[o] * JACOBIAN_STEP
+        moved = np.nan_to_num(predict_law(law, replace(problem, x=problem.x + step), p) - here) / JACOBIAN_STEP
+        s += moved[:, :, None] * moved[:, None, :]
+        if o < 2:  # errors before and after that go together
+            slope = moved / np.where(size > 0, size, 1.0)[:, None]
+            s[:, :, o] -= slope * problem.covariance[:, o, None]
+            s[:, o, :] -= slope * problem.covariance[:, o, None]
+    pair = seen[:, :, None] & seen[:, None, :]
+    s = np.where(pair, s, np.eye(3))
+    found = np.linalg.slogdet(s)[1]
+    if feels_spins(law, problem):
+        side = np.where(seen, problem.vy + problem.vx, 1.0)[:, 1:].prod(axis=1)
+        found = np.where(problem.unknown, np.log(s[:, 0, 0] * side), found)
+    return np.asarray(found)
