@@ -514,3 +514,45 @@ def test_settings_of_another_kind() -> None:
     with pytest.raises(CaromError) as error:
         Settings(view="below", window="x", radius="y").check()  # type: ignore[arg-type]
     assert [line.split(":")[1] for line in error.value.faults] == [" window", " radius", " view"]
+
+
+SOFT = 0.06
+
+
+def soft(run: carom.Trajectory, camera: Camera, rng: np.random.Generator, shot_name: str) -> Track:
+    """A film of walls that give way: for 60 ms after a contact the ball is up to 4 mm nearer to the wall than free motion has it."""
+    track = seen(run, camera, rng)
+    places = track.position.copy()
+    for event in run.events.of("wall"):
+        since = track.time - event.t
+        n = np.asarray(event.impulse)[:2]
+        some = (since > 0) & (since < SOFT)
+        places[some] -= 4e-3 * (1 - since[some, None] / SOFT) * n / np.hypot(*n)
+    return replace(track, position=places, group=shot_name)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_soft_wall_is_found_on_eleven_shots_and_its_time_has_an_error_that_the_rows_share(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    on = surfaces(rng)
+    films = [soft(shot(rng, on=on), Camera(50, 3e-4), rng, f"shot {k}") for k in range(11)]
+    measured = measure(films, Settings(radius=0.0, view="above"))
+    blind, frame = measured.blind, measured.interval
+    assert blind.before <= 0.5 * frame
+    assert blind.after > frame
+    assert abs(blind.after - SOFT) < 2 * blind.after_error + frame
+    assert any("± " in note and "changes the median restitution by" in note for note in measured.notes)
+    kept = measure(films, Settings(radius=0.0, view="above", blind=0.0))
+    assert kept.blind == (0, 0, 0, 0)
+    rows, all_frames = to_rebounds(measured), to_rebounds(kept)
+    assert "blind_v_n_out" not in all_frames.extra
+    if any(blind[2:]):
+        shift = np.array(rows.extra["blind_v_n_out"], float)
+        assert (rows.sigma["v_n_out"] >= np.abs(shift)).all()
+
+
+def test_frames_that_show_free_motion_are_all_kept() -> None:
+    for seed in range(4):
+        _on, measured, rows = filmed("with", Camera(60, 3e-4), seed, 11)
+        assert measured.blind[:2] == (0, 0), seed
+        assert "blind_v_n_out" not in rows.extra

@@ -176,7 +176,8 @@ def _facts(found: TrackFile, measured: Measured, stage: str, sliding: bool) -> d
         "noise": _plain(measured.noise),
         "noise_given": measured.noise_given,
         "rounded_to": [_plain(x) for x in measured.step],
-        "blind": list(measured.blind),
+        "blind": list(measured.blind[:2]),
+        "blind_stderr": list(measured.blind[2:]),
         "tracks": [
             {"group": track.group, "name": track.name, "samples": len(track), "missing": int((~track.seen).sum()),
              "time": [_plain(track.time.min()), _plain(track.time.max())]} for track in found.tracks

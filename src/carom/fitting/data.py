@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 MAX_SHARED_VARIANCE = 0.95  # of a variance: the rest is a row's own
 MAX_CORRELATION = 0.95  # of errors before and after: a row with fully correlated errors would carry no information
 # What a film measures once for all its rows: the prefix of the columns, and its name
-SHARED = {"cloth": "cloth friction", "rolling": "rolling resistance"}
+SHARED = {"cloth": "cloth friction", "rolling": "rolling resistance", "blind": "blind time"}
 CLOTH_FRICTION = 0.2  # of a billiard table, where nothing else is known
 SCATTERS = ("share", "absolute")
 MAX_SPIN = 5.0  # mean or width of spins before the wall, in v/a

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
@@ -108,6 +109,9 @@ class TrackContact:
     fit: ContactFit | None = None
     why: str = ""
     """Why it was not measured; empty if it was."""
+    blind_shift: Mapping[str, float] | None = None
+    """By how much its velocities (m/s, by their names in the fit) change with one standard deviation less of the
+    blind time; None where that has no error."""
     spin: TrackedSpin = field(default_factory=TrackedSpin)
     last: float = np.nan
     """Time of the last frame of the fit, s."""

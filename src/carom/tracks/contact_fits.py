@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.tracks.blind import BlindTime, estimate_blind_time
 from carom.tracks.contact import Settings, TrackContact, TrackedSpin, View, motion_before_resolved
 from carom.tracks.contact_models import fit_flight, fit_table
 from carom.tracks.events import TrackEvent, WallLine
@@ -15,7 +16,7 @@ from carom.tracks.floor import WithError, pool_floor, pool_gravity
 from carom.tracks.least_squares import AT_CONTACT, ContactFit, Prior
 from carom.tracks.track import Track
 
-__all__ = ["ContactFitter", "blind_time"]
+__all__ = ["ContactFitter"]
 
 Array = NDArray[np.float64]
 MIN_FRAMES_BEFORE, MIN_FRAMES_AFTER = 4, 5
@@ -27,6 +28,7 @@ MAX_SINGLE_FRAMES, GROUPS, NEAR_FRAMES = 160, 56, 8
 MAX_EXCESS_SCATTER = 3.0
 # The first knows no noise, and the floor from the literature; the second estimates the floor from starts near the truth.
 ROUNDS = 3
+VELOCITIES = ("vn_in", "vt_in", "vn_out", "vt_out", "vn_roll", "vt_roll")
 Progress = Callable[[int, int], None]
 NAMES = {"wall": "the wall {}", "ball": "ball {}", "gap": "a gap", "start": "the start of the track",
          "end": "the end of the track", "onset": "the ball's start"}  # fmt: skip
@@ -41,8 +43,8 @@ class ContactFitter:
     walls: dict[str, WallLine]
     interval: float
     noise: float
-    blind: tuple[float, float] = (0.0, 0.0)
-    """Times before and after a contact whose frames are left out, s."""
+    blind: BlindTime = field(default_factory=BlindTime)
+    """Times before and after a contact whose frames are left out."""
     floor: dict[str, WithError] = field(default_factory=dict)
 
     def run(
@@ -66,24 +68,58 @@ class ContactFitter:
         for number in range(ROUNDS):
             found = self._round(jobs, known, found, number, progress)
             if number == 0 and self.settings.blind is None:
-                self._find_blind(found, notes)
+                self.blind = estimate_blind_time(found, self.interval)
             if number < ROUNDS - 1:
                 owners = [(one.group, one.track) for one in found]
                 fits = [one.fit for one in found]
                 # a ball that slides where rolling is assumed, or rolls where sliding is, would bias the estimate of the floor
                 usable = [_determines_floor(one) for one in found]
                 self.floor, known = together(fits, owners, known, prior, self.settings.gravity, usable)
-        return [self._checked(one) for one in found or []]
+        done = [self._checked(one) for one in found or []]
+        if not any(self.blind[:2]):
+            return done
+        shifted = self._with_blind_error(jobs, known, done) if any(self.blind[2:]) else done
+        notes.append(self._blind_note(shifted))
+        return shifted
 
-    def _find_blind(self, found: list[TrackContact], notes: list[str]) -> None:
-        """Determine the blind time from the residuals of the first fits."""
-        self.blind = blind_time(found, self.interval)
-        if any(self.blind):
-            before, after = (f"{1e3 * blind:.3g} ms" for blind in self.blind)
-            notes.append(
-                f"frames up to {before} before and {after} after a contact scatter across the wall twice as much as"
-                " others (a soft wall, or a tracker that smooths): left out (--blind 0 keeps them)"
+    def _with_blind_error(
+        self, jobs: list[tuple[Track, list[TrackEvent], int]], priors: Sequence[Prior], found: list[TrackContact]
+    ) -> list[TrackContact]:
+        """Add to each contact by how much its velocities change with one standard deviation less of the blind time.
+
+        (With more, contacts would lose the frames that determine their velocities, and change by chance.)
+        """
+        blind, shifted = self.blind, []
+        before, after = max(blind.before - blind.before_error, 0.0), max(blind.after - blind.after_error, 0.0)
+        self.blind = blind._replace(before=before, after=after)
+        for job, prior, one in zip(jobs, priors, found, strict=True):
+            other = self._contact(*job, prior, one).fit if one.fit is not None else None
+            changes = (
+                {}
+                if one.fit is None or other is None
+                else {name: float(np.nan_to_num(other[name] - one.fit[name])) for name in VELOCITIES}
             )
+            shifted.append(replace(one, blind_shift=changes))
+        self.blind = blind
+        return shifted
+
+    def _blind_note(self, found: list[TrackContact]) -> str:
+        """Say which frames are left out, and what one standard deviation of that time changes."""
+        (before, after), errors = self.blind[:2], self.blind[2:]
+        times = [
+            f"{1e3 * time:.3g} ± {1e3 * error:.2g} ms" for time, error in zip((before, after), errors, strict=True)
+        ]
+        fits = [(one.fit, one.blind_shift) for one in found if one.fit is not None and one.blind_shift]
+        effect = ""
+        if fits:
+            e = [fit["vn_out"] / -fit["vn_in"] for fit, _shift in fits]
+            new = [(fit["vn_out"] + shift["vn_out"]) / -(fit["vn_in"] + shift["vn_in"]) for fit, shift in fits]
+            change = float(np.median(new) - np.median(e))
+            effect = f"; one standard deviation less changes the median restitution by {change:+.2g}, as the error bars allow for"
+        return (
+            f"frames up to {times[0]} before and {times[1]} after a contact scatter across the wall far more than"
+            f" others (a soft wall, or a tracker that smooths): left out (--blind 0 keeps them){effect}"
+        )
 
     def _round(
         self, jobs: list[tuple[Track, list[TrackEvent], int]], priors: Sequence[Prior], before: list[TrackContact] | None,
@@ -168,11 +204,11 @@ class ContactFitter:
                     0, np.intp
                 ), f"{name} is met within two frames: contacts that the frames cannot separate"
         # the frame nearest to another wall may lie on either side of that contact
-        low = max(before.high + self.blind[1] * (before.kind == "wall"), middle - self.settings.window)
-        high = min(after.low - self.blind[0] * (after.kind == "wall"), middle + self.settings.window)
+        low = max(before.high + self.blind.after * (before.kind == "wall"), middle - self.settings.window)
+        high = min(after.low - self.blind.before * (after.kind == "wall"), middle + self.settings.window)
         rows = np.arange(np.searchsorted(track.time, low), np.searchsorted(track.time, high, "right"))
         t, x = track.time[rows] - middle, track.position[rows]
-        use = (t < -self.blind[0]) | (t > self.blind[1])
+        use = (t < -self.blind.before) | (t > self.blind.after)
         for other_wall in self.walls.values():
             # a single frame on the extreme line may have been clamped there: no other row would show it
             if other_wall.clamped or other_wall.found:
@@ -254,33 +290,6 @@ def averaged_frames(t: Array, x: Array, middle: float) -> tuple[Array, Array, Ar
         places.append(np.stack(means[1:], axis=-1)[rows])
         weights.append(np.sqrt(count[keep][rows]))
     return np.concatenate(times), np.concatenate(places), np.concatenate(weights)
-
-
-def blind_time(contacts: Sequence[TrackContact], interval: float) -> tuple[float, float]:
-    """Return for how long (s) before and after contacts the positions across the wall scatter twice as much as elsewhere.
-
-    In steps of half a frame, as long as there are enough contacts. A wall that gives way affects the frames of the contact
-    itself, a tracker that smooths some frames after it.
-    """
-    parts = [(one.fit.time - one.fit["t"], one.fit.residuals[:, 0]) for one in contacts if one.fit is not None]
-    if not parts:
-        return 0.0, 0.0
-    frames = np.concatenate([part[0] for part in parts]) / interval
-    size = np.abs(np.concatenate([part[1] for part in parts]))
-    far = size[np.abs(frames) > 5]
-    if len(far) < 50:
-        return 0.0, 0.0
-    usual = float(np.quantile(far, 0.8))
-    found = []
-    for side in (-frames, frames):
-        k = 0
-        while k < 40:
-            there = size[(side >= k / 2) & (side < (k + 1) / 2)]
-            if len(there) < 15 or np.quantile(there, 0.8) < 1.8 * usual:
-                break
-            k += 1
-        found.append(k / 2 * interval)
-    return found[0], found[1]
 
 
 def pooled_noise(contacts: Sequence[TrackContact], otherwise: float) -> float:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.files import require_library
+from carom.tracks.blind import BlindTime
 from carom.tracks.contact import Settings, TrackContact, View
 from carom.tracks.contact_fits import ContactFitter, Progress
 from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
@@ -52,7 +53,7 @@ class Measured:
     """Step to which positions were rounded along each axis, m; 0 if there is no sign of rounding."""
     interval: float
     """Between frames, s."""
-    blind: tuple[float, float]
+    blind: BlindTime
     """Times before and after a contact whose frames were left out, s."""
     floor: dict[str, WithError] = field(default_factory=dict)
     """Estimates from all contacts: ``cloth friction`` and ``rolling resistance``, or ``gravity`` (m/s^2), with their errors."""
@@ -126,7 +127,7 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, progress:
         for track in seen
     }
     job = ContactFitter(
-        settings, view, {wall.name: wall for wall in walls}, interval, noise, (settings.blind or 0.0,) * 2
+        settings, view, {wall.name: wall for wall in walls}, interval, noise, BlindTime(*(settings.blind or 0.0,) * 2)
     )
     found = job.run(seen, events, notes, progress)
     if not walls:

@@ -136,6 +136,14 @@ def _row(one: TrackContact, number: int, stage: str, spin: str) -> dict[str, Any
         "stage": stage,
         "covariance_v_n": -fit.covariance_of("vn_in", out[0]), "covariance_v_t": fit.covariance_of("vt_in", out[1]),
     }  # fmt: skip
+    if one.blind_shift is not None:  # all rows share the error of the blind time
+        names = {"v_n_in": "vn_in", "v_t_in": "vt_in", "v_n_out": out[0], "v_t_out": out[1]}
+        shift = {name: one.blind_shift.get(inner, 0.0) for name, inner in names.items()}
+        shift["v_n_in"] *= -1
+        row |= {f"sigma_{name}": float(np.hypot(row[f"sigma_{name}"], change)) for name, change in shift.items()}
+        row["covariance_v_n"] += shift["v_n_in"] * shift["v_n_out"]
+        row["covariance_v_t"] += shift["v_t_in"] * shift["v_t_out"]
+        row |= {f"blind_{name}": change for name, change in shift.items()}
     if not one.planar:
         for side in ("in", "out"):
             for axis in "nt":
