@@ -139,4 +139,4 @@ def test_the_contact_law_is_impact_and_says_what_it_leaves_out():
     )
     assert law.objections(in_flight, answer) == []
     on_floor = carom.Meeting(ball, carom.rolling(ball), wall=wall)
-    assert "leaves out the floor" in law.objections(on_floor, law.answer(on_floor))[0]
+    assert "ignores the floor" in law.objections(on_floor, law.answer(on_floor))[0]

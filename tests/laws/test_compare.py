@@ -66,19 +66,19 @@ def test_a_ball_that_never_rolls() -> None:
     assert verdict.reflection_angle is None
     assert verdict.energy_ratio is None
     assert verdict.energy_ratio_after_wall == pytest.approx(39 / 49)
-    assert verdict.remarks[-1] == "it never rolls again: the floor has no friction, so it slides on for ever"
+    assert verdict.remarks[-1] == "the ball never rolls again: the floor has no friction, so the ball slides for ever"
 
 
 @pytest.mark.parametrize(
     ("given", "said"),
     [
-        ({"friction": 0.1}, "slides on the wall, whose friction 0.1 is below the 0.202"),
+        ({"friction": 0.1}, "slides on the wall: its friction 0.1 is below the 0.202 required for sticking"),
         ({"floor_friction": 0.1}, "lands sliding: the floor's friction 0.1 is below"),
         ({"cushion_height": 1.3, "friction": 0.2, "floor_friction": 0.2}, "presses the ball on the floor"),
         ({"floor_restitution": 0.5}, "bounces"),
-        ({"angle": 0.0, "spin_z": 20.0}, "turns to the left"),
-        ({"angle": 0.0, "spin_z": -20.0}, "turns to the right"),
-        ({"angle": 20.0, "spin_z": -100.0}, "to the side it came from"),
+        ({"angle": 0.0, "spin_z": 20.0}, "leaves to the left"),
+        ({"angle": 0.0, "spin_z": -20.0}, "leaves to the right"),
+        ({"angle": 20.0, "spin_z": -100.0}, "to the side of the normal from which it came"),
     ],
 )  # fmt: skip
 def test_remarks(given: dict[str, float], said: str) -> None:
@@ -88,7 +88,9 @@ def test_remarks(given: dict[str, float], said: str) -> None:
 def test_remarks_are_only_what_happens() -> None:
     meeting = carom.incoming()
     answer = carom.LAWS["two-step"].answer(meeting)
-    assert list(remarks_on(meeting, answer, answer.final)) == ["it flies 35.8 mm far and 2.08 mm high, for 41.2 ms"]
+    assert list(remarks_on(meeting, answer, answer.final)) == [
+        "the ball flies for 41.2 ms, 35.8 mm far and up to 2.08 mm high"
+    ]
 
 
 def test_a_cushion_touches_at_its_nose() -> None:

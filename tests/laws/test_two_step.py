@@ -191,11 +191,11 @@ def test_brute_force_agrees_on_what_happens_and_where_it_ends():
     assert not two.rolls[meets].any()
     toward = (v[:, :2] * n[:, :2]).sum(axis=-1) / size(v, w, 0.03)
     assert two.rolls[clear & (toward > 1e-5)].all()
-    back = np.char.find(two.why, "rolls back into the wall") >= 0
+    back = np.char.find(two.why, "rolls back to the wall") >= 0
     assert back[clear & (toward < -1e-5)].all()
     assert not back[toward > 1e-5].any()
     assert (clear & (toward < -1e-5)).sum() > 5
-    said = np.char.startswith(two.why, "it meets the wall again in flight")
+    said = np.char.startswith(two.why, "the ball meets the wall again in flight")
     assert said[in_flight < -margin].all()
     assert not said[in_flight > -1e-9].any()
     assert (in_flight < -margin).sum() > 2
@@ -322,7 +322,7 @@ ROLLING = carom.rolling(BALL, (-1.0, 1.0))
 @pytest.mark.parametrize(
     ("state", "options", "words"),
     [
-        (ROLLING, {"gravity": 0.0}, "no gravity"),
+        (ROLLING, {"gravity": 0.0}, "without gravity"),
         (ROLLING, {"floor": carom.Surface(0, 0)}, "no friction"),
         (ROLLING, {"wall": carom.Surface(1, 0), "floor": carom.Surface(0, 0)}, "no friction"),
         (ROLLING, {"floor": carom.Surface(1, 0.2)}, "bounces for ever"),
@@ -374,7 +374,7 @@ def test_soft_sticking_wall():
     for e in (0.05, edge * (1 - 1e-9)):
         two = carom.two_step(BALL, carom.rolling(BALL, (-1.0, 0.3)), wall=carom.Surface(e))
         assert not two.rolls
-        assert "rolls back into the wall" in two.why
+        assert "rolls back to the wall" in two.why
     for e in (edge * (1 + 1e-9), 0.5, 1.0):
         two = carom.two_step(BALL, carom.rolling(BALL, (-1.0, 0.3)), wall=carom.Surface(e))
         assert two.rolls

@@ -479,13 +479,13 @@ WRONG = {
     ),
     "conventional, tilted": (
         SOUND.replace("[1, 0, 0]", "[1, 0, 1]").replace("restitution = 0.8\n", "") + "[run]\nlaw = 'conventional'\n",
-        "walls[0]: expected hypothesis 1: a vertical wall (no other leaves it on the floor), for the law conventional, got a plane"
-        " through (0, 0, 0) with normal (0.707107, 0, 0.707107)",
+        "walls[0]: expected hypothesis 1: a vertical wall (any other lifts the ball or presses it down), for the law conventional,"
+        " got a plane through (0, 0, 0) with normal (0.707107, 0, 0.707107)",
     ),
     "conventional, lossy": (
         SOUND + "[run]\nlaw = 'conventional'\n",
-        "walls[0].restitution: expected hypothesis 3: a wall of restitution 1 (with less, the energy would have to come from"
-        " nowhere), for the law conventional, got 0.8",
+        "walls[0].restitution: expected hypothesis 3: a wall of restitution 1 (with less, energy would have to be created),"
+        " for the law conventional, got 0.8",
     ),
     "conventional, no floor": (
         PLANE.replace("restitution = 0.8\n", "") + BALL + "[run]\nlaw = 'conventional'\n",

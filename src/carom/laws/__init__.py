@@ -1,1 +1,1 @@
-"""Laws of impact, one law a file: its card, its kernel, and what scenes, billiards and fits need to know of it."""
+"""Laws of impact, one file per law: its card, its kernel, and what scenes, billiards and fits need to know about it."""

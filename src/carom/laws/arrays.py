@@ -1,6 +1,6 @@
 """Validate states, normals and parameters, broadcast them to rows, and apply a kernel to every row.
 
-A few rows are handled by the kernel as plain Python, many by a loop that Numba compiles; both give the same bits. Rows are
+A few rows are evaluated in plain Python, many in a loop compiled by Numba; the results are bitwise identical. Rows are
 velocities and spins (N, 3), normals (N or 1, 3), parameters (N or 1, K); a single row of normals or parameters serves all.
 """
 
@@ -26,13 +26,13 @@ __all__ = [
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
-# Below this many rows compiling, or loading what was compiled, costs more than it saves.
+# With fewer rows, compiling the loop or loading it from the cache takes longer than it saves.
 FEW = 400
 WallKernel = Callable[[Vec, Vec, Vec, float, float, float, float, float], tuple[Vec, Vec]]
 
 
 def unit_normal(normal: ArrayLike) -> Array:
-    """Unit normals (..., 3) of surfaces, from vectors of any length; CaromError where one has none."""
+    """Return unit normals (..., 3) from vectors of any length; CaromError if one has zero length."""
     try:
         n = float_array(normal)
     except (TypeError, ValueError):
@@ -61,7 +61,7 @@ def unit_normal(normal: ArrayLike) -> Array:
 
 @dataclass(frozen=True)
 class StateRows:
-    """N rows: velocities and spins (N, 3), normals (N or 1, 3), parameters (N or 1, K), and the shape they came in."""
+    """N rows: velocities and spins (N, 3), normals (N or 1, 3), parameters (N or 1, K), and the shape of the input."""
 
     shape: tuple[int, ...]
     velocity: Array
@@ -81,7 +81,7 @@ class StateRows:
 
 
 def rows_of(state: State, normal: Array, *parameters: Any) -> StateRows:
-    """Broadcast a state, unit normals and numbers; numbers that are the same for all stay a single row."""
+    """Broadcast a state, unit normals and parameters; parameters common to all states stay a single row."""
     v, w = state.velocity, state.spin
     if v.ndim == 1 and normal.ndim == 1 and all(type(x) is float for x in parameters):
         return StateRows((), v[None], w[None], normal[None], np.array([parameters]))
@@ -99,14 +99,14 @@ def rows_of(state: State, normal: Array, *parameters: Any) -> StateRows:
 
 
 def approaching(state: State, normal: Array) -> Any:
-    """Mask (...): where a ball does not move away from the wall, u_n <= 0, by more than the rounding of a turned normal."""
+    """Return a mask (...): whether a ball does not move away from the wall, u_n <= 0 up to the rounding of the normal."""
     broadcast_shape(state.shape, normal.shape[:-1])
     v = state.velocity
     return np.asarray((v * normal).sum(axis=-1) <= ROUNDING * np.abs(v).sum(axis=-1))
 
 
 def require_approach(ball: Ball, state: State, normal: Array) -> None:
-    """CaromError where a ball moves away from the wall, or a disc leaves its plane, or one is not the other."""
+    """Raise CaromError if a ball moves away from the wall, or a disc leaves its plane."""
     require_type("law", "ball", ball, Ball)
     require_type("law", "state", state, State)
     if state.velocity.ndim == 1 and normal.ndim == 1:
@@ -134,9 +134,9 @@ def require_approach(ball: Ball, state: State, normal: Array) -> None:
 def answer_rows(
     kernel: Callable[..., Any], loop: Callable[..., None], rows: StateRows, widths: str, *more: Any
 ) -> list[Any]:
-    """What a kernel returns for every row, in its order: "v" a vector (..., 3), "x" a number, "c" a code.
+    """Return a kernel's results for all rows; ``widths`` gives their types: "v" vector (..., 3), "x" number, "c" code.
 
-    One row goes straight through the kernel, as Python numbers; many go through the loop.
+    A single row is passed to the kernel as Python numbers; many rows are evaluated by the loop.
     """
     if rows.shape == ():
         found = kernel(
@@ -154,7 +154,7 @@ def answer_rows(
 
 
 def state_arrays(state: State, out: State) -> list[Array]:
-    """Velocities and spins of both states, (3 N,); what is written into must be contiguous, or a copy would be."""
+    """Return velocities and spins of both states as flat views (3 N,); CaromError if ``out`` is not contiguous."""
     for name, array in (("velocity", out.velocity), ("spin", out.spin)):
         if not array.flags.c_contiguous or array.shape != state.velocity.shape:
             raise CaromError(
@@ -166,8 +166,8 @@ def state_arrays(state: State, out: State) -> list[Array]:
 
 @functools.cache
 def wall_law_rows(law: WallKernel) -> Callable[..., None]:
-    """The loop over rows of any wall law with the signature (v, w, n, a, kappa, e, mu, beta) -> (v, w)."""
-    kernel(law)  # compiled loops call only what is marked, and a law of a user's own need not be
+    """Return the loop over rows of a wall law with the signature (v, w, n, a, kappa, e, mu, beta) -> (v, w)."""
+    kernel(law)  # compiled loops call only functions marked as kernels, and a custom law need not be marked
 
     def rows(v: Array, w: Array, n: Array, p: Array, v1: Array, w1: Array) -> None:
         sn, sp = min(n.shape[0] - 1, 1), min(p.shape[0] - 1, 1)
@@ -187,8 +187,8 @@ def wall_law_rows(law: WallKernel) -> Callable[..., None]:
     return rows
 
 
-# Loops over kernels from outside carom: the cache's key is a hash of carom's own sources, so it would go on answering
-# with a law that its owner has changed.
+# Loops over custom kernels are not cached: the cache's key is a hash of carom's own sources, so an outdated version of a
+# custom law would be loaded after it has been edited.
 _FRESH: set[Callable[..., None]] = set()
 
 
@@ -200,12 +200,12 @@ def _compiled(loop: Callable[..., None]) -> Callable[..., None]:
 
 
 def loop_for(loop: Callable[..., None], rows: int) -> Callable[..., None]:
-    """The loop as Python for a few rows, compiled for many."""
+    """Return the loop: in Python for a few rows, compiled for many."""
     return _quiet(loop) if rows < FEW else _compiled(loop)
 
 
 def _quiet(loop: Callable[..., None]) -> Callable[..., None]:
-    """A loop run by Python meets NumPy's numbers, which warn of 0 * inf where compiled code does not."""
+    """Suppress the warnings of NumPy scalars (0 * inf), which compiled code does not give."""
 
     def quiet(*args: Any) -> None:
         with np.errstate(all="ignore"):

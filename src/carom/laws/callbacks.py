@@ -1,7 +1,7 @@
-"""A wall law that is not compiled into the engine, a user's own or one with springs: called by the engine through its address.
+"""Wall laws that are not compiled into the engine (custom laws, spring models): the engine calls them through their address.
 
-So the engine is compiled once for all laws that will ever be written, and no longer for those that few ask for. (Numba's own
-functions as arguments would do as well, but each takes 75 us to hand over, longer than a whole shot.)
+So the engine is compiled once, for all custom laws, and its compilation is not lengthened by rarely used ones. (Numba's
+first-class functions would also work, but passing each takes 75 us, longer than a whole shot.)
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ NUMBERS = 14  # velocity, spin, normal, a, kappa, e, mu, beta
 
 
 def register_calls() -> None:
-    """Tell the compiler how laws are called."""
+    """Declare the signature by which compiled code calls laws."""
     register_answers()
 
 
@@ -28,7 +28,7 @@ def register_calls() -> None:
 def call_user(
     address: int, v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float
 ) -> tuple[Vec, Vec]:
-    """The law at an address."""
+    """Call the law at an address."""
     r = answer_at(address, (v[0], v[1], v[2], w[0], w[1], w[2], n[0], n[1], n[2], a, kappa, e, mu, beta))
     return (r[0], r[1], r[2]), (r[3], r[4], r[5])
 
@@ -40,10 +40,10 @@ def _write(out: Any, state: tuple[Vec, Vec]) -> None:
 
 @functools.cache
 def user_address(law: WallKernel, compiled: bool = True) -> int:
-    """Compile a law's kernel (0.1 to 0.3 s; one of carom's own is loaded from the second time on) and return its address.
+    """Compile a law's kernel (0.1 to 0.3 s; carom's own laws are cached) and return its address.
 
-    The address is valid as long as the process lives. With ``compiled`` false, one of carom's own laws gets an address that only
-    Python knows. (A law of the user's is compiled all the same: it need not give the same bits as Python.)
+    The address is valid for the lifetime of the process. With ``compiled`` false, one of carom's own laws gets an address
+    usable only from Python. (A custom law is always compiled, because its results in Python may differ by rounding.)
     """
     kernel(law)
 
@@ -53,6 +53,6 @@ def user_address(law: WallKernel, compiled: bool = True) -> int:
     ) -> None:  # fmt: skip
         _write(out, law((vx, vy, vz), (wx, wy, wz), (nx, ny, nz), a, kappa, e, mu, last))
 
-    # (the cache's key is a hash of carom's own sources: a law from elsewhere may have changed)
+    # (the cache's key is a hash of carom's own sources, which does not change with a custom law)
     own = str(law.__module__).startswith("carom.")
     return address_of(entry, NUMBERS, keep=own) if compiled or not own else python_address(entry)

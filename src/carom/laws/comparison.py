@@ -1,7 +1,7 @@
 """Compare every law's prediction for one incoming ball, and say which laws are admissible and why others are not.
 
-:func:`incoming` makes a :class:`~carom.laws.law.Meeting` of a speed, an angle and a spin; :func:`compare` asks every law;
-:func:`remarks_on` describes a prediction in sentences. Everything is computed as plain Python: one ball needs no compiling.
+:func:`incoming` makes a :class:`~carom.laws.law.Meeting` from a speed, an angle and a spin; :func:`compare` evaluates every
+law; :func:`remarks_on` describes a prediction in sentences. All of it runs as plain Python, so nothing is compiled.
 """
 
 from __future__ import annotations
@@ -51,41 +51,55 @@ def incoming(
     floor_contact: FloorContact = "with",
     stiffness_ratio: float = LIKE_SOLIDS,
 ) -> Meeting:
-    """One ball on its way to the wall x = 0, from plain numbers; the paper's example by default.
+    """Describe a ball that approaches the wall x = 0 by plain numbers; the paper's example by default.
 
     Parameters
     ----------
     speed : float
         Along the floor, m/s, > 0.
     angle : float
-        From the wall's normal, in degrees, 0 <= angle < 90: the ball moves along -x and +y.
+        Angle of incidence, from the wall's normal, degrees, 0 <= angle < 90: the ball moves along -x and +y.
     spin_z, spin_x, spin_y : float
-        Angular velocity in the fixed frame, rad/s. Left out, spin_x and spin_y are those of a ball that rolls (27), or
-        zero with ``sliding``.
+        Angular velocity in the fixed frame, rad/s. Default of spin_x and spin_y: those of a rolling ball (27), or zero
+        with ``sliding``.
+    sliding : bool
+        Whether spin_x and spin_y default to zero.
     vertical_speed : float
-        Upwards, m/s, just before the wall.
+        Upwards, just before the wall, m/s.
     height : float
-        Of the centre above its place on the floor just before the wall, m.
+        Of the centre above its position when the ball rests on the floor, just before the wall, m.
     inertia, radius, mass
-        The ball, as :class:`carom.Ball` takes them.
+        As in :class:`carom.Ball`.
     restitution, friction, tangential_restitution
-        The wall, as :class:`carom.Surface` takes them.
+        The wall, as in :class:`carom.Surface`.
     floor_restitution, floor_friction
-        The floor.
+        The floor, as in :class:`carom.Surface`.
     gravity : float
         m/s^2.
     cushion_height : float, optional
-        Of the wall's contact point above the floor, in radii, as for a cushion's nose: a billiard cushion has 1.2 to
-        1.4. Left out, the wall is a plane and touches the ball at the height of its centre.
+        Height of the contact point above the floor, in ball radii: 1.2 to 1.4 for the nose of a billiard cushion.
+        Default: the wall is a vertical plane and touches the ball at the height of its centre.
     floor_contact : "with" or "after"
-        As :func:`carom.two_step` takes it.
+        As in :func:`carom.two_step`.
     stiffness_ratio : float
-        Of the wall's contact, along the surface over normally, > 0, for the laws with tangential compliance; by default
-        that of like solids with Poisson's ratio 0.3.
+        Tangential over normal stiffness of the wall contact, > 0, for laws with tangential compliance. Default: that of
+        two solids of the same material with Poisson's ratio 0.3.
 
     Returns
     -------
-    Meeting. Raises CaromError with one line a fault, all faults at once.
+    Meeting
+
+    Raises
+    ------
+    CaromError
+        One line per problem, all problems at once.
+
+    Examples
+    --------
+    >>> import carom
+    >>> meeting = carom.incoming(speed=2.0, angle=30.0, restitution=0.85, friction=0.2)
+    >>> meeting.state.velocity.round(4).tolist()
+    [-1.7321, 1.0, 0.0]
     """
     found: list[str] = []
     ball = _gathered(found, "", lambda: Ball(radius, mass, inertia), Ball())
@@ -131,7 +145,7 @@ def incoming(
 
 
 def _gathered(found: list[str], name: str, make: Callable[[], Thing], instead: Thing) -> Thing:
-    """What ``make`` makes; where it cannot, its faults go to ``found``, said of ``name``."""
+    """Return the result of ``make``; if it fails, append its problems to ``found``, prefixed with ``name``."""
     try:
         return make()
     except CaromError as error:
@@ -141,34 +155,45 @@ def _gathered(found: list[str], name: str, make: Callable[[], Thing], instead: T
 
 @dataclass(frozen=True, eq=False)
 class Verdict:
-    """One law's prediction for one ball, and why the law may not apply."""
+    """One law's prediction for one ball, and why the law may not apply.
+
+    Examples
+    --------
+    >>> import carom
+    >>> verdict = carom.compare()["two-step"]
+    >>> verdict.admissible, round(verdict.reflection_angle, 2)
+    (True, 51.52)
+    """
 
     law: str
+    """The law's name."""
     admissible: bool
-    """Its conditions hold and there is no objection to its prediction."""
+    """Whether the law's conditions hold and there is no objection to its prediction."""
     why: tuple[str, ...]
-    """What is not admissible and why: plain sentences; none where it is."""
+    """Why the law is not admissible, in sentences; empty if it is."""
     remarks: tuple[str, ...]
-    """What happens that the numbers do not show at once."""
+    """What happens to the ball, as far as the numbers do not show it directly, in sentences."""
     after_wall: State | None
-    """None where the law refuses."""
+    """None if the law makes no prediction."""
     final: State | None
-    """None where the law refuses, or where the ball never rolls again."""
+    """None if the law makes no prediction, or the ball never rolls again."""
     angle_after_wall: float | None
-    """Degrees from the wall's normal, along the floor; None where the ball does not move."""
+    """Angle of the velocity just after the wall from the wall's normal, along the floor, degrees; None if the ball is at rest."""
     reflection_angle: float | None
-    """The same, of the final state."""
+    """The same angle for the final velocity, degrees."""
     energy_ratio: float | None
     """Final over incident kinetic energy."""
     energy_ratio_after_wall: float | None
+    """Kinetic energy just after the wall over that before it."""
     required_wall: float | None
-    """Friction that the wall must have for what the law says (two-step: to hold without sliding); inf: none will do."""
+    """Friction of the wall that the prediction requires (two-step: to stick); inf if no friction suffices."""
     required_floor: float | None
-    """The same of the floor, at the first landing."""
+    """Friction of the floor that the prediction requires, at the first landing."""
     answer: Answer | None
+    """The law's full answer; None if there is no prediction."""
 
     def as_dict(self) -> dict[str, Any]:
-        """As `carom compare --json` has it: no NaN (null), infinity as the string "inf"."""
+        """Return the verdict as in `carom compare --json`: NaN as None, infinity as the string "inf"."""
         steps = None if self.answer is None else self.answer.steps
         flight = None if steps is None else {key: plain(x) for key, x in vars(steps.flight).items()}
         wall = steps.wall if isinstance(steps, TwoStep) else None
@@ -192,22 +217,32 @@ class Verdict:
 
 @dataclass(frozen=True, eq=False)
 class Comparison:
-    """One incoming ball and every law's verdict on it."""
+    """Predictions of several laws for one incoming ball; ``comparison["two-step"]`` is the verdict on one law.
+
+    Examples
+    --------
+    >>> import carom
+    >>> comparison = carom.compare(laws=["mirror", "two-step"])
+    >>> [(verdict.law, round(verdict.reflection_angle, 2)) for verdict in comparison.verdicts]
+    [('mirror', 45.0), ('two-step', 51.52)]
+    """
 
     meeting: Meeting
+    """The incoming ball, the wall and the floor."""
     incident_angle: float
-    """Degrees from the wall's normal, along the floor."""
+    """Angle of incidence from the wall's normal, along the floor, degrees."""
     verdicts: tuple[Verdict, ...]
+    """One per law."""
 
     def __getitem__(self, law: str) -> Verdict:
-        """The verdict of a law by its name."""
+        """Return the verdict on a law by its name; KeyError if the law was not compared."""
         for verdict in self.verdicts:
             if verdict.law == law:
                 return verdict
         raise KeyError(law)
 
     def as_dict(self) -> dict[str, Any]:
-        """As `carom compare --json` has it; every number in full, null for none, "inf" for infinity."""
+        """Return the comparison as in `carom compare --json`: full precision, None if undefined, "inf" for infinity."""
         m = self.meeting
         return {
             "incident": {**(state_dict(m.state) or {}), "angle_deg": self.incident_angle},
@@ -225,30 +260,38 @@ class Comparison:
 
 
 def compare(meeting: Meeting | None = None, laws: Iterable[str | Law] | None = None) -> Comparison:
-    """Ask every law what becomes of one ball.
+    """Compare the predictions of several laws for one ball, and find which laws are admissible.
 
     Parameters
     ----------
     meeting : Meeting
-        One ball, one wall (:func:`incoming` makes one from a speed and an angle); the paper's example by default.
+        One ball, one wall (:func:`incoming` makes one from a speed and an angle). Default: the paper's example.
     laws : names or Laws
-        By default those of ``carom.LAWS``, in their order, without special cases of others (:attr:`Law.variant_of`); one
-        that leaves out the floor (contact) only for a ball above it.
+        Default: those of ``carom.LAWS``, in their order, without special cases of others (:attr:`Law.variant_of`); laws
+        that ignore the floor (contact) are included only for a ball above it.
 
     Returns
     -------
-    Comparison. A law that does not hold for this ball is in it too, with no numbers and the reason.
+    Comparison
+        A law whose conditions do not hold for this ball is listed too, without numbers and with the reason.
 
     Raises
     ------
-    CaromError for an unknown law (with the nearest name), for a ball that moves away from the wall, and for
-    more than one ball.
+    CaromError
+        For an unknown law (with the nearest name), for a ball that moves away from the wall, and for more than one ball.
+
+    Examples
+    --------
+    >>> import carom
+    >>> comparison = carom.compare(carom.incoming(speed=2.0, angle=30.0, restitution=0.85, friction=0.2))
+    >>> round(comparison["two-step"].reflection_angle, 2), comparison["mirror"].admissible
+    (41.17, False)
     """
     m = incoming() if meeting is None else meeting
     require_type("compare", "meeting", m, Meeting)
     parts = [m.ball.radius, m.ball.mass, m.ball.kappa, m.height, *vars(m.wall).values(), *vars(m.floor).values()]
     if m.state.shape or m.normal.ndim != 1 or any(np.ndim(x) for x in parts):
-        raise CaromError("compare: expected one ball and one wall, got arrays; a law by itself takes arrays")
+        raise CaromError("compare: expected one ball and one wall, got arrays; functions such as two_step take arrays")
     require_approach(m.ball, m.state, m.normal)
     if laws is None:
         aloft = m.height > 0 or m.ball.planar
@@ -257,21 +300,21 @@ def compare(meeting: Meeting | None = None, laws: Iterable[str | Law] | None = N
         raise CaromError(f"compare: laws: expected a sequence of names, got {laws!r:.60}; put them in a list")
     asked = [law if isinstance(law, Law) else law_named(law) for law in laws]
     angle = math.degrees(angle_from(m.normal, m.state, incoming=True))
-    once = {law.name: law for law in asked}  # a law named twice is asked once
+    once = {law.name: law for law in asked}  # a law named twice is evaluated once
     return Comparison(m, angle, tuple(_verdict(law, m) for law in once.values()))
 
 
 def _verdict(law: Law, meeting: Meeting) -> Verdict:
     missing = [expected for holds, expected, *_field in law.conditions(meeting) if not np.all(holds)]
     if missing:
-        return _refusal(law, f"no answer: it needs {'; and '.join(missing)}")
+        return _refusal(law, f"no prediction: it requires {'; and '.join(missing)}")
     try:
         answer = law.answer(meeting)
     except CaromError as error:
-        return _refusal(law, *(f"no answer: {fault}" for fault in error.faults))
+        return _refusal(law, *(f"no prediction: {fault}" for fault in error.faults))
     m = meeting
     if np.isnan(answer.after_wall.velocity).any():
-        return _refusal(law, f"no answer: {answer.why}")
+        return _refusal(law, f"no prediction: {answer.why}")
     why = tuple(law.objections(m, answer))
     final = None if np.isnan(answer.final.velocity).any() else answer.final
     energy = kinetic_energy(m.ball, m.state)
@@ -299,7 +342,7 @@ def _refusal(law: Law, *why: str) -> Verdict:
 
 
 def _angle(meeting: Meeting, state: State) -> float | None:
-    """Degrees, or None where the ball does not move along the floor by more than rounding."""
+    """Return the angle in degrees; None if the velocity along the floor is zero up to rounding."""
     size = float(np.abs(meeting.state.velocity).sum() + meeting.ball.radius * np.abs(meeting.state.spin).sum())
     if not float(np.abs(state.velocity[:2]).sum()) > 1e-12 * size:
         return None
@@ -312,28 +355,28 @@ def _known(x: ArrayLike) -> float | None:
 
 
 def plain(x: Any) -> Any:
-    """A number as JSON has it: None for NaN and None, "inf" for infinity."""
+    """Return a number for JSON: None for NaN and None, "inf" for infinity."""
     if x is None or math.isnan(x):
         return None
     return ("inf" if x > 0 else "-inf") if math.isinf(x) else float(x)
 
 
 def state_dict(state: State | None) -> dict[str, Any] | None:
-    """Velocity and spin as lists; None for no state, or one that is not known."""
+    """Return velocity and spin as lists; None if there is no state, or it is NaN."""
     if state is None or np.isnan(state.velocity).any():
         return None
     return {"velocity": state.velocity.tolist(), "spin": state.spin.tolist()}
 
 
 def remarks_on(meeting: Meeting, answer: Answer, final: State | None) -> Iterator[str]:
-    """Sentences on one ball; ``final`` is None where it never rolls."""
+    """Yield sentences on what happens to one ball; ``final`` is None if it never rolls."""
     steps = answer.steps
     if isinstance(steps, TwoStep):
         yield from _wall(meeting, steps)
     if steps is not None:
         yield from _floor(meeting, steps)
     if final is None:
-        yield f"it never rolls again: {answer.why}"
+        yield f"the ball never rolls again: {answer.why}"
     else:
         yield from _way(meeting, final)
 
@@ -343,16 +386,16 @@ def _wall(meeting: Meeting, steps: TwoStep) -> Iterator[str]:
     mu = float(meeting.wall.friction)
     if np.any(steps.floor_impulse != 0):
         end = _ENDS[hit.regime]
-        yield f"the wall presses the ball on the floor: both act at once, and the wall's contact ends by {end}"
+        yield f"the wall presses the ball on the floor: both act at once, and the wall contact ends {end}"
     elif hit.regime == "slide":
         needed = format_number(float(hit.required_friction))
-        yield f"the ball slides on the wall, whose friction {format_number(mu)} is below the {needed} that holding it needs"
+        yield f"the ball slides on the wall: its friction {format_number(mu)} is below the {needed} required for sticking"
     elif hit.regime == "graze":
-        yield "the ball only grazes the wall: no impulse"
+        yield "the ball only grazes the wall, without an impulse"
 
 
 _ENDS = {
-    "stick": "sticking", "slide": "sliding", "graze": "letting go", "jam": "jamming", "stall": "stalling",
+    "stick": "sticking", "slide": "sliding", "graze": "by separation", "jam": "jammed", "stall": "unresolved",
 }  # fmt: skip
 
 
@@ -360,33 +403,34 @@ def _floor(meeting: Meeting, steps: Settled) -> Iterator[str]:
     flight = steps.flight
     if math.isfinite(flight.duration) and flight.duration > 0:
         yield (
-            f"it flies {format_length(flight.distance)} far and {format_length(flight.height)} high,"
-            f" for {format_time(flight.duration)}" + (", bounces" if float(steps.after_floor.velocity[2]) > 0 else "")
+            f"the ball flies for {format_time(flight.duration)}, {format_length(flight.distance)} far and up to"
+            f" {format_length(flight.height)} high"
+            + (", and bounces" if float(steps.after_floor.velocity[2]) > 0 else "")
         )
         if steps.floor.regime == "slide" and steps.rolls:
             mu, needed = (
                 format_number(float(meeting.floor.friction)),
                 format_number(float(steps.floor.required_friction)),
             )
-            yield f"it lands sliding: the floor's friction {mu} is below the {needed} that holding it needs"
+            yield f"it lands sliding: the floor's friction {mu} is below the {needed} required for sticking"
     elif flight.duration == 0 and steps.rolls:
         left = slip(meeting.ball, steps.after_floor)
         speed = float(np.abs(steps.after_floor.velocity).sum())
         if float(np.abs(left).max()) > 1e-9 * speed:
-            yield "it stays on the floor and slides until it rolls"
+            yield "the ball stays on the floor and slides until it rolls"
 
 
 def _way(meeting: Meeting, final: State) -> Iterator[str]:
     v0, v = meeting.state.velocity, final.velocity
     size = float(np.abs(v0).sum() + meeting.ball.radius * np.abs(meeting.state.spin).sum())
     if not float(np.abs(v[:2]).sum()) > 1e-12 * size:
-        yield "it stops at the wall"
+        yield "the ball stops at the wall"
         return
     n = meeting.normal
     if float(n[0] * v[0] + n[1] * v[1]) < -1e-9 * size:
-        yield "its spin turns it round: it rolls back into the wall, and meets it again"
+        yield "its spin turns the ball round: it rolls back to the wall and meets it again"
     along0, along = (float(n[0] * u[1] - n[1] * u[0]) for u in (v0, v))
     if along0 * along < 0 and abs(along) > 1e-12 * size:
-        yield "it goes back along the wall to the side it came from"
+        yield "the ball returns to the side of the normal from which it came"
     elif along0 == 0 and abs(along) > 1e-12 * size:
-        yield f"it turns to the {'left' if along > 0 else 'right'} of the wall's normal"
+        yield f"the ball leaves to the {'left' if along > 0 else 'right'} of the wall's normal"

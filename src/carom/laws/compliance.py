@@ -1,4 +1,4 @@
-"""What the laws of tangential compliance share: numbers that they read, and when they may not apply."""
+"""Shared by the laws of tangential compliance: the parameters that they read, and when they may not apply."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ COMPLIANT_READS = ("restitution", "friction", "stiffness_ratio", *ON_FLOOR)
 
 
 def compliant_objections(meeting: Meeting, answer: Answer) -> list[str]:
-    """Object where a law of tangential compliance leaves something out."""
+    """Return why a law of tangential compliance may not apply."""
     found = drives_into_floor(meeting, answer)
     beta = float(np.max(np.abs(meeting.wall.tangential_restitution)))
     if beta > 0:
-        found.append("it has springs in the place of this wall's tangential restitution, which it does not read")
+        found.append("it models the tangential rebound by springs and ignores this wall's tangential restitution")
     return found

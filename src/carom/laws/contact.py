@@ -1,4 +1,4 @@
-"""The contact law: one contact, that sticks, slides or rebounds tangentially, and no floor takes part.
+"""The contact law: a single contact that sticks, slides or rebounds tangentially; the floor is ignored.
 
 The kernel is :func:`carom.core.contact.wall_contact`, equations (19), (28)-(31).
 """
@@ -37,13 +37,13 @@ Array = NDArray[np.float64]
 
 CARD = Card(
     name="contact",
-    summary="One contact and nothing else: it sticks, slides or rebounds tangentially, and no floor takes part.",
+    summary="A single contact, which sticks, slides or rebounds tangentially; the floor is ignored.",
     assumptions=(
         "one impact with restitution e, Coulomb friction mu and tangential restitution beta",
         "the ball touches nothing else, before or after",
     ),
-    valid="A ball in flight against any surface: dropped on glass, served at a racket. Where the contact holds and gives"
-    " back part of the slip, no single beta fits all angles: that is tangential compliance, which this law has not.",
+    valid="A ball in flight against any surface: dropped on glass, or hit by a racket. If the contact sticks and reverses"
+    " part of the slip, no single beta fits all angles: that is tangential compliance, which this law does not include.",
     equations="(19), (28)-(31)",
     citation="O. R. Walton & R. L. Braun, Viscosity, granular-temperature, and stress calculations for shearing"
     " assemblies of inelastic, frictional disks, J. Rheol. 30, 949-980 (1986).",
@@ -52,13 +52,16 @@ CARD = Card(
 
 
 def impact(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), surface: Surface = PAPER_WALL) -> Impact:
-    """One contact of a ball with a surface: it sticks, slides or rebounds tangentially.
+    """Compute a single contact of a ball with a surface, which sticks, slides or rebounds tangentially.
+
+    Source: the paper, (19), (28)-(31); Walton & Braun, J. Rheol. 30, 949 (1986), doi 10.1122/1.549893.
 
     Parameters
     ----------
     ball : Ball
+        Radius (m), mass (kg) and moment of inertia.
     state : State
-        Shape (...). It must move towards the surface, or along it.
+        Velocity (m/s) and spin (rad/s) before the contact, shape (...). The ball must move towards the surface or along it.
     normal : array (..., 3)
         From the surface to the ball; any length.
     surface : Surface
@@ -66,11 +69,21 @@ def impact(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), surfac
 
     Returns
     -------
-    Impact. Source: the paper, (19), (28)-(31); Walton & Braun, J. Rheol. 30, 949 (1986).
+    Impact
+        State after the contact, impulse (N s), required friction and regime, of shape (...).
 
     Raises
     ------
-    CaromError where a ball moves away, or a normal has no length.
+    CaromError
+        If a ball moves away from the surface, or a normal has zero length.
+
+    Examples
+    --------
+    >>> import carom
+    >>> ball = carom.Ball()
+    >>> hit = carom.impact(ball, carom.rolling(ball, (-1.0, 1.0)), surface=carom.Surface(restitution=0.9, friction=0.1))
+    >>> hit.regime, hit.after.velocity.round(4).tolist()
+    ('slide', [0.9, 0.8656, 0.1344])
     """
     require_type("impact", "surface", surface, Surface)
     n = unit_normal(normal)
@@ -85,9 +98,41 @@ def impact(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), surfac
 def impact_into(
     out: State, ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), surface: Surface = PAPER_WALL
 ) -> None:
-    """:func:`impact`, only the state after, into arrays (N, 3) that exist: one normal, one ball, one surface for all.
+    """Write the states after :func:`impact` into existing arrays; one normal, ball and surface for all N balls.
 
-    Nothing is checked and nothing allocated: this runs at the speed of memory. Balls that move away are left as they are.
+    The input is not validated and nothing is allocated, so the speed is limited by memory bandwidth.
+
+    Parameters
+    ----------
+    out : State
+        Receives velocities (m/s) and spins (rad/s) after the contact, contiguous arrays of shape (N, 3).
+    ball : Ball
+        The same for all; its numbers are scalars.
+    state : State
+        Velocities and spins before the contact, shape (N, 3). Balls that move away are copied unchanged.
+    normal : array (3,)
+        From the surface to the ball; any length.
+    surface : Surface
+        The same for all; its numbers are scalars.
+
+    Returns
+    -------
+    None
+        The result is in ``out``.
+
+    Raises
+    ------
+    CaromError
+        If an array of ``out`` has another shape or is not contiguous, or if the normal has zero length.
+
+    Examples
+    --------
+    >>> import carom, numpy as np
+    >>> before = carom.State(np.tile([-1.0, 0.5, 0.0], (3, 1)), np.zeros((3, 3)))
+    >>> after = carom.State(np.zeros((3, 3)), np.zeros((3, 3)))
+    >>> carom.impact_into(after, carom.Ball(), before, surface=carom.Surface(restitution=0.9, friction=0.1))
+    >>> after.velocity[0].round(4).tolist()
+    [0.9, 0.3571, 0.0]
     """
     parameters = (ball.radius, ball.kappa, surface.restitution, surface.friction, surface.tangential_restitution)
     v, w, v1, w1 = state_arrays(state, out)
@@ -97,7 +142,7 @@ def impact_into(
 def contact_rows(
     v: Array, w: Array, n: Array, p: Array, v1: Array, w1: Array, j: Array, required: Array, regime: Any
 ) -> None:
-    """One contact with all its results; parameters a, kappa, e, mu, beta; the impulse is per mass."""
+    """Compute all results of one contact per row; parameters a, kappa, e, mu, beta; impulses per unit mass."""
     sn, sp = min(n.shape[0] - 1, 1), min(p.shape[0] - 1, 1)
     for i in prange(v.shape[0]):
         k, q = i * sn, i * sp
@@ -112,8 +157,8 @@ def contact_rows(
         j[i, 0], j[i, 1], j[i, 2] = z
 
 
-# The two loops that run at the speed of memory: one wall, one ball, one floor for all, arrays flat, (3 N,), and in blocks.
-# A block is a function of its own and knows its step when it is compiled, so that it answers four balls at once.
+# The two loops limited by memory bandwidth: one wall, ball and floor for all, flat arrays (3 N,), processed in blocks.
+# A block is a separate function whose stride is a compile-time constant, so that it is vectorised (four balls at once).
 BLOCK = 1024
 
 
@@ -131,7 +176,7 @@ def _contact_block(
 
 
 def contact_final_rows(v: Array, w: Array, n: Array, p: Array, v1: Array, w1: Array) -> None:
-    """One contact, velocity and spin only: one normal (3,) and one row of parameters a, kappa, e, mu, beta for all."""
+    """Compute velocity and spin after one contact: one normal (3,) and one row of parameters a, kappa, e, mu, beta for all."""
     normal, count = (n[0], n[1], n[2]), v.shape[0]
     a, kappa, e, mu, beta = p[0], p[1], p[2], p[3], p[4]
     for block in prange((count + 3 * BLOCK - 1) // (3 * BLOCK)):
@@ -150,7 +195,7 @@ def _objections(meeting: Meeting, answer: Answer) -> list[str]:
     m = meeting
     grounded = np.any((np.asarray(m.height) == 0) & (m.state.velocity[..., 2] == 0))
     moved = np.any(answer.after_wall.velocity[..., 2] != 0) or np.any(slips_on_floor(m, answer.after_wall))
-    return ["it leaves out the floor, which this ball lies on"] if grounded and moved and not m.ball.planar else []
+    return ["it ignores the floor on which this ball rests"] if grounded and moved and not m.ball.planar else []
 
 
 LAW = Law(

@@ -3,11 +3,11 @@
 The paper, section 2, (16)-(26); Treschev & Zubelevich; the rolling reflection of nonholonomic billiards (Borisov, Kilin
 & Mamaev). With y along the wall, (17) and (21) leave two roots:
 
-* a omega_z and y unchanged: nothing happens along the wall (rolling ball, mirror angle); friction plays no part;
+* a omega_z and y unchanged: no change along the wall (a rolling ball reflected at the mirror angle, without friction);
 * the slip y - a omega_z at the wall is reversed, (26): the root of the paper, (22).
 
-The second is taken, as the paper does: it is the only one that answers to the constraint (4) imposed at the instant,
-whose impulse is not zero where there is slip to act on; the first says that the constraint does nothing.
+The second is taken, as in the paper: only with it does the constraint (4), imposed at the instant of impact, exert an
+impulse where there is slip; with the first root that constraint has no effect.
 """
 
 from __future__ import annotations
@@ -40,15 +40,15 @@ __all__ = ["CARD", "LAW", "conventional", "conventional_reflection", "mirror_roo
 
 CARD = Card(
     name="conventional",
-    summary="Rolling stays rolling, the normal velocity is reversed, the energy is conserved: the slip at the wall reverses.",
+    summary="The ball keeps rolling, its normal velocity and its slip at the wall are reversed, and the energy is conserved.",
     assumptions=(
         "1: the ball rolls without sliding before and after",
         "2: the normal velocity is reversed (19), with e = 1",
         "3: the energy is conserved (21)",
-        "wall and floor hold the ball at once, with impulses that friction need not be able to give",
+        "wall and floor act on the ball at once, with impulses that need not be compatible with friction",
     ),
-    valid="The rolling reflection of nonholonomic billiards; a mathematical model. It asks the wall to pull the ball down and"
-    " the floor for a friction above 1, so no real ball follows it.",
+    valid="The rolling reflection of nonholonomic billiards; a mathematical model. It requires that the wall pull the ball"
+    " down and that the floor have a friction above 1, so no real ball follows it.",
     equations="(16)-(26)",
     citation="D. V. Treschev & O. E. Zubelevich, Introduction to the Mechanics of Systems with Impacts; the paper, section 2.",
 )
@@ -81,7 +81,7 @@ def conventional_reflection(v: Vec, w: Vec, n: Vec, a: float, kappa: float) -> t
 
 @kernel
 def mirror_root(v: Vec, w: Vec, n: Vec, a: float, kappa: float) -> tuple[Vec, Vec]:
-    """The other root of (17) and (21): what moves along the wall goes on, the ball rolls off at the mirror angle."""
+    """The other root of (17) and (21): the motion along the wall is unchanged, the ball rolls off at the mirror angle."""
     return _rolling(-(v[0] * n[0] + v[1] * n[1]), _tangential(v, n), w[2], n, a)
 
 
@@ -89,19 +89,44 @@ def mirror_root(v: Vec, w: Vec, n: Vec, a: float, kappa: float) -> tuple[Vec, Ve
 def conventional_kernel(
     v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float
 ) -> tuple[Vec, Vec]:
-    """Velocity and spin after the wall, in the form of every wall's law."""
+    """Velocity and spin after the wall, with the signature of every wall law."""
     return conventional_reflection(v, w, n, a, kappa)
 
 
 def conventional(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), restitution: Any = 1.0) -> State:
-    """Return the state (...) after a vertical wall under the conventional law: rolling, at once.
+    """Return the state after a vertical wall under the conventional law, in which the ball rolls at once.
 
-    Source: the paper, (16)-(26). Of the two roots that the hypotheses leave, the one that reverses the slip at the wall;
-    the other is the rolling mirror (:func:`carom.laws.conventional.mirror_root`).
+    Source: the paper, (16)-(26). The hypotheses admit two roots; this is the one that reverses the slip at the wall. The
+    other is the rolling mirror (:func:`carom.laws.conventional.mirror_root`).
 
-    Raises CaromError where a hypothesis fails: the ball must roll on the floor, the wall be vertical, and the
-    ``restitution`` be 1. With e < 1 the energy could only be kept if what the normal motion loses went into the motion
-    along the wall, from which a ball that comes in square and without spin would have to choose a side.
+    Parameters
+    ----------
+    ball : Ball
+        Radius (m), mass (kg) and moment of inertia.
+    state : State
+        Velocity (m/s) and spin (rad/s) of a ball that rolls on the floor towards the wall, shape (...).
+    normal : array (..., 3)
+        Horizontal, from the wall to the ball; any length.
+    restitution : float
+        Must be 1. With e < 1 the energy could be conserved only if the normal motion passed its loss to the motion along
+        the wall, and a ball that arrives along the normal without spin would have no preferred side.
+
+    Returns
+    -------
+    State
+        The rolling state after the wall, shape (...).
+
+    Raises
+    ------
+    CaromError
+        If a hypothesis fails: the ball slips on the floor, the wall is not vertical, or ``restitution`` is not 1.
+
+    Examples
+    --------
+    >>> import carom
+    >>> ball = carom.Ball()
+    >>> carom.conventional(ball, carom.rolling(ball, (-1.0, 1.0))).velocity.round(4).tolist()
+    [1.0, 0.5556, 0.0]
     """
     if np.any(np.asarray(restitution) != 1):
         raise CaromError(
@@ -112,11 +137,11 @@ def conventional(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), 
 
 
 def _conditions(meeting: Meeting) -> list[Condition]:
-    """The hypotheses: the ball rolls on the floor, the wall is vertical and returns all of the normal velocity."""
+    """Return the hypotheses: the ball rolls on the floor, the wall is vertical and its restitution is 1."""
     grounded = np.asarray((meeting.state.velocity[..., 2] == 0) & (np.asarray(meeting.height) == 0))
     rolls = ~slips_on_floor(meeting, meeting.state)
-    vertical = "hypothesis 1: a vertical wall (no other leaves it on the floor)"
-    elastic = "hypothesis 3: a wall of restitution 1 (with less, the energy would have to come from nowhere)"
+    vertical = "hypothesis 1: a vertical wall (any other lifts the ball or presses it down)"
+    elastic = "hypothesis 3: a wall of restitution 1 (with less, energy would have to be created)"
     return [
         *approaches(meeting),
         Condition(grounded & rolls, "hypothesis 1: a ball that rolls on the floor without sliding", "floor"),
@@ -130,8 +155,8 @@ def _answer(meeting: Meeting) -> Answer:
     after = respond(conventional_kernel, meeting)
     none = np.full(after.shape, "")
     slipping = slips(meeting, meeting.state, meeting.normal)
-    # Wall and floor share one unknown: S_z, by which the floor pushes up and the wall pulls down. With more of it the
-    # friction that the floor needs falls towards 1 and stays above it: none at or below 1 will do. The wall's tends to 1 then.
+    # Wall and floor share one unknown: S_z, the impulse by which the floor pushes up and the wall pulls down. As S_z grows, the
+    # friction required of the floor falls towards 1 but stays above it, so no friction up to 1 suffices. The wall's tends to 1.
     needed = np.where(slipping, 1.0, 0.0)
     return Answer(after, after, needed, needed, none)
 
@@ -140,8 +165,8 @@ def _objections(meeting: Meeting, answer: Answer) -> list[str]:
     found = []
     if np.any(answer.required_floor > 0):
         found.append(
-            "it reverses the slip at the wall, which friction can only stop: the wall would have to pull the ball down"
-            " and the floor hold it with a friction above 1, at whatever impulses"
+            "it reverses the slip at the wall, whereas friction can only stop it: the wall would have to pull the ball down"
+            " and the floor would need a friction above 1, whatever the impulses"
         )
     return found
 

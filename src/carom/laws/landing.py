@@ -1,8 +1,8 @@
 """From the wall to rolling: the flight, the landings, and whether the ball rolls before it meets the wall again.
 
-Every impulse that the floor gives acts at the floor's contact point, so the angular momentum about that point (more
-exactly, the two components (37) along the floor, and omega_z) cannot change: however the ball lands, bounces and slides,
-if it rolls at last it rolls with (39) of the state in which it left the wall. What has to be found out is only whether.
+Every impulse of the floor acts at the floor's contact point, so the angular momentum about that point (more precisely its
+two components (37) along the floor, and omega_z) is conserved. However the ball lands, bounces and slides, its final rolling
+state is (39) of the state in which it left the wall. It remains to determine whether the ball reaches it.
 """
 
 from __future__ import annotations
@@ -29,20 +29,20 @@ __all__ = [
 
 Array = NDArray[np.float64]
 
-# Whether a ball that left the wall comes to roll, or why not; the texts are WHY[code].
+# Whether a ball that left the wall comes to roll, or why not; the texts are REASONS[code].
 ROLLS, NO_GRAVITY, NO_FRICTION, BOUNCES, IN_FLIGHT = 0, 1, 2, 3, 4
 BEFORE_ROLLING, TOO_MANY, NO_LAW, LOST, ROLLS_BACK = 5, 6, 7, 8, 9
 WHY = (
     "",
-    "there is no gravity to bring it back to the floor",
-    "the floor has no friction, so it slides on for ever",
-    "the floor returns everything, so it bounces for ever",
-    "it meets the wall again in flight, before it lands",
-    "it meets the wall again before it rolls: its spin turns it round",
+    "without gravity the ball does not return to the floor",
+    "the floor has no friction, so the ball slides for ever",
+    "the floor has restitution 1, so the ball bounces for ever",
+    "the ball meets the wall again in flight, before it lands",
+    "the ball meets the wall again before it rolls, because its spin turns it round",
     "undecided after a million bounces",
-    "wall and floor at once have no law with tangential restitution",
-    "wall and floor lock each other: not followed to its end",
-    "its spin turns it round: it rolls back into the wall and meets it again",
+    "no law with tangential restitution covers wall and floor at once",
+    "the ball is locked between wall and floor, and the integration stopped",
+    "its spin turns the ball round: it rolls back to the wall and meets it again",
 )
 
 MOST_BOUNCES = 1_000_000
@@ -50,7 +50,7 @@ MOST_BOUNCES = 1_000_000
 
 @kernel
 def fall(h: float, vz: float, g: float) -> float:
-    """Time of flight from height h with vertical velocity vz back to the floor (g > 0 wherever it flies)."""
+    """Time of flight from height h with vertical velocity vz back to the floor (g > 0 is assumed)."""
     if h == 0:
         return 2 * vz / g if vz > 0 else h
     return (vz + math.sqrt(vz * vz + 2 * g * h)) / g
@@ -69,7 +69,7 @@ def _dips(c: float, u: float, b: float, t: float, path: float) -> bool:
 def _meets_wall(  # noqa: PLR0911  (one return a fate)
     v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float, g: float, h: float
 ) -> int:
-    """Follow flight, bounces and sliding: ROLLS, or how the ball meets the wall first. c is its distance from it."""
+    """Follow flight, bounces and sliding; return ROLLS, or how the ball meets the wall first. c: distance from the wall."""
     t = fall(h, v[2], g)
     speed = math.sqrt(dot(v, v)) + a * math.sqrt(dot(w, w))
     path = speed * t
@@ -95,7 +95,7 @@ def _meets_wall(  # noqa: PLR0911  (one return a fate)
     _vz, s = slip_velocity((v[0], v[1], 0 * t), w, UP, a)
     slip = math.sqrt(s[0] * s[0] + s[1] * s[1])
     if slip > ROUNDING * (math.sqrt(dot(v, v)) + a * math.sqrt(dot(w, w))) and mu < math.inf:
-        # Coulomb: the slip dies at the rate mu g (1 + 1/kappa); an infinite friction takes no time for it
+        # Coulomb: the slip decreases at the rate mu g (1 + 1/kappa); with infinite friction it vanishes at once
         rate = mu * g * (1 + 1 / kappa)
         if not rate > 0:
             return NO_FRICTION
@@ -114,8 +114,8 @@ def _meets_wall(  # noqa: PLR0911  (one return a fate)
 
 @kernel
 def _fate(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float, g: float, h: float) -> int:
-    """:func:`fate` where it is not plain."""
-    if not g > 0 and h == 0 and v[2] < 0:  # pressed into the floor: it lands here and now, and only now
+    """:func:`fate` in the general case."""
+    if not g > 0 and h == 0 and v[2] < 0:  # pressed into the floor: it lands at once and never again
         v, w, _j, _required, _regime = wall_contact(v, w, UP, a, kappa, e, mu, beta)
     flies = h > 0 or v[2] != 0
     if flies and not g > 0:
@@ -136,13 +136,12 @@ def _fate(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, b
 
 @hot_kernel
 def fate(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float, g: float, h: float) -> int:
-    """Whether a ball that leaves the wall (normal n) in (v, w) at height h comes to roll: ROLLS, or why not.
+    """Return whether a ball that leaves the wall (normal n) with (v, w) at height h comes to roll: ROLLS, or why not.
 
-    e, mu, beta are the floor's. The ball touches the wall: its distance from it starts at zero.
+    e, mu, beta are the floor's. The ball touches the wall: its distance from the wall starts at zero.
     """
-    # The plain case: a vertical wall, a floor that rubs and does not return everything, and never overshoots. Then the
-    # velocity away from the wall goes straight from its first value to its last: while both are positive the ball only
-    # gets farther.
+    # The simple case: a vertical wall and a floor with friction, e < 1 and beta <= 0. Then the velocity away from the wall
+    # changes monotonically from its first value to its last: if both are positive, the ball only moves away.
     if n[2] == 0 and mu > 0 and e < 1 and beta <= 0 and g > 0:
         last, _w = rolls_at_last(v, w, a, kappa)
         if v[0] * n[0] + v[1] * n[1] > 0 and last[0] * n[0] + last[1] * n[1] > 0:
@@ -154,10 +153,10 @@ def fate(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, be
 def second_impact(
     v: Vec, w: Vec, n: Vec, a: float, kappa: float, ef: float, muf: float, betaf: float, g: float, h: float
 ) -> tuple[float, float, float, Vec, Vec, Vec, float, int, Vec, Vec, int]:
-    """What the floor makes of a ball that leaves a wall (normal n) in (v, w) at height h.
+    """Compute flight, landing and rolling of a ball that leaves a wall (normal n) with (v, w) at height h.
 
-    Flight (duration, height, distance), landing (velocity, spin, impulse per mass, required friction, regime), rolling
-    state (velocity, spin; NaN where there is none) and why there is none.
+    Returns flight (duration, height, distance), landing (velocity, spin, impulse per mass, required friction, regime),
+    rolling state (velocity, spin; NaN if the ball does not roll) and the code of the reason.
     """
     zero = v[0] - v[0]
     none = (zero, zero, zero)
@@ -166,7 +165,7 @@ def second_impact(
     if v[0] != v[0]:
         return x, x, x, missing, missing, missing, x, GRAZE, missing, missing, LOST
     if h == 0 and abs(v[2]) <= ROUNDING * (math.sqrt(dot(v, v)) + a * math.sqrt(dot(w, w))):
-        v = (v[0], v[1], zero)  # rounding is no hop
+        v = (v[0], v[1], zero)  # a vertical velocity of the size of rounding does not lift the ball
     why = fate(v, w, n, a, kappa, ef, muf, betaf, g, h)
     v3, w3 = rolls_at_last(v, w, a, kappa) if why == ROLLS else (missing, missing)
     if not (h > 0 or v[2] != 0):  # it never left the floor
@@ -187,7 +186,7 @@ def second_impact(
 def rolling_after(
     v: Vec, w: Vec, n: Vec, a: float, kappa: float, ef: float, muf: float, betaf: float, g: float, h: float
 ) -> tuple[Vec, Vec, int]:
-    """The rolling state of a ball that leaves the wall (normal n) in (v, w), and why there is none (then it is NaN)."""
+    """Rolling state (NaN if there is none) of a ball that leaves the wall (normal n) with (v, w), and the reason's code."""
     why = fate(v, w, n, a, kappa, ef, muf, betaf, g, h)
     if why == ROLLS:
         # (39)
@@ -202,7 +201,7 @@ def second_rows(
     t: Array, rise: Array, far: Array, v2: Array, w2: Array, j: Array, required: Array, regime: Any,
     v3: Array, w3: Array, why: Any,
 ) -> None:  # fmt: skip
-    """From the wall to rolling; parameters a, kappa, the floor's e, mu, beta, gravity, height."""
+    """Compute flight, landing and rolling per row; parameters a, kappa, the floor's e, mu, beta, gravity, height."""
     sn, sp = min(n.shape[0] - 1, 1), min(p.shape[0] - 1, 1)
     for i in prange(v.shape[0]):
         k, q = i * sn, i * sp
@@ -228,7 +227,7 @@ def landing_settings(gravity: float, height: ArrayLike, floor_contact: str) -> t
     g = checked_number(faults, "gravity", gravity, "a number >= 0 in m/s^2", lambda x: x >= 0)
     h = checked_number(faults, "height", height, "a length >= 0 in m", lambda x: x >= 0)
     if floor_contact not in ("with", "after"):
-        expected = "'with' (wall and floor at once) or 'after' (the wall alone, then the floor)"
+        expected = "'with' (wall and floor at once) or 'after' (first the wall, then the floor)"
         faults.add("floor_contact", expected, repr(floor_contact))
     faults.raise_if_any()
     return g, h, floor_contact == "with"
@@ -244,26 +243,32 @@ def settle(
 ) -> Settled:
     """Compute flight, first landing and the final rolling state of a ball that leaves a wall.
 
+    Source: the paper, section 3.3, (32)-(39).
+
     Parameters
     ----------
     ball : Ball
+        Radius (m), mass (kg) and moment of inertia.
     state : State
-        Shape (...), just after the wall.
+        Velocity (m/s) and spin (rad/s) just after the wall, shape (...).
     floor : Surface
+        Default: the paper's, e = 0, sticking.
     normal : array (..., 3)
-        Of the wall: whether the ball meets it again before it rolls is found out.
+        Of the wall, to determine whether the ball meets it again before it rolls.
     gravity : float
         m/s^2.
     height : float or array (...)
-        Of the centre above its place on the floor, m.
+        Of the centre above its position when the ball rests on the floor, m.
 
     Returns
     -------
-    Settled. Source: the paper, section 3.3, (32)-(39).
+    Settled
+        Flight, landing and rolling state, of shape (...).
 
     Raises
     ------
-    CaromError for a negative gravity or height, and for shapes that do not broadcast.
+    CaromError
+        For a negative gravity or height, and for shapes that do not broadcast.
 
     Examples
     --------
@@ -279,14 +284,14 @@ def settle(
 
 
 def settle_checked(ball: Ball, state: State, floor: Surface, n: Array, g: float, h: Any) -> Settled:
-    """:func:`settle` with arguments that were validated before."""
+    """:func:`settle` with validated arguments."""
     rows = rows_of(
         state, n, ball.radius, ball.kappa, floor.restitution, floor.friction, floor.tangential_restitution, g, h
     )
     t, rise, far, v2, w2, j, required, code, v3, w3, why = answer_rows(second_impact, second_rows, rows, "xxxvvvxcvvc")
     after = State.of(v2, w2)
     landing = state
-    if rows.shape != () or code:  # it landed: with the spin it had, and the velocity that the impulse then changed
+    if rows.shape != () or code:  # the state just before the landing: spin unchanged, vertical velocity from the flight
         landing = State.of(v2 - j, np.broadcast_to(state.spin, v2.shape))
     return Settled(
         normal=n,

@@ -1,7 +1,7 @@
-"""What a law of impact is: its card, its kernel, its answer, and what scenes, billiards and fits need to know of it.
+"""Descriptor of a law of impact: its card, its kernel, its prediction, and what scenes, billiards and fits need to know.
 
-A law is one file of this package that ends with ``LAW = Law(...)`` (or ``wall_law(CARD, kernel)``, where the kernel of the wall
-says it all). Everything else reads the descriptor: no other module names a law.
+A law is one file of this package that ends with ``LAW = Law(...)``, or with ``wall_law(CARD, kernel)`` if the kernel of the
+wall defines it completely. All other modules read the descriptor; none of them refers to a law by name.
 """
 
 from __future__ import annotations
@@ -31,12 +31,12 @@ Array = NDArray[np.float64]
 ON_WALL = ("restitution", "friction", "tangential_restitution")
 ON_FLOOR = ("floor_restitution", "floor_friction", "floor_tangential_restitution")
 SURFACES = (*ON_WALL, "stiffness_ratio", *ON_FLOOR)
-"""Numbers of wall and floor that a law may read."""
+"""Parameters of wall and floor that a law may read."""
 LIKE_SOLIDS = 14 / 17
-"""Tangential over normal stiffness of the contact of like solids, 2 (1 - nu)/(2 - nu), at nu = 0.3."""
+"""Tangential over normal contact stiffness of two solids of the same material, 2 (1 - nu)/(2 - nu), at nu = 0.3."""
 
-# How compiled loops (the event engine, billiards, fits) carry out a law. TWO_STEP_WALL: one contact, or wall and floor at once
-# where the wall presses the ball on the floor; CONTACT_WALL: one contact, whatever the ball lies on; ROLLING_WALL: the
+# How compiled loops (the event engine, billiards, fits) evaluate a law. TWO_STEP_WALL: one contact, or wall and floor at once
+# where the wall presses the ball on the floor; CONTACT_WALL: one contact, regardless of the floor; ROLLING_WALL: the
 # conventional reflection of a rolling ball; NO_SLIP_WALL, MIRROR_WALL: one contact with e = 1, beta = 1, and with mu = 0;
 # CALLED_WALL: the law's kernel, called by its address.
 TWO_STEP_WALL, ROLLING_WALL, NO_SLIP_WALL, MIRROR_WALL, CONTACT_WALL, CALLED_WALL = range(6)
@@ -44,57 +44,77 @@ TWO_STEP_WALL, ROLLING_WALL, NO_SLIP_WALL, MIRROR_WALL, CONTACT_WALL, CALLED_WAL
 
 @dataclass(frozen=True)
 class Card:
-    """What a law says of itself: `carom laws`, the documentation and citations are made from it.
+    """Summary, assumptions, range of validity and source of a law, as listed by `carom laws` and the documentation.
 
+    Examples
+    --------
     >>> import carom
     >>> carom.CARDS["no-slip"].doi
     '10.1016/0167-2789(93)90205-F'
     """
 
     name: str
+    """As in ``carom.LAWS``."""
     summary: str
     """One sentence."""
     assumptions: tuple[str, ...]
+    """One phrase each."""
     valid: str
-    """When to use it, and when not."""
+    """When to use the law, and when not to."""
     equations: str
-    """Where in its source, e.g. "paper (27)-(39)"."""
+    """Equation numbers in its source, e.g. "paper (27)-(39)"."""
     citation: str
+    """Authors, title or journal, year."""
     doi: str = ""
+    """Empty if there is none."""
 
 
 @dataclass(frozen=True, eq=False)
 class Meeting:
-    """A ball and what it meets. Shapes (...) as the states'; ``normal`` of unit length, from the wall to the ball."""
+    """A ball just before it meets a wall: all that a law may depend on. Shapes (...) are those of the state.
+
+    Examples
+    --------
+    >>> import carom
+    >>> meeting = carom.Meeting(carom.Ball(), carom.rolling(carom.Ball(), (-1.0, 1.0)))
+    >>> carom.LAWS["two-step"].answer(meeting).final.velocity.round(4).tolist()
+    [0.6327, 0.7959, 0.0]
+    """
 
     ball: Ball
+    """Radius, mass and moment of inertia."""
     state: State
+    """Velocity (m/s) and spin (rad/s) before the contact, shape (...)."""
     normal: Array = field(default_factory=lambda: np.array([1.0, 0.0, 0.0]))
+    """(..., 3), of unit length, from the wall to the ball."""
     wall: Surface = PAPER_WALL
+    """By default the paper's wall: e = 1, sticking."""
     floor: Surface = PAPER_FLOOR
+    """By default the paper's floor: e = 0, sticking."""
     gravity: float = GRAVITY
     """m/s^2."""
     height: Any = 0.0
-    """(...), m: of the centre above its place on the floor."""
+    """(...), m: of the centre above its position when the ball rests on the floor."""
     floor_contact: FloorContact = "with"
+    """Whether a ball that the wall presses down meets the floor together with the wall, or after it."""
     stiffness_ratio: Any = LIKE_SOLIDS
-    """(...): of the wall's contact, tangential over normal; read by the laws of tangential compliance."""
+    """(...): tangential over normal stiffness of the wall contact; read by laws with tangential compliance."""
 
 
 @dataclass(frozen=True, eq=False)
 class Answer:
-    """What a law predicts. Shapes (...) as the states'."""
+    """The prediction of a law. Shapes (...) are those of the state."""
 
     after_wall: State
     final: State
-    """The state when all is over: rolling again, or what the law leaves; NaN where there is none."""
+    """The final state: rolling again, or the last one that the law predicts; NaN where there is none."""
     required_wall: Any
-    """(...): the friction that the wall must have for what the law says; NaN where none can give it."""
+    """(...): the friction of the wall that the prediction requires; NaN where no friction suffices."""
     required_floor: Any
     why: Any
     """(...): why there is no final state; empty strings where there is one."""
     steps: Settled | None = None
-    """Flight, landing and the rest, where the law has them."""
+    """Flight, landing and final rolling, for laws that describe them."""
 
 
 class Condition(NamedTuple):
@@ -103,9 +123,9 @@ class Condition(NamedTuple):
     holds: Any
     """Mask (...)."""
     expected: str
-    """What is expected, as a phrase."""
+    """The hypothesis as a phrase, for messages of the form "expected ...".."""
     field: str = ""
-    """The number of the wall that it is about, where a scene can be checked for it before any ball moves: "restitution"..."""
+    """The wall parameter concerned, if a scene can be checked before any ball moves: "restitution"..."""
 
 
 @dataclass(frozen=True)
@@ -115,31 +135,33 @@ class FitSpec:
     kind: Literal["planar", "table"]
     """A bounce in the plane (ball in the air, disc), or a ball on a table."""
     phrase: str = ""
-    """What a report calls it; left out: the card's name."""
+    """Name of the law in reports. Default: the card's name."""
     free: tuple[str, ...] | None = None
-    """Numbers of the wall that are fitted; left out: those of the wall that the law reads and does not hold fixed."""
+    """Wall parameters that are fitted. Default: those that the law reads and does not hold fixed."""
     pinned: Mapping[str, float] = field(default_factory=dict)
-    """Numbers that it holds fixed beside those of :attr:`Law.pinned`, such as the floor's."""
+    """Parameters held fixed in addition to those of :attr:`Law.pinned`, such as the floor's."""
     nested_in: tuple[str, ...] = ()
-    """Laws that contain it: with some values of their own numbers they are this one, or as good as."""
+    """Laws that contain this one: for some values of their parameters they are equivalent to it, or nearly so."""
     upright: bool = False
-    """It has no cushion nose: the wall touches at the height of the centre."""
+    """The law has no cushion nose: the wall touches the ball at the height of its centre."""
     rolling_only: bool = False
-    """It is about balls that roll before the wall."""
+    """The law requires balls that roll before the wall."""
     redundant_upright: bool = False
-    """Where the wall touches at the height of the centre it is the law that it is a variant of, and is left out."""
+    """With a wall that touches at the height of the centre, the law equals the one of which it is a variant, and is omitted."""
     on_request: bool = False
-    """It takes part only where it is asked for by name."""
+    """The law is fitted only if it is requested by name."""
     same_as: str = ""
-    """For this kind of rebound it is another law, by this name."""
+    """Name of the law to which this one is equivalent for this kind of rebound."""
     absent: str = ""
-    """Why it cannot be fitted to this kind of rebound."""
+    """Why the law cannot be fitted to this kind of rebound."""
 
 
 @dataclass(frozen=True, eq=False)
 class Law:
-    """A law by name: when it may be applied, what it predicts, why it may not apply, and how others carry it out.
+    """A law: its conditions, its prediction, the objections to it, and how compiled loops and fits evaluate it.
 
+    Examples
+    --------
     >>> import carom
     >>> law = carom.LAWS["two-step"]
     >>> law.name, law.reads[:3]
@@ -147,38 +169,41 @@ class Law:
     """
 
     card: Card
+    """Summary, assumptions, validity and source."""
     answer: Callable[[Meeting], Answer]
-    """For states that meet the conditions."""
+    """The prediction, for states that meet the conditions."""
     conditions: Callable[[Meeting], list[Any]]
-    """Pairs of a mask (...) that must hold and what is expected (:class:`Condition`); states that fail one get no answer."""
+    """Pairs of a mask (...) that must hold and a phrase (:class:`Condition`); states that fail one get no prediction."""
     objections: Callable[[Meeting, Answer], list[str]]
-    """For one state: sentences on why the law may not apply; none where it can be true."""
+    """For one state: sentences on why the law may not apply; empty if it is admissible."""
     kernel: WallKernel | None = None
-    """The wall alone: (v, w, n, a, kappa, e, mu, last) -> (v, w); ``last`` is the number that :attr:`last` names."""
+    """The wall alone: (v, w, n, a, kappa, e, mu, last) -> (v, w); ``last`` is the parameter that :attr:`last` names."""
     reads: tuple[str, ...] | None = None
-    """Those numbers of wall and floor (:data:`SURFACES`) that it reads; None: unknown, it may read them all."""
+    """Parameters of wall and floor (:data:`SURFACES`) that the law reads; None: unknown, possibly all of them."""
     last: Literal["tangential_restitution", "stiffness_ratio"] = "tangential_restitution"
+    """Name of the last argument of the kernel."""
     response: int = CALLED_WALL
-    """How compiled loops carry it out (:data:`CALLED_WALL`: by its kernel)."""
+    """How compiled loops evaluate the law (:data:`CALLED_WALL`: through its kernel)."""
     pinned: Mapping[str, float] = field(default_factory=dict)
-    """Numbers of the wall that it holds fixed, whatever the surface says."""
+    """Wall parameters that the law holds fixed, whatever the surface has."""
     needs: tuple[str, ...] = ()
-    """Numbers of the wall that a scene must give."""
+    """Wall parameters that a scene must specify."""
     in_flight: bool = False
-    """It is about one contact: in a table without spins the ball is taken to fly."""
+    """The law describes a single contact: in a table without spins the ball is assumed to be in flight."""
     ignores_floor: bool = False
-    """It leaves out the floor: `compare` asks it only for a ball above the floor, unless it is named."""
+    """The law ignores the floor: by default `compare` includes it only for a ball above the floor."""
     variant_of: str = ""
-    """The law that it is a special case of; `compare` asks it only where it is named."""
+    """The law of which this one is a special case; `compare` includes it only if it is named."""
     fits: tuple[FitSpec, ...] = (FitSpec("planar"), FitSpec("table"))
+    """How the law is fitted to each kind of rebound."""
     aliases: tuple[str, ...] = ()
-    """Other names for it."""
+    """Other names of the law."""
     chi_range: tuple[float, float] | None = None
     """Range of stiffness_ratio (1 + 1/kappa)/2 over which the law is tabulated."""
     line: tuple[str, Any] | None = None
-    """Colour and dashes of its line in figures; left out: the next that is free."""
+    """Colour and dashes of its line in figures. Default: the next free ones."""
     order: int = 1000
-    """Its place in tables: laws stand in this order, then by name."""
+    """Position in tables: laws are sorted by this number, then by name."""
 
     @property
     def name(self) -> str:
@@ -187,16 +212,16 @@ class Law:
 
     @property
     def free(self) -> tuple[str, ...]:
-        """Numbers of the wall that a fit may adjust."""
+        """Wall parameters that a fit may adjust."""
         wall = (*ON_WALL[:2], self.last)
         return tuple(name for name in wall if (self.reads is None or name in self.reads) and name not in self.pinned)
 
 
-# --- asking the kernel of a wall ------------------------------------------------------------------------------------
+# --- evaluating the kernel of a wall --------------------------------------------------------------------------------
 
 
 def respond(law: WallKernel, meeting: Meeting, last: Any = None) -> State:
-    """Return the state (...) after a wall whose law is a kernel; ``last`` takes the place of the tangential restitution."""
+    """Return the state (...) after a wall whose law is a kernel; ``last`` replaces the tangential restitution."""
     m = meeting
     rows = rows_of(
         m.state, m.normal, m.ball.radius, m.ball.kappa,
@@ -207,13 +232,13 @@ def respond(law: WallKernel, meeting: Meeting, last: Any = None) -> State:
 
 @kernel
 def contact_kernel(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float) -> tuple[Vec, Vec]:
-    """One contact, velocity and spin only."""
+    """Velocity and spin after one contact."""
     v1, w1, _j, _required, _regime = wall_contact(v, w, n, a, kappa, e, mu, beta)
     return v1, w1
 
 
 def required_friction(ball: Ball, before: State, after: State, normal: Array) -> Any:
-    """Return the friction (...), tangential over normal impulse, that a wall needs to turn one state into the other."""
+    """Return the friction (...), tangential over normal impulse, required of a wall to turn one state into the other."""
     j = (after.velocity - before.velocity) * np.asarray(ball.mass)[..., None]
     jn = (j * normal).sum(axis=-1)
     f = j - jn[..., None] * normal
@@ -222,7 +247,7 @@ def required_friction(ball: Ball, before: State, after: State, normal: Array) ->
 
 
 def wall_then_floor(meeting: Meeting, after: State) -> Answer:
-    """Return the answer of a law that says what the wall does; the floor then does what it does to any ball."""
+    """Return the answer of a law that defines the wall only; flight, landing, sliding and rolling follow as in any law."""
     m = meeting
     required = required_friction(m.ball, m.state, after, m.normal)
     if m.ball.planar:
@@ -239,26 +264,35 @@ def wall_law(
     reads: tuple[str, ...] | None = None,
     **more: Any,
 ) -> Law:
-    """Make a law of what the wall does; the floor then does what it does to any ball: flight, landing, sliding, rolling.
+    """Make a law from a kernel of the wall; the flight, landing, sliding and rolling that follow are those of any ball.
 
-    A disc in the plane has no floor: what leaves the wall is final.
+    For a disc in the plane there is no floor, so the state after the wall is final.
 
     Parameters
     ----------
     card : Card
+        Name, summary, assumptions and source.
     kernel : callable (v, w, n, a, kappa, e, mu, beta) -> (v, w)
-        Velocity and spin after the wall, from 3-tuples and numbers.
+        Velocity (m/s) and spin (rad/s) after the wall, from 3-tuples and numbers in SI units.
     conditions : callable(meeting) -> list of (mask, expected), optional
-        By default, that the ball moves towards the wall.
+        Default: the ball moves towards the wall.
     objections : callable(meeting, answer) -> list of sentences, optional
+        In addition to those against energy gained and balls that pass through the wall.
     reads : names of :data:`SURFACES`, optional
+        Parameters that the kernel reads. Default: unknown.
     more
         Other fields of :class:`Law`.
 
+    Returns
+    -------
+    Law
+
+    Examples
+    --------
     >>> import carom
     >>> def soft(v, w, n, a, kappa, e, mu, beta):
     ...     return (-0.5 * v[0], v[1], v[2]), w
-    >>> law = carom.wall_law(carom.Card("soft", "Half of the normal speed.", (), "An example.", "", ""), soft)
+    >>> law = carom.wall_law(carom.Card("soft", "Halves the normal speed.", (), "An example.", "", ""), soft)
     >>> round(carom.compare(carom.incoming(friction=0.0), [law])["soft"].angle_after_wall, 2)
     63.43
     """
@@ -273,7 +307,7 @@ def wall_law(
     return Law(card, answer, conditions or approaches, against, kernel, reads=reads, **more)
 
 
-# --- conditions and objections that laws share ----------------------------------------------------------------------
+# --- conditions and objections common to several laws ---------------------------------------------------------------
 
 UPWARD = np.array([0.0, 0.0, 1.0])
 
@@ -284,7 +318,7 @@ def approaches(meeting: Meeting) -> list[Condition]:
 
 
 def rubs(surface: Surface) -> bool:
-    """Whether friction acts at a surface at all."""
+    """Return whether a surface exerts any friction."""
     return bool(np.any((np.asarray(surface.friction) > 0) & (np.asarray(surface.tangential_restitution) > -1)))
 
 
@@ -310,11 +344,11 @@ def drives_into_floor(meeting: Meeting, answer: Answer) -> list[str]:
     down = answer.after_wall.velocity[..., 2] < -1e-9 * np.abs(meeting.state.velocity).sum(axis=-1)
     if meeting.ball.planar or not np.any(down & (np.asarray(meeting.height) == 0)):
         return []
-    return ["it drives the ball into the floor, and leaves out that the floor pushes back at once"]
+    return ["it drives the ball into the floor and ignores the simultaneous reaction of the floor"]
 
 
 def impossible(meeting: Meeting, answer: Answer) -> list[str]:
-    """Object to what no law can do: gain energy, or send the ball through the wall."""
+    """Object to a gain of energy, and to a ball that passes through the wall."""
     found = []
     before, after = kinetic_energy(meeting.ball, meeting.state), kinetic_energy(meeting.ball, answer.after_wall)
     if np.any(after > before * (1 + 1e-9)):

@@ -1,18 +1,18 @@
-"""Tangential compliance: the contact is a spring along the surface too, and slips from its edge inwards.
+"""Tangential compliance: the contact is elastic along the surface as well, and slip spreads from its edge inwards.
 
 Maw, Barber & Fawcett, Wear 38, 101 (1976): an elastic sphere meets an elastic wall, with Hertz's pressure and Coulomb's
-friction at every place of the contact. What comes out depends on two numbers only,
+friction at every point of the contact. The result depends on two numbers only,
 
     psi = k u_t / (mu u_n),    chi = k (1 + 1/kappa) / 2,    k = 2 (1 - nu) / (2 - nu),
 
-with u_t the slip of the ball as a rigid body, u_n the speed of approach, k the tangential stiffness of the contact over the
-normal one (nu is Poisson's ratio of ball and wall, if alike). For psi < 1 the contact first sticks and its springs turn
-the slip round, by more or less than itself; for psi >= 4 chi - 1 it slides throughout.
+with u_t the slip of the ball as a rigid body, u_n the speed of approach, and k the tangential over the normal stiffness of
+the contact (nu is Poisson's ratio of ball and wall, if the same). For psi < 1 the contact first sticks, and its tangential
+compliance reverses the slip, to a smaller or larger value; for psi >= 4 chi - 1 it slides throughout.
 
-The curve psi_after(psi, chi) is solved beforehand (:func:`solve`), by springs that stand side by side: Popov & Hess, Method
-of Dimensionality Reduction in Contact Mechanics (2015), in which Hertz's contact with friction is exact as far as
-Cattaneo's and Mindlin's is. A normal restitution below 1 is brought in through the mean speed, (1 + e)/2 u_n, so that
-sliding takes mu (1 + e) m u_n as it must; that is a convention, not Maw's.
+The curve psi_after(psi, chi) is computed in advance (:func:`solve`), with a row of independent springs: Popov & Hess, Method
+of Dimensionality Reduction in Contact Mechanics (2015), which reproduces Hertz's contact with friction as exactly as the
+theory of Cattaneo and Mindlin does. A normal restitution below 1 enters through the mean speed, (1 + e)/2 u_n, so that the
+impulse of sliding is mu (1 + e) m u_n, as required; this is a convention of carom, not of Maw et al.
 """
 
 from __future__ import annotations
@@ -32,34 +32,34 @@ __all__ = ["CARD", "CHI", "LAW", "maw_contact", "slip_kept", "solve"]
 
 CARD = Card(
     name="maw",
-    summary="The contact gives along the surface as well: springs store part of the slip, and slip begins at the edge.",
+    summary="Elastic contact with tangential compliance: part of the slip is stored and reversed; slip begins at the edge.",
     assumptions=(
-        "Hertz's contact of a sphere; friction by Coulomb's law at every place of it (Cattaneo, Mindlin)",
-        "tangential and normal compliance do not couple: ball and wall of like material, or one of them incompressible",
-        "the impact is slow against sound in the ball; restitution below 1 only scales the normal speed",
+        "Hertz's contact of a sphere; friction by Coulomb's law at every point of it (Cattaneo, Mindlin)",
+        "tangential and normal compliance are uncoupled: ball and wall of the same material, or one of them incompressible",
+        "the impact is slow compared with sound in the ball; restitution below 1 only scales the normal speed",
     ),
     valid="Hard balls on hard walls at every angle, where no constant tangential restitution fits. For rubber, shells and"
-    " blades the stiffness ratio is a number to be fitted, not 2 (1 - nu)/(2 - nu): with that default the tangential velocity of"
-    " steel superballs has the wrong sign at small slip. `carom fit --laws maw,stronge` fits it.",
+    " blades the stiffness ratio has to be fitted (`carom fit --laws maw,stronge`); it is not 2 (1 - nu)/(2 - nu): with that"
+    " default the tangential velocity of steel superballs has the wrong sign at small slip.",
     equations="carom.laws.maw",
     citation="N. Maw, J. R. Barber & J. N. Fawcett, The oblique impact of elastic spheres, Wear 38, 101-114 (1976).",
     doi="10.1016/0043-1648(76)90201-5",
 )
 
-CHI = (0.3, 6.0)  # the curve is known between these
-# The table: psi from 0 to 1 and from 1 to 4 chi - 1, in so many steps each; chi in so many, evenly in its logarithm
+CHI = (0.3, 6.0)  # range of the tabulated curve
+# Numbers of steps of the table: psi from 0 to 1 and from 1 to 4 chi - 1, and chi, evenly spaced in its logarithm
 STEPS, CHIS = 32, 31
 _FIRST, _LOGS = math.log(CHI[0]), math.log(CHI[1] / CHI[0]) / (CHIS - 1)
 
 
 def solve(psi: float, chi: float, springs: int = 300, times: int = 3000) -> float:
-    """psi after the impact, by integration: ``springs`` abreast over half the contact, ``times`` steps.
+    """Return psi after the impact, by integration with ``springs`` springs over half the contact, in ``times`` steps.
 
-    Units in which E* sqrt(R), the mass and u_n are 1: d'' = -4/3 d^(3/2), and a spring at x presses with d - x^2. Along the
-    surface each is stretched as the ball moves while it holds, to no more than its pressure.
+    Units in which E* sqrt(R), the mass and u_n are 1: d'' = -4/3 d^(3/2), and a spring at x presses with d - x^2. While it
+    sticks, a spring is stretched along the surface by the motion of the ball; its tangential force is limited by friction.
     """
     deepest = (15 / 16) ** 0.4  # 1/2 = (4/3)(2/5) d^(5/2)
-    # spring n stands at (n + 1/2) width: the same share of the contact each, the ball's speed by leapfrog
+    # spring n is at (n + 1/2) width, all with the same share of the contact; leapfrog for the ball's speed
     width = math.sqrt(deepest) / springs
     rim = ((np.arange(springs) + 0.5) * width) ** 2
     stretch = np.zeros(springs)
@@ -82,7 +82,7 @@ def solve(psi: float, chi: float, springs: int = 300, times: int = 3000) -> floa
 
 
 def _load() -> Any:
-    """psi after over psi before: (2, CHIS, STEPS + 1)."""
+    """Load the table of psi after over psi before: (2, CHIS, STEPS + 1)."""
     path = resources.files("carom.laws").joinpath("maw_curve.csv")
     with path.open(encoding="utf-8") as file:
         return np.loadtxt(file, delimiter=",").reshape(2, CHIS, STEPS + 1)
@@ -92,7 +92,7 @@ _CURVE = _load()
 
 
 def table() -> Any:
-    """What ``maw_curve.csv`` holds, solved anew (a minute); from 0.5 downwards there is no second part."""
+    """Recompute the content of ``maw_curve.csv`` (takes a minute); for chi <= 0.5 there is no second part."""
     found = np.zeros((2, CHIS, STEPS + 1))
     for m in range(CHIS):
         chi = math.exp(_FIRST + m * _LOGS)
@@ -104,7 +104,7 @@ def table() -> Any:
 
 @kernel
 def _cubic(p: float, q: float, r: float, s: float, t: float) -> float:
-    """Catmull and Rom's cubic from q (t = 0) to r (t = 1)."""
+    """Catmull-Rom cubic from q (t = 0) to r (t = 1)."""
     return q + t / 2 * (r - p + t * (2 * p - 5 * q + 4 * r - s + t * (3 * (q - r) + s - p)))
 
 
@@ -120,8 +120,8 @@ def _along(part: int, row: int, place: float) -> float:
 
 @kernel
 def slip_kept(psi: float, chi: float) -> float:
-    """The share of the slip that is left, with its sign: psi after over psi before; chi within :data:`CHI`."""
-    if psi >= max(4 * chi - 1, 1.0):  # it slides from the beginning, and to the end
+    """Slip after over slip before the impact, with its sign: psi after over psi before; chi within :data:`CHI`."""
+    if psi >= max(4 * chi - 1, 1.0):  # sliding throughout
         return 1 - 4 * chi / psi
     part = 0 if psi < 1 else 1
     place = STEPS * (psi if part == 0 else (psi - 1) / (4 * chi - 2))
@@ -136,7 +136,7 @@ def slip_kept(psi: float, chi: float) -> float:
 
 @kernel
 def maw_contact(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, k: float) -> tuple[Vec, Vec]:
-    """Velocity and spin of a ball after a wall that gives along its surface, k times as stiff that way as normally."""
+    """Velocity and spin of a ball after a wall contact with tangential over normal stiffness k."""
     un, ut = slip_velocity(v, w, n, a)
     slip = math.sqrt(dot(ut, ut))
     pn = -(1 + e) * un
@@ -155,7 +155,7 @@ def _conditions(meeting: Meeting) -> list[Condition]:
     share = (1 + 1 / np.asarray(meeting.ball.kappa)) / 2
     chi = np.asarray(meeting.stiffness_ratio) * share
     low, high = CHI[0] / np.min(share), CHI[1] / np.max(share)
-    expected = f"a stiffness ratio from {low:.3g} to {high:.3g}, where its curve is known"
+    expected = f"a stiffness ratio from {low:.3g} to {high:.3g}, for which the law is tabulated"
     return [*approaches(meeting), Condition((chi >= CHI[0]) & (chi <= CHI[1]), expected, "stiffness_ratio")]
 
 

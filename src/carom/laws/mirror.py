@@ -1,4 +1,4 @@
-"""The frictionless mirror: the wall returns the normal velocity, and nothing else happens, at the wall or on the floor."""
+"""The frictionless mirror: the wall reverses the normal velocity; there is no friction at the wall or on the floor."""
 
 from __future__ import annotations
 
@@ -29,9 +29,9 @@ __all__ = ["CARD", "LAW", "mirror", "mirror_reflection"]
 
 CARD = Card(
     name="mirror",
-    summary="A frictionless world: the normal velocity comes back e times, spin and the rest go on as they were.",
-    assumptions=("no friction at the wall, so the spin never matters", "no friction on the floor, before or after"),
-    valid="Point billiards, ice, a first guess. A real ball rubs: on a rough floor its spin bends the path after the wall.",
+    summary="No friction anywhere: the normal velocity is reversed times e, tangential velocity and spin are unchanged.",
+    assumptions=("no friction at the wall, so the spin has no effect", "no friction on the floor, before or after"),
+    valid="Point billiards, ice, a first estimate. On a rough floor the spin of a real ball bends its path after the wall.",
     equations="(19)",
     citation="The law of reflection; the paper's closing remark that it is true only in a frictionless world.",
 )
@@ -39,7 +39,7 @@ CARD = Card(
 
 @kernel
 def mirror_reflection(v: Vec, w: Vec, n: Vec, a: float, e: float) -> tuple[Vec, Vec, Vec]:
-    """Velocity, spin, impulse per mass: one contact with mu = 0."""
+    """Velocity, spin and impulse per unit mass of one contact with mu = 0."""
     un, ut = slip_velocity(v, w, n, a)
     pn, _f, _required, _regime = contact(un, ut, 1, 1, e, 0, 0)
     j = (pn * n[0], pn * n[1], pn * n[2])
@@ -54,8 +54,31 @@ def mirror_kernel(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: 
 
 
 def mirror(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), surface: Surface = PAPER_WALL) -> State:
-    """Return the state (...) after a frictionless wall: the normal velocity comes back e times, all else goes on.
+    """Return the state after a frictionless wall: the normal velocity is multiplied by -e, nothing else changes.
 
+    Parameters
+    ----------
+    ball : Ball
+        Radius (m), mass (kg) and moment of inertia; none of them affects the result.
+    state : State
+        Velocity (m/s) and spin (rad/s) before the wall, shape (...).
+    normal : array (..., 3)
+        From the wall to the ball; any length.
+    surface : Surface
+        Only its restitution e is used.
+
+    Returns
+    -------
+    State
+        After the wall, shape (...).
+
+    Raises
+    ------
+    CaromError
+        If a ball moves away from the wall, or a normal has zero length.
+
+    Examples
+    --------
     >>> import carom
     >>> ball = carom.Ball()
     >>> carom.mirror(ball, carom.rolling(ball, (-1.0, 1.0))).velocity.tolist()
@@ -73,9 +96,9 @@ def _answer(meeting: Meeting) -> Answer:
 def _objections(meeting: Meeting, answer: Answer) -> list[str]:
     found = drives_into_floor(meeting, answer)
     if rubs(meeting.wall) and np.any(slips(meeting, meeting.state, meeting.normal)):
-        found.append("the ball slips on the wall, and this wall has friction: an impulse along it is left out")
+        found.append("the ball slips on the wall, and this wall has friction: the tangential impulse is ignored")
     if not meeting.ball.planar and rubs(meeting.floor) and np.any(slips_on_floor(meeting, answer.after_wall)):
-        found.append("the ball leaves the wall sliding, and this floor has friction: its path will bend")
+        found.append("the ball leaves the wall sliding on a floor with friction, which bends its path")
     return found
 
 

@@ -1,8 +1,8 @@
-"""The no-slip law: the contact point's velocity is reversed, all of it, and the energy is conserved.
+"""The no-slip law: the velocity of the contact point is reversed, normal and tangential, and the energy is conserved.
 
 Broomhead & Gutkin, Physica D 67, 188 (1993), for discs in the plane; Garwin, Am. J. Phys. 37, 88 (1969), for the
-superball; Cox & Feres, "No-slip billiards in dimension two" (2016), for why it and the mirror are the only two. It is one
-contact with e = 1, mu infinite, beta = 1; for a disc, v_z = 0 and omega along z stay as they are.
+superball; Cox & Feres, "No-slip billiards in dimension two" (2016), for the proof that it and the mirror are the only two.
+It is one contact with e = 1, mu infinite, beta = 1; for a disc v_z stays 0 and omega stays along z.
 """
 
 from __future__ import annotations
@@ -23,10 +23,10 @@ __all__ = ["CARD", "LAW", "no_slip", "no_slip_bounce", "no_slip_reflection"]
 
 CARD = Card(
     name="no-slip",
-    summary="The velocity of the contact point is reversed, all of it, and the energy is conserved.",
-    assumptions=("e = 1", "tangential restitution beta = 1", "friction as large as it has to be"),
-    valid="No-slip billiards and gases of rough balls; superballs, nearly. A billiard ball's contact stops its slip rather"
-    " than returns it.",
+    summary="The velocity of the contact point is reversed, normal and tangential, and the energy is conserved.",
+    assumptions=("e = 1", "tangential restitution beta = 1", "unlimited friction"),
+    valid="No-slip billiards and gases of rough balls; superballs, approximately. The contact of a billiard ball stops the"
+    " slip rather than reversing it.",
     equations="one contact with e = 1, mu = inf, beta = 1",
     citation="D. S. Broomhead & E. Gutkin, The dynamics of billiards with no-slip collisions, Physica D 67, 188-197 (1993);"
     " R. L. Garwin, Am. J. Phys. 37, 88-92 (1969).",
@@ -36,17 +36,17 @@ CARD = Card(
 
 @kernel
 def no_slip_reflection(v: Vec, w: Vec, n: Vec, a: float, kappa: float) -> tuple[Vec, Vec, Vec, float]:
-    """Velocity, spin, impulse per mass, and the friction that the wall must have."""
+    """Velocity, spin, impulse per unit mass, and the required friction of the wall."""
     v1, w1, j, required, _regime = wall_contact(v, w, n, a, kappa, 1, math.inf, 1)
     return v1, w1, j, required
 
 
 @hot_kernel
 def no_slip_bounce(v: Vec, w: Vec, n: Vec, a: float, kappa: float) -> tuple[Vec, Vec]:
-    """Velocity and spin alone, of a ball that approaches: :func:`no_slip_reflection`'s to the last bit (a test says so).
+    """Velocity and spin of an approaching ball, bitwise identical to :func:`no_slip_reflection` (tested).
 
-    An infinite friction has no cone to look at, so the contact kernel's square root and its division fall away: two thirds
-    of the time of a loop that does nothing but bounce.
+    With infinite friction there is no friction cone to check, so the square root and the division of the contact kernel are
+    not needed; they take two thirds of the time of a loop of bounces.
     """
     un, ut = slip_velocity(v, w, n, a)
     # (19) with e = 1; (29) with beta = 1
@@ -63,23 +63,50 @@ def no_slip_bounce(v: Vec, w: Vec, n: Vec, a: float, kappa: float) -> tuple[Vec,
 
 @kernel
 def no_slip_kernel(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float) -> tuple[Vec, Vec]:
-    """Velocity and spin after the wall, in the form of every wall's law."""
+    """Velocity and spin after the wall, with the signature of every wall law."""
     v1, w1, _j, _required = no_slip_reflection(v, w, n, a, kappa)
     return v1, w1
 
 
 def no_slip(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0)) -> State:
-    """Return the state (...) after a no-slip wall: the contact point's velocity is reversed, the energy conserved.
+    """Return the state after a no-slip wall: the velocity of the contact point is reversed, the energy conserved.
 
     Source: Broomhead & Gutkin, Physica D 67, 188 (1993), doi 10.1016/0167-2789(93)90205-F, for discs (:func:`carom.Disc`);
     Garwin, Am. J. Phys. 37, 88 (1969), in space.
+
+    Parameters
+    ----------
+    ball : Ball
+        Radius (m), mass (kg) and moment of inertia.
+    state : State
+        Velocity (m/s) and spin (rad/s) before the wall, shape (...).
+    normal : array (..., 3)
+        From the wall to the ball; any length.
+
+    Returns
+    -------
+    State
+        After the wall, shape (...).
+
+    Raises
+    ------
+    CaromError
+        If a ball moves away from the wall, or a normal has zero length.
+
+    Examples
+    --------
+    >>> import carom
+    >>> disc = carom.Disc(radius=1.0, mass=1.0)
+    >>> after = carom.no_slip(disc, carom.State((-1.0, 1.0, 0.0), (0.0, 0.0, 0.0)))
+    >>> after.velocity.round(4).tolist(), after.spin.round(4).tolist()
+    ([1.0, 0.3333, 0.0], [0.0, 0.0, 1.3333])
     """
     return reflect(LAW, ball, state, normal, PAPER_WALL)
 
 
 def _not_elastic(meeting: Meeting) -> list[str]:
     e = np.asarray(meeting.wall.restitution)
-    return [f"it takes the restitution for 1, this wall's is {float(e.flat[0]):g}"] if np.any(e != 1) else []
+    return [f"it assumes restitution 1; this wall has {float(e.flat[0]):g}"] if np.any(e != 1) else []
 
 
 def _objections(meeting: Meeting, answer: Answer) -> list[str]:
@@ -87,12 +114,10 @@ def _objections(meeting: Meeting, answer: Answer) -> list[str]:
     if np.any(slips(meeting, meeting.state, meeting.normal)):
         beta, mu = float(np.min(meeting.wall.tangential_restitution)), float(np.min(meeting.wall.friction))
         if beta < 1:
-            found.append(
-                f"it returns all of the slip at the wall; this wall's tangential restitution is {beta:g}, not 1"
-            )
+            found.append(f"it assumes tangential restitution 1, which reverses the slip; this wall has {beta:g}")
         required = float(np.max(answer.required_wall))
         if required > mu:
-            found.append(f"it needs a wall friction of {required:.3g}; this wall has {mu:g}")
+            found.append(f"it requires a wall friction of {required:.3g}; this wall has {mu:g}")
     return [*found, *drives_into_floor(meeting, answer)]
 
 

@@ -24,10 +24,10 @@ Array = NDArray[np.float64]
 
 CARD = Card(
     name="domenech",
-    summary="A ball strikes a resting one: gross slip or slip-stick at the contact, then each ball comes to roll.",
+    summary="A ball strikes one at rest: gross slip or slip-stick at the contact, then both balls come to roll.",
     assumptions=(
-        "one contact with restitution e and friction mu; where it holds it ends without slip",
-        "the floor's friction is left out while the balls touch",
+        "one contact with restitution e and friction mu; if it sticks it ends without slip",
+        "the floor's friction is neglected while the balls are in contact",
         "after that the floor brings each ball to roll, by (39), wherever it lands",
     ),
     valid="Ball against ball on a table, any masses, inertias and spins (carom.domenech; carom.collide for the contact alone).",
@@ -43,7 +43,7 @@ def pair_contact(
     v1: Vec, w1: Vec, v2: Vec, w2: Vec, n: Vec,
     a1: float, m1: float, kappa1: float, a2: float, m2: float, kappa2: float, e: float, mu: float, beta: float,
 ) -> tuple[Vec, Vec, Vec, Vec, Vec, float, int]:  # fmt: skip
-    """Both velocities and spins after contact, the impulse (N s) on ball 1, required friction, regime.
+    """Both velocities and spins after the contact, the impulse (N s) on ball 1, required friction, regime.
 
     n points from the centre of ball 2 to that of ball 1.
     """
@@ -72,7 +72,7 @@ def pair_contact(
 def pair_rows(
     v1: Array, w1: Array, v2: Array, w2: Array, n: Array, p: Array, out: Array, required: Array, regime: Any
 ) -> None:
-    """Ball against ball; parameters a, m, kappa of both, e, mu, beta; ``out`` (N, 15): both states, the impulse."""
+    """Evaluate ball-ball contacts; parameters a, m, kappa of both, e, mu, beta; ``out`` (N, 15): both states, impulse."""
     for i in prange(v1.shape[0]):
         a, b, c, d, j, required[i], regime[i] = pair_contact(
             (v1[i, 0], v1[i, 1], v1[i, 2]),
@@ -88,24 +88,35 @@ def pair_rows(
 
 @dataclass(frozen=True, eq=False)
 class Collision:
-    """Two balls after their contact. Shapes (...) as the states'."""
+    """Contact of two balls: states before and after, impulse and regime. Shapes (...) are those of the states.
+
+    Examples
+    --------
+    >>> import carom
+    >>> ball, rest = carom.Ball(), carom.State((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+    >>> hit = carom.collide(ball, carom.State((1.0, 0.0, 0.0), (0.0, 0.0, 0.0)), ball, rest)
+    >>> hit.impulse.round(4).tolist(), hit.regime
+    ([-0.1406, 0.0, 0.0], 'stick')
+    """
 
     balls: tuple[Ball, Ball]
     before: tuple[State, State]
     after: tuple[State, State]
     impulse: Array
-    """(..., 3), N s, on the first ball; the second has its opposite."""
+    """(..., 3), N s, on the first ball; the second receives the opposite impulse."""
     required_friction: Any
+    """(...): the least friction with which the contact sticks."""
     code: Any
+    """(...): the regime as an integer."""
 
     @property
     def regime(self) -> Any:
-        """ "stick", "slide" or "graze": a string or an array."""
+        """ "stick", "slide" or "graze" (no impulse): a string or an array (...)."""
         return name_codes(self.code, REGIME_NAMES)
 
     @property
     def energy_lost(self) -> Any:
-        """(...), J."""
+        """Kinetic energy lost by both balls together, (...), J."""
         pairs = zip(self.balls, self.before, self.after, strict=True)
         return sum(kinetic_energy(ball, old) - kinetic_energy(ball, new) for ball, old, new in pairs)
 
@@ -114,11 +125,14 @@ def collide(
     ball: Ball, state: State, other: Ball, other_state: State, normal: ArrayLike = (-1.0, 0.0, 0.0),
     surface: Surface = Surface(),  # noqa: B008
 ) -> Collision:  # fmt: skip
-    """Contact of two balls: the same law as ball and wall, with the pair's masses.
+    """Compute the contact of two balls: the law of ball and wall, (19), (28)-(31), with the reduced masses of the pair.
 
     Parameters
     ----------
-    ball, state, other, other_state : the first and the second ball, states (...)
+    ball, other : Ball
+        The first and the second ball.
+    state, other_state : State
+        Their velocities (m/s) and spins (rad/s) before the contact, shape (...).
     normal : array (..., 3)
         From the centre of the second ball to that of the first; any length.
     surface : Surface
@@ -126,7 +140,21 @@ def collide(
 
     Returns
     -------
-    Collision. Raises CaromError where the balls move apart.
+    Collision
+
+    Raises
+    ------
+    CaromError
+        If the balls move apart, or a normal has zero length.
+
+    Examples
+    --------
+    >>> import carom
+    >>> ball, rest = carom.Ball(), carom.State((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+    >>> striking = carom.State((1.0, 0.0, 0.0), (0.0, 0.0, 0.0))
+    >>> hit = carom.collide(ball, striking, ball, rest, surface=carom.Surface(restitution=0.95, friction=0.06))
+    >>> [after.velocity.round(4).tolist() for after in hit.after]
+    [[0.025, 0.0, 0.0], [0.975, 0.0, 0.0]]
     """
     for field, value, kind in (("ball", ball, Ball), ("state", state, State), ("other", other, Ball),
                                ("other_state", other_state, State), ("surface", surface, Surface)):  # fmt: skip
@@ -161,20 +189,29 @@ def collide(
 
 @dataclass(frozen=True, eq=False)
 class Scattering:
-    """Doménech's description: just after the impact, and after the transition to rolling. Shapes (...)."""
+    """Scattering of two balls after Doménech: just after the impact, and after the transition to rolling. Shapes (...).
+
+    Examples
+    --------
+    >>> import carom
+    >>> found = carom.domenech(carom.Ball(), impact_angle=0.5)
+    >>> [round(angle, 4) for angle in found.post_transition_angles]
+    [-0.6014, 0.4696]
+    """
 
     collision: Collision
+    """The contact of the two balls."""
     rolling: tuple[State, State]
-    """Both balls once they roll (on a floor with friction, no gravity needed to say it)."""
+    """Both balls once they roll (on a floor with friction; independent of gravity)."""
 
     @property
     def regime(self) -> Any:
-        """ "gross slip" or "slip-stick" ("graze" where nothing pressed)."""
+        """ "gross slip" or "slip-stick" ("graze" if there is no impulse): a string or an array (...)."""
         return name_codes(self.collision.code, np.array(["graze", "slip-stick", "gross slip"]))
 
     @property
     def post_collision_angles(self) -> tuple[Any, Any]:
-        """Angles (...) of both balls' paths along the floor from the first ball's incoming path, rad, just after impact."""
+        """Angles (...) between both paths just after the impact and the first ball's incoming path, on the floor, rad."""
         return self._angles(self.collision.after)
 
     @property
@@ -199,23 +236,39 @@ def domenech(
     impact_angle: ArrayLike = 0.5,
     surface: Surface = Surface(restitution=0.95, friction=0.06),  # noqa: B008
 ) -> Scattering:
-    """A ball strikes a resting one: gross slip or slip-stick, scattering just after the impact and once both roll.
+    """Compute how a ball scatters from one at rest, just after the impact and once both roll.
+
+    The floor's friction is neglected while the balls are in contact; after that each ball comes to roll, with (39) of its
+    state after the impact. Source: A. Doménech, Int. J. Mech. Sci. 50, 752 (2008), doi 10.1016/j.ijmecsci.2007.11.006.
 
     Parameters
     ----------
     ball : Ball
-        The striking ball; ``other`` (by default the same) rests.
+        The striking ball.
     state : State
-        Of the striking ball, (...), on the floor; by default it rolls at 1 m/s along +x.
+        Of the striking ball, shape (...), on the floor. Default: rolling at 1 m/s along +x.
+    other : Ball
+        The ball at rest. Default: like the striking one.
     impact_angle : float or array (...)
-        From the incoming path to the line of centres, rad; positive: the other ball lies to the left.
+        From the incoming path to the line of centres, rad; positive if the other ball lies to the left.
     surface : Surface
-        Restitution and friction between the balls; a contact that holds loses its slip (tangential restitution 0).
+        Restitution and friction between the balls; a contact that sticks ends without slip (tangential restitution 0).
 
     Returns
     -------
-    Scattering. Source: A. Doménech, Int. J. Mech. Sci. 50, 752 (2008), doi 10.1016/j.ijmecsci.2007.11.006. The floor's
-    friction is left out while the balls touch; after that each ball comes to roll with (39) of the state it was left in.
+    Scattering
+
+    Raises
+    ------
+    CaromError
+        For a tangential restitution other than 0, an angle not between -pi/2 and pi/2, or a striking ball at rest.
+
+    Examples
+    --------
+    >>> import carom
+    >>> found = carom.domenech(carom.Ball(), impact_angle=0.5)
+    >>> found.regime, [round(angle, 4) for angle in found.post_collision_angles]
+    ('gross slip', [-1.0226, 0.4712])
     """
     other = other or ball
     state = state or rolling(ball, (1.0, 0.0))

@@ -1,4 +1,4 @@
-"""The state after a wall by a law that answers at once, refused with the reason where the law does not apply."""
+"""The state after a wall under a law given by a kernel; an error with the reason where the law does not apply."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ __all__ = ["reflect"]
 
 
 def reflect(law: Law, ball: Ball, state: State, normal: ArrayLike, surface: Surface) -> State:
-    """Return the state (...) after the wall by a law's kernel; CaromError, a line for each condition that fails."""
+    """Return the state (...) after the wall by a law's kernel; CaromError, one line per condition that fails."""
     meeting = Meeting(ball, state, unit_normal(normal), surface)
     require_approach(meeting.ball, meeting.state, meeting.normal)
     faults = [
@@ -24,5 +24,5 @@ def reflect(law: Law, ball: Ball, state: State, normal: ArrayLike, surface: Surf
     ]
     if faults:
         raise CaromError(*faults)
-    assert law.kernel is not None  # every law that answers at once has one
+    assert law.kernel is not None  # all laws that are called here have one
     return respond(law.kernel, meeting)

@@ -1,6 +1,6 @@
-"""The laws that there are: every module of this package that defines LAW, and every card in it.
+"""Registry of laws: every module of this package that defines LAW, and every card in it.
 
-A file that is dropped into the package is found here, and so by `carom laws`, `compare`, `predict`, scenes, billiards and fits.
+A file added to the package is found here, and so by `carom laws`, `compare`, `predict`, scenes, billiards and fits.
 """
 
 from __future__ import annotations
@@ -25,14 +25,14 @@ def _modules() -> tuple[Any, ...]:
 
 @functools.cache
 def laws() -> dict[str, Law]:
-    """Return all laws by name, in the order of their ``order``: what ``carom.LAWS`` is."""
+    """Return all laws by name, sorted by ``order``: the value of ``carom.LAWS``."""
     found = [module.LAW for module in _modules() if isinstance(getattr(module, "LAW", None), Law)]
     return {law.name: law for law in sorted(found, key=lambda law: (law.order, law.name))}
 
 
 @functools.cache
 def cards() -> dict[str, Card]:
-    """Return every card by name, those of the laws first, then of what is no law by itself: what ``carom.CARDS`` is."""
+    """Return every card by name, first those of the laws, then those of parts of laws: the value of ``carom.CARDS``."""
     others = [x for module in _modules() for x in vars(module).values() if isinstance(x, Card)]
     return {card.name: card for card in (*(law.card for law in laws().values()), *others)}
 
@@ -55,7 +55,7 @@ def card_named(name: str) -> Card:
 
 
 def __getattr__(name: str) -> Any:
-    """Make LAWS and CARDS when they are first asked for: the laws are imported then, not with this module."""
+    """Create LAWS and CARDS on first access: the laws are imported then, not with this module."""
     if name == "LAWS":
         return laws()
     if name == "CARDS":

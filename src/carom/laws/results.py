@@ -1,4 +1,4 @@
-"""Results of impacts: one contact, the flight and landing that follow, the two-step law step by step."""
+"""Results of impacts: one contact, the flight and landing that follow, and the steps of the two-step law."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ __all__ = [
 
 Array = NDArray[np.float64]
 FloorContact = Literal["with", "after"]
-"""A ball on the floor that the wall pushes down: wall and floor at once, or the wall alone and then the floor."""
+"""Order of the contacts of a ball that the wall presses on the floor: both at once, or the wall first and then the floor."""
 
 GRAVITY = 9.80665  # m/s^2
 PAPER_WALL = Surface(restitution=1.0, friction=math.inf)
 PAPER_FLOOR = Surface(restitution=0.0, friction=math.inf)
 
-# Regimes of an impact by code; the last three belong to wall and floor at once.
+# Regimes of an impact by code; the last three occur only with wall and floor at once.
 REGIME_NAMES = np.array([*REGIMES, "jam", "stall", "undefined"])
 
 
@@ -36,13 +36,22 @@ def name_codes(code: Any, names: NDArray[np.str_]) -> Any:
 
 
 def as_column(x: Any) -> Any:
-    """Return a number as it is, an array (...) as (..., 1), to multiply vectors with."""
+    """Return a number unchanged and an array (...) as (..., 1), to multiply vectors by it."""
     return x if np.ndim(x) == 0 else np.asarray(x)[..., None]
 
 
 @dataclass(frozen=True, eq=False)
 class Impact:
-    """One impact: the states before and after, and how it came about. Shapes as the states'."""
+    """One impact: the states before and after, impulse, required friction and regime. Shapes are those of the state.
+
+    Examples
+    --------
+    >>> import carom
+    >>> ball = carom.Ball()
+    >>> hit = carom.impact(ball, carom.rolling(ball, (-1.0, 1.0)), surface=carom.Surface(friction=0.1))
+    >>> hit.regime, round(float(hit.required_friction), 4), round(hit.energy_lost, 4)
+    ('slide', 0.202, 0.0299)
+    """
 
     ball: Ball
     before: State
@@ -50,65 +59,98 @@ class Impact:
     impulse: Array
     """(..., 3), N s, on the ball."""
     required_friction: Any
-    """(...): the friction from which on the contact holds (with the floor's help: the one that was used)."""
+    """(...): the least friction with which the contact sticks (if the floor acts too: the friction that was mobilised)."""
+    code: Any
+    """(...): the regime as an integer."""
     code: Any
 
     @property
     def regime(self) -> Any:
-        """ "stick", "slide", "graze" (nothing pressed), "jam" (wedged between wall and floor): a string or an array."""
+        """ "stick", "slide", "graze" (no impulse) or "jam" (wedged between wall and floor): a string or an array (...)."""
         return name_codes(self.code, REGIME_NAMES)
 
     @property
     def energy_lost(self) -> Any:
-        """(...), J."""
+        """Kinetic energy lost, (...), J."""
         return kinetic_energy(self.ball, self.before) - kinetic_energy(self.ball, self.after)
 
 
 @dataclass(frozen=True)
 class Flight:
-    """Between wall and floor; zeros where the ball does not fly."""
+    """Flight between wall and floor; zeros where the ball does not leave the floor.
+
+    Examples
+    --------
+    >>> import carom
+    >>> ball = carom.Ball()
+    >>> flight = carom.two_step(ball, carom.rolling(ball, (-1.0, 1.0))).flight
+    >>> round(1000 * flight.height, 2)
+    4.16
+    """
 
     duration: Any
     """(...), s."""
     height: Any
-    """(...), m: how far the centre rises above its place on the floor."""
+    """(...), m: largest height of the centre above its position when the ball rests on the floor."""
     distance: Any
     """(...), m, along the floor."""
 
 
 @dataclass(frozen=True, eq=False)
 class Settled:
-    """What the floor makes of a ball that leaves a wall. Shapes as the states'."""
+    """Flight, landing and final rolling of a ball that leaves a wall. Shapes are those of the state.
+
+    Examples
+    --------
+    >>> import carom
+    >>> found = carom.settle(carom.Ball(), carom.State((0.5, 0.5, 0.2), (0.0, 0.0, 0.0)))
+    >>> bool(found.rolls), round(found.reflection_angle, 4)
+    (True, 0.7854)
+    """
 
     normal: Array
+    """(..., 3), of the wall, unit length."""
     flight: Flight
     after_floor: State
     """After the first landing; the state itself where the ball was not lifted."""
     floor: Impact
+    """The first landing."""
     rolling: State
     """The state once the ball rolls again; NaN where ``rolls`` is False."""
     rolls: Any
+    """(...): whether the ball comes to roll before it meets the wall again."""
     why: Any
-    """Why it never rolls, or meets the wall first; empty where it rolls."""
+    """(...): why it does not; empty where it rolls."""
 
     @property
     def reflection_angle(self) -> Any:
-        """(...), rad, of the rolling ball's velocity, from the wall's normal (its part along the floor)."""
+        """Angle (...) between the final velocity and the wall's normal, both projected on the floor, rad."""
         return angle_from(self.normal, self.rolling)
 
 
 @dataclass(frozen=True, eq=False)
 class TwoStep(Settled):
-    """The two-step law's answer, step by step. Shapes as the states'."""
+    """Prediction of the two-step law, step by step. Shapes are those of the state.
+
+    Examples
+    --------
+    >>> import carom
+    >>> ball = carom.Ball()
+    >>> steps = carom.two_step(ball, carom.rolling(ball, (-1.0, 1.0)))
+    >>> steps.wall.regime, steps.floor.regime, bool(steps.rolls)
+    ('stick', 'stick', True)
+    """
 
     after_wall: State
+    """Velocity and spin just after the wall."""
     wall: Impact
+    """The contact with the wall."""
     floor_impulse: Array
-    """(..., 3), N s: what the floor gave while the wall acted (a ball that the wall presses down)."""
+    """(..., 3), N s: impulse of the floor during the wall contact (for a ball that the wall presses down)."""
 
 
 def angle_from(normal: Array, state: State, *, incoming: bool = False) -> Any:
-    """Angle (...) of a velocity along the floor from the normal, rad: 0 square, pi/2 along the wall, more towards it."""
+    """Angle (...) of a velocity along the floor from the normal, rad: 0 normal, pi/2 along the wall, more towards it."""
     level = normal[..., :2] / np.sqrt((normal[..., :2] ** 2).sum(axis=-1, keepdims=True))
     x, y = state.velocity[..., 0], state.velocity[..., 1]
     along = np.abs(level[..., 0] * y - level[..., 1] * x)

@@ -1,4 +1,4 @@
-"""Coulomb sliding: one contact whose slip friction stops at most; nothing of it is given back."""
+"""Coulomb sliding: one contact in which friction opposes the slip and at most stops it (beta = 0)."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ __all__ = ["CARD", "LAW"]
 
 CARD = Card(
     name="sliding",
-    summary="One contact with restitution and Coulomb friction: it slides, or friction stops the slip and no more.",
+    summary="One contact with restitution and Coulomb friction: it slides throughout, or friction stops the slip.",
     assumptions=("one impact with restitution e and Coulomb friction mu", "tangential restitution beta = 0"),
-    valid="Balls whose contact does not spring back along the surface: billiard balls on cushions, hard spheres at grazing"
-    " incidence. The contact law with beta = 0.",
+    valid="Balls without tangential rebound: billiard balls on cushions, hard spheres at grazing incidence. The contact law"
+    " with beta = 0.",
     equations="(19), (28)-(31)",
     citation="The paper, section 3.1; for the contact O. R. Walton & R. L. Braun, J. Rheol. 30, 949-980 (1986).",
     doi="10.1122/1.549893",

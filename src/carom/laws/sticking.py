@@ -1,4 +1,4 @@
-"""Sticking: one contact that always ends without slip, whatever friction that needs: the paper's wall."""
+"""Sticking: one contact that always ends without slip, with unlimited friction: the paper's wall."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ __all__ = ["CARD", "LAW"]
 
 CARD = Card(
     name="sticking",
-    summary="One contact that ends without slip: friction is as large as it has to be.",
+    summary="One contact that ends without slip, with unlimited friction.",
     assumptions=("one impact with restitution e", "friction mu infinite, tangential restitution beta = 0"),
     valid="Very rough walls, small angles of incidence. The contact law with mu = inf and beta = 0; the paper's wall.",
     equations="(31)",

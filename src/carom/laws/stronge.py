@@ -1,18 +1,18 @@
-"""Tangential compliance, lumped: one spring along the surface, in series with friction, beside the normal one.
+"""Lumped tangential compliance: one tangential spring, in series with friction, in addition to the normal spring.
 
-Stronge, Impact Mechanics (Cambridge University Press, 2000), chapter 5. The contact is a point without mass on two springs.
-The normal one is linear and unloads 1/e^2 as stiffly, so that the wall returns e^2 of the energy that it took. The one
-along the surface is k times as stiff as the normal one while that is loaded, and it is stretched as the ball's surface
-moves, for as long as friction holds the point.
+Stronge, Impact Mechanics (Cambridge University Press, 2000), chapter 5. The contact is a massless point on two springs.
+The normal one is linear and unloads with 1/e^2 times its stiffness, so that the wall returns e^2 of the energy stored. The
+tangential one is k times as stiff as the normal one under loading, and is stretched by the motion of the ball's surface as
+long as friction holds the point (stick).
 
 Units in which every phase is an arc: the normal force is mu sin(phi), phi from 0 to pi/2 in compression and on to pi in
-restitution, which passes 1/e times as fast. The tangential force, over mu, is x, and the slip of the ball's surface y, so
-scaled that while the point holds (x, y) turns, by w times as much as phi,
+restitution, which is 1/e times as fast. The tangential force over mu is x, and the slip of the ball's surface is y, scaled
+so that during stick (x, y) rotates by w times the change of phi,
 
     w = omega = sqrt(k (1 + 1/kappa)) in compression, e omega in restitution, y = k u_t / (omega mu |u_n|) at first.
 
-It holds while |x| < sin(phi). Where it slips, x = s sin(phi), y changes by w s cos(phi), and the slip of the point itself
-is y - s cos(phi)/w. So all but the ends of holding are closed forms; those are roots of one sine against another.
+The point sticks while |x| < sin(phi). Where it slips, x = s sin(phi), y changes by w s cos(phi), and the slip of the point
+is y - s cos(phi)/w. All of this is in closed form except the ends of stick phases, the roots of a difference of two sines.
 """
 
 from __future__ import annotations
@@ -30,46 +30,46 @@ __all__ = ["CARD", "LAW", "STIFFNESS", "kept_slip", "stronge_contact"]
 
 CARD = Card(
     name="stronge",
-    summary="The contact gives along the surface as well: one spring stores part of the slip, and friction holds it or not.",
+    summary="Tangential compliance by one spring that stores part of the slip, in series with Coulomb friction.",
     assumptions=(
-        "one spring along the surface and one into it, k times and once as stiff; friction by Coulomb's law for the whole",
-        "the normal spring is linear and unloads 1/e^2 as stiffly; the other stays as it is",
-        "the ball touches nothing else meanwhile",
+        "one normal and one tangential spring, with stiffness ratio k; Coulomb's law for the whole contact",
+        "the normal spring is linear and unloads with 1/e^2 times its stiffness; the tangential one keeps its stiffness",
+        "the ball touches nothing else during the contact",
     ),
     valid="Balls on hard or rubber surfaces where no constant tangential restitution fits all angles, with any stiffness"
-    " ratio k. For a sphere on a solid maw is nearer to elasticity: there slip begins at the contact's edge.",
+    " ratio k. For a sphere on a solid, maw is closer to elasticity theory: there slip begins at the edge of the contact.",
     equations="carom.laws.stronge",
     citation="W. J. Stronge, Impact Mechanics (Cambridge University Press, 2000), chapter 5.",
 )
 
-STIFFNESS = (1e-3, 1e3)  # the ratios that it takes
-# The largest omega: the tangential spring swings through so many radians while the normal one swings through one. Beyond, which
-# needs a moment of inertia near zero, the phase at the end is no longer resolved.
+STIFFNESS = (1e-3, 1e3)  # range of stiffness ratios
+# The largest omega: ratio of the angular frequencies of the tangential and the normal spring. Beyond it, which requires a
+# moment of inertia near zero, the phase at the end is no longer resolved.
 MOST_OMEGA = 1e3
-SWINGS = 1000  # half swings in a quarter of the contact, at most: MOST_OMEGA / 2, and the two at its ends
-ARCS = 3 * SWINGS  # at most: each half swing has three
+SWINGS = 1000  # half oscillations in a quarter of the contact, at most: MOST_OMEGA / 2, and the two at its ends
+ARCS = 3 * SWINGS  # at most: each half oscillation has three
 
 
 @kernel
 def _swing(x: float, y: float, turn: float) -> tuple[float, float]:
-    """(x, y) turned: the spring with the ball on it."""
+    """Rotate (x, y): oscillation of the ball on the spring."""
     c, s = math.cos(turn), math.sin(turn)
     return c * x + s * y, c * y - s * x
 
 
 @kernel
 def _spare(x: float, y: float, w: float, start: float, phi: float, rising: bool) -> float:
-    """What friction has to spare at phi; or, ``rising``, whether the spring's force still grows against the normal one's."""
+    """Margin of friction at phi; or, if ``rising``, the rate of the tangential over the normal force."""
     p, q = _swing(x, y, w * (phi - start))
     if rising:
-        # (x / sin)' sin^2: of one sign at first and of the other then, since its rate is (1 - w^2) x sin
+        # (x / sin)' sin^2: it changes its sign once at most, since its rate is (1 - w^2) x sin
         return (w * q * math.sin(phi) - p * math.cos(phi)) * (1 if p >= 0 else -1)
     return math.sin(phi) - abs(p)
 
 
 @kernel
 def _root(x: float, y: float, w: float, start: float, low: float, high: float, rising: bool) -> float:
-    """Where :func:`_spare` falls through zero between low (above) and high (below): the false position, made safe."""
+    """Root of :func:`_spare` between low (positive) and high (negative), by safeguarded false position."""
     f, g = _spare(x, y, w, start, low, rising), _spare(x, y, w, start, high, rising)
     for i in range(100):
         phi = low + (high - low) * f / (f - g) if f - g > 0 else high
@@ -79,7 +79,7 @@ def _root(x: float, y: float, w: float, start: float, low: float, high: float, r
             break
         h = _spare(x, y, w, start, phi, rising)
         if h >= 0:
-            # (the other end's weight is halved: Illinois)
+            # (Illinois: the weight of the other end is halved)
             low, f, g = phi, h, g / 2
         else:
             high, f, g = phi, f / 2, h
@@ -90,12 +90,12 @@ def _root(x: float, y: float, w: float, start: float, low: float, high: float, r
 
 @kernel
 def _holds_until(x: float, y: float, w: float, start: float, end: float, falls: bool) -> tuple[float, bool]:
-    """How far the point holds from ``start`` on: to ``end``, or to where friction lets it go, which comes second.
+    """Return where the stick phase that begins at ``start`` ends, at most at ``end``, and whether slip begins there.
 
-    Between two zeros of x, x / sin(phi) has one extremum at most (see :func:`_spare`). So one look at that tells whether
-    it passes 1 there, and where to seek. ``falls``: it starts from 1 and falls, to the next zero.
+    Between two zeros of x, x / sin(phi) has one extremum at most (see :func:`_spare`). Its value there decides whether it
+    passes 1, and brackets the root. ``falls``: it starts from 1 and decreases until the next zero.
     """
-    # x is largest when it has turned by atan2(y, x); it is zero a quarter of a turn later, and then after every half turn
+    # x is largest after a rotation by atan2(y, x); it is zero a quarter of a turn later, and then after every half turn
     zero = math.atan2(y, x) + math.pi / 2
     zero -= math.pi * math.floor(zero / math.pi)
     if zero < 1e-12:
@@ -118,12 +118,12 @@ def _holds_until(x: float, y: float, w: float, start: float, end: float, falls: 
 
 @kernel
 def _quarter(x: float, y: float, w: float, slips: bool, side: int, second: bool) -> tuple[float, float, bool, int]:
-    """Force and slip after compression (or restitution, ``second``): arcs on which the point holds or slips, to ``side``."""
+    """Force and slip after compression (or restitution, ``second``): arcs of stick or slip, the latter towards ``side``."""
     start, falls = math.pi / 2 if second else 0.0, False
     phi, level, last = start, 0.0 if second else 1.0, -1.0 if second else 0.0  # level: cos(phi)
     for _ in range(ARCS):
         if slips:
-            # it ends where the point's own slip, s y - cos/w, does; with w <= 1 that only grows
+            # slip ends where that of the point, s y - cos/w, vanishes; with w <= 1 it only grows
             stops = min(level, (w * level - side * y) / (w - 1 / w)) if w > 1 else -2.0
             slips, falls = stops < last, True
             now = last if slips else stops
@@ -144,9 +144,9 @@ def _quarter(x: float, y: float, w: float, slips: bool, side: int, second: bool)
 
 @kernel
 def kept_slip(u: float, kappa: float, e: float, k: float) -> float:
-    """The share of the slip that is left, with its sign; u = slip / (mu u_n) > 0, k the stiffness ratio."""
+    """Slip after over slip before the impact, with its sign; u = slip / (mu u_n) > 0, k the stiffness ratio."""
     omega = min(math.sqrt(k * (1 + 1 / kappa)), MOST_OMEGA)
-    if not u > 0:  # no force can let go but the last
+    if not u > 0:  # slip begins only at the end of the contact
         return math.cos(omega * (1 + e) * math.pi / 2)
     y0 = k * u / omega
     x, y, slips, side = _quarter(0 * u, y0, omega, y0 * omega > 1, 1, False)
@@ -157,7 +157,7 @@ def kept_slip(u: float, kappa: float, e: float, k: float) -> float:
 
 @kernel
 def stronge_contact(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, k: float) -> tuple[Vec, Vec]:
-    """Velocity and spin of a ball after a wall that gives along its surface, k times as stiff that way as normally."""
+    """Velocity and spin of a ball after a wall contact with tangential over normal stiffness k."""
     un, ut = slip_velocity(v, w, n, a)
     slip = math.sqrt(dot(ut, ut))
     pn = -(1 + e) * un
@@ -192,7 +192,7 @@ LAW = wall_law(
     last="stiffness_ratio",
     needs=("restitution", "friction"),
     in_flight=True,
-    # (by name alone, for it says nearly what maw says)
+    # (fitted only on request, because its predictions are close to those of maw)
     fits=(
         FitSpec("planar", "two springs (Stronge)", on_request=True),
         FitSpec("table", "two springs (Stronge), then the floor", on_request=True),

@@ -1,9 +1,9 @@
 """The two-step law: the wall, the flight, the floor.
 
-The paper, section 3, (27)-(41), for any ball, any wall, any state, with the friction and restitution that wall and floor
-really have. Step one is the wall's contact (31), or wall and floor at once where the wall presses the ball down. Step two
-is the flight and the landing (39), or the sliding of a ball that was not lifted. What follows, further bounces and
-sliding until the ball rolls, cannot change the rolling state: see :mod:`carom.laws.landing`.
+The paper, section 3, (27)-(41), for any ball, wall and state, and with any friction and restitution of wall and floor.
+Step one is the contact with the wall (31), or wall and floor at once where the wall presses the ball down. Step two is the
+flight and the landing (39), or the sliding of a ball that was not lifted. Further bounces and sliding until the ball rolls
+cannot change the rolling state: see :mod:`carom.laws.landing`.
 """
 
 from __future__ import annotations
@@ -51,7 +51,7 @@ CARD = Card(
     summary="The wall's friction lifts the ball off the floor; it flies, lands, slides and rolls, contact by contact.",
     assumptions=(
         "each contact is one impact with restitution e, Coulomb friction mu and tangential restitution beta",
-        "a ball that the wall presses on the floor meets both at once, the floor rigid (or, by name, one after the other)",
+        "a ball that the wall presses on the rigid floor is in contact with both at once (optionally one after the other)",
         "the floor's friction acts only at its contact point: no pivoting friction, no rolling resistance",
     ),
     valid="Any ball, wall and state; the default. With e = 1 at the wall, e = 0 at the floor and both sticking it is the"
@@ -63,23 +63,23 @@ CARD = Card(
 
 WALL_AND_FLOOR = Card(
     name="wall-and-floor",
-    summary="A ball on the floor that the wall pushes down: both contacts at once, followed in the wall's normal impulse.",
+    summary="A ball that the wall presses on the floor: both contacts at once, integrated over the wall's normal impulse.",
     assumptions=(
-        "the floor is rigid: far stiffer than the wall, which is what cloth on slate is to a rubber cushion",
-        "Coulomb friction at both contacts, stick and slip followed; tangential restitution 0",
-        "the wall returns e^2 of the work it took (Stronge); its force grows in proportion to its compression",
-        "the floor's restitution matters only if the ball is lifted and lands again while the wall acts",
+        "the floor is rigid, that is far stiffer than the wall, as cloth on slate is in comparison with a rubber cushion",
+        "Coulomb friction at both contacts, with transitions between stick and slip; tangential restitution 0",
+        "the wall returns e^2 of the work done on it (Stronge); its force is proportional to its compression",
+        "the floor's restitution matters only if the ball is lifted and lands again during the wall contact",
     ),
-    valid="Backspin, sliding, every cushion that touches above the centre. It is the first step of two-step, by default;"
-    " floor_contact='after' is the other limit, a floor softer than the wall. Any friction, infinite ones too; where large"
-    " frictions lock the ball between wall and floor the answer says so.",
+    valid="Backspin, sliding, every cushion that touches above the centre. It is the first step of two-step by default;"
+    " floor_contact='after' is the other limit, a floor softer than the wall. Any friction, including infinite; if large"
+    " frictions lock the ball between wall and floor, the result states it.",
     equations="carom.laws.wall_and_floor.solver",
     citation="J. B. Keller, J. Appl. Mech. 53, 1-4 (1986); W. J. Stronge, Proc. R. Soc. A 431, 169-181 (1990);"
     " G. Darboux, Bull. Sci. Math. 4, 126-160 (1880).",
     doi="10.1115/1.3171712",
 )
 
-# The wall presses the ball down and rebounds tangentially: there is no such law for two contacts at once.
+# The wall presses the ball down and has a tangential restitution: no law for two simultaneous contacts covers this.
 UNDEFINED = 5
 
 Impulsive = tuple[Vec, Vec, Vec, Vec, float, int]
@@ -99,11 +99,11 @@ def _pressed(
     if regime == STALL:
         x = math.nan
         return (x, x, x), (x, x, x), j, jf, x, regime
-    # With the floor's help there is no one friction that would just have held: what was used stands for it.
+    # If the floor acts too, no single friction is the least one that sticks: the friction that was mobilised is returned.
     jn = dot(j, n)
     ft = (j[0] - jn * n[0], j[1] - jn * n[1], j[2] - jn * n[2])
     rubbed = math.sqrt(dot(ft, ft))
-    if rubbed > 0 and not rubbed < LEAST_FIRM / 2 * jn:  # an infinite friction that had to be one
+    if rubbed > 0 and not rubbed < LEAST_FIRM / 2 * jn:  # only an infinite friction suffices
         return v1, w1, j, jf, math.inf, regime
     return v1, w1, j, jf, rubbed / jn if rubbed > 0 else rubbed, regime
 
@@ -126,9 +126,9 @@ def two_step_plain(
     v: Vec, w: Vec, n: Vec, a: float, kappa: float,
     e: float, mu: float, beta: float, ef: float, muf: float, betaf: float, g: float, together: bool,
 ) -> tuple[Vec, Vec, bool]:  # fmt: skip
-    """:func:`two_step_final` of a ball that is plainly not pressed down and plainly comes to roll; else False.
+    """:func:`two_step_final` of a ball that is certainly not pressed down and certainly comes to roll; else False.
 
-    It has no branches, so that a compiled loop answers four balls at once; what it leaves open is asked again in full.
+    It has no branches, so that a compiled loop is vectorised (four balls at once); undecided balls are computed in full.
     """
     _un, ut = slip_velocity(v, w, n, a)
     v1, w1, _j, _required, _regime = wall_contact(v, w, n, a, kappa, e, mu, beta)
@@ -145,7 +145,7 @@ def two_step_final(
     v: Vec, w: Vec, n: Vec, a: float, kappa: float,
     e: float, mu: float, beta: float, ef: float, muf: float, betaf: float, g: float, h: float, together: bool,
 ) -> tuple[Vec, Vec, int]:  # fmt: skip
-    """Velocity and spin of the ball once it rolls again, and why it does not (then they are NaN)."""
+    """Velocity and spin of the ball once it rolls again (NaN if it does not), and the code of the reason."""
     v1, w1, _j, _jf, _required, regime = first_impact(v, w, n, a, kappa, e, mu, beta, ef, muf, betaf, h, together)
     if regime == UNDEFINED:
         x = math.nan
@@ -160,7 +160,7 @@ def first_rows(
     v: Array, w: Array, n: Array, p: Array, together: bool,
     v1: Array, w1: Array, j: Array, jf: Array, required: Array, regime: Any,
 ) -> None:  # fmt: skip
-    """The two-step's first impact; parameters a, kappa, e, mu, beta, the floor's e, mu, beta, height."""
+    """Compute the first impact per row; parameters a, kappa, e, mu, beta, the floor's e, mu, beta, height."""
     sn, sp = min(n.shape[0] - 1, 1), min(p.shape[0] - 1, 1)
     for i in prange(v.shape[0]):
         k, q = i * sn, i * sp
@@ -186,33 +186,46 @@ def two_step(
     height: ArrayLike = 0.0,
     floor_contact: FloorContact = "with",
 ) -> TwoStep:
-    """The two-step law: the wall, the flight, the floor, and rolling again.
+    """Compute the two-step law: contact with the wall, flight, landing, and final rolling.
+
+    Source: the paper, (27)-(41); for a ball pressed on the floor see :mod:`carom.laws.wall_and_floor.solver`.
 
     Parameters
     ----------
     ball : Ball
+        Radius (m), mass (kg) and moment of inertia.
     state : State
-        Shape (...): rolling, sliding or, at ``height`` > 0, flying towards the wall.
+        Velocity (m/s) and spin (rad/s), shape (...): rolling, sliding or, at ``height`` > 0, flying towards the wall.
     wall, floor : Surface
-        By default the paper's: wall e = 1, floor e = 0, both sticking.
+        Default: the paper's, wall e = 1, floor e = 0, both sticking.
     normal : array (..., 3)
-        From the wall to the ball. With a vertical part below zero the wall touches above the centre, as cushions do.
+        From the wall to the ball. If its vertical component is negative, the wall touches above the centre, as cushions do.
     gravity : float
         m/s^2.
     height : float or array (...)
-        Of the centre above its place on the floor when the ball meets the wall, m.
+        Of the centre above its position when the ball rests on the floor, at the contact with the wall, m.
     floor_contact : "with" or "after"
-        A ball on the floor that the wall pushes down: wall and floor at once (a rigid floor), or the wall alone and then
-        the floor.
+        For a ball that the wall presses on the floor: wall and floor at once (rigid floor), or the wall first and then the
+        floor.
 
     Returns
     -------
-    TwoStep. Source: the paper, (27)-(41); for the pressed ball :mod:`carom.laws.wall_and_floor.solver`.
+    TwoStep
+        Wall contact, flight, landing and rolling state, of shape (...).
 
     Raises
     ------
-    CaromError where a ball moves away from the wall, moves down through the floor, or where a wall with tangential
-    restitution presses a ball on the floor (no law for both contacts at once: say ``floor_contact="after"``).
+    CaromError
+        If a ball moves away from the wall or down through the floor, or if a wall with tangential restitution presses a
+        ball on the floor (no law covers both contacts at once; use ``floor_contact="after"``).
+
+    Examples
+    --------
+    >>> import carom, math
+    >>> ball = carom.Ball()
+    >>> found = carom.two_step(ball, carom.rolling(ball, (-1.0, 1.0)))
+    >>> round(math.degrees(found.reflection_angle), 2), round(1000 * found.flight.height, 2)
+    (51.52, 4.16)
     """
     require_type("two_step", "wall", wall, Surface)
     require_type("two_step", "floor", floor, Surface)
@@ -236,37 +249,37 @@ def two_step(
 
 
 def require_defined(undefined: Any) -> None:
-    """CaromError where a wall with tangential restitution presses a ball on the floor."""
+    """Raise CaromError if a wall with tangential restitution presses a ball on the floor."""
     undefined = np.asarray(undefined)
     if undefined.any():
         raise CaromError(
-            "two_step: wall: expected tangential_restitution 0 where the wall presses the ball on the floor (wall and floor"
-            f" at once have no law with tangential restitution), got another{first_bad_index(undefined)};"
-            " say floor_contact='after'"
+            "two_step: wall: expected tangential_restitution 0 where the wall presses the ball on the floor (no law with"
+            f" tangential restitution covers wall and floor at once), got another{first_bad_index(undefined)};"
+            " use floor_contact='after'"
         )
 
 
 def answer_two_step(meeting: Meeting) -> Answer:
     """Return the two-step law's answer, with its steps."""
     m = meeting
-    if m.ball.planar:  # no floor: one contact, and that is all
+    if m.ball.planar:  # no floor: a single contact
         after = respond(contact_kernel, m)
         nothing = np.zeros(after.shape)
         return Answer(
             after, after, required_friction(m.ball, m.state, after, m.normal), nothing, np.full(after.shape, "")
         )
     two = two_step(m.ball, m.state, m.wall, m.floor, m.normal, m.gravity, m.height, m.floor_contact)
-    # What the floor needs: to hold the landing, or what it gave while the wall pressed the ball on it.
+    # Friction required of the floor: for sticking at the landing, or mobilised while the wall pressed the ball on it.
     jf = two.floor_impulse
     with np.errstate(invalid="ignore", divide="ignore"):
         used = np.where(jf[..., 2] > 0, np.hypot(jf[..., 0], jf[..., 1]) / jf[..., 2], 0.0)
-    used = np.where(used >= LEAST_FIRM / 2, np.inf, used)  # an infinite friction that had to be one
+    used = np.where(used >= LEAST_FIRM / 2, np.inf, used)  # only an infinite friction suffices
     needed = np.fmax(two.floor.required_friction, used)
     return Answer(two.after_wall, two.rolling, two.wall.required_friction, needed, two.why, two)
 
 
 def two_step_conditions(meeting: Meeting) -> list[Condition]:
-    """The ball approaches; and no wall with tangential restitution presses it on the floor."""
+    """Return the conditions: the ball approaches, and no wall with tangential restitution presses it on the floor."""
     m = meeting
     found = approaches(m)
     beta = np.asarray(m.wall.tangential_restitution)

@@ -1,4 +1,4 @@
-"""The two-step law with a floor that is softer than the wall: the wall alone, and then the floor."""
+"""The two-step law with a floor softer than the wall: the wall contact first, and then the floor."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ __all__ = ["CARD", "LAW"]
 
 CARD = Card(
     name="two-step-after",
-    summary="The two-step law in which a ball that the wall pushes down meets the wall alone first, and then the floor.",
+    summary="The two-step law in which a ball that the wall presses down completes the wall contact before that with the floor.",
     assumptions=(
         "each contact is one impact with restitution e, Coulomb friction mu and tangential restitution beta",
         "the contact with the floor comes after that with the wall, even where the wall presses the ball on the floor",
     ),
-    valid="The limit of a floor that is soft against the wall. It is two-step with floor_contact='after'; they differ only"
+    valid="The limit of a floor much softer than the wall. It is two-step with floor_contact='after'; the two differ only"
     " where the wall presses the ball down (backspin, sliding, a cushion that touches above the centre).",
     equations="(27)-(41)",
     citation="The paper, section 3; O. R. Walton & R. L. Braun, J. Rheol. 30, 949-980 (1986), for the contact.",

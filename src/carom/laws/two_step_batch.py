@@ -1,10 +1,10 @@
-"""The two-step law for many balls in arrays that exist; pressed balls take their integration steps in lockstep.
+"""The two-step law for many balls in existing arrays; pressed balls take their integration steps in lockstep.
 
 The steps are those of :mod:`carom.laws.wall_and_floor.sliding`, in vector registers.
 
-A block's balls that slide at both contacts stand in lanes; all take one step, those that are through make room for others. One
-whose slip dies is followed by itself from there (:func:`carom.laws.wall_and_floor.solver.go_on`), until both slide
-again. No lane knows its neighbours, so a ball's answer has the same bits in any company.
+The balls of a block that slide at both contacts occupy lanes; all lanes take one step at a time, and finished balls are
+replaced by others. A ball whose slip vanishes is integrated on its own (:func:`carom.laws.wall_and_floor.solver.go_on`)
+until both contacts slide again. Lanes are independent, so a ball's result is bitwise the same whatever balls surround it.
 """
 
 from __future__ import annotations
@@ -30,11 +30,11 @@ __all__ = ["two_step_final_rows", "two_step_into"]
 
 Array = NDArray[Any]
 
-FIRM = 3  # frictions up to which balls stand in lanes, and the slip, in the speeds, down to which they do
+FIRM = 3  # largest friction for which balls are put in lanes, and the least slip (over the speeds) for it
 LEAST = 1e-10
 LANES, TOGETHER = 64, 8
-# What a lane holds: six numbers of the state, both directions, compressed or not, what is given back, reach, error, speed,
-# least slip, how it goes on, the ball, the impulse when it came in.
+# Contents of a lane: six numbers of the state, both directions, compressed or not, energy to return, reach, error, speed,
+# least slip, continuation code, index of the ball, impulse on entry.
 _DW, _DF, _COMPRESSED, _PEAK, _REACH, _ERROR = (k * LANES for k in (6, 8, 10, 11, 12, 13))
 _SPEED, _LEAST, _GOES, _BALL, _CAME = (k * LANES for k in (14, 15, 16, 17, 18))
 HELD = 19
@@ -43,7 +43,7 @@ ROOM = HELD * LANES
 
 @kernel
 def _steps(s: Array, lanes: int, q: Couplings, e: float) -> None:
-    """One step in each lane. One flat array at known distances: so the compiler sees that no lane touches another."""
+    """Take one step in each lane. In one flat array with fixed strides the compiler can see that lanes do not overlap."""
     for i in range(lanes):
         state = (s[i], s[i + LANES], s[i + 2 * LANES], s[i + 3 * LANES], s[i + 4 * LANES], s[i + 5 * LANES])
         dw, df = (s[i + _DW], s[i + _DW + LANES]), (s[i + _DF], s[i + _DF + LANES])
@@ -61,7 +61,7 @@ def _steps(s: Array, lanes: int, q: Couplings, e: float) -> None:
 
 @kernel
 def _glides(y: Slips, vz: float, q: Couplings, scale: float) -> tuple[bool, Slips, Pair, Pair]:
-    """Whether both contacts slide at first, and not in one plane, where every way is straight; the slips, where f starts."""
+    """Return whether both contacts slide at first, not in one plane (straight paths), the slips, and the start of f."""
     c, _m, _b, _k, _d, _e, _drive, muw, muf, _heed = q
     zero, tiny = 0 * vz, AT_REST * scale
     y = (y[0] - c * vz, y[1], y[2], y[3], y[4])
@@ -77,7 +77,7 @@ def _glides(y: Slips, vz: float, q: Couplings, scale: float) -> tuple[bool, Slip
 
 @kernel
 def _stand(s: Array, i: int, y: Slips, p: float, dw: Pair, df: Pair, compressed: bool, peak: float) -> None:
-    """Put a state into a lane."""
+    """Store a state in a lane."""
     s[i], s[i + LANES], s[i + 2 * LANES], s[i + 3 * LANES], s[i + 4 * LANES], s[i + 5 * LANES] = (
         y[0],
         y[1],
@@ -98,7 +98,7 @@ def _stand(s: Array, i: int, y: Slips, p: float, dw: Pair, df: Pair, compressed:
 def _enters(
     s: Array, i: int, ball: int, v: Vec, w: Vec, n: Vec, a: float, kappa: float, mu: float, ef: float, muf: float, betaf: float
 ) -> bool:  # fmt: skip
-    """Put a ball into a lane; False where it does not slide at both contacts."""
+    """Put a ball into a lane; False if it does not slide at both contacts."""
     v1, _s, _j, _frame, q, slips, speed, scale = meet(v, w, n, a, kappa, mu, ef, muf, betaf)
     if not speed > 0:
         return False
@@ -129,7 +129,7 @@ def pressed_block(
     e: float, mu: float, beta: float, ef: float, muf: float, betaf: float, g: float, h: float, together: bool,
     v3: Array, w3: Array, why: Array, s: Array,
 ) -> None:  # fmt: skip
-    """:func:`carom.laws.two_step.two_step_final` of the balls of a block that are open, ``why`` below 0; s: ROOM numbers."""
+    """:func:`carom.laws.two_step.two_step_final` of the undecided balls of a block (``why`` < 0); s: ROOM numbers."""
     smooth = beta == -1 or mu == 0
     muw = 0 * e if smooth else mu
     _v, _s, _j, _frame, q, _slips, _speed, _scale = meet(n, n, n, a, kappa, muw, ef, muf, betaf)
@@ -142,7 +142,7 @@ def pressed_block(
                 if pressed_down(x, y, n, a, mu, h) and _enters(s, lanes, ball, x, y, n, a, kappa, muw, ef, muf, betaf):
                     lanes += 1
             ball += 1
-        # (those at the end of the last handful are what stood there before)
+        # (the unused lanes at the end of the last group hold their previous contents)
         _steps(s, (lanes + TOGETHER - 1) // TOGETHER * TOGETHER, q, e)
         i = 0
         while i < lanes:
@@ -155,7 +155,9 @@ def pressed_block(
             slips = (s[i], s[i + LANES], s[i + 2 * LANES], s[i + 3 * LANES], s[i + 4 * LANES])
             p, up = s[i + 5 * LANES], 0 * a
             found = s[i + _GOES] == DONE
-            if not found:  # for a while, or to its end, step by step; who has not come any further does not wait again
+            if (
+                not found
+            ):  # on its own for a while, or to the end; a ball that made no progress is not put back in a lane
                 slips, up, p, regime, compressed, peak, dw, df = go_on(
                     slips, up, q, e, kappa, ef, muf, betaf, met[6], met[7],
                     p, s[i + _COMPRESSED] > 0, s[i + _PEAK], p > s[i + _CAME],
@@ -203,7 +205,7 @@ def _two_step_block(
 
 
 def two_step_final_rows(v: Array, w: Array, n: Array, p: Array, together: bool, v3: Array, w3: Array, why: Any) -> None:
-    """The two-step, rolling state only; the plain balls of a block first, then in full what that left open.
+    """Compute the rolling state of the two-step law per row: first the simple balls of a block, then the others in full.
 
     Parameters a, kappa, e, mu, beta, the floor's e, mu, beta, gravity, height.
     """
@@ -227,10 +229,50 @@ def two_step_into(
     out: State, why: NDArray[np.int8], ball: Ball, state: State, wall: Surface = PAPER_WALL, floor: Surface = PAPER_FLOOR,
     normal: ArrayLike = (1.0, 0.0, 0.0), gravity: float = GRAVITY, height: float = 0.0, floor_contact: FloorContact = "with",
 ) -> None:  # fmt: skip
-    """:func:`two_step`, only the rolling state, into arrays (N, 3) that exist; ``why`` (N,) int8 takes the reasons.
+    """Write the rolling states of :func:`two_step` into existing arrays; one normal, ball, wall and floor for all N balls.
 
-    One normal, one ball, one wall and floor for all; nothing is checked. ``why`` is 0 where the ball rolls; elsewhere the
-    state is NaN, and ``carom.laws.landing.REASONS[why]`` says why.
+    The states are not validated. Source: the paper, (27)-(41).
+
+    Parameters
+    ----------
+    out : State
+        Receives velocities (m/s) and spins (rad/s), contiguous arrays of shape (N, 3); NaN where the ball never rolls.
+    why : array (N,) of int8
+        Receives 0 where the ball rolls; elsewhere ``carom.laws.landing.REASONS[why]`` is the reason.
+    ball : Ball
+        The same for all; its numbers are scalars.
+    state : State
+        Velocities and spins before the wall, shape (N, 3).
+    wall, floor : Surface
+        The same for all; their numbers are scalars.
+    normal : array (3,)
+        From the wall to the ball; any length.
+    gravity : float
+        m/s^2.
+    height : float
+        Of the centre above its position when the ball rests on the floor, m.
+    floor_contact : "with" or "after"
+        As in :func:`two_step`.
+
+    Returns
+    -------
+    None
+        The results are in ``out`` and ``why``.
+
+    Raises
+    ------
+    CaromError
+        If an array of ``out`` has another shape or is not contiguous, or for an invalid normal, gravity or height.
+
+    Examples
+    --------
+    >>> import carom, numpy as np
+    >>> ball = carom.Ball()
+    >>> before = carom.rolling(ball, [(-1.0, 1.0), (-2.0, 1.0)])
+    >>> after, why = carom.State(np.zeros((2, 3)), np.zeros((2, 3))), np.zeros(2, np.int8)
+    >>> carom.two_step_into(after, why, ball, before)
+    >>> after.velocity.round(4).tolist(), why.tolist()
+    ([[0.6327, 0.7959, 0.0], [1.2653, 0.7959, 0.0]], [0, 0])
     """
     g, h, together = landing_settings(gravity, height, floor_contact)
     parameters = (

@@ -14,9 +14,10 @@ __all__ = ["CARD", "LAW"]
 
 CARD = Card(
     name="two-step-paper",
-    summary="The two-step law with the paper's surfaces: both stick, the wall returns all of the normal velocity, the floor none.",
+    summary="The two-step law with the paper's surfaces: both stick; restitution 1 at the wall, 0 at the floor.",
     assumptions=("wall: e = 1, mu infinite, beta = 0", "floor: e = 0, mu infinite, beta = 0"),
-    valid="The paper's own example, without a parameter: 51.52 degrees for 45. Real cushions give back less and slide.",
+    valid="The paper's own example, without free parameters: 51.52 degrees for an angle of incidence of 45. Real cushions"
+    " have a lower restitution, and balls slide on them.",
     equations="(27)-(41)",
     citation="The paper, section 3.",
 )

@@ -1,4 +1,4 @@
-"""A law by its name, or a law of your own from a Python file."""
+"""Find a law by its name, or load a custom law from a Python file."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ __all__ = ["find_law"]
 
 
 def find_law(name: str) -> Law:
-    """A law by its name, or a user's own by ``file.py:name``.
+    """Return a law by its name, or a custom law by ``file.py:name``.
 
-    That is a :class:`carom.Law`, or a kernel (v, w, n, a, kappa, e, mu, beta) -> (v, w), which the floor then follows.
+    The file defines a :class:`carom.Law`, or a kernel of the wall, (v, w, n, a, kappa, e, mu, beta) -> (v, w).
 
-    Raises CaromError for an unknown name, with the nearest one; for a file that does not run, or has no such thing.
+    Raises CaromError for an unknown name (with the nearest one), and for a file that does not run or lacks the name.
     """
     require_type("find_law", "name", name, str)
     file, colon, what = name.rpartition(":")
@@ -37,7 +37,7 @@ def find_law(name: str) -> Law:
         text = path.read_bytes()
     except OSError as error:
         raise CaromError(f"--law {file}: expected a Python file, got: {error.strerror}") from None
-    # The name carries the file's contents: compiled loops are cached under it, and an edited law is another law.
+    # The module's name depends on the file's content: compiled loops are cached by it, and an edited law is a different law.
     module_name = f"carom_law_{hashlib.sha256(str(path.resolve()).encode() + text).hexdigest()[:16]}"
     spec = importlib.util.spec_from_file_location(module_name, path)
     if spec is None or spec.loader is None:
@@ -59,7 +59,7 @@ def find_law(name: str) -> Law:
     if isinstance(found, Law):
         law = found
     elif callable(found):
-        law = wall_law(Card(what, "A law of the user's own.", (), "", str(path), ""), kernel(found))
+        law = wall_law(Card(what, "A custom law.", (), "", str(path), ""), kernel(found))
     else:
         raise CaromError(f"--law {name}: expected a carom.Law or a kernel, got {type(found).__name__}")
     if law.kernel is not None:
@@ -68,7 +68,7 @@ def find_law(name: str) -> Law:
 
 
 def _try_once(name: str, kernel: WallKernel) -> None:
-    """CaromError where a kernel does not take eight things and return two triples of finite numbers."""
+    """Raise CaromError if a kernel does not take eight arguments and return two triples of finite numbers."""
     try:
         found = kernel((-1.0, 0.5, 0.0), (1.0, 2.0, 3.0), (1.0, 0.0, 0.0), 0.03, 0.4, 0.9, 0.2, 0.0)
     except Exception as error:
@@ -85,7 +85,7 @@ def _try_once(name: str, kernel: WallKernel) -> None:
 
 
 def _guarded(name: str, answer: Callable[[Meeting], Answer]) -> Callable[[Meeting], Answer]:
-    """What a law of the user's own raises, as one line."""
+    """Report an exception of a custom law as one line."""
 
     def guarded(meeting: Meeting) -> Answer:
         try:

@@ -1,1 +1,1 @@
-"""A ball in contact with wall and floor at once, integrated in the normal impulse of the wall."""
+"""A ball in contact with wall and floor at once, integrated over the normal impulse of the wall."""

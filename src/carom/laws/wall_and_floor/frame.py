@@ -1,7 +1,7 @@
-"""Wall and floor at once, before and after: a ball as both contacts see it, and what they have made of it.
+"""Wall and floor at once: the transformation of a state to slips of both contacts, and back.
 
-Units: mass 1, and s = a omega in place of the spin. The frame has x along the level part of the wall's normal; what the
-slips and the law are is in :mod:`carom.laws.wall_and_floor.rates`.
+Units: mass 1, and s = a omega in place of the spin. The frame has x along the horizontal part of the wall's normal; slips
+and law are defined in :mod:`carom.laws.wall_and_floor.rates`.
 """
 
 from __future__ import annotations
@@ -14,20 +14,20 @@ from carom.laws.wall_and_floor.rates import ENDLESS, Couplings, Pair, Slips, siz
 
 __all__ = ["Met", "meet", "part"]
 
-# Velocity, a times spin, the floor's impulse so far; the frame; law and slips; the speed of approach, and of all
+# Velocity, a times spin, the floor's impulse so far; the frame; law and slips; the speed of approach, and the total speed
 Met = tuple[Vec, Vec, Vec, Pair, Couplings, Slips, float, float]
 UP: Vec = (0.0, 0.0, 1.0)
 
 
 @kernel
 def meet(v: Vec, w: Vec, n: Vec, a: float, kappa: float, muw: float, ef: float, muf: float, betaf: float) -> Met:
-    """A ball as wall and floor see it: after the floor's first blow, in the frame of the wall, with a = m = 1."""
+    """Transform a ball's state, after the first impulse of the floor, to the frame of the wall, with a = m = 1."""
     zero = 0 * a
     s = (a * w[0], a * w[1], a * w[2])
     v1, s1, j = v, s, (zero, zero, zero)
-    if v[2] < 0:  # a rigid floor answers first, and may send the ball away from the wall
+    if v[2] < 0:  # a rigid floor acts first, and may turn the ball away from the wall
         v1, s1, j, _required, _regime = wall_contact(v, s, UP, 1, kappa, ef, muf, betaf)
-    # the frame: x along the level part of the normal
+    # the frame: x along the horizontal part of the normal
     m, c = n[2], size(n[0], n[1])
     x, y = (n[0] / c, n[1] / c) if c > 0 else (1 + zero, zero)
     vx, vy, vz = x * v1[0] + y * v1[1], x * v1[1] - y * v1[0], v1[2]
@@ -42,9 +42,9 @@ def meet(v: Vec, w: Vec, n: Vec, a: float, kappa: float, muw: float, ef: float, 
 def part(
     v: Vec, w: Vec, a: float, kappa: float, met: Met, after: Slips, up: float, p: float
 ) -> tuple[Vec, Vec, Vec, Vec]:
-    """Velocity, spin, impulses of wall and floor, from the slips, v_z and the wall's normal impulse at the end."""
+    """Velocity, spin and impulses of wall and floor, from the final slips, v_z and normal impulse of the wall."""
     v1, s1, _j, (x, y), q, before, _speed, _scale = met
-    # Impulses, from what they changed: wall friction f along (t, y), floor friction g along (x, y).
+    # Impulses, from the changes that they caused: wall friction f along (t, y), floor friction g along (x, y).
     c, m, b, k, d, ee, _drive, _muw, _muf, _heed = q
     i = 1 / kappa
     rise = up - v1[2]
@@ -57,7 +57,7 @@ def part(
     v2 = (v1[0] + wall[0] + x * gx - y * gy, v1[1] + wall[1] + x * gy + y * gx, up)
     tx, ty = (m * fy + gy) * i, (ft - gx) * i
     s2 = (s1[0] + x * tx - y * ty, s1[1] + x * ty + y * tx, s1[2] - c * fy * i)
-    # The steps' errors may leave a little more energy than there was, where nothing is lost: no law of impact makes any.
+    # Without dissipation, integration errors may increase the energy slightly; no law of impact may create energy.
     had, has = dot(v, v) + kappa * (a * a) * dot(w, w), dot(v2, v2) + kappa * dot(s2, s2)
     if has > had:
         k = math.sqrt(had / has)

@@ -1,8 +1,8 @@
-"""Steps along the flow of two contacts: an explicit one, and an implicit one for slips that creep.
+"""Integration steps for two simultaneous contacts: explicit, and implicit for stiff (creeping) slips.
 
-Between events the flow is smooth, and a step of order 8 is long. It is not where a slip is small against the friction that
-turns it: one that fades slowly, or one that starts where friction only just does not hold. Its direction then follows the
-rest of the ball at once, which an explicit step could follow only in very many small ones.
+Between events the flow is smooth, and steps of order 8 can be long. The flow is stiff where a slip is small compared with
+the friction that turns it: a slip that vanishes slowly, or one that starts where friction just fails to hold the contact.
+Its direction then adjusts at once to the motion of the ball, which explicit steps resolve only if they are very short.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ def mix(y: Slips, h: float, a: float, p: Slips, b: float, q: Slips, c: float, r:
 
 @kernel
 def hop(y: Slips, k1: Slips, h: float, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, tiny: float) -> Slips:
-    """A short step, by the classical method of order 4."""
+    """Take a short step by the classical Runge-Kutta method of order 4."""
     k2, _spare = rates(mix(y, h, 1 / 2, k1, 0, k1, 0, k1), q, wall, floor, dw, df, tiny)
     k3, _spare = rates(mix(y, h, 1 / 2, k2, 0, k1, 0, k1), q, wall, floor, dw, df, tiny)
     k4, _spare = rates(mix(y, h, 1, k3, 0, k1, 0, k1), q, wall, floor, dw, df, tiny)
@@ -43,7 +43,7 @@ def hop(y: Slips, k1: Slips, h: float, q: Couplings, wall: int, floor: int, dw: 
 def stride(
     y: Slips, k1: Slips, h: float, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, tiny: float
 ) -> tuple[Slips, float]:
-    """One step of Dormand & Prince 8(5,3) (Hairer, Norsett & Wanner, Solving ODEs I, II.5) from y with rates k1; its error."""
+    """Take one step of Dormand & Prince 8(5,3) (Hairer, Norsett & Wanner, Solving ODEs I, II.5) from y with rates k1."""
     x = mix(y, h, 0.05260015195876773, k1, 0, k1, 0, k1)
     k2, _spare = rates(x, q, wall, floor, dw, df, tiny)
     x = mix(y, h, 0.0197250569845379, k1, 0.0591751709536137, k2, 0, k1)
@@ -94,7 +94,7 @@ def stride(
 
 @kernel
 def _turned(q: Couplings, wall: int, floor: int, push: float, dw: Pair, df: Pair, at_wall: bool) -> Slips:
-    """How the rates change as the direction of one slip turns."""
+    """Derivative of the rates with respect to the direction of one slip."""
     c, _m, b, k, d, e, _drive, muw, muf, _heed = q
     zero = 0 * c
     if at_wall:
@@ -116,7 +116,7 @@ def _turned(q: Couplings, wall: int, floor: int, push: float, dw: Pair, df: Pair
 def _implicit(
     y: Slips, h: float, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair
 ) -> tuple[Slips, Pair, Pair, bool]:
-    """Euler's implicit step: slips whose rates, taken at their own directions, lead there from y. Newton in the angles."""
+    """Take an implicit Euler step, solved by Newton's method for the directions of the slips."""
     c, m, b, k, _d, e, drive, muw, muf, heed = q
     one = 1 + 0 * h
     new, found = y, False
@@ -150,7 +150,7 @@ def _implicit(
         long = size(one, t2)
         df = ((df[0] - t2 * df[1]) / long, (df[1] + t2 * df[0]) / long)
         found = abs(t1) + abs(t2) < 1e-14
-    # the energy goes with u_n at the end
+    # the energy changes with u_n at the end of the step
     new = (new[0], new[1], new[2], new[3], y[4] - h * heed * c / (1 - m) * (new[0] + new[2]))
     ahead = (wall != SLIDE or dw[0] * new[0] + dw[1] * new[1] > 0) and (
         floor != FLOOR_SLIP or df[0] * new[2] + df[1] * new[3] > 0
@@ -162,9 +162,9 @@ def _implicit(
 def creep(
     y: Slips, h: float, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, tiny: float
 ) -> tuple[Slips, float, bool]:
-    """Euler's implicit step, extrapolated from 1 to 6 substeps; its error; False where there is no such step.
+    """Take an implicit Euler step extrapolated from 1 to 6 substeps; return its error, and False if it does not converge.
 
-    dw and df are the directions where a slip starts from nothing.
+    dw and df are the directions in which a slip starts from zero.
     """
     zero = 0 * h
     slip = size(y[0], y[1])

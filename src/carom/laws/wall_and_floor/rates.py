@@ -1,21 +1,21 @@
-"""Two contacts at once, wall and floor: how both answer, per unit of the wall's normal impulse.
+"""Wall and floor at once: rates of change of both slips per unit of the wall's normal impulse.
 
-Units: mass 1, and s = a omega in place of the spin, so that every state is a velocity and every impulse too. The frame has
-x along the level part of the wall's normal, n = (c, 0, m), and the wall's tangents t = (-m, 0, c), upwards, and y. While
-the floor keeps z' = 0 two slips say everything: u at the wall along t and y, f at the floor along x and y. With wall
-friction F, floor friction G and floor push N they change by
+Units: mass 1, and s = a omega in place of the spin, so that states and impulses are velocities. The frame has x along the
+horizontal part of the wall's normal, n = (c, 0, m), and the wall's tangents t = (-m, 0, c), upwards, and y. While the floor
+keeps z' = 0 the state is given by two slips: u at the wall along t and y, f at the floor along x and y. With wall friction
+F, floor friction G and normal force N of the floor they change by
 
     u_t' = -m c + B F_t - E G_x     f_x' = c - E F_t + K G_x     N = -(m + c F_t)
     u_y' = K F_y + D G_y            f_y' = D F_y + K G_y
 
-K = 1 + 1/kappa, B = m^2 + 1/kappa, D = 1 + m/kappa, E = m + 1/kappa. A *mode* says how each contact goes on: the wall's
-sticks or slides, the floor's sticks, slides, is off, or takes the slip away in a jump. All that a mode depends on is the
-directions of the slips, so whatever is at rest is decided in closed form: :func:`decide_mode`.
+K = 1 + 1/kappa, B = m^2 + 1/kappa, D = 1 + m/kappa, E = m + 1/kappa. The *mode* is the state of each contact: the wall's
+sticks or slides, the floor's sticks, slides, is off, or loses its slip in a jump. A mode depends only on the directions of
+the slips, so for contacts at rest it is determined in closed form: :func:`decide_mode`.
 
-**Infinite friction** is not a large number here but the limit, which has a clock of its own: the slip of a contact that
-pushes is gone before the other impulses have grown. At the wall the flow is followed per unit of wall friction instead
-(level 1: no normal impulse passes); at the floor per unit of floor friction (a jump: nothing else passes). What then is at
-rest has no cone.
+**Infinite friction** is not treated as a large number but as the limit, with a separate independent variable: the slip of a
+loaded contact vanishes before the other impulses have grown. At the wall the flow is integrated per unit of wall friction
+instead (level 1, at constant normal impulse); at the floor per unit of floor friction (a jump, at constant other impulses).
+A contact then at rest has no friction cone.
 """
 
 from __future__ import annotations
@@ -42,13 +42,13 @@ __all__ = [
 Pair = tuple[float, float]
 # The slips u_t, u_y, f_x, f_y, and the energy stored in the wall's normal spring.
 Slips = tuple[float, float, float, float, float]
-# c, m, B, K, D, E; the drive (1, or 0 where the wall's normal impulse waits), the frictions of wall and floor, and the
-# share in which the wall's energy counts (1 or 0).
+# c, m, B, K, D, E; the drive (1, or 0 at constant normal impulse of the wall), the frictions of wall and floor, and the
+# weight of the wall's energy (1 or 0).
 Couplings = tuple[float, float, float, float, float, float, float, float, float, float]
 
-LEVEL = 1e-10  # a floor's push below this share of the wall's impulse counts as none
-SINGULAR = 1e-9  # a wall that sticks locks with a slipping floor where its equations are as near to singular as this
-ENDLESS = 1e15  # a friction that no load exceeds, for contacts at rest
+LEVEL = 1e-10  # a floor impulse below this fraction of the wall's impulse is regarded as zero
+SINGULAR = 1e-9  # a sticking wall locks with a slipping floor where its equations are this close to singular
+ENDLESS = 1e15  # stands for infinite friction of contacts at rest
 
 # Whether the floor takes part, and how.
 OFF, FLOOR_SLIP, FLOOR_STICK, FLOOR_JUMP = 0, 1, 2, 3
@@ -64,8 +64,8 @@ def size(p: float, q: float) -> float:
 def rates(y: Slips, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, tiny: float) -> tuple[Slips, float]:
     """Rates of slips and energy in a pressed mode, and the margin by which the mode is admissible.
 
-    The margin is the smallest of: the floor's push, and what the cone of each sticking contact has to spare; each as a
-    share of what it is made of, so that it lies between -1 and 1. Slips below ``tiny`` have the directions dw and df.
+    The margin is the smallest of the floor's normal force and the margins of the friction cones of sticking contacts, each
+    relative to the sum of its terms, so between -1 and 1. Slips below ``tiny`` have the directions dw and df.
     """
     c, m, b, k, d, e, drive, muw, muf, heed = q
     zero = 0 * c
@@ -113,13 +113,13 @@ def rates(y: Slips, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, tin
 def _start_at_wall(q: Couplings, df: Pair) -> Pair:
     """Direction in which a wall contact at rest starts to slip while the floor slips along df, n_z < 0.
 
-    The slip's rate M F + r has to point along the slip itself, (mu M + x) d = r with |d| = 1 and a growth x >= 0. M is
-    triangular, |d| falls from above 1 (the wall does not stick) to 0: there is a solution, and with it the floor pushes.
+    The slip's rate M F + r must be parallel to the slip, (mu M + x) d = r with |d| = 1 and a growth rate x >= 0. M is
+    triangular, and |d| decreases from above 1 (the wall does not stick) to 0: so a solution exists, and the floor is loaded.
     """
     c, m, b, k, d, e, drive, muw, muf, _heed = q
     gain = e * muf * c * df[0]
     cross = d * c * muf * df[1]
-    if drive == 0:  # nothing but the lock itself drives it
+    if drive == 0:  # driven only by the locking of the contacts
         x = max(gain - b, 0 * c)
         length = size(1, cross / (k + x))
         return 1 / length, -cross / (k + x) / length
@@ -153,12 +153,11 @@ def _start_at_wall(q: Couplings, df: Pair) -> Pair:
 def decide_mode(  # noqa: PLR0911  (one return a mode)
     y: Slips, q: Couplings, rough_wall: bool, rough_floor: bool, touching: bool, tiny: float
 ) -> tuple[int, int, int, Pair, Pair]:
-    """How each contact goes on: wall, floor, level (1: an infinitely rough wall takes its slip away), directions.
+    """Return the modes of wall and floor, the level (1: an infinitely rough wall removes its slip), and the directions.
 
-    ``rough_wall`` and ``rough_floor`` say that a friction is infinite; q holds ENDLESS in its place. Where the wall slips
-    there is one answer. Where it rests several can be admissible: then both contacts stay at rest if the cones hold
-    them; a wall that does not press down (n_z >= 0) lets the ball go; a contact at rest stays so rather than start to
-    slip.
+    ``rough_wall`` and ``rough_floor`` mark infinite friction; q then holds ENDLESS. If the wall slips, the mode is unique.
+    If it is at rest, several modes can be admissible. Then both contacts stay at rest if their cones permit; a wall that
+    does not press down (n_z >= 0) releases the ball; and a contact at rest is preferred to one that starts to slip.
     """
     c, m, b, k, d, e, _drive, muw, muf, heed = q
     one = 1 + 0 * c
@@ -189,10 +188,10 @@ def decide_mode(  # noqa: PLR0911  (one return a mode)
     if not touching:
         return STICK, OFF, 0, dw, df
     if floor_rests:
-        # At rest on both: all that follows lies in the plane of n and the vertical, and slips away from the wall.
+        # Both contacts at rest: the motion stays in the plane of n and the vertical, with slip away from the wall.
         dw = df = (one, zero)
         edge = c / (1 - m)
-        # (on the very edge of the cones a ball that can leave does, and one that cannot is held)
+        # (exactly on the edge of the cones a ball that can leave does so, and one that cannot is held)
         if min(muw, muf) > edge * (1 + (LEVEL if m >= 0 else -LEVEL)):
             return STICK, FLOOR_STICK, 0, dw, df
         if m >= 0:
@@ -207,9 +206,9 @@ def decide_mode(  # noqa: PLR0911  (one return a mode)
     if m >= 0:
         return STICK, OFF, 0, dw, df
     _k, spare = rates(y, q, STICK, FLOOR_SLIP, dw, df, tiny)
-    if spare >= 0:  # on an infinitely rough floor its push is zero, and its friction what keeps it so
+    if spare >= 0:  # on an infinitely rough floor the normal force is zero, and friction keeps it at zero
         return STICK, FLOOR_SLIP, 0, dw, df
-    if rough_floor:  # its slip jumps, and takes the wall's contact with it
+    if rough_floor:  # its slip jumps, and changes that of the wall
         slip = size(e * df[0], d * df[1])
         return SLIDE, FLOOR_JUMP, level, (e * df[0] / slip, -d * df[1] / slip) if slip > 0 else dw, df
     return SLIDE, FLOOR_SLIP, level, _start_at_wall(fast, df), df

@@ -1,14 +1,14 @@
 """Branch-free integrator for simultaneous sliding at wall and floor, the usual case of a pressed ball.
 
-The slips u at the wall and f at the floor change at rates that depend on their directions only, so the flow in the wall's
-impulse P is as smooth as they are long: it has branch points where u.u or f.f vanish, at complex P not farther than |u|/|u'|.
-In the variable s with dP = ds / (A/|u| + B/|f|) these move away (a slip that passes zero at a distance b on a straight line
-is b cosh s), and a step of order 8 goes several times as far. The ends are met exactly, by taking what is known there as the
-variable of the last step (Henon, Physica D 5, 412 (1982)): u_n in compression, which ends at 0; in restitution w, w^2 / 2 the
-energy given back. Both are as good from the beginning on, so a ball whose slips turn little takes three steps in all.
+The slips u at the wall and f at the floor change at rates that depend on their directions only, so the smoothness of the flow
+in the wall's impulse P depends on their lengths: it has branch points where u.u or f.f vanish, at complex P at most |u|/|u'|
+away. In the variable s with dP = ds / (A/|u| + B/|f|) these are farther away (a slip that passes zero at a distance b on a
+straight line is b cosh s), and a step of order 8 can be several times as long. The ends are reached exactly by a change of the
+independent variable in the last step (Henon, Physica D 5, 412 (1982)): to u_n in compression, which ends at 0; in restitution to
+w, with w^2 / 2 the energy returned. Both can be used from the start, so a ball whose slips turn little takes three steps in all.
 
-What is not this simple is left to :mod:`carom.laws.wall_and_floor.solver`: a slip that dies, a floor that is no longer
-pushed, steps that have to be short. :mod:`carom.laws.two_step_batch` integrates many balls together.
+Other cases are left to :mod:`carom.laws.wall_and_floor.solver`: a slip that vanishes, a floor that is no longer loaded, and
+steps that have to be short. :mod:`carom.laws.two_step_batch` integrates many balls together.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ __all__ = ["DONE", "GOES", "LEAVES", "Glide", "glide"]
 
 # The slips u_t, u_y, f_x, f_y, the energy in the wall's spring, the wall's impulse.
 Glide = tuple[float, float, float, float, float, float]
-By = tuple[float, float, float, float, float]  # what s is made of: see _flow
+By = tuple[float, float, float, float, float]  # coefficients of ds/dP: see _flow
 GOES, DONE, LEAVES = 0, 1, 2
-REACH = 0.9  # of s, the first step and the longest: the singularities lie at about i pi/2
-BASE = 0.2  # of s, that the way to an end takes where no slip turns
-GROWS = 0.8  # a slip that grows counts by so much of what one that fades does
-# The last step is taken from so much of a reach on; the step before it, if one would do, ends short of the end by so much.
+REACH = 0.9  # in s: the first step and the longest; the singularities lie at about i pi/2
+BASE = 0.2  # in s: distance to the end if no slip turns
+GROWS = 0.8  # weight of a growing slip relative to a decreasing one
+# The last step is taken within this fraction of the reach; the step before it stops short of the end by this fraction.
 LAST, NEAR = 0.6, 0.85
-FIRST = 1e-3  # of the way back of the wall's spring: next to its start w is all rounding
+FIRST = 1e-3  # of the unloading of the wall's spring: close to its start w is dominated by rounding
 SAFE = 0.8  # of the step that the error would allow
-# What is looked at is the error of order 5, which no step's is larger than: it is 10 to 10,000 times smaller. (Hairer's combination
-# with the one of order 3 is nearer to it in the middle, but now and then passes zero: 1e5 times too small, of some hundreds.)
+# The error estimate is that of order 5, an upper bound: the true error is 10 to 10,000 times smaller. (Hairer's combination with
+# the one of order 3 is closer on average, but passes zero in one of some hundred steps, and is then 1e5 times too small.)
 ESTIMATE = 30_000
-SHORT = 0.02  # of s: what needs shorter steps than this is left
+SHORT = 0.02  # in s: balls that need shorter steps are left to the solver
 
 
 @hot_kernel
@@ -78,9 +78,9 @@ def _rates(y: Glide, pw: Pair, pf: Pair, q: Couplings) -> tuple[float, float, fl
 
 @hot_kernel
 def _flow(y: Glide, h: float, q: Couplings, by: By) -> Glide:
-    """What all changes by in h of s, where dP = ds / (a/|u| + b/|f| + base + x (u_t' + f_x') + z u_n).
+    """Return the changes in a step h of s, where dP = ds / (a/|u| + b/|f| + base + x (u_t' + f_x') + z u_n).
 
-    The rates of :func:`_rates`, times |u| |f|, so that there is one division.
+    The rates of :func:`_rates` are multiplied by |u| |f|, so that there is a single division.
     """
     c, m, b, k, d, e, _drive, muw, muf, _heed = q
     u, f = math.sqrt(y[0] * y[0] + y[1] * y[1]), math.sqrt(y[2] * y[2] + y[3] * y[3])
@@ -99,10 +99,10 @@ def _flow(y: Glide, h: float, q: Couplings, by: By) -> Glide:
 def _stride(
     y: Glide, k1: Glide, h: float, w: float, dw: float, q: Couplings, by: By, long: float
 ) -> tuple[Glide, float]:
-    """One step of Dormand & Prince 8(5,3) (Hairer, Norsett & Wanner, Solving ODEs I, II.5); its error of order 5.
+    """Take one step of Dormand & Prince 8(5,3) (Hairer, Norsett & Wanner, Solving ODEs I, II.5); return its error of order 5.
 
-    k1 is what the rates at y make of h; the rates are multiplied by a w that grows evenly by dw. Of slips shorter than ``long``
-    the error counts by the root of the direction that it leaves wrong.
+    k1 is h times the rates at y; the rates are multiplied by a w that grows linearly by dw. For slips shorter than ``long``
+    the error is weighted by the square root of the error in direction.
     """
     k2 = _flow(_one(y, 0.05260015195876773, k1), h * (w + 0.05260015195876773 * dw), q, by)
     k3 = _flow(_two(y, 0.0197250569845379, k1, 0.0591751709536137, k2), h * (w + 0.0789002279381516 * dw), q, by)
@@ -148,7 +148,7 @@ def _squares(x: Glide, u: float, f: float) -> float:
 
 @hot_kernel
 def _pace(turn: float, fade: float) -> float:
-    """How fast a slip loses its direction: it turns, or fades; one that grows only moves away from where it was short."""
+    """Return how fast a slip loses its direction, by turning or by decreasing; a growing slip moves away from the singularity."""
     return turn + (fade if fade > 0 else -GROWS * fade)
 
 
@@ -166,10 +166,10 @@ def glide(
     q: Couplings,
     e: float,
 ) -> tuple[Glide, bool, float, float, int]:
-    """One step: the state, whether it is still compressed, the energy to give back, the next step's reach; how it goes on.
+    """Take a step; return state, whether still in compression, energy to return, reach of the next step, continuation code.
 
-    dw and df are the directions in which a slip starts from nothing. A step is taken back if its error is above what is
-    ``allowed``; slips below ``least`` are left.
+    dw and df are the directions in which a slip starts from zero. A step is rejected if its error is above ``allowed``;
+    slips below ``least`` are left to the solver.
     """
     zero, one = 0 * reach, 1 + 0 * reach
     u, f = math.sqrt(y[0] * y[0] + y[1] * y[1]), math.sqrt(y[2] * y[2] + y[3] * y[3])
@@ -180,7 +180,7 @@ def glide(
     r0, r1, r2, r3, push = _rates(y, (px, py), (qx, qy), q)
     lever = q[0] / (1 - q[1])
     un, along = lever * (y[0] + y[2]), lever * (r0 + r2)
-    # (a, b, base): the pace at which the slips lose their directions, per P
+    # (a, b, base): the rate at which the slips lose their directions, per P
     a = zero if starts_w else _pace(abs(px * r1 - py * r0), -(px * r0 + py * r1))
     b = zero if starts_f else _pace(abs(qx * r3 - qy * r2), -(qx * r2 + qy * r3))
     goal = -un / along if compressing else 2 * y[4] / (un + math.sqrt(un * un + 2 * along * y[4]))
@@ -211,7 +211,7 @@ def glide(
     good = (error <= allowed) & ahead & within
     lasts = (u1 > least) & (f1 > least)
     pushes = q[0] * q[7] * new[0] - q[1] * u1 > LEVEL * (1 + q[7]) * u1
-    # (error ~ h^6; the more careful root)
+    # (error ~ h^6; the more conservative root)
     grow = SAFE * math.sqrt(math.sqrt(math.sqrt(allowed / error))) if error > 0 else 2 * one
     grow = min(max(grow, 0.2 * one), 2 * one)
     took = min(need, reach) if last else h

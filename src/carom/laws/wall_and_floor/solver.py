@@ -1,11 +1,11 @@
-"""Wall and floor at once: a ball on a rigid floor that the wall pushes down.
+"""Wall and floor at once: a ball that the wall presses on a rigid floor.
 
-The impact is followed in the impulse P that the wall has given along its normal (Darboux 1880; Keller, J. Appl. Mech. 53,
-1 (1986)), with Coulomb friction at both contacts, stick and slip each followed exactly, and Stronge's energetic
-restitution at the wall (Proc. R. Soc. A 431, 169 (1990)): it ends when the wall has given back e^2 of the work that it
-took. The rigid floor holds z' = 0 for as long as it has to push; where it would have to pull, the ball lifts off, and it
-comes down again while the wall still acts if the gap closes before the wall lets go. The gap needs a clock: the wall is a
-linear spring that unloads e^2 times as stiffly (Walton & Braun), whose stiffness drops out of the answer.
+The impact is integrated over the normal impulse P of the wall (Darboux 1880; Keller, J. Appl. Mech. 53, 1 (1986)), with
+Coulomb friction at both contacts, exact transitions between stick and slip, and Stronge's energetic restitution at the wall
+(Proc. R. Soc. A 431, 169 (1990)): the contact ends when the wall has returned e^2 of the work done on it. The rigid floor
+keeps z' = 0 as long as its normal force is positive; where it would have to pull, the ball lifts off, and it lands again
+during the wall contact if the gap closes in time. The gap depends on time: the wall is a linear spring that unloads with 1/e^2
+times its stiffness (Walton & Braun), and the value of the stiffness cancels.
 
 Units here: mass 1, and s = a omega in place of the spin, so that every state is a velocity and every impulse too.
 """
@@ -39,39 +39,39 @@ __all__ = [
 ]  # fmt: skip
 
 JAM, STALL, AGAIN = 3, 4, 6  # (5 is two_step.UNDEFINED)
-LEAST_FIRM = 1e3  # half of this: where a friction that was used can only have been an infinite one
-ROUNDING = 1e-15  # of the speeds: where a velocity of approach has ended
+LEAST_FIRM = 1e3  # a mobilised friction above half of this is regarded as infinite
+ROUNDING = 1e-15  # of the speeds: a velocity of approach below this is zero
 TINY = 1e-12
-AT_REST = 1e-10  # of the speeds: a slip below this has ended
+AT_REST = 1e-10  # of the speeds: a slip below this is zero
 STEP_ERROR = 1e-10  # of the speed of approach: error of one step
-ESTIMATE = 30  # by so much, and more, an explicit step is better than the estimate of its error
-NEARLY = 1e-5  # of the speeds: a slip that dies within so little is followed straight to its end
-# From here on friction turns a slip too fast for an explicit step: one of some size, and one that starts from nothing.
+ESTIMATE = 30  # the error of an explicit step is smaller than its estimate by at least this factor
+NEARLY = 1e-5  # of the speeds: a slip that vanishes within this distance is integrated in one step to its end
+# Above these rates friction turns a slip too fast for an explicit step: a slip of some size, and one that starts from zero.
 STIFF, STARTS = 60, 4
-LONG = 500  # steps: a course that takes more is stiff somewhere, and creeps from then on
+LONG = 500  # steps: an impact that takes more is stiff somewhere, and uses implicit steps from then on
 MOST_STEPS = 100_000
-HUMS = 10_000  # a ball that lands more often than that under one push is pressed on the floor
+HUMS = 10_000  # a ball that lands more often than this during one contact is taken to be pressed on the floor
 
 
 @hot_kernel
 def pressed_down(v: Vec, w: Vec, n: Vec, a: float, mu: float, h: float) -> bool:
-    """Whether a wall pushes a ball that lies on the floor down, at any time while it acts."""
+    """Return whether a wall presses a ball on the floor down at any time during the contact."""
     if h > 0 or v[2] > 0:
         return False
     if v[2] < 0 or n[2] < 0:
         return True
     _un, ut = slip_velocity(v, w, n, a)
-    if not ut[2] > 0:  # friction lifts, or is level
+    if not ut[2] > 0:  # friction lifts the ball, or is horizontal
         return False
     if n[2] == 0:
         return mu > 0
-    # the sliding wall's impulse per unit of normal impulse has the vertical part n_z - mu u_z/|u_t|
+    # during sliding the wall's impulse per unit of normal impulse has the vertical component n_z - mu u_z/|u_t|
     return mu * ut[2] > n[2] * math.sqrt(dot(ut, ut))
 
 
 @hot_kernel
 def error_allowed(speed: float, scale: float) -> float:
-    """The error of one step."""
+    """Return the error allowed in one step."""
     return STEP_ERROR * (speed if speed > scale / 100 else scale / 100)
 
 
@@ -83,7 +83,7 @@ def _speed_of_approach(y: Slips, vz: float, q: Couplings) -> float:
 
 @kernel
 def _lands(y: Slips, vz: float, q: Couplings, kappa: float, ef: float, muf: float, betaf: float) -> tuple[Slips, float]:
-    """One blow from the floor: slips and vertical velocity after it."""
+    """Apply one impulse of the floor; return slips and vertical velocity after it."""
     zero = 0 * vz
     jn, g, _required, _regime = contact(vz, (y[2], y[3], zero), 1, kappa / (1 + kappa), ef, muf, betaf)
     c, _m, _b, k, d, e, _drive, _muw, _muf, _heed = q
@@ -92,7 +92,7 @@ def _lands(y: Slips, vz: float, q: Couplings, kappa: float, ef: float, muf: floa
 
 @kernel
 def _fading(ux: float, uy: float, rx: float, ry: float) -> tuple[float, float, float]:
-    """Of a slip u with rate r: its size, the rate at which it fades, and how fast it is turned, r across u."""
+    """Return the size of a slip u with rate r, the rate at which it decreases, and the component of r across u."""
     slip = size(ux, uy)
     if slip > 0:
         return slip, -(ux * rx + uy * ry) / slip, abs(ux * ry - uy * rx) / slip
@@ -104,7 +104,7 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
     y: Slips, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, patience: int,
     compressing: bool, peak: float, pace: float, speed: float, scale: float,
 ) -> tuple[Slips, float, float, bool, bool]:  # fmt: skip
-    """A step of a pressed ball, its length, the next one's, whether the mode has come to its end, and whether it went."""
+    """Take a step of a pressed ball; return its length, the next one's, whether the mode has ended, and whether it succeeded."""
     c, m, _b, _k, _d, _e, _drive, muw, muf, heed = q
     zero = 0 * c
     tiny, allowed = AT_REST * scale, error_allowed(speed, scale)
@@ -119,7 +119,7 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
     dies_w = uw / fading_w if slips_w and floor != FLOOR_JUMP and uw > 0 and fading_w > 0 else math.inf
     dies_f = uf / fading_f if slips_f and uf > 0 and fading_f > 0 else math.inf
     dies = min(dies_w, dies_f)
-    if floor == FLOOR_JUMP:  # straight too where it does not turn the wall's slip: the floor's push stays as it is
+    if floor == FLOOR_JUMP:  # also straight if it does not turn the wall's slip: the floor's normal force is constant
         straight = fading_w < 0 and turns_w <= 1e-9 * -fading_w
     else:  # all in one plane
         straight = y[1] == 0 and y[3] == 0 and k1[1] == 0 and k1[3] == 0
@@ -129,14 +129,14 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
         ends = dies <= goal
     else:
         ends = dies <= goal and dies * (size(k1[0], k1[1]) + size(k1[2], k1[3])) < NEARLY * scale
-        # what is left of the slip turns by too little to matter, and so does the other contact's
+        # the rest of the slip turns by a negligible angle, and so does the slip of the other contact
         ends = ends and dies * (turns_w if dies_w <= dies_f else turns_f) <= allowed
         other, turn = (uf, turns_f) if dies_w <= dies_f else (uw, turns_w)
         ends = ends and dies * dies * turn * (muw + muf) <= allowed * other
         if not ends:
             goal = min(goal, 0.99 * dies)
-            far = min(goal, 10 * speed)  # what is stiff is not a step but the way
-            turn = math.inf  # the way on which a slip turns by 1, or fades
+            far = min(goal, 10 * speed)  # stiffness is measured over the remaining path, not over one step
+            turn = math.inf  # the impulse over which a slip turns by 1, or vanishes
             if slips_w:
                 turn = uw / size(k1[0], k1[1])
             if slips_f:
@@ -152,7 +152,7 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
                     new, error = hop(y, k1, h, q, wall, floor, dw, df, zero), zero
                 else:
                     new, error = stride(y, k1, h, q, wall, floor, dw, df, zero)
-                    # (and of a small slip the direction has to be right)
+                    # (the direction of a small slip has to be accurate, too)
                     slip = size(new[0], new[1]) if slips_w else math.inf
                     slip = min(slip, size(new[2], new[3])) if slips_f else slip
                     error = max(error / ESTIMATE, error * 30 * allowed / slip) if slip > 0 else math.inf
@@ -172,13 +172,13 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
                 share = min(share, 0.5)
             if slips_f and uf > 0 and new[2] * y[2] + new[3] * y[3] < 0:
                 share = min(share, 0.5)
-            # (a step too short to move anything: this mode has come to its end)
+            # (the step is too short to change anything: this mode has ended)
             still = h * (size(k1[0], k1[1]) + size(k1[2], k1[3])) < 1e-13 * scale
             if share < 1 and not still:
                 return y, zero, h * share, False, False
             over = still or spare1 < 0 or (slips_w and fading_w > 0 and size(new[0], new[1]) <= tiny)
             over = over or (slips_f and fading_f > 0 and size(new[2], new[3]) <= tiny)
-            # (a slip that fades leaves so much less room for the next step)
+            # (a decreasing slip shortens the next step accordingly)
             if slips_w and uw > 0:
                 grow = min(grow, grow * size(new[0], new[1]) / uw)
             if slips_f and uf > 0:
@@ -198,10 +198,10 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
 
 @kernel
 def _taken(y: Slips, vz: float, q: Couplings, apart: bool, un: float) -> tuple[Slips, float, bool]:
-    """An infinitely rough wall takes the slip of a ball that the floor does not hold; whether it lands on the way.
+    """Remove the slip of a ball off the floor at an infinitely rough wall; return whether the ball lands meanwhile.
 
-    Only a ball that is just leaving the floor (not ``apart``) can: no time passes. What little does counts: from the wall's
-    first touch on the impulse grows as the square of the time, and later in proportion to it.
+    It can land only if it is just leaving the floor (not ``apart``), since the time is infinitesimal. Its order matters: at
+    the beginning of the contact the impulse grows as the square of the time, and later in proportion to it.
     """
     c, _m, _b, k, d, e, _drive, _muw, _muf, heed = q
     zero = 0 * c
@@ -233,7 +233,7 @@ def _creeps(
     y: Slips, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, far: float, fading_w: float, fading_f: float,
     patience: int,
 ) -> bool:  # fmt: skip
-    """Whether friction turns a slip many times faster than the way to go, ``far``, is long."""
+    """Return whether friction turns a slip within an impulse much shorter than the remaining ``far`` (stiffness)."""
     c, m, b, k, _d, e, drive, muw, muf, _heed = q
     zero = 0 * c
     if floor == FLOOR_JUMP:
@@ -256,10 +256,10 @@ def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
     y: Slips, vz: float, q: Couplings, e: float, kappa: float, ef: float, muf: float, betaf: float, speed: float, scale: float,
     p: float, compressing: bool, peak: float, waits: bool,
 ) -> tuple[Slips, float, float, int, bool, float, Pair, Pair]:  # fmt: skip
-    """Slips, vertical velocity, the wall's normal impulse and its regime when the wall lets go.
+    """Integrate to the end of the wall contact; return slips, vertical velocity, the wall's normal impulse and regime.
 
-    It begins at the wall's impulse p, in compression or not, with so much energy to give back at first (``peak``). Who
-    ``waits`` is told where a contact that rested slips and both do (AGAIN); then the last four are what holds there.
+    The integration begins at the wall's impulse p, in compression or not, with the energy ``peak`` to return. With ``waits``
+    it stops where a contact at rest begins to slip and both then slip (AGAIN); the last four results describe that state.
     """
     c, m, b, k, d, ee, _drive, muw, _muf, _heed = q
     zero = 0 * vz
@@ -284,7 +284,7 @@ def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
                 regime = JAM
                 break
             rank = level + (2 if floor == FLOOR_JUMP else 0)
-            if rank < grade:  # what was stored on a faster clock is nothing on this one
+            if rank < grade:  # energy stored at the faster time scale is negligible on this one
                 y, grade, compressing = (y[0], y[1], y[2], y[3], zero), rank, True
             elif y[4] == 0 and compressing:
                 grade = rank
@@ -293,17 +293,17 @@ def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
         un = _speed_of_approach(y, vz, q)
         if rank == grade:
             if compressing and un >= -max(1e-12 * speed, ROUNDING * scale):
-                # Stronge: the wall gives back e^2 of what it took
+                # Stronge: the wall returns e^2 of the work done on it
                 compressing, peak = False, e * e * y[4]
                 y = (y[0], y[1], y[2], y[3], peak)
             elif not compressing and e > 0 and un < -max(1e-12 * speed, ROUNDING * scale) and y[4] >= peak * (1 - TINY):
-                # Walton & Braun: back along the line of unloading, and from the greatest compression so far along the first
+                # Walton & Braun: reloading follows the unloading line, and beyond the previous maximum the loading line
                 compressing = True
                 y = (y[0], y[1], y[2], y[3], y[4] / (e * e))
             if not compressing and y[4] <= TINY * peak:
                 regime = STICK if size(y[0], y[1]) <= tiny else SLIDE
                 break
-        if floor == OFF and level == 1:  # an infinitely rough wall takes the slip, and may lift the ball with it
+        if floor == OFF and level == 1:  # an infinitely rough wall removes the slip, and may lift the ball
             y, vz, hit = _taken(y, vz, law, touching or gap > 0, un)
             touching, decide = touching and vz <= tiny, True
             if hit:
@@ -323,7 +323,7 @@ def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
             if not (went or pace > 0):
                 break
             continue
-        # Straight lines: any length will do, up to where the gap closes.
+        # Straight lines: the step may have any length, up to where the gap closes.
         slip = size(y[0], y[1])
         ft, fy = zero, zero
         h = remaining(un, 1, y[4], peak, compressing)
@@ -361,7 +361,7 @@ def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
 def wall_and_floor(
     v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, muw: float, ef: float, muf: float, betaf: float
 ) -> tuple[Vec, Vec, Vec, Vec, int]:
-    """Velocity, spin, impulse (per mass) of the wall, of the floor, regime of the wall contact (or JAM, STALL)."""
+    """Velocity, spin, impulses (per unit mass) of wall and floor, and regime of the wall contact (or JAM, STALL)."""
     met = meet(v, w, n, a, kappa, muw, ef, muf, betaf)
     v1, s1, j, _frame, q, before, speed, scale = met
     if not speed > 0:

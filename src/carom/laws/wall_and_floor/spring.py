@@ -1,7 +1,7 @@
-"""The wall's spring: what is left until it has turned the ball and let it go, and the gap that its clock gives.
+"""The wall's spring: impulse remaining until compression or restitution ends, and the gap under a lifted ball.
 
-Stronge's restitution needs the energy that the wall stores, not a time. Only the gap under a lifted ball does: the wall is a
-linear spring that unloads e^2 times as stiffly (Walton & Braun), whose stiffness drops out.
+Stronge's restitution depends on the energy stored in the wall, not on time. Only the gap under a lifted ball depends on time:
+the wall is a linear spring that unloads with 1/e^2 times its stiffness (Walton & Braun), and the stiffness cancels.
 """
 
 from __future__ import annotations
@@ -15,10 +15,10 @@ __all__ = ["gap_growth", "remaining", "touch_down"]
 
 @kernel
 def remaining(un: float, rate: float, stored: float, peak: float, compressing: bool) -> float:
-    """Impulse until the compression, or the restitution, ends at the present rate of u_n; infinite if it does not.
+    """Return the impulse until compression or restitution ends at the present rate of u_n; infinite if it does not.
 
-    A restitution also ends where the ball comes in again and has given back to the wall all that it had returned
-    (``peak``): what follows is compression that the wall has not seen yet.
+    Restitution also ends if the ball approaches again and has given back to the wall all the energy that it had returned
+    (``peak``): the compression then exceeds its previous maximum.
     """
     if compressing:
         return -un / rate if rate > 0 else math.inf
@@ -35,9 +35,9 @@ def remaining(un: float, rate: float, stored: float, peak: float, compressing: b
 
 @kernel
 def gap_growth(un: float, vz: float, c: float, stored: float, p: float, e: float, compressing: bool) -> float:
-    """How the gap under a lifted ball grows (v_z changes at the rate c) while the wall gives the impulse p."""
+    """Return the growth of the gap under a lifted ball (v_z changes at the rate c) during the wall's impulse p."""
     # The wall's spring in its own time: q' = -u_n/k, u_n' = q/k with q^2/2 the stored energy, k = 1 or, unloading, e;
-    # (u_n, q) turns on a circle. Differences of nearly equal numbers are written out: c may be a large friction.
+    # (u_n, q) moves on a circle. Differences of nearly equal numbers are expanded: c may be a large friction.
     k = 1 + 0 * e if compressing else e
     q0 = math.sqrt(2 * stored)
     left = stored - un * p - p * p / 2
@@ -53,7 +53,7 @@ def gap_growth(un: float, vz: float, c: float, stored: float, p: float, e: float
 def touch_down(
     un: float, vz: float, c: float, stored: float, p: float, e: float, compressing: bool, gap: float
 ) -> float:
-    """Impulse in (0, p] at which the gap closes: bisection between its largest value and p, where it is below zero."""
+    """Return the impulse in (0, p] at which the gap closes, by bisection between its maximum and p, where it is negative."""
     low = -vz / c if vz > 0 else 0 * p
     high = p
     for _ in range(200):
