@@ -297,7 +297,7 @@ def test_fit_tells_misspelt_laws_with_all_other_faults(here, monkeypatch, capsys
         (("--report", "page.html", "--no-report"), "--no-report: expected no --report"),
         (("--contact-height", "1.3"), "--contact-height: expected rebounds of a ball on a table"),
         (("--roll", "0.5"), "--roll: expected rebounds of a ball on a table"),
-        (("--cushions", "2"), "--cushions: expected --whole beside it"),
+        (("--cushions", "2"), "--cushions: expected --whole as well"),
         (("--whole", "--sigma-v", "0.1"), "--sigma-v: expected no --whole"),
         (("--whole", "--seed", "0"), "--seed: expected no --whole"),
         (("--whole", "--robust"), "--robust: expected no --whole"),
@@ -343,11 +343,11 @@ def test_rows_of_one_kind_by_a_column_of_the_tables_own(here, monkeypatch, capsy
     # both rackets in one: a note says so
     code, _out, err = run(monkeypatch, capsys, "fit", *options, "--json")
     assert code == 0
-    assert "racket: 2 kinds of rows are fitted as one (01_inverted, 10_antispin); --where racket=01_inverted" in err
+    assert "racket: 2 kinds of rows are fitted together (01_inverted, 10_antispin); --where racket=01_inverted" in err
     code, out, err = run(monkeypatch, capsys, "fit", *options, "--where", "rackt=1", "--where", "racket=2")
     assert (code, out) == (2, "")
     assert err == (
-        "carom: --where: expected COLUMN=VALUE, with a column of the table's own, got 'rackt=1'; did you mean 'racket'?\n"
+        "carom: --where: expected COLUMN=VALUE, with an additional column of the table, got 'rackt=1'; did you mean 'racket'?\n"
         "carom: --where racket: expected one of its values (01_inverted, 10_antispin), got '2'\n"
     )
 
@@ -384,7 +384,7 @@ def test_sets_that_come_with_carom_are_fitted_by_name(here, monkeypatch, capsys)
     [
         (b"", "got an empty file"),
         (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0", "got a picture (PNG)"),
-        (b"\0\1\2\0", "no text"),
+        (b"\0\1\2\0", "not text"),
     ],
 )
 def test_files_that_are_no_tables(here, monkeypatch, capsys, content, said):

@@ -336,7 +336,7 @@ WRONG = {
     "folder": (["design.toml", "--save", "no/run.nc"], "--save no/run.nc: expected a folder that exists"),
     "is a folder": (["design.toml", "--table", "folder.csv"], "got a folder"),
     "twice": (["design.toml", "--save", "run.parquet", "--table", "run.parquet"], "expected another file than --save's"),
-    "late": (["design.toml", "--at", "10.5"], "--at: expected times from 0 to 10 s, where the run ends, got 10.5"),
+    "late": (["design.toml", "--at", "10.5"], "--at: expected times from 0 to 10 s, the end of the run, got 10.5"),
     "late, with a file": (["design.toml", "--at", "11", "--table", "run.csv"], "--at: expected times from 0 to 10 s"),
     "early": (["design.toml", "--at", "-1"], "--at: expected times >= 0"),
     "no time": (["design.toml", "--at", "soon"], "--at: expected times >= 0"),

@@ -626,7 +626,7 @@ def test_numbers_that_the_law_does_not_read_are_refused_as_options(tmp_path, car
         "--stiffness-ratio",
         "--floor-friction",
     ]
-    assert "--friction: expected a law that reads it, got mirror, which reads restitution; leave it out" in ran.err
+    assert "--friction: expected a law that reads it, got mirror, which reads restitution; omit the option" in ran.err
     ran = carom_run("predict", table, "--law", "no-slip", "--friction", "0.2")
     assert "got no-slip, which reads floor_restitution, floor_friction" in ran.err
     assert len(carom_run("predict", table, "--law", "mirror", "--friction", "nan").err.splitlines()) == 1

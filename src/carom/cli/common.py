@@ -1,4 +1,4 @@
-"""What commands share: collected errors, the console, progress bars, and checks of output files before a run."""
+"""Shared by commands: collection of errors, the console, progress bars, and checks of output files before a run."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def attempt(found: list[str], action: Callable[..., Any], *args: Any) -> Any:
 
 @contextmanager
 def noting(notes: Iterable[str]) -> Iterator[None]:
-    """Attach notes to a CaromError raised in the block: what was noted while reading a file often says why it failed later."""
+    """Attach notes to a CaromError raised in the block: notes made while reading a file often explain a later failure."""
     try:
         yield
     except CaromError as error:
@@ -54,7 +54,7 @@ def working(
 ) -> Iterator[Callable[[float, float], None] | None]:
     """Show a progress bar on standard error if that is a terminal; yield its update function (done, total), else None.
 
-    While loops are compiled, ``compiling`` is shown in the place of ``what``.
+    While loops are compiled, ``compiling`` is shown in place of ``what``.
     """
     from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
 
@@ -92,7 +92,7 @@ def tick(console: Console, good: bool) -> str:
 
 
 def tell(ranking: Any, show: Callable[[Any], None], as_json: bool, console: Console, written: Path | None) -> None:
-    """Print a ranking of laws, as JSON or by ``show``; on the console its notes, and where its report is."""
+    """Print a ranking of laws, as JSON or by ``show``; on the console also its notes, and the path of its report."""
     if as_json:
         sys.stdout.write(json.dumps(ranking.as_dict(), indent=2, allow_nan=False) + "\n")
     else:
@@ -110,7 +110,7 @@ def wrote(*paths: Path) -> None:
 
 
 def write_report_page(write: Callable[[], Path], say: Callable[[str, float], None]) -> Path:
-    """Write a report that was asked for and return its path; CaromError where Matplotlib is missing."""
+    """Write a requested report and return its path; CaromError if Matplotlib is missing."""
     require_library("matplotlib", "--report")
     say("report", 1.0)
     return write()
@@ -134,9 +134,8 @@ def require_outputs(
 ) -> None:
     """Add to ``found`` why the files that options name cannot be written.
 
-    ``kinds`` are the endings that an option takes; an option that is not in it takes a picture. Libraries
-    that a file needs have to be installed.
-    ``source`` is a file that is read and must not be written over.
+    ``kinds`` are the endings that an option accepts; other options accept the endings of figures. The libraries that a file
+    requires must be installed. ``source`` is an input file, which must not be overwritten.
     """
     seen: dict[Path, str] = {}
     for option, path in named.items():

@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 
 __all__ = ["show"]
 
-MIN_WIDTH_WITH_SPIN = 112  # columns of the terminal from which the table has room for the spin
+MIN_WIDTH_WITH_SPIN = 116  # columns of the terminal from which the table has room for the spin
 
 
 def register(app: typer.Typer) -> None:
@@ -40,8 +40,12 @@ def compare(
         float, typer.Option(help="Angle of incidence, from the wall's normal, degrees.", rich_help_panel=BALL)
     ] = 45.0,
     spin_z: Annotated[float, typer.Option(help="Spin about the vertical, rad/s.", rich_help_panel=BALL)] = 0.0,
-    spin_x: Annotated[float | None, typer.Option(help="rad/s.", show_default="rolling", rich_help_panel=BALL)] = None,
-    spin_y: Annotated[float | None, typer.Option(help="rad/s.", show_default="rolling", rich_help_panel=BALL)] = None,
+    spin_x: Annotated[
+        float | None, typer.Option(help="Spin about x, rad/s.", show_default="rolling", rich_help_panel=BALL)
+    ] = None,
+    spin_y: Annotated[
+        float | None, typer.Option(help="Spin about y, rad/s.", show_default="rolling", rich_help_panel=BALL)
+    ] = None,
     sliding: Annotated[
         bool,
         typer.Option(
@@ -66,7 +70,7 @@ def compare(
         list[str] | None,
         typer.Option(
             metavar="NAME",
-            help="Only this law, or a custom one, my_law.py:law; may be repeated.",
+            help="Compare only this law, or a custom one, my_law.py:law; may be repeated.",
             rich_help_panel=OUTPUT,
         ),
     ] = None,
@@ -121,7 +125,7 @@ def show(comparison: Comparison) -> None:
     table = _table(comparison, console)
     width = console.width
     console.width = 1000
-    console.width = max(width, console.measure(table).maximum)  # no number is cut off, even where lines get too long
+    console.width = max(width, console.measure(table).maximum)  # numbers are never cut off, even if lines get too long
     console.print(table)
     console.width = width
     for verdict in comparison.verdicts:
@@ -138,7 +142,7 @@ def _incoming(comparison: Comparison) -> str:
     v = m.state.velocity
     spin = ", ".join(_number(float(x)) for x in m.state.spin)
     lines = [
-        f"In:    {format_number(math.hypot(v[0], v[1]))} m/s at {comparison.incident_angle:.2f}° from the wall's normal,"
+        f"State: {format_number(math.hypot(v[0], v[1]))} m/s at {comparison.incident_angle:.2f}° from the wall's normal,"
         f" spin ({spin}) rad/s",
         f"Ball:  radius {format_length(m.ball.radius, 4)}, mass {format_number(m.ball.mass, 4)} kg,"
         f" I = {format_number(m.ball.kappa)} m a²",
@@ -164,9 +168,16 @@ def _more(comparison: Comparison) -> str:
 def _table(comparison: Comparison, console: Console) -> Table:
     wide = console.width >= MIN_WIDTH_WITH_SPIN
     table = Table(box=box.SIMPLE_HEAD, padding=(0, 1 if wide else 0), pad_edge=False, header_style="bold")
-    heads = ["law", "after\nwall", "\nfinal", "final velocity\nx, y, m/s"]
+    heads = ["law", "angle\nafter\nwall", "final\nangle", "final\nvelocity\nx, y, m/s"]
     heads += ["final spin\nx, y, z, rad/s"] if wide else []
-    heads += ["hops\nmm", "flies\nmm", "energy\nkept", "needs\nμ at\nwall", "needs\nμ at\nfloor", "ok"]
+    heads += [
+        "flight\nheight\nmm",
+        "flight\nlength\nmm",
+        "energy\nkept",
+        "needed\nμ of\nwall",
+        "needed\nμ of\nfloor",
+        "ok",
+    ]
     for i, head in enumerate(heads):
         table.add_column(head, justify="left" if i == 0 else "right", no_wrap=True, overflow="fold", vertical="bottom")
     for verdict in comparison.verdicts:
@@ -206,5 +217,5 @@ def _sentence(verdict: Verdict) -> str:
         return "; ".join(verdict.remarks) or "no objection"
     parts = [*verdict.why]
     if verdict.after_wall is not None and verdict.final is None:
-        parts += verdict.remarks[-1:]  # why it never rolls
+        parts += verdict.remarks[-1:]  # why the ball never rolls
     return "; ".join(parts)

@@ -90,13 +90,13 @@ def design(
     clash = ""
     if filmed is not None:
         if kind not in (None, filmed.kind):
-            clash = f"--kind: expected {filmed.kind}, as {file} is, got {kind}; leave it out"
+            clash = f"--kind: expected {filmed.kind}, the kind of {file}, got {kind}; omit the option"
         kind = filmed.kind
-    if clash:  # and no other fault speaks against it
+    if clash:  # reported only if there is no other fault
         faults.append(clash)
     elif kind in (None, "planar") and (file is None or filmed is not None):
         faults += _no_table(stage in STAGES[1:], contact_height != 1, floor_friction is not None)
-    usual = Shots()  # in the place of what is at fault already
+    usual = Shots()  # replaces values already reported as faults
     shots = Shots(ranges[0] or usual.angles, ranges[1] or usual.speeds, ranges[2], sigma_v, sigma_spin, stage)
     setting = Setting(
         radius=radius,
@@ -128,10 +128,10 @@ def design(
 
 
 def _no_table(stage: bool, contact_height: bool, floor_friction: bool) -> list[str]:
-    """Faults of options of a ball on a table that were given for one in flight, where they would do nothing."""
+    """Return faults of options of a ball on a table given for one in flight, for which they have no effect."""
     given = {"--stage": stage, "--contact-height": contact_height, "--floor-friction": floor_friction}
     return [
-        f"{option}: expected a ball on a table, got one in flight; --kind table, or leave it out"
+        f"{option}: expected a ball on a table, got one in flight; use --kind table, or omit the option"
         for option, there in given.items()
         if there
     ]

@@ -88,7 +88,8 @@ def fit(
     roll: Annotated[
         float,
         typer.Option(
-            help="Spin before the wall, in units of that of a rolling ball: 1 rolling, 0 stunned.", rich_help_panel=LAWS
+            help="Spin before the wall, in units of that of a rolling ball: 1 rolling, 0 without spin.",
+            rich_help_panel=LAWS,
         ),
     ] = 1.0,
     kind: Annotated[str | None, shared("kind", default="by the columns")] = None,
@@ -102,7 +103,7 @@ def fit(
         bool,
         typer.Option(
             "--whole",
-            help="Fit whole tracks, each simulated from a start of its own, instead of contacts.",
+            help="Fit whole tracks, each simulated from its own initial state, instead of contacts.",
             rich_help_panel=DATA,
         ),
     ] = False,
@@ -160,7 +161,7 @@ def fit(
     no_report: Annotated[bool, typer.Option("--no-report", help="The default.", hidden=True)] = False,
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
-    """Fit the laws of impact to measured rebounds, and say which the data prefer.
+    """Fit the laws of impact to measured rebounds, and report which of them the data favour.
 
     carom fit bounces.csv --radius 0.02 --inertia hollow
 
@@ -203,12 +204,12 @@ def fit(
     metres = attempt(faults, parse_length, "scale", scale)
     names = [name for text in laws or [] for name in comma_separated(text)]
     if laws and not names:
-        faults.append("--laws: expected names of laws, NAME,NAME, got none; leave it out for all of them")
+        faults.append("--laws: expected names of laws, NAME,NAME, got none; omit the option to fit all laws")
     faults += _words(names, whole, view, kind, stage, bootstrap)
     own_faults: list[str] = []
     ours = attempt(own_faults, own_set, file)
     if radius is None and ours is None and not own_faults:
-        faults.append("--radius: expected the ball's radius, in m, got none; --radius 0.02 is a table-tennis ball")
+        faults.append("--radius: expected the ball's radius in m, got none; a table-tennis ball has --radius 0.02")
     given = {"radius": radius, "kappa": kappa, "contact_height": contact_height, "floor_friction": floor_friction}
     ball = (
         {"radius": 1.0}
@@ -258,7 +259,7 @@ def _words(
     faults = [f"--laws: {fault.removeprefix('law: ')}" for fault in unknown_laws(names)]
     if view not in (None, "above", "side"):
         faults.append(f"--view: expected above (a ball on a table) or side (a ball in flight), got {view!r}")
-    if whole:  # (they are not read)
+    if whole:  # (not used)
         return faults
     if kind not in (None, *KINDS):
         faults.append(f"--kind: expected planar or table, got {kind!r}")
@@ -278,11 +279,11 @@ def _checked(setting: Setting) -> None:
 def _pages(faults: list[str], report: Path | None, no_report: bool) -> None:
     require_outputs(faults, {"--report": report}, {"--report": (".html", ".htm")})
     if report is not None and no_report:
-        faults.append("--no-report: expected no --report beside it, got one; give one of them")
+        faults.append("--no-report: expected no --report with it, got one; give one of them")
 
 
 def _read(rebounds: Rebounds, track: bool, of_tracks: dict[str, Any], of_tables: dict[str, Any]) -> None:
-    """Raise CaromError for options without effect: of a track, or of a ball on a table, where there is none."""
+    """Raise CaromError for options without effect: those of tracks for rebounds, those of tables for planar rebounds."""
     faults = (
         [] if track else [f"{name}: expected a track, got rebounds" for name, x in of_tracks.items() if x is not None]
     )
@@ -290,7 +291,7 @@ def _read(rebounds: Rebounds, track: bool, of_tracks: dict[str, Any], of_tables:
         said = "expected rebounds of a ball on a table, got planar ones"
         faults += [f"{name}: {said}" for name, value in of_tables.items() if value is not None]
     if faults:
-        raise CaromError(*(f"{fault}; leave it out" for fault in faults))
+        raise CaromError(*(f"{fault}; omit the option" for fault in faults))
 
 
 @contextmanager

@@ -38,7 +38,7 @@ def read(
     """Return the rebounds of a table or a track. CaromError with its problems and those found before."""
     before = len(faults)
     track = attempt(faults, is_track, file)
-    if track and not faults:  # contacts take a while: the options first
+    if track and not faults:  # measuring contacts takes time, so invalid options are reported first
         with bar() as say:
             return measured(file, setting, given, view, stage, say)
     rebounds: Rebounds | None = (
@@ -70,8 +70,10 @@ def chosen(rebounds: Rebounds, where: list[str]) -> Rebounds:
         name, _equals, value = text.partition("=")
         column = rebounds.extra.get(name)
         if column is None:
-            got = f"{text!r}; {suggestion(name, list(rebounds.extra))}" if rebounds.extra else f"{text!r}; it has none"
-            faults.append(f"--where: expected COLUMN=VALUE, with a column of the table's own, got {got}")
+            got = (
+                f"{text!r}; {suggestion(name, list(rebounds.extra))}" if rebounds.extra else f"{text!r}; there is none"
+            )
+            faults.append(f"--where: expected COLUMN=VALUE, with an additional column of the table, got {got}")
             continue
         rows = column.astype(str) == value
         if not rows.any():
@@ -81,7 +83,7 @@ def chosen(rebounds: Rebounds, where: list[str]) -> Rebounds:
             )
         keep &= rows
     if not faults and not keep.any():
-        faults.append("--where: expected conditions that some row meets, got none that meets all")
+        faults.append("--where: expected conditions that some rows meet, but no row meets all of them")
     if faults:
         raise CaromError(*faults)
     rebounds = rebounds.select(keep)
@@ -91,8 +93,8 @@ def chosen(rebounds: Rebounds, where: list[str]) -> Rebounds:
         if _words(column.tolist()) and 1 < len(set(column.tolist())) <= len(rebounds) // 5
     }
     notes = tuple(
-        f"{name}: {len(values)} kinds of rows are fitted as one ({', '.join(map(str, values[:4]))}"
-        f"{', ...' if len(values) > 4 else ''}); --where {name}={values[0]} fits one of them"
+        f"{name}: {len(values)} kinds of rows are fitted together ({', '.join(map(str, values[:4]))}"
+        f"{', ...' if len(values) > 4 else ''}); --where {name}={values[0]} selects one of them"
         for name, values in kinds.items()
     )
     return replace(rebounds, notes=(*notes, *rebounds.notes))
@@ -107,7 +109,7 @@ def _words(cells: list[Any]) -> bool:
 
 
 def is_track(file: Path) -> bool:
-    """Return whether a file is taken for a track: it has no column of a rebound. CaromError for a file that is not text."""
+    """Return whether a file is treated as a track: it has no column of a rebound. CaromError for a file that is not text."""
     if file.suffix.lower() in (".parquet", ".pq") or not file.is_file():
         return False
     with file.open("rb") as opened:
@@ -123,12 +125,12 @@ def is_track(file: Path) -> bool:
 
 
 def _what(raw: bytes) -> str:
-    """Return what a binary file is, by its first bytes."""
+    """Return the kind of a binary file, from its first bytes."""
     kinds = {b"\x89PNG": "a picture (PNG)", b"\xff\xd8\xff": "a picture (JPEG)", b"GIF8": "a picture (GIF)",
              b"PK\x03\x04": "a spreadsheet or another archive (zip)", b"\xd0\xcf\x11\xe0": "an old spreadsheet (xls)"}  # fmt: skip
     if raw[4:8] == b"ftyp":
         return "a film (MP4)"
-    return next((words for start, words in kinds.items() if raw.startswith(start)), "bytes that are no text")
+    return next((words for start, words in kinds.items() if raw.startswith(start)), "bytes that are not text")
 
 
 def measured(file: Path, setting: Setting, given: Any, view: str | None, stage: str | None, say: Any) -> Rebounds:

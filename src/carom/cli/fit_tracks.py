@@ -1,4 +1,4 @@
-"""``carom fit TRACK --whole``: laws against whole tracks, each simulated from a start of its own."""
+"""``carom fit TRACK --whole``: fit laws to whole tracks, each simulated from its own initial state."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ MEASURING = 0.4  # of the progress bar, until all contacts are measured
 
 
 class TrackOptions(NamedTuple):
-    """Options that say how tracks are read and followed."""
+    """Options of reading and simulating tracks."""
 
     view: str | None
     where: Sequence[str]
@@ -53,7 +53,7 @@ def fit_track_file(
     from carom.tracks.read import read_tracks
 
     view, where, cushions, noise, reading = frames
-    # (a number of the table like others there: fitted unless it is told)
+    # (a parameter of the table: fitted unless it is given)
     fixed = given.fixed if given.floor_friction is None else {"floor_friction": given.floor_friction} | given.fixed
     setting = TrackSetting(
         radius=given.radius, kappa=given.kappa, noise=attempt(faults, parse_length, "noise", noise),
@@ -64,7 +64,7 @@ def fit_track_file(
     if given.floor_friction is not None and not 0 <= given.floor_friction < float("inf"):
         faults.append(f"floor_friction: expected a number of at least 0, got {given.floor_friction!r}")
     if file.is_file() and not is_track(file):
-        faults.append(f"{file}: expected a track with --whole, got a table of rebounds; leave out --whole")
+        faults.append(f"{file}: expected a track with --whole, got a table of rebounds; omit --whole")
     if view == "side":
         faults.append("--view: expected above with --whole (balls on a table), got side")
     if faults:

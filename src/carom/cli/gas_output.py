@@ -183,7 +183,7 @@ class Progress:
             self.say("compiling the event loop (once)")
 
     def growing(self, fraction: float) -> None:
-        """Show how far a dense start has grown."""
+        """Show the progress of growing a dense start."""
         now = time.monotonic()
         if self.quiet or (now - self.last_line < (0.3 if self.console.is_terminal else LINE_INTERVAL) and fraction < 1):
             return
@@ -192,7 +192,7 @@ class Progress:
         self.console.print(f"growing a dense start: {fraction:.1%} of the final radii ", end=end, markup=False)
 
     def __enter__(self) -> Progress:
-        """Begin."""
+        """Start the display."""
         if self.console.is_terminal and not self.quiet:
             from rich.progress import BarColumn, TaskProgressColumn, TextColumn, TimeRemainingColumn
             from rich.progress import Progress as Bar
@@ -208,7 +208,7 @@ class Progress:
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        """End."""
+        """Stop the display."""
         if self.bar is not None:
             self.bar.stop()
 

@@ -29,31 +29,31 @@ __all__ = [
     "unused_options",
 ]
 
-# Headings of the help, for options of all commands.
+# Headings in the help, for options of all commands.
 BALL, WALL, FLOOR, RUN, OUTPUT = "Ball", "Wall", "Floor", "Run", "Output"
 TRACK, REBOUNDS = "Track", "Table of rebounds"
 
-# Each shared option by its parameter's name: heading, help, and what else Typer needs.
+# Each shared option by its parameter's name: heading, help, and further arguments of typer.Option.
 _SHARED: dict[str, tuple[str, str, dict[str, Any]]] = {
     "radius": (BALL, "Radius, m.", {}),
     "mass": (BALL, "Mass, kg.", {}),
     "inertia": (BALL, "solid, hollow, or kappa = I/(m a^2).", {"metavar": "solid|hollow|KAPPA"}),
-    "height": (BALL, "Height at the wall above its place on the floor, m.", {}),
-    "restitution": (WALL, "Restitution, 0 to 1.", {}),
+    "height": (BALL, "Height of the ball above the floor when it meets the wall, m.", {}),
+    "restitution": (WALL, "Coefficient of restitution, 0 to 1.", {}),
     "friction": (WALL, "Friction coefficient; inf: never slips.", {}),
-    "tangential_restitution": (WALL, "-1 to 1: 0 stops the slip, 1 reverses it.", {}),
-    "stiffness_ratio": (WALL, "Tangential over normal stiffness, for maw and stronge.", {}),
+    "tangential_restitution": (WALL, "Tangential restitution, -1 to 1: 0 stops the slip, 1 reverses it.", {}),
+    "stiffness_ratio": (WALL, "Tangential over normal stiffness, for laws with tangential compliance.", {}),
     "contact_height": (
         WALL,
         "Height of the contact above the floor, in ball radii; billiard cushions: 1.25 to 1.4.",
         {"flags": ("--contact-height", "--cushion-height")},
     ),
-    "floor_restitution": (FLOOR, "Restitution, 0 to 1.", {}),
+    "floor_restitution": (FLOOR, "Coefficient of restitution, 0 to 1.", {}),
     "floor_friction": (FLOOR, "Friction coefficient; inf: never slips.", {}),
-    "floor_tangential_restitution": (FLOOR, "-1 to 1: 0 stops the slip, 1 reverses it.", {}),
+    "floor_tangential_restitution": (FLOOR, "Tangential restitution, -1 to 1: 0 stops the slip, 1 reverses it.", {}),
     "floor_contact": (
         FLOOR,
-        "A ball that the wall presses down meets the floor with the wall, or after it.",
+        "Whether a ball that the wall presses down meets the floor with the wall or after it.",
         {"metavar": "with|after"},
     ),
     "gravity": (FLOOR, "Gravity, m/s^2.", {}),
@@ -64,10 +64,10 @@ _SHARED: dict[str, tuple[str, str, dict[str, Any]]] = {
     "scale": (TRACK, "Metres per unit of the file: 0.0005, or 0.5mm.", {}),
     "view": (TRACK, "above (balls on a table) or side (balls in flight).", {"metavar": "above|side"}),
     "noise": (TRACK, "Error of one coordinate in one frame: 0.0003 (m), or 0.3mm.", {}),
-    "kind": (REBOUNDS, "planar (in flight) or table (rolling).", {"metavar": "planar|table"}),
-    "sigma_v": (REBOUNDS, "Error bar of speeds, m/s.", {}),
-    "sigma_spin": (REBOUNDS, "Error bar of spins, rad/s.", {}),
-    "allow_own_laws": (RUN, "Run the Python files that the scene names as laws.", {"flags": ("--allow-own-laws",)}),
+    "kind": (REBOUNDS, "planar (ball in flight) or table (ball on a table).", {"metavar": "planar|table"}),
+    "sigma_v": (REBOUNDS, "Standard error of speeds, m/s.", {}),
+    "sigma_spin": (REBOUNDS, "Standard error of spins, rad/s.", {}),
+    "allow_own_laws": (RUN, "Execute the Python files that the scene names as laws.", {"flags": ("--allow-own-laws",)}),
     "json": (OUTPUT, "Print JSON on standard output, and nothing else.", {"flags": ("--json",)}),
     "quiet": (OUTPUT, "Print nothing but errors.", {"flags": ("--quiet",)}),
     "force": (OUTPUT, "Overwrite a file that exists.", {"flags": ("--force",)}),
@@ -78,8 +78,8 @@ _SHARED: dict[str, tuple[str, str, dict[str, Any]]] = {
 def shared(name: str, default: str | None = None, **changes: Any) -> Any:
     """Return the option with this name in the table, for ``Annotated``.
 
-    ``default``: shown in the help in place of the parameter's default, where that is None. ``changes``: of what Typer is given,
-    for a command where an option means something more special (``help``, ``rich_help_panel``).
+    ``default`` is shown in the help in place of the parameter's default if that is None. ``changes`` override arguments of
+    typer.Option for a command in which the option has a more specific meaning (``help``, ``rich_help_panel``).
     """
     panel, text, more = _SHARED[name]
     settings = {"help": text, "rich_help_panel": panel, **more, **changes}
@@ -125,11 +125,11 @@ def parse_length(name: str, text: str | None) -> float | None:
 
 
 def parse_spin(text: str | None, whole: bool = False) -> tuple[float | None, dict[str, Any]]:
-    """Return the spin of all rows, or the prior of unmeasured spins as fields of a Setting; ``whole``: at the starts of tracks."""
+    """Return the spin of all rows, or the prior of unmeasured spins as fields of a Setting; ``whole``: for whole tracks."""
     name, _, width = (text or "normal").partition(":")
     if whole and name != "normal":
         raise CaromError(
-            f"--spin: expected normal:WIDTH (in v/a) with --whole, got {text!r}; each track's own is fitted"
+            f"--spin: expected normal:WIDTH (in v/a) with --whole, got {text!r}; the spin of each track is fitted"
         )
     try:
         if name == "normal" and not width:
@@ -155,7 +155,7 @@ def parse_assignments(
         if not equals:
             faults.append(f"{option}: expected NAME=..., got {text!r}")
         elif name not in known:
-            faults.append(f"{option}: expected a number of a law, got {name!r}; {suggestion(name, known)}")
+            faults.append(f"{option}: expected a parameter of a law, got {name!r}; {suggestion(name, known)}")
         else:
             yield name, value
 
@@ -181,7 +181,7 @@ def parse_bounds(name: str, text: str) -> tuple[float, float]:
 
 
 def unused_options(whole: bool, of_contacts: dict[str, Any], of_frames: dict[str, Any]) -> list[str]:
-    """Return faults of options that were given and have no effect: of contacts with ``--whole``, of whole tracks without it."""
-    wanted = "no --whole, which fits frames and not contacts" if whole else "--whole beside it"
+    """Return faults of options without effect: those of contacts with ``--whole``, those of whole tracks without it."""
+    wanted = "no --whole, which fits frames instead of contacts" if whole else "--whole as well"
     given = of_contacts if whole else of_frames
     return [f"{name}: expected {wanted}; leave it out" for name, value in given.items() if value is not None]

@@ -23,7 +23,7 @@ REASONS = {
 def orbit_facts(
     found: Orbit, table: Table, begin: Any, options: dict[str, Any], *, lyapunov: bool, back: bool
 ) -> dict[str, Any]:
-    """Return what is known of the orbits, as plain numbers; None for what they do not have."""
+    """Return the results of the orbits as plain numbers; None for quantities that are undefined."""
     import numpy as np
 
     from carom import billiards

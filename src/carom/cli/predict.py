@@ -32,12 +32,14 @@ def predict(
     ],
     law: Annotated[str, typer.Option(help="Name of a law (carom laws), or a custom one: my_law.py:law.")] = "two-step",
     out: Annotated[Path | None, typer.Option(help="New file of the same kind. Default: standard output (CSV).")] = None,
-    strict: Annotated[bool, typer.Option("--strict", help="Fail, and write nothing, if a row has no answer.")] = False,
+    strict: Annotated[
+        bool, typer.Option("--strict", help="Fail, and write nothing, if there is no prediction for a row.")
+    ] = False,
     json_: Annotated[bool, shared("json", help="Print a summary as JSON on standard output (with --out).")] = False,
     spin: Annotated[
         str | None,
         typer.Option(
-            help="Spin of rows without one: rolling or none.", show_default="rolling; none for contact, maw, stronge"
+            help="Spin of rows without one: rolling or none.", show_default="rolling; none for laws of a ball in flight"
         ),
     ] = None,
     suffix: Annotated[str | None, typer.Option(help="Suffix of the names of added columns.")] = None,
@@ -68,8 +70,8 @@ def predict(
 ) -> None:
     """Add the outgoing states that a law predicts to a table of incoming states, one per row.
 
-    An option takes precedence over a column of the same name. Rows without an answer stay in the table, with the reason in
-    the note column.
+    An option takes precedence over a column of the same name. Rows without a prediction stay in the table, with the reason
+    in the note column.
     """
     from carom.data.limits import bad_numbers
     from carom.data.predict import PredictSettings, predict_table, spin_rule
@@ -103,7 +105,7 @@ def predict(
     faults += bad_numbers(read, values.get("normal"), contact_height, gravity)
     require_outputs(faults, {"--out": out}, {"--out": ()}, source=table)
     if json_ and out is None:
-        faults.append("--out: expected a file for the table, got none, and --json takes the standard output")
+        faults.append("--out: expected a file for the table with --json, which uses standard output, got none")
     if faults:
         raise CaromError(*faults)
     console = err()
@@ -123,10 +125,10 @@ def _report(console: Console, summary: Any) -> None:
         console.print(Text.assemble((f"{fault['row']}:", "yellow"), f" {fault['what']}"), soft_wrap=True)
     more = summary.without_answer - len(summary.faults)
     if more > 0:
-        left = (f"and {more:,} more row{'s' * (more > 1)} without an answer", "yellow")
-        console.print(Text.assemble(left, f"; the column {summary.added[-1]} lists all"))
+        left = (f"and {more:,} more row{'s' * (more > 1)} without a prediction", "yellow")
+        console.print(Text.assemble(left, f"; see the column {summary.added[-1]}"))
     rate = summary.rows / summary.seconds if summary.seconds else 0
-    answered = f": {summary.answered:,} of {summary.rows:,} row{'s' * (summary.rows != 1)} answered"
+    answered = f": predictions for {summary.answered:,} of {summary.rows:,} row{'s' * (summary.rows != 1)}"
     took = f" in {summary.seconds:.1f} s ({rate:,.0f} rows/s)" if summary.seconds > 1 else ""
     console.print(Text.assemble((summary.law, "bold"), answered, took), soft_wrap=True)
     if summary.out:
@@ -134,13 +136,13 @@ def _report(console: Console, summary: Any) -> None:
 
 
 def _unread(law: Law | None, numbers: dict[str, float]) -> dict[str, str]:
-    """Return faults of options that were given and that the law does not read, by name."""
+    """Return faults of given options that the law does not read, by name."""
     from carom.data.plan import unread
 
     idle = [] if law is None else unread(law)
     reads = "" if law is None else ", ".join(law.reads or ())
     return {
-        name: f"--{name.replace('_', '-')}: expected a law that reads it, got {law.name}, which reads {reads}; leave it out"
+        name: f"--{name.replace('_', '-')}: expected a law that reads it, got {law.name}, which reads {reads}; omit the option"
         for name in numbers
         if law is not None and name in idle
     }
@@ -158,5 +160,5 @@ def _floor_contact(text: str) -> Literal["with", "after"]:
     if text in ("with", "after"):
         return text  # type: ignore[return-value]
     raise CaromError(
-        f"--floor-contact: expected 'with' (at once) or 'after' (the wall alone, then the floor), got {text!r}"
+        f"--floor-contact: expected 'with' (at once) or 'after' (first the wall, then the floor), got {text!r}"
     )

@@ -16,9 +16,9 @@ __all__ = ["show_progress"]
 
 @contextmanager
 def show_progress(console: Console, quiet: bool, *loops: Callable[..., Any]) -> Iterator[Callable[[str], None]]:
-    """While inside, show how far the compilation of ``loops`` is, if anything is compiled; nothing if ``quiet``.
+    """Show the progress of compiling ``loops`` inside the block, if anything is compiled; nothing if ``quiet``.
 
-    Yields a function that shows a text in place of it, on a terminal only.
+    Yields a function that shows another text instead, on a terminal only.
     """
     from carom.core.jit.progress import compile_progress
 
@@ -37,7 +37,7 @@ def show_progress(console: Console, quiet: bool, *loops: Callable[..., Any]) -> 
 
 
 class _Bar:
-    """A bar that is shown from the first update on."""
+    """A progress bar, shown from the first update on."""
 
     def __init__(self, console: Console) -> None:
         from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
@@ -48,12 +48,12 @@ class _Bar:
         self.stop = self._bar.stop
 
     def show(self, now: CompileProgress) -> None:
-        """Show how far a compilation is."""
+        """Show the progress of a compilation."""
         count = f"{now.done} of {now.expected} functions"
         self._update(total=1.0, completed=now.share, description=f"compiling, once: {now.part}", count=count)
 
     def say(self, text: str) -> None:
-        """Show a text, and that something goes on."""
+        """Show a text with an indeterminate bar."""
         self._update(total=None, description=text, count="")
 
     def _update(self, **fields: Any) -> None:

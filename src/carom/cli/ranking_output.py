@@ -59,7 +59,7 @@ def show(ranking: Ranking) -> None:
 
 
 def show_unidentified(sentences: Iterable[str]) -> None:
-    """Print what is not identifiable from the data, one law and parameter a line."""
+    """Print parameters that are not identifiable from the data, one law and parameter per line."""
     from rich.text import Text
 
     from carom.cli.console import out

@@ -95,7 +95,7 @@ def simulate(
         raise typer.Exit(130) from None
 
 
-# --- what is asked for ---------------------------------------------------------------------------------------------
+# --- options -------------------------------------------------------------------------------------------------------
 
 
 def _most(text: str | None) -> int | None:
@@ -136,7 +136,7 @@ def _scene(path: Path, allow_own_laws: bool, changes: dict[str, Any]) -> Scene:
     with contextlib.suppress(KeyError, ValueError):
         changes["duration"] = float(changes["duration"])
     now = {"max_events": 1} if scene is None else {name: getattr(scene.run, name) for name in Run.model_fields}
-    try:  # (the options of a scene that is at fault itself, too)
+    try:  # (the options are checked even if the scene itself is invalid)
         run = Run(**now | changes) if changes else None
     except CaromError as error:
         options = {f"Run: {name}:": f"--{name.replace('_', '-')}:" for name in changes}
@@ -145,7 +145,7 @@ def _scene(path: Path, allow_own_laws: bool, changes: dict[str, Any]) -> Scene:
         raise CaromError(*found)
     if run is None:
         return scene  # type: ignore[no-any-return]
-    try:  # validated anew as a whole: another law may need numbers that the walls do not have
+    try:  # validated again as a whole: another law may require parameters that the walls do not have
         return Scene(**{name: getattr(scene, name) for name in Scene.model_fields} | {"run": run})
     except CaromError as error:
         raise CaromError(*(_renamed(fault, {"Scene:": f"{path}:"}) for fault in error.faults)) from None
@@ -170,7 +170,7 @@ def _run(scene: Scene, quiet: bool) -> Trajectory:
     with show_progress(err(), quiet, *loops_of(scene)) as say, _interruptible() as asked:
 
         def on_the_way(events: int, t: float) -> None:
-            if asked:  # and nothing came of it
+            if asked:  # an interrupt was swallowed
                 raise KeyboardInterrupt
             say(f"simulating: {events:,} events, {t:.4g} s")
 
@@ -179,8 +179,8 @@ def _run(scene: Scene, quiet: bool) -> Trajectory:
 
 @contextlib.contextmanager
 def _interruptible() -> Iterator[list[bool]]:
-    """Ctrl-C ends the compiling and the run, once it has come (true in the list): Python swallows what is raised while it
-    clears away what LLVM and the compiling have left, and a run would go on until no memory is left."""
+    """Record Ctrl-C in a list and make it end compilation and run: Python swallows exceptions raised while objects of LLVM
+    are finalised, and the run would continue until memory is exhausted."""
     asked: list[bool] = []
 
     def note(_signal: int, _frame: Any) -> None:
@@ -200,7 +200,7 @@ def _interruptible() -> Iterator[list[bool]]:
     finally:
         signal.signal(signal.SIGINT, before)
         sys.unraisablehook = hook
-    if asked:  # something else swallowed it
+    if asked:  # the exception was swallowed elsewhere
         raise KeyboardInterrupt
 
 
@@ -208,12 +208,12 @@ def _reached(run: Trajectory, times: list[float]) -> None:
     """Raise CaromError for times that the run did not reach."""
     if run.ended != "nothing more happens" and times and times[-1] > run.end:
         raise CaromError(
-            f"--at: expected times from 0 to {run.end:.9g} s, where the run ends, got {times[-1]:g}; a longer --duration"
-            " or more --max-events goes on"
+            f"--at: expected times from 0 to {run.end:.9g} s, the end of the run, got {times[-1]:g}; increase --duration"
+            " or --max-events"
         )
 
 
-# --- what comes of it ----------------------------------------------------------------------------------------------
+# --- output --------------------------------------------------------------------------------------------------------
 
 
 def _write(
@@ -234,7 +234,7 @@ def _write(
             part = stack.enter_context(atomic_path(path))
             try:
                 make(part)
-            except CaromError as error:  # with the name that was given
+            except CaromError as error:  # with the file name as given
                 raise CaromError(*(fault.replace(str(part), str(path)) for fault in error.faults)) from None
     return [path for path, _make in asked]
 

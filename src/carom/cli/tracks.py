@@ -63,7 +63,7 @@ def show(
     wall: Annotated[
         list[str] | None,
         typer.Option(
-            help="Line on which the ball's centre turns: x=0.03, y=1.4 or x1,y1,x2,y2 (m); may be repeated.",
+            help="Line at which the ball's centre is reflected: x=0.03, y=1.4 or x1,y1,x2,y2 (m); may be repeated.",
             rich_help_panel=FLOOR,
         ),
     ] = None,
@@ -84,7 +84,9 @@ def show(
     ] = 0.5,
     blind: Annotated[
         float | None,
-        typer.Option(help="Time left out beside a contact, s. Default: from the frames.", rich_help_panel=FIT),
+        typer.Option(
+            help="Time excluded before and after a contact, s. Default: from the frames.", rich_help_panel=FIT
+        ),
     ] = None,
 ) -> None:
     """Summarise a track file (format, tracks, frame rate, noise), and measure its contacts by fitting the physics."""

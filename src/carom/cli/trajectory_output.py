@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 __all__ = ["MOST_ROWS", "as_json", "show"]
 
 MOST_ROWS = 40
-WIDE = 112  # from this width on the table has room for the spin
+WIDE = 112  # least width at which the table has room for the spin
 ROUNDING = 1e-12
 
 
@@ -60,7 +60,7 @@ def _print(console: Console, table: Table) -> None:
 
 
 def _new(heads: list[tuple[str, bool]]) -> Table:
-    """A table; of each column its head, and whether it holds words."""
+    """Return an empty table; for each column its head, and whether it holds words."""
     table = Table(box=box.SIMPLE_HEAD, padding=(0, 1), pad_edge=False, header_style="bold")
     for head, words in heads:
         table.add_column(head, justify="left" if words else "right", no_wrap=True, overflow="fold", vertical="bottom")
@@ -102,7 +102,7 @@ def _events(run: Trajectory, most: int | None, wide: bool) -> Table:
             row = [_time(event.t), *([run.scene.ball_names[event.ball]] if several else []), f"{event.kind}{name}"]
             row += [_triple(event.after.position, axes), _triple(event.after.velocity, axes)]
             row += [_triple(event.after.spin)] if wide else []
-            # where nothing is met, nothing is lost at once
+            # energy is lost instantaneously only in contacts
             lost = event.energy_lost if event.kind in ("wall", "floor", "ball") else math.nan
             row += [
                 format_number(0.0 if abs(lost) < ROUNDING else lost),

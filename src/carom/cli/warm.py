@@ -1,4 +1,4 @@
-"""``carom warm``: compile every loop in advance, in several processes, so that nothing has to wait for it later."""
+"""``carom warm``: compile every loop in advance, in several processes, so that later runs start without delay."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ if TYPE_CHECKING:
 
 __all__ = ["COMPILE_JOBS", "compile_all"]
 
-# What carom compiles, as module:function, what takes longest first. Loops without a fixed signature are compiled by calling them
-# as their users do: the functions below.
+# Compilation jobs, as module:function, the longest first. Loops without a fixed signature are compiled by calling them with
+# typical arguments, in the functions below.
 COMPILE_JOBS = (
     "carom.simulation.wall_and_floor:compiled_joint_impact",
     "carom.simulation.compiled:compiled_engine",
@@ -32,11 +32,11 @@ COMPILE_JOBS = (
     "carom.fitting.tracks.simulate:_compiled",
     "carom.tracks.table_motion:_compiled",
 )
-MANY = 500  # rows; few are computed by Python
+MANY = 500  # rows, enough for the compiled loop to be used
 
 
 def compile_all(workers: int | None = None, report: Callable[[str, str], None] | None = None) -> None:
-    """Compile all loops that are not in the cache yet, in so many processes (default: one for each core).
+    """Compile all loops that are not in the cache yet, in ``workers`` processes (default: one per core).
 
     ``report(job, error)`` is called after each of :data:`COMPILE_JOBS`; ``error`` is empty if it succeeded.
     """
@@ -49,9 +49,9 @@ def register(app: typer.Typer) -> None:
 
 
 def warm(
-    workers: Annotated[int, typer.Option(min=0, help="Processes. Default: 0, one for each core.")] = 0,
+    workers: Annotated[int, typer.Option(min=0, help="Number of processes. Default: 0, one per core.")] = 0,
 ) -> None:
-    """Compile everything in advance: what is compiled once is only loaded from then on."""
+    """Compile everything in advance. The compiled code is cached, so later runs only load it."""
     from carom.cli.console import err
     from carom.core.jit.compile import cache_folder
     from carom.errors import CaromError
@@ -74,7 +74,7 @@ def warm(
 
 
 def answer_many_rows() -> None:
-    """Every wall law and the collision of balls, for arrays of states."""
+    """Compile every wall law and the collision of balls, for arrays of states."""
     import numpy as np
 
     import carom
@@ -90,7 +90,7 @@ def answer_many_rows() -> None:
 
 
 def settle_many_rows() -> None:
-    """The two-step law, for arrays of states."""
+    """Compile the two-step law, for arrays of states."""
     import numpy as np
 
     import carom
@@ -110,7 +110,7 @@ def _states() -> State:
 
 
 def load_called_laws() -> None:
-    """The laws that loops call by their address, and the rims of cylinders."""
+    """Compile the laws that loops call by their address, and the rims of cylinders."""
     from carom.core.geometry.circles import rim_address
     from carom.laws.callbacks import user_address
     from carom.laws.law import CALLED_WALL
@@ -123,7 +123,7 @@ def load_called_laws() -> None:
 
 
 def draw_shots() -> None:
-    """States of a run between its events, and many runs at once."""
+    """Compile the states of a run between its events, and many runs at once."""
     import numpy as np
 
     import carom
@@ -141,7 +141,7 @@ def draw_shots() -> None:
 
 
 def measure_gas() -> None:
-    """The event loop of gases, random starts, and what is counted over all balls."""
+    """Compile the event loop of gases, random starts, and sums over all balls."""
     import carom
     from carom.gas import Gas, Measures, Species, scattered
 
@@ -154,7 +154,7 @@ def measure_gas() -> None:
 
 
 def fit_bounces() -> None:
-    """The likelihood of the fits, in the plane and on the table, with and without measured spins."""
+    """Compile the likelihood of the fits, in the plane and on the table, with and without measured spins."""
     from carom.fitting import likelihood
 
     likelihood.compile_likelihood()
