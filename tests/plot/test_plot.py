@@ -104,7 +104,7 @@ def test_settings_go_to_the_library() -> None:
     with pytest.raises(carom.CaromError, match="angle"):
         plot.compare(angle=95.0)
     texts = [text.get_text() for text in plot.compare(spin_y=40.0).texts]
-    assert "no answer:\nconventional" in texts
+    assert "no prediction:\nconventional" in texts
 
 
 NO_END: list[dict[str, float]] = [

@@ -62,7 +62,6 @@ class Impact:
     """(...): the least friction with which the contact sticks (if the floor acts too: the friction that was mobilised)."""
     code: Any
     """(...): the regime as an integer."""
-    code: Any
 
     @property
     def regime(self) -> Any:

@@ -1,6 +1,6 @@
-"""Figures with Matplotlib (extra `plot`), and animations that need no Matplotlib.
+"""Figures with Matplotlib (extra `plot`), and HTML animations without it.
 
-Each function returns a Matplotlib Figure that belongs to no window; a notebook shows it, :func:`save` writes it.
+Each function returns a Matplotlib Figure without a window; a notebook displays it, :func:`save` writes it.
 """
 
 import lazy_loader as _lazy

@@ -1,4 +1,4 @@
-"""A run as a film (.mp4, .gif) or as a page that plays it (.html). Balls are marked with spots, so that their spin is seen."""
+"""Animate a run: a film (.mp4, .gif) or an interactive page (.html). Spots on the balls make their spin visible."""
 
 from __future__ import annotations
 
@@ -25,9 +25,9 @@ __all__ = ["animate"]
 
 Progress = Callable[[int, int], None]
 KINDS = (".mp4", ".gif", ".html")
-# Pixels across. A GIF holds every pixel that changes; a film does not mind.
+# Width in pixels. A GIF stores every pixel that changes, so it is smaller than a film.
 WIDE = {".mp4": 1280, ".gif": 800}
-# Browsers play no GIF faster.
+# The highest frame rate at which browsers play a GIF.
 FASTEST_GIF = 50
 MOST_FRAMES = 100_000
 
@@ -47,16 +47,37 @@ def animate(
     Parameters
     ----------
     run : Trajectory
-    path : file to write; it appears whole or not at all
-    fps : frames a second of a film; the page draws as fast as the screen does
-    speed : 0.1 is ten times slower than it was; a page can be told otherwise while it plays
-    start, end : s; left out: all of the run
-    progress : function of (frames done, frames in all), optional
+        From :func:`carom.simulate`.
+    path : str or path
+        File to write, .mp4, .gif or .html; it is written atomically.
+    fps : float
+        Frames per second of a film; a page is drawn at the refresh rate of the screen.
+    speed : float
+        Playback speed: 0.1 is ten times slower than real time. It can be changed on a page.
+    start, end : float
+        s. Default: the whole run.
+    progress : callable(done, total), optional
+        Called after each frame of a film.
 
     Returns
     -------
-    The file's path. Raises CaromError for times outside the run, for a name with another ending, where a film needs what is
-    not installed (Matplotlib; for .mp4 also ffmpeg), or where the file cannot be written.
+    pathlib.Path
+        The file written.
+
+    Raises
+    ------
+    CaromError
+        For times outside the run, another ending, a missing library (Matplotlib; for .mp4 also ffmpeg), or a file that cannot
+        be written.
+
+    Examples
+    --------
+    >>> import carom, tempfile
+    >>> from carom import plot
+    >>> run = carom.simulate(carom.new_scene(), max_events=5)
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     plot.animate(run, f"{folder}/run.html").name
+    'run.html'
     """
     path = Path(path)
     require_writable(path, KINDS)
@@ -87,7 +108,7 @@ def animate(
 
 
 def _checked(run: Trajectory, kind: str, fps: Any, speed: Any, start: Any, end: Any) -> tuple[float, float]:
-    """Start and end; CaromError with all that is wrong."""
+    """Return start and end; CaromError with all problems."""
     faults, last = FaultList("animate"), last_time(run)
     fastest = FASTEST_GIF if kind == ".gif" else 1000
     if not (_is_number(fps) and 0 < fps <= fastest):
@@ -108,7 +129,7 @@ def _is_number(x: Any) -> bool:
 
 
 def _ffmpeg() -> str:
-    """The program that writes .mp4: the system's, or the one that the package imageio-ffmpeg brings."""
+    """Return the program that writes .mp4: the system's ffmpeg, or that of the package imageio-ffmpeg."""
     found = shutil.which("ffmpeg")
     if found is None:
         try:
@@ -122,7 +143,7 @@ def _ffmpeg() -> str:
 
 def _mp4(film: Film, path: Path, program: str, fps: float, tell: Progress) -> None:
     wide, high = film.size
-    # frames through a pipe: Matplotlib's own writer would draw the whole figure for each of them
+    # frames are sent through a pipe: Matplotlib's own writer would redraw the whole figure for each of them
     command = [
         program, "-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgba", "-s", f"{wide}x{high}", "-r", f"{fps:.9g}",
         "-i", "-", "-an", "-pix_fmt", "yuv420p", "-movflags", "+faststart", str(path),
@@ -150,14 +171,14 @@ def _mp4(film: Film, path: Path, program: str, fps: float, tell: Progress) -> No
 def _gif(film: Film, path: Path, fps: float, tell: Progress) -> None:
     from PIL import Image
 
-    # one palette for all frames, so that colours do not flicker: from a frame in the middle, which has all of them
+    # one palette for all frames, so that colours do not flicker; it is taken from a frame in the middle, which has all colours
     palette = Image.fromarray(film.frame(len(film.times) // 2)).convert("RGB").quantize(96)
 
     def pictures() -> Iterator[Any]:
         for frame in film.frames(tell):
             yield Image.fromarray(frame).convert("RGB").quantize(palette=palette, dither=Image.Dither.NONE)
 
-    # a GIF counts hundredths of a second: each frame ends at the nearest one, so that the film keeps its pace
+    # a GIF has a time resolution of 10 ms: frame ends are rounded to it, so that errors do not accumulate
     ends = np.round(np.arange(1, len(film.times) + 1) * 100 / fps).astype(int)
     durations = (10 * np.diff(ends, prepend=0)).tolist()
     images = pictures()

@@ -18,7 +18,7 @@ __all__ = ["plot_boundary", "plot_lyapunov", "plot_orbit", "plot_portrait"]
 
 Array = NDArray[np.float64]
 WALL = "#b9b4a6"
-MAX_FLIGHTS = 5_000  # a picture of more flights shows nothing
+MAX_FLIGHTS = 5_000  # with more flights the figure is illegible
 COLOUR_MAP = "tab20"
 
 
@@ -248,7 +248,17 @@ def plot_portrait(found: Orbit) -> Any:
     """Draw the velocity phase portrait (after Cox & Feres): every bounce is a point of the unit disc, every orbit a colour.
 
     Horizontal: the spin, sqrt(kappa) a omega; vertical: the velocity along the wall; both divided by sqrt(2 energy/m). The
-    invariant measure is uniform in the disc, so areas are to scale. Returns a Matplotlib Figure.
+    invariant measure is uniform in the disc, so areas are to scale.
+
+    Parameters
+    ----------
+    found : Orbit
+        One orbit or many.
+
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
 
     Examples
     --------
@@ -279,7 +289,20 @@ def plot_portrait(found: Orbit) -> Any:
 def plot_boundary(found: Orbit) -> Any:
     """Draw the boundary map: arc length s, and the velocity along the wall over that in the plane (the sine of the angle).
 
-    For tables in the plane and cylinders over them; CaromError for a sphere. Returns a Matplotlib Figure.
+    Parameters
+    ----------
+    found : Orbit
+        One orbit or many, in a table in the plane or a cylinder over one.
+
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
+
+    Raises
+    ------
+    CaromError
+        For an orbit in a sphere.
 
     Examples
     --------
@@ -318,10 +341,17 @@ def _scatter(axes: Any, x: Array, y: Array) -> None:
 
 
 def plot_lyapunov(found: Lyapunov) -> Any:
-    """Draw the convergence of Lyapunov exponents with the number of bounces; of several orbits the mean and a band of one
-    standard deviation.
+    """Draw the convergence of Lyapunov exponents with the number of bounces.
 
-    Returns a Matplotlib Figure.
+    Parameters
+    ----------
+    found : Lyapunov
+        From :func:`carom.billiards.lyapunov`; for several orbits the mean is drawn, with a band of one standard deviation.
+
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
 
     Examples
     --------

@@ -41,7 +41,7 @@ def compare(comparison: laws_compared.Comparison | Meeting | None = None, **sett
     Returns
     -------
     matplotlib.figure.Figure
-        A notebook shows it, and :func:`carom.plot.save` writes it. Laws without an answer are listed beside the figure.
+        A notebook shows it, and :func:`carom.plot.save` writes it. Laws without a prediction are listed in the figure.
 
     Raises
     ------
@@ -104,7 +104,7 @@ def _notes(figure: Any, comparison: laws_compared.Comparison, x: float) -> None:
     m = comparison.meeting
     figure.text(
         x, 0.995,
-        f"In at {comparison.incident_angle:.1f}°, {format_number(float(np.hypot(*m.state.velocity[:2])))} m/s;"
+        f"Incidence at {comparison.incident_angle:.1f}°, {format_number(float(np.hypot(*m.state.velocity[:2])))} m/s;"
         f" wall $e$ = {format_number(m.wall.restitution)}, $\\mu$ = {format_number(m.wall.friction)};"
         f" floor $e$ = {format_number(m.floor.restitution)}, $\\mu$ = {format_number(m.floor.friction)};"
         f" ball of radius {format_length(float(m.ball.radius), 4)}",
@@ -148,7 +148,7 @@ def _above(
     bottom = -HALF_HEIGHT_OVER_WIDTH * r
     missing = [v.law for v in comparison.verdicts if v.after_wall is None]
     if missing:  # below the labels
-        text = "no answer:\n" + "\n".join(missing)
+        text = "no prediction:\n" + "\n".join(missing)
         axes.text(
             1.06 * r, 0.98 * bottom, text, ha="left", va="bottom", size=8, color=GREY, linespacing=1.4, clip_on=False
         )
@@ -188,7 +188,7 @@ def _line_above(
         keep = np.array([True, *(np.hypot(*(b - c)) > 0.02 * r for b, c in zip(marks[1:], marks[:-1], strict=True))])
         marks = marks[keep][:4]
     velocity = np.array(path.velocity[:2])
-    # a ball that never rolls goes on too, unless it comes back to the wall
+    # the path of a ball that never rolls is continued too, unless it returns to the wall
     if np.hypot(*velocity) > 0 and (verdict.final is not None or velocity[0] > 0):
         points = np.concatenate([points, [_leave(points[-1], velocity / np.hypot(*velocity), r)]])
     inside = (np.abs(points[:, 1]) <= 1.0001 * HALF_HEIGHT_OVER_WIDTH * r) & (points[:, 0] <= 1.0001 * r)
@@ -231,7 +231,7 @@ def _side(
     if m.normal[2] == 0:
         axes.fill_betweenx([0, up], -0.12 * r, 0, color=PALE, lw=0, zorder=0)
         axes.plot([0, 0], [0, up], color=INK, lw=1.2, zorder=3)
-    else:  # a cushion: all that is known of it is where its nose touches
+    else:  # a cushion: only the contact point of its nose is known
         corners = [(-0.12 * r, min(nose + 0.5 * a, up)), (0, nose), (-0.12 * r, max(nose - 0.8 * a, 0))]
         axes.fill(*zip(*corners, strict=True), color="#d9d5ca", ec=INK, lw=0.8, zorder=2)
     _circle(axes, start, a, INK, 1.0, face="white")
@@ -254,7 +254,7 @@ def _side(
                 _circle(axes, end, a, ink, 0.7)
                 axes.plot([end[0], end[0]], [-0.03 * r, 0], color=ink, lw=1.2, zorder=4)
             hops.append((ink, f"{verdict.law}  {format_number(top)} mm"))
-    for i, (ink, word) in enumerate([(GREY, "hops as high as"), *hops] if hops else []):
+    for i, (ink, word) in enumerate([(GREY, "flight heights"), *hops] if hops else []):
         axes.text(1.06 * r, up - (0.03 + 0.075 * i) * r, word, color=ink, ha="left", va="center", size=8, clip_on=False)
     axes.text(0.5 * r, -0.06 * r, "floor", ha="center", va="center", size=8, color=GREY)
     axes.set_xlabel("from the wall, mm")
@@ -287,12 +287,22 @@ POINTS_PER_CURVE = 41
 
 @dataclass(frozen=True, eq=False)
 class PathAfterWall:
-    """The path of the centre after the wall; relative to its position at the wall, z from its height on the floor."""
+    """Path of the centre after the wall, relative to its position at the wall; z is relative to that of a ball on the floor.
+
+    Examples
+    --------
+    >>> import carom
+    >>> from carom import plot
+    >>> meeting = carom.incoming()
+    >>> path = plot.path_after_wall(meeting, carom.LAWS["mirror"].answer(meeting))
+    >>> path.pieces, path.end.tolist()
+    ((), [0.0, 0.0, 0.0])
+    """
 
     pieces: tuple[tuple[str, Array], ...]
     """("flight" | "slide", points (N, 3), m), one after the other."""
     velocity: Vec
-    """Velocity at the end of the last piece, m/s; a rolling ball goes straight on."""
+    """Velocity at the end of the last piece, m/s; a rolling ball then moves in a straight line."""
     spin: Vec
 
     @property
@@ -312,8 +322,10 @@ def path_after_wall(meeting: Meeting, answer: Answer) -> PathAfterWall:
     Parameters
     ----------
     meeting : Meeting
+        Ball, wall and floor.
     answer : Answer
-        Of a law to that meeting. If it says nothing beyond the wall (``answer.steps`` is None), the path has no pieces.
+        A law's answer for that meeting. If it does not describe the motion after the wall (``answer.steps`` is None), the
+        path has no pieces.
 
     Returns
     -------
@@ -343,7 +355,7 @@ def path_after_wall(meeting: Meeting, answer: Answer) -> PathAfterWall:
             if not g > 0:
                 return PathAfterWall(tuple(pieces), v, w)
             t = fall(place[2], v[2], g)
-            flat = v[2] * v[2] < 2e-3 * g * a  # a hop of less than a thousandth of the radius: its ends will do
+            flat = v[2] * v[2] < 2e-3 * g * a  # a hop of less than a thousandth of the radius: its end points suffice
             points = _curve(place, v, (0.0, 0.0, -g), t, 2 if flat and pieces else POINTS_PER_CURVE)
             points[-1, 2] = 0.0
             pieces.append(("flight", points))
@@ -358,7 +370,7 @@ def path_after_wall(meeting: Meeting, answer: Answer) -> PathAfterWall:
     _un, s = slip_velocity(v, w, UP, a)
     slip = math.hypot(s[0], s[1])
     if slip > 1e-12 * (speed + a * math.sqrt(w[0] * w[0] + w[1] * w[1])) and floor[1] > 0 and g > 0:
-        # Coulomb: constant deceleration against the slip, which dies at the rate mu g (1 + 1/kappa)
+        # Coulomb: constant deceleration against the slip, which decreases at the rate mu g (1 + 1/kappa)
         t = 0.0 if math.isinf(floor[1]) else slip / (floor[1] * g * (1 + 1 / kappa))
         change = slip / (1 + 1 / kappa)
         cx, cy = s[0] / slip, s[1] / slip

@@ -25,7 +25,7 @@ UNITS = ("m/s", "m/s", "rad/s")
 
 
 def plot_fit(ranking: Ranking) -> Any:
-    """Plot weights, normal speeds, and the motion along the wall, measured and by the best laws. Returns a Matplotlib Figure."""
+    """Plot weights, normal speeds and the motion along the wall, measured and predicted by the best laws (a Matplotlib Figure)."""
     with style():
         figure = new_figure(9.6, 3.5)
         left, middle, right = figure.subplots(1, 3, gridspec_kw={"width_ratios": [0.8, 1, 1.35]})
@@ -90,7 +90,7 @@ def _normal(axes: Any, ranking: Ranking) -> None:
 
 
 def _along(axes: Any, ranking: Ranking) -> None:
-    """Plot the slips of planar bounces over the normal speed, or the angles of balls on a table."""
+    """Plot slip over normal speed for planar bounces, or the angles of balls on a table."""
     best = ranking.best
     planar = best.law.kind == "planar"
     rebounds, a = best.problem.rebounds, best.problem.setting.radius
@@ -261,7 +261,7 @@ def _table(fit: Fit) -> str:
 
 
 def write_report(ranking: Ranking, path: str | Path) -> Path:
-    """Write the HTML report: verdict, figures, table, unconstrained parameters, outliers. The file is complete or not there."""
+    """Write the HTML report atomically: verdict, figures, table, unconstrained parameters, outliers."""
     from carom import __version__
     from carom.files import write_text
 
@@ -279,7 +279,7 @@ def write_report(ranking: Ranking, path: str | Path) -> Path:
         listed("Outliers under the best law", [f"{o.row}: chi² {o.chi2:.1f}; {o.why}" for o in ranking.outliers]),
         listed("Notes", list(ranking.notes)),
         f"<footer>carom {__version__}. AICc ({'Hurvich and Tsai' if best.scatter else 'chi² + 2 k, error bars given'}): lower"
-        " is better; weights, and CV log score (cross-validation, per row left out): higher is better.</footer>",
+        " is better; weight and CV log score (cross-validation, per row left out): higher is better.</footer>",
     ]  # fmt: skip
     text = PAGE.format(
         title=f"carom fit: {html.escape(source)}",
@@ -296,7 +296,7 @@ if TYPE_CHECKING:
 
 def plot_design(plan: Plan) -> Any:
     """Plot the gain of one more shot over angle and speed, and over angle and spin where spins vary, with the shots of the plan."""
-    from matplotlib.patheffects import withStroke  # a circle on the border is half on white
+    from matplotlib.patheffects import withStroke  # makes a circle on the border visible on white, too
 
     angles, speeds, spins = plan.axes
     with style():
@@ -326,7 +326,7 @@ def plot_design(plan: Plan) -> Any:
         more = "more " if plan.filmed is not None else ""
         need = f"{plan.count} {more}shots for {plan.odds:g} to 1" if plan.count else "no more shots are needed"
         if plan.count is None:
-            need = "no number of shots is enough"
+            need = "no number of shots suffices"
         figure.suptitle(
             f"{plan.laws[0]} (true) against {plan.laws[1]}: {need}; circles: the shots to film", fontsize=9, color=INK
         )

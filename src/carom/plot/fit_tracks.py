@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
 __all__ = ["plot_tracks", "write_track_report"]
 
-SHOTS, MORE = 6, 12  # drawn from above; of tables that are wide, so that more rows find room
+SHOTS, MORE = 6, 12  # largest number of shots drawn from above, and that for wide tables, of which more rows fit
 BALLS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 
 
@@ -139,7 +139,7 @@ def _laws(ranking: TrackRanking) -> str:
 
 
 def write_track_report(ranking: TrackRanking, source: str, path: str | Path) -> Path:
-    """Write the HTML report: verdict, figure, table, unconstrained parameters. The file appears complete or not at all."""
+    """Write the HTML report atomically: verdict, figure, table, unconstrained parameters."""
     from carom import __version__
     from carom.files import write_text
 
@@ -156,7 +156,7 @@ def write_track_report(ranking: TrackRanking, source: str, path: str | Path) -> 
         svg(plot_tracks(ranking)), "<h2>The laws, best first</h2>", _laws(ranking),
         listed("Unconstrained parameters", [s for fit in ranking.fits for s in fit.degenerate]),
         listed("Notes", list(ranking.notes)),
-        f"<footer>carom {__version__}. wall_left, ...: position at which the ball's centre turns, m.</footer>",
+        f"<footer>carom {__version__}. wall_left, ...: position at which the ball's centre is reflected, m.</footer>",
     ]  # fmt: skip
     text = PAGE.format(
         title=f"carom fit: {name}", colour="#009E73" if ranking.decisive else "#E69F00", body="\n".join(body)

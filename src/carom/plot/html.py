@@ -1,4 +1,4 @@
-"""A run as a page that plays by itself: everything inline, nothing fetched, the motion as parabolas and so exact."""
+"""Write a run as a self-contained HTML page that plays it; the motion is stored as parabolas, so it is exact."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from carom.simulation.trajectory import Trajectory
 __all__ = ["page", "page_data"]
 
 Array = NDArray[np.float64]
-# Orientations are kept at this rate, and at least once in so many radians; between two of them the page turns evenly.
+# Orientations are stored at this rate and at least once per this angle (radians); the page interpolates between them.
 RATE, TURN = 120.0, 0.5
-# Rows of a page above which a browser no longer plays it smoothly.
+# Number of rows above which a browser no longer plays a page smoothly.
 MOST_ROWS, MOST_EVENTS = 200_000, 2000
 WORDS = {
     "flight": "in the air", "bouncing": "bouncing", "sliding": "sliding", "rolling": "rolling",
@@ -37,16 +37,16 @@ HAPPENS = {
 
 
 def page(run: Trajectory, start: float, end: float, speed: float) -> str:
-    """The page's HTML. Raises CaromError where a run has more events than a browser can play."""
+    """Return the page's HTML; CaromError if a run has more events than a browser can play."""
     data = page_data(run, start, end, speed)
-    # a name must not end the script that holds it
+    # a name must not close the script element that contains it
     text = json.dumps(data, separators=(",", ":"), allow_nan=False, ensure_ascii=True).replace("<", "\\u003c")
     template = (files("carom.plot") / "page.html").read_text(encoding="utf-8")
     return template.replace("@TITLE@", html.escape(data["title"])).replace("@DATA@", text)
 
 
 def page_data(run: Trajectory, start: float, end: float, speed: float) -> dict[str, Any]:
-    """What the page knows of a run, from ``start`` to ``end``, numbers to nine digits, times to twelve.
+    """Return the page's data of a run from ``start`` to ``end``, with nine significant digits, times with twelve.
 
     ``balls``: ``pieces`` are rows t, x, y, z, velocity, acceleration, number of the phase: between two rows the centre is
     on that parabola; ``turns`` are rows t and a quaternion (w, x, y, z).
@@ -102,12 +102,12 @@ def _title(said: str) -> str:
 
 
 def _rows(array: Array, digits: int = 9) -> list[list[Any]]:
-    """Rows of numbers with so many significant digits; times, which stand first, keep twelve."""
+    """Return rows of numbers with ``digits`` significant digits; times, in the first column, keep twelve."""
     return [[float(f"{x:.{12 if k == 0 else digits}g}") for k, x in enumerate(row)] for row in array.tolist()]
 
 
 def _spans(run: Trajectory, ball: int, start: float, end: float) -> tuple[Any, Array]:
-    """The log's rows of a ball that say something of the time from start to end, and how long each lasts."""
+    """Return the log's rows of a ball that concern the time from start to end, and the duration of each."""
     rows = run.log[run.log["ball"] == ball]
     ends = np.append(rows["t"][1:], np.inf)
     keep = (ends > start) & (rows["t"] <= end) & (ends > rows["t"])
@@ -115,7 +115,7 @@ def _spans(run: Trajectory, ball: int, start: float, end: float) -> tuple[Any, A
 
 
 def _pieces(run: Trajectory, ball: int, start: float, end: float) -> Array:
-    """Parabolas (N, 11): t, x, y, z, velocity, acceleration, phase. A ball in its last bounces is cut into short ones."""
+    """Return parabolas (N, 11): t, x, y, z, velocity, acceleration, phase; last bounces are split into short pieces."""
     rows, lasts = _spans(run, ball, start, end)
     counts = np.where(rows["phase"] == BOUNCING, np.clip(4 * RATE * lasts, 64, 2000).astype(int), 1)
     which = np.repeat(np.arange(len(rows)), counts)
@@ -128,12 +128,12 @@ def _pieces(run: Trajectory, ball: int, start: float, end: float) -> Array:
     # Newton: the second difference of a parabola is its acceleration
     with np.errstate(invalid="ignore", divide="ignore"):
         acceleration = np.where(h[:, None] > 0, 4 * (x - 2 * middle + last) / (h * h)[:, None], 0.0)
-    # what is left of a second difference where there is none
+    # rounding error of a second difference that is zero
     acceleration[np.abs(acceleration) * (h * h)[:, None] < 1e-12 * (np.abs(x) + np.abs(v) * h[:, None])] = 0.0
     still = np.isin(log["phase"], (REST,)) | (log["phase"] >= HELD)
     v, acceleration = np.where(still[:, None], 0.0, v), np.where(still[:, None], 0.0, acceleration)
     x = np.where(still[:, None], log["x"], x)
-    if (log["phase"] == BOUNCING).any():  # no parabolas: chords, which meet
+    if (log["phase"] == BOUNCING).any():  # adjoining chords instead of parabolas
         chord = (log["phase"] == BOUNCING)[:, None] & (h > 0)[:, None]
         v = np.where(chord, (last - x) / np.where(h > 0, h, 1.0)[:, None], v)
         acceleration = np.where(chord, 0.0, acceleration)
@@ -141,7 +141,7 @@ def _pieces(run: Trajectory, ball: int, start: float, end: float) -> Array:
 
 
 def _turns(run: Trajectory, ball: int, start: float, end: float) -> Array:
-    """Orientations (N, 5): t, quaternion. Where the spin stays as it is, only as often as the shortest turn is clear."""
+    """Return orientations (N, 5): t, quaternion; at constant spin only as many as make the direction of rotation unambiguous."""
     rows, lasts = _spans(run, ball, start, end)
     size = np.linalg.norm(rows["w"], axis=1)
     later = np.append(np.linalg.norm(rows["w_before"], axis=1)[1:], 0.0)
@@ -156,7 +156,7 @@ def _turns(run: Trajectory, ball: int, start: float, end: float) -> Array:
 
 
 def _energy(run: Trajectory, start: float, end: float) -> Array:
-    """Energies of all balls (N, 4): t, of moving, of turning, of height, J."""
+    """Return energies of all balls (N, 4): t, translational, rotational and potential energy, J."""
     t = steps(run, end)
     t = np.unique(np.append(t[t >= start], start))
     state = run.at(t)
@@ -165,14 +165,14 @@ def _energy(run: Trajectory, start: float, end: float) -> Array:
     moment = balls["kappa"] * balls["mass"] * balls["radius"] ** 2
     turning = np.nansum(moment * (state.spin**2).sum(axis=-1), axis=1) / 2
     height = np.nansum(run.energy(t, each=True), axis=1) - moving - turning
-    if run.scene.floor is None:  # what is called zero is our choice
+    if run.scene.floor is None:  # the zero of the potential energy is arbitrary
         height -= height.min()
     height[np.abs(height) < 1e-12 * (moving + turning).max()] = 0.0
     return np.column_stack((t, moving, turning, height))
 
 
 def _events(run: Trajectory, start: float, end: float) -> list[list[Any]]:
-    """What the list says: t, words, ball, x, y, and whether a wall or a ball was met. Two balls that meet: once."""
+    """Return the list of events: t, words, ball, x, y, and whether it is a contact; contacts of two balls are listed once."""
     log = run.log
     rows = log[(log["kind"] != START) & (log["t"] >= start) & (log["t"] <= end)]
     rows = rows[~((rows["kind"] == BALL) & (rows["other"] < rows["ball"]))]

@@ -152,7 +152,10 @@ def _room(view: ParallelProjection, a: float, wide: tuple[float, float], deep: f
 def setting() -> Any:
     """Draw Figure 1: ball, floor and wall, the frame, the contact points A and B, the Euler angles of (1).
 
-    Returns a Matplotlib Figure.
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
 
     Examples
     --------
@@ -221,7 +224,10 @@ def _euler(view: ParallelProjection, c: Array) -> None:
 def collision() -> Any:
     """Draw Figure 2: the impulse R of the wall at B, its components by (31), and the friction cone (29).
 
-    Returns a Matplotlib Figure.
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
 
     Examples
     --------
@@ -279,7 +285,10 @@ def _hull(rim: Array, tip: Array) -> Array:
 def incidence_and_reflection() -> Any:
     """Draw Figure 3: incidence at 45 degrees, reflection at arctan 39/31 = 51.5 (two-step) and arctan 5/9 = 29.1 (conventional).
 
-    Returns a Matplotlib Figure.
+    Returns
+    -------
+    Figure
+        A Matplotlib figure.
 
     Examples
     --------

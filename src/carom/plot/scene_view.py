@@ -1,4 +1,4 @@
-"""What pictures, films and pages of a run share: colours, the balls' ways, the walls in view, the times that show it all."""
+"""Shared by figures, films and pages of a run: colours, paths of the balls, walls in view, sampling times."""
 
 from __future__ import annotations
 
@@ -18,43 +18,43 @@ from carom.simulation.trajectory import Trajectory
 __all__ = ["SEEN", "View", "colour", "last_time", "steps", "view", "walls_in", "way"]
 
 Array = NDArray[np.float64]
-# Okabe & Ito's colours, which colour-blind people tell apart.
+# Okabe & Ito's colours, distinct for colour-blind people.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
-# A white ball is drawn grey, so that it is seen on paper.
+# A white ball is drawn grey, to be visible on paper.
 CALLED = {
     "white": "#8f887c", "yellow": "#dba800", "red": "#c23616", "blue": "#0072B2", "green": "#009E73", "black": "#222222",
     "orange": "#D55E00", "brown": "#8c5a2b", "pink": "#CC79A7",
 }  # fmt: skip
-# A hop of less than this part of the radius cannot be seen.
+# A hop lower than this fraction of the radius is invisible.
 SEEN = 1e-3
 # Above this number of events paths are drawn with fewer points.
 MANY = 4000
 
 
 def colour(run: Trajectory, ball: int) -> str:
-    """The colour of a ball: the one that it is called after, or else by its number."""
+    """Return the colour of a ball: that in its name, if there is one, else by its number."""
     return CALLED.get(run.scene.ball_names[ball].lower(), COLOURS[ball % len(COLOURS)])
 
 
 def last_time(run: Trajectory) -> float:
-    """Where a picture of a run ends, s: its end, and a little of what follows where a ball then flies or rolls for ever."""
+    """Return the time at which a figure of a run ends, s: somewhat after the run's end if a ball then moves on for ever."""
     speed = np.linalg.norm(run.final.velocity, axis=1)
     goes_on = run.ended == "nothing more happens" and any(
         s > 0 and phase in ("flight", "sliding", "rolling") for s, phase in zip(speed, run.final_phase, strict=True)
     )
-    if not goes_on:  # of balls that lie still from the start, a second
+    if not goes_on:  # one second for balls at rest from the start
         return run.end if run.end > 0 or run.ended != "nothing more happens" else 1.0
     return 1.15 * run.end if run.end > 0 else 20 * max(ball.radius for ball in run.scene.balls) / float(speed.max())
 
 
 def way(run: Trajectory, ball: int, until: float) -> list[tuple[int, Array, Array]]:
-    """The way of a ball: (phase's number, times (N,), centres (N, 3)) of each phase, sampled on its closed form."""
+    """Return the path of a ball: (phase's number, times (N,), centres (N, 3)) of each phase, sampled on its closed form."""
     rows = run.log[run.log["ball"] == ball]
     setup = set_up(run.scene)
     ends = np.minimum(np.append(rows["t"][1:], until), until)
     keep = (ends > rows["t"]) & (rows["phase"] < HELD)
     rows, lasts = rows[keep], (ends - rows["t"])[keep]
-    # straight pieces need their ends only; a run of very many events is drawn a little coarser
+    # of straight pieces only the ends are needed; a run with very many events is drawn more coarsely
     fine = 33 if len(rows) < MANY else 5
     bent = np.isin(rows["phase"], (FLIGHT, SLIDING, BOUNCING))
     counts = np.where(rows["phase"] == BOUNCING, 400, np.where(bent, fine, 3))
@@ -74,14 +74,14 @@ def way(run: Trajectory, ball: int, until: float) -> list[tuple[int, Array, Arra
 
 
 def steps(run: Trajectory, until: float, grid: int = 400) -> Array:
-    """Times from 0 to ``until`` that show what changes at events: an even grid, each event, and the instant before it."""
+    """Return times from 0 to ``until`` that resolve changes at events: an even grid, each event, and the instant before it."""
     events = run.log["t"][(run.log["kind"] != START) & (run.log["t"] <= until)]
     return np.unique(np.concatenate((np.linspace(0, until, grid), events, np.nextafter(events[events > 0], 0))))
 
 
 @dataclass(frozen=True)
 class View:
-    """What a picture shows, m: left, right, bottom, top."""
+    """The region shown in a figure, m: left, right, bottom, top."""
 
     x: tuple[float, float]
     y: tuple[float, float]
@@ -93,20 +93,20 @@ class View:
 
 
 def view(run: Trajectory, points: Array) -> View:
-    """All walls that end somewhere, and all points (N, 3) of the balls' ways, with a little air."""
+    """Return the region that contains all bounded walls and all points (N, 3) of the paths, with a margin."""
     a = max(ball.radius for ball in run.scene.balls)
     seen = [line for wall in run.scene.walls if wall.bounded for line in wall.outline()]
     low = np.min([points[:, :2].min(axis=0) - 1.4 * a, *(line.min(axis=0) for line in seen)], axis=0)
     high = np.max([points[:, :2].max(axis=0) + 1.4 * a, *(line.max(axis=0) for line in seen)], axis=0)
     air = 0.03 * float((high - low).max())
-    # a path along one line would be a picture without height
+    # a straight path would give a figure without height
     thin = np.maximum(0.3 * float((high - low).max()) - (high - low), 0) / 2
     low, high = low - air - thin, high + air + thin
     return View((float(low[0]), float(high[0])), (float(low[1]), float(high[1])))
 
 
 def walls_in(run: Trajectory, shown: View) -> list[tuple[Array, str]]:
-    """What of the walls is in view: polylines or polygons (N, 2) and what each is: "line", "felt", "solid"."""
+    """Return the visible parts of the walls: polylines or polygons (N, 2), each with its kind, "line", "felt" or "solid"."""
     found: list[tuple[Array, str]] = []
     z = float(run.start.position[0, 2]) if run.start.position is not None else 0.0
     for wall in run.scene.walls:
@@ -126,7 +126,7 @@ def walls_in(run: Trajectory, shown: View) -> list[tuple[Array, str]]:
 
 
 def _clipped(line: Array, shown: View) -> list[Array]:
-    """The parts of a polyline in view (Liang and Barsky, 1984, side by side), so that no file holds lines of 2 km."""
+    """Return the visible parts of a polyline (Liang & Barsky 1984, vectorised), so that files hold no lines of 2 km."""
     found: list[Array] = []
     for p, q in pairwise(line):
         first, last, d = 0.0, 1.0, q - p
@@ -144,7 +144,7 @@ def _clipped(line: Array, shown: View) -> list[Array]:
 
 
 def _behind(wall: WallShape, line: Array, z: float, depth: float) -> Array | None:
-    """A band along a straight wall, on the side where no ball can be; none where both sides are open."""
+    """Return a band along a straight wall, on the side that is inaccessible to balls; None if both sides are accessible."""
     d = line[1] - line[0]
     normal = np.array([-d[1], d[0]]) / np.hypot(*d)
     x, y = line.mean(axis=0)

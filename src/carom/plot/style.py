@@ -1,6 +1,6 @@
-"""Write figures, and what all figures share: style, size, line styles of the laws, arrows, labels that do not overlap.
+"""Write figures; shared elements: style, size, line styles of the laws, arrows, labels that do not overlap.
 
-Figures are written atomically, and the same figure gives the same bytes.
+Figures are written atomically and reproducibly: the same figure gives the same bytes.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ __all__ = [
     "style",
 ]
 
-# Metadata of a file, by kind: nothing that changes from one run to the next.
+# Metadata of a file, by kind: without dates or other content that differs between runs.
 METADATA: dict[str, dict[str, str | None]] = {
     "svg": {"Date": None},
     "pdf": {"CreationDate": None, "Creator": "carom", "Producer": None},
@@ -39,17 +39,47 @@ METADATA: dict[str, dict[str, str | None]] = {
 
 
 def require_matplotlib() -> None:
-    """Raise CaromError if Matplotlib (the extra ``plot``) is not installed."""
+    """Raise CaromError if Matplotlib (the extra ``plot``) is not installed.
+
+    Returns
+    -------
+    None
+
+    Examples
+    --------
+    >>> from carom import plot
+    >>> plot.require_matplotlib()
+    """
     require_library("matplotlib", "plot")
 
 
 def require_writable(path: str | os.PathLike[str]) -> None:
-    """Raise CaromError if a picture cannot be written: another ending than .svg, .pdf, .png, no such folder, no permission."""
+    """Raise CaromError if a figure cannot be written to a path.
+
+    Parameters
+    ----------
+    path : str or path
+        Name of a figure, .svg, .pdf or .png.
+
+    Returns
+    -------
+    None
+
+    Raises
+    ------
+    CaromError
+        For another ending, a folder that does not exist, or missing permission.
+
+    Examples
+    --------
+    >>> from carom import plot
+    >>> plot.require_writable("figure.svg")
+    """
     files.require_writable(as_path("plot", path), [f".{kind}" for kind in METADATA])
 
 
 def style() -> Any:
-    """Return the context in which figures are drawn and written: carom's settings over Matplotlib's defaults, not the user's."""
+    """Return the context in which figures are drawn and written: carom's settings on Matplotlib's defaults, not the user's."""
     require_matplotlib()
     import matplotlib.style
 
@@ -57,10 +87,26 @@ def style() -> Any:
 
 
 def save(figure: Any, path: str | os.PathLike[str]) -> None:
-    """Write a Figure as .svg, .pdf or .png, by the name's ending.
+    """Write a figure as .svg, .pdf or .png; atomically, and the same figure gives the same bytes.
 
-    The file is complete or not there, and the same figure gives the same bytes. Raises CaromError if it cannot be written.
+    Parameters
+    ----------
+    figure : Figure
+        A Matplotlib figure, such as the functions of this package return.
+    path : str or path
+        The ending determines the format.
 
+    Returns
+    -------
+    None
+
+    Raises
+    ------
+    CaromError
+        If the file cannot be written.
+
+    Examples
+    --------
     >>> import tempfile
     >>> from carom import plot
     >>> with tempfile.TemporaryDirectory() as folder:
@@ -75,12 +121,12 @@ def save(figure: Any, path: str | os.PathLike[str]) -> None:
 
 INK, GREY, PALE = "#222222", "#8a8a8a", "#eceae4"
 
-# The laws' own lines have the colours of Okabe & Ito, distinct for colour-blind people, each with its own dashes for print.
+# The lines of laws have the colours of Okabe & Ito, distinct for colour-blind people, and different dashes for print.
 MORE_COLOURS = ("#B8A600", "#000000", "#7A4FB5", "#A0522D")
 
 
 def law_styles(laws: Sequence[str]) -> dict[str, tuple[str, Any]]:
-    """Return colour and dashes of each law; custom laws get the colours that are left, in order."""
+    """Return colour and dashes of each law; custom laws get the remaining colours, in order."""
     known = laws_by_name()
     found: dict[str, tuple[str, Any]] = {}
     new = 0
@@ -94,7 +140,7 @@ def law_styles(laws: Sequence[str]) -> dict[str, tuple[str, Any]]:
 
 
 def new_figure(width: float, height: float) -> Any:
-    """Return an empty Figure, its size in inches, that notebooks show; call it in the context of :func:`style`."""
+    """Return an empty figure of a size in inches that notebooks display; to be called in the context of :func:`style`."""
     from matplotlib.figure import Figure
 
     figure = Figure(figsize=(width, height))

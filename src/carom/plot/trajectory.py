@@ -1,4 +1,4 @@
-"""A run drawn: from above, how high the balls are, and the energy over time."""
+"""Draw a run: view from above, heights of the balls, and energy over time."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ FELT, SOLID, CUSHION = "#f4f2ec", "#d9d5ca", "#55504a"
 AIR, SLIDES, ROLLS = "in the air", "slides", "rolls"
 STYLES: dict[str, Any] = {ROLLS: "solid", SLIDES: (0, (4.5, 1.8)), AIR: (0, (0.6, 1.5))}
 MOTION = {FLIGHT: AIR, BOUNCING: AIR, SLIDING: SLIDES, ROLLING: ROLLS}
-# Above these numbers of events marks would hide the paths, and numbers each other.
+# Above these numbers of events marks would hide the paths, and numbers would overlap.
 MOST_MARKS, MOST_NUMBERS = 400, 24
 
 
@@ -36,20 +36,35 @@ def plot_trajectory(
     ball: int | str | Sequence[int | str] | None = None,
     title: str | None = None,
 ) -> Any:
-    """Draw a run: its paths from above, how high the balls are, if they leave the floor, and the energy over time.
+    """Draw a run: paths from above, heights of the balls (if they leave the floor), and the energy over time.
 
     Parameters
     ----------
     run : Trajectory
-    file : name of a file to write, .svg, .pdf or .png, optional
-    ball : number or name of the ball to draw, or several; left out: all
+        From :func:`carom.simulate`.
+    file : str or path, optional
+        File to write, .svg, .pdf or .png.
+    ball : int or str, or several
+        Number or name of the ball to draw. Default: all balls.
     title : str, optional
-        Left out: the scene in words.
+        Default: a description of the scene.
 
     Returns
     -------
-    matplotlib.figure.Figure. Raises CaromError for a ball that is not there, a file that cannot be written, or where
-    Matplotlib is missing.
+    matplotlib.figure.Figure
+
+    Raises
+    ------
+    CaromError
+        For an unknown ball, a file that cannot be written, or if Matplotlib is missing.
+
+    Examples
+    --------
+    >>> import carom
+    >>> from carom import plot
+    >>> figure = plot.plot_trajectory(carom.simulate(carom.new_scene(), max_events=5))
+    >>> figure.axes[0].get_xlabel()
+    'x, m'
     """
     if file is not None:
         require_writable(file)
@@ -86,7 +101,7 @@ def _draw(run: Trajectory, balls: list[int], title: str | None) -> Any:
     shown = view(run, np.concatenate(all_points))
     high = _hops(run, ways)
     tall = shown.size[1] / shown.size[0]
-    # inches; what is tall stands beside its curves, what is wide above them
+    # inches; a tall table is drawn beside its curves, a wide one above them
     lanes = 2 if high else 1
     beside = tall > 0.72
     w = 4.4 if beside else 6.4
@@ -113,7 +128,7 @@ def _draw(run: Trajectory, balls: list[int], title: str | None) -> Any:
     panels = [panel(*place) for place in places]
     if high:
         _height(panels[0], run, ways)
-        # a few short hops in a long run are looked at closely
+        # a few short hops in a long run are enlarged
         air = 0.15 * (high[1] - high[0])
         panels[0].set_xlim((high[0] - air, high[1] + air) if high[1] - high[0] < 0.3 * until else (0, until or 1.0))
     _energy(panels[-1], run, balls, until)
@@ -177,7 +192,7 @@ MARKS: dict[int, tuple[str, str, float]] = {
 
 
 def _marked(run: Trajectory, balls: list[int]) -> Any:
-    """Rows of the log that get a mark."""
+    """Return the rows of the log that are marked."""
     rows = run.log[np.isin(run.log["kind"], list(MARKS)) & np.isin(run.log["ball"], balls)]
     return rows if len(rows) <= MOST_MARKS else rows[:0]
 
@@ -209,15 +224,15 @@ def _marks(axes: Any, run: Trajectory, balls: list[int]) -> None:
 
 
 def _numbers(run: Trajectory, balls: list[int]) -> list[tuple[Any, int]]:
-    """Rows of the log of walls and balls that are met, and their numbers in the picture; none where there are too many."""
+    """Return the rows of the log of contacts with walls and balls, and their numbers in the figure; empty if too many."""
     rows = run.log[np.isin(run.log["kind"], (WALL, BALL)) & np.isin(run.log["ball"], balls)]
-    # a meeting of two balls has two rows and one number
+    # a contact of two balls has two rows and one number
     told = [r for r in rows if not (r["kind"] == BALL and r["other"] < r["ball"] and r["other"] in balls)]
     return [(row, k) for k, row in enumerate(told, 1)] if len(told) <= MOST_NUMBERS else []
 
 
 def _hops(run: Trajectory, ways: dict[int, list[Any]]) -> tuple[float, float] | None:
-    """From when to when balls change their heights so much that it can be seen, s; None where they do not."""
+    """Return the period during which heights change visibly, s; None if they do not."""
     times: list[float] = []
     for i, pieces in ways.items():
         for _phase, t, x in pieces:
@@ -227,7 +242,7 @@ def _hops(run: Trajectory, ways: dict[int, list[Any]]) -> tuple[float, float] | 
 
 
 def _scaled(most: float, unit: str) -> tuple[float, str]:
-    """By what to multiply a quantity so that its axis has short numbers, and what it is then called."""
+    """Return the factor by which a quantity is multiplied to give short axis labels, and its unit then."""
     for size, prefix in ((1.0, ""), (1e-3, "m"), (1e-6, "µ")):
         if most >= size:
             return 1 / size, prefix + unit

@@ -1,4 +1,4 @@
-"""The frames of a film: what stands still is drawn once, what moves over it, by hand and with few shapes."""
+"""Frames of a film: the static background is drawn once, moving shapes are drawn over it directly."""
 
 from __future__ import annotations
 
@@ -19,9 +19,9 @@ from carom.simulation.trajectory import Trajectory
 __all__ = ["Film"]
 
 Array = NDArray[np.float64]
-# How long the strong part of a trail is, s.
+# Duration of the dark part of a trail, s.
 TRAIL = 0.5
-# Spots at the ends of three axes of the ball; those of the third are paler, so that it is told from the others.
+# Spots at the ends of three axes of the ball; those of the third are paler, to distinguish it from the others.
 SPOTS = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], dtype=float)
 SPOT, RIM = 0.36, np.linspace(0, 2 * math.pi, 28, endpoint=False)
 DISC = np.stack([np.cos(np.linspace(0, 2 * math.pi, 56)), np.sin(np.linspace(0, 2 * math.pi, 56))], axis=1)
@@ -30,7 +30,7 @@ GROUND = np.array([[-1.15, -1.06], [1.15, -1.06], [1.15, -1], [-1.15, -1]])
 
 
 def _spots(q: Array, side: bool) -> Array:
-    """Outlines (6, 28, 3) of the spots on a unit ball turned by q: across, up, towards the eye."""
+    """Return outlines (6, 28, 3) of the spots on a unit ball rotated by q: across, up, towards the observer."""
     w, u = q[0], q[1:]
     t = 2 * np.cross(u, SPOTS)
     d = SPOTS + w * t + np.cross(u, t)
@@ -42,14 +42,14 @@ def _spots(q: Array, side: bool) -> Array:
     f = np.cross(d, e)
     c, s = math.sin(SPOT) * np.cos(RIM), math.sin(SPOT) * np.sin(RIM)
     rim: Array = math.cos(SPOT) * d[:, None] + c[None, :, None] * e[:, None] + s[None, :, None] * f[:, None]
-    # what of a spot is behind is seen on the ball's own rim
+    # the hidden part of a spot is projected on the rim of the ball
     far = np.hypot(rim[..., 0], rim[..., 1])[..., None]
     rim[..., :2] = np.where(rim[..., 2:] < 0, rim[..., :2] / np.where(far > 0, far, 1), rim[..., :2])
     return rim
 
 
 class Film:
-    """Frames of a run: what stands still is drawn once; balls, trails, clock are drawn over it."""
+    """Frames of a run: the background is drawn once; balls, trails and clock are drawn over it."""
 
     def __init__(self, run: Trajectory, times: Array, span: tuple[float, float], wide: int) -> None:
         from matplotlib.backends.backend_agg import FigureCanvasAgg
@@ -104,7 +104,7 @@ class Film:
             self.axes.add_collection(one, autolim=False)
 
     def _place(self, x: Array) -> Array:
-        """Pixels of places (..., 3) on the table."""
+        """Return the pixels of positions (..., 3) on the table."""
         return np.asarray(self.origin + self.k * x[..., :2])
 
     def _still(self, shown: Any) -> None:
@@ -136,7 +136,7 @@ class Film:
         )
 
     def _cards(self) -> list[tuple[int, float, float, float]]:
-        """Close-ups: ball, middle (x, y) of the view from above, radius in pixels."""
+        """Return the close-ups: ball, centre (x, y) of the view from above, radius in pixels."""
         wide, high = self.size
         shown = min(len(self.radii), 4)
         tall = min((high - self.lane - 0.06 * wide) / shown, 0.135 * wide)
@@ -145,13 +145,13 @@ class Film:
         return [(i, x + 0.25 * self.column, high - 0.03 * wide - i * tall - 0.45 * tall, r) for i in range(shown)]
 
     def _places_of_words(self) -> list[tuple[float, float, str]]:
-        """The clock, then one line a close-up."""
+        """Return the positions of the texts: the clock, then one line per close-up."""
         wide = self.size[0]
         cards = [(x + 0.25 * self.column, y - 1.2 * r, "center") for _i, x, y, r in self._cards()]
         return [(0.015 * wide, 0.03 * wide + self.lane, "left"), *cards]
 
     def frame(self, n: int) -> Array:
-        """The n-th frame, (high, wide, 4) bytes."""
+        """Return the n-th frame, (high, wide, 4) bytes."""
         t = float(self.times[n])
         places = self.places[n]
         there = np.flatnonzero(np.isfinite(places[:, 0]))
@@ -184,7 +184,7 @@ class Film:
         return f", {format_length(lift, 2)} up" if lift > 1e-5 else ""
 
     def _shapes(self, n: int, there: Any) -> tuple[list[Array], list[Any]]:
-        """Polygons and their colours: shadows, then balls from the lowest up, then the close-ups."""
+        """Return polygons and their colours: shadows, then balls from the lowest up, then the close-ups."""
         shapes: list[Array] = []
         faces: list[Any] = []
 
@@ -197,7 +197,7 @@ class Film:
                 if (rim[:, 2] > 0).any():
                     shapes.append(at + r * rim[:, :2])
                     faces.append((1, 1, 1, 0.95 if k < 4 else 0.55))
-            # a rim, which a spot at the edge does not bite into; and a light from the upper left
+            # a rim drawn over spots at the edge; and a highlight at the upper left
             shapes.append(at + r * np.concatenate((DISC, 0.93 * DISC[::-1])))
             faces.append(to_rgba(colour(self.run, i)))
             for size in (0.55, 0.36):
@@ -228,7 +228,7 @@ class Film:
         return shapes, faces
 
     def frames(self, tell: Callable[[int, int], None]) -> Iterator[Array]:
-        """All frames, one after the other."""
+        """Yield all frames in order."""
         total = len(self.times)
         tell(0, total)
         for n in range(total):
