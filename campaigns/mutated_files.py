@@ -278,7 +278,7 @@ def _array(raw: bytes, rng: np.random.Generator) -> bytes:
     elif how == 1:
         arrays[name] = array[..., :-1] if array.ndim else np.array([array, array])
     elif how == 2:
-        arrays[name] = np.array(array.astype(str))
+        arrays[name] = np.full(array.shape, "x")
     elif how == 3:
         arrays[name] = np.array([], dtype=array.dtype)
     elif array.dtype.kind in "iuf" and array.size:

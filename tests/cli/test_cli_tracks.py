@@ -10,6 +10,7 @@ import pytest
 from reference.synthetic_tracks import Camera, bounce, seen, shot
 
 from carom.cli import main
+from carom.cli.tracks_output import grouped_reasons
 from carom.data import read_rebounds
 
 HERE = Path(__file__).parents[1] / "tracks" / "files"
@@ -193,3 +194,131 @@ def test_no_line_of_a_contact_runs_through_a_legend(shot_file: Path) -> None:
         upright = [line for line in axes.lines if len(line.get_xdata()) == 2 and len(set(line.get_xdata())) == 1]
         assert upright
         assert all(line.get_window_extent().y1 < low for line in upright)
+
+
+def films(folder: Path) -> list[Path]:
+    """Two films of a ball that bounces, seen from the side, and one without a contact."""
+    files = []
+    for seed in (2, 5):
+        rng = np.random.default_rng(seed)
+        track = seen(bounce(rng), Camera(120, 4e-4), rng, (0, 2))
+        files.append(folder / f"film{seed}.csv")
+        rows = np.column_stack([track.time, track.position])
+        np.savetxt(files[-1], rows, fmt="%.6f", delimiter=",", header="t [s],x [m],y [m]", comments="")
+    files.append(folder / "straight.csv")
+    files[-1].write_text("t,x,y\n" + "".join(f"{k / 50},{0.02 * k},{0.01 * k}\n" for k in range(40)))
+    return files
+
+
+def test_many_films_make_one_table(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    files, out = films(tmp_path), tmp_path / "rebounds.csv"
+    names = list(map(str, files))
+    code, told, notes = run(capsys, monkeypatch, *names, "--out", str(out), "--view", "side")
+    assert code == 0
+    table = read_rebounds(out)
+    assert set(table.extra["film"]) == {"film2", "film5"}
+    alone = []
+    for file in files[:2]:
+        run(capsys, monkeypatch, str(file), "--out", str(out), "--view", "side")
+        alone.append(read_rebounds(out))
+    np.testing.assert_array_equal(table["v_n_out"], np.concatenate([one["v_n_out"] for one in alone]))
+    np.testing.assert_array_equal(table["sigma_v_n_in"], np.concatenate([one["sigma_v_n_in"] for one in alone]))
+    assert f"film2: {files[0]}" in told
+    assert "straight: no wall found" in notes
+    code, told, _notes = run(capsys, monkeypatch, *names, "--json", "--view", "side")
+    assert [Path(film["file"]).name for film in json.loads(told)["films"]] == ["film2.csv", "film5.csv", "straight.csv"]
+
+
+def test_faults_of_many_films(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first, second, straight = map(str, films(tmp_path))
+    code, _told, notes = run(capsys, monkeypatch, first, second, "--plot", str(tmp_path / "a.svg"))
+    assert (code, notes) == (2, "carom: --plot: expected one film, got 2; name one file\n")
+    code, _told, notes = run(capsys, monkeypatch, first, "none.csv", str(HERE / "trackpy.csv"))
+    assert code == 2
+    assert [("none.csv" in line, "trackpy.csv" in line) for line in notes.splitlines()] == [
+        (True, False),
+        (False, True),
+        (False, True),
+    ]
+    out = tmp_path / "out.csv"
+    code, _told, notes = run(capsys, monkeypatch, straight, straight, "--out", str(out))
+    assert code == 2
+    assert "expected a contact with a wall, got none" in notes
+    assert not out.exists()
+
+
+def test_reasons_that_differ_in_numbers_are_one() -> None:
+    whys = [f"{k} frames between the start of the track and the wall, expected 4 or more" for k in (0, 3, 2)]
+    whys += [
+        f"the frames scatter by {x} mm about flight, {y} times as much as elsewhere"
+        for x, y in ((1.2, 3.5), (40, 90.1))
+    ]
+    assert grouped_reasons([*whys, "no frames"]) == [
+        (3, "0 to 3 frames between the start of the track and the wall, expected 4 or more"),
+        (2, "the frames scatter by 1.2 to 40 mm about flight, 3.5 to 90.1 times as much as elsewhere"),
+        (1, "no frames"),
+    ]
+
+
+def test_a_film_of_many_short_tracks_has_few_reasons(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rows = []
+    for number in range(60):  # too short on one side or the other
+        before, after = 1 + number % 3, 3 + number % 7
+        rows += [f"{number},ball {number % 5},{(k + before) / 50},{0.03 * abs(k) + 0.001},{0.5 + 0.01 * k}\n"
+                 for k in range(-before, after)]  # fmt: skip
+    file = tmp_path / "many.csv"
+    file.write_text("shot,ball,t [s],x [m],y [m]\n" + "".join(rows))
+    code, told, _notes = run(capsys, monkeypatch, str(file), "--view", "above")
+    assert code == 0
+    reasons = told.splitlines()[
+        told.splitlines().index(next(x for x in told.splitlines() if "not measured:" in x)) + 1 :
+    ]
+    assert 1 <= len(reasons) <= 4
+    assert sum(int(line.split("×")[0]) for line in reasons) >= 40
+
+
+def test_no_number_is_cut_off_without_noise(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    t = np.arange(60) / 100
+    y = np.where(t < 0.3, 2 * (0.3 - t), 1.6 * (t - 0.3)) - 9.80665 / 2 * (t - 0.3) ** 2
+    file = tmp_path / "exact.csv"
+    rows = zip(t.tolist(), (0.5 * t).tolist(), y.tolist(), strict=True)
+    file.write_text(
+        "ball,t [s],x [m],y [m]\n" + "".join(f"a ball with a long name,{a!r},{b!r},{c!r}\n" for a, b, c in rows)
+    )
+    code, told, _notes = run(capsys, monkeypatch, str(file), "--view", "side", "--noise", "1e-12")
+    assert code == 0
+    assert "…" not in told
+    assert "a ball with a long name bottom 0.3000 2.000000(0)" in told
+    assert "1.600000(0)" in told
+
+
+def test_carom_fit_reads_many_films(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from carom.cli.fit_input import measured
+    from carom.fitting import Setting
+    from carom.tracks import Calibration
+
+    files = films(tmp_path)
+    table = measured(files, Setting(radius=0.02), Calibration(), "side", None, lambda _what, _done: None)
+    assert set(table.extra["film"]) == {"film2", "film5"}
+    assert "1 of 3 films have no contact that can be measured" in table.notes
+    assert any(note.startswith("straight: no wall found") for note in table.notes)
+    rebounds = table.save(tmp_path / "rebounds.csv")
+    for words, expected in (
+        ((str(rebounds), str(files[0])), "rebounds.csv: expected a track, as several files are given"),
+        ((str(files[0]), "none.csv"), "none.csv: expected a file, got none"),
+        ((*map(str, files), "--whole"), "--whole: expected one file, got 3"),
+    ):
+        monkeypatch.setattr("sys.argv", ["carom", "fit", *words, "--radius", "0.02"])
+        with pytest.raises(SystemExit):
+            main()
+        assert expected in capsys.readouterr().err

@@ -145,6 +145,6 @@ def test_carom_fit_takes_the_rate_as_well(film: Path) -> None:
     from carom.cli.fit_input import measured
     from carom.fitting import Setting
 
-    rows = measured(film, Setting(radius=0.02), Calibration(rate=RATE), "side", None, lambda _what, _done: None)
+    rows = measured([film], Setting(radius=0.02), Calibration(rate=RATE), "side", None, lambda _what, _done: None)
     assert rows["v_n_in"].max() == pytest.approx(np.sqrt(2 * 9.80665), rel=2e-3)
     assert any("--rate 119.88 replaces them" in note for note in rows.notes)

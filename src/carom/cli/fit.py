@@ -42,8 +42,12 @@ def register(app: typer.Typer) -> None:
 
 
 def fit(
-    file: Annotated[
-        Path, typer.Argument(help="A table of rebounds (CSV, Parquet), a track, or a set of carom datasets.")
+    files: Annotated[
+        list[Path],
+        typer.Argument(
+            metavar="FILE...",
+            help="A table of rebounds (CSV, Parquet), one or more tracks, or a set of carom datasets.",
+        ),
     ],
     radius: Annotated[float | None, shared("radius", default="that of a set that comes with carom")] = None,
     inertia: Annotated[str | None, shared("inertia", default="solid")] = None,
@@ -173,7 +177,7 @@ def fit(
     from carom.fitting.parameters import FORMS, INDEX
     from carom.tracks.formats.text_table import Calibration
 
-    faults: list[str] = []
+    file, faults = files[0], _several(files, whole)
     kappa = None if inertia is None else attempt(faults, parse_inertia, inertia)
     every_spin, prior = attempt(faults, parse_spin, spin, whole) or (None, {})
     known = sorted(
@@ -230,7 +234,7 @@ def fit(
     if own_faults or (ours and faults):
         raise CaromError(*faults, *own_faults)
     film = Calibration(scale=metres, rate=rate)
-    rebounds = ours.rebounds if ours else read(file, faults, setting, film, view, kind, stage, lambda: _bar(console))
+    rebounds = ours.rebounds if ours else read(files, faults, setting, film, view, kind, stage, lambda: _bar(console))
 
     _read(rebounds, ours is None and is_track(file), {"--scale": scale, "--rate": rate, "--view": view},
           {"--contact-height": contact_height, "--floor-friction": floor_friction,
@@ -247,6 +251,23 @@ def fit(
         ranking = ranking.with_shared_errors(shifted)
         written = None if report is None else write_report_page(lambda: _page(ranking, report), say)
     tell(ranking, show, as_json, console, written)
+
+
+def _several(files: list[Path], whole: bool) -> list[str]:
+    """Return what is wrong with several files: only tracks are fitted together, contact by contact."""
+    if len(files) == 1:
+        return []
+    if whole:
+        return [f"--whole: expected one file, got {len(files)}; name one, or fit the contacts of all without --whole"]
+    faults: list[str] = []
+    for file in files:
+        if not file.exists():
+            faults.append(f"{file}: expected a file, got none of that name")
+        elif attempt(faults, is_track, file) is False:
+            faults.append(
+                f"{file}: expected a track, as several files are given, got a table of rebounds; join tables to one"
+            )
+    return faults
 
 
 def _words(

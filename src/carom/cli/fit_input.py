@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -26,7 +27,7 @@ def own_set(file: Path) -> Published | None:
 
 
 def read(
-    file: Path,
+    files: Sequence[Path],
     faults: list[str],
     setting: Setting,
     given: Any,
@@ -35,12 +36,12 @@ def read(
     stage: str | None,
     bar: Any,
 ) -> Rebounds:
-    """Return the rebounds of a table or a track. CaromError with its problems and those found before."""
-    before = len(faults)
+    """Return the rebounds of a table, or of one or more tracks. CaromError with its problems and those found before."""
+    before, file = len(faults), files[0]
     track = attempt(faults, is_track, file)
     if track and not faults:  # measuring contacts takes time, so invalid options are reported first
         with bar() as say:
-            return measured(file, setting, given, view, stage, say)
+            return measured(files, setting, given, view, stage, say)
     rebounds: Rebounds | None = (
         None if track or len(faults) > before else attempt(faults, read_table, file, kind, stage)
     )
@@ -133,23 +134,47 @@ def _what(raw: bytes) -> str:
     return next((words for start, words in kinds.items() if raw.startswith(start)), "bytes that are not text")
 
 
-def measured(file: Path, setting: Setting, given: Any, view: str | None, stage: str | None, say: Any) -> Rebounds:
-    """Measure the rebounds of a track."""
+def measured(
+    files: Sequence[Path], setting: Setting, given: Any, view: str | None, stage: str | None, say: Any
+) -> Rebounds:
+    """Measure the rebounds of one or more tracks; those without any are noted."""
     from dataclasses import replace
 
     from carom.tracks.contact import Settings
+    from carom.tracks.films import combined_rebounds, film_names
     from carom.tracks.measurement import measure
     from carom.tracks.read import read_tracks
     from carom.tracks.rebounds import to_rebounds
 
-    read = read_tracks(file, calibration=given)
+    faults: list[str] = []
+    found = [attempt(faults, lambda file=file: read_tracks(file, calibration=given)) for file in files]
+    if faults:
+        raise CaromError(*faults)
     settings = Settings(radius=setting.radius, kappa=setting.kappa, view=view)  # type: ignore[arg-type]
-    with noting(read.notes):
-        measured = measure(read.tracks, settings, lambda done, total: say("contacts", done / max(total, 1)))
-    with noting((*read.notes, *measured.notes)):
-        rebounds = to_rebounds(measured, stage or "best")  # type: ignore[arg-type]
-    notes = (*read.notes, *measured.notes, f"{len(rebounds)} rebounds measured (carom tracks shows them)")
-    return replace(rebounds, source=str(file), notes=(*notes, *rebounds.notes))
+    tables: dict[str, Rebounds] = {}
+    notes: list[str] = []
+    for number, (name, film) in enumerate(zip(film_names(files), found, strict=True)):
+        start = f"{name}: " if len(files) > 1 else ""
+        notes += [start + note for note in film.notes]
+
+        def progress(done: int, total: int, number: int = number) -> None:
+            say("contacts", (number + done / max(total, 1)) / len(files))
+
+        with noting(notes):
+            one = measure(film.tracks, settings, progress)
+        notes += [start + note for note in one.notes]
+        table = attempt(faults, lambda one=one: to_rebounds(one, stage or "best"))  # type: ignore[arg-type]
+        if table is not None:
+            tables[name] = table
+    if not tables:
+        with noting(notes):
+            raise CaromError(*dict.fromkeys(faults))
+    rebounds = combined_rebounds(tables) if len(files) > 1 else next(iter(tables.values()))
+    notes += [f"{len(rebounds)} rebounds measured (carom tracks shows them)"]
+    if len(files) > len(tables):
+        notes.append(f"{len(files) - len(tables)} of {len(files)} films have no contact that can be measured")
+    source = str(files[0]) if len(files) == 1 else rebounds.source
+    return replace(rebounds, source=source, notes=(*notes, *rebounds.notes))
 
 
 def completed(rebounds: Rebounds, sigma_v: float | None, sigma_spin: float | None, spin: float | None) -> Rebounds:

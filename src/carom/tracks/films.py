@@ -1,0 +1,76 @@
+"""Several films: rebounds of each, in one table with a column for the film."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.data.rebounds import Rebounds, make_rebounds
+from carom.errors import CaromError, shortened_list
+
+__all__ = ["combined_rebounds", "film_names"]
+
+
+def film_names(paths: Sequence[Path]) -> list[str]:
+    """Return a name for each file: the shortest end of its path that no other has, without the suffix where that is unique.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> film_names([Path("a/one.txt"), Path("a/two.txt")]), film_names([Path("a/one.txt"), Path("b/one.txt")])
+    (['one', 'two'], ['a/one.txt', 'b/one.txt'])
+    """
+    if len({path.stem for path in paths}) == len(paths):
+        return [path.stem for path in paths]
+    if len({path.name for path in paths}) == len(paths):
+        return [path.name for path in paths]
+    return [path.as_posix() for path in paths]
+
+
+def combined_rebounds(tables: Mapping[str, Rebounds]) -> Rebounds:
+    """Return the rebounds of several films as one table; the column ``film`` has the names, the keys of ``tables``.
+
+    Raises CaromError if some films are of balls on a table and others of balls in flight.
+
+    Examples
+    --------
+    >>> from carom.data import make_rebounds
+    >>> one = make_rebounds("planar", {"v_n_in": [1.0], "v_n_out": [0.8]})
+    >>> two = make_rebounds("planar", {"v_n_in": [2.0], "v_n_out": [1.5]})
+    >>> table = combined_rebounds({"a": one, "b": two})
+    >>> table["v_n_in"], table.extra["film"]
+    (array([1., 2.]), array(['a', 'b'], dtype=object))
+    """
+    kinds = {table.kind: name for name, table in tables.items()}
+    if len(kinds) > 1:
+        raise CaromError(
+            f"films: expected films of one kind, got a ball on a table in {kinds['table']!r} and a ball in flight in"
+            f" {kinds['planar']!r}; --view above or --view side says what they are"
+        )
+    parts = list(tables.values())
+    size = {id(table): len(table) for table in parts}
+    columns = {name: np.concatenate([table[name] for table in parts]) for name in parts[0].columns}
+    for name in parts[0].columns:
+        if any(name in table.sigma for table in parts):
+            columns[f"sigma_{name}"] = np.concatenate(
+                [table.sigma.get(name, np.full(size[id(table)], np.nan)) for table in parts]
+            )
+    spins = [name for name in parts[0].columns if name.startswith("spin") and np.isnan(columns[name]).all()]
+    for name in spins:
+        del columns[name]
+        columns.pop(f"sigma_{name}", None)
+    film = np.array([name for name, table in tables.items() for _ in range(len(table))], dtype=object)
+    extra: dict[str, NDArray[Any]] = {"film": film}
+    for name in dict.fromkeys(name for table in parts for name in table.extra):
+        extra[name] = np.concatenate([table.extra.get(name, np.full(size[id(table)], np.nan)) for table in parts])
+    stages = [table.stage for table in parts if table.stage is not None]
+    notes = [f"{name}: {note}" for name, table in tables.items() for note in table.notes if "at row" in note]
+    return make_rebounds(
+        next(iter(kinds)), columns, stage=np.concatenate(stages) if stages else None, extra=extra,
+        rows=[f"{name}, row {i + 1}" for name, table in tables.items() for i in range(len(table))],
+        source=f"films {shortened_list(list(tables))}", notes=notes,
+    )  # fmt: skip
