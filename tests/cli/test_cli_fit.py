@@ -422,7 +422,7 @@ def test_what_was_noted_of_a_file_goes_with_its_fault(here, monkeypatch, capsys,
     fault, *notes = err.splitlines()
     assert fault.startswith("carom: ")
     assert all(note.startswith("note: ") for note in notes)
-    assert "note: no unit in 't', 'x', 'y': taken as m and s" in notes
+    assert "note: no unit in 't', 'x', 'y': assumed to be m and s" in notes
     assert any("is the unit right?" in note for note in notes)
     assert len(set(notes)) == len(notes)
 

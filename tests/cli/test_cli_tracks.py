@@ -51,7 +51,7 @@ def test_what_people_see(
         "2 contacts, 2 measured",
     ):
         assert word in told
-    assert "taken as filmed from above" in notes
+    assert "assumed to be filmed from above" in notes
     assert notes.splitlines()[-3:] == ["3 rebounds in the table", f"written: {out}", f"written: {picture}"]
     table = read_rebounds(out)
     assert table.kind == "table"
@@ -91,7 +91,7 @@ def test_a_bounce_from_the_side(
     assert code == 0
     assert "Tracker (Open Source Physics)" in told
     assert "gravity" in told
-    assert "taken as filmed from the side" in notes
+    assert "assumed to be filmed from the side" in notes
     assert picture.read_text().count("<path") > 50
 
 
@@ -153,7 +153,7 @@ def test_options_that_do_not_fit_the_file_are_told(
     assert "wall x=99: no ball reaches it" in notes
     assert "the file's times say 60 frames per second; --rate 100 overrides them" in notes
     assert "100 frames per second" in told
-    assert "--scale overrules the unit in" in notes
+    assert "--scale overrides the unit in" in notes
     assert "cloth friction" not in told  # nothing was measured: the literature's is no finding
     _code, _told, notes = run(capsys, monkeypatch, str(shot_file), "--view", "side")
     assert "is the scale (--scale)" in notes

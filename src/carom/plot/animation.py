@@ -74,7 +74,9 @@ def animate(
     --------
     >>> import carom, tempfile
     >>> from carom import plot
-    >>> run = carom.simulate(carom.new_scene(), max_events=5)
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0))
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0, 0), velocity=(-1, 0, 0))
+    >>> run = carom.simulate(carom.Scene(gravity=0, walls=[wall], balls=[ball], run=carom.Run(law="mirror", duration=2)))
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     plot.animate(run, f"{folder}/run.html").name
     'run.html'

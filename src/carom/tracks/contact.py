@@ -21,7 +21,7 @@ NUMBERS = (int, float, np.integer, np.floating)
 
 @dataclass(frozen=True)
 class Settings:
-    """What is known of a film beforehand. None: found in the data, or taken from the literature.
+    """Prior knowledge of a film. None: determined from the data, or taken from the literature.
 
     Examples
     --------
@@ -31,7 +31,7 @@ class Settings:
     """
 
     radius: float | None = None
-    """m; without it contacts between balls are not looked for."""
+    """m; without it contacts between balls are not searched for."""
     kappa: float = 2 / 5
     """I/(m a^2)."""
     view: View | None = None
@@ -48,8 +48,8 @@ class Settings:
     window: float = 0.5
     """Longest time before and after a contact that a fit uses, s."""
     blind: float | None = None
-    """Time on each side of a contact whose frames are left out, s: a soft wall gives way, and programs smooth over the
-    contact. None: determined from how the frames scatter there."""
+    """Time on each side of a contact whose frames are excluded, s: a soft wall is compressed, and programs smooth over the
+    contact. None: determined from the scatter of the frames there."""
     hard: bool = False
     """Whether the two motions have to meet on the wall's line."""
 
@@ -118,14 +118,14 @@ class TrackContact:
     interval: float = np.nan
     """Between frames, s."""
     scatter: float = np.nan
-    """Noise as the residuals of this contact alone show it, m."""
+    """Noise estimated from the residuals of this contact alone, m."""
     planar: bool = False
     """Whether the ball is in flight, not on a table."""
     prior: Prior = field(default_factory=Prior)
     """Prior knowledge of the floor that the fit used."""
 
     def why_not(self, stage: str) -> str:
-        """Return why there is no rebound of this stage (after_wall, rolling); empty if there is one."""
+        """Return why there is no rebound of a stage, ``"after_wall"`` or ``"rolling"``; empty if there is one."""
         if self.fit is None:
             return self.why
         return _why_not(self, stage)
@@ -159,7 +159,7 @@ def _not_rolling(one: TrackContact, fit: ContactFit) -> str:
     # long enough to distinguish rolling from sliding
     least = 3 * one.interval + np.sqrt(10 * fit.noise / fit["mu_g"])
     if one.last - fit["t"] - fit["slides"] < least:
-        return "no frames show it rolling again: it slides until the last frame, or nearly"
+        return "no frames show it rolling again: it slides until the last frame or nearly until it"
     return ""
 
 

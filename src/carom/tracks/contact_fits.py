@@ -1,4 +1,4 @@
-"""Fits of all contacts of some tracks, in rounds: all contacts together determine the floor and the noise for the next round."""
+"""Fit all contacts of some tracks, in rounds: all contacts together determine the floor and the noise for the next round."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ __all__ = ["ContactFitter"]
 
 Array = NDArray[np.float64]
 MIN_FRAMES_BEFORE, MIN_FRAMES_AFTER = 4, 5
-# Frames on each side that a fit uses at most: beyond, errors of the model outweigh the noise.
+# Largest number of frames on each side of a fit: with more, errors of the model outweigh the noise.
 MAX_FRAMES = 500
-# If a side has more frames than this, they are averaged in so many groups, except for those next to the contact.
+# If a side has more frames than this, they are averaged in this number of groups, except for those next to the contact.
 MAX_SINGLE_FRAMES, GROUPS, NEAR_FRAMES = 160, 56, 8
 # A fit that scatters more than this many times as much as the others is not free motion on both sides of a wall.
 MAX_EXCESS_SCATTER = 3.0
-# The first knows no noise, and the floor from the literature; the second estimates the floor from starts near the truth.
+# The first round has no noise estimate and takes the floor from the literature; the second estimates the floor from good starts.
 ROUNDS = 3
 VELOCITIES = ("vn_in", "vt_in", "vn_out", "vt_out", "vn_roll", "vt_roll")
 Progress = Callable[[int, int], None]
@@ -36,7 +36,7 @@ NAMES = {"wall": "the wall {}", "ball": "ball {}", "gap": "a gap", "start": "the
 
 @dataclass
 class ContactFitter:
-    """Fits all contacts, and estimates the noise, the blind time and the floor on the way."""
+    """Fits all contacts, and estimates the noise, the blind time and the floor between rounds."""
 
     settings: Settings
     view: View
@@ -44,7 +44,7 @@ class ContactFitter:
     interval: float
     noise: float
     blind: BlindTime = field(default_factory=BlindTime)
-    """Times before and after a contact whose frames are left out."""
+    """Times before and after a contact whose frames are excluded."""
     floor: dict[str, WithError] = field(default_factory=dict)
 
     def run(
@@ -125,7 +125,7 @@ class ContactFitter:
         self, jobs: list[tuple[Track, list[TrackEvent], int]], priors: Sequence[Prior], before: list[TrackContact] | None,
         done: int, progress: Progress | None,
     ) -> list[TrackContact]:  # fmt: skip
-        """Fit every contact once, starting from the round before."""
+        """Fit every contact once, starting from the previous round."""
         found = []
         for number, (job, prior) in enumerate(zip(jobs, priors, strict=True)):
             old = before[number] if before else None
@@ -151,7 +151,7 @@ class ContactFitter:
     def _contact(
         self, track: Track, events: list[TrackEvent], i: int, prior: Prior, old: TrackContact | None = None
     ) -> TrackContact:
-        """Fit one contact, or say why it cannot be fitted. ``old``: the contact of the round before."""
+        """Fit one contact, or return the reason why it cannot be fitted. ``old``: the contact of the previous round."""
         event, wall = events[i], self.walls[events[i].what]
         middle = (event.low + event.high) / 2 if old is None else old.time
         rows, why = self._rows(track, events, i, middle)
@@ -210,7 +210,7 @@ class ContactFitter:
         t, x = track.time[rows] - middle, track.position[rows]
         use = (t < -self.blind.before) | (t > self.blind.after)
         for other_wall in self.walls.values():
-            # a single frame on the extreme line may have been clamped there: no other row would show it
+            # a single frame on the extreme line may have been clamped there, without a second row to show it
             if other_wall.clamped or other_wall.found:
                 use &= other_wall.frame(x)[:, 0] > 1e-6
         first, second = rows[use & (t < 0)], rows[use & (t >= 0)]
@@ -235,7 +235,7 @@ class ContactFitter:
                 f" {excess:.1f} times as much as elsewhere: another contact, or a ball that hops?"
             )
             return replace(one, fit=None, why=why)
-        # more than chance does in 1 of 1000 fits
+        # more than expected by chance in 1 of 1000 fits
         if excess**2 > 1 + 3.1 * np.sqrt(2 / max(one.fit.dof, 1)) + 3 / max(one.fit.dof, 1):
             return replace(one, fit=one.fit.scaled(one.scatter))
         return replace(one, fit=one.fit.scaled(self.noise))

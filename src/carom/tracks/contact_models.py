@@ -38,7 +38,7 @@ CHI2_DETECTABLE = 20.0
 FEW_FRAMES_AFTER = 15
 SHORT_SLIDE_FRAMES = 3.0  # a slide as short as this may be spurious, found before the cloth's friction was known
 MIN_FRAMES_SLIDING = 6  # before the contact, to distinguish a slide from noise
-MAX_TIME_SLACK_S = 0.02  # between the contact and the frames beside it, at most
+MAX_TIME_SLACK_S = 0.02  # longest time between the contact and the frames next to it
 
 # The parameters of a contact on a table. Before the contact the ball has, at the first frame, a slip u0 of magnitude SLIP in the
 # direction ANGLE, and the velocity ROLL + k u0: ROLL is its velocity once it rolls, which late frames determine even if they
@@ -141,16 +141,16 @@ class _TableContact:
         v_in, v_out = start[FLIGHT_IN], start[FLIGHT_OUT]
         self.start = np.concatenate([start[TIME : ROLL.stop], [0.0, 0.0], v_out, [0.0, 0.0], [prior.mu_g, prior.c_g]])
         self.scale = np.array([1e-3, 1e-3, 1e-3, *[0.05] * 2, 0.3, 0.3, *[0.05] * 2, *[0.3] * 2, 0.2, 0.03])
-        # no wall gives a ball more slip than its speed accounts for
+        # a wall cannot give a ball more slip than is compatible with its speed
         far = 0.2 + 2.0 * float(np.hypot(*v_in))
         self.low, self.high = np.full(COUNT, -np.inf), np.full(COUNT, np.inf)
-        # the contact is next to the frame nearest to the wall, but for the noise of that frame
+        # the contact is next to the frame nearest to the wall, apart from the noise of that frame
         gap = max(time[after][0] - time[before][-1], self.interval)
         gap += min(4 * noise / max(min(abs(v_in[0]), abs(v_out[0])), 1e-9), MAX_TIME_SLACK_S)
         self.low[TIME], self.high[TIME] = time[before][-1] - gap, time[after][0] + gap
         self.low[SLIP], self.low[MU_G], self.low[C_G] = 0.0, prior.mu_g / 20, 0.0
         self.high[MU_G] = prior.mu_g * 20
-        # what is known besides the frames, one row each: the floor, the slip after, the wall's place
+        # prior knowledge, one row each: the floor, the slip after the contact, the position of the wall
         known = [
             (MU_G, prior.mu_g, prior.mu_g_error), (C_G, prior.c_g, prior.c_g_error),
             (U_OUT.start, 0.0, far), (U_OUT.start + 1, 0.0, far),
@@ -192,7 +192,7 @@ class _TableContact:
     def rolling(self, old: ContactFit | None) -> tuple[Array, _Candidate]:
         """Fit a ball that rolls before the contact: the parameters with the floor as known, and the fit with the floor free.
 
-        Freed at once, a wrong floor would be found instead of a slide before the contact. ``old``: an earlier fit to start from.
+        If the floor were free at once, a wrong floor would be found instead of a slide before the contact. ``old``: earlier fit.
         """
         tries = []
         if old is not None and not old.slid_before:
@@ -234,7 +234,7 @@ class _TableContact:
             if self.k * other[SLIP] / other[MU_G] < frames[-1] - self.since - 1.5 * self.interval:
                 found.append(_Candidate(other, chi2, CHI2_SLIDING, SLIDING))
                 if chi2 < 1.3 * (2 * len(self.time) - COUNT):
-                    break  # as good as it can be: other starts would end here too
+                    break  # no better minimum is possible: other starts would end here too
         return found
 
 
@@ -282,7 +282,7 @@ def fit_table(
     )  # fmt: skip
     fitted = replace(fitted, theta=best)
     if chosen.slid_until_contact:
-        # it may have come to roll so short a time before the wall that no frame shows it
+        # it may have begun to roll so shortly before the wall that no frame shows it
         late = best[MU_G] * unresolved_time(best[MU_G], noise, time)
         e = np.zeros(len(OUTPUTS))
         v_in = OUTPUTS.index("vn_in")
@@ -313,7 +313,7 @@ def _start_of_slide(time: Array, gap: Array, weight: Array, rolling: Array, nois
             most, direction = gain, float(np.arctan2(-solved[2, 1], -solved[2, 0]))
     if not np.isfinite(direction):
         return None
-    # no frame shows how much slip is left: any size that lasts until the contact will do
+    # no frame shows the remaining slip: any size that lasts until the contact is a valid start
     start = rolling.copy()
     start[SLIP], start[ANGLE] = 3 * rolling[MU_G] * span / k, direction
     e = np.array([np.cos(direction), np.sin(direction)])

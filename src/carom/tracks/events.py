@@ -22,7 +22,7 @@ SIDES = (("left", 0, 1), ("right", 0, -1), ("bottom", 1, 1), ("top", 1, -1))
 
 @dataclass(frozen=True)
 class WallLine:
-    """The straight line on which the centre of a ball turns at a wall.
+    """The straight line at which the centre of a ball is reflected by a wall.
 
     Examples
     --------
@@ -38,9 +38,9 @@ class WallLine:
     normal: tuple[float, float]
     """Unit vector toward the ball."""
     clamped: bool = False
-    """Whether a program moved positions beyond the line onto it: rows on it are then no measurements."""
+    """Whether a program moved positions beyond the line onto it, so that rows on it are not measurements."""
     found: bool = True
-    """Whether it was found in the data, not given."""
+    """Whether the line was found in the data rather than given."""
 
     def frame(self, x: Array) -> Array:
         """Transform positions (n, 2), m, to distance from the wall and coordinate along it, counter-clockwise from the normal."""
@@ -182,7 +182,7 @@ def _at_wall(time: Array, d: Array, wall: WallLine, noise: float) -> list[TrackE
     joined: list[list[int]] = []
     reach = frames_per_side(time)
     for low, high in runs:
-        if joined and low - joined[-1][1] < max(4, reach):  # noise, at a high rate: no ball is back so soon
+        if joined and low - joined[-1][1] < max(4, reach):  # noise at a high rate: no ball returns so soon
             joined[-1][1] = high
         else:
             joined.append([low, high])

@@ -12,7 +12,7 @@ from carom.tracks.least_squares import ContactFit, Prior
 
 __all__ = ["RobustMean", "WithError", "pool_floor", "pool_gravity", "robust_mean", "shared_fraction"]
 
-# Beyond so many contacts, one contact's own weight in the mean of all is negligible.
+# Number of contacts above which the weight of one contact in the mean of all is negligible.
 MAX_LEAVE_ONE_OUT = 400
 # Relative standard deviation of a median absolute deviation, times sqrt(n).
 MAD_SCATTER = 1.17
@@ -99,9 +99,9 @@ def pool_floor(
         alone: dict[int, tuple[float, float]] = {}
         for i, fit in enumerate(fits):
             if fit is None or not usable[i] or not fit[name] > 1e-6 or not fit.error(name) > 0:
-                continue  # it may have mistaken another motion for friction, or is at a bound
+                continue  # the fit may have attributed another motion to friction, or is at a bound
             weight, was = fit.error(name) ** -2, getattr(priors[i], f"{name}_error") ** -2
-            # a fit whose own frames determine less than the literature is left out
+            # a fit whose own frames determine less than the literature is excluded
             if weight - was > error**-2:
                 alone[i] = ((weight * fit[name] - was * getattr(priors[i], name)) / (weight - was), 1 / (weight - was))
         alone = _without_shared_frames(alone, fits, owners)

@@ -17,14 +17,14 @@ __all__ = ["at_rate", "rounding_of_times", "without_rounding"]
 Array = NDArray[np.float64]
 MOST_DECIMALS = 7
 NEIGHBOURS = 8  # rows to each side that are rounded alike
-OFF_CLOCK = 0.1  # frames by which a time may miss its clock, besides its rounding
+OFF_CLOCK = 0.1  # in frames: largest deviation of a time from its clock, in addition to its rounding
 SAME_RATE = 2e-4  # relative difference of two frame rates that is not reported
 MIN_ROWS = 20  # fewer do not show a clock behind times that repeat
 MIN_REPEATED = 0.02  # share of rows with the time of the row before, by which rounding is recognised
 
 
 def rounding_of_times(time: Array) -> Array:
-    """Return to which step (n,), s, the times near each row were rounded: a power of ten, 1e-7 at least.
+    """Return the step (n,), s, to which the times near each row were rounded: a power of ten, at least 1e-7.
 
     Examples
     --------
@@ -149,7 +149,7 @@ def _interval_of_file(time: Array, rate: float, zero: float) -> float | None:
     best: tuple[int, float] | None = None
     step = float(rounding_of_times(time).max())
     for interval in (_interval_by_rows(time), 1 / rate, clock.interval):
-        # (a clock that ticks as the times are rounded explains them whatever they are)
+        # (a clock with the rounding step as interval would explain any times)
         if not MIN_INTERVAL_S < interval < np.inf or (interval == clock.interval and step > 0.5 * interval):
             continue
         number, missing = _numbers(time, interval, zero)
@@ -164,7 +164,7 @@ def _numbers(time: Array, interval: float, zero: float) -> tuple[Array | None, i
     """Count frames from ``zero`` on: the numbers (n,), None if the times do not allow any; and how many frames are missing.
 
     Each row is the next frame unless its time, less its rounding, is later. Rows with the same time are one frame where the
-    rounding is finer than a frame. Of a missing frame times that are rounded to more than half a frame tell a row or two late.
+    rounding is finer than a frame. If times are rounded to more than half a frame, a missing frame shows only a row or two later.
     """
     count = (time - zero) / interval
     slack = rounding_of_times(time) / (2 * interval)

@@ -2,8 +2,8 @@
 
 Vectors are in the frame of the wall: the first component is the distance from the wall along its normal, the second runs
 along the wall, counter-clockwise from the normal. The time of the contact is a parameter and lies between frames. The
-minimisers are SciPy's (the extra ``carom[fit]``); error bars come from the Jacobian at the solution, with the noise as given or
-as the residuals show it.
+minimisers are SciPy's (the extra ``carom[fit]``); error bars are computed from the Jacobian at the solution, with the noise as
+given or as estimated from the residuals.
 """
 
 from __future__ import annotations
@@ -58,7 +58,7 @@ class Prior:
 
 @dataclass(frozen=True, eq=False)
 class ContactFit:
-    """A contact that was fitted: values, covariances and residuals.
+    """A fitted contact: values, covariances and residuals.
 
     ``fit["vn_in"]`` is a value by its name in OUTPUTS: ``t`` (s); the place ``away`` from the wall's line and ``along`` it (m);
     velocities ``vn_in``, ``vt_in`` before the contact, ``vn_out``, ``vt_out`` after it, ``vn_roll``, ``vt_roll`` once the ball
@@ -88,19 +88,19 @@ class ContactFit:
     """Standard deviation of one coordinate of one frame that was assumed, m."""
     chi2: float
     dof: float
-    """Degrees of freedom: measured numbers, less what they alone determine of the parameters (priors determine the rest)."""
+    """Degrees of freedom: measured numbers, less the effective number of parameters that they determine without priors."""
     residuals: Array
     """(n, 2) m: measured less fitted; for a mean of m frames, times sqrt(m)."""
     time: Array
     """(n,) s: the frames of the fit."""
     slid_before: bool
-    """Whether the ball still slid at the first frame before the contact, as far as the track shows."""
+    """Whether the track shows that the ball still slid at the first frame before the contact."""
     position: Callable[[Array], Array]
     """Times (m,) in s to fitted positions (m, 2) in the wall's frame, m."""
     slid_until_contact: bool = False
     """Whether it slid until the contact, so that no frame shows how much slip was left."""
     theta: Array = field(default_factory=lambda: np.zeros(0))
-    """The parameters of the fit, from which another one can go on."""
+    """The parameters of the fit, from which another one can start."""
 
     def __getitem__(self, name: str) -> float:
         """Return a value by its name in OUTPUTS."""
@@ -138,7 +138,7 @@ class ContactFit:
 def unresolved_time(mu_g: float, noise: float, time: Array) -> float:
     """Return for how long (s) rolling can pass for sliding, or sliding for rolling, before frames at times (n,) show it.
 
-    The path bends by mu g / 2 t^2, which has to reach a few times the noise, and a frame has to be there.
+    The path bends by mu g / 2 t^2, which has to reach a few times the noise at one of the frames.
     """
     return float(np.sqrt(5 * noise / mu_g) + np.median(np.diff(time)))
 

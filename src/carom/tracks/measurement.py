@@ -26,7 +26,7 @@ SIDES = {"above": ("left", "right", "bottom", "top"), "side": ("bottom",)}
 
 @dataclass(frozen=True, eq=False)
 class Measured:
-    """Everything that was found in some tracks: walls, events, contacts, noise, floor.
+    """Result of a measurement: walls, events, contacts, noise and floor.
 
     Examples
     --------
@@ -40,7 +40,7 @@ class Measured:
     """
 
     tracks: tuple[Track, ...]
-    """As they were fitted: seen frames only, with times on the camera's clock."""
+    """The tracks as fitted: only frames in which the ball was found, with times on the camera's clock."""
     view: View
     walls: tuple[WallLine, ...]
     events: dict[tuple[str, str], list[TrackEvent]]
@@ -54,7 +54,7 @@ class Measured:
     interval: float
     """Between frames, s."""
     blind: BlindTime
-    """Times before and after a contact whose frames were left out, s."""
+    """Times before and after a contact whose frames were excluded, s."""
     floor: dict[str, WithError] = field(default_factory=dict)
     """Estimates from all contacts: ``cloth friction`` and ``rolling resistance``, or ``gravity`` (m/s^2), with their errors."""
     notes: tuple[str, ...] = ()
@@ -78,9 +78,14 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, progress:
     tracks : sequence of Track
         In one coordinate system, m and s; tracks of one ``group`` were filmed together.
     settings : Settings, optional
-        What is known beforehand.
+        Prior knowledge of the film.
     progress : callable(done, total), optional
         Called after each fit.
+
+    Returns
+    -------
+    Measured
+        Walls, events, contacts, noise and floor.
 
     Raises
     ------
@@ -144,10 +149,10 @@ def _plausibility_notes(
     walls: Sequence[WallLine], events: dict[tuple[str, str], list[TrackEvent]], floor: dict[str, WithError],
     settings: Settings,
 ) -> list[str]:  # fmt: skip
-    """Return notes on what looks like a wall in the wrong place, or a wrong scale, rate or view."""
+    """Return notes on signs of a misplaced wall, or of a wrong scale, rate or view."""
     met = {event.what for some in events.values() for event in some}
     notes = [
-        f"wall {wall.name}: no ball reaches it; --wall is the line on which the ball's centre turns, in m"
+        f"wall {wall.name}: no ball reaches it; --wall is the line at which the ball's centre is reflected, in m"
         for wall in walls
         if not wall.found and wall.name not in met
     ]

@@ -144,7 +144,7 @@ def _step_of_one(x: Array) -> float:
     gaps = gaps[gaps > 1e-6 * (values[-1] - values[0])] if len(values) else gaps
     if len(gaps) < 20:
         return np.nan
-    # rounding to decimal places leaves gaps of 1 beside gaps of 10: steps far below the usual gap are not pixels
+    # rounding to decimal places leaves gaps of 1 next to gaps of 10: steps far below the usual gap are not pixels
     whole = np.sort(gaps)
     gaps = whole[: max(len(gaps) // 2, 20)][:1000]
     most = float(gaps[-1])
@@ -188,14 +188,14 @@ def position_noise(time: Array, position: Array, interval: float) -> float:
 
 
 def on_camera_clock(tracks: Sequence[Track], notes: list[str]) -> tuple[list[Track], float]:
-    """Return the tracks with their seen frames only, on the clock of their group, and the interval between frames, s."""
+    """Return the tracks with only the frames in which balls were found, on the clock of their group, and the interval, s."""
     seen = []
     intervals = []
     groups: dict[str, list[Track]] = {}
     for track in tracks:
         if track.position.shape[1] != 2:
             raise CaromError(
-                f"track {track.name!r}: expected positions in a plane, got three coordinates; leave the third column out"
+                f"track {track.name!r}: expected positions in a plane, got three coordinates; omit the third column"
             )
         groups.setdefault(track.group, []).append(track.select(track.seen))
     off = rounded = unsteady = 0
@@ -210,14 +210,14 @@ def on_camera_clock(tracks: Sequence[Track], notes: list[str]) -> tuple[list[Tra
         seen += [_on_clock(track, times, clock) for track in members]
     interval = float(np.median(intervals)) if intervals else np.nan
     if off:
-        notes.append(f"{off:,} rows lie between the camera's frames: interpolated by a program, left out")
+        notes.append(f"{off:,} rows lie between the camera's frames: interpolated by a program, and omitted")
     if rounded:
         notes.append(
             f"times were rounded: replaced by those of the camera's clock, one frame every {1e3 * interval:.4g} ms"
         )
     if unsteady:
         notes.append(
-            f"frames are not evenly spaced in {unsteady} of {len(groups)} files or shots: times are taken as they are"
+            f"frames are not evenly spaced in {unsteady} of {len(groups)} files or shots: times are used as given"
         )
     return [track for track in seen if len(track)], interval
 
@@ -248,7 +248,7 @@ def guess_view(tracks: Sequence[Track], gravity: float, notes: list[str]) -> Vie
                 falls.append(2 * np.polyfit(t[rows] - t[rows][0], y[rows], 2)[0])
     side = len(falls) > 0 and float((np.abs(np.array(falls) + gravity) < 0.3 * gravity).mean()) > 0.4
     notes.append(
-        "the balls fall with gravity: taken as filmed from the side (--view above overrules)" if side
-        else "taken as filmed from above, a ball on a table (--view side: a ball in flight)"
+        "the balls fall with gravity: assumed to be filmed from the side (--view above overrides this)" if side
+        else "assumed to be filmed from above, a ball on a table (--view side: a ball in flight)"
     )  # fmt: skip
     return "side" if side else "above"

@@ -71,7 +71,7 @@ class TrackFile:
     ...     _ = path.write_text("t,x,y\\n0,0,0\\n0.1,1,1\\n")
     ...     file = read_tracks(path)
     >>> file.format, len(file.tracks), file.notes[0]
-    ('columns', 1, "no unit in 't', 'x', 'y': taken as m and s")
+    ('columns', 1, "no unit in 't', 'x', 'y': assumed to be m and s")
     """
 
     path: Path
@@ -90,12 +90,17 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
     format : str, optional
         A key of FORMATS; by default the format is recognised from the content.
     calibration : Calibration, optional
-        What the file lacks: a scale, a frame rate.
+        Scale and frame rate, if the file lacks them.
+
+    Returns
+    -------
+    TrackFile
+        Tracks in SI units, the format, and notes.
 
     Raises
     ------
     CaromError
-        One line per problem: an unknown format, cells that are no numbers, times that decrease, and by name what is missing.
+        One line per problem: an unknown format, cells that are not numbers, decreasing times, missing columns by name.
 
     Examples
     --------
@@ -171,7 +176,7 @@ def _in_order(track: Track, path: str, notes: list[str], faults: list[str]) -> T
             )
     known: NDArray[np.bool_] = np.isfinite(track.time)
     if (~known & np.isfinite(track.position).any(axis=1)).any():
-        notes.append(f"{label}: {(~known).sum():,} rows without a time were left out")
+        notes.append(f"{label}: {(~known).sum():,} rows without a time were omitted")
     track = track.select(known)
     step = np.diff(track.time)
     if (step < 0).any():
@@ -202,7 +207,7 @@ def _label(track: Track) -> str:
 
 
 def _plausibility_notes(tracks: list[Track], notes: list[str]) -> None:
-    """Add notes on what looks like a wrong unit, several units in one file, or a ball that was lost and found elsewhere."""
+    """Add notes on signs of a wrong unit, several units in one file, or a ball that was lost and found elsewhere."""
     size = max(float(np.ptp(track.position[track.seen], axis=0).max()) for track in tracks)
     if size == 0:
         notes.append("the ball does not move: all its positions are the same")

@@ -24,10 +24,18 @@ def usable_stages(one: TrackContact, stage: Stage, sliding: bool = False) -> tup
     Parameters
     ----------
     one : TrackContact
+        From :func:`carom.tracks.measure`.
     stage : "best", "after_wall", "rolling" or "both"
         As in :func:`to_rebounds`.
     sliding : bool
         Whether to keep balls that still slide when they meet the wall.
+
+    Returns
+    -------
+    stages : list of str
+        "after_wall", "rolling", or both.
+    why : str
+        The reason if there is none; else empty.
 
     Examples
     --------
@@ -51,7 +59,7 @@ def usable_stages(one: TrackContact, stage: Stage, sliding: bool = False) -> tup
 
 
 def sliding_reason(one: TrackContact) -> str:
-    """Return why a contact is no rebound of a rolling ball: it still slides; empty if it rolls, or is in flight."""
+    """Return why a contact is not a rebound of a rolling ball (it still slides); empty if it rolls, or is in flight."""
     if one.fit is None or one.planar or not one.fit.slid_before:
         return ""
     size = float(np.hypot(one.fit["un_in"], one.fit["ut_in"]))

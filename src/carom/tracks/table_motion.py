@@ -64,7 +64,7 @@ def _fill(
     vx: float, vy: float, ux: float, uy: float, mu_g: float, c_g: float, k: float, t: Any,
     way: Any, velocity: Any, left: Any, slope: Any,
 ) -> None:  # fmt: skip
-    """Fill displacements, velocities and slips (n, 2), and derivatives (n, 2, 6), or none (0, 2, 6)."""
+    """Fill displacements, velocities and slips (n, 2), and derivatives (n, 2, 6), or (0, 2, 6) for none."""
     slip = math.sqrt(ux * ux + uy * uy) + TINY
     ex, ey = ux / slip, uy / slip
     slides = k * slip / mu_g
@@ -79,12 +79,12 @@ def _fill(
         way[i, 0] = vx * f - ex * (mu_g / 2 * f * f) + px * far
         way[i, 1] = vy * f - ey * (mu_g / 2 * f * f) + py * far
         left[i, 0], left[i, 1] = size * ex, size * ey
-        # the slip is k's share of what the ball still has to lose
+        # the slip times k is the velocity that the ball still loses
         velocity[i, 0] = px * (speed - c_g * h) + k * left[i, 0]
         velocity[i, 1] = py * (speed - c_g * h) + k * left[i, 1]
         if slope.shape[0] == 0:
             continue
-        # what rolling adds, by the velocity r with which it begins; what the slide's end adds, by its time
+        # contributions of rolling, through its initial velocity r, and of the end of the slide, through its time
         bent, turned = c_g / (2 * speed) * h * h, mu_g / (2 * slip) * f * f
         xx, xy, yy = h - (1 - px * px) * bent, px * py * bent, h - (1 - py * py) * bent
         endx, endy = px * c_g * h, py * c_g * h

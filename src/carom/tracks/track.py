@@ -37,7 +37,7 @@ class Track:
     group: str = ""
     """Tracks of one group were filmed together, so that their balls can meet."""
     notes: tuple[str, ...] = ()
-    """What was assumed and left out."""
+    """Assumptions and omissions made in reading the track."""
     moving_only: bool = field(default=False)
     """Whether frames in which the ball rested may be missing."""
     frame: Array | None = None

@@ -1,1 +1,1 @@
-"""What tracking programs write: one file a program, each a function from text to tracks."""
+"""File formats of tracking programs: one module per program, each with a function from text to tracks."""

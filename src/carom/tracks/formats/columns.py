@@ -127,9 +127,9 @@ def _notes(
             if meaning is not None and meaning.style != "plain" and meaning.dimension == "length"
         ]
         if said:
-            notes.append(f"--scale overrules the unit in {', '.join(map(repr, said))}")
+            notes.append(f"--scale overrides the unit in {', '.join(map(repr, said))}")
     if bare:
-        notes.append(f"no unit in {', '.join(map(repr, bare))}: taken as m and s")
+        notes.append(f"no unit in {', '.join(map(repr, bare))}: assumed to be m and s")
     return tuple(notes)
 
 

@@ -64,7 +64,7 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
             place[doubtful] = np.nan
             notes = (
                 (
-                    f"{label}: {doubtful.sum():,} positions with a likelihood below {calibration.likelihood:g} were left out",
+                    f"{label}: {doubtful.sum():,} positions with a likelihood below {calibration.likelihood:g} were omitted",
                 )
                 if doubtful.any()
                 else ()

@@ -40,9 +40,9 @@ class Calibration:
     rate: float | None = None
     """Frame rate, 1/s."""
     down: bool | None = None
-    """Whether the second axis of the file points down, as in images; None: as is usual for the program."""
+    """Whether the second axis of the file points down, as in images; None: the program's convention."""
     likelihood: float = 0.6
-    """Positions with a lower likelihood (of a neural network) are left out."""
+    """Positions with a lower likelihood (of a neural network) are omitted."""
 
 
 @dataclass
@@ -129,7 +129,7 @@ def _spaced(head: Sequence[str]) -> bool:
 def numbers(
     cells: Sequence[str], decimal_comma: bool, line: Callable[[int], int], label: str, faults: list[str]
 ) -> Array:
-    """Return cells as numbers (n,), NaN where one is missing; add a fault for those that are none, or far too large.
+    """Return cells as numbers (n,), NaN where one is missing; add a fault for cells that are not numbers, or far too large.
 
     ``line``: from the index of a cell to the number of its line in the file.
     """

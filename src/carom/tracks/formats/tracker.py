@@ -74,5 +74,5 @@ def _one(table: TextTable, title: str, time: np.ndarray, columns: dict[str, int]
     scale = calibration.scale if calibration.scale is not None else 1.0
     down = calibration.down if calibration.down is not None else pixels
     position = scale * np.stack([x, -y if down else y], axis=-1)
-    notes = () if calibration.scale else ("lengths in the units of Tracker: taken as m",)
+    notes = () if calibration.scale else ("lengths in the units of Tracker: assumed to be m",)
     return Track(title, time, position, notes=notes)
