@@ -102,7 +102,7 @@ def test_the_table_has_a_sentence(here, monkeypatch, capsys):
     assert code == 0
     assert "The data" in out
     assert "±" in out
-    assert "that scatter is estimated" in err
+    assert "the scatter is estimated" in err
     assert "written" not in err
     assert [file.name for file in here.iterdir()] == ["tt.csv"]  # no page that nobody asked for
 
@@ -261,7 +261,7 @@ def test_design_says_whose_error_bars_are_missing(here, monkeypatch, capsys):
         code, out, err = run(monkeypatch, capsys, "design", str(file), "--laws", "contact,sliding", "--radius", "0.02")
         assert (code, out, len(err.splitlines())) == (2, "", 1)
         assert "sigma_v_n_out, sigma_v_t_out, sigma_spin_out: expected error bars of the measurements" in err
-        assert "--sigma-v and --sigma-spin are of shots to come" in err
+        assert "--sigma-v and --sigma-spin apply to future shots" in err
 
 
 def test_fit_tells_misspelt_laws_with_all_other_faults(here, monkeypatch, capsys):

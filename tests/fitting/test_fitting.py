@@ -534,7 +534,7 @@ def test_shots_of_a_law_whose_numbers_are_given_by_name():
     assert {name: rows.truth[INDEX[name]] for name in numbers} == numbers
     again = candidates("planar", SETTING, shots, law, lambda _problem: rows.truth, None)
     assert np.array_equal(rows.problem.y, again.problem.y, equal_nan=True)
-    with pytest.raises(carom.CaromError, match="truth: expected a number of sliding"):
+    with pytest.raises(carom.CaromError, match="truth: expected a parameter of sliding"):
         candidates("planar", SETTING, shots, law, {"fiction": 0.1}, None)
 
 

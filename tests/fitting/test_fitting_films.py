@@ -299,7 +299,7 @@ def test_the_floor_is_what_the_film_says():
     says = {"cloth_friction": np.full(12, "0.23"), "sigma_cloth_friction": np.full(12, "0.004")}  # as a file has it
     assert floor() == (
         0.2,
-        "floor_friction: not given; taken as 0.2; give it with --floor-friction, or --fit it",
+        "floor_friction: not given; assumed to be 0.2; give --floor-friction, or --fit floor_friction",
     )
     value, said = floor(**says)
     assert value == 0.23

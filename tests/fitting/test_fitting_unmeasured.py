@@ -359,7 +359,7 @@ def test_friction_that_no_row_feels_stays_untold(seed):
     assert fit.untold == ("friction",)
     assert fit.estimates["friction"].value is None
     assert re.search(
-        r"friction: what lies beyond 0\.[34].* fits nearly as well: only a limit is identifiable, 0\.[34].* or more \(95 %\)",
+        r"friction: values beyond 0\.[34].* fit nearly as well: only a limit is identifiable, 0\.[34].* or more \(95 %\)",
         fit.degenerate[0],
     )
 

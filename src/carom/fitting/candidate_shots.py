@@ -1,7 +1,7 @@
 """Candidate shots as rows of a fit: the measurements of each if a law were true, without noise.
 
-A shot whose spin will not be known is many rows without spin, at spins that it may have and errors of the measurements (Sobol
-points, each error with both signs); together they count as one. (Without errors its gain would be off by as much as it is.)
+A shot whose spin will not be measured is represented by many rows without spin, with sampled spins and measurement errors (Sobol
+points, each error with both signs), which together count as one. (Without the errors its gain would be wrong by its own size.)
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ from carom.fitting.parameters import INDEX
 __all__ = ["Candidates", "Shot", "Shots", "candidates", "numbers_of"]
 
 Array = NDArray[np.float64]
-LOG2_POINTS = 5  # of Sobol's for a shot whose spin will not be known: its gain in 2 log odds is then known to 0.02
+LOG2_POINTS = 5  # Sobol points of a shot whose spin will not be measured: they give its gain in 2 log odds to 0.02
 PLAIN_VALUES = {"restitution": 0.8, "friction": 0.2, "tangential_restitution": 0.4}
 
 
@@ -36,15 +36,15 @@ class Shots:
     speeds: tuple[float, float] = (1.0, 3.0)
     """m/s."""
     spins: tuple[float, float] | None = (0.0, 0.0)
-    """rad/s before the wall; None: not measured, as of a film without marks on the ball."""
+    """rad/s before the wall; None: not measured, as in a film without marks on the ball."""
     sigma_v: float = 0.02
     """Error bar of each speed, before and after, m/s."""
     sigma_spin: float | None = None
-    """Of each spin, rad/s; None: spin is known before the wall and not measured after it."""
+    """Error bar of each spin, rad/s; None: spin is known before the wall and not measured after it."""
     stage: str = "after_wall"
-    """Table rebounds: after_wall or rolling."""
+    """Stage at which a ball on a table is measured: after_wall or rolling."""
     counts: tuple[int, int, int] = (29, 5, 9)
-    """Angles, speeds and spins of the grid."""
+    """Numbers of angles, speeds and spins of the grid."""
 
 
 @dataclass(frozen=True)
@@ -57,16 +57,16 @@ class Shot:
     """None: not measured."""
     repeat: int
     gain: float
-    """Expected increase of 2 log odds by each."""
+    """Expected increase of 2 log odds by each such shot."""
 
 
 @dataclass(frozen=True, eq=False)
 class Candidates:
-    """M candidate shots, some rows each, after the rows that were filmed."""
+    """M candidate shots of several rows each, after the rows that were filmed."""
 
     problem: Problem
     truth: Array
-    """All parameters of the law that is taken for true."""
+    """All parameters of the law that is assumed to be true."""
     have: int
     """Number of rows that were filmed."""
     each: int
@@ -81,7 +81,7 @@ class Candidates:
 
     @property
     def some(self) -> Problem:
-        """The problem with few enough rows to begin a fit with."""
+        """The problem with a number of rows small enough to begin a fit."""
         return self.problem.select(self.of(self.cells[:: max(self.each // 4, 1)]).ravel())
 
     def of(self, cells: NDArray[np.int64]) -> NDArray[np.int64]:
@@ -128,11 +128,11 @@ def candidates(
 
 
 def numbers_of(law: FittedLaw, problem: Problem, truth: Mapping[str, float]) -> Array:
-    """Return all parameters of a law, with the given values; CaromError where one is unknown."""
+    """Return all parameters of a law, with the given values; CaromError for an unknown one."""
     free, p, _form = free_parameters(law, problem)
     plain = PLAIN_VALUES | {"stiffness_ratio": p[INDEX["stiffness_ratio"]]}
     faults = [
-        f"truth: expected a number of {law.name}, one of {', '.join(free) or 'none'}, got {name!r}"
+        f"truth: expected a parameter of {law.name}, one of {', '.join(free) or 'none'}, got {name!r}"
         for name in truth
         if name not in free
     ]
@@ -158,7 +158,7 @@ def _points(setting: Setting) -> Array:
 
 
 def _rows(kind: Kind, shots: Shots, axes: tuple[Array, ...], each: int) -> Rebounds:
-    """Return a table of all shots, each as some rows; the measurements after the wall are filled in later."""
+    """Return a table of all shots, each as several rows; the measurements after the wall are filled in later."""
     angle, speed, spin = (np.repeat(x.ravel(), each) for x in np.meshgrid(*axes, indexing="ij"))
     names = COLUMNS[kind]
     v_n, v_t = speed * np.cos(np.radians(angle)), speed * np.sin(np.radians(angle))
@@ -174,7 +174,7 @@ def _rows(kind: Kind, shots: Shots, axes: tuple[Array, ...], each: int) -> Rebou
 
 
 def _joined(first: Problem, second: Problem) -> Problem:
-    """Return the rows of both. Shared errors of the first are not those of the second."""
+    """Return the rows of both problems; shared errors of the first do not apply to the second."""
     names = ("x", "vx", "covariance", "y", "vy")
     arrays: dict[str, Any] = {name: np.concatenate([getattr(first, name), getattr(second, name)]) for name in names}
     stages = None if first.stages is None or second.stages is None else np.concatenate([first.stages, second.stages])

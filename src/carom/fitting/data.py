@@ -20,9 +20,9 @@ __all__ = ["Problem", "Setting", "Shared", "make_problem", "prior_in_words", "re
 Array = NDArray[np.float64]
 MAX_SHARED_VARIANCE = 0.95  # of a variance: the rest is a row's own
 MAX_CORRELATION = 0.95  # of errors before and after: a row with fully correlated errors would carry no information
-# What a film measures once for all its rows: the prefix of the columns, and its name
+# Quantities that a film measures once for all its rows: prefix of the columns, and name
 SHARED = {"cloth": "cloth friction", "rolling": "rolling resistance", "blind": "blind time"}
-CLOTH_FRICTION = 0.2  # of a billiard table, where nothing else is known
+CLOTH_FRICTION = 0.2  # of a billiard table, by default
 SCATTERS = ("share", "absolute")
 MAX_SPIN = 5.0  # mean or width of spins before the wall, in v/a
 FEW_ROWS, SAME_ANGLE, SAME_SPEED = 12, 3.0, 1.3  # rows; degrees; ratio of the fastest to the slowest
@@ -30,7 +30,7 @@ FEW_ROWS, SAME_ANGLE, SAME_SPEED = 12, 3.0, 1.3  # rows; degrees; ratio of the f
 
 @dataclass(frozen=True)
 class Setting:
-    """The ball, the wall's height, what to fit and how.
+    """Settings of a fit: the ball, the height of the wall contact, the form of restitution, priors, parameters to fit or hold.
 
     Examples
     --------
@@ -46,23 +46,23 @@ class Setting:
     restitution: str = "constant"
     """One of :data:`carom.fitting.parameters.FORMS`."""
     contact_height: float = 1.0
-    """Where the wall touches, in radii above the floor; a billiard cushion 1.2 to 1.4. Table rebounds."""
+    """Height of the wall contact above the floor, in radii (billiard cushions: 1.2 to 1.4); for balls on a table."""
     floor_friction: float | None = None
-    """While the wall presses the ball onto the floor, and when it lands; None: from the table's columns cloth_friction and
-    sigma_cloth_friction, which a film provides, else 0.2."""
+    """Friction of the floor, while the wall presses the ball on it and when the ball lands; None: from the table's columns
+    cloth_friction and sigma_cloth_friction, which a film provides, else 0.2."""
     floor_restitution: float = 0.0
     roll: float = 1.0
-    """Fraction of rolling with which balls on a table arrive; 0: without roll (stunned)."""
+    """Spin about the horizontal axis with which balls on a table arrive, as a fraction of that of rolling; 0: none (stun)."""
     spin_prior: str = "normal"
     """Prior of an unmeasured spin: "normal" of width spin_width about spin_mean v_t/a, or "uniform" within it."""
     spin_width: float | None = None
-    """v/a; None: fitted. A width that is too large favours laws that do not depend on the spin."""
+    """Width of that prior, v/a; None: fitted. Too large a width favours laws that do not depend on the spin."""
     spin_mean: float | None = None
-    """v_t/a, mean running side; None: fitted (0 for a uniform prior)."""
+    """Mean of that prior (running side), v_t/a; None: fitted (0 for a uniform prior)."""
     fit: tuple[str, ...] = ()
     """Parameters to fit in addition to the law's own: kappa, contact_height, floor_friction, roll."""
     fixed: dict[str, float] = field(default_factory=dict)
-    """Parameters of the law that are held, with their values."""
+    """Parameters of the law that are held fixed, with their values."""
     bounds: dict[str, tuple[float, float]] = field(default_factory=dict)
     robust: bool = False
     """Errors with heavy tails: Student's t with 4 degrees of freedom instead of normal."""
@@ -125,18 +125,29 @@ def require_settings(setting: Setting) -> None:
 
 @dataclass(frozen=True)
 class Shared:
-    """An error that all rows share, because a film measures it once: a number z, normal with width 1."""
+    """An error common to all rows, because a film measures the quantity once: a standard normal variable z."""
 
     name: str
     rows: Array
-    """(N, 6) by how much one error bar of it moves what was measured before and after."""
+    """(N, 6) change of the measurements before and after the wall for z = 1."""
     floor: float = 0.0
-    """By how much it moves the floor's friction, where that is from the same film."""
+    """Change of the floor's friction for z = 1, if that is from the same film."""
 
 
 @dataclass(frozen=True)
 class Problem:
-    """N rebounds as arrays, with what is assumed of them."""
+    """N rebounds as arrays, with variances and the assumptions of the fit; made by :func:`make_problem`.
+
+    Examples
+    --------
+    >>> from carom.data.rebounds import make_rebounds
+    >>> from carom.fitting import Setting, make_problem
+    >>> columns = {"v_n_in": [1.0, 2.0, 3.0], "v_t_in": [1.0] * 3, "spin_in": [0.0] * 3, "v_n_out": [0.8, 1.6, 2.4]}
+    >>> columns |= {"v_t_out": [0.7, 0.8, 0.9], "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02}
+    >>> problem, _notes = make_problem(make_rebounds("planar", columns), Setting(radius=0.02))
+    >>> problem.select([0, 2]).x[:, 0], problem.unknown.any()
+    (array([1., 3.]), False)
+    """
 
     rebounds: Rebounds
     setting: Setting
@@ -145,7 +156,7 @@ class Problem:
     vx: Array
     """(N, 3) their variances."""
     covariance: Array
-    """(N, 2) of the errors of v_n before and after, and of those of v_t."""
+    """(N, 2) covariances of the errors of v_n before and after, and of v_t before and after."""
     y: Array
     """(N, 3) after; NaN: not measured."""
     vy: Array
@@ -153,9 +164,9 @@ class Problem:
     spins: SpinGrid | None
     """Assumptions about unmeasured spins; None: all were measured."""
     estimated: NDArray[np.bool_]
-    """(3,) outputs without error bars, whose scatter is estimated."""
+    """(3,) whether an output has no error bars, so that its scatter is estimated."""
     shared: tuple[Shared, ...] = ()
-    """Errors that all rows have in common."""
+    """Errors common to all rows."""
 
     @property
     def count(self) -> int:
@@ -164,7 +175,7 @@ class Problem:
 
     @property
     def unknown(self) -> NDArray[np.bool_]:
-        """(N,) rows whose spin before the wall was not measured."""
+        """(N,) mask of rows whose spin before the wall was not measured."""
         return np.isnan(self.x[:, 2])
 
     @property
@@ -173,7 +184,7 @@ class Problem:
         return 4.0 if self.setting.robust else 0.0
 
     def select(self, rows: Any) -> Problem:
-        """Return some of the rows."""
+        """Return the problem with only some rows, from indices or a mask."""
         stages = None if self.stages is None else np.ascontiguousarray(self.stages[rows])
         names = ("x", "vx", "covariance", "y", "vy")
         arrays: dict[str, Any] = {name: np.ascontiguousarray(getattr(self, name)[rows]) for name in names}
@@ -189,7 +200,23 @@ class Problem:
 def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[str]]:
     """Return rebounds as arrays for a fit, and notes.
 
-    Raises CaromError where a fit is impossible: too few rows, or no error bars where spins were not measured.
+    Parameters
+    ----------
+    rebounds : Rebounds
+        Measured before and after a wall.
+    setting : Setting
+        The ball, the height of the wall contact, and the parameters to fit.
+
+    Returns
+    -------
+    problem : Problem
+    notes : list of str
+        Assumptions, and properties of the data that limit any fit.
+
+    Raises
+    ------
+    CaromError
+        If a fit is impossible: too few rows, or no error bars where spins were not measured.
 
     Examples
     --------
@@ -227,15 +254,15 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
             why = (
                 f"{names[2]} was not measured in {unknown.sum()} rows"
                 if unknown.any()
-                else "the robust fit is asked for"
+                else "the robust fit is requested"
             )
             faults.append(
-                f"{rebounds.source}: {lacks}: expected error bars, because {why} and scatter looks the same; got none;"
-                " add the columns, or give --sigma-v and --sigma-spin"
+                f"{rebounds.source}: {lacks}: expected error bars, because {why} and its effect cannot be distinguished from"
+                " scatter; got none; add the columns, or give --sigma-v and --sigma-spin"
             )
         else:
             notes.append(
-                f"{lacks}: not given; that scatter is estimated for each law separately, so no law can fit badly"
+                f"{lacks}: not given; the scatter is estimated for each law separately, so chi^2 cannot test any of them"
             )
         faults += _no_scatter(rebounds, setting, lacks)
         vy[:, estimated] = 1.0
@@ -255,7 +282,7 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
         vx, vy = (v - np.minimum(s, MAX_SHARED_VARIANCE * v) for v, s in ((vx, square[:, :3]), (vy, square[:, 3:])))
         covariance = covariance - np.sum([one.rows[:, :2] * one.rows[:, 3:5] for one in shared], axis=0)
         words = " and its ".join(one.name for one in shared)
-        notes.append(f"all velocities share the error of the film's {words}: fitted with every law")
+        notes.append(f"all velocities share the error of the film's {words}, which is fitted with every law")
     most = np.where(estimated[:2], 0.0, MAX_CORRELATION * np.sqrt(vx[:, :2] * vy[:, :2]))
     problem = Problem(
         rebounds, setting, x, vx, np.clip(covariance, -most, most), y, vy, stages, None, estimated, shared
@@ -280,7 +307,7 @@ def _covariances(rebounds: Rebounds, most: Array) -> tuple[Array, list[str]]:
     """Return the covariances (N, 2) of the errors of v_n before and after and of v_t, 0 where not given, and their problems.
     ``most``: the products of the error bars.
 
-    In a film the paths before and after a wall meet at one place and time: if one is taken too steep, the other is too.
+    In a film the paths before and after a wall meet at one place and time, so the errors of their slopes are correlated.
     """
     found, faults = np.zeros((len(rebounds), 2)), []
     for o, name in enumerate(("v_n", "v_t")):
@@ -296,8 +323,8 @@ def _covariances(rebounds: Rebounds, most: Array) -> tuple[Array, list[str]]:
 
 
 def _shared(rebounds: Rebounds, names: tuple[str, ...], floor: float) -> tuple[Shared, ...]:
-    """Return the shared errors in the columns cloth_ and rolling_ of a table that carom made from a film; ``floor``: one error bar
-    of the floor's friction, where it is the cloth's."""
+    """Return the shared errors in the columns cloth_ and rolling_ of a table that carom made from a film; ``floor``: error bar of
+    the floor's friction, if that is the cloth's."""
     found = []
     for prefix, name in SHARED.items():
         columns = [_numbers(rebounds, f"{prefix}_{column}") for column in names]
@@ -340,7 +367,7 @@ def _with_floor(rebounds: Rebounds, setting: Setting) -> tuple[Setting, list[str
     found = film_says(rebounds, "cloth_friction")
     fitted = "floor_friction" in setting.fit or "floor_friction" in setting.fixed
     if found is None:
-        said = f"floor_friction: not given; taken as {CLOTH_FRICTION:g}; give it with --floor-friction, or --fit it"
+        said = f"floor_friction: not given; assumed to be {CLOTH_FRICTION:g}; give --floor-friction, or --fit floor_friction"
         return replace(setting, floor_friction=CLOTH_FRICTION), [] if fitted else [said], 0.0
     value, error, films = found
     bar = f" ± {error:.2g}" if error else ""
@@ -350,7 +377,7 @@ def _with_floor(rebounds: Rebounds, setting: Setting) -> tuple[Setting, list[str
 
 
 def film_says(rebounds: Rebounds, name: str) -> tuple[float, float, int] | None:
-    """Return a quantity that films measured once: value, error (0: not known) and number of films; None where there is none.
+    """Return a quantity that films measured once: value, error (0: unknown) and number of films; None if there is none.
 
     A table that carom makes from a film has it in a column, the same in all rows; several films in one table are weighted by their
     errors.
@@ -379,7 +406,9 @@ def _warnings(problem: Problem, spin: str) -> list[str]:
     notes = []
     n = len(problem.x)
     if n < FEW_ROWS:
-        notes.append(f"rows: only {n} rebounds: error bars assume many; film more before you decide")
+        notes.append(
+            f"rows: only {n} rebounds, but error bars are valid for many; film more before drawing conclusions"
+        )
     both = np.nan_to_num(np.concatenate([problem.x, problem.y], axis=1), nan=np.inf)
     different, first = np.unique(both, axis=0, return_index=True)
     if len(different) < n:
@@ -387,7 +416,7 @@ def _warnings(problem: Problem, spin: str) -> list[str]:
         copies = [label[i] for i in range(n) if i not in set(first.tolist())]
         notes.append(
             f"rows: {len(copies)} of {n} are copies of others ({', '.join(copies[:3])}{', ...' if len(copies) > 3 else ''}); each"
-            " counts as an independent measurement, and error bars come out too small: leave copies out"
+            " counts as an independent measurement, so error bars are too small; remove the copies"
         )
     angle = np.degrees(np.arctan2(problem.x[:, 1], problem.x[:, 0]))
     spun = problem.x[:, 2] * problem.setting.radius / np.hypot(problem.x[:, 0], problem.x[:, 1])
@@ -398,7 +427,7 @@ def _warnings(problem: Problem, spin: str) -> list[str]:
     ):
         notes.append(
             f"angles: all rows have the same angle, {np.median(angle):.1f} degrees within {np.ptp(angle):.1g}: one angle"
-            " determines one parameter along the wall, not two; film other angles (carom design says which)"
+            " determines one parameter along the wall, not two; film other angles (carom design proposes them)"
         )
     speed = problem.x[:, 0]
     if speed.max() < SAME_SPEED * speed.min() and problem.setting.restitution != "constant":

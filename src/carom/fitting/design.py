@@ -1,12 +1,12 @@
 """Design of experiments: which shots discriminate between two laws best, and how many are needed.
 
-Atkinson & Fedorov, Biometrika 62, 57 (1975): let one law be true; fit the other to the shots planned so far; the next shot is
-the one that the fitted other law misses by most error bars. The sum of squares missed, the noncentrality lambda of the other
-law's chi^2, is the expected value of 2 log odds, apart from the penalty for each law's own parameters:
+Atkinson & Fedorov, Biometrika 62, 57 (1975): assume that one law is true and fit the other to the shots planned so far; the next
+shot is the one for which the fitted law is off by most error bars. The sum of these squares, the noncentrality lambda of the
+other law's chi^2, is the expected value of 2 log odds, apart from the penalty for the number of parameters:
 
     E(AIC of the other - AIC of the true) = lambda + k_other - k_true.
 
-What was filmed already counts as it was measured. A shot whose spin will not be measured counts as the mean over such spins.
+Shots already filmed count as measured. For a shot whose spin will not be measured, the mean over possible spins is used.
 """
 
 from __future__ import annotations
@@ -35,8 +35,8 @@ MAX_SHOTS = 400
 REVIEW_EVERY, SHORT_LIST = (
     8,
     20,
-)  # of shots with many rows only the best so far are evaluated, and all of them now and then
-LEAST_GAIN = 1e-3  # of 2 log odds, by a shot that discriminates at all
+)  # of shots with many rows only the best so far are evaluated, and all of them occasionally
+LEAST_GAIN = 1e-3  # of 2 log odds: with a smaller gain a shot does not discriminate
 LEAST_MARGINAL_GAIN = 0.02  # the same for a shot whose spin is not measured: the precision of its gain
 
 
@@ -45,26 +45,26 @@ class Plan:
     """A plan of shots to film."""
 
     laws: tuple[str, str]
-    """The law that is taken for true, and the other."""
+    """The law that is assumed to be true, and the other."""
     truth: dict[str, float]
-    """Parameters of the first."""
+    """Parameters of the first law."""
     other: dict[str, float]
-    """Parameters with which the other law comes closest."""
+    """Parameters of the other law with which its predictions are closest."""
     shots: tuple[Shot, ...]
     count: int | None
-    """Shots needed for the odds, in addition to what was filmed; None where no number of them is enough."""
+    """Number of shots needed for the odds, in addition to those filmed; None if no number suffices."""
     odds: float
     expected: float
-    """Expected 2 log odds of the plan, with what was filmed."""
+    """Expected 2 log odds of the plan, together with the shots filmed."""
     axes: tuple[Array, Array, Array]
-    """Angles (degrees), speeds and spins of the map; one spin, NaN, where it is not measured."""
+    """Angles (degrees), speeds and spins of the map; a single spin, NaN, if it is not measured."""
     gain: Array
     """(angles, speeds, spins): expected increase of 2 log odds by one more shot there."""
     sentence: str
     notes: tuple[str, ...] = ()
     """Notes on the table."""
     filmed: float | None = None
-    """2 log odds of what was filmed."""
+    """2 log odds of the shots filmed."""
 
     def as_dict(self) -> dict[str, object]:
         """Return the plan for JSON."""
@@ -98,7 +98,7 @@ def design(
     odds: float = 20.0,
     filmed: Rebounds | None = None,
 ) -> Plan:
-    """Plan shots that discriminate between two laws, the first taken for true with the parameters ``truth``.
+    """Plan shots that discriminate between two laws, the first assumed to be true with the parameters ``truth``.
 
     ``filmed``: rebounds already measured; their evidence counts, and without ``truth`` the first law is fitted to them. Raises
     CaromError for empty ranges and unknown laws.
@@ -113,26 +113,26 @@ def design(
     if filmed is not None:
         _require_error_bars(filmed)
         already, remarks = make_problem(filmed, setting)
-        setting = already.setting  # the floor of the film is that of the next shots
+        setting = already.setting  # the floor of the film is assumed for the next shots
 
     fitted = None
-    if already is not None:  # (numbers that are given are held)
+    if already is not None:  # (given parameters are held fixed)
         numbers_of(true, already, truth or {})
         fitted = fit_law(true, replace(already, setting=replace(setting, fixed={**setting.fixed, **(truth or {})})))
         if fitted.untold:
             remarks.append(
-                f"{true.name}: {' and '.join(fitted.untold)}: not identifiable from the film; taken where they fit best, one of"
-                " many values: give them (--truth)"
+                f"{true.name}: {' and '.join(fitted.untold)}: not identifiable from the film; the values that fit best are used,"
+                " although others fit as well; give them (--truth)"
             )
 
     known = fitted.numbers if fitted is not None else None
     rows = candidates(kind, setting, shots, true, (truth or {}) if known is None else lambda _problem: known, already)
     problem, p, have = rows.problem, rows.truth, rows.have
-    # (of laws that are fitted to what was filmed, Akaike's own price)
+    # (for laws that are fitted to filmed shots, Akaike's penalty)
     price = (len(free_parameters(other, problem)[0]) - len(free_parameters(true, problem)[0])) * (2 if have else 1)
     target = 2 * math.log(odds) - price
     fit = fit_law(other, rows.some if already is None else already)
-    # deviance of each row under the true law: nothing, except where a row was measured or its spin is unknown
+    # deviance of each row under the true law: zero, unless a row was measured or its spin is unknown
     plain = rows_of_fit(replace(fit, law=true), problem, p)[0]
     order, best, gain, so_far, total, over = _search(fit, rows, plain, float(np.square(p[NUMBERS:]).sum()), target)
     count = len(order) if total >= target else None
@@ -159,8 +159,8 @@ def design(
 def _search(
     fit: Fit, rows: Candidates, plain: Array, owed: float, target: float
 ) -> tuple[list[int], Array, Array, float, float, bool]:
-    """Return shots in the order in which they are best added; the other law's parameters then, the gain of one more of each, 2 log
-    odds of what was filmed, and of all; whether no shot adds anything.
+    """Return shots in the order in which they are added; the other law's parameters at the end, the gain of one more of each shot,
+    2 log odds of the filmed shots and of all, and whether no shot has a gain.
 
     ``plain``, ``owed``: deviance under the true law of each row, and of shared errors.
     """
@@ -169,9 +169,9 @@ def _search(
     weights[: rows.have] = 1
 
     def lost(best: Array) -> tuple[Array, float]:
-        """Fit the other law to the shots so far; return its parameters, and how much worse than the true one it is."""
+        """Fit the other law to the shots so far; return its parameters, and its deviance above that of the true law."""
         some = np.flatnonzero(weights)
-        # from the last place and from the first: there may be two minima
+        # from the last minimum and from the first starting point: there may be two minima
         found, deviances = refit(
             fit, problem.select(some), np.tile(weights[some], (2, 1)), np.concatenate([best, start])
         )
@@ -207,7 +207,7 @@ def _search(
 def require_plan(
     setting: Setting, laws: tuple[str, ...], shots: Shots, truth: Mapping[str, float] | None = None, odds: float = 20.0
 ) -> None:
-    """Raise CaromError where no shots can be planned, with all problems that show before a table is read."""
+    """Raise CaromError if no shots can be planned, with all problems that can be found before a table is read."""
     faults: list[str] = []
     try:
         require_settings(setting)
@@ -222,7 +222,7 @@ def require_plan(
             faults.append(f"{name}: expected LOW:HIGH within {least:g} and {most:g}, LOW not above HIGH, got {got}")
     for name, value in (("sigma_v", shots.sigma_v), ("sigma_spin", shots.sigma_spin)):
         if not (float_or_nan(value) > 0 or (value is None and name == "sigma_spin")):
-            faults.append(f"{name}: expected an error bar above 0, got {value!r}; nothing is measured exactly")
+            faults.append(f"{name}: expected an error bar above 0, got {value!r}; no measurement is exact")
     if shots.stage not in STAGES:
         faults.append(f"stage: expected {' or '.join(STAGES)}, got {shots.stage!r}")
     if not float_or_nan(odds) > 1:
@@ -230,21 +230,21 @@ def require_plan(
     named = isinstance(laws, tuple | list) and all(isinstance(law, str) for law in laws)
     if not named or len(laws) != 2:
         got = repr(",".join(laws) if named else laws)
-        faults.append(f"laws: expected two laws, the one taken for true first, such as maw,contact, got {got}")
+        faults.append(f"laws: expected two laws, first the one assumed to be true, such as maw,contact, got {got}")
     faults += unknown_laws(laws) if named else []
     for name, value in (truth or {}).items():
         its = [p for p in (*PARAMETERS, *(p for form in FORMS.values() for p in form.parameters)) if p.name == name]
         low, high = min((p.low for p in its), default=0.0), max((p.high for p in its), default=0.0)
         if (
             its and not low <= float_or_nan(value) <= high
-        ):  # (parameters that the law does not have: once the law is known)
+        ):  # (parameters that the law does not have are reported once the law is known)
             faults.append(f"truth: {name}: expected {low:g} to {high:g}, got {value!r}")
     if faults:
         raise CaromError(*faults)
 
 
 def _require_error_bars(filmed: Rebounds) -> None:
-    """Raise CaromError where error bars after the wall are missing. (Those of ``shots`` are of shots to come.)"""
+    """Raise CaromError if error bars after the wall are missing. (Those of ``shots`` apply to future shots.)"""
     lacks = [
         f"sigma_{name}"
         for name in COLUMNS[filmed.kind][3:]
@@ -255,7 +255,7 @@ def _require_error_bars(filmed: Rebounds) -> None:
     if lacks:
         raise CaromError(
             f"{filmed.source}: {', '.join(lacks)}: expected error bars of the measurements, to weigh their evidence, got none; add"
-            " the columns (--sigma-v and --sigma-spin are of shots to come), or leave the file out"
+            " the columns (--sigma-v and --sigma-spin apply to future shots), or omit the file"
         )
 
 
@@ -269,13 +269,13 @@ def _sentence(plan: Plan, true: FittedLaw, other: FittedLaw) -> str:
     if plan.filmed is not None:
         size = math.exp(min(abs(plan.filmed) / 2, 700))
         speaks = f"{size:.3g} to 1 for {true.name if plan.filmed > 0 else other.name}"
-        film = f"The film says {speaks}. " if size >= 1.05 else "The film alone says nothing. "
+        film = f"The odds from the film are {speaks}. " if size >= 1.05 else "The film alone does not discriminate. "
     if plan.count == 0:
-        return f"{film}That is enough for odds of {plan.odds:g} to 1; no more shots are needed."
+        return f"{film}This suffices for odds of {plan.odds:g} to 1; no more shots are needed."
     if plan.count is None:
-        why = "the other law, fitted again, does the same; try other angles, speeds or spins"
+        why = "the other law, fitted to them, makes the same predictions; try other angles, speeds or spins"
         if other.name in true.within:
-            why = f"{other.name} contains {true.name}; ask the other way round, --laws {other.name},{true.name}"
+            why = f"{other.name} contains {true.name}; exchange the two laws, --laws {other.name},{true.name}"
         return f"{film}No number of such shots discriminates between {true.name} and {other.name}: {why}."
     where = ", ".join(
         f"{shot.repeat} at {shot.angle_deg:.3g}°, {shot.speed:.3g} m/s"

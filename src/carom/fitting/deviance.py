@@ -4,7 +4,7 @@ Inputs x and outputs y are measured with variances. The law f(x, p), linear near
 
     c = r' S^-1 r,   r = y - f(x, p),   S = var(y) + J var(x) J' - J C - C' J',   J = df/dx,   C = cov(x, y),
 
-which is the least sum of squares, in error bars, by which x and y have to be moved (Fuller, Measurement Error Models (1987), 1.3).
+which is the least sum of squared adjustments of x and y, in error bars (Fuller, Measurement Error Models (1987), 1.3).
 Its gradient in p is -2 G' S^-1 r with G = df/dp at the most likely x, x + (var(x) J' - C) S^-1 r; log det S is left out, since it
 would bias the estimates. With nu > 0 errors follow Student's t with nu degrees of freedom: (nu + d) log(1 + c/nu). Rows whose spin
 was not measured are in :mod:`carom.fitting.spin_marginal`.
@@ -26,7 +26,7 @@ SPIN_WIDTH, SPIN_MEAN = INDEX["spin_width"], INDEX["spin_mean"]  # of the prior:
 
 
 class RowData(NamedTuple):
-    """N rebounds as compiled code reads them."""
+    """N rebounds in the form used by compiled code."""
 
     code: int
     """Of the contact model (:mod:`carom.fitting.kernels`)."""
@@ -62,7 +62,7 @@ class Trial(NamedTuple):
     moved: Any
     """(S, N, 6) shift of inputs and outputs by one unit of each shared error."""
     stepped: Any
-    """(S, NUMBERS) law parameters one step of each shared error on."""
+    """(S, NUMBERS) law parameters after one step of each shared error."""
     stepped_numbers: Any
     """(S,) the same as records."""
 
@@ -114,8 +114,8 @@ def ask(
 
     Item 0 is the prediction; 1 to ``inputs`` its derivative in each input; then ``each`` items for each free parameter: its
     derivative in that and, where ``each`` is above 1, the mixed derivatives with the inputs. The derivative in a shared error is
-    that of prediction less measurement. (It moves a row by so little that the derivatives in the inputs stay; a spin prior in v/a
-    moves with v.)
+    that of prediction less measurement. (It changes a row so little that the derivatives in the inputs are unaffected; a spin prior
+    in v/a changes with v.)
     """
     for item in range(first, last):
         j, to = -1, item

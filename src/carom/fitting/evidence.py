@@ -1,8 +1,8 @@
 """Evidence for and against laws: Akaike weights, odds against the strongest rival, and the verdict in words.
 
-One rule for rebounds and whole tracks. The rival of the best law is the best that does not contain it as a special case: one that
-contains it fits no worse by construction, and is named separately. Odds are exp of half the difference of AICc. Where no law fits,
-they are those for error bars enlarged until the best one does.
+The same rule holds for rebounds and whole tracks. The rival of the best law is the best law that does not contain it as a special
+case: a law that contains it fits no worse by construction, and is named separately. Odds are exp of half the difference of AICc. If
+no law fits, the odds are computed with error bars enlarged until the best law does.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from carom.fitting.laws import FittedLaw
 __all__ = ["DECIDED", "LEANS", "UNLIKELY", "Evidence", "decisive", "odds_in_words", "verdict_words", "weigh"]
 
 DECIDED, LEANS = 20.0, 3.0  # odds
-UNLIKELY = 1e-3  # probability of a chi^2 below which a law is said not to fit
+UNLIKELY = 1e-3  # probability of a chi^2 below which a law does not fit
 MOST_LOG_ODDS = 700.0
 
 
@@ -37,17 +37,17 @@ class FittedModel(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Evidence:
-    """Fits in the order of AICc, compared."""
+    """Comparison of fits in the order of AICc."""
 
     weights: NDArray[np.float64]
-    """Akaike's."""
+    """Akaike weights."""
     odds: float
-    """Of the best law against its rival; infinite where there is none, NaN where they mean nothing."""
+    """Odds of the best law against its rival; infinite if there is none, NaN if they are meaningless."""
     rival: Any
     containing: tuple[str, ...]
     """Laws that contain the best one and fit about as well."""
     close: tuple[str, ...]
-    """Laws that the data do not decide between."""
+    """Laws between which the data do not decide."""
 
 
 def weigh(fits: Sequence[FittedModel], enlarge: float = 1.0) -> Evidence:
@@ -77,10 +77,10 @@ def weigh(fits: Sequence[FittedModel], enlarge: float = 1.0) -> Evidence:
 def verdict_words(
     called: str, evidence: Evidence, subject: str, support: float, reason: str, *, nearest: bool = False, narrow: str = ""
 ) -> str:  # fmt: skip
-    """Return the verdict in words: ``subject`` (the data, the tracks) prefer, lean to or cannot decide.
+    """Return the verdict in words: ``subject`` (the data, the tracks) favour a law, weakly favour it, or do not decide.
 
-    ``support``: odds, or a number on their scale; ``reason``: by how much the best law is ahead. ``nearest``: no law fits, and the
-    best is only the nearest one; ``narrow``: why the data cover too little to decide.
+    ``support``: odds, or a number on their scale; ``reason``: the lead of the best law, in words. ``nearest``: no law fits, and
+    the best is only the nearest one; ``narrow``: why the data cover too little to decide.
     """
     more, these = "", subject.replace("the ", "these ")
     if evidence.containing:

@@ -1,8 +1,8 @@
 """Fit of one law to rebounds: starting points, descent, continuation beyond creases, scatter where no error bars are given.
 
-Error bars given with the data are used as they are: the deviance is chi^2, AIC is chi^2 + 2 k. Where there are none, the scatter
-of each measured quantity is one more parameter of the law, and the deviance is n log(scatter^2) + n. Scatter between contacts
-beyond given error bars is one parameter more where it is asked for (:mod:`carom.fitting.scatter`).
+Error bars given with the data are used as given: the deviance is chi^2, AIC is chi^2 + 2 k. Without them, the scatter of each
+measured quantity is an additional parameter of the law, and the deviance is n log(scatter^2) + n. Scatter between contacts beyond
+given error bars is fitted as one more parameter on request (:mod:`carom.fitting.scatter`).
 """
 
 from __future__ import annotations
@@ -30,15 +30,15 @@ Array = NDArray[np.float64]
 FEW_STEPS, HELD_STEPS = 40, 12
 SEARCH_ROWS, MARGINAL_SEARCH_ROWS = 150, 40  # rows, of many, in which starts are tried
 STARTS, MARGINAL_STARTS = 8, 12  # from which the search descends
-FREED = 3  # of the frictions that were held
-MAX_EXCESS = 30.0  # of the deviance: a start that ends so much higher is dropped
-DISTINCT = 0.02  # between two places
+FREED = 3  # number of held frictions that are then freed
+MAX_EXCESS = 30.0  # of the deviance above the best: a start that ends higher is dropped
+DISTINCT = 0.02  # least distance between two points regarded as different
 KINKED_SIGMA, KINKED_SHARE = 0.3, 0.06  # of an error bar by which the prediction deviates from linear; of the rows
 STUDENT_NU = 4
 
 
 class _Place(NamedTuple):
-    """Where a descent has ended."""
+    """End point of a descent."""
 
     p: Array
     deviance: float
@@ -46,17 +46,17 @@ class _Place(NamedTuple):
 
 
 def _descend(model: FitModel, p: Array) -> _Place:
-    """Descend from each of p (B, K), and return the best place."""
+    """Descend from each of p (B, K), and return the best end point."""
     found = model.minimize(p, STEPS)
     best = int(np.argmin(found.value))
     return _Place(found.p[best], float(found.value[best]), found.information[best])
 
 
 def _search(model: FitModel) -> Array:
-    """Return places (B, K) from which to descend: the best of a grid, after a short descent in few rows."""
+    """Return starting points (B, K): the best of a grid, after a short descent with few rows."""
     problem, law, start = model.problem, model.law, model.start
     n, parameters = len(problem.x), model.parameters
-    if law.search_code is not None and parameters:  # a law that is near, and a hundred times as quick
+    if law.search_code is not None and parameters:  # a similar law that is a hundred times as fast
         quick = replace(model, law=replace(law, code=law.search_code, search_code=None))
         found = quick.minimize(_search(quick), FEW_STEPS)
         return found.p[_distinct(found.p[:, model.free], found.value, MAX_EXCESS, 2)]
@@ -69,10 +69,10 @@ def _search(model: FitModel) -> Array:
         return p
     p[:, model.without_shared().free] = grid
     cost = some.minimize(p, 1).value
-    # the best of the grid; of places that the rows do not distinguish, one
+    # the best of the grid; only one of points that the rows do not distinguish
     _cost, first = np.unique(np.round(cost, 6), return_index=True)
     if marginal and "friction" in parameters:
-        # unknown spins and unknown friction do the same to an angle: one descent from each friction
+        # unknown spins and unknown friction have the same effect on an angle: one descent from each friction
         _friction, best = np.unique(p[first, INDEX["friction"]], return_index=True)
         first = first[np.sort(best)]
     found = some.minimize(p[first[: MARGINAL_STARTS if marginal else STARTS]], FEW_STEPS)
@@ -80,7 +80,7 @@ def _search(model: FitModel) -> Array:
 
 
 def _distinct(p: Array, cost: Array, excess: float, most: int) -> list[int]:
-    """Return the index of the best place, and of others elsewhere that are not much worse."""
+    """Return the index of the best point, and of distinct ones that are not much worse."""
     order = np.argsort(cost, kind="stable").tolist()
     chosen: list[int] = order[:1]
     for i in order[1:]:
@@ -98,12 +98,12 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     law : FittedLaw
         One of :data:`FITTED`.
     problem : Problem
-        Of :func:`make_problem`.
+        From :func:`make_problem`.
 
     Returns
     -------
     Fit
-        Estimates with standard errors, covariance, deviance, and what is not identifiable.
+        Estimates with standard errors, covariance, deviance, and parameters that are not identifiable.
 
     Examples
     --------
@@ -130,7 +130,7 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     best = _descend(own, p)
     if problem.spins is not None and "friction" in model.parameters:
         best = _across_creases(own, best)
-    if problem.shared:  # a crease may be in the way: from either side too
+    if problem.shared:  # there may be a crease: searched from both sides
         z = np.eye(len(problem.shared))
         p = np.tile(best.p, (1 + 2 * len(z), 1))
         p[1:, NUMBERS:] = np.concatenate([z, -z])
@@ -138,7 +138,7 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     names = tuple(model.parameters)
     k = len(names) + len(scatter)
     _deviance, chi2_by_row = replace(own, free=own.free[:0]).row_deviances(best.p)
-    # a spin that was not measured is one more number, and its prior one more datum; a uniform prior is none
+    # an unmeasured spin is an additional parameter, and its prior an additional datum, unless it is uniform
     dof = problem.count - k
     if problem.spins is not None and problem.spins.uniform and feels_spins(law, problem):
         dof -= int(problem.unknown.sum())
@@ -149,7 +149,7 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     if scatter:
         counted = int(n_by[problem.estimated].sum()) if problem.estimated.any() else problem.count
         information = information * max(problem.count - k, 1) / max(counted, 1)
-    # an error that all rows share is one more number, and what the film says of it one more datum
+    # an error shared by all rows is an additional parameter, and its value from the film an additional datum
     chi2 = float(chi2_by_row.sum() + np.square(best.p[NUMBERS:]).sum())
     fit = Fit(
         law,
@@ -178,14 +178,14 @@ def _own_information(h: Array, k: int) -> Array:
         return h
     plain, cross = h[:k, :k], h[:k, k:]
     through = cross.T @ np.linalg.pinv(plain, hermitian=True) @ cross
-    # information of the rows on a shared error, beside that of the film, 1: less than nothing only where creases are in the way
+    # information of the rows on a shared error, in addition to that of the film, 1; negative only because of creases
     strength, direction = np.linalg.eigh(h[k:, k:] - through)
     left = direction @ np.diag(np.maximum(strength, 1.0)) @ direction.T
     return np.asarray(plain - cross @ np.linalg.solve(left + through, cross.T))
 
 
 def _across_creases(model: FitModel, best: _Place) -> _Place:
-    """Continue the search with other frictions held, and then freed."""
+    """Continue the search with the friction held at other values, and then freed."""
     i, held = INDEX["friction"], model.holding("friction")
 
     def explore(best: _Place, nearby: list[float], everywhere: list[float]) -> _Place:
@@ -218,13 +218,13 @@ class _Subject:
         return identified_covariance(self.information[np.ix_(inside, inside)], ranges)
 
     def rise(self, i: int, value: float) -> float:
-        """Return the deviance above the least with one parameter moved."""
+        """Return the deviance above its minimum with one parameter changed."""
         p = self.fit.numbers.copy()
         p[self.places[i]] = value
         return float(rows_of_fit(self.fit, self.fit.problem, p)[0].sum()) - self.base
 
     def refit_rises(self, i: int, values: Array) -> tuple[Array, Array]:
-        """Return the profile above the least, and the parameters there."""
+        """Return the profile above its minimum, and the parameters there."""
         p = np.tile(self.fit.numbers, (len(values), 1))
         p[:, self.places[i]] = values
         found, deviance = refit(self.fit, self.fit.problem, p=p, hold=self.names[i])
@@ -232,7 +232,7 @@ class _Subject:
 
 
 def _identified(fit: Fit, information: Array) -> Fit:
-    """Return the fit with covariance, estimates, and what is not identifiable."""
+    """Return the fit with covariance, estimates, and sentences on parameters that are not identifiable."""
     found = identify(_Subject(fit, information))
     return replace(
         fit, covariance=found.covariance, estimates=found.estimates, degenerate=found.degenerate, untold=found.untold
@@ -240,11 +240,11 @@ def _identified(fit: Fit, information: Array) -> Fit:
 
 
 def kinked_rows_warning(fit: Fit) -> str:
-    """Return a warning where the law is not linear within the error bars before the wall in many rows, or nothing.
+    """Return a warning if the law is not linear within the error bars before the wall in many rows; else an empty text.
 
-    A row's information is taken from the law's derivatives where it was measured. If one error bar to one side it sticks and to the
-    other it slides, these say little of where it really was, and of how well the row determines a parameter. Nor do profiles or
-    the bootstrap.
+    The information of a row is computed from the law's derivatives at the measured state. If the contact sticks one error bar to
+    one side and slides to the other, these do not represent how well the row determines a parameter. The same holds for profiles
+    and the bootstrap.
     """
     problem, p = fit.problem, fit.numbers
     if problem.estimated.any() or not problem.vx.any():
@@ -262,6 +262,6 @@ def kinked_rows_warning(fit: Fit) -> str:
     if many < KINKED_SHARE * len(share):
         return ""
     return (
-        f"error bars before the wall: in {many} of {len(share)} rows they reach from sticking to sliding under {fit.law.name}; a"
-        " nominal 95 % is then some 80 to 85 %, for bootstrap and profiles too; measure better before the wall"
+        f"error bars before the wall: in {many} of {len(share)} rows they reach from sticking to sliding under {fit.law.name};"
+        " nominal 95 % intervals then cover some 80 to 85 %, as do bootstrap and profiles; measure more precisely before the wall"
     )

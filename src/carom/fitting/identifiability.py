@@ -1,7 +1,7 @@
 """Covariance of a law's parameters, and which of them, alone or in combination, the data do not identify.
 
-The same for rebounds and for whole tracks: each provides the information at the best place, and the deviance where one parameter
-is moved and the others are held or fitted again (:class:`Subject`).
+The same code serves rebounds and whole tracks: each provides the information at the minimum, and the deviance where one parameter
+is changed and the others are held or fitted again (:class:`Subject`).
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ __all__ = ["FLAT_RISE", "NOT_IDENTIFIABLE", "Identified", "Subject", "identify"]
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 NOT_IDENTIFIABLE = "not identifiable from these data"
-UNIDENTIFIED_STDERR = 0.5  # a standard error of so much of a parameter's range, or of its size, is no information
-INVOLVED_SHARE = 0.3  # of an unidentified direction: a parameter with more of it is involved
-FAR = (5.0, 50.0)  # error bars from the best place, where the deviance must have risen
+UNIDENTIFIED_STDERR = 0.5  # of a parameter's range, or of its size: with a larger standard error it is not identified
+INVOLVED_SHARE = 0.3  # of an unidentified direction: a parameter with a larger component is involved
+FAR = (5.0, 50.0)  # error bars from the minimum, where the deviance must have risen
 FLAT_RISE = 6.63  # of the deviance, 99 % of one parameter: a profile that rises by less there is flat
-ONE_SIDED = 2.706  # of the deviance: 95 % of one parameter on one side
-NEAR_BOUND = 1.5  # error bars: a bound that is nearer is no place to hold a parameter at
+ONE_SIDED = 2.706  # of the deviance: one-sided 95 % limit of one parameter
+NEAR_BOUND = 1.5  # error bars: a parameter is not held at a bound that is nearer
 COMPENSATED = (
     2.0  # ratio of a parameter's error bar to what it were with the others known, above which they compensate for it
 )
@@ -38,7 +38,7 @@ BISECTIONS = 20
 
 
 class Subject(Protocol):
-    """A fit at its best place."""
+    """A fit at its minimum."""
 
     label: str
     names: tuple[str, ...]
@@ -52,16 +52,16 @@ class Subject(Protocol):
         """Return the covariance of some parameters."""
 
     def rise(self, i: int, value: float) -> float:
-        """Return by how much the deviance rises with parameter i at a value and the other parameters held."""
+        """Return the rise of the deviance with parameter i at a value and the other parameters held."""
 
     def refit_rises(self, i: int, values: Array) -> tuple[Array, Array]:
-        """Return by how much the deviance rises (m,) with parameter i held at values (m,) and all else fitted, and the parameters
+        """Return the rise of the deviance (m,) with parameter i held at values (m,) and all else fitted, and the parameters
         (m, k) there."""
 
 
 @dataclass(frozen=True, eq=False)
 class Identified:
-    """What the data tell of a law's parameters."""
+    """Covariance and estimates of a law's parameters, and those that are not identifiable."""
 
     covariance: Array
     estimates: dict[str, Estimate]
@@ -91,7 +91,7 @@ def identify(subject: Subject) -> Identified:
         strength, direction, inner = _directions(subject.information, ranges)
         bars = np.sqrt(np.diag(inner)) / ranges
         for column in direction[:, ~(strength > 1 / UNIDENTIFIED_STDERR**2)].T:
-            # a parameter is involved by its share, or by more than its own error bar
+            # a parameter is involved by its component, or if it changes by more than its own error bar
             which = (np.abs(column) > INVOLVED_SHARE) | (np.abs(column) * UNIDENTIFIED_STDERR > np.maximum(bars, 1e-3))
             if subject.trade_offs:
                 i = int(np.argmax(np.abs(column)))
@@ -153,7 +153,7 @@ def _trade_offs(subject: Subject, ranges: Array, inside: NDArray[np.int64]) -> I
         times = np.diag(block) * bars[inside] ** 2
         i = int(inside[int(np.argmax(times))])
         if times.max() < COMPENSATED:
-            # returned slip and the spins before the wall are equivalent, whatever the curvature at a crease says
+            # reversed slip and the spins before the wall are equivalent, whatever the curvature at a crease
             i = next((int(j) for j in inside if subject.names[j] in SLIP_RETURN), -1)
             if i < 0:
                 return
@@ -166,9 +166,9 @@ def _trade_offs(subject: Subject, ranges: Array, inside: NDArray[np.int64]) -> I
 
 def _compensating(subject: Subject, i: int, step: float, bar: float, bars: Array) -> Mask:
     """Return (k,) parameter i and those that move by more than their error bars when it is held a step away and all else is fitted;
-    none where the deviance rises by a quarter of what its own error bar says, or by 99 % if it has none."""
+    none if the deviance rises by a quarter of what its own error bar implies, or by the 99 % level if it has none."""
     best, parameter = float(subject.values[i]), subject.parameters[i]
-    # (near as well: far away may lie beyond the other end of a valley that is flat and short)
+    # (a near point as well: the far one may lie beyond the other end of a short, flat valley)
     shares = np.array([-1, 1]) if bar == np.inf else np.array([-1, -NEARER, NEARER, 1])
     values = np.clip(best + step * shares, parameter.low, parameter.high)
     far = np.abs(values - best)
@@ -188,10 +188,11 @@ def _compensating(subject: Subject, i: int, step: float, bar: float, bars: Array
 
 
 def _flat_side(subject: Subject, i: int, stderr: float) -> str:
-    """Return a sentence where the deviance does not rise on one side, though the curvature at the best place says that it should.
+    """Return a sentence if the deviance does not rise on one side, although the curvature at the minimum implies that it should.
 
-    So it is where the last contact that identifies a parameter stands at the edge between sticking and sliding. Five error bars
-    away it should have risen by 25; where it has not by half of that, all else is fitted again, there and ten times as far.
+    This happens if the last contact that identifies a parameter is at the edge between sticking and sliding. Five error bars
+    away the deviance should have risen by 25; if it has risen by less than half of that, all else is fitted again, there and ten
+    times as far.
     """
     best, parameter = float(subject.values[i]), subject.parameters[i]
     for sign, word in ((1, "more"), (-1, "less")):
@@ -200,14 +201,14 @@ def _flat_side(subject: Subject, i: int, stderr: float) -> str:
             continue  # the bound is near
         if subject.rise(i, float(far[0])) < FAR[0] ** 2 / 2 and (subject.refit_rises(i, far)[0] < FLAT_RISE).all():
             return (
-                f"what lies beyond {best:.3g} fits nearly as well: only a limit is identifiable, {_limit(subject, i, -sign):.3g} or"
+                f"values beyond {best:.3g} fit nearly as well: only a limit is identifiable, {_limit(subject, i, -sign):.3g} or"
                 f" {word} (95 %)"
             )
     return ""
 
 
 def _limit(subject: Subject, i: int, sign: int) -> float:
-    """Return how far a parameter may go on one side until the deviance has risen by what 95 % allow, the others held."""
+    """Return the one-sided 95 % limit of a parameter, from the rise of the deviance with the others held."""
     parameter = subject.parameters[i]
     inside, outside = float(subject.values[i]), parameter.low if sign < 0 else parameter.high
     for _ in range(BISECTIONS):
@@ -223,7 +224,7 @@ def _sentence(subject: Subject, names: list[str]) -> str:
         limit = _limit(subject, list(subject.names).index("friction"), -1)
         return f"{said}no contact slides throughout, so only a lower limit is identifiable: {limit:.3g} or more (95 %)"
     if len(names) == 1 and names[0] in SLIP_RETURN:
-        return f"{said}every contact slides throughout, so nothing depends on it; film steeper hits"
+        return f"{said}every contact slides throughout, so no measurement depends on it; film steeper hits"
     if sorted(names) == ["friction", "restitution"]:
         i = list(subject.names).index("friction")
         if subject.rise(i, subject.parameters[i].high) < FLAT_RISE:
@@ -233,7 +234,7 @@ def _sentence(subject: Subject, names: list[str]) -> str:
                 f" {limit:.3g} or more (95 %)"
             )
         product = values["friction"] * (1 + values["restitution"])
-        return f"{said}sliding contacts identify only friction (1 + restitution) = {product:.4g}, not each by itself"
+        return f"{said}sliding contacts identify only the product friction (1 + restitution) = {product:.4g}"
     if len(names) > 1:
         return f"{said}only a combination of them is identifiable, not each value; measure more (spin, other angles), or fix one"
-    return f"{said}next to nothing in these data depends on it"
+    return f"{said}these data hardly depend on it"

@@ -1,4 +1,4 @@
-"""Predictions of the laws for a rebound: kernels from (v_n, v_t, spin) before the wall to the same after it.
+"""Predictions of the laws for a rebound: kernels that map (v_n, v_t, spin) before the wall to the same after it.
 
 The wall is x = 0 with the ball at x > 0; v_n is positive toward the wall before and away from it after, v_t runs along
 it (y), spin is about z. A ball on a table rolls before the contact, or has a fraction ``roll`` of rolling. ``p`` is a record of
@@ -38,7 +38,7 @@ def speed_restitution(form: int, p: Vec, speed: float) -> float:
     """Return e at a speed of approach: a form of :mod:`carom.core.motion.restitution`, or the line v_out = p0 v + p1."""
     if form == LINE:
         e = p[0] + p[1] / speed
-        return max(e, 0 * e)  # above 1 where the line is: below offset / (1 - slope)
+        return max(e, 0 * e)  # above 1 at speeds below offset / (1 - slope)
     return restitution(form, p, speed)
 
 
@@ -95,7 +95,7 @@ def table(code: int, form: int, stage: int, x: Vec, a: float, p: Any) -> Vec:
     if stage == ROLLING:
         # (39)
         v1, w1 = rolls_at_last(v1, w1, a, p.kappa)
-    elif v1[2] < -ROUNDING * x[0]:  # pushed onto the floor: it bounces off the floor in the same instant
+    elif v1[2] < -ROUNDING * x[0]:  # pushed onto the floor: it bounces off the floor at once
         v1, w1, _j, _required, _regime = wall_contact(
             v1, w1, UP, a, p.kappa, p.floor_restitution, p.floor_friction, zero
         )

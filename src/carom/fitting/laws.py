@@ -1,6 +1,6 @@
-"""Laws that can be fitted: their contact model, free and fixed parameters, and how the engine plays them.
+"""Laws that can be fitted: their contact model, free and fixed parameters, and how the engine simulates them.
 
-They are made from the descriptors in carom.laws: what this package needs of a law is a field of :class:`FittedLaw`.
+They are made from the descriptors in carom.laws; a :class:`FittedLaw` holds everything that fits need to know about a law.
 """
 
 from __future__ import annotations
@@ -22,19 +22,19 @@ __all__ = ["FITTED", "FittedLaw", "TrackEngine", "laws_for", "laws_named", "trac
 
 @dataclass(frozen=True)
 class TrackEngine:
-    """How :func:`carom.simulate` plays a law when whole tracks are fitted."""
+    """How :func:`carom.simulate` evaluates a law when whole tracks are fitted."""
 
     law: str = "two-step"
     floor_contact: Literal["with", "after"] = "after"
     surface: bool = True
     """Whether the law reads restitution and friction of the wall."""
     rolling_only: bool = False
-    """Whether it is about balls that roll before the wall."""
+    """Whether the law requires balls that roll before the wall."""
 
 
 @dataclass(frozen=True)
 class FittedLaw:
-    """One law as it is fitted to one kind of rebound.
+    """A law in the form in which it is fitted to one kind of rebound.
 
     Examples
     --------
@@ -46,7 +46,7 @@ class FittedLaw:
     name: str
     kind: Kind
     code: int
-    """Of the contact model (:mod:`carom.fitting.kernels`); -1: that of its ``kernel``."""
+    """Code of the contact model (:mod:`carom.fitting.kernels`); -1: that of its ``kernel``."""
     free: tuple[str, ...]
     words: str
     """Its name in a sentence."""
@@ -57,31 +57,31 @@ class FittedLaw:
     upright: bool = False
     """Whether the wall always touches at the height of the centre."""
     engine: TrackEngine | None = None
-    """None: not for whole tracks."""
+    """None: the law is not fitted to whole tracks."""
     search_code: int | None = None
-    """Cheaper contact model in which the search begins."""
+    """Cheaper contact model with which the search begins."""
     chi_range: tuple[float, float] | None = None
     """Range of stiffness_ratio (1 + 1/kappa)/2 over which the law is tabulated."""
 
     on_request: bool = False
-    """Whether it takes part only where it is named."""
+    """Whether the law is fitted only if it is named."""
     redundant_upright: bool = False
-    """Whether it is another law where the wall touches at the height of the centre."""
+    """Whether it equals another law if the wall touches at the height of the centre."""
     kernel: WallKernel | None = None
-    """Of a law that is not compiled in."""
+    """Kernel of a law that is not compiled in."""
     stiffness_last: bool = False
-    """Whether the last number that the kernel takes is the stiffness ratio."""
+    """Whether the last argument of the kernel is the stiffness ratio."""
 
     @property
     def contact_code(self) -> int:
-        """What the compiled loops take: the contact model, or the address of the law's kernel, negative with stiffness_last."""
+        """Code for the compiled loops: the contact model, or the address of the law's kernel, negative with stiffness_last."""
         if self.kernel is None:
             return self.code
         return -user_address(self.kernel) if self.stiffness_last else user_address(self.kernel)
 
     @property
     def called(self) -> str:
-        """Its words, with the name on the command line where they lack it."""
+        """Name of the law in a sentence, with that on the command line if it differs."""
         return self.words if self.name in self.words.lower() else f"{self.words} ({self.name})"
 
     @property
@@ -131,7 +131,7 @@ def _all_laws() -> tuple[FittedLaw, ...]:
 
 FITTED = _all_laws()
 """All laws that can be fitted, each for one kind of rebound."""
-# Other names of laws, and why a law cannot take part
+# Other names of laws, and why a law cannot be fitted
 ALIASES = {
     (name, spec.kind): spec.same_as or law.name
     for law in laws().values() for spec in law.fits for name in (law.name, *law.aliases) if not spec.absent
@@ -140,13 +140,13 @@ ABSENT = {(law.name, spec.kind): spec.absent for law in laws().values() for spec
 
 
 def laws_for(kind: Kind, upright: bool) -> list[FittedLaw]:
-    """Return all laws for a kind of rebound; where the wall touches at the centre's height, equal ones once."""
+    """Return all laws for a kind of rebound, without duplicates if the wall touches at the height of the centre."""
     taking_part = [law for law in FITTED if law.kind == kind and not law.on_request]
     return [law for law in taking_part if not (upright and law.redundant_upright)]
 
 
 def unknown_laws(names: Sequence[str], kind: Kind | None = None) -> list[str]:
-    """Return an error line for each name that no law has, whatever the kind of rebound."""
+    """Return an error message for each name that is not that of a law, whatever the kind of rebound."""
     everything = sorted(
         {law.name for law in FITTED} | {name for name, _kind in ALIASES} | {name for name, _kind in ABSENT}
     )
@@ -176,7 +176,7 @@ def laws_named(names: list[str] | None, kind: Kind, upright: bool) -> tuple[list
             notes.append(f"{name}: left out, {ABSENT[name, kind]}")
     if faults or not found:
         raise CaromError(
-            *(faults or [f"laws: expected one that a {kind} rebound can follow, got none; {'; '.join(notes)}"])
+            *(faults or [f"laws: expected one that applies to a {kind} rebound, got none; {'; '.join(notes)}"])
         )
     return list(found.values()), notes
 
