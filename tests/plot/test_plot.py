@@ -103,7 +103,7 @@ def test_the_picture_from_the_side_is_to_scale() -> None:
 def test_settings_go_to_the_library() -> None:
     with pytest.raises(carom.CaromError, match="angle"):
         plot.compare(angle=95.0)
-    texts = [text.get_text() for text in plot.compare(spin_y=40.0).texts]
+    texts = [text.get_text() for text in plot.compare(spin_y=40.0).axes[0].texts]
     assert "no prediction:\nconventional" in texts
 
 
