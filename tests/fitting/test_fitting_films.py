@@ -361,4 +361,4 @@ def test_a_film_says_it_as_far_as_the_page(tmp_path, monkeypatch, capsys):
     assert plan["filmed_2_log_odds"] > 10
     assert {"spin_mean", "spin_width"} <= set(plan["truth"])
     assert plan["map"]["spin"] == [None]
-    assert plan["sentence"].startswith("The film says")
+    assert plan["sentence"].startswith("The film gives odds of")

@@ -269,7 +269,7 @@ def _sentence(plan: Plan, true: FittedLaw, other: FittedLaw) -> str:
     if plan.filmed is not None:
         size = math.exp(min(abs(plan.filmed) / 2, 700))
         speaks = f"{size:.3g} to 1 for {true.name if plan.filmed > 0 else other.name}"
-        film = f"The odds from the film are {speaks}. " if size >= 1.05 else "The film alone does not discriminate. "
+        film = f"The film gives odds of {speaks}. " if size >= 1.05 else "The film alone does not discriminate. "
     if plan.count == 0:
         return f"{film}This suffices for odds of {plan.odds:g} to 1; no more shots are needed."
     if plan.count is None:
@@ -282,7 +282,7 @@ def _sentence(plan: Plan, true: FittedLaw, other: FittedLaw) -> str:
         + (f", {shot.spin:.3g} rad/s" if shot.spin else "")
         for shot in plan.shots[:6]
     )
-    many = f"{plan.count} {'more ' if film else ''}shot{'s' if plan.count != 1 else ''}"
+    many = f"{plan.count} {'more ' if film else ''}shot{'s are' if plan.count != 1 else ' is'} needed"
     others = " and others" if len(plan.shots) > 6 else ""
     others += ", with spins that are not measured" if plan.shots and plan.shots[0].spin is None else ""
     return f"{film}If {true.name} is true, {many} for odds of {plan.odds:g} to 1 against {other.name}: {where}{others}."
