@@ -32,6 +32,15 @@ def period(found: Orbit, tolerance: float = 1e-9) -> Any:
     Positions (relative to the table's size; in a periodic cell or a cylinder, within it), velocities and spins (relative to the
     energy) are compared to ``tolerance`` over all bounces; an orbit must show its period at least twice.
 
+    Parameters
+    ----------
+    found : Orbit, one or many
+    tolerance : float, relative
+
+    Returns
+    -------
+    int or array (...)
+
     Examples
     --------
     >>> from carom import billiards
@@ -77,7 +86,14 @@ class Caustics:
 def caustics(found: Orbit, centre: Sequence[float] = (0.0, 0.0)) -> Caustics:
     """Return the mean distance of every second flight from a centre: the caustics of an orbit in a circle.
 
-    In space the orbit is projected along z. Raises CaromError where a force bends the flights.
+    Parameters
+    ----------
+    found : Orbit, one or many; in space it is projected along z
+    centre : (x, y), m
+
+    Returns
+    -------
+    Caustics. Raises CaromError if a force bends the flights.
 
     Examples
     --------
@@ -140,7 +156,6 @@ def section(
     Returns
     -------
     Section
-        The crossings.
 
     Raises
     ------
@@ -204,8 +219,14 @@ class Drift:
 def drift(found: Orbit, axis: int | None = None) -> Drift:
     """Return extent, mean velocity and acceleration of orbits along an axis.
 
-    ``axis``: 0, 1, 2 for x, y, z. Default: the axis along which the table is open. Raises CaromError for orbits with fewer than 4
-    bounces.
+    Parameters
+    ----------
+    found : Orbit, one or many
+    axis : 0, 1 or 2 for x, y or z; default: the axis along which the table is open
+
+    Returns
+    -------
+    Drift. Raises CaromError for orbits with fewer than 4 bounces.
 
     Examples
     --------
@@ -261,15 +282,9 @@ class Escape:
 
 
 def escape(
-    table: Table,
-    start: Any,
-    bounces: int = 10_000,
-    *,
-    holes: Sequence[Sequence[float]] = (),
-    ball: Ball | None = None,
-    law: Any = "no-slip",
-    surface: Surface | None = None,
-) -> Escape:
+    table: Table, start: Any, bounces: int = 10_000, *, holes: Sequence[Sequence[float]] = (), ball: Ball | None = None,
+    law: Any = "no-slip", surface: Surface | None = None,
+) -> Escape:  # fmt: skip
     """Find when orbits leave an open table (a wedge) for good, or a closed table through holes in its wall.
 
     Parameters
@@ -284,7 +299,6 @@ def escape(
     Returns
     -------
     Escape
-        Times and numbers of bounces.
 
     Examples
     --------
@@ -361,26 +375,26 @@ class Uniformity:
 
 
 def uniformity(
-    table: Table,
-    orbits: int = 10_000,
-    bounces: int = 100,
-    seed: int = 0,
-    *,
-    ball: Ball | None = None,
-    law: Any = "no-slip",
-    surface: Surface | None = None,
-) -> Uniformity:
+    table: Table, orbits: int = 10_000, bounces: int = 100, seed: int = 0, *, ball: Ball | None = None,
+    law: Any = "no-slip", surface: Surface | None = None,
+) -> Uniformity:  # fmt: skip
     """Test whether orbits drawn from the invariant measure still follow it after a number of bounces.
 
     Starts have the measure ``|v.n|`` ds dv d(spin) on one energy shell. Uniformly distributed are then: the arc length (in a sphere
     the height); the radius in the unit ball of all velocities except the one across, to the power of its dimension (2 in the
     plane, 5 in space); the angle in the velocity's phase disc. In a cylinder with lids, arc and angle are those of the bounces at
-    its side. Arguments as for :func:`starts` and :func:`orbit`.
+    its side.
+
+    Parameters
+    ----------
+    table, ball, law, surface
+        As for :func:`orbit`.
+    orbits, bounces, seed : int
+        Number of orbits, bounces of each, and seed of :func:`starts`.
 
     Returns
     -------
     Uniformity
-        Distances and p-values of the Kolmogorov-Smirnov test.
 
     Raises
     ------

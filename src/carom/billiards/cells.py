@@ -21,9 +21,23 @@ def torus(
     *,
     bounds: Bounds = "centre",
 ) -> Table:
-    """Return a periodic cell (width, height) about the origin with circular obstacles (x, y, radius).
+    """Return a periodic cell about the origin with circular obstacles.
 
-    ``bounds``: whether the wall bounds the ball's "centre" or its "surface". Raises CaromError, one line per problem.
+    Parameters
+    ----------
+    cell : (width, height), m
+    scatterers : sequence of (x, y, radius), m
+    bounds : "centre" or "surface"
+        Whether the wall bounds the ball's centre or its surface.
+
+    Returns
+    -------
+    Table
+
+    Raises
+    ------
+    CaromError
+        One line per problem.
 
     Examples
     --------
@@ -37,7 +51,21 @@ def torus(
 def sinai(radius: float = 0.3, side: float = 1.0, *, bounds: Bounds = "centre") -> Table:
     """Return Sinai's billiard: one circular obstacle in a square torus.
 
-    ``bounds``: whether the wall bounds the ball's "centre" or its "surface". Raises CaromError, one line per problem.
+    Parameters
+    ----------
+    radius, side : float
+        Radius of the obstacle and side of the torus, m.
+    bounds : "centre" or "surface"
+        Whether the wall bounds the ball's centre or its surface.
+
+    Returns
+    -------
+    Table
+
+    Raises
+    ------
+    CaromError
+        One line per problem.
 
     Examples
     --------
@@ -59,9 +87,24 @@ def periodic_strip(
     *,
     bounds: Bounds = "centre",
 ) -> Table:
-    """Return a strip, periodic in x, with walls y = -width/2 and y = width/2 and obstacles (x, y, radius) in each period.
+    """Return a strip, periodic in x, with walls y = -width/2 and y = width/2 and circular obstacles in each period.
 
-    ``bounds``: whether the wall bounds the ball's "centre" or its "surface". Raises CaromError, one line per problem.
+    Parameters
+    ----------
+    period, width : float
+        m.
+    scatterers : sequence of (x, y, radius), m
+    bounds : "centre" or "surface"
+        Whether the wall bounds the ball's centre or its surface.
+
+    Returns
+    -------
+    Table
+
+    Raises
+    ------
+    CaromError
+        One line per problem.
 
     Examples
     --------

@@ -267,7 +267,10 @@ def final(
 ) -> tuple[Start, Array, Any, Any]:
     """Follow orbits as :func:`orbit` does, without keeping the bounces.
 
-    Arguments and errors as for :func:`orbit`.
+    Parameters
+    ----------
+    table, start, bounces, ball, law, surface, corners, progress
+        As for :func:`orbit`, which raises the same errors.
 
     Returns
     -------

@@ -27,7 +27,21 @@ __all__ = ["box", "cylinder", "plates", "sphere"]
 def sphere(radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
     """Return a sphere about the origin.
 
-    ``bounds``: whether the wall bounds the ball's "centre" or its "surface". Raises CaromError, one line per problem.
+    Parameters
+    ----------
+    radius : float
+        m.
+    bounds : "centre" or "surface"
+        Whether the wall bounds the ball's centre or its surface.
+
+    Returns
+    -------
+    Table
+
+    Raises
+    ------
+    CaromError
+        One line per problem.
 
     Examples
     --------
@@ -48,9 +62,25 @@ def sphere(radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
 
 
 def plates(distance: float = 1.0, *, bounds: Bounds = "centre", acceleration: Sequence[float] = (0.0, 0.0)) -> Table:
-    """Return two parallel plates y = -distance/2 and y = distance/2; ``acceleration`` (x, z) along them, m/s^2.
+    """Return two parallel plates y = -distance/2 and y = distance/2.
 
-    ``bounds``: whether the wall bounds the ball's "centre" or its "surface". Raises CaromError, one line per problem.
+    Parameters
+    ----------
+    distance : float
+        m.
+    bounds : "centre" or "surface"
+        Whether the wall bounds the ball's centre or its surface.
+    acceleration : (x, z)
+        Constant acceleration along the plates, m/s^2.
+
+    Returns
+    -------
+    Table
+
+    Raises
+    ------
+    CaromError
+        One line per problem.
 
     Examples
     --------
@@ -68,10 +98,26 @@ def plates(distance: float = 1.0, *, bounds: Bounds = "centre", acceleration: Se
 
 
 def cylinder(section: Table | float = 1.0, height: float | None = None, *, acceleration: float = 0.0) -> Table:
-    """Return a cylinder along z over a table in the plane (a number: over a circle of that radius), open or with two lids.
+    """Return a cylinder along z over a table in the plane, open or with two lids.
 
-    ``height`` is the distance of the lids; ``acceleration`` acts along the axis, m/s^2 (gravity: -9.81). What the section bounds
-    ("centre" or "surface") the cylinder bounds, and an acceleration of the section is kept.
+    Parameters
+    ----------
+    section : Table or float
+        A table in the plane, or the radius of a circle, m. The cylinder bounds the same ("centre" or "surface") as the
+        section, and an acceleration of the section is kept.
+    height : float, optional
+        Distance of the lids, m. Default: open.
+    acceleration : float
+        Along the axis, m/s^2 (gravity: -9.81).
+
+    Returns
+    -------
+    Table
+
+    Raises
+    ------
+    CaromError
+        One line per problem.
 
     Examples
     --------
@@ -107,9 +153,25 @@ def cylinder(section: Table | float = 1.0, height: float | None = None, *, accel
 
 
 def box(size: Sequence[float] = (1.0, 1.0, 1.0), *, bounds: Bounds = "centre") -> Table:
-    """Return a box (x, y, z) about the origin.
+    """Return a box about the origin.
 
-    An edge between a lid and a side is treated as lid and side, one after the other.
+    At an edge between a lid and a side, lid and side act one after the other.
+
+    Parameters
+    ----------
+    size : (x, y, z)
+        m.
+    bounds : "centre" or "surface"
+        Whether the wall bounds the ball's centre or its surface.
+
+    Returns
+    -------
+    Table
+
+    Raises
+    ------
+    CaromError
+        One line per problem.
 
     Examples
     --------

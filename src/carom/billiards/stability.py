@@ -155,7 +155,14 @@ def tangent_map(
 ) -> TangentMap:
     """Compute the exact derivative of a number of bounces, counted from the first bounce of the orbit.
 
-    Flight and impact are differentiated in closed form. Arguments as for :func:`orbit`.
+    Flight and impact are differentiated in closed form.
+
+    Parameters
+    ----------
+    table, start, ball, law, surface
+        As for :func:`orbit`.
+    bounces : int
+        Number of bounces.
 
     Returns
     -------

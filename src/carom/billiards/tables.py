@@ -83,7 +83,16 @@ class Table:
 def under(table: Table, acceleration: Sequence[float]) -> Table:
     """Return the table with a constant acceleration (x, y), in space (x, y, z), m/s^2, that may point across walls.
 
-    It replaces the acceleration that the table had. The ball moves on parabolas: gravity in a wedge or a circle, for example.
+    The ball then moves on parabolas: gravity in a wedge or a circle, for example.
+
+    Parameters
+    ----------
+    table : Table
+    acceleration : (x, y) or (x, y, z), m/s^2; replaces that of the table
+
+    Returns
+    -------
+    Table
 
     Examples
     --------
@@ -138,9 +147,17 @@ def require_room(name: str, left: float, what: str, inset: float) -> None:
 
 
 def strip(width: float = 1.0, *, bounds: Bounds = "centre", acceleration: float = 0.0) -> Table:
-    """Return a strip: two parallel walls y = -width/2 and y = width/2; ``acceleration`` along them, in x, m/s^2.
+    """Return a strip: two parallel walls y = -width/2 and y = width/2.
 
-    ``bounds``: whether the wall bounds the ball's "centre" or its "surface". Raises CaromError, one line per problem.
+    Parameters
+    ----------
+    width : float, m
+    bounds : "centre" or "surface" of the ball
+    acceleration : float, along the walls, in x, m/s^2
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
 
     Examples
     --------
@@ -164,9 +181,16 @@ def strip(width: float = 1.0, *, bounds: Bounds = "centre", acceleration: float 
 
 
 def wedge(angle: float, *, bounds: Bounds = "centre") -> Table:
-    """Return a wedge: two walls from the origin, ``angle`` (0 to pi, rad) apart, symmetric about the x axis.
+    """Return a wedge: two walls from the origin, symmetric about the x axis.
 
-    ``bounds``: whether the wall bounds the ball's "centre" or its "surface". Raises CaromError, one line per problem.
+    Parameters
+    ----------
+    angle : float, between the walls, 0 to pi, rad
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
 
     Examples
     --------
@@ -190,9 +214,17 @@ def wedge(angle: float, *, bounds: Bounds = "centre") -> Table:
 
 
 def polygon(vertices: ArrayLike, *, bounds: Bounds = "centre", name: str = "polygon") -> Table:
-    """Return the polygon with the vertices (N, 2), in order; it need not be convex, but must not intersect itself.
+    """Return the polygon with the vertices in order; it need not be convex, but must not intersect itself.
 
-    Raises CaromError that names the vertices at fault, counted from 1: coincident vertices, sides that cross, overlap or run back.
+    Parameters
+    ----------
+    vertices : array (N, 2), m
+    bounds : "centre" or "surface" of the ball
+    name : str, for messages
+
+    Returns
+    -------
+    Table. Raises CaromError for coincident vertices and for sides that cross, overlap or run back, with their numbers from 1.
 
     Examples
     --------
@@ -256,9 +288,17 @@ def polygon(vertices: ArrayLike, *, bounds: Bounds = "centre", name: str = "poly
 
 
 def regular(sides: int, radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
-    """Return the regular polygon whose vertices lie on a circle of that radius; its lowest side is horizontal.
+    """Return the regular polygon about the origin whose lowest side is horizontal.
 
-    ``bounds``: whether the wall bounds the ball's "centre" or its "surface". Raises CaromError, one line per problem.
+    Parameters
+    ----------
+    sides : int
+    radius : float, of the circumscribed circle, m
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
 
     Examples
     --------
@@ -280,7 +320,14 @@ def regular(sides: int, radius: float = 1.0, *, bounds: Bounds = "centre") -> Ta
 def rectangle(width: float = 2.0, height: float = 1.0, *, bounds: Bounds = "centre") -> Table:
     """Return a rectangle about the origin.
 
-    ``bounds``: whether the wall bounds the ball's "centre" or its "surface". Raises CaromError, one line per problem.
+    Parameters
+    ----------
+    width, height : float, m
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
 
     Examples
     --------
@@ -298,7 +345,14 @@ def rectangle(width: float = 2.0, height: float = 1.0, *, bounds: Bounds = "cent
 def circle(radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
     """Return a circle about the origin.
 
-    ``bounds``: whether the wall bounds the ball's "centre" or its "surface". Raises CaromError, one line per problem.
+    Parameters
+    ----------
+    radius : float, m
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
 
     Examples
     --------
@@ -326,6 +380,15 @@ def ellipse(major: float = 1.0, minor: float = 0.8, *, bounds: Bounds = "centre"
     ends of the long axis: its centre's curve has two arcs, with corners where the ball touches both sides at once. A ball as large
     as the smaller half axis does not fit.
 
+    Parameters
+    ----------
+    major, minor : float, half axes in x and y, m
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
+
     Examples
     --------
     >>> from carom import billiards
@@ -345,9 +408,16 @@ def ellipse(major: float = 1.0, minor: float = 0.8, *, bounds: Bounds = "centre"
 
 
 def stadium(straight: float = 2.0, radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
-    """Return Bunimovich's stadium: two straight sides of length ``straight`` along x, and two half circles.
+    """Return Bunimovich's stadium: two straight sides along x, and two half circles.
 
-    ``bounds``: whether the wall bounds the ball's "centre" or its "surface". Raises CaromError, one line per problem.
+    Parameters
+    ----------
+    straight, radius : float, length of the straight sides and radius of the half circles, m
+    bounds : "centre" or "surface" of the ball
+
+    Returns
+    -------
+    Table. Raises CaromError, one line per problem.
 
     Examples
     --------

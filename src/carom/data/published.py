@@ -43,7 +43,19 @@ def published_name(text: str) -> str | None:
 def published_rebounds(name: str) -> Published:
     """Return a published set as rebounds.
 
-    Raises CaromError for a set without speeds before and after the wall.
+    Parameters
+    ----------
+    name : str
+        One of ``carom datasets``.
+
+    Returns
+    -------
+    Published
+
+    Raises
+    ------
+    CaromError
+        For a set without speeds before and after the wall.
 
     Examples
     --------

@@ -183,11 +183,10 @@ def make_rebounds(
     extra, rows, source, notes : optional
         Other columns, labels of rows, the name used in messages, and notes of the result.
 
-    Raises
-    ------
-    CaromError
-        With all problems: a missing or unknown column, numbers that are not finite, v_n_in or a sigma not above 0, a missing
-        or unknown stage.
+    Returns
+    -------
+    Rebounds. Raises CaromError with all problems: a missing or unknown column, numbers that are not finite, v_n_in or a sigma
+    not above 0, a missing or unknown stage.
 
     Examples
     --------
@@ -333,10 +332,9 @@ def read_rebounds(path: str | Path, *, kind: Kind | None = None, stage: str | No
     stage : "after_wall" or "rolling", optional
         For all rows of a file without that column.
 
-    Raises
-    ------
-    CaromError
-        With all problems of the file.
+    Returns
+    -------
+    Rebounds. Raises CaromError with all problems of the file.
 
     Examples
     --------

@@ -99,10 +99,14 @@ def contact_at(name: str, point: Any, frame: Any, axes: Sequence[Any], **surface
     **surface
         restitution, friction, tangential_restitution, hypothesis, as in :class:`Contact`.
 
+    Returns
+    -------
+    Contact
+
     Raises
     ------
     CaromError
-        Another number of axes, or axes that are not orthonormal.
+        For another number of axes, or axes that are not orthonormal.
 
     Examples
     --------

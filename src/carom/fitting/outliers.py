@@ -19,11 +19,21 @@ MOVED_SIGMA = 3.0  # shift of a parameter, in error bars, that is reported
 
 @dataclass(frozen=True)
 class Outlier:
-    """A row that the best law does not explain."""
+    """A row that the best law does not explain.
+
+    Examples
+    --------
+    >>> from carom.fitting import Outlier
+    >>> Outlier("line 7", 31.2, "v_n after the wall is off by 0.3").row
+    'line 7'
+    """
 
     row: str
+    """Label of the row."""
     chi2: float
+    """chi^2 of the row."""
     why: str
+    """Which measurement is off, and by how much."""
 
 
 def outliers_of(fit: Fit) -> tuple[list[Outlier], list[str]]:

@@ -32,9 +32,19 @@ Say = Callable[[str, float], None]
 
 @dataclass(frozen=True, eq=False)
 class Ranked:
-    """A law's fit and its place in a ranking."""
+    """A law's fit with its weight and score in a ranking.
+
+    Examples
+    --------
+    ``fit_laws(...).ranked[0]`` is that of the best law:
+
+    >>> from carom.fitting import Ranked
+    >>> list(Ranked.__dataclass_fields__)
+    ['fit', 'weight', 'score']
+    """
 
     fit: Fit
+    """The fit of the law."""
     weight: float
     """Akaike weight among all laws that were fitted."""
     score: float
@@ -43,7 +53,19 @@ class Ranked:
 
 @dataclass(frozen=True, eq=False)
 class Ranking:
-    """All laws, best first, and the verdict."""
+    """All laws, best first, and the verdict; made by :func:`fit_laws`.
+
+    Examples
+    --------
+    >>> from carom.data.rebounds import make_rebounds
+    >>> from carom.fitting import Setting, fit_laws
+    >>> v = [1.0, 2.0, 3.0, 4.0]
+    >>> columns = {"v_n_in": v, "v_t_in": v, "spin_in": [0.0] * 4, "v_n_out": [0.81, 1.59, 2.42, 3.18],
+    ...            "v_t_out": [0.71, 1.43, 2.15, 2.85], "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02}
+    >>> ranking = fit_laws(make_rebounds("planar", columns), Setting(radius=0.02), ["sticking", "mirror"], bootstrap=0)
+    >>> [one.fit.law.name for one in ranking.ranked], ranking.against
+    (['sticking', 'mirror'], 'mirror')
+    """
 
     ranked: tuple[Ranked, ...]
     verdict: str

@@ -98,6 +98,18 @@ def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:
     The curvature is that of the minimum found. Where the interval of 95 % is far wider, since it holds another minimum or a slope
     beyond a crease, half its width is 1.96 error bars.
 
+    Parameters
+    ----------
+    fit : Fit
+        Of one law.
+    names : sequence of str, optional
+        Parameters. Default: all identified ones.
+
+    Returns
+    -------
+    Fit
+        With ``interval_68`` and ``interval_95`` in its estimates.
+
     Examples
     --------
     >>> from carom.data.rebounds import make_rebounds
@@ -166,7 +178,34 @@ def _with(fit: Fit, name: str, estimate: Estimate) -> Fit:
 
 
 def with_bootstrap(fit: Fit, draws: int, seed: int = 0) -> Fit:
-    """Add standard errors from fits to rows drawn with replacement (Efron 1979), and shared errors drawn anew."""
+    """Add standard errors from fits to rows drawn with replacement (Efron 1979), with shared errors drawn at random.
+
+    Parameters
+    ----------
+    fit : Fit
+        Of one law.
+    draws : int
+        Number of fits, 2 or more.
+    seed : int
+        Of the random numbers.
+
+    Returns
+    -------
+    Fit
+        With ``bootstrap`` in its estimates.
+
+    Examples
+    --------
+    >>> from carom.data.rebounds import make_rebounds
+    >>> from carom.fitting import FITTED, Setting, fit_law, make_problem, with_bootstrap
+    >>> v = [1.0, 2.0, 3.0, 4.0]
+    >>> columns = {"v_n_in": v, "v_t_in": v, "spin_in": [0.0] * 4, "v_n_out": [0.81, 1.59, 2.42, 3.18], "v_t_out": v,
+    ...            "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02}
+    >>> problem, _notes = make_problem(make_rebounds("planar", columns), Setting(radius=0.02))
+    >>> fit = with_bootstrap(fit_law(FITTED[0], problem), 20)
+    >>> 0 < fit.estimates["restitution"].bootstrap < 0.02
+    True
+    """
     places = model_of(fit.law, fit.problem).places
     n = len(fit.problem.x)
     rng = np.random.default_rng(seed)

@@ -149,7 +149,12 @@ def is_gas(path: str | Path) -> bool:
 
 
 def new_gas() -> str:
-    """Return the text of a commented scene that runs as it is: rough spheres in a periodic box.
+    """Return the text of a commented scene that can be run unchanged: rough spheres in a periodic box.
+
+    Returns
+    -------
+    str
+        TOML.
 
     Examples
     --------

@@ -36,9 +36,18 @@ def save_checkpoint(session: Session, path: str | Path) -> None:
     Parameters
     ----------
     session : Session
+        With its gas and measurements.
     path : str or Path
+        An existing file is replaced atomically.
 
-    Raises CaromError where the file cannot be written; a previous one then stays as it is.
+    Returns
+    -------
+    None
+
+    Raises
+    ------
+    CaromError
+        If the file cannot be written; a previous one is then left unchanged.
 
     Examples
     --------
@@ -82,7 +91,7 @@ def require_checkpoint(path: Path) -> None:
 def load_checkpoint(
     path: str | Path, scene: GasScene | None = None, *, compiling: Callable[[], None] | None = None
 ) -> Session:
-    """Return the session of a checkpoint, which continues with the same bits.
+    """Return the session of a checkpoint; its continuation is bitwise identical to that of the saved session.
 
     Parameters
     ----------
@@ -93,7 +102,14 @@ def load_checkpoint(
     compiling : callable, optional
         Called when the file is known to be valid, before the event loop is compiled.
 
-    Raises CaromError, one line, for a file that is missing, damaged, no checkpoint, of another format, or of another scene.
+    Returns
+    -------
+    Session
+
+    Raises
+    ------
+    CaromError
+        For a file that is missing, damaged, not a checkpoint, of another format, or of another scene.
 
     Examples
     --------

@@ -49,9 +49,17 @@ def lattice(count: int, side: Sequence[float] | Container, radius: float = 0.0) 
     side : two or three lengths, or a Container
         A box, which the lattice is stretched to fill; in a container it is as wide as leaves enough sites within the walls.
     radius : float
-        Distance that is kept from the sides of the box, or from the walls.
+        Least distance from the sides of the box, or from the walls, m.
 
-    Of the sites, ``count`` are used, spread evenly. Raises CaromError where the container has too few.
+    Returns
+    -------
+    array (count, 3)
+        m; of the sites, ``count`` are used, spread evenly.
+
+    Raises
+    ------
+    CaromError
+        If the container has too few sites.
 
     Examples
     --------
@@ -98,8 +106,23 @@ def _stretched(count: int, side: Sequence[float], margins: Sequence[float]) -> A
 def thermal(mass: Array, axes: tuple[int, ...], temperature: float, rng: np.random.Generator) -> Array:
     """Draw thermal velocities (N, 3) for balls of masses (N,): normal components along ``axes``, no total momentum.
 
-    They are scaled so that the mean of m v^2 along an axis is ``temperature`` (k_B T, J) exactly. With moments of inertia in
-    place of masses the result are spins.
+    They are scaled so that the mean of m v^2 along an axis is exactly ``temperature``. With moments of inertia in place of
+    masses the results are spins.
+
+    Parameters
+    ----------
+    mass : array (N,)
+        kg.
+    axes : tuple of int
+        Axes along which velocities are drawn, 0 to 2.
+    temperature : float
+        k_B T, J.
+    rng : numpy.random.Generator
+
+    Returns
+    -------
+    array (N, 3)
+        m/s.
 
     Examples
     --------
@@ -126,12 +149,20 @@ def scattered(
 
     Parameters
     ----------
-    radius : (N,) radii
+    radius : (N,) radii, m
     side, periodic : as for :class:`carom.gas.Gas`
     rng : numpy.random.Generator, optional
 
-    Random sequential addition reaches a packing fraction of 0.38 (discs: 0.55), and slows down well before;
-    :func:`carom.gas.dense` goes further. Raises CaromError where the balls do not fit.
+    Returns
+    -------
+    array (N, 3)
+        m. Random sequential addition reaches a packing fraction of 0.38 (discs: 0.55), and is slow well below it;
+        :func:`carom.gas.dense` reaches higher ones.
+
+    Raises
+    ------
+    CaromError
+        If the balls do not fit.
 
     Examples
     --------
@@ -238,15 +269,23 @@ def dense(
 
     Parameters
     ----------
-    radius : (N,) radii
+    radius : (N,) radii, m
     side, periodic : as for :class:`carom.gas.Gas`
     seed : int
-        The same seed gives the same bits.
+        The same seed gives bitwise identical positions.
     progress : callable, optional
         Called with the current fraction of the final radii.
 
-    Equal spheres reach a packing fraction of about 0.64 before they jam, discs and mixtures more; below that the densest take
-    longest. Raises CaromError where so much cannot fit, or did not.
+    Returns
+    -------
+    array (N, 3)
+        m. Equal spheres reach a packing fraction of about 0.64 before they jam, discs and mixtures more; the densest take
+        longest.
+
+    Raises
+    ------
+    CaromError
+        If the balls cannot fit, or no packing was found.
 
     After Lubachevsky & Stillinger, J. Stat. Phys. 60, 561 (1990), doi:10.1007/BF01025983.
 

@@ -30,14 +30,21 @@ class Channel:
 
 
 def channels(gas: Gas, since: Mark, names: tuple[str, ...]) -> list[Channel]:
-    """Return what the contacts of each pair of species, and of each species and wall, did since a mark.
+    """Return numbers and energies of the contacts of each pair of species, and of each species and wall, since a mark.
 
     Parameters
     ----------
     gas : Gas
+        After the mark it has been advanced.
     since : Mark
         From :meth:`carom.gas.Gas.mark`.
-    names : names of the species
+    names : tuple of str
+        Names of the species.
+
+    Returns
+    -------
+    list of Channel
+        One per pair of species, and per species and wall.
 
     Examples
     --------

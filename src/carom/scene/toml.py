@@ -87,7 +87,12 @@ def _beside(table: dict[str, Any], folder: Path) -> None:
 
 
 def new_scene() -> str:
-    """Return the text of a commented scene file that runs as it stands: one ball on a carom table.
+    """Return the text of a commented scene file that can be run unchanged: one ball on a carom table.
+
+    Returns
+    -------
+    str
+        TOML.
 
     Examples
     --------

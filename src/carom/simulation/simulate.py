@@ -186,13 +186,21 @@ def simulate_many(
     Returns
     -------
     ManyRuns
-        The same bits whatever the number of cores.
+        Bitwise identical whatever the number of cores.
 
-    Raises CaromError for initial states that overlap something, and for unknown kinds.
+    Raises
+    ------
+    CaromError
+        For initial states that overlap a wall or another ball, and for unknown kinds.
 
     Examples
     --------
-    See :class:`ManyRuns`.
+    >>> import carom
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0))
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0, 0))
+    >>> scene = carom.Scene(gravity=0, walls=[wall], balls=[ball], run=carom.Run(law="mirror", duration=2))
+    >>> carom.simulate_many(scene, velocity=[[-1, 0, 0], [-2, 0, 0]]).final.velocity[:, 0, 0]
+    array([1., 2.])
     """
     require_type("simulate_many", "scene", scene, Scene)
     faults = FaultList("simulate_many")
