@@ -167,7 +167,7 @@ def test_a_scene_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
     ("old", "new", "said"),
     [
         ("stiffness_ratio = 0.7", "stiffness_ratio = 7", "walls[0].stiffness_ratio: expected a stiffness ratio from"
-         " 0.171 to 3.43, where its curve is known, for the law maw, got 7.0"),
+         " 0.171 to 3.43, for which the law is tabulated, for the law maw, got 7.0"),
         ("stiffness_ratio = 0.7", "stiffness_ratio = 0", "walls[0].stiffness_ratio: expected a number > 0, got 0"),
         ("stiffness_ratio = 0.7", "tangential_restitution = 0.5", "walls[0].tangential_restitution: expected 0 for the law maw,"
          " got 0.5; it has springs in its place; leave it out, and give stiffness_ratio"),

@@ -48,8 +48,7 @@ class Setting:
     contact_height: float = 1.0
     """Height of the wall contact above the floor, in radii (billiard cushions: 1.2 to 1.4); for balls on a table."""
     floor_friction: float | None = None
-    """Friction of the floor, while the wall presses the ball on it and when the ball lands; None: from the table's columns
-    cloth_friction and sigma_cloth_friction, which a film provides, else 0.2."""
+    """Friction of the floor; None: from the table's columns cloth_friction and sigma_cloth_friction (of a film), else 0.2."""
     floor_restitution: float = 0.0
     roll: float = 1.0
     """Spin about the horizontal axis with which balls on a table arrive, as a fraction of that of rolling; 0: none (stun)."""
@@ -203,20 +202,12 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
     Parameters
     ----------
     rebounds : Rebounds
-        Measured before and after a wall.
     setting : Setting
-        The ball, the height of the wall contact, and the parameters to fit.
 
     Returns
     -------
-    problem : Problem
-    notes : list of str
-        Assumptions, and properties of the data that limit any fit.
-
-    Raises
-    ------
-    CaromError
-        If a fit is impossible: too few rows, or no error bars where spins were not measured.
+    Problem, and notes on assumptions and on properties of the data that limit any fit. Raises CaromError if a fit is impossible:
+    too few rows, or no error bars where spins were not measured.
 
     Examples
     --------
