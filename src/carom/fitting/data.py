@@ -144,8 +144,8 @@ class Problem:
     >>> columns = {"v_n_in": [1.0, 2.0, 3.0], "v_t_in": [1.0] * 3, "spin_in": [0.0] * 3, "v_n_out": [0.8, 1.6, 2.4]}
     >>> columns |= {"v_t_out": [0.7, 0.8, 0.9], "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02}
     >>> problem, _notes = make_problem(make_rebounds("planar", columns), Setting(radius=0.02))
-    >>> problem.select([0, 2]).x[:, 0], problem.unknown.any()
-    (array([1., 3.]), False)
+    >>> problem.select([0, 2]).x[:, 0], problem.count
+    (array([1., 3.]), 6)
     """
 
     rebounds: Rebounds

@@ -39,7 +39,7 @@ __all__ = [
 Array = NDArray[np.float64]
 PARTS = 8
 SHARED_STEP = 0.03  # of an error bar: the step of a derivative in a shared error
-SERIAL_WORK = 4000  # law evaluations, up to which one core is quicker
+SERIAL_WORK = 4000  # law evaluations up to which one core is faster
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +56,7 @@ class LikelihoodModel:
     moved: Array
     """(S, N, 6) shift of inputs and outputs by one unit of each shared error."""
     moves: Array
-    """(S, NUMBERS) and of the law's parameters."""
+    """(S, NUMBERS) shift of the law's parameters by the same."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +66,7 @@ class Evaluation:
     deviance: Array
     """(B, N), not weighted."""
     chi2: Array
-    """(B, N) c, with the most likely spin where that was not measured."""
+    """(B, N) c, at the most likely spin if that was not measured."""
     scores: Array
     """(B, k), weighted."""
     information: Array
@@ -75,8 +75,8 @@ class Evaluation:
 
 @kernel
 def _set_steps(trial: Any, low: Any, high: Any) -> None:
-    """Set the step of each derivative, in the parameter's own size: away from zero, where forms have kinks, inwards at a bound; of
-    a shared error a small part of its error bar."""
+    """Set the step of each derivative, relative to the parameter: away from zero, where forms have kinks, and inwards at a bound;
+    for a shared error a small fraction of its error bar."""
     for m in range(trial.free.shape[0]):
         j = trial.free[m]
         if j >= NUMBERS:
@@ -141,7 +141,7 @@ def _predict_rows(law: Any, rows: Any, x: Any, numbers: Any, out: Any) -> None:
 
 @functools.cache
 def _law(kind: Kind) -> Any:
-    """The laws of a kind, compiled."""
+    """Return the laws of a kind, compiled."""
     from carom.fitting.kernels import planar, table
 
     register_calls()
@@ -150,7 +150,7 @@ def _law(kind: Kind) -> Any:
 
 @functools.cache
 def _types() -> Any:
-    """Types of the compiled loops' arguments."""
+    """Return the types of the compiled loops' arguments."""
     one, two, three, indices, numbers = (
         array_of(*x) for x in ((float, 1), (float, 2), (float, 3), (int, 1), (LAW_NUMBERS, 1))
     )
@@ -176,7 +176,7 @@ def _types() -> Any:
 
 @functools.cache
 def _evaluating(averaged: bool) -> Callable[..., None]:
-    """:func:`_evaluate_rows`, compiled, for rows some of which lack a spin, or none."""
+    """Return :func:`_evaluate_rows`, compiled, for rows with or without unmeasured spins."""
     return njit(_evaluate_rows, _types()["evaluate"][averaged], nogil=True)
 
 
@@ -214,7 +214,7 @@ def make_trial(free: NDArray[np.int64], moved: Array) -> Trial:
 
 
 def make_workspace(k: int, points: int) -> Workspace:
-    """Return the scratch arrays of one thread, for k fitted numbers and so many points of the grid of spins (0: none)."""
+    """Return the scratch arrays of one thread, for k fitted numbers and ``points`` points of the grid of spins (0: none)."""
 
     def zeros(*shape: int) -> Array:
         return np.zeros(shape)
@@ -235,7 +235,7 @@ def evaluate(model: LikelihoodModel, p: Array, weights: Array | None = None) -> 
     loop, law = _evaluating(points > 0), _law(model.kind)
     deviance, chi2 = np.empty((count, n)), np.empty((count, n))
     work = n * count * max(points, 1)
-    # many sets: some sets a part, all rows; few: some rows a part
+    # many sets: a part has some sets and all rows; few sets: a part has some rows
     sets, parts = (1, 1) if work < SERIAL_WORK else (PARTS, 1) if count >= PARTS else (1, PARTS)
     edges = np.linspace(0, n, parts + 1).astype(int).tolist()
     blocks = np.linspace(0, count, sets + 1).astype(int).tolist()

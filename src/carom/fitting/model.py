@@ -20,10 +20,10 @@ __all__ = ["SETTING_NUMBERS", "STEPS", "FitModel", "feels_spins", "free_paramete
 
 Array = NDArray[np.float64]
 STEPS = 200
-MAX_SHARED = 5.0  # error bars of what rows share
-TOLERANCE = 1e-7  # of the deviance: a step that promises less ends the descent
+MAX_SHARED = 5.0  # error bars: bound of shared errors
+TOLERANCE = 1e-7  # of the deviance: an expected gain below this ends the descent
 MARGINAL_TOLERANCE = 1e-4  # the same where a spin is integrated over, to the precision of the quadrature
-# Taken from the setting where they are not fitted
+# Taken from the setting if they are not fitted
 SETTING_NUMBERS = ("kappa", "contact_height", "floor_friction", "floor_restitution", "roll")
 
 
@@ -37,26 +37,26 @@ class FitModel:
     parameters: dict[str, Parameter]
     """The law's free parameters, with bounds."""
     places: dict[str, int]
-    """Their indices among all numbers; those of the restitution's form have names of their own."""
+    """Their indices among all numbers; those of the restitution's form have different names."""
     start: Array
     """(NUMBERS + S,) all numbers, and the shared errors, at the start."""
     free: NDArray[np.int64]
-    """Indices of the free ones: of the law, then shared errors."""
+    """Indices of the free numbers: of the law, then shared errors."""
     low: Array
     high: Array
     moves: Array
-    """(S, NUMBERS) by how much shared errors move the law's parameters."""
+    """(S, NUMBERS) change of the law's parameters by shared errors."""
 
     def holding(self, name: str) -> FitModel:
-        """Return the model with one of the law's free parameters held."""
+        """Return the model with one of the law's free parameters held fixed."""
         return replace(self, free=self.free[self.free != self.places[name]])
 
     def without_shared(self) -> FitModel:
-        """Return the model with shared errors held."""
+        """Return the model with shared errors held fixed."""
         return replace(self, free=self.free[self.free < NUMBERS])
 
     def likelihood(self, derivatives: bool = True) -> LikelihoodModel:
-        """Return rows and law for the compiled loops; unmeasured spins are left out where the law does not depend on them."""
+        """Return rows and law for the compiled loops; unmeasured spins are omitted if the law does not depend on them."""
         return self._likelihood if derivatives else replace(self._likelihood, free=self.free[:0])
 
     @functools.cached_property
@@ -173,7 +173,7 @@ def feels_spins(law: FittedLaw, problem: Problem) -> bool:
 
 
 def _matters(name: str, law: FittedLaw) -> bool:
-    """Whether a requested parameter plays a part in a law."""
+    """Return whether a law depends on a requested parameter."""
     if name in law.pinned or (name == "contact_height" and (law.upright or law.kind == "planar")):
         return False
     if name in ("floor_friction", "floor_restitution"):
@@ -199,14 +199,14 @@ def model_of(law: FittedLaw, problem: Problem) -> FitModel:
 
 
 def _moved(problem: Problem) -> Array:
-    """(S, N, 6): by how much shared errors move the rows."""
+    """Return the changes (S, N, 6) of the rows by shared errors."""
     return np.stack([one.rows for one in problem.shared]) if problem.shared else np.empty((0, len(problem.x), 6))
 
 
 def predict_law(law: FittedLaw, problem: Problem, p: Array) -> Array:
-    """Return the measurements (N, 3) that a law predicts with numbers p; a spin that was not measured is taken at its mean.
+    """Return the measurements (N, 3) that a law predicts with numbers p; an unmeasured spin is set to its mean.
 
-    The numbers may be of a fit to other rows, whose shared errors are then not those of these rows.
+    The numbers may come from a fit to other rows, whose shared errors then do not apply.
     """
     model, shared = model_of(law, problem), p[NUMBERS : NUMBERS + len(problem.shared)]
     moved = np.tensordot(shared, _moved(problem), 1)

@@ -1,7 +1,7 @@
 """Bounded Levenberg-Marquardt minimisation of many problems at once, and searches that continue beyond creases.
 
-One optimiser serves all fits: rebounds (where a bootstrap is a thousand fits, and the deviance of a row with unmeasured spin is no
-sum of squares), the start of each track segment, and the parameters that all segments share.
+One optimiser serves all fits: rebounds (where a bootstrap is a thousand fits, and the deviance of a row with unmeasured spin is not
+a sum of squares), the initial state of each track segment, and the parameters that all segments share.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
 Evaluate = Callable[[Indices, Array, bool], tuple[Array, Array, Array]]
 Best = TypeVar("Best")
-MAX_FAILURES = 12  # steps in a row that did not lead down
+MAX_FAILURES = 12  # successive steps without a decrease
 NEARBY = (0.7, 0.82, 0.91, 0.96, 0.98, 1.02, 1.04, 1.1, 1.2, 1.4)  # multiples of a friction, to be held
 EVERYWHERE = (0.07, 0.1, 0.14, 0.18, 0.23, 0.3, 0.4)  # frictions
 ROUNDS = 4
@@ -27,7 +27,7 @@ ROUNDS = 4
 
 @dataclass(frozen=True, eq=False)
 class Minimum:
-    """Where B problems ended."""
+    """End points of B problems."""
 
     p: Array
     """(B, k)"""
@@ -46,9 +46,9 @@ def minimize(
     """Minimise B functions of k numbers within bounds, from ``start`` (B, k).
 
     ``evaluate(which, p, derivatives)`` returns values, scores and information of some problems; without derivatives the last two
-    are not read. ``joint``: derivatives cost little more than values, and are evaluated with them unless the last step failed; else
-    only where a step succeeded. A problem ends when a step gains less than ``tolerance``, or than that share of its value per
-    degree of freedom (``dof``) where the fit is poor. ``steps``: evaluations; 1: only the values at the start.
+    are not used. ``joint``: derivatives cost little more than values, and are evaluated with them unless the last step failed; else
+    only if a step succeeded. A problem ends when a step gains less than ``tolerance``, or than that fraction of its value per
+    degree of freedom (``dof``) if the fit is poor. ``steps``: evaluations; 1: only the values at the start.
     """
     p = np.array(start, dtype=float)
     count, k = p.shape
@@ -61,7 +61,7 @@ def minimize(
         return tolerance if dof is None else tolerance * np.maximum(1.0, now[which] / dof[which])
 
     for _ in range(steps):
-        # where a step failed the next one may as well: the value alone, until it succeeds
+        # after a failed step the next one may fail as well: only values are evaluated until one succeeds
         wary = alive[(failures[alive] > 0) | (not joint)]
         worth = alive[(failures[alive] == 0) & joint]
         if len(wary):
@@ -92,7 +92,7 @@ def minimize(
 
 
 def damped_step(h: Array, u: Array, active: NDArray[np.bool_], damping: Array) -> tuple[Array, Array]:
-    """Return (h + damping diag h)^-1 u over the active ones, with as much damping as makes that positive definite."""
+    """Return (h + damping diag h)^-1 u for active parameters, with enough damping to make the matrix positive definite."""
     k = u.shape[1]
     plain = np.where(active[:, :, None] & active[:, None, :], h, 0.0)
     diagonal = np.abs(np.einsum("bjj->bj", plain))
@@ -114,8 +114,8 @@ def cross_creases(
 ) -> Best:  # fmt: skip
     """Continue a search beyond creases of the deviance, where contacts change between sliding and sticking.
 
-    A descent can end at the bottom of one. So other frictions, near ones and where asked for all kinds, are held while all else
-    follows, and the most promising freed (``explore``), until nothing is gained.
+    A descent can end at the bottom of one. So the friction is held at other values, near ones and on request widely spread ones,
+    while all else is fitted, and the most promising are freed (``explore``), until there is no further gain.
     """
     for turn in range(ROUNDS):
         here = friction(best)

@@ -39,8 +39,8 @@ class Outlier:
 def outliers_of(fit: Fit) -> tuple[list[Outlier], list[str]]:
     """Return the rows whose chi^2 occurs by chance in fewer than one of twenty such tables, worst first, and notes.
 
-    chi^2 is taken with the parameters of a robust fit (Student's t): an ordinary one is biased by what it should find, where one
-    row alone determines a parameter, and then finds nothing. Where the robust fit has other parameters, a note says which.
+    chi^2 is computed with the parameters of a robust fit (Student's t): an ordinary fit is biased by the outliers, and finds none
+    if a single row determines a parameter. If the robust fit has other parameters, a note lists them.
     """
     from scipy.stats import chi2 as distribution
 
@@ -53,7 +53,7 @@ def outliers_of(fit: Fit) -> tuple[list[Outlier], list[str]]:
         # (the scatter between contacts, if it was fitted, is in the error bars)
         steady = fit_law(fit.law, replace(problem, setting=replace(problem.setting, robust=True, scatter="")))
     chi2 = rows_of_fit(fit, problem, steady.numbers)[1]
-    # where no law fits, a row is an outlier among the others, not by error bars that are wrong for all
+    # if no law fits, a row is an outlier relative to the others, since the error bars are too small for all rows
     scale = max(float(np.median(chi2[d > 0] / distribution.median(d[d > 0]))), 1.0)
     limit = distribution.isf(FALSE_ALARM / len(d), np.maximum(d, 1))
     found = [int(i) for i in np.flatnonzero((d > 0) & (chi2 > limit * scale))]
@@ -75,7 +75,7 @@ def outliers_of(fit: Fit) -> tuple[list[Outlier], list[str]]:
 
 
 def _moved(fit: Fit, steady: Fit, rows: list[Outlier]) -> list[str]:
-    """Return a note where the outliers have moved a parameter by several error bars."""
+    """Return a note if the outliers have changed a parameter by several error bars."""
     moved = []
     for name, one in steady.estimates.items():
         was = fit.estimates[name].value

@@ -20,7 +20,7 @@ class Parameter:
     tried: tuple[float, ...]
     """Starting values of the search."""
     start: float
-    """Its value where it is not fitted and nothing else is given."""
+    """Its value if it is neither fitted nor given."""
     unit: str = ""
     meaning: str = ""
 
@@ -45,7 +45,7 @@ NUMBERS = len(PARAMETERS)
 # All parameters of a law as one record: the same memory as an array of NUMBERS floats in the order of PARAMETERS.
 LAW_NUMBERS = np.dtype([(parameter.name, "f8") for parameter in PARAMETERS])
 
-# Beside the forms of carom.core.motion.restitution: v_out = slope v + offset, the straight line that experimenters fit.
+# In addition to the forms of carom.core.motion.restitution: v_out = slope v + offset, a straight line through measured speeds.
 LINE = 5
 
 
@@ -73,11 +73,11 @@ FORMS = {
         1,
         (
             _e("restitution_0", 0.0, 1.0, 0.5, 0.8, 0.95),
-            # (from each side of zero: a rise that ends, a fall that ends and a fall that does not are valleys of their own)
+            # (from each side of zero: a rise that ends, a fall that ends and a fall that does not are separate valleys)
             _e("restitution_1", -2.0, 2.0, -0.1, 0.1),
             _e("restitution_2", -1.0, 1.0, -0.02, 0.02),
         ),
-        "e = r0 + r1 v_n + r2 v_n^2, level beyond its vertex (Han 2005, eq. 26)",
+        "e = r0 + r1 v_n + r2 v_n^2, constant beyond its vertex (Han 2005, eq. 26)",
     ),
     "viscoelastic": Form(
         3,

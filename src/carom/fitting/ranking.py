@@ -1,4 +1,4 @@
-"""Fit all laws to rebounds and rank them: which law the data prefer, by what odds, and whether any law fits."""
+"""Fit all laws to rebounds and rank them: which law the data favour, by what odds, and whether any law fits."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ class Ranking:
     """Of the best law against the best that does not contain it; infinite where there is no other, NaN where rows without error
     bars are too few."""
     against: str
-    """That other law."""
+    """Name of that other law."""
     adequacy: Adequacy
     """Whether the best law describes the data at all, by tests of it alone."""
     coverage: Coverage
@@ -106,11 +106,11 @@ class Ranking:
 
     @property
     def degenerate(self) -> list[str]:
-        """What is not identifiable, for all laws."""
+        """Sentences on parameters that are not identifiable, for all laws."""
         return [sentence for one in self.ranked for sentence in one.fit.degenerate]
 
     def with_shared_errors(self, shifted: Sequence[tuple[str, Rebounds]]) -> Ranking:
-        """Return the ranking with standard errors from systematic errors; ``shifted``: what was shifted, and the rows."""
+        """Return the ranking with standard errors from systematic errors; ``shifted``: name of each error, and the shifted rows."""
         if not shifted:
             return self
         note = f"systematic errors common to all rows ({', '.join(words for words, _rows in shifted)}) are the second error bar"
@@ -163,15 +163,15 @@ def fit_laws(
     setting : Setting
         The ball, the wall's height, what to fit.
     laws : sequence of str, optional
-        Names; all by default.
+        Names. Default: all laws for this kind of rebound.
     profiles : bool, optional
-        Intervals by profile likelihood; by default where they are quick.
+        Whether to compute intervals by profile likelihood. Default: if this is fast.
     bootstrap : int, optional
-        Number of draws; by default 200 where they are quick.
+        Number of draws. Default: 200 if this is fast, else none.
     seed : int
         Of the bootstrap.
     say : callable, optional
-        Is given what is being done and what fraction is done, 0 to 1.
+        Called with a description of the current step and the fraction done, 0 to 1.
 
     Returns
     -------
@@ -249,13 +249,13 @@ def fit_laws(
 
 
 def _with_error_bars(fit: Fit, profiles: bool | None, draws: int | None, seed: int, best: bool) -> Fit:
-    """Add profiles and bootstrap, where asked for or quick."""
+    """Add profiles and bootstrap, if requested or fast."""
     work = fit.problem.work(fit.law.search_code is not None)
     marginal = fit.problem.spins is not None
     if profiles or (profiles is None and work < PROFILE_WORK and not marginal):
         fit = with_profiles(fit)
     elif profiles is None and marginal and best and work < MARGINAL_PROFILE_WORK:
-        # A profile takes as long as the fit; but next to a crease a parameter may go ten times as far to one side as to the other.
+        # A profile takes as long as the fit, but next to a crease an interval may be ten times as long on one side as on the other.
         fit = with_profiles(fit, [name for name in fit.names if not name.startswith("spin_")])
     if draws is None:
         draws = DRAWS if work < BOOTSTRAP_WORK and not marginal else 0

@@ -41,10 +41,10 @@ class Estimate:
     """
 
     value: float | None
-    """None where it is not identifiable from these data."""
+    """None if it is not identifiable from these data."""
     stderr: float | None
-    """None where it is not identifiable, or at a bound. From the curvature at the best place; from the interval of 95 % where that
-    was computed and is far wider."""
+    """Standard error; None if it is not identifiable, or at a bound. From the curvature at the minimum, or from the 95 % interval
+    if that was computed and is far wider."""
     note: str = ""
     interval_68: tuple[float, float] | None = None
     """By profile likelihood; an end at a bound is the bound."""
@@ -75,7 +75,7 @@ class Fit:
     law: FittedLaw
     problem: Problem
     names: tuple[str, ...]
-    """Of the free parameters."""
+    """Names of the free parameters."""
     estimates: dict[str, Estimate]
     numbers: Array
     """(K,) all parameters in the order of PARAMETERS, at the best place; then the shared errors, in their error bars."""
@@ -89,7 +89,7 @@ class Fit:
     """(N,) chi^2 of each row; where the spin was not measured, at the most likely spin, whose distance from the mean of its prior,
     in widths, counts too."""
     degenerate: tuple[str, ...] = ()
-    """What is not identifiable from these data, in sentences."""
+    """Sentences on parameters that are not identifiable from these data."""
     untold: tuple[str, ...] = ()
     """The parameters concerned."""
     scatter: dict[str, float] = field(default_factory=dict)
@@ -149,7 +149,7 @@ class Fit:
 
 
 def scaled(fit: Any, name: str, by: float) -> Any:
-    """Return a fit with one error bar scaled, correlations as they are."""
+    """Return a fit with one error bar scaled and correlations unchanged."""
     i, covariance = list(fit.names).index(name), fit.covariance.copy()
     covariance[i, :] *= by
     covariance[:, i] *= by
@@ -166,7 +166,7 @@ def refit(
     fit: Fit, problem: Problem, weights: Array | None = None, p: Array | None = None, *, hold: str = "", steps: int = STEPS,
     centers: Array | None = None,
 ) -> tuple[Array, Array]:  # fmt: skip
-    """Fit the law again to (weighted) rows, from numbers p (B, K), with one parameter held where ``hold`` names it.
+    """Fit the law again to (weighted) rows, from numbers p (B, K), with the parameter ``hold`` (if any) held fixed.
 
     Returns numbers (B, K) and deviances (B,). ``centers`` (B, S) of shared errors.
     """
@@ -202,7 +202,7 @@ def covariance_dict(names: Any, covariance: Array) -> dict[str, Any]:
 
 
 def with_error_bar(estimate: Estimate, *, interval: bool = False) -> str:
-    """Return a value with its error bar as text, to two digits of the error; with its 95 % interval where asked for and known."""
+    """Return a value with its error bar as text, to two digits of the error; on request with its 95 % interval, if known."""
     if estimate.value is None:
         return f"? ({estimate.note})"
     if estimate.stderr is None or not estimate.stderr > 0:

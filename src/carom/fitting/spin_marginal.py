@@ -5,14 +5,14 @@ width of it. The row's deviance is, up to a constant that is the same for all la
 
     -2 log of the integral of exp(-c(sigma)/2) (S_nn / det S(sigma))^(1/2) rho(sigma) d sigma,
 
-c and S as in :mod:`carom.fitting.deviance`. For inputs that were measured, a density's root of det S would bias the estimates, so
-the normal part S_nn has none; along the wall the unknown spin absorbs what is measured, and there it would be c without the root
-that biases (by 30 in chi^2 for 100 rows, which suggested a tangential restitution where there is none). J in S is taken along the
-mean of the prior: the spin moves with v_t.
+c and S as in :mod:`carom.fitting.deviance`. For measured inputs, the factor det S^(-1/2) of a density would bias the estimates, so
+the normal part S_nn is divided out; along the wall the unknown spin absorbs the measurement, and there it is the omission of the
+factor that would bias (by 30 in chi^2 for 100 rows, which suggested a spurious tangential restitution). J in S is taken along the
+mean of the prior: the spin changes with v_t.
 
 Scores and Louis's information (J. R. Stat. Soc. B 44, 226 (1982)) need only the moments of the intervals of
 :mod:`carom.fitting.spin_quadrature`: derivatives of the prediction are taken as linear within an interval, which makes those of c
-and of log rho parabolas in t. They are evaluated only where the row's spin may have been.
+and of log rho parabolas in t. They are evaluated only where the weight of the row's spin is not negligible.
 """
 
 from __future__ import annotations
@@ -71,7 +71,7 @@ def _mirror_variance(rows: Any, i: int) -> float:
 
 @kernel
 def _precision(rows: Any, trial: Any, i: int, speed: float, work: Any, interval: Any) -> None:
-    """Compute S of an interval, its inverse, and the derivatives in v_n and v_t: the spin moves with v_t as the prior's mean."""
+    """Compute S of an interval, its inverse, and the derivatives in v_n and v_t, with the spin changing like the prior's mean."""
     one, two = interval.first, interval.second
     turned = trial.numbers[0].spin_mean / ((work.sigma[two] - work.sigma[one]) * speed)
     for m in range(3):
@@ -261,7 +261,7 @@ def _score_polynomials(
         if trial.free[j] == SPIN_WIDTH:
             prior[j, 0], prior[j, 1], prior[j, 2] = (z0 * z0 - 1) / width, 2 * z0 * z1 / width, z1 * z1 / width
         for o in range(2 if blurred else 0):
-            # by which the most likely v_n and v_t are moved
+            # change of the most likely v_n and v_t
             move0 = vx[i, o] * (slopes[o, 0] * qr[0, 0] + slopes[o, 1] * qr[0, 1] + slopes[o, 2] * qr[0, 2])
             move0 -= rows.covariance[i, o] * qr[0, o]
             move1 = vx[i, o] * (slopes[o, 0] * qr[1, 0] + slopes[o, 1] * qr[1, 1] + slopes[o, 2] * qr[1, 2])
@@ -269,7 +269,7 @@ def _score_polynomials(
             for m in range(3):
                 start[j, m] += asked[4 + 3 * j + o, m] * move0
                 slope[j, m] += asked[4 + 3 * j + o, m] * move1
-        if blurred:  # (no weight of Student's enters here)
+        if blurred:  # (Student's weight does not enter here)
             prior[j, 0] += _root_slope(rows, i, work, 4 + 3 * j)
         score[j, 0] = score[j, 1] = score[j, 2] = 0
         for m in range(3):

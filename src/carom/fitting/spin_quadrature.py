@@ -37,10 +37,10 @@ INTERVAL = np.dtype(
     ]
 )
 NEW, EXAMINED, LINEAR = range(3)
-NEGLIGIBLE = 27.0  # a deviance so far above the least has a weight of exp(-13.5)
-JACOBIAN_BOUND = 4.0  # no law magnifies an error in speed by more than the root of this
-CURVATURE_TOLERANCE = 0.01  # error bars by which the parabola may be off,
-REFINED_C = 10.0  # in a row with no more than this c; far from the fit less precision is needed
+NEGLIGIBLE = 27.0  # a deviance this far above the least has a weight of exp(-13.5)
+JACOBIAN_BOUND = 4.0  # no law magnifies an error in speed by more than the square root of this
+CURVATURE_TOLERANCE = 0.01  # error bars: largest deviation from the parabola,
+REFINED_C = 10.0  # in a row with c up to this; far from the fit less precision is needed
 LINEAR_TOLERANCE = 0.001  # error bars: an interval that is straight to this is not divided
 MAX_HALVINGS = 10
 KINK_REACH = 0.4  # of an interval, from its middle: where a kink may lie
@@ -87,8 +87,8 @@ def parabola_minimum(c2: float, c1: float, c0: float, low: float, high: float) -
 
 @kernel
 def _quartic(b2: float, b1: float, b0: float, t: float) -> float:
-    """Return what a quadratic residual adds to the parabola: c of r0 + r1 t - 4 t (1 - t) g, with b2 = g' S^-1 g, b1 = g' S^-1 r1
-    and b0 = g' S^-1 r0."""
+    """Return the contribution of a quadratic residual to the parabola: c of r0 + r1 t - 4 t (1 - t) g, with b2 = g' S^-1 g,
+    b1 = g' S^-1 r1 and b0 = g' S^-1 r0."""
     w = 4 * t * (1 - t)
     return w * (w * b2 - 2 * (b1 * t + b0))
 
@@ -143,7 +143,7 @@ def integrate_interval(
         for m in range(5):
             moments[1, m] = moments[2, m] = moments[0, m]
         return
-    # heavy tails: pieces about the place where c is least, as far as the prior goes
+    # heavy tails: pieces about the minimum of c, within the range of the prior
     if z1 != 0:
         top, far = -z0 / z1, math.sqrt(NEGLIGIBLE) / abs(z1)
         nearest = min(max(top, low), high)
@@ -192,7 +192,7 @@ def kink_position(y: Any, vy: Any, i: int, sigma: Any, predicted: Any, n: int, c
     if not bottom > 0:  # (nor so where the law has no prediction)
         return 0.5
     off = top / bottom - 0.5
-    # lines that meet outside show no kink here; as they become parallel the position tends to the middle, from either side
+    # lines that meet outside show no kink here; as they become parallel, the position tends to the middle from both sides
     return float(0.5 + (off if abs(off) <= KINK_REACH else KINK_REACH * KINK_REACH / off))
 
 
@@ -207,7 +207,7 @@ def residual_line(y: Any, i: int, predicted: Any, one: int, two: int, r: Any) ->
 
 @kernel
 def midpoint_bulge(y: Any, i: int, predicted: Any, interval: Any, r: Any) -> None:
-    """Compute by how much the prediction in the middle of an interval is off the straight line, r[2]."""
+    """Compute the deviation of the prediction in the middle of an interval from the straight line, r[2]."""
     for m in range(3):
         off = interval.middle[0, m] - (predicted[interval.first, m] + predicted[interval.second, m]) / 2
         r[2, m] = off if y[i, m] == y[i, m] and abs(off) < math.inf else 0.0
@@ -226,7 +226,7 @@ def interval_limits(spins: Any, sigma: Any, one: int, two: int, mean: float, wid
 
 @kernel
 def _covariance_range(rows: Any, i: int) -> tuple[float, float]:
-    """Return the factors by which correlated errors before and after make S larger, and smaller, at most."""
+    """Return the largest factors by which correlated errors before and after increase and decrease S."""
     more, less = 1 + 0 * rows.vx[i, 0], 1 + 0 * rows.vx[i, 0]
     for o in range(2):
         if rows.covariance[i, o] != 0:
@@ -288,7 +288,7 @@ def _evaluate(law: Any, rows: Any, trial: Any, i: int, speed: float, sigma: floa
 
 @kernel
 def _squared_deviation(rows: Any, i: int, predicted: Any, one: int, two: int, t: float, there: Any) -> float:
-    """Return by how many squared error bars a prediction at fraction t between two grid points is off the straight line."""
+    """Return the squared deviation, in error bars, of a prediction at fraction t between two grid points from the straight line."""
     off = 0.0
     for m in range(3):
         gap = there[m] - (1 - t) * predicted[one, m] - t * predicted[two, m]

@@ -24,14 +24,14 @@ Indices = NDArray[np.int64]
 Rises = Callable[[Array, Indices], Array]
 LEVELS = (1.0, 3.8415)  # of the deviance: 68.3 % and 95 % of one parameter
 ROUNDS, HALF_WIDTH_ROUNDS = 36, 8
-CLOSE, HALF_WIDTH_CLOSE = 1e-3, 0.04  # of a level: an end whose deviance is so near it is found
-TIGHT = 1e-9  # of the parameter: a bracket is closed
-LEAST_SHARE = 0.1  # of a bracket: no step is shorter, so that both of its ends come nearer
-GROWTH = 2.5  # of a distance in one step, where no bracket is known
+CLOSE, HALF_WIDTH_CLOSE = 1e-3, 0.04  # of a level: an end whose deviance is this close is accepted
+TIGHT = 1e-9  # of the parameter: a bracket of this width is closed
+LEAST_SHARE = 0.1  # of a bracket: no step is shorter, so that both of its ends converge
+GROWTH = 2.5  # of a distance in one step, if no bracket is known
 WIDE = 1.5  # error bars: a half-interval of 95 %, over 1.96, that is larger replaces the error bar
 NO_ROOT = 0.3  # deviation of the root of a rise from 1, above which a profile has no end there
-PROFILE_START = 6.0  # error bars from the best place, where a profile begins
-MIN_STEP = 0.02  # of a friction, from where an unknown half-width is sought
+PROFILE_START = 6.0  # error bars from the minimum, where a profile begins
+MIN_STEP = 0.02  # of a friction, where the search for an unknown half-width begins
 MARGINAL_STEPS, BOOTSTRAP_BATCH = 40, 250
 
 
@@ -39,11 +39,11 @@ def profile_ends(
     rises: Rises, best: float, far: Array, edge: Array, goals: Array, *, jump: bool, rounds: int = ROUNDS,
     close: float = CLOSE,
 ) -> tuple[Array, Array]:  # fmt: skip
-    """Find where a profile, the deviance above its least with all else fitted, has risen to its goals. Returns ends and rises.
+    """Find where a profile, the deviance above its minimum with all else fitted, has risen to its goals. Returns ends and rises.
 
     ``rises(values, which)`` evaluates some of the ends. From ``far`` on the search goes outwards, by a parabola, or at once to the
-    ``edge`` (``jump``), until the goal is bracketed; then the root of the rise is interpolated, which is nearly straight, and every
-    third step halves the bracket, because of creases. Where the rise at the edge is below its goal, the profile is open.
+    ``edge`` (``jump``), until the goal is bracketed; then the square root of the rise, which is nearly linear, is interpolated, and
+    every third step halves the bracket, because of creases. If the rise at the edge is below its goal, the profile is open.
     """
     far, edge = np.where((far - best) * (edge - best) < 0, edge, far), np.asarray(edge, float)
     end, rise = far.copy(), np.zeros(len(far))
@@ -76,8 +76,8 @@ def profile_ends(
 
 
 def half_width(rises: Rises, best: float, step: float, low: float, high: float) -> tuple[float, Array]:
-    """Return half the width within which a profile rises by less than 1, sought from a step away, and the rises at its ends, which
-    are 1 but where a bound is in the way."""
+    """Return half the width within which a profile rises by less than 1, searched for from a step away, and the rises at its ends,
+    which are 1 except at a bound."""
     far = np.clip(best + step * np.array([-1.0, 1.0]), low, high)
     end, rise = profile_ends(
         rises,
@@ -144,9 +144,7 @@ def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:
         far_off = np.abs(end[2:] - best) > PROFILE_START * (estimate.stderr or np.inf)
         if (open_[2:] & far_off).any():
             least = f"{end[2]:.3g} or more" if open_[3] and far_off[1] else f"{end[3]:.3g} or less"
-            said = (
-                f"{fit.law.name}: {name}: only a limit is identifiable, {least} (95 %); what lies beyond fits as well"
-            )
+            said = f"{fit.law.name}: {name}: only a limit is identifiable, {least} (95 %); values beyond fit as well"
             fit = _with(fit, name, Estimate(None, None, f"{least} (95 %)", one, two))
             covariance, i = fit.covariance.copy(), fit.names.index(name)
             covariance[i, :] = covariance[:, i] = math.nan
@@ -225,7 +223,7 @@ def with_bootstrap(fit: Fit, draws: int, seed: int = 0) -> Fit:
 def with_shared(fit: Fit, shifted: Sequence[tuple[str, Rebounds]]) -> Fit:
     """Add standard errors from systematic errors common to all rows: an axis misaligned, a scale, a tilted camera.
 
-    Rows do not scatter by them, so no chi^2 shows them and no number of rows averages them away. ``shifted``: the rows with one
+    They do not cause scatter between rows, so chi^2 does not show them, and they do not average out. ``shifted``: the rows with one
     standard error of each applied. The fit is repeated with each; the shifts of the parameters are added in quadrature.
     """
     places = list(model_of(fit.law, fit.problem).places.values())
@@ -243,13 +241,13 @@ def with_shared(fit: Fit, shifted: Sequence[tuple[str, Rebounds]]) -> Fit:
 
 
 def with_marginal_errors(fit: Fit, extra: float = 0.0) -> Fit:
-    """Correct error bars where unmeasured spins are integrated over: a width that is unbiased, and the friction's by its profile.
+    """Correct estimates if unmeasured spins are integrated over: an unbiased prior width, and the friction's error by its profile.
 
-    The prior's width is the scatter of few spins, and its likeliest value is too small on average: of n normal numbers about a
-    fitted mean, with sum of squares S, it is the root of S/n, where that of S/(n - 3/2) is right on average (about a given mean,
-    n - 1/2). The friction is the edge of a scatter, and the deviance has a crease at each row that stands there: its curvature
-    between two creases is not how fast it rises across them. ``fit.numbers`` stay the likeliest; ``extra``: the part of the
-    deviance that is not the rows'.
+    The prior's width is the scatter of few spins, and its maximum-likelihood value is too small on average: for n normal numbers
+    about a fitted mean, with sum of squares S, it is the root of S/n, whereas that of S/(n - 3/2) is unbiased (about a given mean,
+    n - 1/2). The friction is the edge of a scatter, and the deviance has a crease for each row at that edge, so its curvature
+    between two creases does not represent its rise across them. ``fit.numbers`` are not changed; ``extra``: the part of the
+    deviance that does not depend on the rows.
     """
     fit = _with_unbiased_width(fit)
     estimate = fit.estimates.get("friction")
@@ -261,8 +259,8 @@ def with_marginal_errors(fit: Fit, extra: float = 0.0) -> Fit:
 
 
 def _with_unbiased_width(fit: Fit) -> Fit:
-    """Scale the prior's width: a relative error of 1/sqrt(2n) says how many rows determine it, and 3/2 times its square is what is
-    missing. The mean's error bar is that width over the root of n, and lacks as much."""
+    """Scale the prior's width: its relative error 1/sqrt(2n) gives the effective number of rows n, and 3/2 times the square of this
+    error is the bias. The mean's error bar is the width over the root of n, and is scaled by the same factor."""
     estimate = fit.estimates.get("spin_width")
     if estimate is None or not estimate.stderr:
         return fit
@@ -275,9 +273,9 @@ def _with_unbiased_width(fit: Fit) -> Fit:
 
 
 def with_profiled_friction(fit: Fit, information: Array, extra: float = 0.0) -> Array:
-    """Return the information with that on the friction by its profile, where the deviance rises by 1 on both sides; else as it is.
+    """Return the information with that on the friction from its profile, if the deviance rises by 1 on both sides; else unchanged.
 
-    Where a row stands at a crease just at the best place, the curvature there may say that the friction is not identifiable.
+    If a row is at a crease exactly at the minimum, the curvature there may suggest that the friction is not identifiable.
     """
     i = fit.names.index("friction")
     best = float(fit.numbers[INDEX["friction"]])

@@ -1,4 +1,4 @@
-"""Laws fitted to whole tracks: every ball simulated from a start of its own through its cushions, and compared with the frames.
+"""Laws fitted to whole tracks: each ball is simulated from its own initial state, and compared with the frames.
 
 ranking = fit_tracks(measured, TrackSetting(radius=0.03075), ["two-step"])
 """

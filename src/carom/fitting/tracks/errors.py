@@ -16,16 +16,16 @@ __all__ = ["ERROR_TOO_SMALL", "ambiguous", "with_errors"]
 
 Array = NDArray[np.float64]
 ERROR_TOO_SMALL = "error bar too small: the law does not follow the frames"
-SPARE_SHOTS = 4  # more than parameters, from which on error bars are from the scatter of shots
-FOLLOWING_STEPS = 5  # of the starts after a parameter that is moved
+SPARE_SHOTS = 4  # excess of shots over parameters above which error bars are computed from the scatter of shots
+FOLLOWING_STEPS = 5  # of the starts after a parameter has been changed
 
 
 class _Subject:
     """A fit of whole tracks, for :func:`carom.fitting.identifiability.identify`.
 
-    Where the law follows the frames, the covariance is from derivatives and the noise, with all starts free. Where it does not, its
-    residuals are correlated from frame to frame, and frames are not independent: shots are, and the covariance is from their
-    scatter (White, Econometrica 48, 817 (1980), by shot).
+    If the law follows the frames, the covariance is computed from derivatives and the noise, with all starts free. If not,
+    residuals are correlated from frame to frame; only shots are independent, and the covariance is computed from their scatter
+    (White, Econometrica 48, 817 (1980), by shot).
     """
 
     def __init__(self, fit: TrackFit, settled: BestStarts) -> None:
@@ -48,18 +48,18 @@ class _Subject:
         return np.asarray(inverse)
 
     def rise(self, i: int, value: float) -> float:
-        """Return the deviance above the least with one shared parameter moved and the starts following."""
+        """Return the deviance above its minimum with one shared parameter changed and the starts fitted again."""
         fit = self.fit
         scene = fit.model.scene({**fit.numbers, self.names[i]: value})
         return float(settle(scene, fit.frames, fit.starts, fit.q, FOLLOWING_STEPS).cost.sum()) - fit.chi2
 
     def refit_rises(self, i: int, values: Array) -> tuple[Array, Array]:
-        """Return the profile above the least, and the shared parameters there."""
+        """Return the profile above its minimum, and the shared parameters there."""
         return held_rises(self.fit, self.names[i], values)
 
 
 def held_rises(fit: TrackFit, name: str, values: Array) -> tuple[Array, Array]:
-    """Return by how much chi^2 rises (m,) with a parameter held at values (m,) and all else fitted, and the parameters (m, P)."""
+    """Return the rise of chi^2 (m,) with a parameter held at values (m,) and all else fitted, and the parameters (m, P)."""
     rises, found = [], []
     for value in values.tolist():
         numbers, settled = descend(
@@ -71,7 +71,7 @@ def held_rises(fit: TrackFit, name: str, values: Array) -> tuple[Array, Array]:
 
 
 def with_errors(fit: TrackFit, settled: BestStarts) -> TrackFit:
-    """Return the fit with covariance, estimates, and what is not identifiable."""
+    """Return the fit with covariance, estimates, and sentences on parameters that are not identifiable."""
     if not fit.names:
         return fit
     subject = _Subject(fit, settled)
@@ -87,11 +87,11 @@ def with_errors(fit: TrackFit, settled: BestStarts) -> TrackFit:
 
 
 def ambiguous(fit: TrackFit, name: str, other: float) -> TrackFit:
-    """Return the fit without an estimate of a parameter for which two values fit alike."""
+    """Return the fit without an estimate of a parameter for which two values fit equally well."""
     here = fit.numbers[name]
     said = (
-        f"{fit.law.name}: {name}: {min(here, other):.4g} and {max(here, other):.4g} fit alike: a contact stands at the edge between"
-        " sliding and sticking; film another shot"
+        f"{fit.law.name}: {name}: {min(here, other):.4g} and {max(here, other):.4g} fit equally well: a contact is at the edge"
+        " between sliding and sticking; film another shot"
     )
     covariance = fit.covariance.copy()
     i = fit.names.index(name)

@@ -1,8 +1,8 @@
 """Fit of one law to whole tracks from its starting values, in growing windows: one search.
 
-With given noise of the frames the deviance is chi^2; else each segment has a scatter of its own, from its residuals, so that one
-shot that goes astray has no more weight than another. What is fitted grows from window to window: the frames before the first
-contact, then those before the second, and so on, since a start that is a little off turns a hit into a miss only later.
+With given noise of the frames the deviance is chi^2; else the scatter of each segment is estimated from its residuals, so that one
+deviating shot has no more weight than others. The fitted frames are extended from window to window: those before the first contact,
+then those before the second, and so on, because a small error of a start has large effects only later.
 """
 
 from __future__ import annotations
@@ -37,20 +37,20 @@ __all__ = ["finish", "fit_windows", "starting_numbers", "with_best_sidespins"]
 
 Array = NDArray[np.float64]
 SLIDE_GAIN = (
-    9.21  # chi^2 that a slide before the first contact must gain: two numbers more, a probability of one in a hundred
+    9.21  # decrease of chi^2 for which a slide before the first contact is accepted: two more parameters, 1 % by chance
 )
-SLIDE_SHARES = (0.15, 0.7)  # of full slip at the start: a little left, or nearly all of it
-SIDESPINS = 17  # that are tried
-FOLLOWING_STEPS = 5  # of the rest of a start after a sidespin
-TURNS = 4  # of sidespins tried again and all parameters sought
+SLIDE_SHARES = (0.15, 0.7)  # of full slip at the start: a small part of it, or most of it
+SIDESPINS = 17  # number of sidespins that are tried
+FOLLOWING_STEPS = 5  # of the rest of a start after a sidespin has been changed
+TURNS = 4  # rounds in which sidespins are tried again and all parameters are fitted
 SLIP_WIDTH = 1.0  # v: a slip at the start is normal about zero with this width
 POSITION_SCALE, LEAST_SPEED = 1e-2, 0.1  # m, m/s
 LINE_FRAMES = 8
-FAST = 0.2  # m/s towards a wall, from where a contact tells the restitution
+FAST = 0.2  # m/s towards a wall: slower contacts do not determine the restitution
 
 
 def starting_numbers(measured: Measured) -> dict[str, float]:
-    """Return parameters to begin with; range_SIDE: how far from there a wall is sought, where that is not WALL_RANGE (m)."""
+    """Return initial parameters; range_SIDE: distance within which a wall is searched for, if that is not WALL_RANGE (m)."""
     start = {}
     for name, label in (("floor_friction", "cloth friction"), ("rolling_resistance", "rolling resistance")):
         if label in measured.floor:
@@ -62,10 +62,10 @@ def starting_numbers(measured: Measured) -> dict[str, float]:
     for wall in measured.walls:
         away = [fit["away"] for name, fit in fitted if name == wall.name]
         axis = int(abs(wall.normal[1]) > 0.5)
-        if away:  # where the motions before and after meet: the frames themselves turn up to a step before it
+        if away:  # the point where the motions before and after meet: the frames themselves turn up to a step before it
             start[f"wall_{side_of(wall)}"] = wall.point[axis] + wall.normal[axis] * float(np.median(away))
         elif max(map(abs, wall.normal)) > 1 - 1e-9:
-            # met only in a corner, say: it may lie as far beyond the frames as the ball moves between two of them
+            # (met only in a corner, for example) it may lie beyond the frames by the distance between two of them
             far = _largest_step(measured, wall)
             start[f"wall_{side_of(wall)}"] = wall.point[axis] - wall.normal[axis] * far / 2
             start[f"range_{side_of(wall)}"] = WALL_RANGE + far / 2
@@ -73,7 +73,7 @@ def starting_numbers(measured: Measured) -> dict[str, float]:
 
 
 def _largest_step(measured: Measured, wall: WallLine) -> float:
-    """Return how far (m) across a wall a ball moves between two frames where it meets it, at most."""
+    """Return the largest distance (m) that a ball moves normal to a wall between two frames at a contact."""
     steps = [0.0]
     for track in measured.tracks:
         d = wall.frame(track.position)[:, 0]
@@ -151,7 +151,7 @@ def finish(
     model: TrackModel, frames: SegmentArrays, starts: Starts, q: Array, numbers: dict[str, float], least_noise: float,
     tell: Callable[[], None],
 ) -> TrackFit:  # fmt: skip
-    """Descend to the best place from here, with sidespins tried again and all parameters sought in turn."""
+    """Descend to the nearest minimum, in turn trying sidespins again and fitting all parameters."""
     noise = np.full(len(q), model.setting.noise or least_noise)
     least = math.inf
     for _ in range(TURNS):
@@ -170,7 +170,7 @@ def finish(
 def _with_scatter(
     model: TrackModel, frames: SegmentArrays, starts: Starts, q: Array, numbers: Mapping[str, float], noise: Array
 ) -> SegmentArrays:
-    """Return frames with the scatter of each segment where no noise is given: from its residuals, never less than its noise."""
+    """Return frames with the scatter of each segment if no noise is given: from its residuals, at least its noise."""
     if model.setting.noise is not None:
         return frames
     gap = settle(model.scene(numbers), frames, starts, q, 1).gap * frames.sigma[:, None]
@@ -181,10 +181,10 @@ def _with_scatter(
 def _restarted(
     model: TrackModel, frames: SegmentArrays, starts: Starts, q: Array, first: Array, numbers: Mapping[str, float]
 ) -> Array:
-    """Return the starts that fit these frames best: those so far, or from the first ones with any sidespin, each settled.
+    """Return the starts that fit these frames best: the current ones, or the first ones with any sidespin, each fitted again.
 
-    Two contacts in one window (a corner, say) move a start far from that of the frames before them, when those so far were found
-    with parameters that are not yet right; and a sidespin fits only when the rest of the start has followed it.
+    Two contacts in one window (a corner, for example) can move a start far from that of the frames before them if the parameters
+    are still inaccurate; and a sidespin fits only once the rest of the start has been adjusted to it.
     """
     scene = model.scene(numbers)
     so_far = settle(scene, frames, starts, q)
@@ -197,14 +197,14 @@ def _restarted(
 
 
 def _sidespins(q: Array, setting: TrackSetting) -> Array:
-    """Return the sidespins (N, SIDESPINS) that are tried, rad/s."""
+    """Return the trial sidespins (N, SIDESPINS), rad/s."""
     return np.asarray(_speeds(q)[:, None] / setting.radius * np.linspace(-1, 1, SIDESPINS) * setting.spin_width)
 
 
 def with_best_sidespins(
     model: TrackModel, frames: SegmentArrays, starts: Starts, q: Array, numbers: Mapping[str, float]
 ) -> Array:
-    """Return starts with the sidespin that fits these frames best: the one so far, or another where that leads lower."""
+    """Return starts with the sidespin that fits these frames best: the current one, or another that lowers the deviance."""
     scene = model.scene(numbers)
     so_far = settle(scene, frames, starts, q)
     tried = _sidespins(so_far.q, model.setting)
@@ -222,7 +222,7 @@ def _evaluated(
     settled: BestStarts,
     noise: float,
 ) -> TrackFit:
-    """Return the fit with its error bars, and what is not identifiable."""
+    """Return the fit with its error bars, and sentences on parameters that are not identifiable."""
     gap = settled.gap.reshape(len(settled.q), -1, 2) * frames.sigma[:, None, None]
     gap[np.arange(gap.shape[1]) >= frames.count[:, None]] = np.nan
     k, given = len(model.free) + effective_numbers(settled, starts), model.setting.noise

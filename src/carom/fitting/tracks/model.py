@@ -21,15 +21,15 @@ from carom.tracks.events import WallLine
 
 __all__ = ["WALL_RANGE", "TrackModel", "TrackSetting", "side_of", "track_models"]
 
-FAR = 100.0  # m: sides of the table that no ball of the film meets
-WALL_RANGE = 0.01  # m about where the frames turn, within which a cushion is sought
+FAR = 100.0  # m: distance of sides of the table that no ball of the film meets
+WALL_RANGE = 0.01  # m about the turning point of the frames, within which a cushion is searched for
 SPIN_LOSS = 10.0  # rad/s^2 of spin about the vertical; Alciatore has 5 to 15
 START_MARGIN = 0.02  # of a parameter's range, between its bounds and its start
 START_VALUES = {
     "friction": 0.2, "tangential_restitution": 0.0, "stiffness_ratio": LIKE_SOLIDS, "restitution_1": 0.0, "restitution_2": 0.0,
 }  # fmt: skip
 _NAMED = {parameter.name: parameter for parameter in PARAMETERS}
-# Parameters of the floor; while a cushion presses the ball on the cloth the same friction acts.
+# Parameters of the floor; the same friction acts while a cushion presses the ball on the cloth.
 FLOOR = (
     replace(_NAMED["floor_friction"], low=0.01, start=0.2, meaning="of the cloth"),
     Parameter("rolling_resistance", 0.0, 0.1, (0.007,), 0.007, meaning="deceleration / g of a rolling ball"),
@@ -39,7 +39,7 @@ FLOOR = (
 
 @dataclass(frozen=True)
 class TrackSetting:
-    """What tracks do not tell, and how they are fitted.
+    """Settings of a fit to whole tracks: the ball, the noise, the height of the wall contact, and the extent of the simulation.
 
     Examples
     --------
@@ -54,16 +54,16 @@ class TrackSetting:
     noise: float | None = None
     """m, of one coordinate of one frame; None: estimated from each law's residuals."""
     contact_height: float = 1.0
-    """Where the wall touches, in radii above the floor; a billiard cushion 1.2 to 1.4."""
+    """Height of the wall contact above the floor, in radii (billiard cushions: 1.2 to 1.4)."""
     floor_restitution: float = 0.0
     restitution: str = "constant"
     """One of FORMS except line, which no scene has."""
     cushions: int = 3
-    """A track is simulated until the next contact after so many: each magnifies what went before."""
+    """Largest number of contacts of a simulated track: each of them magnifies the errors made before."""
     after: float = 2.0
-    """s that a track is simulated after its last contact: later motion is that of the table's slope and dirt."""
+    """Time simulated after the last contact, s: later motion is dominated by slope and dirt of the table."""
     spin_width: float = 1.25
-    """v/a: the sidespin at the start is normal about zero with this width."""
+    """v/a: standard deviation of the prior of the initial sidespin, normal about zero."""
     gravity: float = 9.80665
     fit: tuple[str, ...] = ()
     """Parameters to fit in addition: spin_loss."""
@@ -163,7 +163,7 @@ def _form(name: str, at: Mapping[str, float]) -> Bounce:
 def track_models(
     names: Sequence[str] | None, setting: TrackSetting, walls: Sequence[WallLine], start: Mapping[str, float]
 ) -> tuple[list[TrackModel], list[str]]:
-    """Return the laws to fit, and notes. ``start``: parameters to begin with where something is known of them."""
+    """Return the laws to fit, and notes. ``start``: initial values of parameters, as far as known."""
     setting.check()
     odd = [wall.name for wall in walls if max(abs(wall.normal[0]), abs(wall.normal[1])) < 1 - 1e-9]
     sides = [side_of(wall) for wall in walls if wall.name not in odd]
@@ -194,7 +194,7 @@ def _model(law: FittedLaw, setting: TrackSetting, walls: Sequence[WallLine], sta
         at = start.get(f"wall_{side}", wall.point[0 if side in ("left", "right") else 1])
         far = start.get(f"range_{side}", WALL_RANGE)
         free[f"wall_{side}"] = Parameter(
-            f"wall_{side}", at - far, at + far, (at,), at, "m", "where the ball's centre turns"
+            f"wall_{side}", at - far, at + far, (at,), at, "m", "position at which the ball's centre is reflected"
         )
     for name, value in law.pinned.items():
         free.pop(name, None)

@@ -1,7 +1,7 @@
-"""Least-squares objective of whole tracks: parameters that all segments share, and a start of its own for each segment.
+"""Least-squares objective of whole tracks: parameters that all segments share, and a separate start for each segment.
 
-A start affects only its own segment, so for given shared parameters each is found by itself, all segments in one call of the
-engine, and the shared parameters are sought over what remains: variable projection, after Golub & Pereyra, SIAM J. Numer. Anal.
+A start affects only its own segment, so for given shared parameters the starts are fitted separately, all segments in one call of
+the engine, and the shared parameters minimise the remainder: variable projection, after Golub & Pereyra, SIAM J. Numer. Anal.
 10, 413 (1973), with Kaufman's derivative, BIT 15, 49 (1975), whose normal matrix is the information on the shared parameters with
 all starts free. Both descents are :func:`carom.fitting.optimizer.minimize`.
 """
@@ -128,8 +128,8 @@ class BestStarts:
 def _gaps(scenes: Sequence[Scene], which: NDArray[np.int64], frames: SegmentArrays, q: Array) -> Array:
     """Return the gaps (N, 2 T) of runs from q (N, 7), whose sidespin is that at the first contact.
 
-    At the start it is more, by what the cloth takes on the way: a ball that had less than that arrives without, so that nothing
-    depends on the start's own spin within a range, and a search would be stuck there.
+    The spin at the start is larger, by the loss on the cloth until then: a ball that had less than this loss arrives without
+    sidespin, so within a range no residual depends on the spin at the start, and a search would not converge.
     """
     loss = np.array([spin_loss(scene) for scene in scenes])[which]
     first = np.array([one.contacts[0] for one in frames.segments])
@@ -203,7 +203,7 @@ def settle(scene: Scene, frames: SegmentArrays, starts: Starts, q: Array, steps:
 
 
 def scan(scene: Scene, frames: SegmentArrays, q: Array, tried: Array) -> Array:
-    """Return sums of squares (N, M) with M sidespins (N, M) in place of the starts' own."""
+    """Return sums of squares (N, M) with M sidespins (N, M) instead of those of the starts."""
     starts = np.repeat(q[:, None], tried.shape[1], axis=1)
     starts[:, :, SIDESPIN] = tried
     return np.asarray(np.square(_many(scene, frames, starts)).sum(axis=-1))
@@ -229,14 +229,14 @@ def shared_slope(model: TrackModel, frames: SegmentArrays, q: Array, numbers: Ma
 
 
 def projected(settled: BestStarts, starts: Starts, by_shared: Array) -> tuple[Array, Array]:
-    """Return the derivatives in the shared parameters with the starts following: of gaps (N, 2 T, P) and prior (N, 7, P)."""
+    """Return the derivatives in the shared parameters with the starts refitted: of gaps (N, 2 T, P) and prior (N, 7, P)."""
     follows = _solved(_information(settled.slope, starts), np.swapaxes(settled.slope, 1, 2) @ by_shared)
     root = np.sqrt(starts.weight) * starts.scale
     return by_shared - settled.slope @ follows, -root[:, :, None] * follows
 
 
 def effective_numbers(settled: BestStarts, starts: Starts) -> float:
-    """Return the effective number of fitted numbers of the starts: the frames' share in their information."""
+    """Return the effective number of parameters of the starts: the share of the frames in their information."""
     known = np.swapaxes(settled.slope, 1, 2) @ settled.slope
     return float(np.einsum("nii->", _solved(_information(settled.slope, starts), known)))
 

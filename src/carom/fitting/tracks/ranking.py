@@ -1,4 +1,4 @@
-"""Fit laws to whole tracks and rank them: which law the tracks prefer, and how surely."""
+"""Fit laws to whole tracks and rank them: which law the tracks favour, and with what odds."""
 
 from __future__ import annotations
 
@@ -38,12 +38,12 @@ class TrackRanking:
 
     fits: tuple[TrackFit, ...]
     weights: Array
-    """Akaike's; where no law follows the frames to their noise they are far too sure, and the verdict counts shots."""
+    """Akaike weights; if no law follows the frames to within their noise they are overconfident, and the verdict counts shots."""
     verdict: str
     odds: float
     """Of the best law against the best that does not contain it; NaN where no law follows the frames."""
     against: str
-    """That other law."""
+    """Name of that other law."""
     closer: tuple[int, int] | None
     """Shots in which the best law is nearer than that one, and shots in all."""
     chance: float
@@ -99,16 +99,37 @@ def fit_tracks(
     measured : Measured
         Tracks with their walls and contacts (:func:`carom.tracks.measurement.measure`).
     setting : TrackSetting
-        Ball, noise, how far tracks are followed.
+        The ball, the noise, and the extent of the simulation.
     laws : sequence of str, optional
-        Names; all by default.
+        Names. Default: all laws for balls on a table.
     say : callable, optional
-        Is given what is being done and what fraction is done, 0 to 1.
+        Called with a description of the current step and the fraction done, 0 to 1.
+
+    Returns
+    -------
+    TrackRanking
+        All laws, best first, with a verdict.
 
     Raises
     ------
     CaromError
-        Where there is nothing to follow, or for an invalid setting, one line per problem.
+        If no track can be simulated, or for an invalid setting, one line per problem.
+
+    Examples
+    --------
+    >>> import carom
+    >>> import numpy as np
+    >>> from carom.fitting.tracks import TrackSetting, fit_tracks
+    >>> from carom.tracks import Settings, Track, measure
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.8, friction=0.2)
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(0.5, 0.1), velocity=(-1.5, 0.5), rolling=True)
+    >>> scene = carom.Scene(floor=carom.Floor(friction=0.2), walls=[wall], balls=[ball], run=carom.Run(duration=1))
+    >>> run, t = carom.simulate(scene), np.arange(120) / 120
+    >>> track = Track("ball", t, np.array([run.at(time).position[0, :2] for time in t]))
+    >>> measured = measure([track], Settings(radius=0.03, view="above", noise=1e-4))
+    >>> ranking = fit_tracks(measured, TrackSetting(radius=0.03, noise=1e-4), ["two-step"])
+    >>> round(ranking.best.estimates["restitution"].value, 3)
+    0.8
     """
     require_library("scipy", "fit")
     if measured.view != "above":
@@ -117,7 +138,7 @@ def fit_tracks(
     found, notes = find_segments(measured, setting.cushions, setting.after)
     if not found:
         raise CaromError(
-            "tracks: expected a ball that is seen before and after a wall, with nothing else on its way, got none"
+            "tracks: expected a ball that is seen before and after a wall, without another contact in between, got none"
             + "".join(f"; {note}" for note in notes)
         )
     tell = say or (lambda _what, _done: None)
@@ -134,7 +155,7 @@ def fit_tracks(
     notes = [*measured.notes, *more, *notes]
     rolling = [fit.law.name for fit in fits if fit.model.rolling_only]
     if rolling and any(one.slides for one in found):
-        notes.append(f"{', '.join(rolling)}: for balls that roll; balls that slide at the start were taken as rolling")
+        notes.append(f"{', '.join(rolling)}: for balls that roll; balls that slide at the start were assumed to roll")
     return _ranked(fits, notes)
 
 

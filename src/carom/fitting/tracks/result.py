@@ -21,7 +21,9 @@ from carom.simulation.trajectory import Trajectory
 __all__ = ["TrackFit"]
 
 Array = NDArray[np.float64]
-MAX_SCATTER = 1.3  # noises in the median segment, up to which a law follows frames whose noise is estimated
+MAX_SCATTER = (
+    1.3  # largest ratio of scatter to estimated noise, in the median segment, for a law that follows the frames
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,14 +45,14 @@ class TrackFit:
     chi2: float
     """Of all frames, and of the prior of the starts."""
     k: float
-    """Fitted numbers; of a start's number with a prior, the share that the frames determine."""
+    """Effective number of fitted parameters; of a start's parameter with a prior, the share determined by the frames."""
     dof: float
     noise: float
-    """m, of one coordinate: as given, or as :mod:`carom.tracks` finds it away from contacts."""
+    """Standard deviation of one coordinate, m: as given, or as estimated by :mod:`carom.tracks` away from contacts."""
     known: bool
-    """Whether it was given."""
+    """Whether the noise was given."""
     degenerate: tuple[str, ...] = ()
-    """What is not identifiable from these tracks, in sentences."""
+    """Sentences on parameters that are not identifiable from these tracks."""
     untold: tuple[str, ...] = ()
     """The parameters concerned."""
 
@@ -61,7 +63,7 @@ class TrackFit:
 
     @property
     def names(self) -> tuple[str, ...]:
-        """Of the fitted parameters."""
+        """Names of the fitted parameters."""
         return tuple(self.model.free)
 
     @property
@@ -103,7 +105,7 @@ class TrackFit:
 
     @property
     def median_rms(self) -> float:
-        """Of the segments, m."""
+        """Median over the segments of the root mean square distance, m."""
         return float(np.median([self.rms([n]) for n in range(len(self.q))]))
 
     def start(self, n: int) -> Array:
@@ -114,7 +116,7 @@ class TrackFit:
         return start
 
     def simulate(self, n: int) -> Trajectory:
-        """Return the run of a segment."""
+        """Return the simulated run of a segment."""
         x, y, vx, vy, ux, uy, spin_z = self.start(n).tolist()
         a = self.model.setting.radius
         scene = self.model.scene(self.numbers, float(self.frames.time[n, self.frames.count[n] - 1]))

@@ -1,8 +1,8 @@
 """Fit of one law to whole tracks: searches from several frictions, continued beyond creases, and the friction's profile.
 
-A contact that changes between sliding and sticking makes a crease in the deviance, and a search on its wrong side stays there, with
-a wrong friction for which sidespins and walls compensate. So other frictions are held until all else has followed, and freed where
-that leads lower.
+A contact that changes between sliding and sticking causes a crease in the deviance, and a search on its wrong side stays there,
+with a wrong friction for which sidespins and walls compensate. So the friction is held at other values until all else has been
+fitted, and freed if this lowers the deviance.
 """
 
 from __future__ import annotations
@@ -28,13 +28,13 @@ from carom.fitting.uncertainty import LEVELS, half_width
 
 __all__ = ["fit_track_law"]
 
-FREED = 3  # of the frictions that were held
-NEW_STARTS = (0.1, 0.3)  # frictions from which the search begins again
-DISTINCT = 3.0  # error bars between frictions that fit alike, from which on there is more than one
+FREED = 3  # number of held frictions that are then freed
+NEW_STARTS = (0.1, 0.3)  # frictions from which the search is repeated
+DISTINCT = 3.0  # error bars: frictions that fit equally well and differ by more are distinct
 
 
 class _Held(NamedTuple):
-    """A place with the friction held."""
+    """A minimum with the friction held."""
 
     chi2: float
     numbers: Numbers
@@ -68,7 +68,7 @@ def fit_track_law(
 def _across_creases(model: TrackModel, best: TrackFit, noise: float) -> tuple[TrackFit, list[tuple[float, float]]]:
     """Continue the search beyond creases. Return the best fit, and other frictions, each with its chi^2, of the last round.
 
-    Where the law does not follow, frictions of all kinds are held too, with the walls where the contacts have them.
+    If the law does not follow the frames, widely spread frictions are tried too, with the walls at the measured contacts.
     """
     walls = {name: one.start for name, one in model.free.items() if name.startswith("wall_")}
     seen: list[tuple[float, float]] = []
@@ -89,10 +89,10 @@ def _across_creases(model: TrackModel, best: TrackFit, noise: float) -> tuple[Tr
 
 
 def _other_minima(best: TrackFit, held: Sequence[_Held]) -> list[_Held]:
-    """Return the held places that are in another minimum than the best.
+    """Return the minima with held friction that belong to a different minimum than the best.
 
-    Along the friction, those lower than their neighbours; and the lowest of each piece of the deviance in which other contacts
-    slide: between creases it is smooth and has one minimum as a rule, which may be too narrow to show along the friction.
+    These are those lower than their neighbours along the friction, and the lowest of each piece of the deviance in which other
+    contacts slide: between creases it is smooth and usually has one minimum, which may be too narrow to appear along the friction.
     """
     line = sorted([_Held(best.chi2, best.numbers, best.q), *held], key=lambda one: one.numbers["friction"])
     height = np.array([math.inf, *(one.chi2 for one in line), math.inf])
@@ -114,7 +114,7 @@ def _regimes(fit: TrackFit) -> tuple[tuple[str, ...], ...] | None:
 
 
 def _hold(model: TrackModel, best: TrackFit, friction: float, numbers: Numbers) -> _Held:
-    """Return the place with a friction held and all else following."""
+    """Return the minimum with a friction held and all else fitted."""
     parameter = model.free["friction"]
     friction = min(max(friction, parameter.low), parameter.high)
     held = model.holding("friction", friction)

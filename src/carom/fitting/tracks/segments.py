@@ -19,13 +19,13 @@ Array = NDArray[np.float64]
 FRAMES_BEFORE, FRAMES_AFTER = 4, 5  # at least
 CLEARANCE = 0.004  # m from every wall, where a simulation starts
 MIN_SPEED = 0.1  # m/s at the start
-# Events after which a ball may slide; after others that is decided by its frames
+# Events after which a ball may slide; after others this is determined from the frames
 SLIDING_STARTS = ("onset", "ball", "wall")
 
 
 @dataclass(frozen=True, eq=False)
 class TrackSegment:
-    """A ball's path through some contacts with walls, with nothing else on it."""
+    """A ball's path through some contacts with walls, without other events."""
 
     group: str
     name: str
@@ -50,13 +50,13 @@ class TrackSegment:
         return " ".join(filter(None, (self.group, self.name)))
 
     def frames_until(self, contacts: int) -> int:
-        """Return how many frames lie before the contact after so many."""
+        """Return the number of frames before the contact that follows the first ``contacts`` ones."""
         every = contacts >= len(self.contacts)
         return len(self.time) if every else int(np.searchsorted(self.time, self.contacts[contacts]))
 
 
 def find_segments(measured: Measured, cushions: int, after: float = np.inf) -> tuple[list[TrackSegment], list[str]]:
-    """Return all segments with a contact, and notes on those left out."""
+    """Return all segments with a contact, and notes on those omitted."""
     found: list[TrackSegment] = []
     lost: dict[str, int] = {}
     times = _contact_times(measured)
@@ -74,7 +74,7 @@ def find_segments(measured: Measured, cushions: int, after: float = np.inf) -> t
                 found.append(one)
             elif why:
                 lost[why] = lost.get(why, 0) + 1
-    return found, [f"{count} segment{'s' if count > 1 else ''} left out: {why}" for why, count in lost.items()]
+    return found, [f"{count} segment{'s' if count > 1 else ''} omitted: {why}" for why, count in lost.items()]
 
 
 def _contact_times(measured: Measured) -> dict[tuple[str, str, float], float]:
@@ -91,7 +91,7 @@ def _segment(
     track: Track, first: TrackEvent, last: TrackEvent, inner: list[TrackEvent], measured: Measured,
     times: dict[tuple[str, str, float], float], cushions: int, seconds: float,
 ) -> tuple[TrackSegment | None, str]:  # fmt: skip
-    """Return the frames from one event to another, through the walls between them; or why they are of no use."""
+    """Return the frames from one event to another, through the walls between them; or why they cannot be used."""
     low, kind, ends = first.high, first.kind, last.kind
     high = last.low
     while inner:
