@@ -520,7 +520,7 @@ SOFT = 0.06
 
 
 def soft(run: carom.Trajectory, camera: Camera, rng: np.random.Generator, shot_name: str) -> Track:
-    """A film of walls that give way: for 60 ms after a contact the ball is up to 4 mm nearer to the wall than free motion has it."""
+    """A film of soft walls: for 60 ms after a contact the ball is up to 4 mm nearer to the wall than in free motion."""
     track = seen(run, camera, rng)
     places = track.position.copy()
     for event in run.events.of("wall"):

@@ -54,7 +54,7 @@ def predict(
     restitution: Annotated[float | None, shared("restitution", default="1")] = None,
     friction: Annotated[float | None, shared("friction", default="inf")] = None,
     tangential_restitution: Annotated[float | None, shared("tangential_restitution", default="0")] = None,
-    stiffness_ratio: Annotated[float | None, shared("stiffness_ratio", default="14/17: like solids")] = None,
+    stiffness_ratio: Annotated[float | None, shared("stiffness_ratio", default="14/17: same material")] = None,
     normal: Annotated[
         str | None,
         typer.Option(

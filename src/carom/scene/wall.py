@@ -87,7 +87,7 @@ class WallShape(Model):
     restitution : number from 0 to 1, or a form of the normal speed
     friction : number >= 0, or inf
     tangential_restitution : number from -1 to 1
-    stiffness_ratio : number > 0: tangential over normal stiffness of the contact; default: like solids, 14/17
+    stiffness_ratio : number > 0: tangential over normal stiffness of the contact; default: 14/17 (same material)
     law : str or carom.Law, optional
         Law of this wall; default: the run's.
     name : str, optional

@@ -34,7 +34,7 @@ SURE, HINT = (
 
 @dataclass(frozen=True, eq=False)
 class TrackRanking:
-    """All laws fitted to whole tracks, best first, and the verdict."""
+    """All laws fitted to whole tracks, best first, and the verdict; made by :func:`fit_tracks`, with an example there."""
 
     fits: tuple[TrackFit, ...]
     weights: Array

@@ -28,7 +28,7 @@ MAX_SCATTER = (
 
 @dataclass(frozen=True, eq=False)
 class TrackFit:
-    """A law fitted to whole tracks."""
+    """A law fitted to whole tracks; made by :func:`carom.fitting.tracks.fit_tracks`, with an example there."""
 
     model: TrackModel
     frames: SegmentArrays
