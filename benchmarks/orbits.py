@@ -20,7 +20,7 @@ import numpy as np
 
 import carom
 from carom import billiards
-from carom.billiards.loop import compiled_loops
+from carom.billiards.loop import MEMORY, compiled_loops
 from carom.billiards.setup import orbit_setup
 
 BY_HAND = r"""
@@ -92,7 +92,7 @@ def measure(name: str, table: billiards.Table, library: ctypes.CDLL, bounces: in
     best = {"carom": np.inf, "C": np.inf}
     for _ in range(repeats):
         begin = time.process_time()
-        follow(world, setup.pieces, x, v, w, bounces, ours, met, last)
+        follow(world, setup.pieces, x, v, w, bounces, bounces, ours, met, last, np.zeros(MEMORY))
         best["carom"] = min(best["carom"], time.process_time() - begin)
         begin = time.process_time()
         rest = (number(kappa), number(a), pointer(theirs), pointer(side))

@@ -11,7 +11,7 @@ from reference.plane_tables import CLEARANCE, L_SHAPE, PLANE, first_outside
 import carom
 from carom import billiards
 from carom.billiards.elliptic_boundary import ellipse_arc_length
-from carom.billiards.loop import follow
+from carom.billiards.loop import MEMORY, follow
 from carom.billiards.records import ENDS
 from carom.billiards.setup import orbit_setup, start_rows
 from carom.core.jit.kernel import dot
@@ -116,8 +116,10 @@ def test_compiled_as_python(table):
     kept, piece, last = np.full((70, 6), np.nan), np.zeros(70, np.int32), np.zeros(10)
     row = [float(r) for r in rows[0]]
     world, pieces = setup.world.view(np.recarray)[0], setup.pieces.view(np.recarray)
-    ended, count = follow(world, pieces, tuple(row[:3]), tuple(row[3:6]), tuple(row[6:]), 70, kept, piece, last)
-    assert (ended, count) == (0, 70)
+    memory, start = np.zeros(MEMORY), (tuple(row[:3]), tuple(row[3:6]), tuple(row[6:]))
+    for done in (9, 18, 27, 36, 45, 54, 63, 70):  # in pieces, as long runs are
+        ended, count = follow(world, pieces, *start, 70, 9, kept, piece, last, memory)
+        assert (ended, count) == (0, done)
     np.testing.assert_array_equal(kept[:, 0], found.t[0])
     np.testing.assert_array_equal(kept[:, 1:3], found.position[0])
     np.testing.assert_array_equal(kept[:, 5], found.spin[0])

@@ -32,7 +32,10 @@ from carom.laws.conventional import conventional_reflection
 from carom.laws.law import CONTACT_WALL, NO_SLIP_WALL, ROLLING_WALL
 from carom.laws.no_slip import no_slip_bounce
 
-__all__ = ["OrbitLoops", "at_corner", "bounce", "compiled_loops", "fly", "follow", "follow_many"]
+__all__ = ["MEMORY", "OrbitLoops", "at_corner", "bounce", "compiled_loops", "fly", "follow", "follow_many"]
+
+# What an orbit goes on from: time, displacement of its periodic cell (2), bounces, energy, position in the cell, velocity, spin.
+MEMORY = 14
 
 
 @hot_kernel
@@ -96,24 +99,39 @@ def at_corner(world: Any, pieces: Any, i: int, x: Vec) -> bool:
 
 
 def follow(  # noqa: PLR0915  (one loop, from the first bounce to the last)
-    world: Any, pieces: Any, x: Vec, v: Vec, w: Vec, bounces: int, rows: Any, met: Any, last: Any
+    world: Any,
+    pieces: Any,
+    x: Vec,
+    v: Vec,
+    w: Vec,
+    bounces: int,
+    share: int,
+    rows: Any,
+    met: Any,
+    last: Any,
+    memory: Any,
 ) -> tuple[int, int]:
     """Follow one ball for a number of bounces; return why the orbit ended (an index into ENDS) and the bounces made.
+
+    After ``share`` of them it returns (DONE, and fewer than ``bounces``); called again with the same ``memory`` (MEMORY) it goes on
+    with the same bits. A new orbit begins with zeros in there.
 
     ``rows`` (bounces, 6) of t, x, y, vx, vy, spin in the plane, or (bounces, 10) of t, position, velocity, spin in space,
     receives the state just after each bounce, not folded into the periodic cell (length 0: nothing is kept). ``met`` (of the same
     length) receives the pieces, ``last`` (10) time, position, velocity and spin at the end.
     """
-    t = 0.0
-    k = 0
+    t, ax, ay, k = memory[0], memory[1], memory[2], int(memory[3])
     cells = 0
-    ax, ay = 0.0, 0.0
+    if k > 0:
+        x, v = (memory[5], memory[6], memory[7]), (memory[8], memory[9], memory[10])
+        w = (memory[11], memory[12], memory[13])
     keep = len(rows) > 0
     planar = world.planar == 1
     law, a, kappa = world.law, world.a, world.kappa
-    energy = twice_kinetic_energy(v, w, a, kappa) - twice_work(world, x, ax, ay)
+    energy = memory[4] if k > 0 else twice_kinetic_energy(v, w, a, kappa) - twice_work(world, x, ax, ay)
     ended = DONE
-    while k < bounces:
+    until = min(bounces, k + share)
+    while k < until:
         dt, i = next_hit(world, pieces, x, v)
         if i < 0 or not dt < math.inf:
             ended = ESCAPED
@@ -155,6 +173,9 @@ def follow(  # noqa: PLR0915  (one loop, from the first bounce to the last)
     last[0], last[1], last[2], last[3] = t, x[0] + ax, x[1] + ay, x[2]
     last[4], last[5], last[6] = v[0], v[1], v[2]
     last[7], last[8], last[9] = w[0], w[1], w[2]
+    memory[0], memory[1], memory[2], memory[3], memory[4] = t, ax, ay, k, energy
+    for j in range(3):
+        memory[5 + j], memory[8 + j], memory[11 + j] = x[j], v[j], w[j]
     return ended, k
 
 
@@ -163,13 +184,29 @@ _follow: Any = follow
 _prange: Any = range
 
 
-def follow_many(worlds: Any, pieces: Any, starts: Any, bounces: int, rows: Any, met: Any, last: Any, ends: Any) -> None:
-    """Follow every row of ``starts`` (N, 9) independently. The one WORLD is in an array: a parallel loop takes no record."""
+def follow_many(
+    worlds: Any,
+    pieces: Any,
+    starts: Any,
+    bounces: int,
+    share: int,
+    rows: Any,
+    met: Any,
+    last: Any,
+    ends: Any,
+    memory: Any,
+) -> None:
+    """Follow every row of ``starts`` (N, 9) independently, if it has not ended, for at most ``share`` more bounces.
+
+    The one WORLD is in an array: a parallel loop takes no record.
+    """
     for m in _prange(len(starts)):
+        if ends[m].reason != DONE or ends[m].bounces >= bounces:
+            continue
         s = starts[m]
         ended, count = _follow(
-            worlds[0], pieces, (s[0], s[1], s[2]), (s[3], s[4], s[5]), (s[6], s[7], s[8]), bounces,
-            rows[m], met[m], last[m],
+            worlds[0], pieces, (s[0], s[1], s[2]), (s[3], s[4], s[5]), (s[6], s[7], s[8]), bounces, share,
+            rows[m], met[m], last[m], memory[m],
         )  # fmt: skip
         ends[m].reason, ends[m].bounces = ended, count
 
@@ -187,7 +224,8 @@ def compiled_loops() -> OrbitLoops:
     global _follow, _prange  # noqa: PLW0603
     register_calls()
     pieces, table, vec = array_of(PIECES), array_of(float, 2), (float, float, float)
-    one = signature((int, int), WORLD, pieces, vec, vec, vec, int, table, array_of(np.dtype("i4")), array_of(float))
+    row = array_of(float)
+    one = signature((int, int), WORLD, pieces, vec, vec, vec, int, int, table, array_of(np.dtype("i4")), row, row)
     _follow = njit(follow, signature=one, _nrt=False)
     _prange = parallel_range()
     many = signature(
@@ -196,9 +234,11 @@ def compiled_loops() -> OrbitLoops:
         pieces,
         table,
         int,
+        int,
         array_of(float, 3),
         array_of(np.dtype("i4"), 2),
         table,
         array_of(ENDING),
+        table,
     )
     return OrbitLoops(_follow, njit(follow_many, signature=many, parallel=True))

@@ -10,14 +10,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.billiards.loop import compiled_loops
+from carom.billiards.loop import MEMORY, compiled_loops
 from carom.billiards.records import DONE, ENDING, ENDS, POSITION, TIME
 from carom.billiards.setup import OrbitSetup, Start, orbit_setup, start_rows
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
+from carom.core.jit.slices import Pace
 from carom.errors import CaromError
 
 __all__ = [
+    "FIRST_BOUNCES",
     "MAX_KEPT_BYTES",
     "Orbit",
     "final",
@@ -156,6 +158,7 @@ class Orbit:
 
 MAX_KEPT_BYTES = 4e9
 BOUNCES_PER_REPORT = 10_000_000
+FIRST_BOUNCES = 1 << 18  # of all orbits, in the first call of the compiled loop
 
 
 def orbit(
@@ -313,13 +316,18 @@ def _loop(
     # the loop expects positions in the first periodic cell
     shift = rows[:, :3] - setup.shape.folded(rows[:, :3])
     rows = rows - np.concatenate([shift, np.zeros((len(rows), 6))], axis=1)
-    last, ends = np.empty((len(rows), 10)), np.zeros(len(rows), ENDING)
+    last, ends, memory = np.empty((len(rows), 10)), np.zeros(len(rows), ENDING), np.zeros((len(rows), MEMORY))
+    pace = Pace(FIRST_BOUNCES)
     share = max(1, len(rows) if progress is None else min(len(rows), BOUNCES_PER_REPORT // bounces))
     for k in range(0, len(rows), share):
         here = slice(k, k + share)
-        compiled_loops().many(
-            setup.world, setup.pieces, rows[here], bounces, kept[here], piece[here], last[here], ends[here]
-        )
+        while ((ends[here]["reason"] == DONE) & (ends[here]["bounces"] < bounces)).any():
+            more = pace.begin()
+            compiled_loops().many(
+                setup.world, setup.pieces, rows[here], bounces, max(more // len(rows[here]), 1), kept[here], piece[here],
+                last[here], ends[here], memory[here],
+            )  # fmt: skip
+            pace.done(more)
         if progress is not None:
             progress(min(k + share, len(rows)) * bounces, len(rows) * bounces)
     if shift.any():

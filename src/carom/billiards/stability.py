@@ -8,12 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.billiards.orbits import orbit_from_setup, require_integer
+from carom.billiards.orbits import FIRST_BOUNCES, orbit_from_setup, require_integer
 from carom.billiards.records import DONE, ENDING, ENDS, POSITION, TIME, VELOCITY
 from carom.billiards.setup import OrbitSetup, orbit_setup
 from carom.billiards.tables import Table
 from carom.billiards.tangent import compiled_tangent_loop
 from carom.bodies import Ball, Surface
+from carom.core.jit.slices import Pace
 from carom.errors import CaromError
 from carom.laws.law import CALLED_WALL
 
@@ -144,6 +145,27 @@ def _after_first_bounce(setup: OrbitSetup, start: Any) -> tuple[Array, tuple[int
     return states, np.shape(begin.count), normals
 
 
+def _follow(
+    setup: OrbitSetup,
+    states: Array,
+    bounces: int,
+    vectors: Array,
+    sums: Array,
+    every: int,
+    last: Array,
+    ends: NDArray[np.void],
+) -> None:
+    """Run the compiled loop in slices, each from where the one before has ended (``every``: 0 or 1)."""
+    loop, pace, done = compiled_tangent_loop(), Pace(FIRST_BOUNCES), 0
+    last[:, TIME] = 0.0
+    while done < bounces and (ends["reason"] == DONE).any():
+        share = min(max(pace.begin() // len(states), 1), bounces - done)
+        loop(setup.world, setup.pieces, states, share, vectors, sums, every, last, ends)
+        states = np.where((ends["reason"] == DONE)[:, None], last[:, 1:], states)
+        pace.done(share * len(states))
+        done += share
+
+
 def tangent_map(
     table: Table,
     start: Any,
@@ -192,7 +214,7 @@ def tangent_map(
     k = vectors.shape[1]
     last, ends = np.empty((len(states), 10)), np.zeros(len(states), ENDING)
     sums = np.zeros((len(states), k))
-    compiled_tangent_loop()(setup.world, setup.pieces, states, bounces, vectors, sums, 0, last, ends)
+    _follow(setup, states, bounces, vectors, sums, 0, last, ends)
     if (ends["reason"] != DONE).any():
         raise CaromError(
             f"tangent_map: start: expected {bounces} more bounces, got an orbit that ended: {ENDS[int(ends['reason'].max())]}"
@@ -257,7 +279,8 @@ def lyapunov(
     for block in range(blocks):
         share = bounces * (block + 1) // blocks - done
         before = sums.copy()
-        compiled_tangent_loop()(setup.world, setup.pieces, states, share, vectors, sums, 1, last, ends)
+        ends = np.zeros(len(states), ENDING)
+        _follow(setup, states, share, vectors, sums, 1, last, ends)
         bad = np.where(bad != 0, bad, ends["reason"])
         states = np.where((bad == DONE)[:, None], last[:, 1:], states)
         time += last[:, TIME]

@@ -122,9 +122,9 @@ def follow_tangents(
 
     ``vectors`` (K, 9): displacements of position, velocity and spin, overwritten by their images. With ``every`` > 0 they are
     orthonormalised after every so many bounces (Gram-Schmidt, twice) and the logarithms of their lengths are added to ``sums``
-    (K); the first vector keeps its direction. ``last`` (10): time, position, velocity and spin at the end.
+    (K); the first vector keeps its direction. ``last`` (10): time, position, velocity and spin at the end; the time is added to.
     """
-    t = 0.0
+    t = last[0]
     k = 0
     met = -1
     ended = DONE
@@ -203,8 +203,10 @@ _prange: Any = range
 def follow_tangents_many(
     worlds: Any, pieces: Any, starts: Any, bounces: int, vectors: Any, sums: Any, every: int, last: Any, ends: Any
 ) -> None:
-    """Apply :func:`follow_tangents` to every row of ``starts`` (N, 9), ``vectors`` (N, K, 9), ``sums`` (N, K)."""
+    """Apply :func:`follow_tangents` to every row of ``starts`` (N, 9), ``vectors`` (N, K, 9), ``sums`` (N, K) that goes on."""
     for m in _prange(len(starts)):
+        if ends[m].reason != DONE:
+            continue
         s = starts[m]
         ended, count, met = _follow_tangents(
             worlds[0], pieces, (s[0], s[1], s[2]), (s[3], s[4], s[5]), (s[6], s[7], s[8]), bounces,

@@ -9,6 +9,7 @@ import numpy as np
 import sympy as sp
 
 from carom.core.jit.compile import njit
+from carom.core.jit.slices import row_slices
 from carom.derive.jump import Jump
 from carom.derive.linear import Expr, atoms_of
 from carom.derive.system import Speeds
@@ -76,7 +77,8 @@ def compile_jump(jump: Jump, speeds: Speeds, arguments: Sequence[Expr] | None = 
         shape = arrays[0].shape
         rows = np.stack([a.reshape(-1) for a in arrays], axis=-1)
         out = np.empty((rows.shape[0], count))
-        rows_of(rows, out)
+        for part in row_slices(len(rows)):
+            rows_of(rows[part], out[part])
         out = out.reshape((*shape, count))
         return out[..., :split], out[..., split:-1], out[..., -1]
 

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Ball, Surface
+from carom.core.jit.slices import row_slices
 from carom.errors import CaromError, FaultList
 from carom.gas.containers import Container, as_container
 from carom.gas.edmd.driver import advance, make, synchronized, time_of_last_event
@@ -196,10 +197,11 @@ def scattered(
         tried += len(batch)
         batch[:, axes:] = 0
         free = container.clearance(0.0, batch)
-        placed = _compiled()(
-            x, radii[order], placed, batch, free if thick else np.where(free >= 0, math.inf, -1.0), size, around, cells, first,
-            after, axes,
-        )  # fmt: skip
+        gap = free if thick else np.where(free >= 0, math.inf, -1.0)
+        for some in row_slices(len(batch)):
+            placed = _compiled()(
+                x, radii[order], placed, batch[some], gap[some], size, around, cells, first, after, axes
+            )
     found = np.zeros_like(x)
     found[order] = x
     return found

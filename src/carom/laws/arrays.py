@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Ball, State
 from carom.core.jit.kernel import Vec, kernel, prange
+from carom.core.jit.slices import sliced
 from carom.core.motion.phases import ROUNDING
 from carom.errors import MAX_MAGNITUDE, CaromError, broadcast_shape, first_bad_index, float_array, require_type
 
@@ -200,8 +201,8 @@ def _compiled(loop: Callable[..., None]) -> Callable[..., None]:
 
 
 def loop_for(loop: Callable[..., None], rows: int) -> Callable[..., None]:
-    """Return the loop: in Python for a few rows, compiled for many."""
-    return _quiet(loop) if rows < FEW else _compiled(loop)
+    """Return the loop: in Python for a few rows, compiled and in slices for many."""
+    return _quiet(loop) if rows < FEW else sliced(_compiled(loop), rows)
 
 
 def _quiet(loop: Callable[..., None]) -> Callable[..., None]:

@@ -14,7 +14,7 @@ from carom.core.jit.background import compile_in_background
 from carom.core.jit.compile import array_of, cache_folder, njit, parallel_range, signature
 from carom.laws.callbacks import register_calls
 from carom.scene.scene import Scene
-from carom.simulation.loop import QUIET, finish, run
+from carom.simulation.loop import LIMIT, QUIET, finish, run
 from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.resolve import DONE
 from carom.simulation.wall_and_floor import PART, register_joint_impact
@@ -87,7 +87,18 @@ def compiled_many() -> Callable[..., Any]:
     _prange = parallel_range()
     features, users, ended = array_of(FEATURES), array_of(int), array_of(int, 2)
     many = signature(
-        None, array_of(WORLD), features, array_of(BALLS, 2), array_of(LOG, 2), float, int, users, int, ended
+        None,
+        array_of(WORLD),
+        features,
+        array_of(BALLS, 2),
+        array_of(LOG, 2),
+        array_of(float),
+        float,
+        int,
+        int,
+        users,
+        int,
+        ended,
     )
     return njit(_many, signature=many, parallel=True)
 
@@ -98,13 +109,20 @@ _prange: Any = range
 
 
 def _many(
-    worlds: Any, features: Any, balls: Any, logs: Any, until: float, most: int, users: Any, keep: int, ended: Any
-) -> None:
-    """Run every row of ``balls`` (N, B) by itself; ``logs`` (N, M), ``ended`` (N, 3): status, events, rows or ball."""
+    worlds: Any, features: Any, balls: Any, logs: Any, slow: Any, until: float, most: int, share: int, users: Any, keep: int,
+    ended: Any,
+) -> None:  # fmt: skip
+    """Run every row of ``balls`` (N, B) by itself, for at most ``share`` more events; ``logs`` (N, M), ``slow`` (N,) as in run.
+
+    ``ended`` (N, 3): status, events, rows so far. A run goes on while its status is LIMIT, with fewer than ``most`` events.
+    """
     for n in _prange(balls.shape[0]):
-        status, events, rows, ball, _slow, last = _run(
-            worlds, features, balls[n], logs[n], -1.0, until, most, users, keep
-        )
-        ended[n, 0], ended[n, 1], ended[n, 2] = status, events, rows if ball < 0 else ball
-        # (no end was given, or it was not reached: the last event's time)
-        _finish(worlds, balls[n], until if until < math.inf and status in (DONE, QUIET) else last)
+        before, written = ended[n, 1], ended[n, 2]
+        if ended[n, 0] == LIMIT and before < most:
+            status, events, rows, _ball, slow[n], last = _run(
+                worlds, features, balls[n], logs[n][written:], slow[n], until, min(share, most - before), users, keep
+            )
+            ended[n, 0], ended[n, 1], ended[n, 2] = status, before + events, written + rows
+            if status != LIMIT or before + events >= most:
+                # (no end was given, or it was not reached: the last event's time)
+                _finish(worlds, balls[n], until if until < math.inf and status in (DONE, QUIET) else last)

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from carom.core.geometry.features import OVER, distance
 from carom.core.jit.kernel import vector
+from carom.core.jit.slices import row_slices
 from carom.simulation.setup import SceneArrays
 
 __all__ = ["overlapping"]
@@ -47,5 +48,7 @@ def _compiled() -> Callable[..., None]:
 def overlapping(setup: SceneArrays, balls: NDArray[np.void]) -> NDArray[np.bool_]:
     """Return (N,) which of the initial states ``balls`` (N, B) overlap a wall, the floor, or each other, by more than 1e-9 a."""
     bad = np.zeros(len(balls), dtype=bool)
-    _compiled()(setup.world, setup.features, balls, bad)
+    check = _compiled()
+    for rows in row_slices(len(balls), 1024):
+        check(setup.world, setup.features, balls[rows], bad[rows])
     return bad

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import State, vectors
+from carom.core.jit.slices import Pace
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, FaultList, require_type
 from carom.scene.scene import Scene
@@ -27,6 +28,8 @@ __all__ = ["MOST_EVENTS", "ManyRuns", "simulate", "simulate_many"]
 Array = NDArray[np.float64]
 # Where a scene names no end: a ball between elastic walls would never stop.
 MOST_EVENTS = 100_000
+# Events of all runs of a block in the first call of the compiled loop.
+FIRST_EVENTS = 1 << 16
 # Rows of the log that the loop fills before it is called again: enough for a shot, then more each time.
 FIRST_ROWS, MOST_ROWS = 128, 65_536
 
@@ -90,7 +93,9 @@ def simulate(scene: Scene, progress: Callable[[int, float], None] | None = None)
     loop = run_interpreted if interpreted else compiled_engine().run
     log, parts = _rows(FIRST_ROWS + len(balls)), []
     events, status, slow = 0, FULL, -1.0
+    pace = Pace(len(log))
     while status == FULL:
+        pace.begin()
         answer = loop(world, features, balls, log, slow, until, most - events, users, ALL)
         if answer is not None:
             status, more, written, at_fault, slow, last = answer
@@ -100,7 +105,9 @@ def simulate(scene: Scene, progress: Callable[[int, float], None] | None = None)
             if interpreted and (answer is None or not worth_interpreting(scene)):
                 interpreted, loop = False, compiled_engine().run
                 world, features, _balls, users = set_up(scene)
-            log = _rows(len(log) if interpreted else min(4 * len(log), MOST_ROWS))
+            if answer is not None:
+                pace.done(written)
+            log = _rows(len(log) if interpreted else max(min(pace.amount, MOST_ROWS), FIRST_ROWS))
             if progress is not None and answer is not None:
                 progress(events, last)
     if status not in (DONE, QUIET, LIMIT):
@@ -275,13 +282,22 @@ def _run_many(
 ) -> ManyRuns:
     many = compiled_many()
     total = len(balls)
-    ended = np.zeros((total, 3), np.int64)
+    ended, slow = np.zeros((total, 3), np.int64), np.full(total, -1.0)
+    ended[:, 0] = LIMIT
     kept = np.zeros((total, events), LOG)
     room = events + ROWS - 1 if events else 0
     for first in range(0, total, BLOCK):
         block = slice(first, min(first + BLOCK, total))
         logs = np.zeros((block.stop - block.start, room), LOG)
-        many(setup.world, setup.features, balls[block], logs, until, most, setup.users, _bits(kinds), ended[block])
+        pace, goes_on = Pace(FIRST_EVENTS), True
+        while goes_on:  # (a few events of every run at a time)
+            share = pace.begin()
+            many(
+                setup.world, setup.features, balls[block], logs, slow[block], until, most, max(share // len(logs), 1),
+                setup.users, _bits(kinds), ended[block],
+            )  # fmt: skip
+            pace.done(share)
+            goes_on = bool(((ended[block, 0] == LIMIT) & (ended[block, 1] < most)).any())
         kept[block] = logs[:, :events]
         if progress is not None:
             progress(block.stop, total)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from carom.core.jit.compile import is_cached, njit
 from carom.core.jit.kernel import vector
 from carom.core.jit.objects import as_objects, write_back
+from carom.core.jit.slices import sliced
 from carom.core.motion.phases import BOUNCING, HELD
 from carom.core.motion.rotation import turned, turned_bouncing
 from carom.simulation.loop import move_by
@@ -66,7 +67,7 @@ def _run(loop: Callable[..., None], world: Any, balls: Any, after: Array, *q: Ar
             for one, new in zip(q, turned_q, strict=True):
                 one[:] = new
             return
-    _compiled(loop)(world, balls, after, *q)
+    sliced(_compiled(loop), count)(world, balls, after, *q)
 
 
 def _rows(balls: Any, which: Any, log: Any) -> Any:

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.jit.slices import Pace
 from carom.gas.edmd import loop
 from carom.gas.edmd.calendar import calendar_sizes
 from carom.gas.edmd.cells import SLOTS, morton_offsets, neighbour_tables, walls_of_cells
@@ -17,6 +18,7 @@ from carom.gas.edmd.records import (
     BODY,
     ELLIPSE,
     FACE,
+    LIMIT,
     MOTION,
     PAIR,
     PLAN,
@@ -41,6 +43,7 @@ __all__ = [
 ]  # fmt: skip
 
 BINS_PER_BALL = 4  # of the calendar
+FIRST_STEPS = 1 << 16  # of the first call of the compiled loop
 CACHE_LINE = 64  # bytes
 
 # The arrays from which all others follow: the state of a gas, as it is saved, and the type of each one's elements.
@@ -237,7 +240,18 @@ def _features(arrays: GasArrays) -> Features | None:
 
 def advance(arrays: GasArrays, until: float, max_collisions: int) -> None:
     """Advance to a time, or by so many collisions; ``system["status"]`` says which came first."""
-    _compiled().run(arrays.system[0], *arrays[1:], until, max_collisions, _features(arrays))
+    run, one, features = _compiled().run, arrays.system[0], _features(arrays)
+    last, pace = _collisions(one) + max_collisions, Pace(FIRST_STEPS)
+    while True:
+        steps = pace.begin()
+        status = run(one, *arrays[1:], until, last - _collisions(one), steps, features)
+        if status != LIMIT or _collisions(one) >= last:
+            return
+        pace.done(steps)
+
+
+def _collisions(one: Any) -> int:
+    return int(one["pair_collisions"] + one["wall_collisions"])
 
 
 def total_bytes(arrays: Any) -> int:

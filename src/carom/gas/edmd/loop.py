@@ -147,9 +147,11 @@ def _reads_bodies(system: Any, pairs: Any) -> bool:
 @kernel
 def run(  # noqa: PLR0915  (the loop)
     system: Any, balls: Any, materials: Any, walls: Any, calendar: Any, cells: Any, grid: Any, near: Any, scratch: Any,
-    until: float, max_collisions: int, features: Any,
+    until: float, max_collisions: int, max_steps: int, features: Any,
 ) -> int:  # fmt: skip
-    """Process events until a time (later ones stay planned), or until so many more collisions, with walls included.
+    """Process events until a time (later ones stay planned), or until so many more collisions, with walls included, or steps.
+
+    A step is any event, or the first prediction for a ball: most of a dilute gas's events are borders of cells.
 
     The first nine arguments are :class:`carom.gas.edmd.driver.GasArrays`. Returns why it ended, one of the codes in
     :mod:`carom.gas.edmd.records`.
@@ -168,9 +170,10 @@ def run(  # noqa: PLR0915  (the loop)
     flat, threshold, scale, growth = system.dimensions == 2, system.threshold, system.scale, system.growth
     far, spins = count > CACHED_BALLS, _reads_bodies(system, pairs)
     virial = system.virial  # (accumulated here, so that the sum is the same in one piece or in many)
-    status = LIMIT
+    status, steps = LIMIT, 0
     ahead = (0, 0, 0)
-    while system.pair_collisions + system.wall_collisions < last and status == LIMIT:
+    while system.pair_collisions + system.wall_collisions < last and status == LIMIT and steps < max_steps:
+        steps += 1
         # the balls to predict for, and which of the cells around are searched: all, or those that come within reach
         i, j = planned, NO_BALL
         x0, x1, y0, y1, z0, z1 = 0, 3, 0, 3, 0, 3
