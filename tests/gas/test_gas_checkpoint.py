@@ -5,6 +5,8 @@ from __future__ import annotations
 import errno
 import json
 import os
+import pickle
+import re
 import resource
 import signal
 from contextlib import contextmanager
@@ -192,6 +194,70 @@ def test_checkpoints_of_a_later_carom(tmp_path, kept):
     with pytest.raises(CaromError, match="other records of 'bodies'"):
         load_checkpoint(later, compiling=lambda: told.append("too early"))
     assert told == ["now"]
+
+
+def _spoiled(array: np.ndarray, how: str) -> np.ndarray:
+    """An array with another type, another shape, or a NaN, or numbers out of range; itself where it cannot have that."""
+    if how == "type":
+        return (
+            array.astype("f4") if array.dtype.names is None and array.dtype.kind == "f" else np.zeros(array.shape, "i2")
+        )
+    if how == "longer":
+        return np.concatenate([array.ravel(), array.ravel()[:1]]) if array.size else np.zeros(1, array.dtype)
+    if how == "flat":
+        return array.reshape(*array.shape, 1)
+    array = array.copy()
+    if how == "nan":
+        if array.dtype.names is not None:
+            name = next(name for name in array.dtype.names if array.dtype[name].base.kind == "f")
+            array[name] = np.nan
+        elif array.dtype.kind == "f":
+            array[...] = np.nan
+    elif array.dtype.names is not None:  # "wild"
+        for name in array.dtype.names:
+            if array.dtype[name].base.kind in "iu":
+                array[name] = 2**31 - 7
+    return array
+
+
+@pytest.mark.parametrize("how", ["type", "longer", "flat", "nan", "wild"])
+@pytest.mark.parametrize("text", [ROUGH, MIXED], ids=["rough", "mixed"])
+def test_an_array_that_is_another(tmp_path, text, how):
+    """One array of a checkpoint has another type, shape or content: refused in one line, and no compiled loop sees it."""
+    session = Session(scene_of(tmp_path, text))
+    session.run(stop=stops([4]))
+    save_checkpoint(session, tmp_path / "c.npz")
+    with np.load(tmp_path / "c.npz") as file:
+        arrays = dict(file)
+    assert any(name.startswith("measures.") for name in arrays)
+    spoiled = {name: _spoiled(array, how) for name, array in arrays.items() if name != "carom_checkpoint"}
+    if how == "wild":  # (counts so far may be any number)
+        spoiled = {f"gas.{name}": spoiled[f"gas.{name}"] for name in ("system", "motions", "plans")}
+    count = 0
+    for name, array in spoiled.items():
+        if (
+            array.dtype == arrays[name].dtype
+            and array.tobytes() == arrays[name].tobytes()
+            and array.shape == arrays[name].shape
+        ):
+            continue
+        np.savez(tmp_path / "other.npz", **arrays | {name: array})
+        assert "expected a checkpoint that this carom can continue" in refused(tmp_path / "other.npz"), name
+        count += 1
+    assert count >= 3
+
+
+def test_numpys_advice_to_load_unsafely_is_not_passed_on(tmp_path, kept):
+    with np.load(kept) as file:
+        arrays = dict(file)
+    objects = tmp_path / "objects.npz"
+    np.savez(objects, allow_pickle=True, **arrays | {"clock": np.array([None, {}, print], dtype=object)})
+    pickled = tmp_path / "pickled.npz"
+    pickled.write_bytes(pickle.dumps({"scene": 1}))
+    for path in (objects, pickled):
+        line = refused(path)
+        assert "got a file that cannot be read (not a file of NumPy)" in line
+        assert not re.search("pickle|unsafe", line.replace("pickled.npz", ""))
 
 
 # --- a full disk ---------------------------------------------------------------------------------------------------

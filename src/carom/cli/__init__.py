@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import importlib
 import os
+import signal
 import sys
 from typing import Annotated
 
@@ -65,7 +66,11 @@ def _run() -> int:
         return int(app(standalone_mode=False) or 0)
     except CaromError as error:
         return _report(error)
-    except Exception as error:  # usage errors: Typer's own class has no public name in all its versions
+    except KeyboardInterrupt:
+        return _interrupted()
+    except Exception as error:  # usage errors: Typer's own classes have no public name in all its versions
+        if type(error).__name__ == "Abort":  # (what Typer makes of Ctrl-C)
+            return _interrupted()
         if not hasattr(error, "format_message"):
             raise
         if type(error).__name__ == "NoArgsIsHelpError":
@@ -73,6 +78,11 @@ def _run() -> int:
         else:
             _print_errors(f"{error.format_message()} (carom --help)")
     return 2
+
+
+def _interrupted() -> int:
+    sys.stderr.write("carom: interrupted\n")
+    return 128 + signal.SIGINT
 
 
 def _report(error: CaromError) -> int:

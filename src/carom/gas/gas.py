@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.errors import CaromError, FaultList
+from carom.errors import CaromError, FaultList, float_or_nan
 from carom.gas.containers import Container, as_container
 from carom.gas.edmd import driver as engine
 from carom.gas.edmd.driver import GasArrays, SystemRecords
@@ -236,9 +236,17 @@ class Gas:
         chunk: int = CHUNK,
     ) -> None:
         """Advance as :meth:`run` does, without measuring. The result does not depend on how a run is divided into pieces."""
-        if collisions is None and until == math.inf:
-            FaultList.add(faults := FaultList("Gas.run"), "until", "a number of collisions or a time", "neither")
-            faults.raise_if_any()
+        faults = FaultList("Gas.run")
+        if isinstance(until, bool) or math.isnan(end := float_or_nan(until)):
+            faults.add("until", "a time, or inf", f"{until!r}")
+        elif collisions is None and end == math.inf:
+            faults.add("until", "a number of collisions or a time", "neither")
+        for name, count, least in (("collisions", collisions, 0), ("chunk", chunk, 1)):
+            if count is not None and (
+                isinstance(count, bool) or not isinstance(count, int | np.integer) or count < least
+            ):
+                faults.add(name, f"a whole number >= {least}", f"{count!r}")
+        faults.raise_if_any()
         most = 1 << 62 if collisions is None else int(collisions)
         before, done = self.collisions, 0
         while done < most:

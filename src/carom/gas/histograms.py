@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.jit.kernel import hot_kernel
+from carom.gas.sizes import cells_at_most
 
 __all__ = ["SUMS", "add_component_histograms", "add_pair_histograms", "species_sums"]
 
@@ -56,7 +57,7 @@ def add_pair_histograms(
     is the largest distance of centres that is counted, at most half of a periodic side.
     """
     # cells of at least reach; of fewer than 3 along a periodic axis all are searched, once
-    n = np.maximum((side / reach).astype(np.int64), 1)
+    n = np.array(cells_at_most((side / reach).tolist(), len(x)), np.int64)
     place = np.clip((x / (side / n)).astype(np.int64), 0, n - 1)
     cell = (place[:, 2] * n[1] + place[:, 1]) * n[0] + place[:, 0]
     order = np.argsort(cell, kind="stable")

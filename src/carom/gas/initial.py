@@ -21,6 +21,7 @@ from carom.errors import CaromError, FaultList
 from carom.gas.containers import Container, as_container
 from carom.gas.edmd.driver import advance, make, synchronized, time_of_last_event
 from carom.gas.edmd.records import DONE, PLANE
+from carom.gas.sizes import cells_at_most, lattice_steps
 from carom.gas.species import Species, system_records
 
 __all__ = ["dense", "first_overlap", "lattice", "scattered", "thermal"]
@@ -92,8 +93,7 @@ def _stretched(count: int, side: Sequence[float], margins: Sequence[float]) -> A
     inner = np.array(side, dtype=float) - 2 * np.array(margins)
     basis = [(0, 0, 0), (1, 1, 0), (1, 0, 1), (0, 1, 1)] if len(inner) == 3 else [(0, 0), (1, 1)]
     # steps along each axis: the cells nearly cubic, and enough sites
-    step = (inner.prod() * len(basis) / count) ** (1 / len(inner))
-    steps = np.maximum(np.round(inner / step), 1).astype(int)
+    steps = np.maximum(np.round(lattice_steps(inner.tolist(), count, len(basis))), 1).astype(int)
     while steps.prod() * len(basis) < count:
         steps[np.argmax(inner / steps)] += 1
     corners = np.stack(np.meshgrid(*(np.arange(n) for n in steps), indexing="ij"), axis=-1).reshape(-1, 1, len(inner))
@@ -183,7 +183,7 @@ def scattered(
     thick = all(face.bounds_surfaces for face in container.faces)
     radii = np.array(radius, dtype=float)
     order = np.argsort(-radii, kind="stable")
-    cells = np.maximum((size / (2 * radii.max())).astype(np.int64), 1)
+    cells = np.array(cells_at_most((size / (2 * radii.max())).tolist(), len(radii)), np.int64)
     cells[axes:] = 1
     first, after = np.full(cells.prod(), -1, np.int64), np.full(len(radii), -1, np.int64)
     x, placed, tried = np.zeros((len(radii), 3)), 0, 0

@@ -21,6 +21,7 @@ from carom.gas.edmd.driver import synchronized
 from carom.gas.edmd.records import PLANE
 from carom.gas.gas import Gas
 from carom.gas.histograms import add_component_histograms, add_pair_histograms, species_sums
+from carom.gas.state import require_same_form
 
 __all__ = ["SERIES", "Displacement", "Distribution", "Measures", "PairCorrelation", "mean_square_displacement"]
 
@@ -316,8 +317,16 @@ class Measures:
         cls, gas: Gas, names: tuple[str, ...], container: Container | None, state: dict[str, NDArray[Any]]
     ) -> Measures:
         """Return the measures with a :meth:`state`, to continue."""
-        found = object.__new__(cls)
-        found._set_constants(gas, names, container)
+        found = cls(gas, names, container)
+        free = {"rows": (len(state["rows"]), len(SERIES)), "followed": state["followed"].shape}
+        if len(state["rows"]) == 0:
+            free["rows"] = (0,)
+        for name in STATE:
+            fresh = np.array(getattr(found, name))
+            require_same_form(name, state[name], fresh.dtype, free.get(name, fresh.shape))
+        moved = (len(state["rows"]), min(len(gas.arrays.balls.motions), MAX_FOLLOWED), found.dimensions)
+        if state["followed"].shape != (moved if found.has_diffusion and len(state["rows"]) else (0,)):
+            raise ValueError(f"'followed' of shape {state['followed'].shape}, not {moved}")
         for name in STATE:
             setattr(found, name, state[name].copy())
         found.samples, found.pair_samples = int(state["samples"]), int(state["pair_samples"])

@@ -16,6 +16,7 @@ from carom.gas.containers import JOINT_OVERLAP, WALLS
 from carom.gas.edmd.records import ELLIPSE, MAX_BALLS
 from carom.gas.initial import DENSEST
 from carom.gas.schema import GasContact, GasContainer, GasDrive, GasSettings, GasSpecies, GasThermostat
+from carom.gas.sizes import LONGEST_SIDE
 from carom.scene.schema import Components, Fault, Model, Number, Unquoted, raise_faults
 
 __all__ = ["GasScene", "gas_faults"]
@@ -227,11 +228,16 @@ def _density_faults(scene: GasScene) -> list[Fault]:
     found = []
     axes, container = scene.container.dimensions, scene.container.geometry
     widest = 2 * max(one.radius for one in scene.species)
+    longest = LONGEST_SIDE * min(one.radius for one in scene.species)
     for axis, (length, around) in enumerate(zip(container.size, container.periodic, strict=True)):
         if length < (3 if around else 1) * widest:
             least = "3 diameters of the largest ball" if around else "the diameter of the largest ball"
             why = "in a shorter periodic box a ball could meet another and its image" if around else ""
             expected = f"at least {least}, {format_number(3 * widest if around else widest, 6)}"
+            found.append(Fault(expected, length, why, ("container", "size", axis)))
+        elif length > longest:
+            expected = f"at most {LONGEST_SIDE:g} radii of the smallest ball, {format_number(longest, 6)}"
+            why = "positions would be rounded by more than such a ball can be off"
             found.append(Fault(expected, length, why, ("container", "size", axis)))
     narrow = min((min(wall.vector[:2]) for wall in container.faces if wall.form == ELLIPSE), default=math.inf)
     if not found and widest / 2 > narrow * (1 - JOINT_OVERLAP):

@@ -11,11 +11,11 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.gas.build import build
-from carom.gas.edmd.driver import STATE
 from carom.gas.gas import Gas, raise_at_rest
 from carom.gas.measures import Measures
 from carom.gas.results import GasRun, Mark
 from carom.gas.scene import GasScene
+from carom.gas.state import require_state
 
 __all__ = ["SAMPLES", "Session"]
 
@@ -139,6 +139,8 @@ class Session:
         ``progress`` is called some ten times per second. ``snapshot`` is called when the measurement begins, and then every so many
         collisions (``every`` an int) or every so much simulated time (a float). What these raise ends the run.
         """
+        if every is not None and not (isinstance(every, int | float) and 0 < every < math.inf):
+            raise CaromError(f"Session.run: every: expected a whole number >= 1, or a time > 0, got {every!r}")
         while True:
             if snapshot is not None and every is not None and self.mark is not None:
                 self._take_snapshot(every, snapshot)
@@ -246,14 +248,11 @@ class Session:
     @classmethod
     def restore(cls, scene: GasScene, state: State, compiling: Callable[[], None] | None = None) -> Session:
         """Return the session with a :meth:`state`. ``compiling`` is called when the state is known to be complete."""
-        gas = _part(state, "gas.")
-        _require_gas_state(gas)
-        if lost := [name for name in ("session", "clock") if name not in state]:
-            raise KeyError(lost[0])
+        require_state(scene, state)
         if compiling is not None:
             compiling()
         found = object.__new__(cls)
-        found._set(scene, Gas.restore(gas))
+        found._set(scene, Gas.restore(_part(state, "gas.")))
         found.first_collision, found.last_sample_collisions, found.sample_interval, found.snapshots_taken, timed = map(
             int, state["session"]
         )
@@ -273,17 +272,6 @@ class Session:
             )
             found.measures = Measures.restore(found.gas, found.names, scene.container.geometry, measures)
         return found
-
-
-def _require_gas_state(gas: State) -> None:
-    """Raise KeyError where an array of a gas is missing, TypeError where it has other records, before anything is compiled."""
-    for name in (*STATE, "names", "time"):
-        if name not in gas:
-            raise KeyError(name)
-        if name in STATE and gas[name].dtype != STATE[name]:
-            raise TypeError(f"other records of {name!r}")
-    if not np.array_equal(np.sort(gas["numbers"]), np.arange(len(gas["motions"]))):
-        raise TypeError("the balls' numbers")
 
 
 def _max_wait(scene: GasScene, gas: Gas) -> float:

@@ -15,6 +15,7 @@ from carom.errors import FaultList, checked_number, require_type, suggestion
 from carom.gas.containers import JOINT_OVERLAP, WALLS, Container
 from carom.gas.edmd.driver import SystemRecords
 from carom.gas.edmd.records import ELLIPSE, FACE, MAX_BALLS, PAIR, SPECIES, SYSTEM, WALL_CONTACT
+from carom.gas.sizes import LONGEST_SIDE, cells_at_most
 
 __all__ = ["Contacts", "Drive", "Species", "Thermostat", "system_records"]
 
@@ -174,13 +175,16 @@ def _coefficients(surface: Surface) -> tuple[float, float, float]:
     return float(surface.restitution), float(surface.friction), float(surface.tangential_restitution)
 
 
-def _set_cells(faults: FaultList, one: Any, container: Container, widest: float, count: int) -> None:
+def _set_cells(faults: FaultList, one: Any, container: Container, widest: float, longest: float, count: int) -> None:
     """Divide the box into cells of at least a diameter, not many more of them than balls."""
+    if max(container.size) > longest:
+        expected = f"at most {LONGEST_SIDE:g} radii of the smallest ball ({longest:g})"
+        faults.add("side", expected, f"{max(container.size):g}")
     size, axes = np.array(container.size), len(container.size)
     width = max(widest, (BALLS_PER_CELL * size.prod() / count) ** (1 / axes))
-    for axis in range(axes):
-        n = max(int(size[axis] / width), min(3, int(size[axis] / widest)))
-        if n < (3 if container.periodic[axis] else 1):
+    wanted = [max(int(length / width), min(3, int(length / widest))) for length in size.tolist()]
+    for axis, n in enumerate(cells_at_most(wanted, count)):
+        if wanted[axis] < (3 if container.periodic[axis] else 1):
             least = "three diameters" if container.periodic[axis] else "one diameter"
             faults.add(
                 "side", f"at least {least} of the largest ball ({widest:g})", f"{size[axis]:g} along axis {axis}"
@@ -267,7 +271,8 @@ def system_records(
         rotational = thermostat.temperature_rotational
         one["spin_temperature"] = thermostat.temperature if rotational is None else rotational
     widest = max(float(one.ball.radius) for one in species)
-    _set_cells(faults, one, container, 2 * widest, count)
+    longest = LONGEST_SIDE * min(float(one.ball.radius) for one in species)
+    _set_cells(faults, system[0], container, 2 * widest, longest, count)
     for face in container.faces:
         if face.form == ELLIPSE and not widest < min(face.vector[:2]) * (1 - JOINT_OVERLAP):
             faults.add(

@@ -105,9 +105,11 @@ def simulate(scene: Scene, progress: Callable[[int, float], None] | None = None)
             if interpreted and (answer is None or not worth_interpreting(scene)):
                 interpreted, loop = False, compiled_engine().run
                 world, features, _balls, users = set_up(scene)
+            rows = 4 * len(log)
             if answer is not None:
                 pace.done(written)
-            log = _rows(len(log) if interpreted else max(min(pace.amount, MOST_ROWS), FIRST_ROWS))
+                rows = max(pace.amount, FIRST_ROWS)
+            log = _rows(len(log) if interpreted else min(rows, MOST_ROWS))
             if progress is not None and answer is not None:
                 progress(events, last)
     if status not in (DONE, QUIET, LIMIT):

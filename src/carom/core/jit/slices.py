@@ -39,7 +39,7 @@ class Pace:
         self.amount = max(int(amount * share), 1)
 
 
-def row_slices(count: int, first: int = 1 << 15) -> Iterator[slice]:
+def row_slices(count: int, first: int = 1 << 12) -> Iterator[slice]:
     """Yield slices that cover ``count`` rows; how long they are follows from how long the caller takes with each."""
     pace, start = Pace(first), 0
     while start < count:
@@ -49,7 +49,7 @@ def row_slices(count: int, first: int = 1 << 15) -> Iterator[slice]:
         start = rows.stop
 
 
-def sliced(loop: Callable[..., Any], count: int, first: int = 1 << 15) -> Callable[..., None]:
+def sliced(loop: Callable[..., Any], count: int, first: int = 1 << 12) -> Callable[..., None]:
     """Return a loop over ``count`` rows that is run slice by slice: of arrays with so many rows, or flat ones of vectors, a part.
 
     What has another length is the same for all rows and is passed on whole.
