@@ -1,10 +1,10 @@
-"""How far a verdict carries: whether the best law describes the data at all, and which contacts the data cover.
+"""Validity of a verdict: whether the best law describes the data, and which contacts the data cover.
 
-Two tests of the best law by itself. Where error bars are given, the probability of its chi^2. And whether its residuals still
-depend on incidence, speed, spin or slip: rows in the order of one of these, von Neumann's ratio of the ranks of their residuals
-(Bartels, J. Am. Stat. Assoc. 77, 40 (1982)), which is 2 where neighbours are independent and smaller where they err together. The
-second needs no error bars, so that it can reject a law whose scatter was estimated. Its probability counts all orders that were
-looked at.
+The best law is tested in two ways. If error bars are given, by the probability of its chi^2. And by the dependence of its
+residuals on incidence, speed, spin or slip: with the rows sorted by one of these, von Neumann's ratio of the ranks of their
+residuals (Bartels, J. Am. Stat. Assoc. 77, 40 (1982)) is 2 if neighbours are independent, and smaller if they are correlated. The
+second test needs no error bars, so that it can reject a law whose scatter was estimated. Its probability is corrected for the
+number of orders tested.
 """
 
 from __future__ import annotations
@@ -24,24 +24,24 @@ __all__ = ["Adequacy", "Coverage", "adequacy", "coverage"]
 Array = NDArray[np.float64]
 LEAST_ROWS = 10  # for the test of residuals
 OUTPUTS = ("v_n", "v_t", "spin")
-# Fewer rows, or a smaller range, and odds do not carry over to other contacts
+# With fewer rows, or a smaller range, odds do not apply to other contacts
 NARROW_ROWS, NARROW_ANGLE, NARROW_SPEED = 20, 15.0, 1.5  # rows; degrees; ratio of fastest to slowest
 
 
 @dataclass(frozen=True)
 class Adequacy:
-    """Whether a law, fitted, describes the data."""
+    """Tests of whether a fitted law describes the data."""
 
     chi2_probability: float
-    """Of a chi^2 at least as large by chance; NaN where scatter was estimated, or errors have heavy tails."""
+    """Probability of a chi^2 at least as large by chance; NaN if scatter was estimated, or errors have heavy tails."""
     pattern_probability: float
-    """Of residuals at least as dependent by chance; NaN where there are too few rows."""
+    """Probability of residuals at least as dependent by chance; NaN if there are too few rows."""
     pattern: str
-    """Which residuals, and on what they depend most."""
+    """The residuals with the strongest dependence, and the quantity on which they depend."""
     scattered: bool
-    """Whether the scatter between contacts was fitted, beyond error bars."""
+    """Whether scatter between contacts was fitted in addition to the error bars."""
     enlarge: float
-    """Factor on the error bars with which chi^2 equals the degrees of freedom; 1 where chi^2 is likely."""
+    """Factor on the error bars for which chi^2 equals the degrees of freedom; 1 if chi^2 is likely."""
 
     @property
     def chi2_likely(self) -> bool:
@@ -54,7 +54,7 @@ class Adequacy:
         return self.chi2_likely and not self.pattern_probability <= UNLIKELY
 
     def as_dict(self) -> dict[str, object]:
-        """Return what JSON holds of it."""
+        """Return the tests for JSON."""
         return {
             "chi2_probability": finite(self.chi2_probability),
             "residual_pattern_probability": finite(self.pattern_probability),
@@ -68,15 +68,15 @@ class Adequacy:
             return chi2
         why = "with a fitted scatter" if self.scattered else "without error bars"
         if math.isnan(self.pattern_probability):
-            return f"nothing tests it by itself {why}"
+            return f"its goodness of fit cannot be tested {why}"
         return (
-            f"its residuals show no pattern (p = {self.pattern_probability:.2g}); {why} nothing else tests it by itself"
+            f"its residuals show no pattern (p = {self.pattern_probability:.2g}); {why} no other test of it is possible"
         )
 
 
 @dataclass(frozen=True)
 class Coverage:
-    """The contacts from which a verdict comes."""
+    """The contacts on which a verdict is based."""
 
     rows: int
     angle: tuple[float, float]
@@ -88,7 +88,7 @@ class Coverage:
 
     @property
     def narrow(self) -> str:
-        """In what the range is small, in words; empty where it is not."""
+        """Quantities of which the range is small, in words; empty if there are none."""
         found = []
         if self.rows < NARROW_ROWS:
             found.append(f"{self.rows} rows are few")
@@ -107,7 +107,7 @@ class Coverage:
         return f"{self.rows} rows, incidence {_range(*self.angle, '°')}, {_range(*self.speed, ' m/s')}, {spin}"
 
     def as_dict(self) -> dict[str, object]:
-        """Return what JSON holds of it."""
+        """Return the coverage for JSON."""
         return {
             "rows": self.rows, "incidence_deg": list(self.angle), "speed": list(self.speed),
             "spin": None if self.spin is None else list(self.spin), "narrow": self.narrow or None,
@@ -141,12 +141,12 @@ def adequacy(fit: Fit) -> Adequacy:
 
 
 def _pattern(fit: Fit) -> tuple[float, str]:
-    """Return the probability of the strongest dependence of residuals, all that were looked at counted, and its words."""
+    """Return the probability of the strongest dependence of residuals, corrected for the number of tests, and its name."""
     problem = fit.problem
     v_n, v_t, spin = problem.x.T
     speed, slip = np.hypot(v_n, v_t), v_t - problem.setting.radius * spin
     gap = (problem.y - fit.predicted()) / np.sqrt(np.where(problem.vy > 0, problem.vy, 1.0))
-    # what comes from one side and from the other is the same, mirrored
+    # contacts from both sides are equivalent by reflection
     side, slips = (np.where(along < 0, -1.0, 1.0) for along in (v_t, slip))
     orders = {
         "incidence": (np.abs(v_t) / v_n, side), "speed": (speed, side), "spin": (side * spin / speed, side),
@@ -168,7 +168,7 @@ def _pattern(fit: Fit) -> tuple[float, str]:
 
 
 def _serial_probability(residuals: Array) -> float:
-    """Return the probability of ranks that follow each other so closely by chance (Bartels 1982, normal approximation)."""
+    """Return the probability that successive ranks are as close by chance (Bartels 1982, normal approximation)."""
     from scipy.stats import norm, rankdata
 
     n, ranks = len(residuals), rankdata(residuals)

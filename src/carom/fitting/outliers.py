@@ -90,6 +90,6 @@ def _moved(fit: Fit, steady: Fit, rows: list[Outlier]) -> list[str]:
     which = f"{rows[0].row} alone" if len(rows) == 1 else f"{len(rows)} outliers, {rows[0].row} first,"
     decide = "decides" if len(rows) == 1 else "decide"
     return [
-        f"{which} {decide} the parameters of {fit.law.name}: {', '.join(moved)} by a robust fit (heavy tails); check what happened"
-        " there, leave it out if it was no such bounce, or fit with --robust"
+        f"{which} {decide} the parameters of {fit.law.name}: {', '.join(moved)} by a robust fit (heavy tails); check these rows,"
+        " remove those that are not such bounces, or fit with --robust"
     ]

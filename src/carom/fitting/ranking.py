@@ -237,9 +237,7 @@ def fit_laws(
     verdict, swayed = _verdict(best, evidence, few, found, covers), bool(said)
     if swayed:
         which = f"{outliers[0].row} alone sways" if len(outliers) == 1 else f"{len(outliers)} outliers sway"
-        verdict = (
-            f"{verdict} {which[0].upper() + which[1:]} this: leave out what was no such bounce, or fit with --robust."
-        )
+        verdict = f"{verdict} {which[0].upper() + which[1:]} this: remove rows that are not such bounces, or fit with --robust."
     said += score_warnings(best.law.name, scores, rival.law.name if rival else "")
     said += [warning for warning in (kinked_rows_warning(best),) if warning]
     return Ranking(

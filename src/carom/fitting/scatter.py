@@ -1,9 +1,9 @@
-"""Scatter that no error bar has: of outputs without error bars, or of contacts beyond the error bars that are given.
+"""Fitted scatter: of outputs without error bars, or of contacts in addition to given error bars.
 
 Outputs without error bars have one scatter each, estimated from the law's residuals. The scatter between contacts is one number s
 that adds in quadrature to the error bars after the wall: s times the speed before it ("share"), or s itself ("absolute"); of a spin
-over the radius. It is found in turn with the law's parameters, as the minimum of the deviance and log det S(s) - log det S(0).
-Without error bars before the wall, that is the likelihood; with them, log det S beyond its change in s has no place
+over the radius. It is fitted in turn with the law's parameters, as the minimum of the deviance plus log det S(s) - log det S(0).
+Without error bars before the wall, this is the likelihood; with them, only the change of log det S with s may be included
 (:mod:`carom.fitting.deviance`).
 """
 
@@ -28,7 +28,7 @@ Search = Callable[[FitModel], Array]
 Descend = Callable[[FitModel, Array], Array]
 ROUNDS, CONTACT_ROUNDS = 40, 12
 FIRST_SHARE = 0.05  # of the speed: the scatter with which the search begins
-SETTLED = 2e-3  # of the scatter: it is found
+SETTLED = 2e-3  # of the scatter: a smaller change ends the search
 LEAST_SHARE, MOST_SHARE = 1e-5, 1.0
 CURVATURE_STEP = 0.1  # of log s
 JACOBIAN_STEP = 0.1  # of an error bar before the wall
@@ -37,7 +37,7 @@ CONTACT_SCATTER = "contacts"
 
 
 class Scattered(NamedTuple):
-    """Places from which to descend, the model with its scatter, and what that adds to the deviance."""
+    """Starting points of the descent, the model with its scatter, and the contribution of the scatter to the deviance."""
 
     p: Array
     model: FitModel
@@ -111,14 +111,14 @@ def with_contact_scatter(model: FitModel, search: Search, descend: Descend) -> S
 
 
 def _unit(problem: Problem) -> Array:
-    """(N, 3): by how much a scatter of 1 moves what is measured after the wall."""
+    """Return the change (N, 3) of the measurements after the wall by a scatter of 1."""
     speed = np.hypot(problem.x[:, 0], problem.x[:, 1])
     velocity = np.ones(len(speed)) if problem.setting.scatter == "absolute" else speed
     return np.stack([velocity, velocity, velocity / problem.setting.radius], axis=-1)
 
 
 def _least(value: Callable[[float], float], low: float, high: float, close: float) -> float:
-    """Return where a function is least, by the golden section."""
+    """Return the position of the minimum of a function, by golden-section search."""
     one, two = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
     at_one, at_two = value(one), value(two)
     while high - low > close:
@@ -134,8 +134,8 @@ def _least(value: Callable[[float], float], low: float, high: float, close: floa
 
 
 def log_determinants(model: FitModel, p: Array) -> Array:
-    """Return log det S of each row (N,), as far as its deviance is relative to it: of a row whose spin was not measured, of the
-    normal part and of the variances along the wall under a mirror law."""
+    """Return log det S of each row (N,); for a row whose spin was not measured, of the normal part and of the variances along the
+    wall under a mirror law, to which its deviance is relative."""
     law, problem = model.law, model.problem
     seen = np.isfinite(problem.y)
     s = np.einsum("im,mn->imn", problem.vy, np.eye(3))

@@ -88,7 +88,7 @@ def split_rows(name: str, text: str, delimiter: str | None = None) -> TextTable:
 
 
 def first_rows(text: str, count: int, delimiter: str | None = None) -> list[list[str]]:
-    """Return the first rows of a text table, at most ``count``; fewer where the text is no table. They tell its format."""
+    """Return the first rows of a text table, at most ``count``, from which its format is recognised; fewer if it is no table."""
     head = text[:HEAD_CHARACTERS]
     rows = _rows("", head, delimiter or _delimiter(head))
     found: list[list[str]] = []
