@@ -29,6 +29,7 @@ def facts(found: TrackFile, measured: Measured, stage: str, sliding: bool) -> di
         "file": str(found.path),
         "format": found.format,
         "view": measured.view,
+        "view_reason": measured.view_reason,
         "frame_interval": _plain(measured.interval),
         "noise": _plain(measured.noise),
         "noise_given": measured.noise_given,
@@ -49,11 +50,13 @@ def facts(found: TrackFile, measured: Measured, stage: str, sliding: bool) -> di
 
 def _contact(one: TrackContact, stage: str, sliding: bool) -> dict[str, Any]:
     from carom.tracks.least_squares import OUTPUTS
+    from carom.tracks.plausibility import impossible
     from carom.tracks.rebounds import usable_stages
 
     stages, why = usable_stages(one, stage, sliding)  # type: ignore[arg-type]
     found: dict[str, Any] = {"group": one.group, "track": one.track, "wall": one.wall.name, "t": _plain(one.time),
-             "frames_before": one.before, "frames_after": one.after, "stages": stages, "why_not": why}  # fmt: skip
+             "frames_before": one.before, "frames_after": one.after, "stages": stages, "why_not": why,
+             "impossible": impossible(one)}  # fmt: skip
     if one.fit is not None:
         found["fit"] = {
             "names": list(OUTPUTS),
@@ -131,6 +134,7 @@ def tell_contacts(console: Console, films: Sequence[tuple[str, Measured]], stage
     """Print the contacts of some films, each with its name (empty for a single film), and why the others were not measured."""
     from rich.table import Table
 
+    from carom.tracks.plausibility import impossible
     from carom.tracks.rebounds import usable_stages
 
     console.print(
@@ -160,7 +164,8 @@ def tell_contacts(console: Console, films: Sequence[tuple[str, Measured]], stage
                 cells = [_with_error(one, key, sign) for key, sign in
                          (("vn_in", -1), ("vt_in", 1), (f"vn_{tail}", 1), (f"vt_{tail}", 1))]  # fmt: skip
                 label = _label(film, one.group, one.track)
-                table.add_row(label, one.wall.name, f"{one.time:.4f}", *cells, "" if one.planar else name)
+                flag = "restitution above 1" if impossible(one) else ""
+                table.add_row(label, one.wall.name, f"{one.time:.4f}", *cells, _label("" if one.planar else name, flag))
     if shown:
         width = console.width
         console.width = 1000

@@ -25,6 +25,7 @@ from numpy.typing import ArrayLike, NDArray
 from carom.data.cells import parse_numbers
 from carom.data.csv import CsvTable
 from carom.data.headers import BRACKETS, ColumnNames, missing_unit
+from carom.data.remarks import speed_remarks, which_rows
 from carom.errors import MAX_MAGNITUDE, CaromError, suggestion
 from carom.files import as_path, atomic_file, import_optional
 
@@ -53,8 +54,6 @@ def _aliases(name: str) -> tuple[str, ...]:
 
 _NAMES = {name: ("spin" if name.startswith("spin") else "speed", _aliases(name)) for name in _MEASURED}
 NAMED = ColumnNames(_NAMES | {f"sigma_{name}": (kind, (f"u_{name}",)) for name, (kind, _) in _NAMES.items()})
-# A larger ratio of the speeds before and after a contact suggests mixed units.
-MAX_SPEED_RATIO = 20.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -240,12 +239,6 @@ def make_rebounds(
     return replace(found, notes=(*said, *_remarks(found)))
 
 
-def _where(bad: NDArray[np.bool_] | Sequence[int], rows: Sequence[str]) -> str:
-    """Which rows are bad, from a mask or indices: "at line 3 (2 in all)"."""
-    which = np.flatnonzero(bad) if isinstance(bad, np.ndarray) else bad
-    return f"at {rows[which[0]]}" + (f" ({len(which)} in all)" if len(which) > 1 else "")
-
-
 def _bad_cells(given: Mapping[str, Array], rows: Sequence[str], source: str) -> list[str]:
     """Return what is wrong with the numbers, one line per column and kind of problem."""
     faults = []
@@ -254,7 +247,7 @@ def _bad_cells(given: Mapping[str, Array], rows: Sequence[str], source: str) -> 
         if bad.any():
             got = float(given[name][np.flatnonzero(bad)[0]])
             got_text = "an empty cell" if np.isnan(got) else repr(got)
-            faults.append(f"{source}: {name}: expected {expected}, got {got_text} {_where(bad, rows)}; {remedy}")
+            faults.append(f"{source}: {name}: expected {expected}, got {got_text} {which_rows(bad, rows)}; {remedy}")
 
     for name, column in given.items():
         far = ~(np.abs(column) <= MAX_MAGNITUDE)
@@ -298,23 +291,15 @@ def _stages(
     bad = ~np.isin(found, STAGES)
     if bad.any():
         got = str(found[np.flatnonzero(bad)[0]])
-        faults.append(f"{source}: stage: expected after_wall or rolling, got {got!r} {_where(bad, rows)}")
+        faults.append(f"{source}: stage: expected after_wall or rolling, got {got!r} {which_rows(bad, rows)}")
     return found
 
 
 def _remarks(found: Rebounds) -> list[str]:
     """Return notes on what can be read but looks wrong."""
-    remarks = []
-    v_in = np.hypot(found["v_n_in"], found["v_t_in"])
-    v_out = np.hypot(found["v_n_out"], found["v_t_out"])
-    spin_unknown = all(np.isnan(found[name]).all() for name in COLUMNS[found.kind] if name.startswith("spin"))
-    odd = (v_out > MAX_SPEED_RATIO * v_in) | (v_out * MAX_SPEED_RATIO < v_in)
-    if odd.any() and (spin_unknown or odd.mean() > 0.5):
-        i = np.flatnonzero(odd)[0]
-        remarks.append(
-            f"speeds: {v_in[i]:.4g} m/s before and {v_out[i]:.4g} m/s after {_where(odd, found.rows)}: mixed units?"
-            " write units in the headers, as in v_n_in_mm_s"
-        )
+    covariance = found.extra.get("covariance_v_n")
+    numbers = None if covariance is None else parse_numbers([str(cell) for cell in covariance.tolist()]).values
+    remarks = speed_remarks(found.columns, found.sigma, numbers, found.rows)
     if not found.sigma:
         remarks.append("no sigma_ columns: the error bars are unknown, and a fit has to estimate them")
     return remarks
@@ -415,7 +400,7 @@ def _read_csv(path: Path, faults: list[str]) -> Reader:
     spare = [fields[width:] for _n, _t, fields in records]
     if wrong.any() and any(any(cell.strip() for cell in cells) for cells in spare):
         got = len(records[np.flatnonzero(wrong)[0]][2])
-        faults.append(f"{path}: rows: expected {width} fields, as the header has, got {got} {_where(wrong, lines)}")
+        faults.append(f"{path}: rows: expected {width} fields, as the header has, got {got} {which_rows(wrong, lines)}")
 
     def number(i: int, header: str) -> Array:
         cells = [row[i] for row in rows]
@@ -424,7 +409,7 @@ def _read_csv(path: Path, faults: list[str]) -> Reader:
             unit = BRACKETS.match(header)
             faults.append(
                 f"{path}: {header if unit else header.strip()}: expected a number, got {cells[bad[0]].strip()!r}"
-                f" {_where(bad, lines)}; write units in the header"
+                f" {which_rows(bad, lines)}; write units in the header"
             )
         return values
 

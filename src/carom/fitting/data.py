@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.data.rebounds import COLUMNS, STAGES, Rebounds
+from carom.data.remarks import energy_remarks
 from carom.errors import CaromError, float_or_nan, require_type
 from carom.fitting.parameters import FORMS, PARAMETERS
 from carom.fitting.spin_quadrature import SpinGrid, sigma_grid
@@ -425,6 +426,12 @@ def _warnings(problem: Problem, spin: str) -> list[str]:
         notes.append(
             f"speeds: v_n_in only from {speed.min():.3g} to {speed.max():.3g} m/s: too few for a restitution that depends on it"
         )
+    rebounds, setting = problem.rebounds, problem.setting
+    rolls = np.zeros((n, 2))
+    if rebounds.kind == "table":  # (before the wall as far as it rolls; after it where it was measured rolling)
+        rolls[:, 0], rolls[:, 1] = setting.roll**2, rebounds.stage == "rolling"
+    rows = rebounds.rows or tuple(f"row {i + 1}" for i in range(n))
+    notes += energy_remarks(rebounds.columns, rebounds.sigma, rolls, rows, setting.radius, setting.kappa)
     return [*notes, *_unmeasured(problem, spin)]
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,12 +15,15 @@ from carom.tracks.contact import Settings, TrackContact, View
 from carom.tracks.contact_fits import ContactFitter, Progress
 from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
 from carom.tracks.floor import WithError
+from carom.tracks.plausibility import MIN_JUDGED, restitution_note, why_implausible
 from carom.tracks.preprocess import guess_view, initial_noise, on_camera_clock, rounding_step
 from carom.tracks.track import Track
 
 __all__ = ["Measured", "Settings", "TrackContact", "measure"]
 
 Array = NDArray[np.float64]
+OF_VIEW: dict[View, str] = {"above": "from above", "side": "from the side"}
+KIND_OF_MOTION: dict[View, str] = {"above": "a ball on a table", "side": "a ball in flight"}
 SIDES = {"above": ("left", "right", "bottom", "top"), "side": ("bottom",)}
 
 
@@ -60,6 +63,8 @@ class Measured:
     notes: tuple[str, ...] = ()
     gravity: float = 9.80665
     """m/s^2, by which decelerations were divided to give the friction of the floor."""
+    view_reason: str = ""
+    """Why the view was taken for what it is; empty if it was given."""
 
     @property
     def measured(self) -> list[TrackContact]:
@@ -71,7 +76,9 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, progress:
     """Find and measure the contacts of balls with walls in tracks filmed with one camera.
 
     On both sides of a contact the motion is fitted by the physics: sliding and rolling with friction on a table, parabolas in
-    flight; the two motions meet at the wall. Floor, noise and blind time are estimated from all contacts together.
+    flight; the two motions meet at the wall. Floor, noise and blind time are estimated from all contacts together. A view that
+    is not given is guessed from the acceleration of the ball; if contacts are impossible in it and not in the other, that is
+    taken.
 
     Parameters
     ----------
@@ -114,8 +121,6 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, progress:
     seen, interval = on_camera_clock(tracks, notes)
     step = (rounding_step([t.position[:, 0] for t in seen]), rounding_step([t.position[:, 1] for t in seen]))
     noise = settings.noise if settings.noise is not None else initial_noise(seen, interval, step)
-    view = settings.view or guess_view(seen, settings.gravity, notes)
-    walls = settings.walls if settings.walls is not None else tuple(find_walls(seen, noise, SIDES[view]))
     groups: dict[str, list[Track]] = {}
     for track in seen:
         groups.setdefault(track.group, []).append(track)
@@ -124,24 +129,66 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, progress:
             "tracks: expected the balls' radius, since several were filmed together and may meet, got none;"
             " --radius 30.75mm, or --radius 0 if they cannot meet"
         )
+    film = Measured(
+        tracks=tuple(seen), view="above", walls=(), events={}, contacts=(), noise=noise, noise_given=settings.noise is not None,
+        step=step, interval=interval, blind=BlindTime(*(settings.blind or 0.0,) * 2), gravity=settings.gravity,
+    )  # fmt: skip
+    if settings.view is not None:
+        found = _in_view(film, settings.view, settings, groups, progress)
+    else:
+        found = _in_likely_view(film, settings, groups, progress)
+    return replace(found, notes=(*notes, *found.notes, *restitution_note(found.contacts)))
+
+
+def _in_likely_view(
+    film: Measured, settings: Settings, groups: dict[str, list[Track]], progress: Progress | None
+) -> Measured:
+    """Measure in the view that the motion suggests; where the contacts are impossible there, in the other, if they are not."""
+    view, why = guess_view(film.tracks, settings.gravity)
+    other: View = "above" if view == "side" else "side"
+    found = _in_view(film, view, settings, groups, progress)
+    wrong = why_implausible(found.contacts, view, found.floor, settings.gravity)
+    if wrong:
+        second = _in_view(film, other, settings, groups, progress)
+        wrong_too = why_implausible(second.contacts, other, second.floor, settings.gravity)
+        if not wrong_too and len(second.measured) >= MIN_JUDGED:
+            found, view, other, why, wrong = second, other, view, f"{OF_VIEW[view]}, {wrong}", ""
+        else:
+            also = f"; {OF_VIEW[other]}, {wrong_too}" if wrong_too else ""
+            wrong = (
+                f"the motion fits no view: {OF_VIEW[view]}, {wrong}{also}. Is it a ball on a curved rail, another scale or frame"
+                f" rate? Trust none of these contacts, or try --view {other}"
+            )
+    said = f"assumed to be filmed {OF_VIEW[view]}, {KIND_OF_MOTION[view]}: {why} (--view {other} overrides this)"
+    return replace(found, view_reason=why, notes=(said, *([wrong] if wrong else []), *found.notes))
+
+
+def _in_view(
+    film: Measured, view: View, settings: Settings, groups: dict[str, list[Track]], progress: Progress | None
+) -> Measured:
+    """Find and measure the contacts of a film in a view."""
+    walls = settings.walls if settings.walls is not None else tuple(find_walls(film.tracks, film.noise, SIDES[view]))
     radii = 2 * settings.radius if settings.radius else None
     events = {
         (track.group, track.name): find_events(
-            track, [other for other in groups[track.group] if other is not track], walls, noise, radii, interval
+            track,
+            [other for other in groups[track.group] if other is not track],
+            walls,
+            film.noise,
+            radii,
+            film.interval,
         )
-        for track in seen
+        for track in film.tracks
     }
-    job = ContactFitter(
-        settings, view, {wall.name: wall for wall in walls}, interval, noise, BlindTime(*(settings.blind or 0.0,) * 2)
-    )
-    found = job.run(seen, events, notes, progress)
+    job = ContactFitter(settings, view, {wall.name: wall for wall in walls}, film.interval, film.noise, film.blind)
+    notes: list[str] = []
+    contacts = job.run(list(film.tracks), events, notes, progress)
     if not walls:
         notes.append("no wall found: no ball turns back at an extreme of the positions (--wall gives one)")
     notes += _plausibility_notes(walls, events, job.floor, settings)
-    return Measured(
-        tracks=tuple(seen), view=view, walls=walls, events=events, contacts=tuple(found), noise=job.noise,
-        noise_given=settings.noise is not None, step=step, interval=interval, blind=job.blind, floor=job.floor,
-        notes=tuple(notes), gravity=settings.gravity,
+    return replace(
+        film, view=view, walls=walls, events=events, contacts=tuple(contacts), noise=job.noise, blind=job.blind,
+        floor=job.floor, notes=tuple(notes),
     )  # fmt: skip
 
 

@@ -27,6 +27,8 @@ Array = NDArray[np.float64]
 MIN_INTERVAL_S = 1e-9  # between two frames: no camera is faster
 # Smallest share of the series (and at least two) that has to show the same rounding step: fast and resting balls show none.
 MIN_AGREEING_SHARE = 0.1
+# Pieces of a track that fall alike, if it was filmed from the side: most others hold a contact.
+MIN_FALLING_SHARE, MIN_ALIKE_SHARE, MIN_PIECES = 0.4, 0.6, 5
 
 
 @dataclass(frozen=True, eq=False)
@@ -236,9 +238,9 @@ def initial_noise(tracks: Sequence[Track], interval: float, step: tuple[float, f
     return float(max(np.median(found) if found else 0.0, least, 1e-6 * size))
 
 
-def guess_view(tracks: Sequence[Track], gravity: float, notes: list[str]) -> View:
-    """Return ``side`` if most pieces of the tracks fall with gravity, else ``above``; add a note."""
-    falls = []
+def guess_view(tracks: Sequence[Track], gravity: float) -> tuple[View, str]:
+    """Return ``side`` if most pieces of the tracks fall with gravity, or with another constant acceleration; and the reason."""
+    falls, rises = [], []
     for track in tracks:
         t, y = track.time, track.position[:, 1]
         size = max(8, int(0.12 / max(float(np.median(np.diff(t))), 1e-9))) if len(t) > 8 else len(t)
@@ -246,9 +248,22 @@ def guess_view(tracks: Sequence[Track], gravity: float, notes: list[str]) -> Vie
             rows = slice(low, low + size)
             if len(t[rows]) >= 6:
                 falls.append(2 * np.polyfit(t[rows] - t[rows][0], y[rows], 2)[0])
-    side = len(falls) > 0 and float((np.abs(np.array(falls) + gravity) < 0.3 * gravity).mean()) > 0.4
-    notes.append(
-        "the balls fall with gravity: assumed to be filmed from the side (--view above overrides this)" if side
-        else "assumed to be filmed from above, a ball on a table (--view side: a ball in flight)"
-    )  # fmt: skip
-    return "side" if side else "above"
+                rises.append(y[rows][-1] - y[rows][0])
+    fall, up = np.array(falls), np.array(rises) > 0
+    share = float((np.abs(fall + gravity) < 0.3 * gravity).mean()) if len(fall) else 0.0
+    if share > MIN_FALLING_SHARE:
+        return "side", f"in {100 * share:.0f} % of the track the ball falls with gravity"
+    middle = float(np.median(fall)) if len(fall) else 0.0
+    alike = np.abs(fall - middle) < 0.2 * abs(middle)
+    # friction slows a ball down whichever way it goes: a constant acceleration downward does not
+    if (
+        middle < 0
+        and len(fall) >= MIN_PIECES
+        and alike.mean() > MIN_ALIKE_SHARE
+        and 0 < (alike & up).sum() < alike.sum()
+    ):
+        return "side", (
+            f"the ball falls with a constant acceleration, up and down; but it is {-middle:.3g} m/s^2: is the scale or the frame"
+            " rate wrong?"
+        )
+    return "above", "the ball does not fall with gravity"

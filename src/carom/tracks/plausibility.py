@@ -1,0 +1,68 @@
+"""Whether measured contacts are possible: restitutions of at most 1, free motion between them, a floor or a gravity that exists."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+
+from carom.tracks.contact import TrackContact, View
+from carom.tracks.floor import WithError
+from carom.tracks.least_squares import ContactFit
+
+__all__ = ["MIN_JUDGED", "impossible", "restitution_note", "why_implausible"]
+
+BEYOND = 3.0  # error bars by which a restitution has to exceed 1
+MAX_SHARE_IMPOSSIBLE, MAX_SHARE_SCATTERED = 0.2, 0.5
+MIN_JUDGED = 2  # contacts; a single one does not tell a view
+MAX_CLOTH_FRICTION = 0.6  # of gravity a ball in flight would show 1
+GRAVITY_TOLERANCE = 0.3
+
+
+def impossible(one: TrackContact) -> bool:
+    """Return whether the ball leaves the wall faster than it came, beyond the error bar: no wall at rest does that."""
+    return one.fit is not None and _gains(one.fit)
+
+
+def _gains(fit: ContactFit) -> bool:
+    if -fit["vn_in"] <= BEYOND * fit.error("vn_in"):  # it does not come towards the wall
+        return False
+    variance = fit.error("vn_in") ** 2 + fit.error("vn_out") ** 2 + 2 * fit.covariance_of("vn_in", "vn_out")
+    return fit["vn_out"] + fit["vn_in"] > BEYOND * float(np.sqrt(max(variance, 0.0)))
+
+
+def restitution_note(contacts: Sequence[TrackContact]) -> list[str]:
+    """Return a note on contacts whose restitution exceeds 1 beyond the error bar."""
+    fits = [one.fit for one in contacts if one.fit is not None]
+    worst = [fit for fit in fits if _gains(fit)]
+    if not worst:
+        return []
+    most = max(worst, key=lambda fit: -fit["vn_out"] / fit["vn_in"])
+    count = f"{len(worst)} of {len(fits)} contacts have" if len(fits) > 1 else "the contact has"
+    return [
+        f"{count} a restitution above 1 beyond the error bar, up to {-most['vn_out'] / most['vn_in']:.3g} at t ="
+        f" {most['t']:.4g} s: no wall at rest gives back more than it gets; is the view (--view), scale or frame rate wrong?"
+    ]
+
+
+def why_implausible(
+    contacts: Sequence[TrackContact], view: View, floor: Mapping[str, WithError], gravity: float
+) -> str:
+    """Return what speaks against the view in which contacts were measured; empty if nothing does, or too few were measured."""
+    judged = [one for one in contacts if np.isfinite(one.scatter)]
+    if len(judged) < MIN_JUDGED:
+        return ""
+    fits = [one.fit for one in judged if one.fit is not None]
+    scattered = len(judged) - len(fits)
+    if scattered > MAX_SHARE_SCATTERED * len(judged):
+        return f"{scattered} of {len(judged)} contacts scatter far more than free motion beside a wall"
+    bad = sum(map(_gains, fits))
+    if bad >= max(MIN_JUDGED, MAX_SHARE_IMPOSSIBLE * len(judged)):
+        return f"{bad} of {len(fits)} restitutions are above 1 beyond their error bars"
+    friction = floor.get("cloth friction")
+    if view == "above" and friction is not None and friction.value - BEYOND * friction.error > MAX_CLOTH_FRICTION:
+        return f"the floor's friction comes out as {friction.value:.2g}"
+    found = floor.get("gravity")
+    if view == "side" and found is not None and abs(found.value / gravity - 1) > GRAVITY_TOLERANCE:
+        return f"gravity comes out as {found.value:.3g} m/s^2"
+    return ""
