@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from carom.data import make_rebounds
-from carom.data.remarks import energy_remarks
+from carom.data.energy import energy_remarks
+from carom.data.rebounds import Kind
 from carom.fitting import Setting
 from carom.fitting.data import make_problem
 
@@ -38,9 +39,7 @@ def test_errors_that_go_together_tell_more() -> None:
     assert [any("restitution above 1" in note for note in table.notes) for table in (apart, together)] == [False, True]
 
 
-def energy(
-    spin_in: float, spin_out: float, v_t_out: float, kind: str = "planar", rolls: tuple[int, int] = (0, 0)
-) -> list[str]:
+def energy(spin_in: float, spin_out: float, v_t_out: float, kind: Kind = "planar") -> list[str]:
     spin = "spin" if kind == "planar" else "spin_z"
     columns = {
         "v_n_in": 1.0,
@@ -50,8 +49,8 @@ def energy(
         "v_t_out": v_t_out,
         f"{spin}_out": spin_out,
     }
-    table = make_rebounds(kind, columns, stage=None if kind == "planar" else "rolling")  # type: ignore[arg-type]
-    return energy_remarks(table.columns, table.sigma, np.array([rolls], float), ("row 1",), 0.02, 0.4)
+    table = make_rebounds(kind, columns, stage=None if kind == "planar" else "rolling")
+    return energy_remarks(table, 0.02, 0.4)
 
 
 def test_energy() -> None:
@@ -61,8 +60,8 @@ def test_energy() -> None:
     assert energy(100.0, 80.0, 1.0) == []  # it came with more
     assert energy(np.nan, 100.0, 1.0) == []  # it may have
     assert "up to" in energy(np.nan, 0.0, 3.0)[0]  # but not with so much
-    assert energy(0.0, 0.0, 1.1, "table", (1, 1)) == []
-    assert energy(0.0, 0.0, 1.6, "table", (1, 1)) != []
+    assert energy(0.0, 0.0, 1.1, "table") == []
+    assert energy(0.0, 0.0, 1.6, "table") != []
 
 
 def test_fits_warn() -> None:

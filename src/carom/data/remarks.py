@@ -1,4 +1,4 @@
-"""Notes on measured rebounds that can be read but look wrong: mixed units, and contacts that no wall at rest can bring about."""
+"""Notes on the speeds of measured rebounds that can be read but look wrong: mixed units, and restitutions above 1."""
 
 from __future__ import annotations
 
@@ -7,14 +7,13 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["energy_remarks", "speed_remarks", "which_rows"]
+__all__ = ["BEYOND", "WITHOUT_ERROR_BARS", "speed_remarks", "which_rows"]
 
 Array = NDArray[np.float64]
 # A larger ratio of the speeds before and after a contact suggests mixed units.
 MAX_SPEED_RATIO = 20.0
 BEYOND = 3.0  # error bars by which a number has to exceed what is possible
 WITHOUT_ERROR_BARS = 0.02  # relative excess that is reported where error bars are unknown
-MAX_SPIN = 3.0  # largest spin before a contact that is taken for possible where it was not measured, in units of speed / radius
 
 
 def which_rows(bad: NDArray[np.bool_] | Sequence[int], rows: Sequence[str]) -> str:
@@ -70,49 +69,3 @@ def _difference_error(before: Array, sigma: Mapping[str, Array], covariance: Arr
     if covariance is not None:
         variance = np.maximum(variance - 2 * np.nan_to_num(covariance), 0.0)
     return np.where(variance > 0, np.sqrt(variance), WITHOUT_ERROR_BARS / BEYOND * before)
-
-
-def energy_remarks(
-    columns: Mapping[str, Array],
-    sigma: Mapping[str, Array],
-    rolls: Array,
-    rows: Sequence[str],
-    radius: float,
-    kappa: float,
-) -> list[str]:
-    """Return a note on rebounds with more energy after the contact than before it, beyond the error bar.
-
-    Where the spin before was not measured, the ball may have brought the energy along as spin, but no more than MAX_SPIN speeds per
-    radius. A spin after that was not measured counts as none.
-
-    Parameters
-    ----------
-    columns, sigma, rows : as for :func:`speed_remarks`
-    rolls : (N, 2)
-        1 where the ball rolls before and after, so that its spin about the horizontal axis goes with its velocity; else 0.
-    radius, kappa : float
-        Of the ball: m, I/(m a^2).
-    """
-    spin = next(name.removesuffix("_in") for name in columns if name.startswith("spin"))
-    energy, error = np.zeros((2, len(rows))), np.zeros((2, len(rows)))
-    with np.errstate(over="ignore"):  # (numbers that large are refused elsewhere)
-        for k, side in enumerate(("in", "out")):
-            for name, factor in ((f"v_n_{side}", 1 + kappa * rolls[:, k]), (f"v_t_{side}", 1 + kappa * rolls[:, k]),
-                                 (f"{spin}_{side}", kappa * radius**2)):  # fmt: skip
-                value = columns[name]
-                energy[k] += np.where(np.isnan(value) & (name == f"{spin}_{side}"), 0.0, factor * value**2 / 2)
-                error[k] += np.nan_to_num(factor * value * sigma.get(name, np.zeros(len(rows)))) ** 2
-        speed2 = columns["v_n_in"] ** 2 + columns["v_t_in"] ** 2
-        energy[0] += np.where(np.isnan(columns[f"{spin}_in"]), kappa * MAX_SPIN**2 * speed2 / 2, 0.0)
-        bar = np.sqrt(error.sum(axis=0))
-        bar = np.where(bar > 0, bar, 2 * WITHOUT_ERROR_BARS / BEYOND * energy[0])
-        grows = energy[1] - energy[0] > BEYOND * bar
-        if not grows.any():
-            return []
-        ratio = np.where(grows, energy[1] / energy[0], -np.inf)
-    i = int(np.argmax(ratio))
-    return [
-        f"energy: {grows.sum()} of {len(rows)} rebounds have more energy after the contact than before, beyond the error bar, up"
-        f" to {ratio[i]:.3g} times as much at {rows[i]}: no wall at rest gives energy; are the radius, and the spins' signs and"
-        " units, right?"
-    ]

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.data.energy import energy_remarks
 from carom.data.rebounds import COLUMNS, STAGES, Rebounds
-from carom.data.remarks import energy_remarks
 from carom.errors import CaromError, float_or_nan, require_type
 from carom.fitting.parameters import FORMS, PARAMETERS
 from carom.fitting.spin_quadrature import SpinGrid, sigma_grid
@@ -412,11 +412,8 @@ def _warnings(problem: Problem, spin: str) -> list[str]:
         )
     angle = np.degrees(np.arctan2(problem.x[:, 1], problem.x[:, 0]))
     spun = problem.x[:, 2] * problem.setting.radius / np.hypot(problem.x[:, 0], problem.x[:, 1])
-    if (
-        np.isfinite(problem.y[:, 1]).any()
-        and np.ptp(angle) < SAME_ANGLE
-        and not np.nanmax(np.abs(spun), initial=0.0) > 0.05
-    ):
+    spinless = not np.nanmax(np.abs(spun), initial=0.0) > 0.05
+    if np.isfinite(problem.y[:, 1]).any() and np.ptp(angle) < SAME_ANGLE and spinless:
         notes.append(
             f"angles: all rows have the same angle, {np.median(angle):.1f} degrees within {np.ptp(angle):.1g}: one angle"
             " determines one parameter along the wall, not two; film other angles (carom design proposes them)"
@@ -426,12 +423,7 @@ def _warnings(problem: Problem, spin: str) -> list[str]:
         notes.append(
             f"speeds: v_n_in only from {speed.min():.3g} to {speed.max():.3g} m/s: too few for a restitution that depends on it"
         )
-    rebounds, setting = problem.rebounds, problem.setting
-    rolls = np.zeros((n, 2))
-    if rebounds.kind == "table":  # (before the wall as far as it rolls; after it where it was measured rolling)
-        rolls[:, 0], rolls[:, 1] = setting.roll**2, rebounds.stage == "rolling"
-    rows = rebounds.rows or tuple(f"row {i + 1}" for i in range(n))
-    notes += energy_remarks(rebounds.columns, rebounds.sigma, rolls, rows, setting.radius, setting.kappa)
+    notes += energy_remarks(problem.rebounds, problem.setting.radius, problem.setting.kappa, problem.setting.roll)
     return [*notes, *_unmeasured(problem, spin)]
 
 
