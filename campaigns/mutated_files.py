@@ -2,7 +2,7 @@
 
     python campaigns/mutated_files.py [N] [--only COMMAND] [--first 0] [--limit 20] [--keep FOLDER]
 
-N files (30,000) from the seed ``first`` on: tracks of all formats, tables of rebounds and states, scenes, gases and their
+N files (2,500) from the seed ``first`` on: tracks of all formats, tables of rebounds and states, scenes, gases and their
 checkpoints, with bytes flipped, cut, moved and repeated, lines inserted, encodings swapped, cells of 200,000 characters, and
 numbers such as 1e-320, 1e308, nan and inf. Each goes to one command, in a process of its own that is ended after ``limit`` seconds.
 A fault is anything but success, or exit code 2 with clean lines on standard error and nothing on standard output; --keep saves such
@@ -475,7 +475,7 @@ def main(words: Sequence[str] | None = None) -> int:
         "keep": {"type": Path},
     }
     faults = Counter[str]()
-    with campaign("mutated_files", __doc__, words, count=30_000, small=120, **options) as run:
+    with campaign("mutated_files", __doc__, words, count=2_500, small=120, **options) as run:
         keep = run.given.keep
         if keep is not None:
             keep.mkdir(parents=True, exist_ok=True)

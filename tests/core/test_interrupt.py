@@ -112,7 +112,9 @@ def test_an_interrupt_ends_it(job: str) -> None:
             process.kill()
 
 
-def test_the_command_ends_without_a_traceback(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_command_ends_without_a_traceback(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
     def interrupted(*_words: object) -> None:
         raise KeyboardInterrupt
 
