@@ -47,13 +47,16 @@ def answer(text: bytes) -> dict[str, Any]:
 
 
 def arrays(path: Path) -> dict[str, bytes]:
-    """Return the bytes of a checkpoint's arrays, but for the text (versions) and the marks, which hold the time taken."""
+    """Return the bytes of a checkpoint's arrays, but for versions and the time taken, and for where the calendar stands: a run that
+    was killed after its last event, and is resumed, looks for one more."""
     with np.load(path) as file:
-        return {
-            name: file[name].tobytes()
-            for name in file.files
-            if file[name].dtype.kind not in "US" and name != "mark.numbers"
+        found = {
+            name: file[name] for name in file.files if file[name].dtype.kind not in "US" and name != "mark.numbers"
         }
+    system = found.pop("gas.system")
+    return {name: array.tobytes() for name, array in found.items()} | {
+        name: system[name].tobytes() for name in system.dtype.names if name not in ("bin", "status")
+    }
 
 
 def one(seed: int, scene: str, whole: tuple[dict[str, Any], dict[str, bytes], float]) -> dict[str, Any]:
