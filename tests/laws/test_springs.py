@@ -170,7 +170,7 @@ def test_a_scene_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> Non
          " 0.171 to 3.43, for which the law is tabulated, for the law maw, got 7.0"),
         ("stiffness_ratio = 0.7", "stiffness_ratio = 0", "walls[0].stiffness_ratio: expected a number > 0, got 0"),
         ("stiffness_ratio = 0.7", "tangential_restitution = 0.5", "walls[0].tangential_restitution: expected 0 for the law maw,"
-         " got 0.5; it has springs in its place; leave it out, and give stiffness_ratio"),
+         " got 0.5; that law computes the tangential rebound from springs; omit it, and give stiffness_ratio"),
         ("friction = 0.8\n", "", "walls[1].friction: expected a number >= 0 (inf: never slips), got nothing; the law stronge reads"
          " it; mirror, conventional, no-slip do not need it"),
         ("radius = 0.1\n", "radius = 0.1\nstiffness_ratio = 1e5\n", "walls[1].stiffness_ratio: expected a"

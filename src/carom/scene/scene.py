@@ -323,7 +323,7 @@ def _law_faults(scene: Scene) -> list[Fault]:
                 found.append(Fault(expected, Unquoted("nothing"), advice, (*at, name)))
         found += _condition_faults(scene, wall, law, i)
         if law.last == "stiffness_ratio" and wall.tangential_restitution != 0:
-            advice = "it has springs in its place; leave it out, and give stiffness_ratio"
+            advice = "that law computes the tangential rebound from springs; omit it, and give stiffness_ratio"
             expected = f"0 for the law {law.name}"
             found.append(Fault(expected, wall.tangential_restitution, advice, (*at, "tangential_restitution")))
     return found
