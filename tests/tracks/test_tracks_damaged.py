@@ -83,3 +83,12 @@ def test_control_characters_of_a_file_do_not_reach_the_terminal(
     said = capsys.readouterr().err
     assert "\x1b" not in said
     assert r"\x1b[31my" in said
+
+
+def test_a_resting_ball_with_one_wrong_row_leaves_no_residuals() -> None:
+    t = np.arange(60) / 120
+    place = np.tile([8e-4, 2e-4], (60, 1))
+    place[29, 1] = 1e-12
+    measured = measure([Track("ball", t, place)], Settings(view="above"))
+    assert 0 < measured.noise < 1e-6
+    assert not [one for one in measured.contacts if one.fit is not None and not one.why_not("after_wall")]

@@ -125,3 +125,23 @@ def test_the_command_flags_them(
         else:
             assert told.out.count("restitution above 1") == 3
             assert "no wall at rest gives back more than it gets" in told.err
+
+
+def test_energy_that_grows_is_noted(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    # along the wall the ball becomes six times as fast: no spin that it may have brought along suffices
+    t = np.arange(0.15, 0.6, 1 / 200)
+    y = np.where(t < 0.4, 1.6 * (0.4 - t), 1.2 * (t - 0.4)) - 9.80665 / 2 * (t - 0.4) ** 2
+    x = np.where(t < 0.4, 0.5 * (t - 0.4), 6 * (t - 0.4))
+    place = np.stack([x, y], axis=-1) + np.random.default_rng(1).normal(0, 2e-4, (len(t), 2))
+    measured = measure([Track("ball", t, place)], Settings(view="side"))
+    assert "above 1" not in said(measured)
+    expected = "energy: 1 of 1 rebounds have more energy after the contact than before"
+    assert any(expected in note for note in to_rebounds(measured).notes)
+    file = tmp_path / "film.csv"
+    np.savetxt(file, np.column_stack([t, place]), delimiter=",", header="t [s],x [m],y [m]", comments="")
+    monkeypatch.setattr("sys.argv", ["carom", "tracks", "show", str(file), "--view", "side"])
+    with pytest.raises(SystemExit):
+        main()
+    assert expected in capsys.readouterr().err

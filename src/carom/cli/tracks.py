@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -138,8 +139,11 @@ def show(
     measured = _with_bar(console, run)
     names = film_names(files) if len(files) > 1 else [""]
     written = None
+    lacking: list[str] = []
+    table = attempt(lacking, _table, dict(zip(names, measured, strict=True)), stage, sliding)
     if out is not None:
-        table = _table(dict(zip(names, measured, strict=True)), stage, sliding)
+        if table is None:
+            raise CaromError(*lacking)
         written = (table.save(out), len(table))
     if plot is not None:
         from carom.plot.style import save
@@ -155,14 +159,27 @@ def show(
                 stdout().print(f"{name}: {film.path}", style="bold", soft_wrap=True)
             tell(stdout(), film, one)
         tell_contacts(stdout(), list(zip(names, measured, strict=True)), stage, sliding)
-    for name, film, one in zip(names, found, measured, strict=True):
-        for note in (*film.notes, *one.notes):
-            console.print(f"{name}: {note}" if name else note, style="dim", soft_wrap=True)
+    _notes(console, names, found, measured, table)
     if written:
         console.print(f"{counted(written[1], 'rebound')} in the table")
         wrote(written[0])
     if plot is not None:
         wrote(plot)
+
+
+def _notes(
+    console: Console,
+    names: Sequence[str],
+    found: Sequence[TrackFile],
+    measured: Sequence[Measured],
+    table: Rebounds | None,
+) -> None:
+    """Print the notes of all films, and of their rebounds what the contacts alone do not show."""
+    notes = [f"{name}: {note}" if name else note for name, film, one in zip(names, found, measured, strict=True)
+             for note in (*film.notes, *one.notes)]  # fmt: skip
+    notes += [] if table is None else [note for note in table.notes if note.startswith("energy:")]
+    for note in notes:
+        console.print(note, style="dim", soft_wrap=True)
 
 
 def _table(films: dict[str, Measured], stage: str, sliding: bool) -> Rebounds:

@@ -12,7 +12,7 @@ __all__ = ["energy_remarks"]
 MAX_SPIN = 3.0  # largest spin before a contact that is taken for possible where it was not measured, in units of speed / radius
 
 
-def energy_remarks(rebounds: Rebounds, radius: float, kappa: float, roll: float = 1.0) -> list[str]:
+def energy_remarks(rebounds: Rebounds, radius: float | None, kappa: float, roll: float = 1.0) -> list[str]:
     """Return a note on rebounds with more energy after the contact than before it, beyond the error bar.
 
     Where the spin before was not measured, the ball may have brought the energy along as spin, but no more than MAX_SPIN speeds per
@@ -21,12 +21,16 @@ def energy_remarks(rebounds: Rebounds, radius: float, kappa: float, roll: float 
     Parameters
     ----------
     rebounds : Rebounds
-    radius, kappa : float
-        Of the ball: m, I/(m a^2).
+    radius : float or None
+        Of the ball, m; None: not known, so that spins that were measured do not tell energies.
+    kappa : float
+        I/(m a^2).
     roll : float
         Spin of a ball on a table before the contact, in units of that of a rolling ball.
     """
     columns, sigma, n = rebounds.columns, rebounds.sigma, len(rebounds)
+    if radius is None:
+        columns = columns | {name: np.full(n, np.nan) for name in columns if name.startswith("spin")}
     rows = rebounds.rows or tuple(f"row {i + 1}" for i in range(n))
     # the spin about a horizontal axis of a ball that rolls goes with its velocity
     rolls = np.zeros((n, 2))
@@ -37,7 +41,7 @@ def energy_remarks(rebounds: Rebounds, radius: float, kappa: float, roll: float 
     with np.errstate(over="ignore"):  # (numbers that large are refused elsewhere)
         for k, side in enumerate(("in", "out")):
             for name, factor in ((f"v_n_{side}", 1 + kappa * rolls[:, k]), (f"v_t_{side}", 1 + kappa * rolls[:, k]),
-                                 (f"{spin}_{side}", kappa * radius**2)):  # fmt: skip
+                                 (f"{spin}_{side}", kappa * (radius or 0.0) ** 2)):  # fmt: skip
                 value = columns[name]
                 energy[k] += np.where(np.isnan(value) & (name == f"{spin}_{side}"), 0.0, factor * value**2 / 2)
                 error[k] += np.nan_to_num(factor * value * sigma.get(name, np.zeros(len(rows)))) ** 2

@@ -28,6 +28,8 @@ MAX_SINGLE_FRAMES, GROUPS, NEAR_FRAMES = 160, 56, 8
 MAX_EXCESS_SCATTER = 3.0
 # The first round has no noise estimate and takes the floor from the literature; the second estimates the floor from good starts.
 ROUNDS = 3
+# The noise that the residuals of a round show is at least this share of what was assumed in it.
+MIN_NOISE_SHARE = 1e-3
 VELOCITIES = ("vn_in", "vt_in", "vn_out", "vt_out", "vn_roll", "vt_roll")
 Progress = Callable[[int, int], None]
 NAMES = {"wall": "the wall {}", "ball": "ball {}", "gap": "a gap", "start": "the start of the track",
@@ -293,13 +295,17 @@ def averaged_frames(t: Array, x: Array, middle: float) -> tuple[Array, Array, Ar
 
 
 def pooled_noise(contacts: Sequence[TrackContact], otherwise: float) -> float:
-    """Estimate the noise from the residuals of all contacts, leaving out those that scatter far more than the others."""
+    """Estimate the noise from the residuals of all contacts, leaving out those that scatter far more than the others.
+
+    Places without noise, computed and not measured, leave no residuals at all; the noise stays above 0.
+    """
     fits = [(one.scatter, one.fit.dof) for one in contacts if one.fit is not None]
     if not fits:
         return otherwise
     scatter, dof = np.array(fits).T
-    good = scatter < 2 * np.median(scatter)
-    return float(np.sqrt((scatter[good] ** 2 * dof[good]).sum() / dof[good].sum()))
+    good = scatter <= 2 * np.median(scatter)
+    found = float(np.sqrt((scatter[good] ** 2 * dof[good]).sum() / max(dof[good].sum(), 1.0)))
+    return max(found, MIN_NOISE_SHARE * otherwise)
 
 
 def _tracked_spin(track: Track, rows: NDArray[np.intp], contact: float) -> TrackedSpin:

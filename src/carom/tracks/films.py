@@ -68,7 +68,7 @@ def combined_rebounds(tables: Mapping[str, Rebounds]) -> Rebounds:
     for name in dict.fromkeys(name for table in parts for name in table.extra):
         extra[name] = np.concatenate([table.extra.get(name, np.full(size[id(table)], np.nan)) for table in parts])
     stages = [table.stage for table in parts if table.stage is not None]
-    notes = [f"{name}: {note}" for name, table in tables.items() for note in table.notes if "at row" in note]
+    notes = [f"{name}: {note}" for name, table in tables.items() for note in table.notes if note.startswith("energy:")]
     return make_rebounds(
         next(iter(kinds)), columns, stage=np.concatenate(stages) if stages else None, extra=extra,
         rows=[f"{name}, row {i + 1}" for name, table in tables.items() for i in range(len(table))],

@@ -63,6 +63,10 @@ class Measured:
     notes: tuple[str, ...] = ()
     gravity: float = 9.80665
     """m/s^2, by which decelerations were divided to give the friction of the floor."""
+    radius: float | None = None
+    """Of the balls, m; None if it was not given."""
+    kappa: float = 2 / 5
+    """I/(m a^2)."""
     view_reason: str = ""
     """Why the view was taken for what it is; empty if it was given."""
 
@@ -132,6 +136,7 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, progress:
     film = Measured(
         tracks=tuple(seen), view="above", walls=(), events={}, contacts=(), noise=noise, noise_given=settings.noise is not None,
         step=step, interval=interval, blind=BlindTime(*(settings.blind or 0.0,) * 2), gravity=settings.gravity,
+        radius=settings.radius or None, kappa=settings.kappa,
     )  # fmt: skip
     if settings.view is not None:
         found = _in_view(film, settings.view, settings, groups, progress)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any, Literal
 
 import numpy as np
 
+from carom.data.energy import energy_remarks
 from carom.data.rebounds import Kind, Rebounds, make_rebounds
 from carom.errors import CaromError
 from carom.tracks.floor import shared_fraction
@@ -123,9 +125,10 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
             del columns[name], columns[f"sigma_{name}"]
     read = {*numbers, *(f"sigma_{name}" for name in numbers), "stage"}
     extra = {name: np.array([row[name] for row in rows]) for name in rows[0] if name not in read}
-    return make_rebounds(
+    table = make_rebounds(
         kind, columns, stage=None if planar else [row["stage"] for row in rows], extra=extra, source="tracks"
     )
+    return replace(table, notes=(*table.notes, *energy_remarks(table, measured.radius, measured.kappa)))
 
 
 def _row(one: TrackContact, number: int, stage: str, spin: str) -> dict[str, Any]:
