@@ -22,6 +22,7 @@ from campaign import Campaign, campaign
 
 from carom.core.jit.compile import njit
 from carom.core.jit.kernel import cross, dot, kernel
+from carom.core.motion.phases import ROUNDING
 from carom.laws.pair import pair_contact
 from carom.laws.registry import LAWS
 from carom.laws.two_step import two_step_final
@@ -182,7 +183,8 @@ def two_step_loop(rng: Any, count: int, worst: Any, case: Any, errors: Any) -> i
         if why == 0:
             errors[FINITE] = 0.0 if math.isfinite(dot(v3, v3) + dot(w3, w3)) else math.inf
             errors[ENERGY] = max(0.0, energy(v3, w3, a, kappa) - energy(v, w, a, kappa) - 9.8 * h) / (unit * scale)
-            errors[RESTITUTION] = max(0.0, -(v3[0] * n[0] + v3[1] * n[1])) / unit
+            # (along the wall within the rounding that the law allows for)
+            errors[RESTITUTION] = max(0.0, -(v3[0] * n[0] + v3[1] * n[1]) - ROUNDING * scale) / unit
             # (27): rolling
             errors[MOMENTUM] = (abs(v3[0] - a * w3[1]) + abs(v3[1] + a * w3[0]) + abs(v3[2])) / unit
         bad = False
