@@ -224,3 +224,34 @@ def test_scatter_on_the_command_line(tmp_path, monkeypatch, capsys):
     assert any(
         "--scatter: expected no --whole" in line for line in fails(capsys, *words[:4], "--whole", "--scatter", "share")
     )
+
+
+# --- two springs on bounces in the plane ------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("words", "best", "ratios"),
+    [
+        (("kharaz2001",), "maw", {"maw": (0.919, 0.045), "stronge": (0.842, 0.034)}),
+        (
+            ("tt_rackets", "--where", "racket=01_inverted"),
+            "stronge",
+            {"maw": (0.765, 0.028), "stronge": (0.314, 0.013)},
+        ),
+    ],
+)
+def test_two_springs_are_fitted_to_bounces_in_the_plane(tmp_path, monkeypatch, capsys, words, best, ratios):
+    monkeypatch.chdir(tmp_path)
+    options = ("--laws", "maw,stronge", "--bootstrap", "0", "--no-profiles")
+    code, out, err = command(capsys, "fit", *words, *options, "--json")
+    assert code == 0, err
+    ranking = json.loads(out)["ranking"]
+    assert ranking[0]["law"] == best
+    for one in ranking:
+        found, (value, stderr) = one["parameters"]["stiffness_ratio"], ratios[one["law"]]
+        assert found["value"] == pytest.approx(value, abs=0.001)
+        assert found["stderr"] == pytest.approx(stderr, abs=0.001)
+    text = " ".join(command(capsys, "fit", *words, *options)[1].split())
+    assert text.count("stiffness_ratio") == 2
+    for value, _stderr in ratios.values():
+        assert f"{value:.3f} \u00b1" in text

@@ -4,7 +4,7 @@ The best law is tested in two ways. If error bars are given, by the probability 
 residuals on incidence, speed, spin or slip: with the rows sorted by one of these, von Neumann's ratio of the ranks of their
 residuals (Bartels, J. Am. Stat. Assoc. 77, 40 (1982)) is 2 if neighbours are independent, and smaller if they are correlated. The
 second test needs no error bars, so that it can reject a law whose scatter was estimated. Its probability is corrected for the
-number of orders tested.
+number of orders tested. It leaves out rows whose spin before the wall was not measured: their residuals depend on that spin.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from carom.fitting.data import Problem
 from carom.fitting.evidence import UNLIKELY
+from carom.fitting.model import feels_spins
 from carom.fitting.result import Fit, finite
 
 __all__ = ["Adequacy", "Coverage", "adequacy", "coverage"]
@@ -148,6 +149,8 @@ def _pattern(fit: Fit) -> tuple[float, str]:
     gap = (problem.y - fit.predicted()) / np.sqrt(np.where(problem.vy > 0, problem.vy, 1.0))
     # contacts from both sides are equivalent by reflection
     side, slips = (np.where(along < 0, -1.0, 1.0) for along in (v_t, slip))
+    # the effect of an unmeasured spin depends on the incidence, and is no error of the law
+    apart = problem.unknown & feels_spins(fit.law, problem)
     orders = {
         "incidence": (np.abs(v_t) / v_n, side), "speed": (speed, side), "spin": (side * spin / speed, side),
         "slip": (np.abs(slip) / v_n, slips),
@@ -155,7 +158,7 @@ def _pattern(fit: Fit) -> tuple[float, str]:
     found = []
     for m, name in enumerate(OUTPUTS):
         for of, (order, sign) in orders.items():
-            rows = np.isfinite(gap[:, m]) & np.isfinite(order)
+            rows = np.isfinite(gap[:, m]) & np.isfinite(order) & ~apart
             if rows.sum() >= LEAST_ROWS and len(np.unique(order[rows])) >= LEAST_ROWS:
                 residuals = gap[rows, m] * (sign[rows] if m > 0 else 1.0)
                 found.append(

@@ -15,10 +15,10 @@ from numpy.typing import NDArray
 
 from carom.fitting.data import Problem
 from carom.fitting.likelihood import evaluate
-from carom.fitting.model import STEPS, model_of
+from carom.fitting.model import STEPS
 from carom.fitting.optimizer import damped_step
 from carom.fitting.parameters import NUMBERS
-from carom.fitting.result import Fit, refit, rows_of_fit
+from carom.fitting.result import Fit, refit, rows_of_fit, working_model
 
 __all__ = ["cross_validated_score", "score_warnings"]
 
@@ -56,7 +56,7 @@ def cross_validated_score(fit: Fit) -> float:
 
 def one_step_without(fit: Fit, problem: Problem, left_out: Array) -> Array:
     """Return numbers (B, K) without the rows that are left out, weights (B, N): one Newton step from the fit to all rows."""
-    model = model_of(fit.law, problem)
+    model = working_model(fit, problem)
     free, p = model.free, np.tile(fit.numbers, (len(left_out), 1))
     if not len(free):
         return p

@@ -47,6 +47,8 @@ class RowData(NamedTuple):
     vy: Any
     nu: float
     """Degrees of freedom of Student's t; 0: normal errors."""
+    known: Any
+    """(M,) a table of the law at the trial point (:mod:`carom.fitting.tabulated`); empty where the law itself is asked."""
 
 
 class Trial(NamedTuple):
@@ -139,14 +141,16 @@ def ask(
             )
             if inputs == 2:
                 at2 *= math.sqrt(at0 * at0 + at1 * at1) / speed
-            g = law(rows.code, rows.form, rows.stages[i], (at0, at1, at2), rows.radius, trial.stepped_numbers[z])
+            g = law(
+                rows.code, rows.form, rows.stages[i], (at0, at1, at2), rows.radius, trial.stepped_numbers[z], rows.known
+            )
             for n in range(3):
                 asked[item, n] = (g[n] - asked[0, n]) / step - trial.moved[z, i, 3 + n]
             continue
         was = trial.values[j] if j >= 0 else 0 * speed
         if j >= 0:
             trial.values[j] = was + step
-        g = law(rows.code, rows.form, rows.stages[i], (at0, at1, at2), rows.radius, trial.numbers[0])
+        g = law(rows.code, rows.form, rows.stages[i], (at0, at1, at2), rows.radius, trial.numbers[0], rows.known)
         if j >= 0:
             trial.values[j] = was
         for n in range(3):

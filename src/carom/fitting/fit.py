@@ -8,6 +8,7 @@ given error bars is fitted as one more parameter on request (:mod:`carom.fitting
 from __future__ import annotations
 
 import itertools
+import math
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -18,10 +19,11 @@ from carom.fitting.data import Problem
 from carom.fitting.identifiability import identified_covariance, identify, parameter_ranges
 from carom.fitting.laws import FittedLaw
 from carom.fitting.model import STEPS, FitModel, feels_spins, model_of, predict_law
-from carom.fitting.optimizer import cross_creases
+from carom.fitting.optimizer import EVERYWHERE, cross_creases
 from carom.fitting.parameters import INDEX, NUMBERS
-from carom.fitting.result import Fit, refit, rows_of_fit
+from carom.fitting.result import Fit, refit, working_model
 from carom.fitting.scatter import with_contact_scatter, with_estimated_scatter
+from carom.fitting.tabulated import LawTable, coarse_table, fine_table
 from carom.fitting.uncertainty import with_marginal_errors, with_profiled_friction
 
 __all__ = ["fit_law", "kinked_rows_warning"]
@@ -30,8 +32,12 @@ Array = NDArray[np.float64]
 FEW_STEPS, HELD_STEPS = 40, 12
 SEARCH_ROWS, MARGINAL_SEARCH_ROWS = 150, 40  # rows, of many, in which starts are tried
 STARTS, MARGINAL_STARTS = 8, 12  # from which the search descends
+ANNEALED_ROWS = 120  # of many, in which the search with shrinking error bars is made
+CREASE_ROWS = 250  # among which, of many, frictions beyond creases are sought
 FREED = 3  # number of held frictions that are then freed
 MAX_EXCESS = 30.0  # of the deviance above the best: a start that ends higher is dropped
+HEATS = (16.0, 8.0, 4.0, 2.0)  # by which error bars are multiplied, in turn, in the search with a table
+AROUND = (-4.0, -2.0, -1.0, 1.0, 2.0, 4.0)  # error bars of the friction, at which it is held with the fine table
 DISTINCT = 0.02  # least distance between two points regarded as different
 KINKED_SIGMA, KINKED_SHARE = 0.3, 0.06  # of an error bar by which the prediction deviates from linear; of the rows
 STUDENT_NU = 4
@@ -57,7 +63,7 @@ def _search(model: FitModel) -> Array:
     problem, law, start = model.problem, model.law, model.start
     n, parameters = len(problem.x), model.parameters
     if law.search_code is not None and parameters:  # a similar law that is a hundred times as fast
-        quick = replace(model, law=replace(law, code=law.search_code, search_code=None))
+        quick = replace(model.using(None), law=replace(law, code=law.search_code, search_code=None))
         found = quick.minimize(_search(quick), FEW_STEPS)
         return found.p[_distinct(found.p[:, model.free], found.value, MAX_EXCESS, 2)]
     marginal = problem.spins is not None
@@ -118,6 +124,8 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     'mirror: e = 0.799'
     """
     model = model_of(law, problem)
+    coarse = coarse_table(model)
+    model = model.using(coarse)
     scatter: dict[str, float] = {}
     extra, n_by, contacts = 0.0, np.isfinite(problem.y).sum(axis=0), None
     if problem.estimated.any() or problem.setting.scatter:
@@ -127,6 +135,8 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     else:
         p = _search(model.without_shared())
     own = model.without_shared()
+    if coarse is not None:
+        p = np.concatenate([p, _annealed(own, p)])
     best = _descend(own, p)
     if problem.spins is not None and "friction" in model.parameters:
         best = _across_creases(own, best)
@@ -135,6 +145,10 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
         p = np.tile(best.p, (1 + 2 * len(z), 1))
         p[1:, NUMBERS:] = np.concatenate([z, -z])
         best = _descend(model, p)
+    table = None
+    if coarse is not None:
+        best, table = _refined(model if problem.shared else own, best, coarse)
+        own = own.using(None)
     names = tuple(model.parameters)
     k = len(names) + len(scatter)
     _deviance, chi2_by_row = replace(own, free=own.free[:0]).row_deviances(best.p)
@@ -165,6 +179,7 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
         scatter=scatter,
         contact_scatter=contacts,
         determinants=0.0 if contacts is None else extra,
+        tabulated=table,
     )
     done = _identified(fit, information)
     if problem.spins is not None and "friction" in done.untold:
@@ -186,17 +201,67 @@ def _own_information(h: Array, k: int) -> Array:
 
 def _across_creases(model: FitModel, best: _Place) -> _Place:
     """Continue the search with the friction held at other values, and then freed."""
-    i, held = INDEX["friction"], model.holding("friction")
+    i, problem = INDEX["friction"], model.problem
+    # in many rows the search is among some of them
+    few = np.linspace(0, len(problem.x) - 1, min(len(problem.x), CREASE_ROWS)).astype(int)
+    some = model if len(few) == len(problem.x) else replace(model, problem=problem.select(few))
+    held = some.holding("friction")
 
     def explore(best: _Place, nearby: list[float], everywhere: list[float]) -> _Place:
         others = np.tile(best.p, (len(nearby) + len(everywhere), 1))
         others[:, i] = np.clip(nearby + everywhere, model.low[i], model.high[i])
         found = held.minimize(others, HELD_STEPS)
-        return _descend(model, found.p[np.argsort(found.value, kind="stable")[:FREED]])
+        return _descend(some, found.p[np.argsort(found.value, kind="stable")[:FREED]])
 
+    if some is not model:
+        found = cross_creases(
+            _descend(some, best.p[None]), lambda place: float(place.p[i]), lambda place: place.deviance, explore,
+            lambda _place, turn: turn == 0,
+        )  # fmt: skip
+        freed = _descend(model, found.p[None])
+        return freed if freed.deviance < best.deviance else best
     return cross_creases(
         best, lambda place: float(place.p[i]), lambda place: place.deviance, explore, lambda _place, turn: turn == 0
     )
+
+
+def _annealed(model: FitModel, p: Array) -> Array:
+    """Return places (B, K) to which the best one, and others with any friction, move as the error bars shrink to their own size.
+
+    Small ones make the valley of the true friction narrower than the frictions that are tried are apart.
+    """
+    few = np.linspace(0, len(model.problem.x) - 1, min(len(model.problem.x), ANNEALED_ROWS)).astype(int)
+    problem = model.problem.select(few)
+
+    def warm(heat: float) -> FitModel:
+        hot = {name: getattr(problem, name) * heat**2 for name in ("vx", "vy", "covariance")}
+        return replace(model, problem=replace(problem, **hot))
+
+    p = np.tile(_descend(warm(HEATS[0]), p).p, (1 + len(EVERYWHERE), 1))
+    if "friction" in model.parameters:
+        p[1:, INDEX["friction"]] = np.clip(EVERYWHERE, model.low[INDEX["friction"]], model.high[INDEX["friction"]])
+    for heat in HEATS:
+        found = warm(heat).minimize(p, HELD_STEPS)
+        p = found.p
+    return p[_distinct(p[:, model.free], found.value, math.inf, FREED)]
+
+
+def _refined(model: FitModel, best: _Place, coarse: LawTable) -> tuple[_Place, LawTable]:
+    """Descend with a fine table, across the creases nearby, and then with the law itself. Return the place and the table."""
+    bars = np.sqrt(np.abs(np.diag(np.linalg.pinv(best.information, hermitian=True))))
+    e, mu = (float(bars[model.free == INDEX[name]].sum()) for name in ("restitution", "friction"))
+    here = float(best.p[INDEX["friction"]])
+    table = fine_table(coarse, (e, mu), here)
+    fine = model.using(table)
+    best = _descend(fine, best.p[None])
+    if "friction" in model.parameters:
+        held = np.tile(best.p, (len(AROUND), 1))
+        friction = best.p[INDEX["friction"]] + np.array(AROUND) * mu
+        held[:, INDEX["friction"]] = np.clip(friction, fine.low[INDEX["friction"]], fine.high[INDEX["friction"]])
+        found = fine.holding("friction").minimize(held, HELD_STEPS)
+        freed = _descend(fine, found.p[np.argsort(found.value, kind="stable")[:FREED]])
+        best = freed if freed.deviance < best.deviance else best
+    return _descend(model.using(None), best.p[None]), table
 
 
 class _Subject:
@@ -209,7 +274,8 @@ class _Subject:
         self.places = list(model.places.values())
         self.values = fit.numbers[self.places]
         self.trade_offs = fit.problem.spins is not None
-        self.base = float(rows_of_fit(fit, fit.problem, fit.numbers)[0].sum())
+        self.model = working_model(fit, fit.problem)
+        self.base = float(self.model.row_deviances(fit.numbers)[0].sum())
         self.shared = float(np.square(fit.numbers[NUMBERS:]).sum())
 
     def covariance(self, inside: NDArray[np.int64]) -> Array:
@@ -221,7 +287,7 @@ class _Subject:
         """Return the deviance above its minimum with one parameter changed."""
         p = self.fit.numbers.copy()
         p[self.places[i]] = value
-        return float(rows_of_fit(self.fit, self.fit.problem, p)[0].sum()) - self.base
+        return float(self.model.row_deviances(p)[0].sum()) - self.base
 
     def refit_rises(self, i: int, values: Array) -> tuple[Array, Array]:
         """Return the profile above its minimum, and the parameters there."""

@@ -22,13 +22,15 @@ from carom.laws.two_step import UNDEFINED, first_impact
 from carom.laws.wall_and_floor.solver import STALL
 
 __all__ = [
-    "AFTER_WALL", "CONTACT", "CONVENTIONAL", "ROLLING", "SMOOTH", "TOGETHER", "TURN", "planar", "table"
+    "AFTER_WALL", "CONTACT", "CONVENTIONAL", "DENSE", "PLANES", "ROLLING", "SMOOTH", "TABLE_HEAD", "TABULATED", "TOGETHER", "TURN",
+    "planar", "planar_law", "table", "table_law",
 ]  # fmt: skip
 
 # Contact models that are compiled in. SMOOTH: wall and floor without friction; TURN: the wall and then the floor; TOGETHER: both
 # at once. Any other code is the address of a law's kernel (carom.laws.callbacks); with a minus sign where the last number that
 # the kernel takes is the stiffness ratio in place of the tangential restitution.
 CONTACT, SMOOTH, CONVENTIONAL, TURN, TOGETHER = range(5)
+TABULATED = 5  # both at once, from a table (carom.fitting.tabulated)
 # Stages at which the outgoing ball was measured
 AFTER_WALL, ROLLING = 0, 1
 
@@ -100,3 +102,68 @@ def table(code: int, form: int, stage: int, x: Vec, a: float, p: Any) -> Vec:
             v1, w1, UP, a, p.kappa, p.floor_restitution, p.floor_friction, zero
         )
     return v1[0], v1[1], w1[2]
+
+
+# A table of a law at some restitution, wall friction and floor friction: its head, these three first, then for each stage,
+# direction and spin the velocities, and a times the spin, of a ball that came with speed 1, and their derivatives in the three.
+TABLE_HEAD = 10
+_DIRECTION, _DIRECTIONS, _SPIN, _SPINS, _STAGES = 3, 5, 6, 8, 9
+PLANES = 4
+DENSE = 0.6  # v/a: spins below this are evenly spaced, and in proportion to their size beyond
+
+
+@kernel
+def _cubic(t: float) -> tuple[float, float, float, float]:
+    """Return Lagrange's weights of four values at 0, 1, 2 and 3."""
+    a, b, c = t - 1, t - 2, t - 3
+    return -a * b * c / 6, t * b * c / 2, -t * a * c / 2, t * a * b / 6
+
+
+@kernel
+def look_up(stage: int, x: Vec, a: float, p: Any, known: Any) -> Vec:
+    """Return what a table says: cubic in direction and spin, linear in what parameters differ from those of the table.
+
+    What comes from the other side is mirrored. The law is homogeneous in the speeds.
+    """
+    side = 1 + 0 * x[0] if x[1] >= 0 else -1 + 0 * x[0]
+    along = side * x[1]
+    speed = math.sqrt(x[0] * x[0] + along * along)
+    sigma = side * x[2] * a / speed / DENSE
+    root = math.sqrt(sigma * sigma + 1)
+    place = math.log(sigma + root) if sigma >= 0 else -math.log(root - sigma)
+    directions, spins = int(known[_DIRECTIONS]), int(known[_SPINS])
+    one = (along / (x[0] + along) - known[_DIRECTION]) * known[_DIRECTION + 1]
+    two = (place - known[_SPIN]) * known[_SPIN + 1]
+    i = min(max(int(one) - 1, 0), directions - 4)
+    j = min(max(int(two) - 1, 0), spins - 4)
+    w0, w1, w2, w3 = _cubic(one - i)
+    u0, u1, u2, u3 = _cubic(two - j)
+    first = (int(min(stage, known[_STAGES] - 1)) * directions + i) * spins + j
+    off0, off1, off2 = p.restitution - known[0], p.friction - known[1], p.floor_friction - known[2]
+    moved = off0 != 0 or off1 != 0 or off2 != 0
+    f0 = f1 = f2 = 0 * speed
+    for m in range(4):
+        w = w0 if m == 0 else w1 if m == 1 else w2 if m == 2 else w3
+        for n in range(4):
+            u = w * (u0 if n == 0 else u1 if n == 1 else u2 if n == 2 else u3)
+            at = TABLE_HEAD + (first + m * spins + n) * 3 * PLANES
+            f0, f1, f2 = f0 + u * known[at], f1 + u * known[at + 1], f2 + u * known[at + 2]
+            if moved:
+                f0 += u * (off0 * known[at + 3] + off1 * known[at + 6] + off2 * known[at + 9])
+                f1 += u * (off0 * known[at + 4] + off1 * known[at + 7] + off2 * known[at + 10])
+                f2 += u * (off0 * known[at + 5] + off1 * known[at + 8] + off2 * known[at + 11])
+    return speed * f0, side * speed * f1, side * speed * f2 / a
+
+
+@kernel
+def planar_law(code: int, form: int, stage: int, x: Vec, a: float, p: Any, _known: Any) -> Vec:
+    """Return :func:`planar`, which no table replaces."""
+    return planar(code, form, stage, x, a, p)
+
+
+@kernel
+def table_law(code: int, form: int, stage: int, x: Vec, a: float, p: Any, known: Any) -> Vec:
+    """Return :func:`table`, or what a table of it says."""
+    if code == TABULATED:
+        return look_up(stage, x, a, p, known)
+    return table(code, form, stage, x, a, p)

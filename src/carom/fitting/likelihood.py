@@ -9,8 +9,8 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,10 +29,12 @@ if TYPE_CHECKING:
 __all__ = [
     "Evaluation",
     "LikelihoodModel",
+    "TabulatedLaw",
     "compile_likelihood",
     "evaluate",
     "make_trial",
     "make_workspace",
+    "predict_in_parts",
     "predictions",
 ]
 
@@ -40,6 +42,16 @@ Array = NDArray[np.float64]
 PARTS = 8
 SHARED_STEP = 0.03  # of an error bar: the step of a derivative in a shared error
 SERIAL_WORK = 4000  # law evaluations up to which one core is faster
+
+
+class TabulatedLaw(Protocol):
+    """A table in place of a law (:mod:`carom.fitting.tabulated`)."""
+
+    def at(self, p: Array, moves: Array) -> Array:
+        """Return the table at a trial point, as compiled code reads it."""
+
+    def covers(self, problem: Any) -> bool:
+        """Return whether all rows lie within it."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,6 +69,8 @@ class LikelihoodModel:
     """(S, N, 6) shift of inputs and outputs by one unit of each shared error."""
     moves: Array
     """(S, NUMBERS) shift of the law's parameters by the same."""
+    tabulated: TabulatedLaw | None = None
+    """In place of the law."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -135,17 +149,19 @@ def _predict_rows(law: Any, rows: Any, x: Any, numbers: Any, out: Any) -> None:
     """Compute the law's prediction for each row: x (N, 3), numbers (N or 1,) records, out (N, 3)."""
     one = min(numbers.shape[0] - 1, 1)
     for i in range(x.shape[0]):
-        f = law(rows.code, rows.form, rows.stages[i], (x[i, 0], x[i, 1], x[i, 2]), rows.radius, numbers[i * one])
+        f = law(
+            rows.code, rows.form, rows.stages[i], (x[i, 0], x[i, 1], x[i, 2]), rows.radius, numbers[i * one], rows.known
+        )
         out[i, 0], out[i, 1], out[i, 2] = f[0], f[1], f[2]
 
 
 @functools.cache
 def _law(kind: Kind) -> Any:
     """Return the laws of a kind, compiled."""
-    from carom.fitting.kernels import planar, table
+    from carom.fitting.kernels import planar_law, table_law
 
     register_calls()
-    return njit(planar if kind == "planar" else table, _types()["law"].signature, nogil=True)
+    return njit(planar_law if kind == "planar" else table_law, _types()["law"].signature, nogil=True)
 
 
 @functools.cache
@@ -155,11 +171,11 @@ def _types() -> Any:
         array_of(*x) for x in ((float, 1), (float, 2), (float, 3), (int, 1), (LAW_NUMBERS, 1))
     )
     vector = (float, float, float)
-    law = function_type(vector, int, int, int, vector, float, LAW_NUMBERS)
+    law = function_type(vector, int, int, int, vector, float, LAW_NUMBERS, one)
     grid = named_tuple_type(SpinGrid, one, bool)
 
     def rows(spins: Any) -> Any:
-        return named_tuple_type(RowData, int, int, indices, float, spins, two, two, two, two, two, float)
+        return named_tuple_type(RowData, int, int, indices, float, spins, two, two, two, two, two, float, one)
 
     trial = named_tuple_type(Trial, one, numbers, indices, one, three, two, numbers)
     work = named_tuple_type(
@@ -231,6 +247,23 @@ def evaluate(model: LikelihoodModel, p: Array, weights: Array | None = None) -> 
     p, rows = np.ascontiguousarray(p, float), model.rows
     (n, count), k = (len(rows.x), len(p)), len(model.free)
     weights = np.ones((1, n)) if weights is None else np.ascontiguousarray(weights, float)
+    if model.tabulated is not None:  # a table each
+        plain = replace(model, tabulated=None)
+        each = [
+            evaluate(
+                replace(plain, rows=rows._replace(known=model.tabulated.at(p[b], model.moves))),
+                p[b : b + 1],
+                weights[b * one : b * one + 1],
+            )
+            for one in (min(len(weights) - 1, 1),)
+            for b in range(count)
+        ]
+        return Evaluation(
+            *(
+                np.concatenate([getattr(seen, name) for seen in each])
+                for name in ("deviance", "chi2", "scores", "information")
+            )
+        )
     points = 0 if rows.spins is None else len(rows.spins.sigma)
     loop, law = _evaluating(points > 0), _law(model.kind)
     deviance, chi2 = np.empty((count, n)), np.empty((count, n))
@@ -255,6 +288,19 @@ def evaluate(model: LikelihoodModel, p: Array, weights: Array | None = None) -> 
     else:
         list(_pool().map(lambda task: part(*task), tasks))
     return Evaluation(deviance, chi2, u.sum(axis=0), h.sum(axis=0))
+
+
+def predict_in_parts(kind: Kind, rows: RowData, x: Array, p: Array) -> Array:
+    """Return the law's predictions (N, 3) for x (N, 3) with numbers p (NUMBERS,), on all cores."""
+    out, numbers = np.empty((len(x), 3)), np.ascontiguousarray(p[None], float).view(LAW_NUMBERS)[:, 0]
+    edges = np.linspace(0, len(x), PARTS + 1).astype(int).tolist()
+
+    def part(m: int) -> None:
+        some = slice(edges[m], edges[m + 1])
+        _predicting()(_law(kind), rows._replace(stages=rows.stages[some]), x[some], numbers, out[some])
+
+    list(_pool().map(part, range(PARTS)))
+    return out
 
 
 def predictions(model: LikelihoodModel, x: Array, p: Array) -> Array:

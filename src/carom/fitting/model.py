@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from carom.fitting.data import Problem
 from carom.fitting.deviance import RowData
+from carom.fitting.kernels import TABULATED
 from carom.fitting.laws import FittedLaw
-from carom.fitting.likelihood import LikelihoodModel, evaluate, predictions
+from carom.fitting.likelihood import LikelihoodModel, TabulatedLaw, evaluate, predictions
 from carom.fitting.optimizer import Minimum, minimize
 from carom.fitting.parameters import FORMS, INDEX, NUMBERS, PARAMETERS, Parameter
 
@@ -46,6 +47,12 @@ class FitModel:
     high: Array
     moves: Array
     """(S, NUMBERS) change of the law's parameters by shared errors."""
+    tabulated: TabulatedLaw | None = None
+    """A table that stands in for the law (:mod:`carom.fitting.tabulated`)."""
+
+    def using(self, tabulated: TabulatedLaw | None) -> FitModel:
+        """Return the model with a table in place of the law, or none."""
+        return replace(self, tabulated=tabulated)
 
     def holding(self, name: str) -> FitModel:
         """Return the model with one of the law's free parameters held fixed."""
@@ -70,7 +77,7 @@ class FitModel:
         measured = (x, problem.vx, problem.covariance, problem.y, problem.vy)
         x, vx, covariance, y, vy = (np.ascontiguousarray(array, float) for array in measured)
         rows = RowData(
-            self.law.contact_code,
+            self.law.contact_code if self.tabulated is None else TABULATED,
             self.form,
             stages,
             problem.setting.radius,
@@ -81,6 +88,7 @@ class FitModel:
             y,
             vy,
             problem.nu,
+            np.empty(0),
         )
         moved = np.ascontiguousarray(_moved(problem), float)
         return LikelihoodModel(
@@ -91,6 +99,7 @@ class FitModel:
             self.high,
             moved,
             np.ascontiguousarray(self.moves, float),
+            self.tabulated,
         )
 
     def minimize(

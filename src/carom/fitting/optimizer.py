@@ -13,7 +13,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Minimum", "cross_creases", "damped_step", "minimize"]
+__all__ = ["EVERYWHERE", "Minimum", "cross_creases", "damped_step", "minimize"]
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]

@@ -13,6 +13,7 @@ from carom.fitting.result import Fit, rows_of_fit
 __all__ = ["Outlier", "outliers_of"]
 
 FALSE_ALARM = 0.05  # probability of an outlier by chance among all rows
+STEADY_ROWS = 150  # of many, to which the robust fit is made
 LEAST_ROWS = 8  # for the search of outliers
 MOVED_SIGMA = 3.0  # shift of a parameter, in error bars, that is reported
 
@@ -50,8 +51,9 @@ def outliers_of(fit: Fit) -> tuple[list[Outlier], list[str]]:
         return [], []
     steady = fit
     if not problem.estimated.any() and not problem.nu and fit.names:
-        # (the scatter between contacts, if it was fitted, is in the error bars)
-        steady = fit_law(fit.law, replace(problem, setting=replace(problem.setting, robust=True, scatter="")))
+        # (the scatter between contacts, if it was fitted, is in the error bars; of many rows some tell the parameters well enough)
+        few = problem.select(np.linspace(0, len(d) - 1, min(len(d), STEADY_ROWS)).astype(int))
+        steady = fit_law(fit.law, replace(few, setting=replace(problem.setting, robust=True, scatter="")))
     chi2 = rows_of_fit(fit, problem, steady.numbers)[1]
     # if no law fits, a row is an outlier relative to the others, since the error bars are too small for all rows
     scale = max(float(np.median(chi2[d > 0] / distribution.median(d[d > 0]))), 1.0)

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from carom.fitting.data import Problem
 from carom.fitting.laws import FittedLaw
-from carom.fitting.model import STEPS, model_of, predict_law
+from carom.fitting.likelihood import TabulatedLaw
+from carom.fitting.model import STEPS, FitModel, model_of, predict_law
 from carom.fitting.parameters import NUMBERS
 
 __all__ = [
@@ -24,6 +25,7 @@ __all__ = [
     "rows_of_fit",
     "scaled",
     "with_error_bar",
+    "working_model",
 ]
 
 Array = NDArray[np.float64]
@@ -98,6 +100,8 @@ class Fit:
     """The scatter between contacts, where it was fitted: a share of the speed before the wall, or m/s,"""
     determinants: float = 0.0
     """and what log det S has grown by with it, in all rows."""
+    tabulated: TabulatedLaw | None = None
+    """A table near the best place that stands in for a costly law in what is done with the fit (:func:`working_model`)."""
 
     @property
     def k(self) -> int:
@@ -157,6 +161,12 @@ def scaled(fit: Any, name: str, by: float) -> Any:
     return replace(fit, covariance=covariance, estimates=fit.estimates | {name: wider})
 
 
+def working_model(fit: Fit, problem: Problem) -> FitModel:
+    """Return the law prepared for rows, with the fit's table in its place where there is one: for differences of the deviance."""
+    model, table = model_of(fit.law, problem), fit.tabulated
+    return model.using(table) if table is not None and table.covers(problem) else model
+
+
 def rows_of_fit(fit: Fit, problem: Problem, p: Array) -> tuple[Array, Array]:
     """Return deviance and chi^2 (N,) of each row of a problem under the fit's law with numbers p."""
     return model_of(fit.law, problem).row_deviances(p)
@@ -166,11 +176,11 @@ def refit(
     fit: Fit, problem: Problem, weights: Array | None = None, p: Array | None = None, *, hold: str = "", steps: int = STEPS,
     centers: Array | None = None,
 ) -> tuple[Array, Array]:  # fmt: skip
-    """Fit the law again to (weighted) rows, from numbers p (B, K), with the parameter ``hold`` (if any) held fixed.
+    """Fit the law, or its table, again to (weighted) rows, from p (B, K), with the parameter ``hold`` (if any) held fixed.
 
     Returns numbers (B, K) and deviances (B,). ``centers`` (B, S) of shared errors.
     """
-    model = model_of(fit.law, problem)
+    model = working_model(fit, problem)
     count = 1 if weights is None else len(weights)
     p = np.tile(fit.numbers, (count, 1)) if p is None else p
     found = (model.holding(hold) if hold else model).minimize(p, steps, weights, centers)

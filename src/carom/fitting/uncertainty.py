@@ -126,7 +126,7 @@ def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:
     True
     """
     model = model_of(fit.law, fit.problem)
-    base = float(refit(fit, fit.problem)[1][0])
+    base = float(refit(replace(fit, tabulated=None), fit.problem)[1][0])
     for name, estimate in fit.estimates.items():
         if estimate.value is None or not (names is None or name in names):
             continue
