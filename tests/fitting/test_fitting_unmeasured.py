@@ -12,7 +12,7 @@ import pytest
 import carom
 from carom.data import make_rebounds
 from carom.fitting import Setting, fit_law, fit_laws, make_problem
-from carom.fitting.kernels import planar
+from carom.fitting.kernels import planar_law
 from carom.fitting.laws import laws_named
 from carom.fitting.likelihood import evaluate, make_trial, make_workspace
 from carom.fitting.model import model_of, predict_law
@@ -275,7 +275,7 @@ def test_what_was_not_measured_asks_for_no_more_of_the_law():
 
     def counted(*given):
         asked.append(given)
-        return planar(*given)
+        return planar_law(*given)
 
     rebounds = bounces(3, 3, spin_seen=False)
     problem, _ = make_problem(rebounds, SETTING)
@@ -404,7 +404,7 @@ def test_one_row_beyond_the_edge_moves_the_friction_and_robust_fits_do_not_follo
     # and the ranking says so, though the plain fit has bent to the row
     ranking = fit_laws(rebounds, SETTING, ["sliding"], profiles=False, bootstrap=0)
     assert [outlier.row for outlier in ranking.outliers] == ["row 18"]
-    assert "row 18 alone sways this" in ranking.verdict
+    assert "Row 18 alone sways this" in ranking.verdict
     assert ranking.swayed
     note = next(note for note in ranking.notes if "heavy tails" in note)
     assert note.startswith("row 18 alone decides the parameters of sliding: friction 0.2")
