@@ -8,7 +8,7 @@
 The public names stand in ``__init__.pyi``; each is imported when it is first used, so that ``import carom`` is quick.
 """
 
-import lazy_loader as _lazy
+from carom.public.names import attach_public as _attach_public
 
-__getattr__, __dir__, __all__ = _lazy.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = _attach_public(__name__, __file__)
 __version__ = "0.1.0"

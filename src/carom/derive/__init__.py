@@ -6,11 +6,10 @@ the numeric laws can be tested against what is derived here. :mod:`carom.derive.
 
 from typing import Any
 
-import lazy_loader as _lazy
-
 from carom.files import require_library as _require_library
+from carom.public.names import attach_public as _attach_public
 
-_attached, __dir__, __all__ = _lazy.attach_stub(__name__, __file__)
+_attached, __dir__, __all__ = _attach_public(__name__, __file__)
 
 
 def __getattr__(name: str) -> Any:

@@ -4,6 +4,6 @@ ranking = fitting.fit_laws(carom.data.rebounds.read_rebounds("bounces.csv"), fit
 ranking.verdict, ranking.best.estimates["friction"]
 """
 
-import lazy_loader as _lazy
+from carom.public.names import attach_public as _attach_public
 
-__getattr__, __dir__, __all__ = _lazy.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = _attach_public(__name__, __file__)

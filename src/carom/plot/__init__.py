@@ -3,6 +3,6 @@
 Each function returns a Matplotlib Figure without a window; a notebook displays it, :func:`save` writes it.
 """
 
-import lazy_loader as _lazy
+from carom.public.names import attach_public as _attach_public
 
-__getattr__, __dir__, __all__ = _lazy.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = _attach_public(__name__, __file__)

@@ -1,5 +1,5 @@
 """What a user declares: balls, floor, walls and their shapes, how long to run; read from Python or TOML, and validated."""
 
-import lazy_loader as _lazy
+from carom.public.names import attach_public as _attach_public
 
-__getattr__, __dir__, __all__ = _lazy.attach_stub(__name__, __file__)
+__getattr__, __dir__, __all__ = _attach_public(__name__, __file__)

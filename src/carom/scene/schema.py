@@ -274,7 +274,8 @@ class Components:
 
     def __call__(self, value: Any) -> tuple[Any, ...]:
         """The components as a tuple."""
-        if isinstance(value, Iterable) and not isinstance(value, (str, dict, set)):
+        number = isinstance(value, np.ndarray) and value.ndim == 0  # (which says that it can be iterated over)
+        if isinstance(value, Iterable) and not isinstance(value, (str, dict, set)) and not number:
             parts = tuple(value)
             if len(parts) in self.counts:
                 return parts

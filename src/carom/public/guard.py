@@ -1,0 +1,234 @@
+"""Wrong arguments of public functions and methods: a CaromError that names function, argument, expectation and what came.
+
+What is right is not looked at, so that a call costs nothing more than one of Python's. Only where a call raises something other
+than a CaromError are its arguments compared with the annotations of its signature. An exception of the caller's own (of a callback,
+a law) goes on as it is, and so does a warning that was made an error.
+"""
+
+from __future__ import annotations
+
+import collections.abc
+import functools
+import inspect
+import os
+import sys
+import types
+import typing
+from collections.abc import Callable
+from numbers import Integral, Real
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from carom.errors import CaromError, float_array
+
+__all__ = ["guarded"]
+
+LIBRARIES = frozenset({
+    "carom", "gsd", "h5netcdf", "h5py", "imageio_ffmpeg", "lazy_loader", "llvmlite", "matplotlib", "mpl_toolkits", "numba", "numpy",
+    "pandas", "pint", "pyarrow", "pydantic", "pydantic_core", "rich", "scipy", "sympy", "typer", "xarray",
+})  # fmt: skip
+SEQUENCES = (collections.abc.Sequence, collections.abc.Iterable)
+_done: dict[Any, Any] = {}
+
+
+def guarded(public: Any) -> Any:
+    """Return a public function that explains its misuse; of a class make the methods such, and return the class."""
+    if inspect.isclass(public):
+        for cls in reversed(public.__mro__):
+            if cls.__module__.startswith("carom.") and cls not in _done:
+                _done[cls] = cls
+                _guard_methods(cls)
+        return public
+    if not inspect.isfunction(public):
+        return public
+    if public not in _done:
+        function: Any = public
+        wrapper = _done[public] = _guard(function, function.__name__)
+        _done[wrapper] = wrapper
+        if vars(sys.modules[public.__module__]).get(public.__name__) is public:  # (pickle looks for it there)
+            vars(sys.modules[public.__module__])[public.__name__] = wrapper
+    return _done[public]
+
+
+def _guard_methods(cls: type) -> None:
+    for name, member in list(vars(cls).items()):
+        if name.startswith("_") and name not in ("__init__", "__call__"):
+            continue
+        where = cls.__name__ if name == "__init__" else f"{cls.__name__}.{name}"
+        if isinstance(member, classmethod | staticmethod):
+            setattr(cls, name, type(member)(_guard(member.__func__, where)))
+        elif inspect.isfunction(member):
+            setattr(cls, name, _guard(member, where))
+
+
+def _guard(function: Callable[..., Any], where: str) -> Callable[..., Any]:
+    if inspect.isgeneratorfunction(function):
+        return function
+
+    @functools.wraps(function)
+    def call(*args: Any, **options: Any) -> Any:
+        try:
+            return function(*args, **options)
+        except CaromError:
+            raise
+        except Exception as error:
+            explained = _explained(function, where, args, options, error)
+            if explained is None:
+                raise
+            raise explained from error
+
+    return call
+
+
+# --- what was wrong ------------------------------------------------------------------------------------------------
+
+
+def _explained(
+    function: Callable[..., Any], where: str, args: Any, options: Any, error: Exception
+) -> CaromError | None:
+    """Return the error of a call as a CaromError; None for what is not about its arguments."""
+    if isinstance(error, Warning | MemoryError) or _is_the_callers(error):
+        return None
+    signature = inspect.signature(function)
+    try:
+        given = signature.bind(*args, **options).arguments
+    except TypeError:
+        return None  # too few arguments, too many, or another name: Python says it well
+    first = next(iter(signature.parameters), "")
+    if first in ("self", "cls"):
+        if where == type(given.get("self")).__mro__[0].__name__ or not where.partition(".")[2]:
+            where = type(given["self"]).__name__ if "self" in given else where
+        given = {name: value for name, value in given.items() if name != first}
+    faults = []
+    for name, value in given.items():
+        parameter = signature.parameters[name]
+        values = {name: value}
+        if parameter.kind is inspect.Parameter.VAR_KEYWORD:
+            values = dict(value)
+        elif parameter.kind is inspect.Parameter.VAR_POSITIONAL:
+            values = {f"{name}[{i}]": one for i, one in enumerate(value)}
+        annotation = _annotation(function, parameter)
+        for label, one in values.items():
+            if (one is not parameter.default) and not _fits(one, annotation):
+                faults.append(f"{where}: {label}: expected {_phrase(annotation)}, got {_shown(one)}")
+    if faults:
+        return CaromError(*faults)
+    said = " ".join(str(error).split())[:200] or type(error).__name__
+    got = ", ".join(f"{name} = {_shown(value)}" for name, value in given.items()) or "none"
+    return CaromError(
+        f"{where}: expected arguments that fit its documentation, got {got} ({type(error).__name__}: {said});"
+        " check their order, types and shapes"
+    )
+
+
+def _is_the_callers(error: Exception) -> bool:
+    """Return whether an exception comes from code that is neither carom's nor a library's: a callback, a law of the user's own."""
+    trace = error.__traceback__
+    trace = trace.tb_next if trace is not None else None  # (the first frame is the guard's)
+    while trace is not None:
+        room = str(trace.tb_frame.f_globals.get("__name__", "")).partition(".")[0]
+        if room not in LIBRARIES and (room == "__main__" or room not in sys.stdlib_module_names):
+            return True
+        trace = trace.tb_next
+    return False
+
+
+def _shown(value: Any) -> str:
+    """Return a value for a message: its type, and its beginning."""
+    if isinstance(value, np.ndarray):
+        return f"an array of shape {value.shape}, {value.dtype}"
+    try:
+        text = " ".join(repr(value).split())
+    except Exception:  # a value whose own repr fails
+        text = ""
+    return f"{type(value).__name__} {text:.60}".strip()
+
+
+# --- annotations ---------------------------------------------------------------------------------------------------
+
+
+def _annotation(function: Any, parameter: inspect.Parameter) -> Any:
+    """Return the type that a parameter is annotated with; Any if it has none, or one that is only there for type checkers."""
+    text = parameter.annotation
+    if text is inspect.Parameter.empty:
+        return Any
+    if not isinstance(text, str):
+        return text
+    try:
+        return eval(text, vars(sys.modules[function.__module__]))
+    except Exception:  # imported under TYPE_CHECKING
+        return Any
+
+
+def _fits(value: Any, annotation: Any) -> bool:  # noqa: PLR0911
+    """Return whether a value may be what an annotation says; of what it does not know it says yes."""
+    origin, inside = typing.get_origin(annotation), typing.get_args(annotation)
+    if isinstance(value, np.ndarray) and value.ndim == 0 and origin in (tuple, list, *SEQUENCES):
+        return False  # (it says that it can be iterated over)
+    if annotation is Any or isinstance(annotation, typing.TypeVar):
+        return True
+    if annotation is None or annotation is type(None):
+        return value is None
+    if _is_array_like(annotation):
+        return _is_numbers(value)
+    if origin is typing.Annotated:
+        return _fits(value, inside[0])
+    if origin is typing.Literal:
+        return any(value is one or (isinstance(value, str) and value == one) for one in inside)
+    if origin in (typing.Union, types.UnionType):
+        return any(_fits(value, one) for one in inside)
+    if annotation is float:
+        return isinstance(value, Real) and not isinstance(value, bool)
+    if annotation is int:
+        return isinstance(value, Integral) and not isinstance(value, bool)
+    if annotation is bool:
+        return isinstance(value, bool | np.bool_)
+    if origin is collections.abc.Callable:
+        return callable(value)
+    if origin is tuple and isinstance(value, tuple | list | np.ndarray):
+        kinds = [inside[0]] * len(value) if inside[-1:] == (Ellipsis,) else list(inside)
+        return len(kinds) == len(value) and all(map(_fits, value, kinds))
+    if origin in (list, *SEQUENCES):
+        several = isinstance(value, (origin, np.ndarray, tuple, list))
+        return several and not isinstance(value, str) and all(_fits(one, inside[0]) for one in value)
+    kind = origin if inspect.isclass(origin) else annotation
+    return isinstance(value, kind) if inspect.isclass(kind) else True
+
+
+def _is_array_like(annotation: Any) -> bool:
+    return annotation == ArrayLike or annotation is np.ndarray or typing.get_origin(annotation) is np.ndarray
+
+
+def _is_numbers(value: Any) -> bool:
+    try:
+        float_array(value)
+    except (TypeError, ValueError):
+        return False
+    return True
+
+
+_PHRASES = {float: "a number", int: "a whole number", bool: "True or False", str: "text", os.PathLike: "a path"}
+
+
+def _phrase(annotation: Any) -> str:  # noqa: PLR0911
+    """Return what an annotation expects, in words."""
+    origin, inside = typing.get_origin(annotation), typing.get_args(annotation)
+    if annotation is None or annotation is type(None):
+        return "None"
+    if _is_array_like(annotation):
+        return "numbers, or an array of them"
+    if origin is typing.Annotated:
+        return _phrase(inside[0])
+    if origin is typing.Literal:
+        return "one of " + ", ".join(map(repr, inside))
+    if origin in (typing.Union, types.UnionType):
+        return " or ".join(dict.fromkeys(_phrase(one) for one in inside))
+    if origin is collections.abc.Callable:
+        return "a function"
+    if origin in (tuple, list, *SEQUENCES):
+        return f"a sequence, each {' or '.join(dict.fromkeys(_phrase(one) for one in inside if one is not Ellipsis))}"
+    kind = origin if inspect.isclass(origin) else annotation
+    name = str(getattr(kind, "__name__", kind))
+    return _PHRASES.get(kind, f"{'an' if name[0] in 'AEIOU' else 'a'} {name}")

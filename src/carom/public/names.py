@@ -1,0 +1,31 @@
+"""Public names of a package, from its stub: each is imported, and guarded, when it is first used."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from typing import Any
+
+import lazy_loader
+
+__all__ = ["attach_public"]
+
+
+def attach_public(package: str, file: str) -> tuple[Callable[[str], Any], Callable[[], list[str]], list[str]]:
+    """Return ``__getattr__``, ``__dir__`` and ``__all__`` of a package whose names stand in the stub beside ``file``.
+
+    Functions and classes are guarded (:func:`carom.public.guard.guarded`). That is here, and not at each function, so that carom's
+    own rooms, which import from modules, call the bare functions.
+    """
+    load, list_names, names = lazy_loader.attach_stub(package, file)
+
+    def load_guarded(name: str) -> Any:
+        found = load(name)
+        if getattr(found, "__module__", "").startswith("carom."):  # (not a module, nor a table of numbers)
+            from carom.public.guard import guarded
+
+            found = guarded(found)
+            vars(sys.modules[package])[name] = found
+        return found
+
+    return load_guarded, list_names, names
