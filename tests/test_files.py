@@ -2,6 +2,7 @@
 
 import errno
 import os
+import subprocess
 import sys
 from pathlib import Path
 
@@ -91,3 +92,39 @@ def test_fit_without_scipy_is_one_line(monkeypatch, capsys):
     lines = [line for line in capsys.readouterr().err.splitlines() if not line.startswith("note: ")]
     assert ended.value.code == 2
     assert lines == ["carom: fit: needs SciPy, which is not installed; run: pip install 'carom[fit]'"]
+
+
+BASE = """
+import sys
+
+class Base:
+
+    def find_spec(self, name, path=None, target=None):
+        if name.partition(".")[0] in ("scipy", "matplotlib"):
+            raise ModuleNotFoundError(f"No module named {name!r}", name=name)
+
+sys.meta_path.insert(0, Base())
+from carom.cli import main
+main()
+"""
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["fit", "kharaz2001"], "carom: carom fit: needs SciPy, which is not installed; run: pip install 'carom[fit]'"),
+        (
+            ["compare", "--plot", "a.svg"],
+            "carom: --plot: needs Matplotlib, which is not installed; run: pip install 'carom[plot]'",
+        ),
+        (
+            ["orbit", "circle", "--plot", "a.svg"],
+            "carom: --plot: needs Matplotlib, which is not installed; run: pip install 'carom[plot]'",
+        ),
+    ],
+)
+def test_the_base_install_names_the_extra(words: list[str], said: str, tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-c", BASE, *words], cwd=tmp_path, capture_output=True, text=True, check=False, timeout=300
+    )
+    assert (done.returncode, done.stdout, done.stderr.splitlines()) == (2, "", [said])

@@ -75,11 +75,18 @@ def import_optional(module: str, needed_by: str) -> Any:
 
 def require_library(name: str, needed_by: str) -> None:
     """Raise MissingLibraryError where an optional library is not installed; it is looked for, not imported."""
-    if sys.modules.get(name) is None and importlib.util.find_spec(name) is None:
+    if sys.modules.get(name) is None and not _is_installed(name):
         prose, extra = OPTIONAL[name]
         raise MissingLibraryError(
             f"{needed_by}: needs {prose}, which is not installed; run: pip install 'carom[{extra}]'"
         )
+
+
+def _is_installed(name: str) -> bool:
+    try:
+        return importlib.util.find_spec(name) is not None
+    except (ImportError, ValueError):  # (what keeps a library from being imported may say so in its own way)
+        return False
 
 
 # --- where a file can be written -----------------------------------------------------------------------------------
@@ -147,6 +154,7 @@ def cannot_write(where: Path | str, error: OSError) -> CaromError:
     expected, remedy = "a place to write to", "choose another one"
     if error.errno in (errno.ENOSPC, errno.EDQUOT, errno.EFBIG):
         expected, remedy = "room to write", "free some space, or choose another place"
+        error = OSError(error.errno, os.strerror(error.errno or 0))  # (a library may say it at more length)
     elif error.errno in (errno.EACCES, errno.EPERM, errno.EROFS):
         expected, remedy = "permission to write there", "choose another place"
     elif error.errno == errno.ENOENT:

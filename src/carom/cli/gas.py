@@ -100,7 +100,9 @@ def gas(
     with ExitStack() as stack:
         signals = stack.enter_context(_signals())
         session = _session(scene, given, resume, progress)
-        file = None if snapshots is None else stack.enter_context(_snapshots(snapshots, session, resume is not None))
+        file = None if snapshots is None else _Frames(snapshots, session, resume is not None, found, progress)
+        if file is not None:
+            stack.callback(file.close)
         checkpoints = _Checkpoints(checkpoint or resume, interval, file, progress)
 
         def report_progress(now: Session) -> None:
@@ -112,20 +114,23 @@ def gas(
                 stop=lambda: bool(signals),
                 progress=report_progress,
                 every=None if file is None else _snapshot_interval(snapshot_every, session),
-                snapshot=None if file is None else lambda now: file.write(now.gas),
+                snapshot=None if file is None else file.write,
             )
         if not finished and checkpoints.path is None:
             checkpoints.path = Path(f"{(scene or resume or Path('gas')).stem}.checkpoint.npz")
         written: list[Path] = []
         _write(found, written, checkpoints.path, checkpoints.save, session)
-    if not finished and not found:
+    if not finished and checkpoints.path in written:
+        _print_faults(found)
         _stopped(session, scene, checkpoints.path, signals[0])
     if finished:
         # the report is printed even if a file cannot be written
         _write(found, written, plot, _plot, session, plot)
         _write(found, written, measures, _write_measures, session, measures)
         attempt(found, _print_report, session, as_json, quiet)
-        wrote(*(() if quiet else (*written, *([] if snapshots is None else [snapshots]))))
+        wrote(
+            *(() if quiet else (*written, *([] if snapshots is None or file is None or file.failed else [snapshots])))
+        )
     if found:
         raise CaromError(*found)
 
@@ -224,15 +229,41 @@ def _session(path: Path | None, scene: GasScene | None, resume: Path | None, pro
     return Session(scene, str(path), progress.growing)
 
 
-@contextmanager
-def _snapshots(path: Path, session: Session, resumed: bool) -> Iterator[Snapshots]:
-    from carom.gas.snapshots import Snapshots
+class _Frames:
+    """Writes snapshots; where that fails, the run goes on without them, and the fault is told at its end, too."""
 
-    file = Snapshots(path, session.names, session.snapshots_taken if resumed and session.snapshots_taken else None)
-    try:
-        yield file
-    finally:
-        file.close()
+    def __init__(self, path: Path, session: Session, resumed: bool, found: list[str], progress: Progress) -> None:
+        from carom.gas.snapshots import Snapshots
+
+        self.taken = session.snapshots_taken if resumed else 0
+        self.file: Snapshots | None = Snapshots(path, session.names, self.taken or None)
+        self.found, self.progress, self.failed = found, progress, False
+
+    def write(self, session: Session) -> None:
+        """Write a frame."""
+        if self._attempted(lambda file: file.write(session.gas)):
+            self.taken += 1
+        session.snapshots_taken = self.taken  # as many as a run that resumes finds
+
+    def flush(self) -> None:
+        """Write all frames to disk."""
+        self._attempted(lambda file: file.flush())
+
+    def close(self) -> None:
+        """Write all frames to disk, and close the file."""
+        self._attempted(lambda file: file.close())
+
+    def _attempted(self, action: Callable[[Snapshots], None]) -> bool:
+        if self.file is None:
+            return False
+        try:
+            action(self.file)
+        except CaromError as error:
+            self.file, self.failed = None, True
+            self.found += error.faults
+            self.progress.say(f"carom: {error}; the run goes on without snapshots")
+            return False
+        return True
 
 
 @contextmanager
@@ -257,7 +288,7 @@ def _signals() -> Iterator[list[int]]:
 class _Checkpoints:
     """Writes checkpoints at intervals."""
 
-    def __init__(self, path: Path | None, every: int | float, file: Snapshots | None, progress: Progress) -> None:
+    def __init__(self, path: Path | None, every: int | float, file: _Frames | None, progress: Progress) -> None:
         import time
 
         self.path, self.every, self.file, self.progress, self.clock = path, every, file, progress, time.monotonic
@@ -283,6 +314,11 @@ class _Checkpoints:
             if self.file is not None:
                 self.file.flush()
             save_checkpoint(session, self.path)
+
+
+def _print_faults(faults: list[str]) -> None:
+    for fault in faults:
+        note(f"carom: {fault}")
 
 
 def _counted(events: int) -> str:

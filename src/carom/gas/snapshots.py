@@ -10,6 +10,8 @@ from __future__ import annotations
 
 import csv
 import io
+from collections.abc import Iterator
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -18,7 +20,7 @@ from numpy.typing import NDArray
 
 from carom.data.cells import parse_numbers
 from carom.errors import CaromError, suggestion
-from carom.files import atomic_path, import_optional, read_text
+from carom.files import atomic_path, cannot_write, import_optional, read_text
 from carom.gas.gas import Gas
 
 __all__ = ["InitialState", "Snapshots", "read_initial_state", "spins_of"]
@@ -88,18 +90,27 @@ class Snapshots:
 
     def write(self, gas: Gas) -> None:
         """Append the gas as it is now."""
-        try:
+        with self._writing():
             self._file.append(self._frame(gas))
-        except OSError as error:
-            raise CaromError(f"{self.path}: expected space for a frame, got: {error.strerror or error}") from None
 
     def flush(self) -> None:
         """Write all frames to disk."""
-        self._file.flush()
+        with self._writing():
+            self._file.flush()
 
     def close(self) -> None:
         """Write all frames to disk, and close the file."""
-        self._file.close()
+        with self._writing():
+            self._file.close()
+
+    @contextmanager
+    def _writing(self) -> Iterator[None]:
+        try:
+            yield
+        except OSError as error:
+            raise cannot_write(self.path, error) from None
+        except RuntimeError as error:  # GSD's own
+            raise CaromError(f"{self.path}: expected a file to write frames to, got: {error}") from None
 
     def _frame(self, gas: Gas) -> Any:
         balls, one = gas.balls(), gas.arrays.system[0]

@@ -44,11 +44,12 @@ def guarded(public: Any) -> Any:
     if not inspect.isfunction(public):
         return public
     if public not in _done:
-        function: Any = public
-        wrapper = _done[public] = _guard(function, function.__name__)
+        name = public.__name__
+        wrapper = _done[public] = _guard(public, name)
         _done[wrapper] = wrapper
-        if vars(sys.modules[public.__module__]).get(public.__name__) is public:  # (pickle looks for it there)
-            vars(sys.modules[public.__module__])[public.__name__] = wrapper
+        room = vars(sys.modules[public.__module__])
+        if room.get(name) is public:  # (pickle looks for it there)
+            room[name] = wrapper
     return _done[public]
 
 

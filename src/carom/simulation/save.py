@@ -8,6 +8,7 @@ them otherwise.
 from __future__ import annotations
 
 import hashlib
+import io
 import json
 from pathlib import Path
 from typing import Any
@@ -131,4 +132,8 @@ def _to_netcdf(log: Array, about: dict[str, Any], path: Path) -> None:
         dims = ("row", "axis") if field in VECTORS else ("row",)
         variables[field] = (dims, np.ascontiguousarray(log[field]), note, {"_FillValue": None})
     dataset = xarray.Dataset(variables, attrs=about)
-    dataset.to_netcdf(path, engine="h5netcdf")
+    # in memory first: where the disk is full, HDF5 ends the process
+    whole = io.BytesIO()
+    with import_optional("h5netcdf", path.name).File(whole, "w") as file:
+        dataset.dump_to_store(xarray.backends.H5NetCDFStore(file))
+    path.write_bytes(whole.getvalue())

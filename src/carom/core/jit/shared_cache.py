@@ -9,6 +9,7 @@ the others wait, and load it.
 from __future__ import annotations
 
 import contextlib
+import pickle
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -17,7 +18,7 @@ from typing import Any
 
 from carom.core.jit.cache import cache_folder
 
-__all__ = ["LOCATOR", "Locator", "compile_in_one_process"]
+__all__ = ["LOCATOR", "Locator", "compile_in_one_process", "go_on_without_disk"]
 
 LOCATOR = f"{__name__}.Locator"
 LONGEST_WAIT = 300.0  # s; longer than any loop takes to compile, after which a process compiles it itself
@@ -65,6 +66,7 @@ def compile_in_one_process(dispatcher: Any, folder: Path) -> None:
     """
     function = dispatcher.py_func
     path = folder / "locks" / f"{function.__module__}.{function.__qualname__}".replace("<", "").replace(">", "")
+    go_on_without_disk(dispatcher)
     load, compile_now = dispatcher._cache.load_overload, dispatcher.compile
     held = contextlib.ExitStack()
 
@@ -83,6 +85,26 @@ def compile_in_one_process(dispatcher: Any, folder: Path) -> None:
 
     dispatcher._cache.load_overload = load_or_wait
     dispatcher.compile = compile_alone
+
+
+def go_on_without_disk(dispatcher: Any) -> None:
+    """Have a dispatcher compile anew where the cache cannot be read, and keep nothing where it cannot be written.
+
+    On a full disk, say, or a cache folder that is none. What was half written is never read: Numba renames whole files.
+    """
+    load, save = dispatcher._cache.load_overload, dispatcher._cache.save_overload
+
+    def load_if_possible(signature: Any, context: Any) -> Any:
+        try:
+            return load(signature, context)
+        except (OSError, EOFError, pickle.UnpicklingError):
+            return None
+
+    def save_if_possible(signature: Any, compiled: Any) -> None:
+        with contextlib.suppress(OSError):
+            save(signature, compiled)
+
+    dispatcher._cache.load_overload, dispatcher._cache.save_overload = load_if_possible, save_if_possible
 
 
 @contextmanager
