@@ -112,7 +112,7 @@ main()
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["fit", "kharaz2001"], "carom: carom fit: needs SciPy, which is not installed; run: pip install 'carom[fit]'"),
+        (["fit", "kharaz2001"], "carom: fit: needs SciPy, which is not installed; run: pip install 'carom[fit]'"),
         (
             ["compare", "--plot", "a.svg"],
             "carom: --plot: needs Matplotlib, which is not installed; run: pip install 'carom[plot]'",

@@ -184,7 +184,7 @@ def right() -> dict[str, tuple[Callable[..., Any], dict[str, Any]]]:
              "gravity": (0, 0, 0), "contact_time": 0.0, "periodic": True, "drives": None, "thermostat": None, "seed": 1,
              "position": None, "velocity": None, "spin": None, "touch": 1e-9},
         ),
-        "Gas.run": (some.run, {"collisions": 10, "until": 1e9, "progress": None, "chunk": 100}),
+        "Gas.run": (some.run, {"collisions": 10, "until": 5.0, "progress": None, "chunk": 100}),
         "dense": (gas.dense, {"radius": np.full(9, 0.5), "side": (6.0, 6.0, 6.0), "periodic": True, "seed": 0}),
         "lattice": (gas.lattice, {"count": 9, "side": (6.0, 6.0, 6.0), "radius": 0.5}),
         "thermal": (

@@ -174,7 +174,7 @@ def fit(
     from carom.cli.console import err
     from carom.files import require_library
 
-    require_library("scipy", "carom fit")
+    require_library("scipy", "fit")
     from carom.cli.fit_tracks import TRACK_NUMBERS, TrackOptions, fit_track_file
     from carom.fitting import Setting, fit_laws
     from carom.fitting.parameters import FORMS, INDEX
