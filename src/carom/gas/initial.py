@@ -91,6 +91,12 @@ def lattice(count: int, side: Sequence[float] | Container, radius: float = 0.0) 
 def _stretched(count: int, side: Sequence[float], margins: Sequence[float]) -> Array:
     """Return positions on a lattice stretched to fill a box, within a margin along each axis."""
     inner = np.array(side, dtype=float) - 2 * np.array(margins)
+    faults = FaultList("lattice")
+    if isinstance(count, bool) or not isinstance(count, int | np.integer) or count < 1:
+        faults.add("count", "a whole number >= 1", f"{count!r}")
+    if not (np.isfinite(inner) & (inner > 0)).all():
+        faults.add("radius", f"a margin within sides of {', '.join(f'{x:g}' for x in side)}", f"{max(margins):g}")
+    faults.raise_if_any()
     basis = [(0, 0, 0), (1, 1, 0), (1, 0, 1), (0, 1, 1)] if len(inner) == 3 else [(0, 0), (1, 1)]
     # steps along each axis: the cells nearly cubic, and enough sites
     steps = np.maximum(np.round(lattice_steps(inner.tolist(), count, len(basis))), 1).astype(int)
