@@ -197,9 +197,7 @@ def test_a_file_that_is_there_stays_if_saving_fails(runs: dict[str, carom.Trajec
     path = tmp_path / "run.nc"
     path.write_text("before")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(
-            xarray.Dataset, "to_netcdf", lambda *_args, **_more: (_ for _ in ()).throw(OSError(28, "No space left"))
-        )
+        patch.setattr(Path, "write_bytes", lambda *_args: (_ for _ in ()).throw(OSError(28, "No space left")))
         with pytest.raises(carom.CaromError, match="No space left"):
             runs["nothing"].save(path)
     assert path.read_text() == "before"
