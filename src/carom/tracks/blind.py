@@ -22,6 +22,8 @@ Array = NDArray[np.float64]
 BINS = 40  # of half a frame
 FAR_FRAMES, MIN_FAR = 5.0, 50  # residuals beyond so many frames show the usual scatter; so many are needed
 USUAL_QUANTILE, EXCEEDS = 0.8, 1.8  # a residual is large if it exceeds this quantile of the usual ones so many times
+# (of a few contacts, large residuals may come from a floor that is not that of the literature)
+MIN_CONTACTS = 10
 LARGE_SHARE = 0.5  # of the residuals within the blind time
 MIN_SHARE = 0.02  # of large residuals far away, at least
 DECISIVE = 6.0  # log likelihood ratio from which a blind time is taken to exist
@@ -40,7 +42,7 @@ class BlindTime(NamedTuple):
 def estimate_blind_time(contacts: Sequence[TrackContact], interval: float) -> BlindTime:
     """Estimate the blind time from the residuals of fits to all frames; ``interval``: between frames, s."""
     parts = [(one.fit.time - one.fit["t"], np.abs(one.fit.residuals[:, 0])) for one in contacts if one.fit is not None]
-    if not parts:
+    if len(parts) < MIN_CONTACTS:
         return BlindTime()
     far = np.concatenate([size[np.abs(t) > FAR_FRAMES * interval] for t, size in parts])
     if len(far) < MIN_FAR:
