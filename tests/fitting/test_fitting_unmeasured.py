@@ -304,7 +304,7 @@ def test_numbers_and_prior_come_back_and_the_true_law_wins():
     assert ranking.fits
     for name, value in TRUTH.items():
         assert abs(best.estimates[name].value - value) < 3 * best.estimates[name].stderr, name
-    # the best law's own numbers have their profile: it takes long here, and tells most where a row stands at a crease
+    # the best law's own numbers have their profile: it takes long here, and tells most where a row stands at a kink
     assert [name for name, one in best.estimates.items() if one.interval_95] == ["restitution", "friction"]
     low, high = best.estimates["friction"].interval_95
     assert low < TRUTH["friction"] < high
@@ -339,7 +339,7 @@ def edge(seed: int, friction: float, n: int = 60) -> object:
 
 
 @pytest.mark.parametrize("seed", [20, 44])
-def test_a_row_at_a_crease_does_not_hide_the_friction(seed):
+def test_a_row_at_a_kink_does_not_hide_the_friction(seed):
     # the curvature just there says that nothing tells it, the deviance rises to both sides
     problem = make_problem(edge(seed, 0.2), SETTING)[0]
     fit = fit_law(law("sliding"), problem)

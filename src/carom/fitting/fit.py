@@ -1,4 +1,4 @@
-"""Fit of one law to rebounds: starting points, descent, continuation beyond creases, scatter where no error bars are given.
+"""Fit of one law to rebounds: starting points, descent, continuation beyond kinks, scatter where no error bars are given.
 
 Error bars given with the data are used as given: the deviance is chi^2, AIC is chi^2 + 2 k. Without them, the scatter of each
 measured quantity is an additional parameter of the law, and the deviance is n log(scatter^2) + n. Scatter between contacts beyond
@@ -19,7 +19,7 @@ from carom.fitting.data import Problem
 from carom.fitting.identifiability import identified_covariance, identify, parameter_ranges
 from carom.fitting.laws import FittedLaw
 from carom.fitting.model import STEPS, FitModel, feels_spins, model_of, predict_law
-from carom.fitting.optimizer import EVERYWHERE, cross_creases
+from carom.fitting.optimizer import EVERYWHERE, cross_kinks
 from carom.fitting.parameters import INDEX, NUMBERS
 from carom.fitting.result import Fit, refit, working_model
 from carom.fitting.scatter import with_contact_scatter, with_estimated_scatter
@@ -33,7 +33,7 @@ FEW_STEPS, HELD_STEPS = 40, 12
 SEARCH_ROWS, MARGINAL_SEARCH_ROWS = 150, 40  # rows, of many, in which starts are tried
 STARTS, MARGINAL_STARTS = 8, 12  # from which the search descends
 ANNEALED_ROWS = 120  # of many, in which the search with shrinking error bars is made
-CREASE_ROWS = 250  # among which, of many, frictions beyond creases are sought
+KINK_ROWS = 250  # among which, of many, frictions beyond kinks are sought
 FREED = 3  # number of held frictions that are then freed
 MAX_EXCESS = 30.0  # of the deviance above the best: a start that ends higher is dropped
 HEATS = (16.0, 8.0, 4.0, 2.0)  # by which error bars are multiplied, in turn, in the search with a table
@@ -139,8 +139,8 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
         p = np.concatenate([p, _annealed(own, p)])
     best = _descend(own, p)
     if problem.spins is not None and "friction" in model.parameters:
-        best = _across_creases(own, best)
-    if problem.shared:  # there may be a crease: searched from both sides
+        best = _across_kinks(own, best)
+    if problem.shared:  # there may be a kink: searched from both sides
         z = np.eye(len(problem.shared))
         p = np.tile(best.p, (1 + 2 * len(z), 1))
         p[1:, NUMBERS:] = np.concatenate([z, -z])
@@ -193,17 +193,17 @@ def _own_information(h: Array, k: int) -> Array:
         return h
     plain, cross = h[:k, :k], h[:k, k:]
     through = cross.T @ np.linalg.pinv(plain, hermitian=True) @ cross
-    # information of the rows on a shared error, in addition to that of the film, 1; negative only because of creases
+    # information of the rows on a shared error, in addition to that of the film, 1; negative only because of kinks
     strength, direction = np.linalg.eigh(h[k:, k:] - through)
     left = direction @ np.diag(np.maximum(strength, 1.0)) @ direction.T
     return np.asarray(plain - cross @ np.linalg.solve(left + through, cross.T))
 
 
-def _across_creases(model: FitModel, best: _Place) -> _Place:
+def _across_kinks(model: FitModel, best: _Place) -> _Place:
     """Continue the search with the friction held at other values, and then freed."""
     i, problem = INDEX["friction"], model.problem
     # in many rows the search is among some of them
-    few = np.linspace(0, len(problem.x) - 1, min(len(problem.x), CREASE_ROWS)).astype(int)
+    few = np.linspace(0, len(problem.x) - 1, min(len(problem.x), KINK_ROWS)).astype(int)
     some = model if len(few) == len(problem.x) else replace(model, problem=problem.select(few))
     held = some.holding("friction")
 
@@ -214,13 +214,13 @@ def _across_creases(model: FitModel, best: _Place) -> _Place:
         return _descend(some, found.p[np.argsort(found.value, kind="stable")[:FREED]])
 
     if some is not model:
-        found = cross_creases(
+        found = cross_kinks(
             _descend(some, best.p[None]), lambda place: float(place.p[i]), lambda place: place.deviance, explore,
             lambda _place, turn: turn == 0,
         )  # fmt: skip
         freed = _descend(model, found.p[None])
         return freed if freed.deviance < best.deviance else best
-    return cross_creases(
+    return cross_kinks(
         best, lambda place: float(place.p[i]), lambda place: place.deviance, explore, lambda _place, turn: turn == 0
     )
 
@@ -247,7 +247,7 @@ def _annealed(model: FitModel, p: Array) -> Array:
 
 
 def _refined(model: FitModel, best: _Place, coarse: LawTable) -> tuple[_Place, LawTable]:
-    """Descend with a fine table, across the creases nearby, and then with the law itself. Return the place and the table."""
+    """Descend with a fine table, across the kinks nearby, and then with the law itself. Return the place and the table."""
     bars = np.sqrt(np.abs(np.diag(np.linalg.pinv(best.information, hermitian=True))))
     e, mu = (float(bars[model.free == INDEX[name]].sum()) for name in ("restitution", "friction"))
     here = float(best.p[INDEX["friction"]])

@@ -145,7 +145,7 @@ def identified_covariance(information: Array, ranges: Array) -> Array:
 
 
 def _trade_offs(subject: Subject, ranges: Array, inside: NDArray[np.int64]) -> Iterator[Mask]:
-    """Yield parameters that compensate for each other: where spins are integrated over, the curvature between two creases may be
+    """Yield parameters that compensate for each other: where spins are integrated over, the curvature between two kinks may be
     large and the profile flat. So the most compensated one is held five error bars away, and the others fitted again."""
     while len(inside):
         block, bars = subject.information[np.ix_(inside, inside)], np.zeros(len(ranges))
@@ -153,7 +153,7 @@ def _trade_offs(subject: Subject, ranges: Array, inside: NDArray[np.int64]) -> I
         times = np.diag(block) * bars[inside] ** 2
         i = int(inside[int(np.argmax(times))])
         if times.max() < COMPENSATED:
-            # reversed slip and the spins before the wall are equivalent, whatever the curvature at a crease
+            # reversed slip and the spins before the wall are equivalent, whatever the curvature at a kink
             i = next((int(j) for j in inside if subject.names[j] in SLIP_RETURN), -1)
             if i < 0:
                 return

@@ -1,4 +1,4 @@
-"""Bounded Levenberg-Marquardt minimisation of many problems at once, and searches that continue beyond creases.
+"""Bounded Levenberg-Marquardt minimisation of many problems at once, and searches that continue beyond kinks.
 
 One optimiser serves all fits: rebounds (where a bootstrap is a thousand fits, and the deviance of a row with unmeasured spin is not
 a sum of squares), the initial state of each track segment, and the parameters that all segments share.
@@ -13,7 +13,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["EVERYWHERE", "Minimum", "cross_creases", "damped_step", "minimize"]
+__all__ = ["EVERYWHERE", "Minimum", "cross_kinks", "damped_step", "minimize"]
 
 Array = NDArray[np.float64]
 Indices = NDArray[np.int64]
@@ -108,11 +108,11 @@ def damped_step(h: Array, u: Array, active: NDArray[np.bool_], damping: Array) -
     return np.einsum("bjm,bm->bj", direction, along), damping
 
 
-def cross_creases(
+def cross_kinks(
     best: Best, friction: Callable[[Best], float], deviance: Callable[[Best], float],
     explore: Callable[[Best, list[float], list[float]], Best], everywhere: Callable[[Best, int], bool],
 ) -> Best:  # fmt: skip
-    """Continue a search beyond creases of the deviance, where contacts change between sliding and sticking.
+    """Continue a search beyond kinks of the deviance, where contacts change between sliding and sticking.
 
     A descent can end at the bottom of one. So the friction is held at other values, near ones and on request widely spread ones,
     while all else is fitted, and the most promising are freed (``explore``), until there is no further gain.

@@ -253,7 +253,7 @@ def _with_error_bars(fit: Fit, profiles: bool | None, draws: int | None, seed: i
     if profiles or (profiles is None and work < PROFILE_WORK and not marginal):
         fit = with_profiles(fit)
     elif profiles is None and marginal and best and work < MARGINAL_PROFILE_WORK:
-        # A profile takes as long as the fit, but next to a crease an interval may be ten times as long on one side as on the other.
+        # A profile takes as long as the fit, but next to a kink an interval may be ten times as long on one side as on the other.
         fit = with_profiles(fit, [name for name in fit.names if not name.startswith("spin_")])
     if draws is None:
         draws = DRAWS if work < BOOTSTRAP_WORK and not marginal else 0

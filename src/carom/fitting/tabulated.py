@@ -6,7 +6,7 @@ and friction, and, where the film's error of it is fitted, on the friction of th
 spins for each node of a lattice in restitution and log friction, when a trial point first needs that node. At a trial point sixteen
 nodes are combined into one grid, with its derivatives (:func:`carom.fitting.kernels.look_up`); all interpolation is cubic.
 
-Where a contact changes from sliding to sticking the answer has a crease, across which a table is off by a share of its spacing: by
+Where a contact changes from sliding to sticking the answer has a kink, across which a table is off by a share of its spacing: by
 1.3e-3 of the speed (rms; 4e-3 at most) on the coarse lattice, which serves the search, and by 3e-5 (3e-4) on a fine one, spaced by
 the error bars about the place that was found (tests keep that). The fine one serves what asks how much the deviance rises: what is
 identifiable, the bootstrap, cross-validation. The estimates, chi^2, AICc and the friction's profile are from the law itself, by a

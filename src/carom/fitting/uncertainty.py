@@ -43,7 +43,7 @@ def profile_ends(
 
     ``rises(values, which)`` evaluates some of the ends. From ``far`` on the search goes outwards, by a parabola, or at once to the
     ``edge`` (``jump``), until the goal is bracketed; then the square root of the rise, which is nearly linear, is interpolated, and
-    every third step halves the bracket, because of creases. If the rise at the edge is below its goal, the profile is open.
+    every third step halves the bracket, because of kinks. If the rise at the edge is below its goal, the profile is open.
     """
     far, edge = np.where((far - best) * (edge - best) < 0, edge, far), np.asarray(edge, float)
     end, rise = far.copy(), np.zeros(len(far))
@@ -96,7 +96,7 @@ def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:
     """Add the intervals of 68 % and 95 % of each identified parameter, or of those named, by profile likelihood.
 
     The curvature is that of the minimum found. Where the interval of 95 % is far wider, since it holds another minimum or a slope
-    beyond a crease, half its width is 1.96 error bars.
+    beyond a kink, half its width is 1.96 error bars.
 
     Parameters
     ----------
@@ -245,8 +245,8 @@ def with_marginal_errors(fit: Fit, extra: float = 0.0) -> Fit:
 
     The prior's width is the scatter of few spins, and its maximum-likelihood value is too small on average: for n normal numbers
     about a fitted mean, with sum of squares S, it is the root of S/n, whereas that of S/(n - 3/2) is unbiased (about a given mean,
-    n - 1/2). The friction is the edge of a scatter, and the deviance has a crease for each row at that edge, so its curvature
-    between two creases does not represent its rise across them. ``fit.numbers`` are not changed; ``extra``: the part of the
+    n - 1/2). The friction is the edge of a scatter, and the deviance has a kink for each row at that edge, so its curvature
+    between two kinks does not represent its rise across them. ``fit.numbers`` are not changed; ``extra``: the part of the
     deviance that does not depend on the rows.
     """
     fit = _with_unbiased_width(fit)
@@ -275,7 +275,7 @@ def _with_unbiased_width(fit: Fit) -> Fit:
 def with_profiled_friction(fit: Fit, information: Array, extra: float = 0.0) -> Array:
     """Return the information with that on the friction from its profile, if the deviance rises by 1 on both sides; else unchanged.
 
-    If a row is at a crease exactly at the minimum, the curvature there may suggest that the friction is not identifiable.
+    If a row is at a kink exactly at the minimum, the curvature there may suggest that the friction is not identifiable.
     """
     i = fit.names.index("friction")
     best = float(fit.numbers[INDEX["friction"]])

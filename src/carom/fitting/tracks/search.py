@@ -1,6 +1,6 @@
-"""Fit of one law to whole tracks: searches from several frictions, continued beyond creases, and the friction's profile.
+"""Fit of one law to whole tracks: searches from several frictions, continued beyond kinks, and the friction's profile.
 
-A contact that changes between sliding and sticking causes a crease in the deviance, and a search on its wrong side stays there,
+A contact that changes between sliding and sticking causes a kink in the deviance, and a search on its wrong side stays there,
 with a wrong friction for which sidespins and walls compensate. So the friction is held at other values until all else has been
 fitted, and freed if this lowers the deviance.
 """
@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from carom.errors import CaromError
-from carom.fitting.optimizer import cross_creases
+from carom.fitting.optimizer import cross_kinks
 from carom.fitting.result import scaled
 from carom.fitting.tracks.errors import ambiguous, held_rises
 from carom.fitting.tracks.fit import finish, fit_windows, with_best_sidespins
@@ -61,12 +61,12 @@ def fit_track_law(
         other = fit_windows(replace(model, free=model.free | {"friction": inside}), frames, noise, partial(part, turn))
         if other.deviance < best.deviance:
             best = other
-    best, others = _across_creases(model, replace(best, model=model), noise)
+    best, others = _across_kinks(model, replace(best, model=model), noise)
     return _with_friction_profile(best, others) if best.follows else best
 
 
-def _across_creases(model: TrackModel, best: TrackFit, noise: float) -> tuple[TrackFit, list[tuple[float, float]]]:
-    """Continue the search beyond creases. Return the best fit, and other frictions, each with its chi^2, of the last round.
+def _across_kinks(model: TrackModel, best: TrackFit, noise: float) -> tuple[TrackFit, list[tuple[float, float]]]:
+    """Continue the search beyond kinks. Return the best fit, and other frictions, each with its chi^2, of the last round.
 
     If the law does not follow the frames, widely spread frictions are tried too, with the walls at the measured contacts.
     """
@@ -82,7 +82,7 @@ def _across_creases(model: TrackModel, best: TrackFit, noise: float) -> tuple[Tr
         seen.extend((fit.numbers["friction"], fit.chi2) for fit in others)
         return min([best, *others], key=lambda fit: fit.deviance)
 
-    best = cross_creases(
+    best = cross_kinks(
         best, lambda fit: fit.numbers["friction"], lambda fit: fit.deviance, explore, lambda fit, _turn: not fit.follows
     )
     return best, seen
@@ -92,7 +92,7 @@ def _other_minima(best: TrackFit, held: Sequence[_Held]) -> list[_Held]:
     """Return the minima with held friction that belong to a different minimum than the best.
 
     These are those lower than their neighbours along the friction, and the lowest of each piece of the deviance in which other
-    contacts slide: between creases it is smooth and usually has one minimum, which may be too narrow to appear along the friction.
+    contacts slide: between kinks it is smooth and usually has one minimum, which may be too narrow to appear along the friction.
     """
     line = sorted([_Held(best.chi2, best.numbers, best.q), *held], key=lambda one: one.numbers["friction"])
     height = np.array([math.inf, *(one.chi2 for one in line), math.inf])
@@ -128,7 +128,7 @@ def _hold(model: TrackModel, best: TrackFit, friction: float, numbers: Numbers) 
 
 def _with_friction_profile(best: TrackFit, others: Sequence[tuple[float, float]]) -> TrackFit:
     """Return the fit with the friction's error bar by profile likelihood, as for rebounds with unmeasured spins; and without an
-    estimate where another friction, beyond a crease, fits as well (95 %)."""
+    estimate where another friction, beyond a kink, fits as well (95 %)."""
     step = best.estimates["friction"].stderr
     if not step:
         return best
