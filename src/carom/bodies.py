@@ -15,7 +15,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.errors import (
     MAX_MAGNITUDE,
-    MIN_MAGNITUDE,
     CaromError,
     FaultList,
     broadcast_shape,
@@ -224,7 +223,7 @@ class State:
     Raises
     ------
     CaromError
-        For other shapes, for what is not a finite number, and for a motion so slow that its energy is not a float.
+        For other shapes, for what is not a finite number.
 
     Examples
     --------
@@ -252,12 +251,6 @@ class State:
             except ValueError:
                 message = f"State: velocity and spin: expected shapes that broadcast, got {v.shape} and {w.shape}"
                 raise CaromError(message) from None
-        largest = np.maximum(np.abs(v).max(axis=-1), np.abs(w).max(axis=-1))
-        tiny = (largest > 0) & (largest < MIN_MAGNITUDE)
-        if tiny.any():
-            got = f"{float(largest[tiny].flat[0])!r}{first_bad_index(tiny)}"
-            faults.add("velocity and spin", f"a ball at rest, or a component of at least {MIN_MAGNITUDE:g}", got)
-            faults.raise_if_any()
         _set(self, v, w, x)
 
     @classmethod

@@ -406,3 +406,21 @@ def test_disc_stays_in_its_plane(y, wz, e, beta):
     )
     assert v1[2] == 0
     assert w1[:2] == (0, 0)
+
+
+def test_a_motion_whose_square_is_no_float_is_refused():
+    """Below 1e-160 m/s squares underflow: friction would act without a slip. Zero is at rest, and one small component is fine."""
+    ball = carom.Ball()
+    for velocity, spin in (((-1e-161, -1e-165, 0), (0, 0, 0)), ((0, 0, 0), (0, 1e-200, 0))):
+        with pytest.raises(
+            carom.CaromError,
+            match=r"state: expected a ball at rest, or a component of velocity or spin of at least 1e-100",
+        ):
+            carom.impact(ball, carom.State(velocity, spin))
+        with pytest.raises(carom.CaromError, match=r"collide: state: expected a ball at rest"):
+            carom.collide(ball, carom.State(velocity, spin), ball, carom.State((0, 0, 0)))
+    with pytest.raises(carom.CaromError, match=r"got 1e-170 at index \(1,\) \(1 in all\)"):
+        carom.two_step(ball, carom.State([(-1, 0, 0), (-1e-170, 0, 0)]))
+    assert carom.impact(ball, carom.State((-1, 1e-200, 0))).after.velocity[0] == 1
+    assert carom.impact(ball, carom.State((0, 0, 0))).regime == "graze"
+    assert carom.State(np.full((2, 3), 6.9e-310)).shape == (2,)  # (an array to be written into)

@@ -19,11 +19,19 @@ from carom.bodies import Ball, State
 from carom.core.jit.kernel import Vec, kernel, prange
 from carom.core.jit.slices import sliced
 from carom.core.motion.phases import ROUNDING
-from carom.errors import MAX_MAGNITUDE, CaromError, broadcast_shape, first_bad_index, float_array, require_type
+from carom.errors import (
+    MAX_MAGNITUDE,
+    MIN_MAGNITUDE,
+    CaromError,
+    broadcast_shape,
+    first_bad_index,
+    float_array,
+    require_type,
+)
 
 __all__ = [
-    "FEW", "StateRows", "answer_rows", "approaching", "loop_for", "require_approach", "rows_of", "state_arrays", "unit_normal",
-    "wall_law_rows",
+    "FEW", "RESOLVED", "StateRows", "answer_rows", "approaching", "loop_for", "motion_resolved", "require_approach",
+    "require_resolved", "rows_of", "state_arrays", "unit_normal", "wall_law_rows",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -106,10 +114,32 @@ def approaching(state: State, normal: Array) -> Any:
     return np.asarray((v * normal).sum(axis=-1) <= ROUNDING * np.abs(v).sum(axis=-1))
 
 
+RESOLVED = f"a ball at rest, or a component of velocity or spin of at least {MIN_MAGNITUDE:g}"
+
+
+def motion_resolved(state: State) -> Any:
+    """Return a mask (...): whether a ball is at rest, or moves fast enough for the square of its speed to be a float."""
+    v, w = state.velocity, state.spin
+    good = np.asarray(np.abs(v[..., 0]) >= MIN_MAGNITUDE)
+    if not good.all():  # (most often it is that component)
+        largest = np.maximum(np.abs(v).max(axis=-1), np.abs(w).max(axis=-1))
+        good = good | (largest == 0) | (largest >= MIN_MAGNITUDE)
+    return good
+
+
+def require_resolved(where: str, state: State) -> None:
+    """Raise CaromError where a ball moves so slowly that squares of its speed underflow."""
+    bad = ~motion_resolved(state)
+    if bad.any():
+        largest = np.maximum(np.abs(state.velocity).max(axis=-1), np.abs(state.spin).max(axis=-1))
+        raise CaromError(f"{where}: expected {RESOLVED}, got {float(largest[bad].flat[0])!r}{first_bad_index(bad)}")
+
+
 def require_approach(ball: Ball, state: State, normal: Array) -> None:
     """Raise CaromError if a ball moves away from the wall, or a disc leaves its plane."""
     require_type("law", "ball", ball, Ball)
     require_type("law", "state", state, State)
+    require_resolved("state", state)
     if state.velocity.ndim == 1 and normal.ndim == 1:
         x, y, z = state.velocity.tolist()
         nx, ny, nz = normal.tolist()

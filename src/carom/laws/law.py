@@ -16,7 +16,15 @@ from numpy.typing import NDArray
 from carom.bodies import Ball, State, Surface, kinetic_energy, slip
 from carom.core.contact import slip_velocity, wall_contact
 from carom.core.jit.kernel import Vec, kernel
-from carom.laws.arrays import WallKernel, answer_rows, approaching, rows_of, wall_law_rows
+from carom.laws.arrays import (
+    RESOLVED,
+    WallKernel,
+    answer_rows,
+    approaching,
+    motion_resolved,
+    rows_of,
+    wall_law_rows,
+)
 from carom.laws.landing import settle
 from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact, Settled
 
@@ -313,8 +321,10 @@ UPWARD = np.array([0.0, 0.0, 1.0])
 
 
 def approaches(meeting: Meeting) -> list[Condition]:
-    """Return the condition of every law: the ball does not move away from the wall."""
-    return [Condition(approaching(meeting.state, meeting.normal), "a ball that moves towards the wall")]
+    """Return the conditions of every law: the ball does not leave the wall, nor move too slowly for squares."""
+    found = [Condition(approaching(meeting.state, meeting.normal), "a ball that moves towards the wall")]
+    resolved = motion_resolved(meeting.state)
+    return found if resolved.all() else [*found, Condition(resolved, RESOLVED)]
 
 
 def rubs(surface: Surface) -> bool:

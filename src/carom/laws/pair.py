@@ -14,7 +14,7 @@ from carom.core.jit.kernel import Vec, cross, dot, kernel, prange
 from carom.core.motion.phases import ROUNDING
 from carom.core.motion.rolling import rolls_at_last
 from carom.errors import CaromError, broadcast_shape, first_bad_index, require_type
-from carom.laws.arrays import loop_for, unit_normal
+from carom.laws.arrays import loop_for, require_resolved, unit_normal
 from carom.laws.law import Card
 from carom.laws.results import REGIME_NAMES, name_codes
 
@@ -159,6 +159,8 @@ def collide(
     for field, value, kind in (("ball", ball, Ball), ("state", state, State), ("other", other, Ball),
                                ("other_state", other_state, State), ("surface", surface, Surface)):  # fmt: skip
         require_type("collide", field, value, kind)
+    require_resolved("collide: state", state)
+    require_resolved("collide: other_state", other_state)
     n = unit_normal(normal)
     balls = (ball, other)
     numbers = [x for b in balls for x in (b.radius, b.mass, b.kappa)]
