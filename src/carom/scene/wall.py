@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from abc import abstractmethod
+from pathlib import Path
 from typing import Annotated, Any, ClassVar, NamedTuple
 
 import numpy as np
@@ -57,7 +58,8 @@ def _known_law(value: Any, info: ValidationInfo) -> str | Law:
             raise Fault(expected, value, suggestion(value, known)).error()
         if not runs_own_laws(info):
             advice = "to run that Python file, if you trust it: --allow-own-laws, or allow_own_laws=True in Python"
-            raise Fault("one of carom's laws, as opening a file runs no code", value, advice).error()
+            # (its name alone: a long path would be cut off before it)
+            raise Fault("one of carom's laws, as opening a file runs no code", Path(value).name, advice).error()
         try:
             find_law(value)
         except CaromError as error:
