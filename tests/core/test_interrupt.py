@@ -19,7 +19,10 @@ from carom.core.jit.slices import GROWTH, Pace, row_slices, sliced
 
 PATIENCE = 60  # s: a job that goes on is killed then
 
+# (a shell that runs the tests in the background has told them to ignore SIGINT, and they pass that on)
 BEGIN = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
 import numpy as np
 import carom
 from carom import billiards
