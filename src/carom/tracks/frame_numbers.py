@@ -26,11 +26,13 @@ MIN_REPEATED = 0.02  # share of rows with the time of the row before, by which r
 def rounding_of_times(time: Array) -> Array:
     """Return the step (n,), s, to which the times near each row were rounded: a power of ten, at least 1e-7.
 
+    Of fewer than nine rows none is recognised.
+
     Examples
     --------
     >>> import numpy as np
-    >>> rounding_of_times(np.array([0.0, 0.01, 0.02, 0.02, 0.03]))
-    array([0.01, 0.01, 0.01, 0.01, 0.01])
+    >>> rounding_of_times(np.round(np.arange(20) / 119.88, 2))[:3]
+    array([0.01, 0.01, 0.01])
     """
     decimals = np.full(len(time), MOST_DECIMALS)
     for d in range(MOST_DECIMALS - 1, -1, -1):
