@@ -125,6 +125,16 @@ def judge(v: Any, w: Any, v1: Any, w1: Any, n: Any, a: float, kappa: float, e: f
     errors[MOMENTUM] = math.sqrt(dot(m, m)) / unit
 
 
+@kernel
+def at_fault(errors: Any, worst: Any) -> bool:
+    """Keep the largest error of each kind; return whether one of them is a fault."""
+    bad = False
+    for k in range(len(errors)):
+        worst[k] = max(worst[k], errors[k])
+        bad = bad or not errors[k] <= LIMIT
+    return bad
+
+
 @functools.cache
 def contact_loop(law: Callable[..., Any], elastic: bool, rough: bool, smooth: bool, low: float, high: float) -> Any:
     """Return the loop over random contacts under a law; ``low`` to ``high``: its last number."""
@@ -141,16 +151,9 @@ def contact_loop(law: Callable[..., Any], elastic: bool, rough: bool, smooth: bo
             e, mu = one_of(rng, 0.0, 1.0, rng.random()), any_friction(rng)
             last = one_of(rng, low, high, low + (high - low) * rng.random())
             v1, w1 = law(v, w, n, a, kappa, e, mu, last)
-            # (a graze is left alone, whatever the law)
             used = 1.0 if elastic else e
             judge(v, w, v1, w1, n, a, kappa, used, math.inf if rough else 0.0 if smooth else mu, errors)
-            if v1 == v and w1 == w:
-                errors[RESTITUTION] = 0.0
-            bad = False
-            for k in range(len(errors)):
-                worst[k] = max(worst[k], errors[k])
-                bad = bad or not errors[k] <= LIMIT
-            if bad:
+            if at_fault(errors, worst):
                 faults += 1
                 if faults == 1:
                     case[:9] = (v[0], v[1], v[2], w[0], w[1], w[2], n[0], n[1], n[2])
@@ -187,11 +190,7 @@ def two_step_loop(rng: Any, count: int, worst: Any, case: Any, errors: Any) -> i
             errors[RESTITUTION] = max(0.0, -(v3[0] * n[0] + v3[1] * n[1]) - ROUNDING * scale) / unit
             # (27): rolling
             errors[MOMENTUM] = (abs(v3[0] - a * w3[1]) + abs(v3[1] + a * w3[0]) + abs(v3[2])) / unit
-        bad = False
-        for k in range(len(errors)):
-            worst[k] = max(worst[k], errors[k])
-            bad = bad or not errors[k] <= LIMIT
-        if bad:
+        if at_fault(errors, worst):
             faults += 1
             if faults == 1:
                 case[:9] = (v[0], v[1], v[2], w[0], w[1], w[2], n[0], n[1], n[2])
@@ -239,11 +238,7 @@ def pair_loop(rng: Any, count: int, worst: Any, case: Any, errors: Any) -> int:
         for k in range(3):
             p = max(p, abs(k1 * m1 * a1 * (y1[k] - w1[k]) + t[k]), abs(k2 * m2 * a2 * (y2[k] - w2[k]) + t[k]))
         errors[MOMENTUM] = p / (heavy * unit)
-        bad = False
-        for k in range(len(errors)):
-            worst[k] = max(worst[k], errors[k])
-            bad = bad or not errors[k] <= LIMIT
-        if bad:
+        if at_fault(errors, worst):
             faults += 1
             if faults == 1:
                 case[:18] = (*v1, *w1, *v2, *w2, *n, a1, m1, k1)

@@ -35,6 +35,13 @@ def circle_exit(x: float, y: float, u: float, v: float, r: float) -> float:
     depth = r * r - (x * x + y * y)
     if depth < -1e-12 * r * r and (inside <= 0.0 or b >= 0.0):
         return NEVER  # outside it (of a table with other pieces), on a line that does not cross it
+    return _chord_end(b, inside, depth, speed, r)
+
+
+@hot_kernel
+def _chord_end(b: float, inside: float, depth: float, speed: float, r: float) -> float:
+    """Return the time to the end of a chord of a circle or sphere: b = x.v, speed = v.v, inside = the half chord's square times
+    speed, depth = r^2 - x.x."""
     root = math.sqrt(inside) if inside > 0.0 else 0.0
     if b < 0.0:
         # on the circle and nearly tangent to it the root is lost in rounding; by symmetry the chord has equal halves
@@ -63,13 +70,7 @@ def sphere_exit(x: Vec, v: Vec, r: float) -> float:
     speed = v[0] * v[0] + v[1] * v[1] + v[2] * v[2]
     p, q, s = x[1] * v[2] - x[2] * v[1], x[2] * v[0] - x[0] * v[2], x[0] * v[1] - x[1] * v[0]
     inside = speed * r * r - (p * p + q * q + s * s)
-    root = math.sqrt(inside) if inside > 0.0 else 0.0
-    depth = r * r - (x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
-    if b < 0.0:
-        if b * b < 1e-8 * speed * (r * r) and abs(depth) < 1e-14 * (r * r):
-            return -2.0 * b / speed
-        return (root - b) / speed
-    return depth / (root + b) if root + b > 0.0 else NEVER
+    return _chord_end(b, inside, r * r - (x[0] * x[0] + x[1] * x[1] + x[2] * x[2]), speed, r)
 
 
 @hot_kernel

@@ -34,7 +34,7 @@ def guarded_streams() -> Iterator[None]:
     """
     before = sys.stdout, sys.stderr
     _fill_closed_descriptors()
-    sys.stdout, sys.stderr = _Output(before[0]), _Messages(before[1])
+    sys.stdout, sys.stderr = _Stream(before[0], _unless_closed_early), _Stream(before[1], lambda _error: None)
     try:
         yield
     finally:
@@ -50,9 +50,10 @@ def _fill_closed_descriptors() -> None:
 
 
 class _Stream:
-    """A text stream, with its errors as a subclass takes them; everything else is the stream's own."""
+    """A text stream whose errors go to ``failed``; everything else is the stream's own."""
 
-    def __init__(self, stream: Any) -> None:
+    def __init__(self, stream: Any, failed: Callable[[OSError], None]) -> None:
+        self._failed = failed
         self._stream = _nowhere() if stream is None else stream
         self._closed = stream is None
         self.buffer = _Bytes(self)
@@ -83,9 +84,6 @@ class _Stream:
             self._stream, self._closed = _nowhere(), False
             self._failed(error)
 
-    def _failed(self, error: OSError) -> None:
-        raise NotImplementedError
-
 
 class _Bytes:
     """The bytes of a stream."""
@@ -107,12 +105,7 @@ def _nowhere() -> io.TextIOWrapper:
     return io.TextIOWrapper(io.BytesIO(), encoding="utf-8")
 
 
-class _Output(_Stream):
-    def _failed(self, error: OSError) -> None:
-        if error.errno != errno.EPIPE:
-            raise cannot_write("standard output", error) from None
-
-
-class _Messages(_Stream):
-    def _failed(self, error: OSError) -> None:
-        pass
+def _unless_closed_early(error: OSError) -> None:
+    """Raise CaromError for an error of standard output, unless its reader has closed the pipe."""
+    if error.errno != errno.EPIPE:
+        raise cannot_write("standard output", error) from None
