@@ -18,6 +18,7 @@ from typer.testing import CliRunner
 import carom
 from carom.cli import app
 from carom.core.geometry.features import FEATURES
+from carom.gas.build import new_gas
 from carom.laws.law import CALLED_WALL, CONTACT_WALL, MIRROR_WALL
 from carom.laws.registry import LAWS
 from carom.scene import (
@@ -675,6 +676,58 @@ def test_new_writes_and_check_says_what_it_is(tmp_path: Path, capsys: pytest.Cap
     assert fails(capsys, "scene", "new", str(nowhere)) == [
         f"carom: {nowhere}: expected a folder that exists, got: No such file or directory; make it first"
     ]
+
+
+def test_check_prints_the_scene_in_full_as_json(tmp_path: Path) -> None:
+    file = tmp_path / "s.toml"
+    file.write_text("""
+gravity = 9.8
+[floor]
+friction = inf
+[[walls]]
+shape = "cylinder"
+point = [0, 0, 0]
+radius = "500 mm"
+inside = true
+restitution = { form = "power", at_rest = 0.9, speed = "20 cm/s" }
+friction = 0.2
+[[balls]]
+radius = "30 mm"
+mass = 0.2
+position = [0.1, 0.2]
+velocity = [1, 2]
+rolling = true
+[[balls]]
+radius = "30 mm"
+mass = 0.2
+inertia = "hollow"
+position = [-0.1, 0.2, 0.3]
+""")
+    result = CliRunner().invoke(app, ["scene", "check", str(file), "--json"])
+    assert result.exit_code == 0, result.stderr
+    assert json.loads(result.stdout) == {
+        "gravity": [0.0, 0.0, -9.8],
+        "floor": {"restitution": {"form": "constant", "value": 0.0}, "friction": "inf", "tangential_restitution": 0.0,
+                  "rolling_resistance": 0.0, "spin_friction": 0.0},
+        "walls": [
+            {"shape": "cylinder", "point": [0.0, 0.0, 0.0], "axis": [0.0, 0.0, 1.0], "radius": 0.5, "inside": True,
+             "length": "inf", "restitution": {"form": "power", "at_rest": 0.9, "speed": 0.2, "exponent": 0.25},
+             "friction": 0.2, "tangential_restitution": 0.0, "stiffness_ratio": 14 / 17, "law": None, "name": None},
+        ],
+        "balls": [
+            {"radius": 0.03, "mass": 0.2, "inertia": 0.4, "position": [0.1, 0.2, 0.03], "velocity": [1.0, 2.0, 0.0],
+             "rolling": True, "spin": None, "spin_z": 0.0, "name": None},
+            {"radius": 0.03, "mass": 0.2, "inertia": 2 / 3, "position": [-0.1, 0.2, 0.3], "velocity": [0.0, 0.0, 0.0],
+             "rolling": False, "spin": [0.0, 0.0, 0.0], "spin_z": None, "name": None},
+        ],
+        "ball_contact": {"restitution": {"form": "constant", "value": 1.0}, "friction": 0.0, "tangential_restitution": 0.0},
+        "run": {"law": "two-step", "duration": None, "max_events": None, "floor_contact": "with"},
+    }  # fmt: skip
+    gas = tmp_path / "gas.toml"
+    gas.write_text(new_gas())
+    result = CliRunner().invoke(app, ["scene", "check", str(gas), "--json"])
+    assert result.exit_code == 0, result.stderr
+    assert {"container", "species", "run"} <= set(json.loads(result.stdout))
 
 
 def test_what_reads_no_scene_does_not_load_what_reads_scenes() -> None:

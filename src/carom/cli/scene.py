@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import json
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -46,8 +47,9 @@ def new(
 def check(
     file: Annotated[Path, typer.Argument(metavar="FILE", help="A scene, as TOML.")],
     allow_own_laws: Annotated[bool, shared("allow_own_laws")] = False,
+    as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
-    """Validate a scene, or summarise it."""
+    """Validate a scene and summarise it; or print it in full, in SI units, with every default filled in."""
     from carom.cli.streams import say
     from carom.gas.build import is_gas, load_gas
     from carom.scene.toml import load_scene
@@ -57,7 +59,21 @@ def check(
 
         gas = load_gas(file)
         build(gas, str(file))
+        if as_json:
+            from carom.scene.as_json import plain_model
+
+            _print(plain_model(gas))
+            return
         say(f"{file}: {gas.describe()}: ok")
         return
     scene = load_scene(file, allow_own_laws=allow_own_laws)
+    if as_json:
+        from carom.scene.as_json import scene_dict
+
+        _print(scene_dict(scene))
+        return
     say(f"{file}: {scene.describe()}: ok")
+
+
+def _print(found: dict[str, Any]) -> None:
+    sys.stdout.write(json.dumps(found, indent=2, allow_nan=False) + "\n")
