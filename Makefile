@@ -1,5 +1,5 @@
 # Thin wrappers; `make check` is what CI does.
-.PHONY: test doctest lint docs benchmarks campaigns check
+.PHONY: test doctest lint docs wasm benchmarks campaigns check
 test:
 	pytest
 doctest:
@@ -8,6 +8,9 @@ lint:
 	ruff check . && ruff format --check . && mypy && lint-imports
 docs:
 	sphinx-build -q -j auto -W --keep-going -b html docs docs/_build/html
+# the explorer's WebAssembly module, from today's kernels (extra wasm)
+wasm:
+	python -m carom.explorer.build
 # speed, also against other programs (those that are installed)
 benchmarks:
 	for file in benchmarks/*.py; do echo "== $$file"; python $$file || exit 1; done

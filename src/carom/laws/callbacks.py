@@ -13,7 +13,7 @@ from typing import Any
 from carom.core.jit.kernel import Vec, kernel
 from carom.core.jit.pointers import address_of, answer_at, python_address, register_answers
 
-__all__ = ["call_user", "register_calls", "user_address"]
+__all__ = ["NUMBERS", "call_user", "law_entry", "register_calls", "user_address"]
 
 WallKernel = Callable[[Vec, Vec, Vec, float, float, float, float, float], tuple[Vec, Vec]]
 NUMBERS = 14  # velocity, spin, normal, a, kappa, e, mu, beta
@@ -45,6 +45,14 @@ def user_address(law: WallKernel, compiled: bool = True) -> int:
     The address is valid for the lifetime of the process. With ``compiled`` false, one of carom's own laws gets an address
     usable only from Python. (A custom law is always compiled, because its results in Python may differ by rounding.)
     """
+    # (the cache's key is a hash of carom's own sources, which does not change with a custom law)
+    own = str(law.__module__).startswith("carom.")
+    entry = law_entry(law)
+    return address_of(entry, NUMBERS, keep=own) if compiled or not own else python_address(entry)
+
+
+def law_entry(law: WallKernel) -> Callable[..., None]:
+    """Return the function of :data:`NUMBERS` numbers, and of a place to write six to, by which a law is called."""
     kernel(law)
 
     def entry(
@@ -53,6 +61,4 @@ def user_address(law: WallKernel, compiled: bool = True) -> int:
     ) -> None:  # fmt: skip
         _write(out, law((vx, vy, vz), (wx, wy, wz), (nx, ny, nz), a, kappa, e, mu, last))
 
-    # (the cache's key is a hash of carom's own sources, which does not change with a custom law)
-    own = str(law.__module__).startswith("carom.")
-    return address_of(entry, NUMBERS, keep=own) if compiled or not own else python_address(entry)
+    return entry

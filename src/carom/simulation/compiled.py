@@ -62,7 +62,7 @@ def _has_rims(scene: Scene) -> bool:
 def compiled_before(scene: Scene | None = None) -> bool:
     """Return whether the compiled loop is in the cache (what is compiled last is), and rims, if the scene has any."""
     rims = scene is not None and _has_rims(scene)
-    wanted = ["compiled._one_end", "circles._entry"] if rims else ["compiled._one_end"]
+    wanted = ["compiled._one_end", "circles.rim_entry"] if rims else ["compiled._one_end"]
     return all(any(cache_folder().glob(f"*/{name}-*.nbi")) for name in wanted)
 
 

@@ -21,7 +21,7 @@ from carom.core.jit.kernel import Vec, cross, dot, kernel
 from carom.core.jit.pointers import address_of, answer_at, python_address
 from carom.core.roots.first_root import hit4, hit8, next_hit8
 
-__all__ = ["call_rim", "rim_address", "rim_gap", "rim_hit", "rim_normal", "rim_way_in"]
+__all__ = ["NUMBERS", "call_rim", "rim_address", "rim_entry", "rim_gap", "rim_hit", "rim_normal", "rim_way_in"]
 
 # As for the other features (carom.core.geometry.features): over its ends; in touch or not; a touch that is none.
 SEAM, BEHIND, GRAZE = 1e-9, 1e-3, 1e-12
@@ -225,11 +225,12 @@ def call_rim(
     return answer_at(address, numbers)[0]
 
 
-def _entry(
+def rim_entry(
     px: float, py: float, pz: float, dx: float, dy: float, dz: float, radius: float, ux: float, uy: float, uz: float,
     cosine: float, a: float, x: float, y: float, z: float, vx: float, vy: float, vz: float, bx: float, by: float,
     bz: float, until: float, slow: float, out: Any,
 ) -> None:  # fmt: skip
+    """:func:`rim_hit` as it is called by its address: :data:`NUMBERS` numbers, and a place to write to."""
     p, d, u = (px, py, pz), (dx, dy, dz), (ux, uy, uz)
     out[0] = rim_hit(p, d, radius, u, cosine, a, (x, y, z), (vx, vy, vz), (bx, by, bz), until, slow)
 
@@ -237,4 +238,4 @@ def _entry(
 @functools.cache
 def rim_address(compiled: bool = True) -> int:
     """Return the address of :func:`rim_hit`, compiled (some seconds, once) or loaded; or one that only Python knows."""
-    return address_of(_entry, NUMBERS, keep=True) if compiled else python_address(_entry)
+    return address_of(rim_entry, NUMBERS, keep=True) if compiled else python_address(rim_entry)

@@ -15,7 +15,7 @@ from types import CodeType
 __all__ = ["cache_folder", "source_hash"]
 
 # Rooms that hold no compiled code: what changes there leaves compiled loops as they are.
-PLAIN_ROOMS = {"cli", "data", "derive", "plot", "public"}
+PLAIN_ROOMS = {"cli", "data", "derive", "explorer", "plot", "public"}
 
 
 @functools.cache

@@ -1,0 +1,84 @@
+"""Hash of what functions compute, with all that they call: the same for every Python, for comments, docstrings and names of files.
+
+A module that was built from kernels, and is kept (carom.explorer), is known by it to be of today's kernels.
+"""
+
+from __future__ import annotations
+
+import ast
+import functools
+import hashlib
+import inspect
+import types
+from collections.abc import Callable, Iterable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+__all__ = ["kernel_hash"]
+
+# What does not change the results: annotations and decorators (every kernel is made the same way), and what only some versions
+# of Python have.
+LEFT_OUT = {"annotation", "returns", "decorator_list", "type_comment", "type_params", "kind", "ctx"}
+
+
+def kernel_hash(functions: Iterable[Callable[..., Any]], *more: str) -> str:
+    """Return 16 hexadecimal digits: of the code and the constants of functions, and of further texts.
+
+    Followed are functions of carom and their global numbers, tuples and arrays; of other modules' functions the names count.
+    """
+    found: dict[str, str] = {}
+    for function in functions:
+        _collect(function, found)
+    digest = hashlib.sha256()
+    for name in sorted(found):
+        digest.update(f"{name} {found[name]}\n".encode())
+    for text in more:
+        digest.update(text.encode())
+    return digest.hexdigest()[:16]
+
+
+def _collect(function: Any, found: dict[str, str]) -> None:
+    name = f"{function.__module__}:{function.__qualname__}"
+    held = inspect.getclosurevars(function).nonlocals if function.__closure__ else {}
+    name += "".join(f" {key}={getattr(value, '__qualname__', value)}" for key, value in sorted(held.items()))
+    if name in found:
+        return
+    node = _definitions(function.__code__.co_filename)[function.__code__.co_firstlineno]
+    body = node.body[1:] if ast.get_docstring(node) is not None else node.body
+    found[name] = repr([_shape(node.args), *map(_shape, body)])
+    used = {one.id for part in body for one in ast.walk(part) if isinstance(one, ast.Name)}
+    for key in sorted(used):
+        value = held.get(key, function.__globals__.get(key))
+        if isinstance(value, types.FunctionType):
+            if value.__module__.startswith("carom."):
+                _collect(value, found)
+        elif isinstance(value, np.ndarray):
+            found[f"{function.__module__}.{key}"] = (
+                f"{value.dtype} {value.shape} {hashlib.sha256(value.tobytes()).hexdigest()}"
+            )
+        elif isinstance(value, (int, float, str, tuple)):
+            found[f"{function.__module__}.{key}"] = repr(value)
+
+
+@functools.cache
+def _definitions(file: str) -> dict[int, ast.FunctionDef]:
+    """Return a file's functions by the line on which each begins, decorators included."""
+    tree = ast.parse(Path(file).read_text(encoding="utf-8"))
+    functions = [node for node in ast.walk(tree) if isinstance(node, ast.FunctionDef)]
+    return {min([node.lineno, *(one.lineno for one in node.decorator_list)]): node for node in functions}
+
+
+def _shape(node: Any) -> Any:
+    """Return an abstract syntax tree as nested lists of its names and constants, without places."""
+    if isinstance(node, list):
+        return [_shape(one) for one in node]
+    if not isinstance(node, ast.AST):
+        return repr(node)
+    fields = [
+        (name, _shape(value))
+        for name, value in ast.iter_fields(node)
+        if name not in LEFT_OUT and value not in (None, [])
+    ]
+    return [type(node).__name__, *fields]

@@ -1,0 +1,264 @@
+"""Compile kernels to a WebAssembly module: the very code that Numba makes of them, brought to another machine.
+
+Numba types and lowers the functions to LLVM's intermediate code, as for every compiled loop (:mod:`carom.core.jit.link`). That
+code is told to be for WebAssembly, is optimised and brought to an object by llvmlite, which carries that target, and is linked
+with musl's mathematical functions (libm), so that all browsers give the same bits. Linker and C compiler are those of ziglang.
+
+This relies on how Numba writes its code (as of 0.68); where that has changed, a WebAssemblyError says so.
+"""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable, Sequence
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from carom.core.jit.compile import KERNEL_OPTIONS, register_kernels
+
+__all__ = ["Export", "WebAssemblyError", "build_module", "plain_signature", "tool_versions"]
+
+TRIPLE = "wasm32-unknown-unknown"
+LAYOUT = "e-m:e-p:32:32-p10:8:8-p20:8:8-i64:64-i128:128-n32:64-S128-ni:1:10:20"
+STACK_BYTES = 1 << 18
+# musl's files for a function of libm. sqrt, floor, ceil and fabs are instructions of WebAssembly.
+_ANGLES = ("__sin", "__cos", "__rem_pio2", "__rem_pio2_large")
+LIBM = {
+    "exp": ("exp", "exp_data"), "log": ("log", "log_data"), "pow": ("pow", "pow_data", "exp_data"),
+    "sin": ("sin", *_ANGLES), "cos": ("cos", *_ANGLES), "acos": ("acos",), "atan2": ("atan2", "atan"),
+}  # fmt: skip
+LIBM_ALWAYS = ("__math_divzero", "__math_invalid", "__math_oflow", "__math_uflow", "__math_xflow", "scalbn")
+INSTRUCTIONS = {"sqrt", "floor", "ceil", "fabs"}
+
+
+class WebAssemblyError(Exception):
+    """A module cannot be built: a sentence says why, and what to do."""
+
+
+class Export(NamedTuple):
+    """A function of the module: an entry of one line over kernels, and Numba's signature of it.
+
+    An array is handed over as its address and the number of its items (two i32), a float as f64, an int or a bool as i32; what is
+    returned is written to the address in the first argument. ``by_address``: what is exported is the function's place in the
+    module's table, for calls through an address.
+    """
+
+    name: str
+    function: Callable[..., Any]
+    signature: Any
+    by_address: bool = False
+
+
+def plain_signature(numbers: int) -> Any:
+    """Return Numba's signature of a function that takes so many floats and a place to write floats to."""
+    from numba import types
+
+    return types.void(*[types.float64] * numbers, types.CPointer(types.float64))
+
+
+def build_module(exports: Sequence[Export], libm: Sequence[str] = (), version: str = "") -> bytes:
+    """Return the WebAssembly module with the exports, and with functions of libm exported beside them.
+
+    ``version`` is kept in it, as its custom section "carom".
+
+    Raises WebAssemblyError where ziglang is missing, and where Numba writes other code than this module knows.
+    """
+    register_kernels()
+    text = [_module_text(export) for export in exports]
+    needed = set(libm)
+    with tempfile.TemporaryDirectory() as folder:
+        work = Path(folder)
+        made, undefined = _object(exports, text)
+        needed |= undefined
+        if unknown := needed - set(LIBM):
+            raise WebAssemblyError(
+                f"make wasm: expected functions of {', '.join(LIBM)}, got {', '.join(sorted(unknown))};"
+                f" add their files to LIBM in {__name__}"
+            )
+        (work / "engine.o").write_bytes(made)
+        addresses = [f"address_of_{one.name}" for one in exports if one.by_address]
+        names = [*(one.name for one in exports), *addresses, *libm]
+        return _link(work, sorted(needed), names) + _custom_section("carom", version.encode())
+
+
+def _custom_section(name: str, content: bytes) -> bytes:
+    """Return a section that a module may hold beside its code (of less than 128 bytes, which keeps its lengths to one byte)."""
+    body = bytes([len(name)]) + name.encode() + content
+    return bytes([0, len(body)]) + body
+
+
+# --- Numba's code -----------------------------------------------------------------------------------------------------
+
+
+def _module_text(export: Export) -> tuple[str, str]:
+    """Return the name of a compiled function, and LLVM's text of it with all that it calls."""
+    import numba
+
+    from carom.core.jit.link import _pipeline
+
+    options = {**KERNEL_OPTIONS, "pipeline_class": _pipeline()}
+    dispatcher = numba.njit(**options)(export.function)
+    dispatcher.compile(export.signature)
+    compiled = next(iter(dispatcher.overloads.values()))
+    return compiled.fndesc.llvm_func_name, str(compiled.library._final_module)
+
+
+def _object(exports: Sequence[Export], texts: Sequence[tuple[str, str]]) -> tuple[bytes, set[str]]:
+    """Return the object of all functions, optimised, and the names of functions that it needs."""
+    import llvmlite.binding as llvm
+
+    llvm.initialize_all_targets()
+    llvm.initialize_all_asmprinters()
+    try:
+        whole = None
+        for export, (name, text) in zip(exports, texts, strict=True):
+            part = llvm.parse_assembly(_for_webassembly(text) + _wrapper(export, name, text))
+            if whole is None:
+                whole = part
+            else:
+                whole.link_in(part)
+        assert whole is not None
+        kept = {export.name for export in exports} | {f"address_of_{export.name}" for export in exports}
+        for function in whole.functions:
+            if not function.is_declaration and function.name not in kept:
+                function.linkage = "internal"
+        whole.verify()
+    except RuntimeError as error:
+        raise _changed(str(error).splitlines()[0]) from None
+    machine = llvm.Target.from_triple(TRIPLE).create_target_machine(opt=3, reloc="static", codemodel="default")
+    options = llvm.create_pipeline_tuning_options(speed_level=2)
+    builder = llvm.create_pass_builder(machine, options)
+    builder.getModulePassManager().run(whole, builder)
+    undefined = {f.name for f in whole.functions if f.is_declaration and not f.name.startswith("llvm.")} - INSTRUCTIONS
+    # (what LLVM has an intrinsic for becomes a call of libm)
+    undefined |= {m for f in whole.functions for m in re.findall(r"^llvm\.(\w+)\.f64$", f.name)} & set(LIBM)
+    return bytes(machine.emit_object(whole)), undefined
+
+
+def _for_webassembly(text: str) -> str:
+    changed = re.sub(r'^target datalayout = ".*"$', f'target datalayout = "{LAYOUT}"', text, flags=re.M)
+    changed = re.sub(r'^target triple = ".*"$', f'target triple = "{TRIPLE}"', changed, flags=re.M)
+    # (LLVM ends the process where it meets a common symbol here)
+    return changed.replace(" = common ", " = internal ")
+
+
+def _wrapper(export: Export, name: str, text: str) -> str:
+    """Return a function with plain arguments that calls Numba's."""
+    from numba import types
+
+    taken, given, before = ["ptr %out"], ["ptr %out", "ptr null"], []
+    for i, kind in enumerate(export.signature.args):
+        if isinstance(kind, types.Array):
+            taken += [f"ptr %a{i}", *(f"i32 %n{i}_{axis}" for axis in range(kind.ndim))]
+            before += [f"  %m{i}_{axis} = sext i32 %n{i}_{axis} to i64" for axis in range(kind.ndim)]
+            size = int(kind.dtype.size if isinstance(kind.dtype, types.Record) else kind.dtype.bitwidth // 8 or 1)
+            step = f"{size}"
+            strides: list[str] = []
+            for axis in reversed(range(kind.ndim)):
+                strides.insert(0, f"i64 {step}")
+                if axis > 0:
+                    before.append(f"  %s{i}_{axis} = mul i64 {step}, %m{i}_{axis}")
+                    step = f"%s{i}_{axis}"
+            before.append(f"  %c{i}_0 = add i64 %m{i}_0, 0")
+            for axis in range(1, kind.ndim):
+                before.append(f"  %c{i}_{axis} = mul i64 %c{i}_{axis - 1}, %m{i}_{axis}")
+            shape = [f"i64 %m{i}_{axis}" for axis in range(kind.ndim)]
+            given += [
+                "ptr null",
+                "ptr null",
+                f"i64 %c{i}_{kind.ndim - 1}",
+                f"i64 {size}",
+                f"ptr %a{i}",
+                *shape,
+                *strides,
+            ]
+        elif isinstance(kind, types.CPointer):
+            taken, given = [*taken, f"ptr %a{i}"], [*given, f"ptr %a{i}"]
+        elif kind == types.float64:
+            taken, given = [*taken, f"double %a{i}"], [*given, f"double %a{i}"]
+        else:
+            wide = "i8" if kind == types.boolean else "i64"
+            before.append(f"  %w{i} = {'trunc' if wide == 'i8' else 'sext'} i32 %a{i} to {wide}")
+            taken, given = [*taken, f"i32 %a{i}"], [*given, f"{wide} %w{i}"]
+    _require_signature(name, text, given)
+    if export.by_address:  # called with numbers and a place for the answer: Numba's own results are none
+        taken, given[0] = taken[1:], "ptr %none"
+        before.insert(0, "  %none = alloca ptr")
+    lines = "\n".join(before)
+    call = f'call i32 @"{name}"({", ".join(given)})'
+    body = f"define void @{export.name}({', '.join(taken)}) {{\n{lines}\n  %r = {call}\n  ret void\n}}\n"
+    if export.by_address:
+        body += f"define i32 @address_of_{export.name}() {{\n  ret i32 ptrtoint (ptr @{export.name} to i32)\n}}\n"
+    return "\n" + body
+
+
+def _require_signature(name: str, text: str, given: Sequence[str]) -> None:
+    """Refuse a function whose arguments are not those that Numba has written so far."""
+    found = re.search(rf'^define [^@]*\bi32 @"?{re.escape(name)}"?\((.*?)\) [^()]*\{{$', text, flags=re.M)
+    if found is None:
+        raise _changed(f"no function {name:.40} that returns i32")
+    kinds = [re.sub(r"\(.*?\)", "", one).split()[0] for one in re.sub(r"captures\([^)]*\)", "", found[1]).split(", ")]
+    expected = [one.split()[0] for one in given]
+    if kinds != expected:
+        raise _changed(f"arguments {', '.join(kinds)} for {', '.join(expected)}")
+
+
+def _changed(what: str) -> WebAssemblyError:
+    import numba
+
+    return WebAssemblyError(
+        f"make wasm: expected LLVM code as Numba 0.68 writes it, got other code from Numba {numba.__version__}: {what};"
+        f" build with Numba 0.68, or follow the change in {__name__}"
+    )
+
+
+# --- linking ----------------------------------------------------------------------------------------------------------
+
+
+def _zig(*arguments: str) -> None:
+    done = subprocess.run([sys.executable, "-m", "ziglang", *arguments], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        said = done.stderr.strip().splitlines() or ["no message"]
+        first = next((line for line in said if "error" in line), said[0])
+        raise WebAssemblyError(f"make wasm: expected {arguments[0]} to succeed, got: {first}")
+
+
+def _math_folder() -> Path:
+    found = find_spec("ziglang")
+    if found is None or found.origin is None:
+        raise WebAssemblyError("make wasm: expected ziglang, got none; pip install 'carom[wasm]'")
+    folder = Path(found.origin).parent / "lib" / "libc" / "musl" / "src" / "math"
+    if not (folder / "exp.c").is_file():
+        raise WebAssemblyError(
+            "make wasm: expected a ziglang with musl's libm (0.13), got another; pip install 'carom[wasm]'"
+        )
+    return folder
+
+
+def _link(work: Path, functions: Sequence[str], names: Sequence[str]) -> bytes:
+    folder = _math_folder()
+    files = sorted({file for one in functions for file in LIBM[one]} | set(LIBM_ALWAYS))
+    objects = []
+    arch = folder.parents[2] / "wasi" / "libc-top-half" / "musl" / "arch" / "wasm32"
+    flags = ["-target", "wasm32-wasi", "-O2", "-fno-math-errno", "-ffp-contract=off", "-D_GNU_SOURCE", "-Dhidden="]
+    for file in files:
+        objects.append(str(work / f"{file}.o"))
+        include = ["-I", str(folder.parent / "internal"), "-I", str(arch)]
+        _zig("cc", *flags, *include, "-c", str(folder / f"{file}.c"), "-o", objects[-1])
+    _zig(
+        "wasm-ld", "--no-entry", "--strip-all", "--gc-sections", "--stack-first", "-z", f"stack-size={STACK_BYTES}",
+        *(f"--export={name}" for name in names), "--export=__heap_base", str(work / "engine.o"), *objects,
+        "-o", str(work / "engine.wasm"),
+    )  # fmt: skip
+    return (work / "engine.wasm").read_bytes()
+
+
+def tool_versions() -> dict[str, str]:
+    """Return the versions of what builds a module."""
+    from importlib.metadata import version
+
+    return {name: version(name) for name in ("numba", "llvmlite", "ziglang")}

@@ -1,0 +1,1 @@
+"""The explorer: carom's own engine in the browser, compiled to WebAssembly."""

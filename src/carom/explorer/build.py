@@ -1,0 +1,67 @@
+"""Build the explorer's WebAssembly module from today's kernels: what `make wasm` runs.
+
+``python -m carom.explorer.build`` writes ``assets/engine.wasm`` and ``assets/engine.json``.
+"""
+
+from __future__ import annotations
+
+import json
+import sys
+import time
+import zlib
+
+from carom.core.jit.kernel import kernel
+from carom.errors import CaromError
+from carom.explorer.entries import LIBM, entries
+from carom.explorer.module import ASSETS, description
+from carom.files import write_text
+from carom.laws.callbacks import register_calls
+from carom.simulation.wall_and_floor import joint_impact
+
+__all__ = ["build", "main"]
+
+MAX_BYTES = 250_000
+
+
+def build() -> tuple[bytes, str]:
+    """Return the module and the text of its description. Raises CaromError where it cannot be built."""
+    from carom.core.jit.compile import signature
+    from carom.core.jit.webassembly import Export, WebAssemblyError, build_module, plain_signature, tool_versions
+
+    # (in the engine's own loop another process compiles this part)
+    kernel(joint_impact)
+    register_calls()
+    exports = [
+        Export(one.name, one.function, plain_signature(one.numbers), True) if one.numbers
+        else Export(one.name, one.function, signature(one.returns, *one.arguments))
+        for one in entries()
+    ]  # fmt: skip
+    described = description()
+    try:
+        module = build_module(exports, LIBM, described["version"])
+        described["built_with"] = tool_versions()
+    except WebAssemblyError as error:
+        raise CaromError(str(error)) from None
+    if len(module) > MAX_BYTES:
+        raise CaromError(f"make wasm: expected at most {MAX_BYTES:,} bytes, got {len(module):,}")
+    return module, json.dumps(described, indent=1, allow_nan=False) + "\n"
+
+
+def main() -> int:
+    """Build the module and write it beside its description; return the exit code."""
+    begin = time.perf_counter()
+    try:
+        module, text = build()
+    except CaromError as error:
+        sys.stderr.write(f"carom: {error}\n")
+        return 2
+    ASSETS.mkdir(exist_ok=True)
+    (ASSETS / "engine.wasm").write_bytes(module)
+    write_text(ASSETS / "engine.json", text)
+    size = len(zlib.compress(module, 9))
+    sys.stdout.write(f"engine.wasm: {len(module):,} bytes ({size:,} compressed), {time.perf_counter() - begin:.0f} s\n")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

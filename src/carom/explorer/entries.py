@@ -1,0 +1,131 @@
+"""The functions that the explorer's module offers: entries of a few lines over the kernels that Python runs.
+
+Each is described by the records and numbers that it takes; :mod:`carom.explorer.build` compiles them to WebAssembly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any, NamedTuple
+
+from carom.core.geometry.circles import NUMBERS as RIM_NUMBERS
+from carom.core.geometry.circles import rim_entry
+from carom.core.geometry.features import FEATURES, contact_normal, distance
+from carom.core.jit.compile import array_of
+from carom.core.jit.kernel import vector
+from carom.core.motion.restitution import restitution
+from carom.laws.callbacks import NUMBERS as LAW_NUMBERS
+from carom.laws.callbacks import law_entry
+from carom.laws.landing import second_impact
+from carom.laws.registry import laws
+from carom.laws.two_step import first_impact
+from carom.simulation.loop import finish, run
+from carom.simulation.predict import begin
+from carom.simulation.records import BALLS, LOG, WORLD
+from carom.simulation.states import state_rows, turn_rows
+
+__all__ = ["LIBM", "ModuleFunction", "entries"]
+
+# Functions of the module's libm that the page calls itself.
+LIBM = ("sin", "cos", "acos", "atan2")
+
+
+class ModuleFunction(NamedTuple):
+    """A function of the module, and what it takes and returns, as for :func:`carom.core.jit.compile.signature`."""
+
+    name: str
+    function: Callable[..., Any]
+    returns: Any
+    arguments: tuple[Any, ...]
+    numbers: int = 0
+    """Of a function that is called by its address: how many numbers it takes, beside the place that it writes to."""
+
+
+def entries() -> list[ModuleFunction]:
+    """Return all functions of the module."""
+    world, features, balls, log, floats = map(array_of, (WORLD, FEATURES, BALLS, LOG, float))
+    counts = (int, int, int, int, float, float)
+    return [
+        ModuleFunction("run", run_events, counts, (world, features, balls, log, float, float, int, array_of(int), int)),
+        ModuleFunction("finish", finish_run, None, (world, balls, float)),
+        ModuleFunction("begin", begin_rows, None, (world, balls)),
+        ModuleFunction("states", state_rows, None, (world, balls, floats)),
+        ModuleFunction("turns", turn_rows, None, (world, balls, floats, array_of(float, 2))),
+        ModuleFunction("gaps", gap_rows, None, (features, balls, array_of(float, 2))),
+        ModuleFunction("meet", meet_row, None, (features, balls, floats)),
+        ModuleFunction("first_impact", first_impact_row, None, (floats, floats)),
+        ModuleFunction("second_impact", second_impact_row, None, (floats, floats)),
+        ModuleFunction("rim", rim_entry, None, (), RIM_NUMBERS),
+        *(ModuleFunction(f"law_{law.name.replace('-', '_')}", law_entry(law.kernel), None, (), LAW_NUMBERS)
+          for law in laws().values() if law.kernel is not None),
+    ]  # fmt: skip
+
+
+def run_events(
+    worlds: Any, features: Any, balls: Any, log: Any, slow: float, until: float, most: int, users: Any, keep: int
+) -> Any:
+    """Run events: :func:`carom.simulation.loop.run`."""
+    return run(worlds[0], features, balls, log, slow, until, most, users, keep)
+
+
+def finish_run(worlds: Any, balls: Any, t: float) -> None:
+    """Advance every ball to the time t: :func:`carom.simulation.loop.finish`."""
+    finish(worlds[0], balls, t)
+
+
+def begin_rows(worlds: Any, balls: Any) -> None:
+    """Set the accelerations and the duration of each ball's phase: :func:`carom.simulation.predict.begin`."""
+    for i in range(balls.shape[0]):
+        begin(worlds[0], balls[i])
+
+
+def gap_rows(features: Any, balls: Any, gaps: Any) -> None:
+    """Write the gap (B, F) between each ball and each feature: :func:`carom.core.geometry.features.distance`."""
+    for i in range(balls.shape[0]):
+        for f in range(features.shape[0]):
+            gaps[i, f] = distance(features[f], balls[i].radius, vector(balls[i].x))
+
+
+def meet_row(features: Any, balls: Any, out: Any) -> None:
+    """Write the normal (3) at which the first ball meets the first feature, its speed of approach, and the restitution there."""
+    f, ball = features[0], balls[0]
+    v = vector(ball.v)
+    n = contact_normal(f, vector(ball.x), v)
+    approach = -(v[0] * n[0] + v[1] * n[1] + v[2] * n[2])
+    out[0], out[1], out[2], out[3] = n[0], n[1], n[2], approach
+    out[4] = restitution(f.form, vector(f.e), max(approach, 0.0))
+
+
+def first_impact_row(p: Any, out: Any) -> None:
+    """:func:`carom.laws.two_step.first_impact` of v, w, n (3 each), a, kappa, e, mu, beta, floor's e, mu, beta, height, together.
+
+    Writes v, w, impulses of wall and floor per mass (3 each), the required friction and the regime.
+    """
+    v, w, j, jf, required, regime = first_impact(
+        (p[0], p[1], p[2]), (p[3], p[4], p[5]), (p[6], p[7], p[8]), p[9], p[10], p[11], p[12], p[13], p[14], p[15], p[16],
+        p[17], p[18] != 0,
+    )  # fmt: skip
+    out[0], out[1], out[2] = v
+    out[3], out[4], out[5] = w
+    out[6], out[7], out[8] = j
+    out[9], out[10], out[11] = jf
+    out[12], out[13] = required, regime
+
+
+def second_impact_row(p: Any, out: Any) -> None:
+    """:func:`carom.laws.landing.second_impact` of v, w, n (3 each), a, kappa, the floor's e, mu, beta, gravity, height.
+
+    Writes flight (duration, height, distance), landing (v, w, impulse per mass; 3 each), required friction, regime, rolling state
+    (v, w; 3 each) and the reason's code.
+    """
+    t, rise, far, v, w, j, required, regime, v3, w3, why = second_impact(
+        (p[0], p[1], p[2]), (p[3], p[4], p[5]), (p[6], p[7], p[8]), p[9], p[10], p[11], p[12], p[13], p[14], p[15]
+    )
+    out[0], out[1], out[2] = t, rise, far
+    out[3], out[4], out[5] = v
+    out[6], out[7], out[8] = w
+    out[9], out[10], out[11] = j
+    out[12], out[13] = required, regime
+    out[14], out[15], out[16] = v3
+    out[17], out[18], out[19] = w3
+    out[20] = why

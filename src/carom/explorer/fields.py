@@ -1,0 +1,85 @@
+"""The fields of a scene as data: what the page checks numbers by, and names them by, is what Python checks them by.
+
+Read from the models of :mod:`carom.scene`, so that a bound stands in one place.
+"""
+
+from __future__ import annotations
+
+import math
+from types import UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
+
+from pydantic.fields import FieldInfo
+
+from carom.scene.ball import SceneBall
+from carom.scene.restitution import Constant, Exponential, Han2005, Polynomial, Power, Viscoelastic
+from carom.scene.scene import BallContact, Floor, Run, Scene
+from carom.scene.schema import Components, Model, Number
+from carom.scene.shapes import Arc, Box, Cylinder, Plane, Polygon, Segment, Sphere, Stadium, Strip, Table, Wedge
+
+__all__ = ["scene_fields"]
+
+SHAPES = (Plane, Segment, Polygon, Table, Box, Strip, Wedge, Cylinder, Arc, Sphere, Stadium)
+FORMS = (Constant, Polynomial, Han2005, Power, Viscoelastic, Exponential)
+
+
+def scene_fields() -> dict[str, Any]:
+    """Return the fields of each part of a scene by name: of walls by shape, of restitutions by form.
+
+    A field is a number with its bounds, a vector of numbers with its possible lengths, a flag, a choice, a text, or a part.
+    """
+    return {
+        "scene": _fields(Scene),
+        "floor": _fields(Floor),
+        "ball": _fields(SceneBall),
+        "ball_contact": _fields(BallContact),
+        "run": _fields(Run),
+        "walls": {model.model_fields["shape"].default: _fields(model) for model in SHAPES},
+        "restitution": {model.model_fields["form"].default: _fields(model) for model in FORMS},
+    }
+
+
+def _fields(model: type[Model]) -> dict[str, Any]:
+    return {name: _field(info) for name, info in model.model_fields.items()}
+
+
+def _field(info: FieldInfo) -> dict[str, Any]:
+    found = _described(info.annotation, list(info.metadata))
+    if info.is_required():
+        found["required"] = True
+    return found
+
+
+def _described(annotation: Any, metadata: list[Any]) -> dict[str, Any]:  # noqa: PLR0911  (one return a kind)
+    while get_origin(annotation) is Annotated:
+        annotation, *more = get_args(annotation)
+        metadata = [*metadata, *more]
+    if get_origin(annotation) in (Union, UnionType):
+        options = [one for one in get_args(annotation) if one is not type(None)]
+        optional = len(options) < len(get_args(annotation))
+        # (a number or a form of restitution, an inertia by name or number: the page gets the second)
+        found = _described(options[-1], metadata) if len(options) <= 2 else {"kind": "part"}
+        return {**found, **({"optional": True} if optional else {})}
+    checks = [getattr(one, "func", None) for one in metadata]
+    counts = next((one for one in checks if isinstance(one, Components)), None)
+    if get_origin(annotation) is tuple and counts is not None:
+        each = _described(next(one for one in get_args(annotation) if one is not Ellipsis), [])
+        limits = [counts.counts[0], counts.counts[-1]]
+        return {"kind": "vector", "what": counts.what, "counts": limits, "each": each}
+    number = next((one for one in checks if isinstance(one, Number)), None)
+    if number is not None:
+        return {
+            "kind": "number", "what": number.what, "unit": number.unit, "least": _bound(number.least), "most": _bound(number.most),
+            "above": number.above, "infinite": number.infinite,
+        }  # fmt: skip
+    if get_origin(annotation) is Literal:
+        return {"kind": "choice", "values": list(get_args(annotation))}
+    if annotation is bool:
+        return {"kind": "flag"}
+    if annotation is str:
+        return {"kind": "text"}
+    return {"kind": "whole"} if annotation is int else {"kind": "number"} if annotation is float else {"kind": "part"}
+
+
+def _bound(x: float) -> float | None:
+    return x if math.isfinite(x) else None

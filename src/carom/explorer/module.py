@@ -1,0 +1,114 @@
+"""The explorer's WebAssembly module and its description: what lies in the package, and what today's sources would make.
+
+``engine.wasm`` holds the event loop and the laws; ``engine.json`` says where the fields of its records are, which laws there are
+and what they read, and what numbers in its logs mean. Both carry the hash of the kernels' sources: a page refuses one of another.
+"""
+
+from __future__ import annotations
+
+import functools
+import json
+import math
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from carom.core.contact import REGIMES
+from carom.core.geometry.features import FACE, FEATURES, LINE, OVER, POINT, RIM
+from carom.core.jit.kernel_hash import kernel_hash
+from carom.core.motion.phases import PHASES
+from carom.core.motion.restitution import FORMS
+from carom.explorer.entries import LIBM, entries
+from carom.explorer.fields import scene_fields
+from carom.laws.landing import WHY
+from carom.laws.law import CALLED_WALL, CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL, ROLLING_WALL, TWO_STEP_WALL
+from carom.laws.registry import laws
+from carom.scene.restitution import Han2005
+from carom.simulation.loop import ALL, FULL, LIMIT, QUIET, ROWS
+from carom.simulation.records import BALLS, KINDS, LOG, WORLD
+from carom.simulation.resolve import DONE
+from carom.simulation.simulate import REFUSALS
+
+__all__ = ["ASSETS", "description", "engine_bytes", "engine_layout", "version"]
+
+ASSETS = Path(str(resources.files("carom.explorer"))) / "assets"
+
+
+def engine_bytes() -> bytes:
+    """Return the module, ``engine.wasm``."""
+    return (ASSETS / "engine.wasm").read_bytes()
+
+
+def engine_layout() -> dict[str, Any]:
+    """Return its description, ``engine.json``."""
+    return json.loads((ASSETS / "engine.json").read_text(encoding="utf-8"))  # type: ignore[no-any-return]
+
+
+@functools.cache
+def version() -> str:
+    """Return the hash of the kernels as they are today, and of their description."""
+    return kernel_hash((entry.function for entry in entries()), json.dumps(_described(), sort_keys=True))
+
+
+def description() -> dict[str, Any]:
+    """Return what ``engine.json`` says of today's sources; the versions of the tools that build the module are added to it."""
+    return {"version": version(), **_described()}
+
+
+@functools.cache
+def _described() -> dict[str, Any]:
+    return {
+        "records": {
+            name: _record(dtype) for name, dtype in (("world", WORLD), ("features", FEATURES), ("balls", BALLS), ("log", LOG))
+        },
+        "functions": [entry.name for entry in entries()],
+        "libm": list(LIBM),
+        "features": {"face": FACE, "over": OVER, "line": LINE, "point": POINT, "rim": RIM},
+        "kinds": list(KINDS),
+        "phases": list(PHASES),
+        "regimes": list(REGIMES),
+        "forms": {name: code for code, name in enumerate(FORMS)},
+        "han2005": list(Han2005().p),
+        "reasons": list(WHY),
+        "run": {"done": DONE, "full": FULL, "limit": LIMIT, "quiet": QUIET, "rows": ROWS, "all": ALL},
+        "refusals": {str(code): text for code, text in REFUSALS.items()},
+        "responses": {
+            "two-step": TWO_STEP_WALL, "rolling": ROLLING_WALL, "no-slip": NO_SLIP_WALL, "mirror": MIRROR_WALL,
+            "contact": CONTACT_WALL, "called": CALLED_WALL,
+        },
+        "laws": [_law(law) for law in laws().values() if law.kernel is not None],
+        "fields": scene_fields(),
+    }  # fmt: skip
+
+
+def _record(dtype: np.dtype[Any]) -> dict[str, Any]:
+    """Where a record's fields are: offset in bytes, number of items, and whether they are whole numbers."""
+    fields = {}
+    for name, (kind, offset, *_title) in (dtype.fields or {}).items():
+        fields[name] = {"at": offset, "count": int(np.prod(kind.shape, dtype=int)), "whole": kind.base.kind == "i"}
+    return {"bytes": dtype.itemsize, "fields": fields}
+
+
+def _law(law: Any) -> dict[str, Any]:
+    """What the page needs to know of a law."""
+    return {
+        "name": law.name,
+        "title": law.card.summary,
+        "assumptions": list(law.card.assumptions),
+        "valid": law.card.valid,
+        "citation": law.card.citation,
+        "doi": law.card.doi,
+        "parameters": None if law.reads is None else list(law.reads),
+        "needs": list(law.needs),
+        "pinned": {name: "inf" if math.isinf(x) else x for name, x in law.pinned.items()},
+        "response": law.response,
+        "function": f"law_{law.name.replace('-', '_')}",
+        "last": law.last,
+        "variant_of": law.variant_of,
+        "ignores_floor": law.ignores_floor,
+        "colour": law.line[0] if law.line else None,
+        "dashes": list(law.line[1][1]) if law.line and not isinstance(law.line[1], str) else [],
+        "chi_range": law.chi_range and list(law.chi_range),
+    }

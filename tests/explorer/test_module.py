@@ -1,0 +1,74 @@
+"""The explorer's WebAssembly module: that it is of today's kernels, and that a Numba that writes other code is refused."""
+
+from __future__ import annotations
+
+import json
+import math
+
+import pytest
+
+from carom.core.jit import webassembly
+from carom.core.jit.compile import signature
+from carom.core.jit.kernel_hash import kernel_hash
+from carom.explorer.build import MAX_BYTES
+from carom.explorer.module import description, engine_bytes, engine_layout, version
+
+
+def test_the_module_is_of_todays_kernels() -> None:
+    layout = engine_layout()
+    built_with = layout.pop("built_with")
+    assert set(built_with) == {"numba", "llvmlite", "ziglang"}
+    advice = "the kernels have changed since engine.wasm was built: make wasm (extra wasm), and commit src/carom/explorer/assets"
+    assert layout["version"] == version(), advice
+    assert layout == json.loads(json.dumps(description())), advice
+
+
+def test_the_module_carries_the_version_and_is_small() -> None:
+    module = engine_bytes()
+    assert module[:4] == b"\0asm"
+    assert module.endswith(b"\x05carom" + version().encode())
+    assert len(module) < MAX_BYTES
+
+
+FACTOR = 2.0
+
+
+def _half(x: float) -> float:
+    """Return a half."""
+    return x / FACTOR
+
+
+def _entry(x: float) -> float:
+    return _half(x) + 1
+
+
+def test_the_hash_is_of_code_and_constants_and_not_of_comments(monkeypatch: pytest.MonkeyPatch) -> None:
+    before = kernel_hash([_entry])
+    assert kernel_hash([_entry]) == before
+    assert kernel_hash([_entry], "more") != before
+    for function in (_half, _entry):
+        monkeypatch.setattr(function, "__module__", "carom.test")
+    with_half = kernel_hash([_entry])  # a function of carom's is followed
+    assert with_half != before
+    monkeypatch.setitem(globals(), "FACTOR", 3.0)
+    assert kernel_hash([_entry]) != with_half
+
+
+def test_code_that_numba_writes_otherwise_is_refused_in_a_sentence() -> None:
+    export = webassembly.Export("entry", _entry_alone, signature(float, float))
+    name, text = webassembly._module_text(export)
+    made, needed = webassembly._object([export], [(name, text)])
+    assert made[:4] == b"\0asm"
+    assert needed == {"exp"}
+    with pytest.raises(
+        webassembly.WebAssemblyError, match=r"^make wasm: expected LLVM code as Numba .* arguments .* for "
+    ):
+        webassembly._object([export], [(name, text.replace("double %arg.x", "float %arg.x"))])
+    with pytest.raises(webassembly.WebAssemblyError, match=r"^make wasm: expected LLVM code as Numba .* no function "):
+        webassembly._object([export], [(name, text.replace(f"@{name}(", "@other("))])
+    with pytest.raises(webassembly.WebAssemblyError, match=r"^make wasm: expected LLVM code as Numba "):
+        webassembly._object([export], [(name, text.replace("ret i32 0", "return 0"))])
+
+
+def _entry_alone(x: float) -> float:
+    return math.exp(x)

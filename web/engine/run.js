@@ -1,0 +1,176 @@
+// A run of a scene: the event loop is the module's; here its log becomes events, pieces of motion, and final states.
+
+/** @import { Ball, Scene, Vec } from "../state/types.js" */
+/** @import { Layout, Limits, LoggedEvent, Piece, Run } from "./types.js" */
+/** @import { Module } from "./module.js" */
+import { setUp } from "../scene/setup.js";
+import { general, vectorText } from "./text.js";
+
+const MOST_EVENTS = 2000;
+const MOST_MILLISECONDS = 2000;
+const SLICE = 256; // events between two looks at the clock
+const FIRST_ROWS = 128;
+
+/** @typedef {LoggedEvent & {at: number}} Row an event with the address of its record */
+
+/** @param {Module} module @param {Scene} scene @param {Limits} limits @returns {Run} */
+export function runScene(module, scene, limits) {
+  const { memory, layout } = module;
+  const { records, run: status } = layout;
+  memory.clear();
+  const made = setUp(scene, layout, module.libm, module.address("rim"));
+  const count = made.balls.length;
+  const world = memory.records(records.world, [made.world]);
+  const features = memory.records(records.features, made.features);
+  const balls = memory.records(records.balls, made.balls);
+  const users = memory.put(made.called.map(() => 0));
+  made.called.forEach((law, i) => memory.putWhole(users + 8 * i, module.address(law.function)));
+  const out = memory.take(64);
+
+  const until = limits.until ?? scene.run.duration ?? Infinity;
+  const most = Math.min(limits.events ?? MOST_EVENTS, scene.run.max_events ?? Infinity);
+  const deadline = performance.now() + (limits.milliseconds ?? MOST_MILLISECONDS);
+  /** @type {{at: number, rows: number}[]} */
+  const logs = [];
+  let [slow, events, ended, atFault, last, room] = [-1, 0, status.full, -1, 0, FIRST_ROWS + count];
+  while (ended === status.full) {
+    const log = memory.take(room * records.log.bytes);
+    const step = Math.min(most - events, SLICE);
+    module.call("run", out, world, 1, features, made.features.length, balls, count, log, room, slow, until, step, users, made.called.length, status.all);
+    const rows = memory.words[out / 4 + 4];
+    ended = memory.words[out / 4];
+    events += memory.words[out / 4 + 2];
+    atFault = memory.words[out / 4 + 6];
+    [slow, last] = memory.numbers(out + 32, 2);
+    logs.push({ at: log, rows });
+    room = Math.min(4 * room, 4096);
+    if (ended === status.limit && events < most && performance.now() < deadline) ended = status.full;
+  }
+  const found = readLog(module, logs);
+  const known = { [status.done]: "done", [status.quiet]: "quiet", [status.limit]: events < most ? "time" : "limit" };
+  const name = /** @type {Run["status"]} */ (known[ended] ?? "refused");
+  const end = name === "done" && until < Infinity ? until : last;
+  const why = name === "refused" ? refusal(module, scene, ended, balls, atFault) : "";
+  const perBall = scene.balls.map((_ball, i) => found.filter((row) => row.ball === i));
+  return {
+    status: name,
+    why,
+    until: end,
+    events: found.slice(count).map(({ at: _at, ...event }) => event),
+    final: finalStates(module, world, balls, perBall, end),
+    balls: perBall.map((rows, i) => ({ pieces: pieces(module, world, balls + i * records.balls.bytes, rows, end) })),
+  };
+}
+
+/** @param {Module} module @param {{at: number, rows: number}[]} logs @returns {Row[]} */
+function readLog(module, logs) {
+  const { layout, memory } = module;
+  const { kinds, phases, regimes, records } = layout;
+  const names = /** @type {const} */ (["t", "kind", "ball", "met", "other", "x", "v_before", "w_before", "v", "w", "phase_before", "phase", "impulse", "floor_impulse", "required", "regime"]);
+  const read = /** @type {Record<typeof names[number], (at: number) => any>} */ (
+    Object.fromEntries(names.map((name) => [name, memory.field(records.log, name)]))
+  );
+  const found = [];
+  for (const log of logs) {
+    for (let i = 0; i < log.rows; i++) {
+      const at = log.at + i * records.log.bytes;
+      const phase = phases[read.phase(at)];
+      const kind = kinds[read.kind(at)];
+      const met = kinds[read.met(at)];
+      const regime = read.regime(at);
+      found.push({
+        at,
+        t: read.t(at),
+        kind: kind === "phase" ? phase : kind, // the end of a phase has the name of the one that begins
+        ball: read.ball(at),
+        met: /** @type {"wall" | "ball" | null} */ (met === "nothing" ? null : met),
+        other: read.other(at),
+        x: read.x(at),
+        v_before: read.v_before(at),
+        w_before: read.w_before(at),
+        v: read.v(at),
+        w: read.w(at),
+        phase_before: phases[read.phase_before(at)],
+        phase,
+        impulse: read.impulse(at),
+        floor_impulse: read.floor_impulse(at),
+        required: read.required(at),
+        regime: regime < 0 ? null : regimes[regime],
+      });
+    }
+  }
+  return found;
+}
+
+/** Records of one ball in the states of rows. @param {Module} module @param {number} ball @param {Row[]} rows @returns {number} */
+function ballsIn(module, ball, rows) {
+  const { memory, layout } = module;
+  const record = layout.records.balls;
+  const at = memory.take(record.bytes * Math.max(rows.length, 1));
+  const bytes = new Uint8Array(memory.memory.buffer);
+  rows.forEach((row, i) => {
+    const one = at + i * record.bytes;
+    bytes.copyWithin(one, ball, ball + record.bytes);
+    for (const name of /** @type {const} */ (["x", "v", "w"])) memory.set(record, one, name, row[name]);
+    memory.set(record, one, "phase", layout.phases.indexOf(row.phase));
+    memory.set(record, one, "clock", 0);
+  });
+  return at;
+}
+
+/** @param {string} phase */
+const gone = (phase) => phase === "held" || phase === "left";
+
+/** The motion between events, in closed form. @param {Module} module @param {number} world @param {number} ball @param {Row[]} rows @param {number} end @returns {Piece[]} */
+function pieces(module, world, ball, rows, end) {
+  const { memory, layout } = module;
+  const record = layout.records.balls;
+  const at = ballsIn(module, ball, rows);
+  module.call("begin", 0, world, 1, at, rows.length);
+  const [acc, turn] = [memory.field(record, "acc"), memory.field(record, "turn")];
+  const found = [];
+  rows.forEach((row, i) => {
+    const next = rows[i + 1];
+    const lasts = (next?.t ?? end) - row.t;
+    if (!(lasts > 0) && next !== undefined) return;
+    const one = at + i * record.bytes;
+    /** @type {Piece} */
+    const piece = { t: row.t, lasts, x: row.x, v: row.v, w: row.w, acc: acc(one), turn: turn(one), phase: row.phase };
+    if (gone(row.phase)) Object.assign(piece, { v: [0, 0, 0], acc: [0, 0, 0], turn: [0, 0, 0] });
+    if (row.phase === "bouncing") Object.assign(piece, along(module, world, one, lasts, row.x));
+    found.push(piece);
+  });
+  return found;
+}
+
+/** Bounces too low to see, as the straight line from the first to the last. @param {Module} module @param {number} world @param {number} ball @param {number} lasts @param {Vec} x */
+function along(module, world, ball, lasts, x) {
+  const { memory, layout } = module;
+  if (!(lasts > 0)) return { v: [0, 0, 0], acc: [0, 0, 0] };
+  module.call("states", 0, world, 1, ball, 1, memory.put([lasts]), 1);
+  const y = memory.field(layout.records.balls, "x")(ball);
+  return { v: [(y[0] - x[0]) / lasts, (y[1] - x[1]) / lasts, 0], acc: [0, 0, 0] };
+}
+
+/** @param {Module} module @param {number} world @param {number} balls @param {Row[][]} perBall @param {number} end */
+function finalStates(module, world, balls, perBall, end) {
+  const { memory, layout } = module;
+  const record = layout.records.balls;
+  return perBall.map((rows, i) => {
+    const row = rows[rows.length - 1];
+    if (gone(row.phase)) return { x: row.x, v: row.v, w: row.w, phase: row.phase };
+    const one = ballsIn(module, balls + i * record.bytes, [row]);
+    module.call("states", 0, world, 1, one, 1, memory.put([end - row.t]), 1);
+    const [x, v, w] = ["x", "v", "w"].map((name) => memory.field(record, name)(one));
+    return { x, v, w, phase: row.phase };
+  });
+}
+
+/** Why a law has no answer, as carom.simulate says it. @param {Module} module @param {Scene} scene @param {number} code @param {number} balls @param {number} i */
+function refusal(module, scene, code, balls, i) {
+  const { memory, layout } = module;
+  const at = balls + i * layout.records.balls.bytes;
+  const [t, x] = ["clock", "x"].map((name) => memory.field(layout.records.balls, name)(at));
+  const name = scene.balls[i].name ?? `ball ${i}`;
+  return `${name}: expected an event that its law has an answer for, got one at t = ${general(t, 6)} s, x = ${vectorText(x, 4)}: ${layout.refusals[code]}`;
+}

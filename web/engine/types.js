@@ -1,0 +1,85 @@
+// What engine.json holds (carom.explorer.module), and what the engine returns.
+
+/** @import { Vec } from "../state/types.js" */
+
+/** Where a field of a record is: offset in bytes, number of items, whether they are whole numbers of 8 bytes. @typedef {{at: number, count: number, whole: boolean}} Place */
+
+/** @typedef {{bytes: number, fields: Record<string, Place>}} RecordLayout */
+
+/**
+ * @typedef {object} Law
+ * @property {string} name
+ * @property {string} title
+ * @property {string[]} assumptions
+ * @property {string} valid
+ * @property {string} citation
+ * @property {string} doi
+ * @property {string[] | null} parameters parameters of wall and floor that it reads; null: unknown
+ * @property {string[]} needs fields that a wall must have
+ * @property {Record<string, number | "inf">} pinned
+ * @property {number} response
+ * @property {string} function
+ * @property {"tangential_restitution" | "stiffness_ratio"} last
+ * @property {string} variant_of
+ * @property {boolean} ignores_floor
+ * @property {string | null} colour
+ * @property {number[]} dashes
+ * @property {[number, number] | null} chi_range
+ */
+
+/**
+ * @typedef {object} Layout
+ * @property {string} version
+ * @property {Record<string, RecordLayout>} records
+ * @property {string[]} functions
+ * @property {string[]} libm
+ * @property {Record<string, number>} features
+ * @property {string[]} kinds
+ * @property {string[]} phases
+ * @property {string[]} regimes
+ * @property {Record<string, number>} forms
+ * @property {Vec} han2005
+ * @property {string[]} reasons
+ * @property {Record<string, number>} run
+ * @property {Record<string, string>} refusals
+ * @property {Record<string, number>} responses
+ * @property {Law[]} laws
+ * @property {Record<string, any>} fields
+ * @property {Record<string, string>} built_with
+ */
+
+/** @typedef {{events?: number, until?: number, milliseconds?: number}} Limits */
+
+/**
+ * @typedef {object} LoggedEvent
+ * @property {number} t
+ * @property {string} kind wall, floor, ball; rolling, pivoting, rest: the phase that begins; settled, left, held
+ * @property {number} ball
+ * @property {"wall" | "ball" | null} met what `other` is the number of
+ * @property {number} other -1 for none
+ * @property {Vec} x
+ * @property {Vec} v_before
+ * @property {Vec} w_before
+ * @property {Vec} v
+ * @property {Vec} w
+ * @property {string} phase_before
+ * @property {string} phase
+ * @property {Vec} impulse N s
+ * @property {Vec} floor_impulse N s
+ * @property {number} required friction
+ * @property {string | null} regime
+ */
+
+/** Position x + v s + acc s^2/2 and spin w + turn s for s from 0 to lasts. @typedef {{t: number, lasts: number, x: Vec, v: Vec, w: Vec, acc: Vec, turn: Vec, phase: string}} Piece */
+
+/**
+ * @typedef {object} Run
+ * @property {"done" | "quiet" | "limit" | "time" | "refused"} status the end was reached; nothing more happens; so many events, or so long a computation; the law has no answer
+ * @property {string} why why a law has no answer, else empty
+ * @property {number} until
+ * @property {LoggedEvent[]} events
+ * @property {{x: Vec, v: Vec, w: Vec, phase: string}[]} final
+ * @property {{pieces: Piece[]}[]} balls
+ */
+
+export {};

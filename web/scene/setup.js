@@ -1,0 +1,101 @@
+// A scene as the engine's records: world, features, balls (carom.simulation.setup, carom.scene.Scene.features).
+
+/** @import { Ball, Restitution, Scene, Vec, Wall } from "../state/types.js" */
+/** @import { Law, Layout } from "../engine/types.js" */
+/** @import { Libm } from "./builders.js" */
+import { extended } from "./numbers.js";
+import { SHAPES } from "./shapes.js";
+
+/** @typedef {Record<string, number | boolean | number[]>} Row fields of a record by name */
+
+/** @typedef {{world: Row, features: Row[], balls: Row[], called: Law[]}} Setup */
+
+const INERTIAS = { solid: 2 / 5, hollow: 2 / 3 };
+
+/** I / (m a^2). @param {Ball} ball @returns {number} */
+export const kappaOf = (ball) => (typeof ball.inertia === "string" ? INERTIAS[ball.inertia] : ball.inertia);
+
+/** Angular velocity at the start. @param {Ball} ball @returns {Vec} */
+export function spinOf(ball) {
+  const [x, y] = ball.velocity;
+  return ball.rolling ? [-y / ball.radius, x / ball.radius, ball.spin_z ?? 0] : (ball.spin ?? [0, 0, 0]);
+}
+
+/** The law of a wall. @param {Scene} scene @param {Wall} wall @param {Layout} layout @returns {Law} */
+export function lawOf(scene, wall, layout) {
+  const name = wall.law ?? scene.run.law;
+  const law = layout.laws.find((one) => one.name === name);
+  if (law === undefined) throw new Error(`law: expected one of ${layout.laws.map((one) => one.name).join(", ")}, got ${name}`);
+  return law;
+}
+
+/** A restitution as a code and three numbers. @param {Restitution | null} found @param {Layout} layout @returns {[number, Vec]} */
+export function restitutionNumbers(found, layout) {
+  /** @type {any} */
+  const r = found ?? { form: "constant", value: 1 };
+  const code = layout.forms[r.form === "han-2005" ? "polynomial" : r.form];
+  switch (r.form) {
+    case "constant": return [code, [r.value, 0, 0]];
+    case "polynomial": return [code, r.coefficients];
+    case "han-2005": return [code, layout.han2005];
+    case "power": return [code, [r.at_rest, r.speed, r.exponent]];
+    case "viscoelastic": return [code, [r.c, 0, 0]];
+    case "exponential": return [code, [r.at_rest, r.at_speed, r.speed]];
+    default: throw new Error(`restitution: expected one of ${Object.keys(layout.forms).join(", ")}, got ${r.form}`);
+  }
+}
+
+/** @param {{restitution: Restitution | null, friction: unknown, tangential_restitution: number}} surface @param {Layout} layout */
+function contactOf(surface, layout) {
+  const [form, p] = restitutionNumbers(surface.restitution, layout);
+  return { form, p, mu: surface.friction === null ? Infinity : extended(surface.friction), beta: surface.tangential_restitution };
+}
+
+/** @param {string} of @param {ReturnType<typeof contactOf>} contact @returns {Row} */
+const prefixed = (of, contact) => Object.fromEntries(Object.entries(contact).map(([key, value]) => [`${of}_${key}`, value]));
+
+/** The surface of a wall as its law reads it. @param {Wall} wall @param {Law} law @param {Layout} layout */
+export function surfaceOf(wall, law, layout) {
+  const contact = contactOf(wall, layout);
+  if (law.response === layout.responses.contact) {
+    const { restitution, friction, tangential_restitution: beta } = law.pinned;
+    if (restitution !== undefined) [contact.form, contact.p] = [layout.forms.constant, [extended(restitution), 0, 0]];
+    if (friction !== undefined) contact.mu = extended(friction);
+    if (beta !== undefined) contact.beta = extended(beta);
+  }
+  if (law.last === "stiffness_ratio") contact.beta = wall.stiffness_ratio;
+  return contact;
+}
+
+/** A scene as records; `address` is that of rims. @param {Scene} scene @param {Layout} layout @param {Libm} libm @param {number} address @returns {Setup} */
+export function setUp(scene, layout, libm, address) {
+  const floor = scene.floor;
+  /** @type {Row} */
+  const world = {
+    force: scene.gravity,
+    ...(floor && { floor: 1, g: -scene.gravity[2], ...prefixed("floor", contactOf(floor, layout)) }),
+    ...(floor && { resistance: floor.rolling_resistance, spin_friction: floor.spin_friction }),
+    ...prefixed("pair", contactOf(scene.ball_contact, layout)),
+    together: scene.run.floor_contact === "with",
+  };
+  const found = scene.walls.map((wall) => lawOf(scene, wall, layout));
+  const called = [...new Set(found.filter((law) => law.response === layout.responses.called))];
+  const features = scene.walls.flatMap((wall, i) => {
+    const law = found[i];
+    const { form, p, mu, beta } = surfaceOf(wall, law, layout);
+    const number = law.response + (law.response === layout.responses.called ? called.indexOf(law) : 0);
+    const shape = SHAPES[wall.shape];
+    const surface = { wall: i, form, e: p, mu, beta, law: number, ends: shape.encloses?.(wall) ?? false };
+    return shape.features(wall, libm).map((one) => ({ ...one, ...surface, at: one.kind === layout.features.rim ? address : 0 }));
+  });
+  const balls = scene.balls.map((ball) => ({
+    radius: ball.radius, mass: ball.mass, kappa: kappaOf(ball), x: centerOf(scene, ball), v: ball.velocity, w: spinOf(ball),
+  }));
+  return { world, features, balls, called };
+}
+
+/** The centre of a ball: with two numbers, on the floor, or in the plane z = 0. @param {Scene} scene @param {Ball} ball @returns {Vec} */
+export function centerOf(scene, ball) {
+  const [x, y, z] = ball.position;
+  return [x, y, z ?? (scene.floor ? ball.radius : 0)];
+}
