@@ -1,5 +1,5 @@
 # Thin wrappers; `make check` is what CI does.
-.PHONY: test doctest lint docs wasm benchmarks campaigns check
+.PHONY: test doctest lint docs wasm page benchmarks campaigns check
 test:
 	pytest
 doctest:
@@ -11,6 +11,9 @@ docs:
 # the explorer's WebAssembly module, from today's kernels (extra wasm)
 wasm:
 	python -m carom.explorer.build
+# the explorer's page: types, lint, and the bundle of web/ with three.js (Node 20 or later)
+page:
+	cd web && npm install --no-package-lock --no-audit --no-fund && npm run check && npm run build
 # speed, also against other programs (those that are installed)
 benchmarks:
 	for file in benchmarks/*.py; do echo "== $$file"; python $$file || exit 1; done

@@ -1,0 +1,277 @@
+// The explorer: one scene, every law of impact side by side, computed by carom's own engine.
+
+/** @import { LawCard, Preset, Rebound, Scene, Verdict } from "./state/types.js" */
+/** @import { Engine } from "./state/compute.js" */
+/** @import { Box, Palette, View } from "./view/shot.js" */
+import { loadEngine } from "./engine/engine.js";
+import { byId, el } from "./panels/dom.js";
+import { controls } from "./panels/controls.js";
+import { lawPanel } from "./panels/laws.js";
+import { menu } from "./panels/menu.js";
+import { anglePlot, timePlot } from "./panels/plots.js";
+import { transport } from "./panels/transport.js";
+import { cardsFor, curvesOf, horizon, incidenceOf, runAll, sentence, steps, verdictsOf } from "./state/compute.js";
+import { withBall } from "./state/edit.js";
+import { fromHash } from "./state/link.js";
+import { energyAt, sampleTimes, stateAt } from "./state/motion.js";
+import { Store } from "./state/store.js";
+import { checkedScene } from "./state/validate.js";
+import { flat } from "./view/flat.js";
+import { VIEWS, boxAround } from "./view/shot.js";
+import { stage } from "./view/stage.js";
+
+/** @typedef {{presets: Preset[], cards: LawCard[], rebounds: Rebound[], reboundsFrom: string}} PageData */
+
+/** @param {string} text @param {boolean} [good] */
+function say(text, good = false) {
+  const message = byId("message");
+  message.textContent = text;
+  message.hidden = !text;
+  message.className = good ? "good" : "bad";
+}
+
+/** @param {string} hex @param {boolean} dark lighter on a dark ground */
+function tint(hex, dark) {
+  if (!dark) return hex;
+  const parts = [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
+  return `#${parts.map((one) => Math.round(one + (255 - one) * 0.28).toString(16).padStart(2, "0")).join("")}`;
+}
+
+/** @returns {Palette} */
+function palette() {
+  const style = getComputedStyle(document.documentElement);
+  const of = (/** @type {string} */ name) => style.getPropertyValue(`--${name}`).trim();
+  return {
+    background: of("sky"), floor: of("felt"), grid: of("grid"), wall: of("wall"), edge: of("edge"), ink: of("ink"), soft: of("soft"),
+    dark: document.documentElement.dataset.theme === "dark",
+  };
+}
+
+const json = (/** @type {string} */ id) => JSON.parse(byId(id).textContent ?? "null");
+
+async function start() {
+  document.documentElement.dataset.theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
+  if (typeof WebAssembly !== "object") throw new Error("This browser has no WebAssembly, in which carom's engine is: any browser since 2018 has it.");
+  /** @type {PageData} */
+  const data = json("page-data");
+  const module = Uint8Array.from(atob((byId("engine-module").textContent ?? "").trim()), (c) => c.charCodeAt(0));
+  const loaded = await loadEngine(module, json("engine-layout"));
+  const engine = /** @type {Engine} */ (/** @type {unknown} */ (loaded));
+  Object.assign(window, { carom: { run: loaded.run.bind(loaded), version: loaded.version } });
+  show(data, engine);
+}
+
+/** @param {PageData} data @param {Engine} engine */
+function show(data, engine) {
+  const first = data.presets[0];
+  const names = data.cards.map(({ name }) => name);
+  /** @type {ReturnType<typeof fromHash>} */
+  let linked = null;
+  try {
+    linked = fromHash(location.hash, names);
+  } catch (error) {
+    say(sentence(error));
+  }
+  let scene = linked?.scene ?? checkedScene(first.scene);
+  const laws = linked?.laws ?? names.filter((name) => first.laws.includes(name));
+  if (runAll(engine, scene, laws.length ? laws : [scene.run.law]).fault !== null && linked) {
+    say(`The scene of this link cannot be shown: ${runAll(engine, scene, laws.length ? laws : [scene.run.law]).fault}`);
+    linked = null;
+    scene = checkedScene(first.scene);
+  }
+  const store = new Store({
+    scene, laws: linked?.laws ?? names.filter((name) => first.laws.includes(name)), followed: "", ball: 0, wall: -1, t: linked?.t ?? 0, playing: false,
+    speed: first.slow ?? 1, rebounds: data.rebounds, reboundsFrom: data.reboundsFrom, cards: cardsFor(data.cards, scene),
+  });
+  const { state } = store;
+
+  /** The law that leads: the one asked for, the scene's own, or the first. @param {string} [wanted] */
+  const leader = (wanted) => [wanted, state.cards[0]?.name === "as in the scene" ? state.cards[0].name : undefined, state.scene.run.law].find((law) => law && state.laws.includes(law)) ?? state.laws[0] ?? "";
+  state.followed = leader(linked?.followed);
+
+  let outcome = runAll(engine, state.scene, state.laws);
+  let until = horizon(state.scene, outcome.runs.values());
+  /** @type {Box} */
+  let box = boxAround(state.scene, outcome.runs.values(), until);
+  let events = steps(state.scene, outcome.runs.get(state.followed));
+  const colours = () => new Map(state.cards.map(({ name, colour }) => [name, tint(colour, document.documentElement.dataset.theme === "dark")]));
+
+  // --- what is seen ---------------------------------------------------------------------------------------------------
+  const host = byId("stage");
+  const drag = {
+    start: () => store.remember(),
+    ball: (/** @type {number} */ x, /** @type {number} */ y) => change(withBall(state.scene, state.ball, { position: [x, y, state.scene.balls[state.ball].position[2]] })),
+    velocity: (/** @type {number} */ x, /** @type {number} */ y) => change(withBall(state.scene, state.ball, { velocity: [x, y, state.scene.balls[state.ball].velocity[2]] })),
+    end: () => {},
+  };
+  /** @type {View} */
+  let view;
+  const webgl2 = Boolean(document.createElement("canvas").getContext("webgl2"));
+  if (webgl2) view = stage(host, drag, { scale: byId("scale"), height: byId("height") });
+  else {
+    view = flat(host, drag);
+    byId("scale").hidden = true;
+    say("This browser has no WebGL 2: the scene is drawn from above and from the side.");
+  }
+  const views = /** @type {HTMLElement} */ (host.querySelector(".views"));
+  for (const { name, label } of webgl2 ? VIEWS : []) {
+    views.append(el("button", { type: "button", "data-view": name, click: () => {
+      box = boxAround(state.scene, outcome.runs.values(), until);
+      draw(new Set(["scene"]));
+      view.look(name);
+    } }, label));
+  }
+
+  const laws3 = lawPanels();
+  const sliders = controls(byId("controls"), store, change, say);
+  const angles = anglePlot(byId("angles"));
+  const time = transport(store, () => ({ until, events }));
+  const course = timePlot(byId("course"), time.seek);
+  menu(store, view, () => outcome.runs.get(state.followed), say);
+
+  function lawPanels() {
+    byId("laws").replaceChildren(el("h2", {}, "Laws"));
+    return { cards: state.cards, panel: lawPanel(byId("laws"), store) };
+  }
+
+  // --- changes ----------------------------------------------------------------------------------------------------------
+  /** Adopt a scene if the engine takes it; else say why not. @param {Scene} next */
+  function change(next) {
+    const found = runAll(engine, next, state.laws.length ? state.laws : [next.run.law]);
+    if (found.fault !== null) {
+      say(found.fault);
+      sliders.update();
+      return;
+    }
+    say("");
+    store.change({ scene: next }, "scene");
+  }
+
+  /** @type {Set<import("./state/store.js").Part>} */
+  let dirty = new Set();
+  let queued = false;
+  store.listen((parts) => {
+    if (parts.has("scene") || parts.has("laws")) {
+      state.cards = cardsFor(data.cards, state.scene);
+      state.laws = state.cards.map(({ name }) => name).filter((name) => state.laws.includes(name));
+      state.followed = leader(state.followed);
+      outcome = runAll(engine, state.scene, state.laws);
+      until = horizon(state.scene, outcome.runs.values());
+      events = steps(state.scene, outcome.runs.get(state.followed));
+      state.t = Math.min(state.t, until);
+    }
+    dirty = new Set([...dirty, ...parts]);
+    if (!queued) requestAnimationFrame(() => draw(dirty));
+    queued = true;
+  });
+
+  /** @param {Set<string>} parts */
+  function draw(parts) {
+    queued = false;
+    dirty = new Set();
+    const of = colours();
+    if (parts.has("scene") || parts.has("laws")) {
+      view.update({ scene: state.scene, ball: state.ball, followed: state.followed, runs: outcome.runs, colours: of, until, box }, palette());
+      const verdicts = verdictsOf(engine, state.scene);
+      if (laws3.cards.length !== state.cards.length) Object.assign(laws3, lawPanels());
+      laws3.panel.update(verdicts, of, outcome.notes);
+      sliders.update();
+      drawAngles(verdicts, of);
+      drawCourse(of);
+    } else if (parts.has("data")) drawAngles(verdictsOf(engine, state.scene), of);
+    view.draw(state.t);
+    course.place(state.t);
+    time.update();
+  }
+
+  /** @param {Map<string, Verdict>} verdicts @param {Map<string, string>} of */
+  function drawAngles(verdicts, of) {
+    const shown = state.cards.filter(({ name }) => state.laws.includes(name));
+    const found = curvesOf(engine, state.scene, shown.map(({ name }) => name));
+    const incidence = incidenceOf(state.scene, state.ball);
+    angles.update(
+      shown.map(({ name, dashes }) => ({ name, colour: of.get(name) ?? "#888", dashes, width: name === state.followed ? 2.4 : 1.6, points: found.get(name) ?? [] })),
+      state.rebounds, incidence,
+      shown.flatMap(({ name }) => {
+        const angle = verdicts.get(name)?.angle;
+        return typeof angle === "number" ? [{ colour: of.get(name) ?? "#888", y: angle }] : [];
+      }),
+    );
+    byId("measured").textContent = state.rebounds.length ? `${state.rebounds.length} from ${state.reboundsFrom}` : "drop a CSV table anywhere on the page";
+  }
+
+  /** @param {Map<string, string>} of */
+  function drawCourse(of) {
+    /** @type {import("./panels/plots.js").Curve[]} */
+    const energy = [];
+    /** @type {import("./panels/plots.js").Curve[]} */
+    const height = [];
+    for (const { name, dashes } of state.cards) {
+      const run = outcome.runs.get(name);
+      if (!run) continue;
+      const look = { name, colour: of.get(name) ?? "#888", dashes, width: name === state.followed ? 2.2 : 1.5 };
+      const times = sampleTimes(run, state.ball, until, 60);
+      const all = energyAt(state.scene, run, 0);
+      const low = state.scene.floor ? state.scene.balls[state.ball].radius : 0;
+      if (all > 0) energy.push({ ...look, points: times.map((t) => [t, energyAt(state.scene, run, t) / all]) });
+      height.push({ ...look, points: times.map((t) => [t, (stateAt(run.balls[state.ball].pieces, t).x[2] - low) * 1e3]) });
+    }
+    course.update(energy, height, until);
+  }
+
+  // --- presets, theme, undo -------------------------------------------------------------------------------------------
+  const presets = /** @type {HTMLSelectElement} */ (byId("preset"));
+  presets.append(...data.presets.map(({ title }, i) => el("option", { value: String(i) }, title)));
+  const about = (/** @type {string} */ text) => (byId("about").textContent = text);
+  about(linked ? "" : first.about);
+  presets.onchange = () => {
+    const preset = data.presets[Number(presets.value)];
+    store.remember();
+    say("");
+    about(preset.about);
+    Object.assign(state, { ball: 0, wall: -1, t: 0, speed: preset.slow ?? 1, playing: false });
+    store.change({ scene: checkedScene(preset.scene), laws: names.filter((name) => preset.laws.includes(name)), followed: preset.scene.run.law }, "scene", "laws", "time");
+    box = boxAround(state.scene, outcome.runs.values(), until);
+    draw(new Set(["scene"]));
+    view.look(preset.view ?? "free");
+  };
+  byId("undo").onclick = () => store.undo();
+  byId("redo").onclick = () => store.redo();
+  byId("theme").onclick = () => {
+    const root = document.documentElement;
+    root.dataset.theme = root.dataset.theme === "dark" ? "light" : "dark";
+    draw(new Set(["scene"]));
+  };
+  addEventListener("keydown", (event) => {
+    if (!(event.ctrlKey || event.metaKey) || event.key.toLowerCase() !== "z") return;
+    event.preventDefault();
+    if (event.shiftKey) store.redo();
+    else store.undo();
+  });
+  addEventListener("hashchange", () => {
+    try {
+      const found = fromHash(location.hash, names);
+      if (!found) return;
+      const bad = runAll(engine, found.scene, found.laws.length ? found.laws : [found.scene.run.law]).fault;
+      if (bad !== null) throw new Error(bad);
+      store.remember();
+      store.change({ ...found, ball: 0, wall: -1, playing: false }, "scene", "laws", "time");
+      box = boxAround(state.scene, outcome.runs.values(), until);
+      draw(new Set(["scene"]));
+    } catch (error) {
+      say(sentence(error));
+    }
+  });
+  new ResizeObserver(() => {
+    view.resize();
+    draw(new Set(["scene"]));
+  }).observe(host);
+  draw(new Set(["scene"]));
+  view.look(linked ? "free" : (first.view ?? "free"));
+  document.documentElement.dataset.ready = "true";
+}
+
+start().catch((error) => {
+  say(sentence(error));
+  document.documentElement.dataset.ready = "failed";
+});

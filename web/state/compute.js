@@ -1,0 +1,101 @@
+// All that the page computes for a scene, by carom's own engine: a run, a verdict and a curve for each law.
+
+/** @import { LawCard, Run, Scene, Verdict } from "./types.js" */
+import { angleOf, referenceNormal } from "./edit.js";
+import { eventText } from "./files.js";
+
+export const MOST_EVENTS = 2000;
+/** The card of a scene whose walls have laws of their own. */
+export const AS_GIVEN = "as in the scene";
+
+/**
+ * @typedef {object} Engine
+ * @property {(scene: Scene, law?: string, limits?: {events?: number, until?: number}) => Run} run
+ * @property {(scene: Scene) => Verdict[]} compare
+ * @property {(law: string, scene: Scene, incidences: number[]) => (number | null)[]} curve
+ */
+
+/** @typedef {{runs: Map<string, Run>, notes: Map<string, string>, fault: string | null}} Outcome */
+
+/** @param {unknown} error */
+export const sentence = (error) => (error instanceof Error ? error.message : String(error));
+
+/** Run a scene under laws. @param {Engine} engine @param {Scene} scene @param {string[]} laws @returns {Outcome} */
+export function runAll(engine, scene, laws) {
+  /** @type {Outcome} */
+  const found = { runs: new Map(), notes: new Map(), fault: null };
+  for (const law of laws) {
+    try {
+      found.runs.set(law, engine.run(scene, law === AS_GIVEN ? undefined : law, { events: MOST_EVENTS }));
+    } catch (error) {
+      found.notes.set(law, sentence(error));
+    }
+  }
+  // one law may refuse a scene; what all refuse is no scene
+  if (found.notes.size && !found.runs.size) found.fault = [...found.notes.values()][0];
+  return found;
+}
+
+/** What each law says of the first contact. @param {Engine} engine @param {Scene} scene @returns {Map<string, Verdict>} */
+export function verdictsOf(engine, scene) {
+  try {
+    return new Map(engine.compare(scene).map((verdict) => [verdict.law, verdict]));
+  } catch {
+    return new Map(); // no ball meets a wall, or none of those that laws are compared for
+  }
+}
+
+const INCIDENCES = Array.from({ length: 30 }, (_, i) => 1 + 3 * i);
+
+/** Reflection against incidence. @param {Engine} engine @param {Scene} scene @param {string[]} laws @returns {Map<string, [number, number][]>} */
+export function curvesOf(engine, scene, laws) {
+  const found = new Map();
+  for (const law of laws) {
+    if (law === AS_GIVEN) continue;
+    try {
+      found.set(law, engine.curve(law, scene, INCIDENCES).map((y, i) => [INCIDENCES[i], y ?? NaN]));
+    } catch {
+      // this law says nothing of such a ball
+    }
+  }
+  return found;
+}
+
+/** Where the time slider ends, s. @param {Scene} scene @param {Iterable<Run>} runs */
+export function horizon(scene, runs) {
+  let until = 0;
+  for (const run of runs) {
+    const last = run.events.at(-1)?.t ?? 0;
+    const still = run.final.every(({ phase }) => phase === "rest");
+    const limited = run.events.length >= MOST_EVENTS;
+    until = Math.max(until, still || limited ? last : last * 1.3 + 0.3);
+    // (a run that was cut off says how far it has got)
+    if (limited) until = Math.min(until, run.until || last);
+  }
+  const duration = scene.run.duration;
+  return Math.max(1e-6, duration === null ? until || 1 : Math.min(until || duration, duration));
+}
+
+/** The events of a run that people step through; of two balls that meet, one is enough. @param {Scene} scene @param {Run | undefined} run */
+export function steps(scene, run) {
+  /** @type {{t: number, text: string}[]} */
+  const found = [];
+  for (const event of run?.events ?? []) {
+    if (event.kind === "start" || (event.kind === "ball" && (event.other ?? 0) < event.ball)) continue;
+    found.push({ t: event.t, text: eventText(scene, event) });
+  }
+  return found;
+}
+
+/** Laws of which the page has cards, and one more where the scene's walls have laws of their own. @param {LawCard[]} cards @param {Scene} scene @returns {LawCard[]} */
+export function cardsFor(cards, scene) {
+  const plain = cards.filter(({ name }) => name !== AS_GIVEN);
+  if (!scene.walls.some((wall) => wall.law !== null && wall.law !== undefined)) return plain;
+  const about = "Each wall with its own law.";
+  return [{ name: AS_GIVEN, summary: about, valid: "", colour: "#777777", dashes: null, reads: null }, ...plain];
+}
+
+/** The angle of incidence of the ball as it is now, degrees; null without a plane wall. @param {Scene} scene @param {number} ball */
+export function incidenceOf(scene, ball) {
+  return referenceNormal(scene) ? Math.abs(angleOf(scene, ball)) : null;
+}

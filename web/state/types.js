@@ -1,0 +1,93 @@
+// The shapes of what the page's parts hand to each other. SI units throughout.
+
+/** @typedef {[number, number, number]} Vec */
+
+/** A number, or the text "inf". @typedef {number | "inf" | "-inf"} Extended */
+
+/** @typedef {{form: string, value?: number, coefficients?: number[], [key: string]: unknown}} Restitution */
+
+/**
+ * @typedef {object} Surface
+ * @property {Restitution | null} restitution
+ * @property {Extended | null} friction
+ * @property {number} tangential_restitution
+ */
+
+/** @typedef {Surface & {rolling_resistance: number, spin_friction: number}} Floor */
+
+/** @typedef {Surface & {shape: string, stiffness_ratio: number, law: string | null, name: string | null, [key: string]: any}} Wall */
+
+/**
+ * @typedef {object} Ball
+ * @property {number} radius
+ * @property {number} mass
+ * @property {"solid" | "hollow" | number} inertia
+ * @property {Vec} position
+ * @property {Vec} velocity
+ * @property {boolean} rolling
+ * @property {Vec | null} spin
+ * @property {number | null} spin_z
+ * @property {string | null} name
+ */
+
+/**
+ * As `carom scene check FILE --json` prints it.
+ * @typedef {object} Scene
+ * @property {Vec} gravity
+ * @property {Floor | null} floor
+ * @property {Wall[]} walls
+ * @property {Ball[]} balls
+ * @property {Surface} ball_contact
+ * @property {{law: string, duration: number | null, max_events: number | null, floor_contact: "with" | "after"}} run
+ */
+
+/** @typedef {{t: number, lasts: number, x: Vec, v: Vec, w: Vec, acc: Vec, turn: Vec, phase: string}} Piece */
+
+/**
+ * @typedef {object} Happening
+ * @property {number} t
+ * @property {string} kind
+ * @property {number} ball
+ * @property {string | number | null} [met]
+ * @property {number | null} [other]
+ * @property {Vec} x
+ * @property {Vec} v
+ * @property {Vec} w
+ * @property {Vec} v_before
+ * @property {Vec} w_before
+ * @property {string} phase
+ * @property {number} [required]
+ * @property {string | null} [regime]
+ */
+
+/**
+ * @typedef {object} Run
+ * @property {string} status
+ * @property {number} until
+ * @property {Happening[]} events
+ * @property {{x: Vec, v: Vec, w: Vec, phase: string}[]} final
+ * @property {{pieces: Piece[]}[]} balls
+ */
+
+/**
+ * @typedef {object} Verdict
+ * @property {string} law
+ * @property {number | null} angle
+ * @property {Vec | null} velocity
+ * @property {Vec | null} spin
+ * @property {number | null} energy_kept
+ * @property {number | null} hop
+ * @property {number | null} required
+ * @property {number | null} available
+ * @property {boolean} admissible
+ * @property {string[]} reasons
+ */
+
+/** A law as the page shows it: its colour and dashes are those of carom's figures.
+ * @typedef {{name: string, summary: string, valid: string, colour: string, dashes: number[] | null, reads: string[] | null}} LawCard */
+
+/** @typedef {{name: string, title: string, about: string, laws: string[], scene: Scene, view?: string, slow?: number}} Preset */
+
+/** One measured rebound: angles from the wall's normal, degrees. @typedef {{incidence: number, reflection: number, stage: string}} Rebound */
+
+export {};

@@ -1,0 +1,180 @@
+// What both views (3-D, and 2-D where there is no WebGL 2) draw, and how large it is.
+
+/** @import { Run, Scene, Vec, Wall } from "../state/types.js" */
+import { toNumber } from "../state/edit.js";
+import { stateAt, trail } from "../state/motion.js";
+import { unit } from "../state/vectors.js";
+
+/**
+ * @typedef {object} Shot
+ * @property {Scene} scene
+ * @property {number} ball the ball that is edited: each law has a ghost of it
+ * @property {string} followed the law whose balls are all drawn
+ * @property {Map<string, Run>} runs by law, those shown
+ * @property {Map<string, string>} colours of the laws, for the theme
+ * @property {number} until s: where trails end
+ * @property {Box} box
+ */
+
+/** @typedef {{low: Vec, high: Vec}} Box */
+
+/** @typedef {{background: string, floor: string, grid: string, wall: string, edge: string, ink: string, soft: string, dark: boolean}} Palette */
+
+/**
+ * @typedef {object} View
+ * @property {(shot: Shot, palette: Palette) => void} update
+ * @property {(t: number) => void} draw
+ * @property {(name: string) => void} look one of VIEWS
+ * @property {() => void} resize
+ * @property {() => Promise<Blob>} picture
+ */
+
+/** @typedef {{start: () => void, ball: (x: number, y: number) => void, velocity: (x: number, y: number) => void, end: () => void}} Drag */
+
+export const VIEWS = [
+  { name: "free", label: "3-D" },
+  { name: "above", label: "Above" },
+  { name: "side", label: "Side" },
+  { name: "along", label: "Along the wall" },
+];
+
+const FAR = 1e4;
+
+/** How far the arrow of a velocity reaches: s, so that it is length over speed. @param {Shot} shot */
+export const arrowTime = (shot) => (0.16 * sizeOf(shot.box)) / Math.max(1, Math.hypot(...shot.scene.balls[shot.ball].velocity) / 2 || 1);
+
+/** @param {Box} box */
+export const sizeOf = ({ low, high }) => Math.max(high[0] - low[0], high[1] - low[1], 1e-3);
+/** @param {Box} box @returns {Vec} */
+export const middleOf = ({ low, high }) => [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2];
+
+/** The outline of a wall from above, as chains of points; an infinite one is cut near a box. @param {Wall} wall @param {Box} box @returns {[number, number][][]} */
+export function outline(wall, box) {
+  const reach = 1.2 * sizeOf(box);
+  const at = middleOf(box);
+  /** @param {Vec} p @param {Vec} n @returns {[number, number][]} */
+  const trace = (p, n) => {
+    const flat = Math.hypot(n[0], n[1]);
+    if (flat < 1e-6) return [];
+    const [nx, ny] = [n[0] / flat, n[1] / flat];
+    // where the plane meets the floor, nearest to the middle of what is seen
+    const shift = ((p[0] - at[0]) * n[0] + (p[1] - at[1]) * n[1] + p[2] * n[2]) / flat;
+    const [x, y] = [at[0] + shift * nx, at[1] + shift * ny];
+    return [[x - reach * -ny, y - reach * nx], [x + reach * -ny, y + reach * nx]];
+  };
+  switch (wall.shape) {
+    case "plane":
+      return [trace(wall.point, unit(wall.normal))];
+    case "strip": {
+      const n = unit(wall.normal);
+      const far = /** @type {Vec} */ (wall.point.map((/** @type {number} */ x, /** @type {number} */ k) => x + wall.width * n[k]));
+      return [trace(wall.point, n), trace(far, n)];
+    }
+    case "wedge": {
+      const ends = [wall.from_angle, wall.to_angle].map((a) => (a * Math.PI) / 180);
+      const [x, y] = wall.apex;
+      return [ends.map((a) => [x + reach * Math.cos(a), y + reach * Math.sin(a)])].map(([one, two]) => [/** @type {[number, number]} */ (one), [x, y], /** @type {[number, number]} */ (two)]);
+    }
+    case "segment":
+      return [[wall.start, wall.end]];
+    case "polygon":
+      return [wall.closed ? [...wall.points, wall.points[0]] : wall.points];
+    case "table": {
+      const [x, y] = wall.center;
+      return [rectangle(x - wall.length / 2, y - wall.width / 2, x + wall.length / 2, y + wall.width / 2)];
+    }
+    case "box": {
+      const [low, high] = boxOf(wall);
+      return [rectangle(low[0], low[1], high[0], high[1])];
+    }
+    case "sphere":
+      return [arc(wall.center, wall.radius, 0, 360)];
+    case "cylinder":
+      return [arc(wall.point, wall.radius, 0, 360)];
+    case "arc":
+      return [arc(wall.center, wall.radius, wall.from_angle, wall.to_angle)];
+    case "stadium": {
+      const [c, s] = [Math.cos((wall.angle * Math.PI) / 180), Math.sin((wall.angle * Math.PI) / 180)];
+      const half = wall.length / 2;
+      const ends = [1, -1].map((k) => [wall.center[0] + k * half * c, wall.center[1] + k * half * s]);
+      const points = [...arc(ends[0], wall.radius, wall.angle - 90, wall.angle + 90), ...arc(ends[1], wall.radius, wall.angle + 90, wall.angle + 270)];
+      return [[...points, points[0]]];
+    }
+    default:
+      return [];
+  }
+}
+
+/** @param {number} x @param {number} y @param {number} u @param {number} v @returns {[number, number][]} */
+const rectangle = (x, y, u, v) => [[x, y], [u, y], [u, v], [x, v], [x, y]];
+
+/** @param {number[]} center @param {number} radius @param {number} from @param {number} to degrees @returns {[number, number][]} */
+function arc(center, radius, from, to) {
+  const steps = Math.max(8, Math.ceil(Math.abs(to - from) / 4));
+  return Array.from({ length: steps + 1 }, (_, i) => {
+    const a = ((from + ((to - from) * i) / steps) * Math.PI) / 180;
+    return [center[0] + radius * Math.cos(a), center[1] + radius * Math.sin(a)];
+  });
+}
+
+/** The lowest and the highest corner of a box. @param {Wall} wall @returns {[Vec, Vec]} */
+export function boxOf(wall) {
+  const low = wall.corner ?? wall.center.map((/** @type {number} */ x, /** @type {number} */ k) => x - wall.size[k] / 2);
+  return [low, low.map((/** @type {number} */ x, /** @type {number} */ k) => x + wall.size[k])];
+}
+
+const BOUNDED = ["table", "box", "segment", "polygon", "sphere", "arc", "stadium"];
+
+/** Whether a wall is finite as seen from above. @param {Wall} wall */
+const bounded = (wall) =>
+  BOUNDED.includes(wall.shape) || (wall.shape === "cylinder" && Math.abs(unit(wall.axis)[2]) > 0.99 && wall.radius < FAR);
+
+/**
+ * All that is worth looking at: paths of the balls, finite walls, and where the edited ball first meets a wall.
+ * @param {Scene} scene @param {Iterable<Run>} runs @param {number} until @returns {Box}
+ */
+export function boxAround(scene, runs, until) {
+  /** @type {Vec} */
+  const low = [Infinity, Infinity, scene.floor ? 0 : Infinity];
+  /** @type {Vec} */
+  const high = [-Infinity, -Infinity, -Infinity];
+  const add = (/** @type {number[]} */ x, margin = 0) => {
+    for (let k = 0; k < x.length; k++) {
+      if (Math.abs(x[k]) > FAR) continue;
+      low[k] = Math.min(low[k], x[k] - margin);
+      high[k] = Math.max(high[k], x[k] + margin);
+    }
+  };
+  const none = /** @type {Box} */ ({ low: [0, 0, 0], high: [0, 0, 0] });
+  const enclosed = scene.walls.some((wall) => bounded(wall) && wall.shape !== "segment");
+  for (const wall of scene.walls) if (bounded(wall)) for (const line of outline(wall, none)) for (const p of line) add(p);
+  scene.balls.forEach((ball) => add(ball.position, ball.radius));
+  for (const run of runs) {
+    run.balls.forEach(({ pieces }, i) => {
+      const radius = scene.balls[i].radius;
+      for (const { points } of trail(pieces, until)) for (const p of points) add(enclosed ? [NaN, NaN, p[2]].map((z, k) => (k < 2 ? scene.balls[i].position[k] : z)) : p, radius);
+      const end = stateAt(pieces, until).x;
+      if (!enclosed) add(end, radius);
+    });
+  }
+  const least = 10 * Math.max(...scene.balls.map((ball) => ball.radius));
+  for (const k of [0, 1]) {
+    const missing = (least - (high[k] - low[k])) / 2;
+    if (missing > 0) {
+      low[k] -= missing;
+      high[k] += missing;
+    }
+  }
+  return { low, high };
+}
+
+/** Heights between which an upright wall is drawn. @param {Wall} wall @param {Scene} scene @param {Box} box @returns {[number, number]} */
+export function levels(wall, scene, box) {
+  const radius = Math.max(...scene.balls.map((ball) => ball.radius));
+  const low = toNumber(wall.low ?? "-inf");
+  const high = toNumber(wall.height ?? "inf");
+  const bottom = scene.floor ? 0 : Math.min(box.low[2], -radius);
+  // an infinite wall is drawn as high as the balls get, and a little lower than they are wide
+  const top = Math.max(bottom + 1.7 * radius, Math.min(box.high[2], bottom + 8 * radius));
+  return [Math.max(low, bottom), Math.min(high, top)];
+}

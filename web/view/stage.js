@@ -1,0 +1,360 @@
+// The scene in three dimensions. Nothing is drawn unless something has changed.
+
+/** @import { Drag, Palette, Shot, View } from "./shot.js" */
+/** @import { Vec } from "../state/types.js" */
+import {
+  AmbientLight, BufferGeometry, Color, ConeGeometry, CylinderGeometry, DirectionalLight, Float32BufferAttribute, Group, LineBasicMaterial,
+  LineSegments, Mesh, MeshBasicMaterial, PerspectiveCamera, Plane, PlaneGeometry, Quaternion, Raycaster, RingGeometry, Scene, Vector2, Vector3,
+  WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { Orientation, stateAt } from "../state/motion.js";
+import { unit } from "../state/vectors.js";
+import { BallMesh, ballColour } from "./balls.js";
+import { arrowTime, middleOf, sizeOf } from "./shot.js";
+import { trailLines } from "./trails.js";
+import { dispose, wallMeshes } from "./walls.js";
+
+const REACH = 26; // pixels around a handle in which it is grasped
+const SHORTEST_ARROW = 1.8; // radii: the arrow of a slow ball can still be grasped
+
+/** A length that people like, near a value. @param {number} value */
+export function roundLength(value) {
+  const power = 10 ** Math.floor(Math.log10(value));
+  const first = value / power;
+  return (first >= 5 ? 5 : first >= 2 ? 2 : 1) * power;
+}
+
+/**
+ * @param {HTMLElement} host
+ * @param {Drag} drag what to do when the ball or its arrow is dragged
+ * @param {{scale: HTMLElement, height: HTMLElement}} labels
+ * @returns {View}
+ */
+export function stage(host, drag, labels) {
+  const renderer = new WebGLRenderer({ antialias: true, alpha: false, powerPreference: "low-power" });
+  const canvas = renderer.domElement;
+  canvas.tabIndex = 0;
+  canvas.setAttribute("role", "img");
+  host.prepend(canvas);
+
+  const scene = new Scene();
+  const camera = new PerspectiveCamera(30, 1, 0.01, 100);
+  camera.up.set(0, 0, 1);
+  const sun = new DirectionalLight("#ffffff", 2.3);
+  sun.position.set(0.5, -1, 2.1);
+  const ambient = new AmbientLight("#ffffff", 1.35);
+  scene.add(sun, ambient);
+
+  /** @type {Shot | null} */
+  let shot = null;
+  let now = 0;
+  let queued = false;
+  /** @type {Group[]} */
+  let fixed = [];
+  /** @type {{mesh: BallMesh, turns: Orientation, law: string, ball: number}[]} */
+  let balls = [];
+  const arrow = makeArrow();
+  scene.add(arrow.group);
+
+  // --- dragging: before the controls hear of it ------------------------------------------------------------------
+  const caster = new Raycaster();
+  /** @type {"ball" | "velocity" | null} */
+  let grasped = null;
+  let offset = [0, 0];
+
+  /** @param {PointerEvent} event */
+  const pixel = (event) => {
+    const area = canvas.getBoundingClientRect();
+    return new Vector2(event.clientX - area.left, event.clientY - area.top);
+  };
+  /** @param {Vector3} p */
+  const project = (p) => {
+    const q = p.clone().project(camera);
+    return new Vector2(((q.x + 1) / 2) * canvas.clientWidth, ((1 - q.y) / 2) * canvas.clientHeight);
+  };
+  /** Where a pixel meets the horizontal plane of the edited ball's centre. @param {Vector2} at */
+  const onPlane = (at) => {
+    if (!shot) return null;
+    const z = shot.scene.balls[shot.ball].position[2];
+    caster.setFromCamera(new Vector2((at.x / canvas.clientWidth) * 2 - 1, 1 - (at.y / canvas.clientHeight) * 2), camera);
+    if (Math.abs(caster.ray.direction.z) < 0.03) return null; // seen along the floor
+    return caster.ray.intersectPlane(new Plane(new Vector3(0, 0, 1), -z), new Vector3());
+  };
+  /** What a pixel grasps. @param {Vector2} at @returns {"ball" | "velocity" | null} */
+  const handle = (at) => {
+    if (!shot) return null;
+    const ball = shot.scene.balls[shot.ball];
+    const centre = new Vector3(...ball.position);
+    const side = new Vector3(1, 0, 0).applyQuaternion(camera.quaternion).multiplyScalar(ball.radius);
+    const radius = Math.max(project(centre).distanceTo(project(centre.clone().add(side))), REACH * 0.7);
+    if (project(arrow.tip).distanceTo(at) < REACH) return "velocity";
+    return project(centre).distanceTo(at) < radius ? "ball" : null;
+  };
+  canvas.addEventListener("pointerdown", (event) => {
+    if (event.button !== 0 || !event.isPrimary || !shot) return;
+    const at = pixel(event);
+    const what = handle(at);
+    const hit = what && onPlane(at);
+    if (!what || !hit) return;
+    grasped = what;
+    controls.enabled = false;
+    canvas.setPointerCapture(event.pointerId);
+    const from = what === "ball" ? shot.scene.balls[shot.ball].position : arrow.tip.toArray();
+    offset = [from[0] - hit.x, from[1] - hit.y];
+    drag.start();
+  });
+  canvas.addEventListener("pointermove", (event) => {
+    const at = pixel(event);
+    if (!grasped) {
+      if (event.buttons === 0) canvas.style.cursor = handle(at) ? "grab" : "";
+      return;
+    }
+    const hit = onPlane(at);
+    if (!hit || !shot) return;
+    canvas.style.cursor = "grabbing";
+    const [x, y] = [hit.x + offset[0], hit.y + offset[1]];
+    if (grasped === "ball") drag.ball(x, y);
+    else {
+      const { position, radius } = shot.scene.balls[shot.ball];
+      const away = Math.hypot(x - position[0], y - position[1]);
+      const speed = Math.max(0, away - SHORTEST_ARROW * radius) / arrow.time;
+      drag.velocity((speed * (x - position[0])) / (away || 1), (speed * (y - position[1])) / (away || 1));
+    }
+  });
+  const release = () => {
+    if (!grasped) return;
+    grasped = null;
+    controls.enabled = true;
+    canvas.style.cursor = "";
+    arrow.time = shot ? arrowTime(shot) : 1;
+    placeArrow();
+    drag.end();
+    request();
+  };
+  canvas.addEventListener("pointerup", release);
+  canvas.addEventListener("pointercancel", release);
+
+  const controls = new OrbitControls(camera, canvas);
+  controls.zoomSpeed = 0.8;
+  controls.maxPolarAngle = Math.PI * 0.499;
+  controls.addEventListener("change", () => request());
+
+  function placeArrow() {
+    if (!shot) return;
+    const { position, velocity, radius } = shot.scene.balls[shot.ball];
+    const speed = Math.hypot(velocity[0], velocity[1]);
+    const way = speed > 0 ? [velocity[0] / speed, velocity[1] / speed] : [1, 0];
+    arrow.place(position, way, SHORTEST_ARROW * radius + speed * arrow.time, radius, sizeOf(shot.box));
+  }
+
+  /** @param {Shot} next @param {Palette} palette */
+  function update(next, palette) {
+    const reframe = !shot || shot.box !== next.box;
+    shot = next;
+    for (const group of fixed) {
+      scene.remove(group);
+      dispose(group);
+    }
+    for (const { mesh } of balls) {
+      scene.remove(mesh.group);
+      mesh.dispose();
+    }
+    scene.background = new Color(palette.background);
+    const floor = floorGrid(next, palette);
+    const walls = wallMeshes(next.scene, next.box, palette);
+    const trails = trailLines(next, { width: canvas.width, height: canvas.height }, (i) => ballColour(next.scene.balls[i], i));
+    fixed = [floor, walls, trails];
+    scene.add(...fixed);
+    balls = [];
+    for (const [law, run] of next.runs) {
+      const leads = law === next.followed;
+      run.balls.forEach(({ pieces }, i) => {
+        if (!leads && i !== next.ball) return;
+        const colour = next.colours.get(law) ?? palette.ink;
+        const edited = i === next.ball;
+        const body = leads ? ballColour(next.scene.balls[i], i) : colour;
+        const mark = leads ? (edited ? colour : "#2b2f36") : palette.dark ? "#15181d" : "#ffffff";
+        const mesh = new BallMesh(next.scene.balls[i].radius, body, mark, { ghost: !leads, halo: edited ? colour : null, floor: Boolean(next.scene.floor), dark: palette.dark });
+        scene.add(mesh.group);
+        balls.push({ mesh, turns: new Orientation(pieces), law, ball: i });
+      });
+    }
+    arrow.colour(palette.ink);
+    if (!grasped) arrow.time = arrowTime(next);
+    placeArrow();
+    if (reframe) look("free");
+    draw(now);
+  }
+
+  /** @param {number} t */
+  function draw(t) {
+    now = t;
+    request();
+  }
+
+  function request() {
+    if (queued) return;
+    queued = true;
+    requestAnimationFrame(render);
+  }
+
+  function render() {
+    queued = false;
+    if (!shot) return;
+    const leads = shot.runs.get(shot.followed);
+    const solid = leads ? stateAt(leads.balls[shot.ball].pieces, now).x : null;
+    for (const { mesh, turns, law } of balls) {
+      const { x } = stateAt(turns.pieces, now);
+      const apart = law === shot.followed || !solid ? Infinity : Math.hypot(x[0] - solid[0], x[1] - solid[1], x[2] - solid[2]);
+      mesh.place(x, turns.at(now), apart);
+    }
+    renderer.render(scene, camera);
+    label(solid);
+  }
+
+  /** The scale, and how high the ball is. @param {Vec | null} x */
+  function label(x) {
+    if (!shot) return;
+    const away = camera.position.distanceTo(controls.target);
+    const perMetre = canvas.clientHeight / (2 * away * Math.tan((camera.fov * Math.PI) / 360));
+    const bar = roundLength(110 / perMetre);
+    labels.scale.style.width = `${(bar * perMetre).toFixed(1)}px`;
+    labels.scale.textContent = bar >= 1 ? `${bar} m` : `${Number((bar * 1e3).toPrecision(1))} mm`;
+    const lift = x && shot.scene.floor ? x[2] - shot.scene.balls[shot.ball].radius : 0;
+    labels.height.hidden = !(x && lift > 2e-5);
+    if (x && lift > 2e-5) {
+      const at = project(new Vector3(x[0], x[1], x[2] + shot.scene.balls[shot.ball].radius));
+      labels.height.textContent = `${lift < 0.1 ? `${(lift * 1e3).toPrecision(2)} mm` : `${lift.toPrecision(3)} m`} up`;
+      labels.height.style.transform = `translate(${at.x.toFixed(1)}px, ${(at.y - 26).toFixed(1)}px) translateX(-50%)`;
+    }
+  }
+
+  /** Look at the scene from a named side. @param {string} name */
+  function look(name) {
+    if (!shot) return;
+    const { low, high } = shot.box;
+    const target = new Vector3(...middleOf(shot.box));
+    const plane = shot.scene.walls.find((wall) => wall.shape === "plane" && Math.hypot(wall.normal[0], wall.normal[1]) > 0.3);
+    const n = plane ? unit([plane.normal[0], plane.normal[1], 0]) : [0, -1, 0];
+    const out = new Vector3(n[0], n[1], 0);
+    const along = new Vector3(-n[1], n[0], 0);
+    /** @type {Vector3[]} */
+    let seen = [];
+    for (const x of [low[0], high[0]]) for (const y of [low[1], high[1]]) for (const z of [low[2], high[2]]) seen.push(new Vector3(x, y, z));
+    const way = new Vector3();
+    if (name === "along") {
+      way.copy(along).multiplyScalar(-1).setZ(0.05);
+      // close up, where the ball first meets the wall: a hop of 2 mm is to be seen
+      const first = shot.runs.get(shot.followed)?.events.find((event) => event.kind === "wall" && event.ball === shot?.ball);
+      const radius = shot.scene.balls[shot.ball].radius;
+      if (first && shot.scene.floor) {
+        target.set(first.x[0], first.x[1], 1.6 * radius).addScaledVector(out, 3 * radius);
+        seen = [-5, 6].flatMap((k) => [-1.4, 2].map((z) => target.clone().addScaledVector(out, k * radius).setZ(target.z + z * radius)));
+      }
+    } else if (name === "side") way.copy(out).setZ(0.05);
+    else if (name === "above") way.set(0, -0.0005, 1);
+    else way.copy(out).multiplyScalar(0.8).addScaledVector(along, -0.75).setZ(0.8);
+    way.normalize();
+    const away = distanceFor(seen, target, way);
+    camera.near = Math.max(away / 200, 1e-4);
+    camera.far = away * 60;
+    camera.updateProjectionMatrix();
+    controls.target.copy(target);
+    camera.position.copy(target).addScaledVector(way, away);
+    controls.minDistance = away / 40;
+    controls.maxDistance = away * 8;
+    controls.update();
+    request();
+  }
+
+  /** How far from a point, along a direction, a camera sees all of some points. @param {Vector3[]} points @param {Vector3} target @param {Vector3} way */
+  function distanceFor(points, target, way) {
+    const right = new Vector3().crossVectors(camera.up, way).normalize();
+    const up = new Vector3().crossVectors(way, right);
+    const half = Math.tan((camera.fov * Math.PI) / 360) * 0.9;
+    return Math.max(
+      ...points.map((point) => {
+        const p = point.clone().sub(target);
+        return p.dot(way) + Math.max(Math.abs(p.dot(right)) / (half * camera.aspect), Math.abs(p.dot(up)) / half);
+      }),
+    );
+  }
+
+  function resize() {
+    const [width, height] = [host.clientWidth, host.clientHeight];
+    if (!width || !height) return;
+    renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    renderer.setSize(width, height);
+    camera.aspect = width / height;
+    camera.updateProjectionMatrix();
+    scene.traverse((/** @type {any} */ one) => one.material?.isLineMaterial && one.material.resolution.set(canvas.width, canvas.height));
+    request();
+  }
+
+  /** @returns {Promise<Blob>} */
+  function picture() {
+    render();
+    return new Promise((resolve, reject) => canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error("The browser gave no picture."))), "image/png"));
+  }
+
+  resize();
+  return { update, draw, look, resize, picture };
+}
+
+/** The floor with lines at round distances. @param {Shot} shot @param {Palette} palette */
+function floorGrid(shot, palette) {
+  const group = new Group();
+  if (!shot.scene.floor) return group;
+  const size = sizeOf(shot.box);
+  const [x, y] = middleOf(shot.box);
+  const half = 1.6 * size;
+  const floor = new Mesh(new PlaneGeometry(2 * half, 2 * half), new MeshBasicMaterial({ color: palette.floor, polygonOffset: true, polygonOffsetFactor: 2, polygonOffsetUnits: 2 }));
+  floor.position.set(x, y, 0);
+  group.add(floor);
+  const step = roundLength(size / 6);
+  const points = [];
+  for (let k = Math.ceil((x - half) / step); k * step <= x + half; k++) points.push(k * step, y - half, 0, k * step, y + half, 0);
+  for (let k = Math.ceil((y - half) / step); k * step <= y + half; k++) points.push(x - half, k * step, 0, x + half, k * step, 0);
+  const lines = new BufferGeometry();
+  lines.setAttribute("position", new Float32BufferAttribute(points, 3));
+  group.add(new LineSegments(lines, new LineBasicMaterial({ color: palette.grid })));
+  return group;
+}
+
+/** The arrow of the edited ball's velocity, and a ring where the ball starts. */
+function makeArrow() {
+  const material = new MeshBasicMaterial({ color: "#000000" });
+  const shaft = new Mesh(new CylinderGeometry(1, 1, 1, 12).rotateX(Math.PI / 2).translate(0, 0, 0.5), material);
+  const head = new Mesh(new ConeGeometry(1, 1, 20).rotateX(Math.PI / 2).translate(0, 0, -0.5), material);
+  const start = new Mesh(new RingGeometry(0.9, 1, 48), new MeshBasicMaterial({ color: "#000000", transparent: true, opacity: 0.5, depthWrite: false }));
+  const group = new Group();
+  group.add(shaft, head, start);
+  const tip = new Vector3();
+  const z = new Vector3(0, 0, 1);
+  return {
+    group,
+    tip,
+    time: 1,
+    /** @param {string} ink */
+    colour(ink) {
+      material.color.set(ink);
+      /** @type {MeshBasicMaterial} */ (start.material).color.set(ink);
+    },
+    /** @param {Vec} from @param {number[]} way @param {number} long @param {number} radius @param {number} size of what is seen */
+    place(from, way, long, radius, size) {
+      const thick = Math.max(0.07 * radius, 0.0022 * size);
+      const turn = new Quaternion().setFromUnitVectors(z, new Vector3(way[0], way[1], 0));
+      tip.set(from[0] + way[0] * long, from[1] + way[1] * long, from[2]);
+      const cone = Math.min(6 * thick, 0.6 * long);
+      shaft.position.set(...from);
+      shaft.quaternion.copy(turn);
+      shaft.scale.set(thick, thick, Math.max(long - cone, 1e-9));
+      head.position.copy(tip);
+      head.quaternion.copy(turn);
+      head.scale.set(2.4 * thick, 2.4 * thick, cone);
+      start.position.set(from[0], from[1], from[2] - radius * 0.99);
+      start.scale.setScalar(radius);
+    },
+  };
+}
