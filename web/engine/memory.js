@@ -13,13 +13,8 @@ export class Memory {
     this.memory = memory;
     this.base = Math.ceil(base / 16) * 16;
     this.top = this.base;
-    this.view();
-  }
-
-  view() {
-    this.data = new DataView(this.memory.buffer);
-    this.doubles = new Float64Array(this.memory.buffer);
-    this.words = new Int32Array(this.memory.buffer);
+    this.doubles = new Float64Array(memory.buffer);
+    this.words = new Int32Array(memory.buffer);
   }
 
   clear() {
@@ -33,7 +28,10 @@ export class Memory {
     if (this.top > MOST_BYTES) throw new Error("engine: expected a run that fits into 256 MB, got a larger one; ask for fewer events");
     const missing = this.top - this.memory.buffer.byteLength;
     if (missing > 0) this.memory.grow(Math.ceil(missing / PAGE));
-    if (this.doubles.buffer !== this.memory.buffer) this.view();
+    if (this.doubles.buffer !== this.memory.buffer) {
+      this.doubles = new Float64Array(this.memory.buffer);
+      this.words = new Int32Array(this.memory.buffer);
+    }
     new Uint8Array(this.memory.buffer, at, this.top - at).fill(0);
     return at;
   }

@@ -1,7 +1,7 @@
 // A run of a scene: the event loop is the module's; here its log becomes events, pieces of motion, and final states.
 
-/** @import { Ball, Scene, Vec } from "../state/types.js" */
-/** @import { Layout, Limits, LoggedEvent, Piece, Run } from "./types.js" */
+/** @import { Scene, Vec } from "../state/types.js" */
+/** @import { Limits, LoggedEvent, Piece, Run } from "./types.js" */
 /** @import { Module } from "./module.js" */
 import { setUp } from "../scene/setup.js";
 import { general, vectorText } from "./text.js";
@@ -10,11 +10,25 @@ const MOST_EVENTS = 2000;
 const MOST_MILLISECONDS = 2000;
 const SLICE = 256; // events between two looks at the clock
 const FIRST_ROWS = 128;
+const MOST_ROWS = 4096;
 
-/** @typedef {LoggedEvent & {at: number}} Row an event with the address of its record */
+/** A part of the log. @typedef {{at: number, rows: number}} Part */
 
-/** @param {Module} module @param {Scene} scene @param {Limits} limits @returns {Run} */
-export function runScene(module, scene, limits) {
+/**
+ * What the event loop has written, by address.
+ * @typedef {object} Followed
+ * @property {number} world
+ * @property {number} features
+ * @property {number} balls
+ * @property {Part[]} logs
+ * @property {Run["status"]} status
+ * @property {number} code how the loop ended
+ * @property {number} end s: time up to which the balls were followed
+ * @property {number} atFault the ball for which a law has no answer
+ */
+
+/** Run the event loop on a scene. @param {Module} module @param {Scene} scene @param {Limits} limits @returns {Followed} */
+export function follow(module, scene, limits) {
   const { memory, layout } = module;
   const { records, run: status } = layout;
   memory.clear();
@@ -23,46 +37,56 @@ export function runScene(module, scene, limits) {
   const world = memory.records(records.world, [made.world]);
   const features = memory.records(records.features, made.features);
   const balls = memory.records(records.balls, made.balls);
-  const users = memory.put(made.called.map(() => 0));
+  const users = memory.take(8 * Math.max(made.called.length, 1));
   made.called.forEach((law, i) => memory.putWhole(users + 8 * i, module.address(law.function)));
   const out = memory.take(64);
 
   const until = limits.until ?? scene.run.duration ?? Infinity;
   const most = Math.min(limits.events ?? MOST_EVENTS, scene.run.max_events ?? Infinity);
   const deadline = performance.now() + (limits.milliseconds ?? MOST_MILLISECONDS);
-  /** @type {{at: number, rows: number}[]} */
+  /** @type {Part[]} */
   const logs = [];
-  let [slow, events, ended, atFault, last, room] = [-1, 0, status.full, -1, 0, FIRST_ROWS + count];
-  while (ended === status.full) {
+  let [slow, events, code, atFault, last, room] = [-1, 0, status.full, -1, 0, FIRST_ROWS + count];
+  while (code === status.full) {
     const log = memory.take(room * records.log.bytes);
     const step = Math.min(most - events, SLICE);
-    module.call("run", out, world, 1, features, made.features.length, balls, count, log, room, slow, until, step, users, made.called.length, status.all);
-    const rows = memory.words[out / 4 + 4];
-    ended = memory.words[out / 4];
-    events += memory.words[out / 4 + 2];
-    atFault = memory.words[out / 4 + 6];
+    module.call(
+      "run", out, world, 1, features, made.features.length, balls, count, log, room, slow, until, step, users, made.called.length,
+      status.all,
+    );
+    // (a tuple of four whole numbers and two numbers, 8 bytes each)
+    const words = memory.words.subarray(out / 4);
+    code = words[0];
+    events += words[2];
+    atFault = words[6];
     [slow, last] = memory.numbers(out + 32, 2);
-    logs.push({ at: log, rows });
-    room = Math.min(4 * room, 4096);
-    if (ended === status.limit && events < most && performance.now() < deadline) ended = status.full;
+    logs.push({ at: log, rows: words[4] });
+    room = Math.min(4 * room, MOST_ROWS);
+    if (code === status.limit && events < most && performance.now() < deadline) code = status.full;
   }
-  const found = readLog(module, logs);
+  /** @type {Record<number, Run["status"]>} */
   const known = { [status.done]: "done", [status.quiet]: "quiet", [status.limit]: events < most ? "time" : "limit" };
-  const name = /** @type {Run["status"]} */ (known[ended] ?? "refused");
-  const end = name === "done" && until < Infinity ? until : last;
-  const why = name === "refused" ? refusal(module, scene, ended, balls, atFault) : "";
+  const found = known[code] ?? "refused";
+  return { world, features, balls, logs, status: found, code, end: found === "done" && until < Infinity ? until : last, atFault };
+}
+
+/** @param {Module} module @param {Scene} scene @param {Limits} limits @returns {Run} */
+export function runScene(module, scene, limits) {
+  const { world, balls, logs, status, code, end, atFault } = follow(module, scene, limits);
+  const found = readLog(module, logs);
   const perBall = scene.balls.map((_ball, i) => found.filter((row) => row.ball === i));
+  const bytes = module.layout.records.balls.bytes;
   return {
-    status: name,
-    why,
+    status,
+    why: status === "refused" ? refusal(module, scene, code, balls, atFault) : "",
     until: end,
-    events: found.slice(count).map(({ at: _at, ...event }) => event),
+    events: found.slice(perBall.length),
     final: finalStates(module, world, balls, perBall, end),
-    balls: perBall.map((rows, i) => ({ pieces: pieces(module, world, balls + i * records.balls.bytes, rows, end) })),
+    balls: perBall.map((rows, i) => ({ pieces: pieces(module, world, balls + i * bytes, rows, end) })),
   };
 }
 
-/** @param {Module} module @param {{at: number, rows: number}[]} logs @returns {Row[]} */
+/** @param {Module} module @param {Part[]} logs @returns {LoggedEvent[]} */
 function readLog(module, logs) {
   const { layout, memory } = module;
   const { kinds, phases, regimes, records } = layout;
@@ -70,6 +94,8 @@ function readLog(module, logs) {
   const read = /** @type {Record<typeof names[number], (at: number) => any>} */ (
     Object.fromEntries(names.map((name) => [name, memory.field(records.log, name)]))
   );
+  /** @type {LoggedEvent[]} */
+  /** @type {LoggedEvent[]} */
   const found = [];
   for (const log of logs) {
     for (let i = 0; i < log.rows; i++) {
@@ -79,7 +105,6 @@ function readLog(module, logs) {
       const met = kinds[read.met(at)];
       const regime = read.regime(at);
       found.push({
-        at,
         t: read.t(at),
         kind: kind === "phase" ? phase : kind, // the end of a phase has the name of the one that begins
         ball: read.ball(at),
@@ -102,7 +127,7 @@ function readLog(module, logs) {
   return found;
 }
 
-/** Records of one ball in the states of rows. @param {Module} module @param {number} ball @param {Row[]} rows @returns {number} */
+/** Records of one ball in the states of rows. @param {Module} module @param {number} ball @param {LoggedEvent[]} rows @returns {number} */
 function ballsIn(module, ball, rows) {
   const { memory, layout } = module;
   const record = layout.records.balls;
@@ -121,13 +146,14 @@ function ballsIn(module, ball, rows) {
 /** @param {string} phase */
 const gone = (phase) => phase === "held" || phase === "left";
 
-/** The motion between events, in closed form. @param {Module} module @param {number} world @param {number} ball @param {Row[]} rows @param {number} end @returns {Piece[]} */
+/** The motion between events, in closed form. @param {Module} module @param {number} world @param {number} ball @param {LoggedEvent[]} rows @param {number} end @returns {Piece[]} */
 function pieces(module, world, ball, rows, end) {
   const { memory, layout } = module;
   const record = layout.records.balls;
   const at = ballsIn(module, ball, rows);
   module.call("begin", 0, world, 1, at, rows.length);
   const [acc, turn] = [memory.field(record, "acc"), memory.field(record, "turn")];
+  /** @type {Piece[]} */
   const found = [];
   rows.forEach((row, i) => {
     const next = rows[i + 1];
@@ -152,7 +178,7 @@ function along(module, world, ball, lasts, x) {
   return { v: [(y[0] - x[0]) / lasts, (y[1] - x[1]) / lasts, 0], acc: [0, 0, 0] };
 }
 
-/** @param {Module} module @param {number} world @param {number} balls @param {Row[][]} perBall @param {number} end */
+/** @param {Module} module @param {number} world @param {number} balls @param {LoggedEvent[][]} perBall @param {number} end */
 function finalStates(module, world, balls, perBall, end) {
   const { memory, layout } = module;
   const record = layout.records.balls;

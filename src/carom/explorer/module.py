@@ -15,7 +15,6 @@ from typing import Any
 
 import numpy as np
 
-from carom.core.contact import REGIMES
 from carom.core.geometry.features import FACE, FEATURES, LINE, OVER, POINT, RIM
 from carom.core.jit.kernel_hash import kernel_hash
 from carom.core.motion.phases import PHASES
@@ -25,6 +24,7 @@ from carom.explorer.fields import scene_fields
 from carom.laws.landing import WHY
 from carom.laws.law import CALLED_WALL, CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL, ROLLING_WALL, TWO_STEP_WALL
 from carom.laws.registry import laws
+from carom.laws.results import REGIME_NAMES
 from carom.scene.restitution import Han2005
 from carom.simulation.loop import ALL, FULL, LIMIT, QUIET, ROWS
 from carom.simulation.records import BALLS, KINDS, LOG, WORLD
@@ -68,7 +68,7 @@ def _described() -> dict[str, Any]:
         "features": {"face": FACE, "over": OVER, "line": LINE, "point": POINT, "rim": RIM},
         "kinds": list(KINDS),
         "phases": list(PHASES),
-        "regimes": list(REGIMES),
+        "regimes": [str(name) for name in REGIME_NAMES],
         "forms": {name: code for code, name in enumerate(FORMS)},
         "han2005": list(Han2005().p),
         "reasons": list(WHY),

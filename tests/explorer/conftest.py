@@ -1,0 +1,80 @@
+"""A browser for the explorer's tests: Debian's Chromium, driven by Playwright; and a page in it with carom's engine loaded."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from carom.explorer.module import ASSETS
+
+ROOT = Path(__file__).parents[2]
+SITE = "http://carom.test"
+TYPES = {".js": "text/javascript", ".json": "application/json", ".wasm": "application/wasm", ".html": "text/html"}
+
+
+@pytest.fixture(scope="session")
+def chromium() -> Iterator[Any]:
+    """A headless Chromium. Where there is none the test is skipped; with CAROM_NEED_BROWSER set, as in CI, it fails."""
+    path = os.environ.get("CAROM_CHROMIUM") or shutil.which("chromium") or shutil.which("chromium-browser")
+    if path is None:
+        if os.environ.get("CAROM_NEED_BROWSER"):
+            pytest.fail("expected a chromium to run the explorer's tests in, got none; apt-get install chromium")
+        pytest.skip("no chromium; apt-get install chromium, or name one in CAROM_CHROMIUM")
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as player:
+        browser = player.chromium.launch(executable_path=path, args=["--no-sandbox"])
+        yield browser
+        browser.close()
+
+
+@pytest.fixture(scope="session")
+def engine_page(chromium: Any) -> Iterator[Any]:
+    """A page with the engine in ``window.engine``; the repository's files are at the site's root."""
+
+    def serve(route: Any) -> None:
+        place = route.request.url.removeprefix(SITE).split("?")[0].lstrip("/")
+        file = ROOT / place
+        if not place:
+            route.fulfill(body="<!doctype html><title>engine</title>", content_type="text/html")
+        elif file.is_file():
+            route.fulfill(body=file.read_bytes(), content_type=TYPES.get(file.suffix, "application/octet-stream"))
+        else:
+            route.fulfill(status=404)
+
+    page = chromium.new_page()
+    page.route(f"{SITE}/**", serve)
+    page.goto(f"{SITE}/")
+    assets = ASSETS.relative_to(ROOT).as_posix() if ASSETS.is_relative_to(ROOT) else "src/carom/explorer/assets"
+    page.evaluate(
+        """async (assets) => {
+            const { loadEngine } = await import("/web/engine/engine.js");
+            const { recordsOf } = await import("/tests/explorer/engine_records.js");
+            const wasm = new Uint8Array(await (await fetch(`/${assets}/engine.wasm`)).arrayBuffer());
+            const layout = await (await fetch(`/${assets}/engine.json`)).json();
+            Object.assign(window, { wasm, layout, recordsOf, loadEngine, engine: await loadEngine(wasm, layout) });
+        }""",
+        assets,
+    )
+    yield page
+    page.close()
+
+
+@pytest.fixture
+def evaluate(engine_page: Any) -> Any:
+    """A function that runs JavaScript in the page, given a value that JSON can hold, and returns what it returns."""
+
+    def run(code: str, value: Any = None) -> Any:
+        # (as text: Playwright's own way takes minutes for large arguments)
+        text = engine_page.evaluate(
+            f"async (text) => JSON.stringify(await ({code})(JSON.parse(text)))", json.dumps(value)
+        )
+        return None if text is None else json.loads(text)
+
+    return run
