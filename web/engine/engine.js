@@ -1,8 +1,11 @@
 // carom's own engine: the event loop and the laws of impact that Python runs, as WebAssembly.
 
 /** @import { Scene } from "../state/types.js" */
-/** @import { Law, Layout, Limits, Run } from "./types.js" */
+/** @import { Meeting } from "./meeting.js" */
+/** @import { Law, Layout, Limits, Run, Verdict } from "./types.js" */
 /** @import { Module } from "./module.js" */
+import { compareScene, reflections } from "./compare.js";
+import { firstMeeting } from "./meeting.js";
 import { loadModule } from "./module.js";
 import { runScene } from "./run.js";
 
@@ -30,6 +33,34 @@ export class Engine {
    */
   run(scene, law, limits = {}) {
     return runScene(this.module, law === undefined ? scene : withLaw(scene, law), limits);
+  }
+
+  /**
+   * What `carom compare` says of the first ball at the first wall, for each law.
+   * @param {Scene} scene
+   * @returns {Verdict[]}
+   */
+  compare(scene) {
+    return compareScene(this.module, scene).verdicts;
+  }
+
+  /** The first ball just before the first wall. @param {Scene} scene @returns {Meeting} */
+  meeting(scene) {
+    return firstMeeting(this.module, scene);
+  }
+
+  /**
+   * The angle of reflection, degrees, for each angle of incidence, degrees: the first ball at the first wall, its velocity and spin
+   * turned about the vertical. Null where the law has no answer.
+   * @param {string} law
+   * @param {Scene} scene
+   * @param {number[]} incidences
+   * @param {"final" | "wall"} [stage] once the ball rolls again, or just after the wall
+   */
+  curve(law, scene, incidences, stage = "final") {
+    const found = this.laws.find((one) => one.name === law);
+    if (found === undefined) throw new Error(`law: expected one of ${this.laws.map((one) => one.name).join(", ")}, got ${law}`);
+    return reflections(this.module, found, firstMeeting(this.module, scene), incidences, stage);
   }
 }
 

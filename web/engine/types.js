@@ -44,6 +44,7 @@
  * @property {Record<string, string>} refusals
  * @property {Record<string, number>} responses
  * @property {Law[]} laws
+ * @property {{least_firm: number, stiffness: [number, number], most_omega: number}} limits of laws
  * @property {Record<string, any>} fields
  * @property {Record<string, string>} built_with
  */
@@ -80,6 +81,27 @@
  * @property {LoggedEvent[]} events
  * @property {{x: Vec, v: Vec, w: Vec, phase: string}[]} final
  * @property {{pieces: Piece[]}[]} balls
+ */
+
+/**
+ * What one law says of the first ball at the first wall.
+ * @typedef {object} Verdict
+ * @property {string} law
+ * @property {number | null} angle final angle from the wall's normal, degrees; null where there is none
+ * @property {number | null} angle_after_wall
+ * @property {Vec | null} velocity final
+ * @property {Vec | null} spin final
+ * @property {{velocity: Vec, spin: Vec} | null} after_wall
+ * @property {number | null} energy_kept final over incident kinetic energy
+ * @property {number | null} hop m: height of the flight; null for laws without one
+ * @property {number | null} flight m: its length
+ * @property {number | null} required friction of the wall
+ * @property {number} available friction of the wall
+ * @property {number | null} required_floor
+ * @property {number | null} available_floor
+ * @property {boolean} admissible
+ * @property {string[]} reasons why it may not apply
+ * @property {string[]} remarks what happens
  */
 
 export {};

@@ -46,7 +46,7 @@ export function restitutionNumbers(found, layout) {
 }
 
 /** @param {{restitution: Restitution | null, friction: unknown, tangential_restitution: number}} surface @param {Layout} layout */
-function contactOf(surface, layout) {
+export function contactOf(surface, layout) {
   const [form, p] = restitutionNumbers(surface.restitution, layout);
   return { form, p, mu: surface.friction === null ? Infinity : extended(surface.friction), beta: surface.tangential_restitution };
 }

@@ -53,6 +53,7 @@ def entries() -> list[ModuleFunction]:
         ModuleFunction("turns", turn_rows, None, (world, balls, floats, array_of(float, 2))),
         ModuleFunction("gaps", gap_rows, None, (features, balls, array_of(float, 2))),
         ModuleFunction("meet", meet_row, None, (features, balls, floats)),
+        ModuleFunction("restitution", restitution_row, None, (floats, floats)),
         ModuleFunction("first_impact", first_impact_row, None, (floats, floats)),
         ModuleFunction("second_impact", second_impact_row, None, (floats, floats)),
         ModuleFunction("rim", rim_entry, None, (), RIM_NUMBERS),
@@ -94,6 +95,11 @@ def meet_row(features: Any, balls: Any, out: Any) -> None:
     approach = -(v[0] * n[0] + v[1] * n[1] + v[2] * n[2])
     out[0], out[1], out[2], out[3] = n[0], n[1], n[2], approach
     out[4] = restitution(f.form, vector(f.e), max(approach, 0.0))
+
+
+def restitution_row(p: Any, out: Any) -> None:
+    """:func:`carom.core.motion.restitution.restitution` of a form, its three numbers and a speed."""
+    out[0] = restitution(int(p[0]), (p[1], p[2], p[3]), p[4])
 
 
 def first_impact_row(p: Any, out: Any) -> None:

@@ -25,6 +25,8 @@ from carom.laws.landing import WHY
 from carom.laws.law import CALLED_WALL, CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL, ROLLING_WALL, TWO_STEP_WALL
 from carom.laws.registry import laws
 from carom.laws.results import REGIME_NAMES
+from carom.laws.stronge import MOST_OMEGA, STIFFNESS
+from carom.laws.wall_and_floor.solver import LEAST_FIRM
 from carom.scene.restitution import Han2005
 from carom.simulation.loop import ALL, FULL, LIMIT, QUIET, ROWS
 from carom.simulation.records import BALLS, KINDS, LOG, WORLD
@@ -78,6 +80,7 @@ def _described() -> dict[str, Any]:
             "two-step": TWO_STEP_WALL, "rolling": ROLLING_WALL, "no-slip": NO_SLIP_WALL, "mirror": MIRROR_WALL,
             "contact": CONTACT_WALL, "called": CALLED_WALL,
         },
+        "limits": {"least_firm": LEAST_FIRM, "stiffness": list(STIFFNESS), "most_omega": MOST_OMEGA},
         "laws": [_law(law) for law in laws().values() if law.kernel is not None],
         "fields": scene_fields(),
     }  # fmt: skip

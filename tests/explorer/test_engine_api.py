@@ -1,0 +1,244 @@
+"""The engine's functions for the page, against Python: runs, comparisons of laws, curves; and what it refuses."""
+
+from __future__ import annotations
+
+import json
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from reference.scenes_of_all_laws import angled, may_call_libm, scene_of_all_laws
+
+import carom
+from carom.core.motion.phases import PHASES
+from carom.explorer.module import version
+from carom.scene.as_json import scene_dict
+from carom.simulation.records import BALL, KINDS, WALL, kind_names
+from carom.simulation.tables import NAMES
+
+SCENES = 60
+EVENTS = 60
+PAPER = """
+[floor]
+restitution = 0
+friction = inf
+[[walls]]
+shape = "plane"
+point = [0, 0, 0]
+normal = [1, 0, 0]
+restitution = 1.0
+friction = inf
+[[balls]]
+radius = 0.02625
+mass = 0.1406
+position = [1.02625, 0]
+velocity = [-0.7071067811865476, 0.7071067811865475]
+rolling = true
+[run]
+duration = 3
+"""
+
+
+def plain(value: Any) -> Any:
+    """A number as JSON in the page has it: infinity is null there."""
+    return None if isinstance(value, float) and not math.isfinite(value) else value
+
+
+def test_a_run_is_that_of_python_event_by_event(evaluate: Any) -> None:
+    scenes = [one for seed in range(SCENES) if not may_call_libm(one := scene_of_all_laws(seed))]
+    asked = [scene_dict(scene) for scene in scenes]
+    answers = evaluate(f"(all) => all.map((scene) => engine.run(scene, undefined, {{ events: {EVENTS} }}))", asked)
+    assert len(scenes) > 10
+    for scene, answer in zip(scenes, answers, strict=True):
+        run = carom.simulate(scene.model_copy(update={"run": scene.run.model_copy(update={"max_events": EVENTS})}))
+        rows = run.events.rows
+        assert len(answer["events"]) == len(rows)
+        for row, event in zip(rows, answer["events"], strict=True):
+            assert event["kind"] == kind_names(row)
+            assert event["met"] == {WALL: "wall", BALL: "ball"}.get(int(row["met"]))
+            assert event["regime"] == (None if row["regime"] < 0 else NAMES[row["regime"]])
+            for name in ("phase", "phase_before"):
+                assert event[name] == PHASES[row[name]]
+            for name in ("t", "ball", "other", "x", "v_before", "w_before", "v", "w", "impulse", "floor_impulse"):
+                assert event[name] == row[name].tolist(), name
+            assert event["required"] == plain(float(row["required"]))
+        assert answer["until"] == run.end
+        assert (
+            answer["status"] == {"max_events": "limit", "duration": "done", "nothing more happens": "quiet"}[run.ended]
+        )
+        for i, ball in enumerate(answer["final"]):
+            assert ball["phase"] == run.final_phase[i]
+            assert ball["x"] == run.final.position[i].tolist()
+            assert ball["v"] == run.final.velocity[i].tolist()
+            assert ball["w"] == run.final.spin[i].tolist()
+
+
+def test_pieces_of_motion_are_the_exact_motion(evaluate: Any) -> None:
+    scenes = [scene_of_all_laws(seed) for seed in range(SCENES)]
+    asked = [scene_dict(scene) for scene in scenes]
+    answers = evaluate(f"(all) => all.map((scene) => engine.run(scene, undefined, {{ events: {EVENTS} }}))", asked)
+    looked = 0
+    for scene, answer in zip(scenes, answers, strict=True):
+        if answer["status"] == "refused" or (may_call_libm(scene) and angled(scene)):
+            continue
+        run = carom.simulate(scene.model_copy(update={"run": scene.run.model_copy(update={"max_events": EVENTS})}))
+        for i, ball in enumerate(answer["balls"]):
+            pieces = ball["pieces"]
+            assert pieces[0]["t"] == 0
+            for one, after in zip(pieces, pieces[1:], strict=False):
+                assert one["t"] + one["lasts"] == pytest.approx(after["t"], abs=1e-12)
+            for one in pieces:
+                if one["phase"] in ("held", "left") or not one["lasts"]:
+                    continue
+                s = 0.4 * one["lasts"]
+                state = run.at(one["t"] + s)
+                x, v, acc = (np.array(one[name]) for name in ("x", "v", "acc"))
+                # (bounces too low to see are drawn as a straight line)
+                low = one["phase"] == "bouncing"
+                place = x + v * s + acc * s * s / 2
+                np.testing.assert_allclose(place, state.position[i], atol=2e-6 * scene.balls[i].radius if low else 1e-9)
+                if not low:
+                    spin = np.array(one["w"]) + np.array(one["turn"]) * s
+                    np.testing.assert_allclose(spin[:2], state.spin[i][:2], atol=1e-7)
+                looked += 1
+    assert looked > 500
+
+
+def test_a_law_is_put_at_all_walls(evaluate: Any) -> None:
+    scene = carom.Scene(**scene_fields())
+    for law in ("two-step", "maw", "stronge", "no-slip", "mirror", "contact"):
+        run = carom.simulate(scene.model_copy(update={"run": scene.run.model_copy(update={"law": law})}))
+        answer = evaluate(f"(scene) => engine.run(scene, {json.dumps(law)})", scene_dict(scene))
+        assert [event["kind"] for event in answer["events"]] == run.events.kinds
+        np.testing.assert_allclose(answer["final"][0]["x"], run.final.position[0], rtol=1e-12)
+
+
+def scene_fields() -> dict[str, Any]:
+    return {
+        "floor": {"restitution": 0.5, "friction": 0.2, "rolling_resistance": 0.01},
+        "walls": [{"shape": "table", "length": 2.84, "width": 1.42, "nose_height": 0.037, "restitution": 0.85, "friction": 0.2}],
+        "balls": [{"radius": 0.03075, "mass": 0.21, "position": [0.5, 0.2], "velocity": [-3, 1], "rolling": True}],
+        "run": {"duration": 5.0},
+    }  # fmt: skip
+
+
+def test_a_law_without_an_answer_says_why_as_python_does(evaluate: Any) -> None:
+    fields = scene_fields()
+    fields["walls"][0] |= {"restitution": 1.0, "nose_height": None}
+    fields["balls"][0] |= {"rolling": False, "position": [-1.3, 0.2]}
+    fields["run"] |= {"law": "conventional"}
+    scene = carom.Scene(**fields)
+    with pytest.raises(carom.CaromError) as error:
+        carom.simulate(scene)
+    answer = evaluate("(scene) => engine.run(scene)", scene_dict(scene))
+    assert answer["status"] == "refused"
+    assert f"simulate: {answer['why']}" == str(error.value)
+
+
+# --- comparisons ------------------------------------------------------------------------------------------------------
+
+
+def python_meeting(found: dict[str, Any]) -> carom.Meeting:
+    """The meeting that the page found, for Python's laws."""
+    number = lambda x: math.inf if x is None else x  # noqa: E731
+    floor = found["floor"]
+    return carom.Meeting(
+        carom.Ball(found["radius"], found["mass"], found["kappa"]),
+        carom.State(found["v"], found["w"]),
+        np.array(found["n"]),
+        carom.Surface(found["e"], number(found["mu"]), found["beta"]),
+        carom.Surface(floor["e"], number(floor["mu"]), floor["beta"]),
+        found["g"],
+        found["height"],
+        "with" if found["together"] else "after",
+        found["stiffness"],
+    )
+
+
+def test_a_comparison_is_that_of_python_with_its_sentences(evaluate: Any) -> None:
+    scenes = [one for seed in range(400) if (one := scene_of_all_laws(seed)).floor is not None and one.gravity[2] < 0]
+    code = """(all) => all.map((scene) => {
+        try { return { meeting: engine.meeting(scene), verdicts: engine.compare(scene) }; }
+        catch (error) { return { error: error.message }; }
+    })"""
+    answers = evaluate(code, [scene_dict(scene) for scene in scenes])
+    seen: set[str] = set()
+    compared = 0
+    for answer in answers:
+        if "error" in answer:
+            assert "meets a wall" in answer["error"]
+            continue
+        meeting = python_meeting(answer["meeting"])
+        if math.hypot(*meeting.normal[:2]) == 0:  # a wall above or below has no angles
+            assert all(one["angle"] is None for one in answer["verdicts"])
+            continue
+        verdicts = carom.compare(meeting).verdicts
+        assert [one["law"] for one in answer["verdicts"]] == [one.law for one in verdicts]
+        compared += 1
+        for found, verdict in zip(answer["verdicts"], verdicts, strict=True):
+            assert found["admissible"] == verdict.admissible
+            assert found["reasons"] == list(verdict.why)
+            assert found["remarks"] == list(verdict.remarks)
+            seen |= {*found["reasons"], *found["remarks"]}
+            flight = verdict.answer.steps.flight if verdict.answer and verdict.answer.steps else None
+            numbers = {
+                "angle": verdict.reflection_angle, "angle_after_wall": verdict.angle_after_wall,
+                "energy_kept": verdict.energy_ratio, "required": verdict.required_wall,
+                "required_floor": verdict.required_floor, "hop": flight and float(flight.height),
+                "flight": flight and float(flight.distance),
+            }  # fmt: skip
+            for name, expected in numbers.items():
+                wanted = None if expected is None or not math.isfinite(expected) else expected
+                assert found[name] == (None if wanted is None else pytest.approx(wanted, rel=1e-11, abs=1e-14)), name
+            for name, state in (("velocity", verdict.final), ("spin", verdict.final)):
+                if state is None:
+                    assert found[name] is None
+                else:
+                    np.testing.assert_allclose(found[name], getattr(state, name), rtol=1e-10, atol=1e-12)
+    assert compared > 100
+    assert len(seen) > 100
+
+
+def test_a_curve_of_reflection_is_that_of_python(evaluate: Any, tmp_path: Any) -> None:
+    file = tmp_path / "paper.toml"
+    file.write_text(PAPER)
+    scene = scene_dict(carom.load_scene(file))
+    angles = [0.0, 10.0, 30.0, 45.0, 60.0, 85.0]
+    for law in ("mirror", "conventional", "no-slip", "two-step", "maw", "stronge"):
+        found = evaluate(f"(scene) => engine.curve({json.dumps(law)}, scene, {angles})", scene)
+        verdicts = [carom.compare(carom.incoming(angle=angle), [law]).verdicts[0] for angle in angles]
+        np.testing.assert_allclose(found, [one.reflection_angle for one in verdicts], atol=1e-9)
+        found = evaluate(f"(scene) => engine.curve({json.dumps(law)}, scene, {angles}, 'wall')", scene)
+        np.testing.assert_allclose(found, [one.angle_after_wall for one in verdicts], atol=1e-9)
+
+
+# --- the module -------------------------------------------------------------------------------------------------------
+
+
+def test_the_module_needs_nothing_and_is_known_by_its_version(evaluate: Any) -> None:
+    assert evaluate("async () => WebAssembly.Module.imports(await WebAssembly.compile(wasm))") == []
+    assert evaluate("() => engine.version") == version()
+    refused = "async (layout) => { try { await loadEngine(wasm, layout); } catch (error) { return error.message; } }"
+    layout = evaluate("() => layout")
+    said = evaluate(refused, {**layout, "version": "other"})
+    assert said == (
+        f"engine.wasm: expected the module of version other, got version {version()}; build both anew with make wasm"
+    )
+    said = evaluate(
+        "async () => { try { await loadEngine(wasm.slice(0, 999), layout); } catch (error) { return error.message; } }"
+    )
+    assert said.startswith("engine.wasm: expected carom's module, got one that the browser refuses: ")
+
+
+def test_laws_are_described_as_in_python(evaluate: Any) -> None:
+    laws = evaluate("() => engine.laws")
+    assert [law["name"] for law in laws] == [law.name for law in carom.LAWS.values() if law.kernel is not None]
+    for law in laws:
+        card = carom.LAWS[law["name"]]
+        assert law["title"] == card.card.summary
+        assert law["parameters"] == (None if card.reads is None else list(card.reads))
+
+
+def test_kinds_are_named(evaluate: Any) -> None:
+    assert evaluate("() => layout.kinds") == list(KINDS)

@@ -1,0 +1,117 @@
+// What each law predicts for one ball at one wall (carom.laws): the wall, the flight, the landing, the rolling. All numbers are from
+// the module's kernels.
+
+/** @import { Vec } from "../state/types.js" */
+/** @import { Law } from "./types.js" */
+/** @import { Meeting } from "./meeting.js" */
+/** @import { Module } from "./module.js" */
+import { dot, minus } from "../scene/vectors.js";
+import { slips } from "./slip.js";
+
+/** @typedef {{v: Vec, w: Vec}} Motion */
+
+/** Flight, first landing and final rolling. @typedef {{duration: number, height: number, distance: number, after: Motion, required: number, regime: string, rolling: Motion, why: number}} Steps */
+
+/**
+ * @typedef {object} Answer
+ * @property {Motion} afterWall
+ * @property {Motion} final NaN where there is none
+ * @property {number} required friction of the wall
+ * @property {number} requiredFloor
+ * @property {string} why why there is no final state, else empty
+ * @property {Steps | null} steps
+ * @property {{regime: string, required: number, floorImpulse: Vec} | null} impact the wall's contact, of the two-step law
+ */
+
+/** @param {number[]} found @param {number} at @returns {Vec} */
+const three = (found, at) => [found[at], found[at + 1], found[at + 2]];
+
+/** The wall alone, by a law's kernel. @param {Module} module @param {Meeting} m @param {Law} law @returns {Motion} */
+function atWall(module, m, law) {
+  const out = module.memory.take(48);
+  const last = law.last === "stiffness_ratio" ? m.stiffness : m.beta;
+  module.exports[law.function](...m.v, ...m.w, ...m.n, m.radius, m.kappa, m.e, m.mu, last, out);
+  const found = module.memory.numbers(out, 6);
+  return { v: three(found, 0), w: three(found, 3) };
+}
+
+/** @param {Module} module @param {Meeting} m @param {Motion} after @returns {Steps | null} null without a floor */
+function settle(module, m, after) {
+  if (m.floor === null) return null;
+  const { memory, layout } = module;
+  const numbers = [...after.v, ...after.w, ...m.n, m.radius, m.kappa, m.floor.e, m.floor.mu, m.floor.beta, m.g, m.height];
+  const [taken, out] = [memory.put(numbers), memory.take(8 * 21)];
+  module.call("second_impact", 0, taken, numbers.length, out, 21);
+  const found = memory.numbers(out, 21);
+  return {
+    duration: found[0], height: found[1], distance: found[2],
+    after: { v: three(found, 3), w: three(found, 6) },
+    required: found[12], regime: layout.regimes[found[13]],
+    rolling: { v: three(found, 14), w: three(found, 17) },
+    why: found[20],
+  };
+}
+
+/** Tangential over normal impulse of a wall that turns one motion into another. @param {Meeting} m @param {Motion} after */
+function requiredFriction(m, after) {
+  const change = minus(after.v, m.v);
+  /** @type {Vec} */
+  const j = [change[0] * m.mass, change[1] * m.mass, change[2] * m.mass];
+  const jn = dot(j, m.n);
+  /** @type {Vec} */
+  const f = [j[0] - jn * m.n[0], j[1] - jn * m.n[1], j[2] - jn * m.n[2]];
+  return jn > 0 ? Math.sqrt(dot(f, f)) / jn : 0;
+}
+
+/** @param {Module} module @param {Meeting} m @param {Motion} after @returns {Answer} */
+function wallThenFloor(module, m, after) {
+  const steps = settle(module, m, after);
+  return {
+    afterWall: after,
+    final: steps === null ? after : steps.rolling,
+    required: requiredFriction(m, after),
+    requiredFloor: steps === null ? 0 : steps.required,
+    why: steps === null ? "" : module.layout.reasons[steps.why],
+    steps,
+    impact: null,
+  };
+}
+
+/** @param {Module} module @param {Meeting} m @param {boolean} together @returns {Answer} */
+function twoStep(module, m, together) {
+  const { memory, layout } = module;
+  const floor = m.floor ?? { e: 0, mu: 0, beta: 0 };
+  const height = m.floor === null ? 1 : m.height;
+  const numbers = [...m.v, ...m.w, ...m.n, m.radius, m.kappa, m.e, m.mu, m.beta, floor.e, floor.mu, floor.beta, height, Number(together)];
+  const [taken, out] = [memory.put(numbers), memory.take(8 * 14)];
+  module.call("first_impact", 0, taken, numbers.length, out, 14);
+  const found = memory.numbers(out, 14);
+  const [jx, jy, jz] = three(found, 9);
+  /** @type {Vec} */
+  const jf = [jx * m.mass, jy * m.mass, jz * m.mass];
+  const used = jf[2] > 0 ? Math.hypot(jf[0], jf[1]) / jf[2] : 0;
+  const answer = wallThenFloor(module, m, { v: three(found, 0), w: three(found, 3) });
+  const landing = Number.isNaN(answer.requiredFloor) ? 0 : answer.requiredFloor;
+  return {
+    ...answer,
+    required: found[12],
+    requiredFloor: Math.max(landing, used >= layout.limits.least_firm / 2 ? Infinity : used),
+    impact: { regime: layout.regimes[found[13]], required: found[12], floorImpulse: jf },
+  };
+}
+
+/** What a law predicts, for a meeting that it has an answer for. @param {Module} module @param {Meeting} m @param {Law} law @returns {Answer} */
+export function answerOf(module, m, law) {
+  const { responses } = module.layout;
+  if (law.response === responses["two-step"]) return twoStep(module, m, m.together);
+  if (law.name === "two-step-after") return twoStep(module, m, false);
+  const after = atWall(module, m, law);
+  const alone = { afterWall: after, final: after, why: "", steps: null, impact: null };
+  if (law.response === responses.mirror) return { ...alone, required: 0, requiredFloor: 0 };
+  if (law.response === responses.rolling) {
+    const needed = slips(m, { v: m.v, w: m.w }, m.n) ? 1 : 0;
+    return { ...alone, required: needed, requiredFloor: needed };
+  }
+  if (law.ignores_floor) return { ...alone, required: requiredFriction(m, after), requiredFloor: 0 };
+  return wallThenFloor(module, m, after);
+}

@@ -1,0 +1,110 @@
+// What each law says of the first ball at the first wall, and which laws are admissible (carom.laws.comparison).
+
+/** @import { Scene, Vec } from "../state/types.js" */
+/** @import { Answer, Motion } from "./answers.js" */
+/** @import { Law, Verdict } from "./types.js" */
+/** @import { Meeting } from "./meeting.js" */
+/** @import { Module } from "./module.js" */
+import { answerOf } from "./answers.js";
+import { firstMeeting } from "./meeting.js";
+import { objections, unmet } from "./objections.js";
+import { remarksOn } from "./remarks.js";
+import { kineticEnergy, sum } from "./slip.js";
+
+/** Angle along the floor from the wall's normal, degrees: 0 along it, 90 along the wall. @param {Vec} n @param {Vec} v @param {number} way 1 away from the wall, -1 towards it */
+function angleFrom(n, v, way) {
+  const size = Math.sqrt(n[0] ** 2 + n[1] ** 2);
+  const [nx, ny] = [n[0] / size, n[1] / size];
+  return (Math.atan2(Math.abs(nx * v[1] - ny * v[0]), way * (nx * v[0] + ny * v[1])) * 180) / Math.PI;
+}
+
+/** @param {Meeting} m @param {Motion} motion @returns {number | null} null if it is at rest up to rounding, or the normal is vertical */
+function angleOf(m, motion) {
+  const size = sum(m.v) + m.radius * sum(m.w);
+  if (!(Math.abs(motion.v[0]) + Math.abs(motion.v[1]) > 1e-12 * size)) return null;
+  const angle = angleFrom(m.n, motion.v, 1);
+  return Number.isNaN(angle) ? null : angle;
+}
+
+/** @param {number} x */
+const known = (x) => (Number.isNaN(x) ? null : x);
+
+/** @param {Motion} motion */
+const isMotion = (motion) => !motion.v.some(Number.isNaN);
+
+/** @param {Module} module @param {Meeting} m @param {Law} law @returns {{answer: Answer | null, why: string}} */
+function answered(module, m, law) {
+  const missing = unmet(m, law, module.layout);
+  if (missing.length > 0) return { answer: null, why: `no prediction: it requires ${missing.join("; and ")}` };
+  const answer = answerOf(module, m, law);
+  return isMotion(answer.afterWall) ? { answer, why: "" } : { answer: null, why: `no prediction: ${answer.why}` };
+}
+
+/** @param {Module} module @param {Meeting} m @param {Law} law @returns {Verdict} */
+function verdict(module, m, law) {
+  const { answer, why } = answered(module, m, law);
+  const nothing = {
+    law: law.name, angle: null, angle_after_wall: null, velocity: null, spin: null, after_wall: null, energy_kept: null, hop: null,
+    flight: null, required: null, available: m.mu, required_floor: null, available_floor: m.floor?.mu ?? null,
+  };
+  if (answer === null) return { ...nothing, admissible: false, reasons: [why], remarks: [] };
+  const reasons = objections(m, law, answer);
+  const final = isMotion(answer.final) ? answer.final : null;
+  const { afterWall, steps } = answer;
+  const energy = kineticEnergy(m, m);
+  return {
+    ...nothing,
+    angle: final && angleOf(m, final),
+    angle_after_wall: angleOf(m, afterWall),
+    velocity: final && final.v,
+    spin: final && final.w,
+    after_wall: { velocity: afterWall.v, spin: afterWall.w },
+    energy_kept: final && energy > 0 ? kineticEnergy(m, final) / energy : null,
+    hop: steps && known(steps.height),
+    flight: steps && known(steps.distance),
+    required: known(answer.required),
+    required_floor: known(answer.requiredFloor),
+    admissible: reasons.length === 0,
+    reasons,
+    remarks: remarksOn(m, answer, final),
+  };
+}
+
+/** All laws of one meeting, but special cases of others. @param {Module} module @param {Meeting} m */
+export function verdicts(module, m) {
+  const aloft = m.height > 0;
+  const laws = module.layout.laws.filter((law) => law.variant_of === "" && (aloft || !law.ignores_floor));
+  return laws.map((law) => {
+    module.memory.clear();
+    return verdict(module, m, law);
+  });
+}
+
+/** @param {Module} module @param {Scene} scene */
+export function compareScene(module, scene) {
+  const meeting = firstMeeting(module, scene);
+  return { meeting, incidence: angleFrom(meeting.n, meeting.v, -1), verdicts: verdicts(module, meeting) };
+}
+
+/** A meeting at another angle of incidence: velocity and spin turned about the vertical. @param {Meeting} m @param {number} degrees @returns {Meeting} */
+export function atIncidence(m, degrees) {
+  const { v, w, n } = m;
+  const before = Math.atan2(n[0] * v[1] - n[1] * v[0], -(n[0] * v[0] + n[1] * v[1]));
+  const way = before < 0 ? -1 : 1;
+  const by = -((way * degrees * Math.PI) / 180 - before);
+  const [c, s] = [Math.cos(by), Math.sin(by)];
+  /** @param {Vec} p @returns {Vec} */
+  const turned = ([x, y, z]) => [c * x - s * y, s * x + c * y, z];
+  return { ...m, v: turned(v), w: turned(w) };
+}
+
+/** The angle, degrees, at which a ball leaves for each angle of incidence; null where the law has no answer. @param {Module} module @param {Law} law @param {Meeting} meeting @param {number[]} incidences degrees @param {"final" | "wall"} stage once it rolls, or just after the wall @returns {(number | null)[]} */
+export function reflections(module, law, meeting, incidences, stage) {
+  return incidences.map((degrees) => {
+    module.memory.clear();
+    const m = atIncidence(meeting, degrees);
+    const { answer } = answered(module, m, law);
+    const motion = answer && (stage === "wall" ? answer.afterWall : answer.final);
+    return motion && isMotion(motion) ? angleOf(m, motion) : null;
+  });
+}
