@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import json
 import math
 from typing import Any
@@ -86,7 +87,7 @@ def test_pieces_of_motion_are_the_exact_motion(evaluate: Any) -> None:
         for i, ball in enumerate(answer["balls"]):
             pieces = ball["pieces"]
             assert pieces[0]["t"] == 0
-            for one, after in zip(pieces, pieces[1:], strict=False):
+            for one, after in itertools.pairwise(pieces):
                 assert one["t"] + one["lasts"] == pytest.approx(after["t"], abs=1e-12)
             for one in pieces:
                 if one["phase"] in ("held", "left") or not one["lasts"]:
