@@ -13,7 +13,7 @@ from carom.laws.maw import CHI
 from carom.laws.registry import laws
 from carom.scene.as_json import plain_model
 
-__all__ = ["angled", "may_call_libm", "scene_of_all_laws"]
+__all__ = ["angled", "may_call_libm", "scene_of_all_laws", "with_infinities"]
 
 FORMS: tuple[dict[str, Any], ...] = (
     {"form": "polynomial", "coefficients": [0.9, -0.1, 0.005]},
@@ -33,7 +33,7 @@ def scene_of_all_laws(seed: int) -> carom.Scene:
     if rng.random() > OWN_LAWS:
         return plain
     known = [law.name for law in laws().values() if law.kernel is not None and law.name != "conventional"]
-    table = _with_infinities(plain_model(plain))
+    table = with_infinities(plain_model(plain))
     # (maw is tabulated for a range of stiffness_ratio (1 + 1/kappa)/2)
     shares = [(1 + 1 / ball.ball.kappa) / 2 for ball in plain.balls]
     stiff = 1.001 * max(CHI[0] / share for share in shares), 0.999 * min(CHI[1] / share for share in shares)
@@ -53,11 +53,12 @@ def scene_of_all_laws(seed: int) -> carom.Scene:
     return carom.Scene(**table)
 
 
-def _with_infinities(value: Any) -> Any:
+def with_infinities(value: Any) -> Any:
+    """Return JSON's data with infinities for the texts "inf" and "-inf"."""
     if isinstance(value, dict):
-        return {key: _with_infinities(one) for key, one in value.items()}
+        return {key: with_infinities(one) for key, one in value.items()}
     if isinstance(value, list):
-        return [_with_infinities(one) for one in value]
+        return [with_infinities(one) for one in value]
     return {"inf": math.inf, "-inf": -math.inf}.get(value, value) if isinstance(value, str) else value
 
 

@@ -8,6 +8,7 @@ import { compareScene, reflections } from "./compare.js";
 import { firstMeeting } from "./meeting.js";
 import { loadModule } from "./module.js";
 import { runScene } from "./run.js";
+import { sceneFaults } from "../scene/check.js";
 
 /** Compile the module. @param {Uint8Array} wasm engine.wasm @param {Layout} layout engine.json @returns {Promise<Engine>} */
 export async function loadEngine(wasm, layout) {
@@ -25,14 +26,30 @@ export class Engine {
   }
 
   /**
-   * Simulate a scene. Throws an Error, a sentence, for a scene that is none.
+   * All that is wrong with a scene, one line per problem: its fields and their bounds, overlaps, what its laws need.
+   * @param {Scene} scene
+   * @returns {string[]}
+   */
+  faults(scene) {
+    return sceneFaults(this.module, scene);
+  }
+
+  /**
+   * Simulate a scene. Throws an Error, one line per problem, for one that cannot be run.
    * @param {Scene} scene as `carom scene check FILE --json` prints it
    * @param {string} [law] put at all walls in place of the scene's
    * @param {Limits} [limits] at most so many events (default: 2000), the end in s (default: the scene's), at most so many milliseconds
    * @returns {Run}
    */
   run(scene, law, limits = {}) {
-    return runScene(this.module, law === undefined ? scene : withLaw(scene, law), limits);
+    return runScene(this.module, this.checked(law === undefined ? scene : withLaw(scene, law)), limits);
+  }
+
+  /** @param {Scene} scene @returns {Scene} */
+  checked(scene) {
+    const faults = this.faults(scene);
+    if (faults.length > 0) throw new Error(faults.join("\n"));
+    return scene;
   }
 
   /**
@@ -41,12 +58,12 @@ export class Engine {
    * @returns {Verdict[]}
    */
   compare(scene) {
-    return compareScene(this.module, scene).verdicts;
+    return compareScene(this.module, this.checked(scene)).verdicts;
   }
 
   /** The first ball just before the first wall. @param {Scene} scene @returns {Meeting} */
   meeting(scene) {
-    return firstMeeting(this.module, scene);
+    return firstMeeting(this.module, this.checked(scene));
   }
 
   /**
@@ -60,7 +77,7 @@ export class Engine {
   curve(law, scene, incidences, stage = "final") {
     const found = this.laws.find((one) => one.name === law);
     if (found === undefined) throw new Error(`law: expected one of ${this.laws.map((one) => one.name).join(", ")}, got ${law}`);
-    return reflections(this.module, found, firstMeeting(this.module, scene), incidences, stage);
+    return reflections(this.module, found, firstMeeting(this.module, this.checked(scene)), incidences, stage);
   }
 }
 

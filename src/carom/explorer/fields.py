@@ -22,6 +22,9 @@ __all__ = ["scene_fields"]
 SHAPES = (Plane, Segment, Polygon, Table, Box, Strip, Wedge, Cylinder, Arc, Sphere, Stadium)
 FORMS = (Constant, Polynomial, Han2005, Power, Viscoelastic, Exponential)
 
+# Fields of several types, which the page checks by their names.
+OF_THEIR_OWN = ("gravity", "inertia", "law", "restitution")
+
 
 def scene_fields() -> dict[str, Any]:
     """Return the fields of each part of a scene by name: of walls by shape, of restitutions by form.
@@ -40,11 +43,13 @@ def scene_fields() -> dict[str, Any]:
 
 
 def _fields(model: type[Model]) -> dict[str, Any]:
-    return {name: _field(info) for name, info in model.model_fields.items()}
+    return {name: _field(name, info) for name, info in model.model_fields.items()}
 
 
-def _field(info: FieldInfo) -> dict[str, Any]:
+def _field(name: str, info: FieldInfo) -> dict[str, Any]:
     found = _described(info.annotation, list(info.metadata))
+    if name in OF_THEIR_OWN:
+        found = {"kind": name, **({"optional": True} if found.get("optional") else {})}
     if info.is_required():
         found["required"] = True
     return found
@@ -57,15 +62,14 @@ def _described(annotation: Any, metadata: list[Any]) -> dict[str, Any]:  # noqa:
     if get_origin(annotation) in (Union, UnionType):
         options = [one for one in get_args(annotation) if one is not type(None)]
         optional = len(options) < len(get_args(annotation))
-        # (a number or a form of restitution, an inertia by name or number: the page gets the second)
-        found = _described(options[-1], metadata) if len(options) <= 2 else {"kind": "part"}
+        found = _described(options[0], metadata) if len(options) == 1 else {"kind": "part"}
         return {**found, **({"optional": True} if optional else {})}
     checks = [getattr(one, "func", None) for one in metadata]
     counts = next((one for one in checks if isinstance(one, Components)), None)
     if get_origin(annotation) is tuple and counts is not None:
         each = _described(next(one for one in get_args(annotation) if one is not Ellipsis), [])
-        limits = [counts.counts[0], counts.counts[-1]]
-        return {"kind": "vector", "what": counts.what, "counts": limits, "each": each}
+        found = {"kind": "vector", "what": counts.what, "counts": [counts.counts[0], counts.counts[-1]], "each": each}
+        return {**found, **({"nonzero": True} if counts.what.endswith("a direction") else {})}
     number = next((one for one in checks if isinstance(one, Number)), None)
     if number is not None:
         return {

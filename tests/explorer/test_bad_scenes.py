@@ -1,0 +1,135 @@
+"""What is no scene, or one that cannot be run, is refused in the page as by Python: the same fields, in sentences."""
+
+from __future__ import annotations
+
+import copy
+from typing import Any
+
+import pytest
+from reference.scenes_of_all_laws import with_infinities
+
+import carom
+from carom.scene.as_json import scene_dict
+
+WALL = {"restitution": 0.9, "friction": 0.2}
+
+
+def good() -> dict[str, Any]:
+    """A scene of several shapes, far from the ball, as JSON."""
+    far = 5.0
+    walls = [
+        {"shape": "table", "length": 2.84, "width": 1.42, "nose_height": 0.037, **WALL},
+        {"shape": "plane", "point": [-far, 0, 0], "normal": [1, 0, 0], **WALL},
+        {"shape": "cylinder", "point": [far, far, 0], "radius": 0.2, **WALL},
+        {"shape": "arc", "center": [far, 0], "radius": 0.5, "from_angle": 0, "to_angle": 90, "height": 0.2, **WALL},
+        {"shape": "polygon", "points": [[far, 1], [far + 1, 1], [far, 2]], **WALL},
+        {"shape": "wedge", "apex": [-9, 0, 0], "from_angle": -60, "to_angle": 60, **WALL},
+        {"shape": "segment", "start": [far, -1], "end": [far, -2], **WALL},
+        {"shape": "box", "center": [far, 9, 0], "size": [1, 1, 1], **WALL},
+        {"shape": "sphere", "center": [far, 19, 0], "radius": 1.0, **WALL},
+        {"shape": "stadium", "length": 9, "radius": 9, **WALL},
+        {"shape": "strip", "point": [-9, 0, 0], "normal": [1, 0, 0], "width": 50, **WALL},
+    ]
+    balls = [
+        {"radius": 0.03, "mass": 0.2, "position": [0.5, 0.1], "velocity": [-1, 0.2], "rolling": True},
+        {"radius": 0.03, "mass": 0.2, "position": [0.2, 0.2], "spin": [1, 2, 3]},
+    ]
+    return scene_dict(carom.Scene(floor={"friction": 0.2}, walls=walls, balls=balls))
+
+
+# Where, what is put there, and whether Python names the very field.
+CHANGES: list[tuple[str, Any]] = [
+    ("balls[0].radius", -1), ("balls[0].radius", "x"), ("balls[0].radius", None), ("balls[0].mass", 0), ("balls[0].mass", 1e200),
+    ("balls[0].inertia", 0.7), ("balls[0].inertia", "soft"), ("balls[0].position", [1]), ("balls[0].velocity[1]", "fast"),
+    ("balls[0].velocity[2]", 1.0), ("balls[0].rolling", 1), ("balls[0].spin", [1, 1, 1]), ("balls[0].name", 3),
+    ("balls[0].position", [0.5, 0.1, 0.02]), ("balls[0].position", [0.5, 0.1, 0.4]), ("balls[0].position", [1.40, 0.1, 0.03]),
+    ("balls[1].position", [0.52, 0.1, 0.03]), ("balls[1].position", [3.0, 0.1, 0.03]), ("balls", []), ("balls", 3),
+    ("gravity", [0, 0]), ("gravity", [0, 1, -9.8]), ("gravity", [0, 0, 9.8]), ("floor.friction", -0.1), ("floor.friction", "often"),
+    ("floor.restitution", {"form": "cubic"}), ("floor.restitution", {"form": "constant", "value": 1.2}),
+    ("floor.tangential_restitution", 2), ("floor.rolling_resistance", -1), ("floor.spin_friction", "inf"),
+    ("ball_contact.friction", -1), ("ball_contact.restitution", {"form": "power", "at_rest": 1, "speed": 0, "exponent": 1}),
+    ("run.law", "newton"), ("run.duration", 0), ("run.max_events", 0), ("run.max_events", 1.5), ("run.floor_contact", "before"),
+    ("walls", {}), ("walls[0].shape", "torus"), ("walls[0].length", 0), ("walls[0].nose_height", 0.07), ("walls[0].height", 0.01),
+    ("walls[0].width", 0.05), ("walls[0].stiffness_ratio", 0), ("walls[0].friction", None), ("walls[0].restitution", None),
+    ("walls[0].law", "maw!"), ("walls[1].normal", [0, 0, 0]), ("walls[1].point", [0.49, 0, 0]), ("walls[1].point", [9, 0, 0]),
+    ("walls[2].radius", -1), ("walls[2].length", 0), ("walls[2].axis", [0, 0]), ("walls[2].inside", "yes"),
+    ("walls[3].to_angle", -1), ("walls[3].to_angle", 361), ("walls[3].low", 0.3), ("walls[4].points", [[0, 0], [1, 1]]),
+    ("walls[4].points", [[5, 1], [6, 2], [6, 1], [5, 2]]), ("walls[4].points", [[5, 1], [5, 1], [6, 1], [5, 2]]),
+    ("walls[5].from_angle", 90), ("walls[6].end", [5.0, -1.0]), ("walls[7].center", None), ("walls[7].size", [1, 1, 0]),
+    ("walls[7].corner", [1, 1, 1]), ("walls[8].radius", 25.0), ("walls[9].radius", 0.01), ("walls[10].width", 9.0),
+]  # fmt: skip
+
+
+def changed(path: str, value: Any) -> dict[str, Any]:
+    table = copy.deepcopy(good())
+    place: Any = table
+    *steps, last = path.replace("[", ".[").split(".")
+    for step in steps:
+        place = place[int(step[1:-1])] if step.startswith("[") else place[step]
+    place[int(last[1:-1]) if last.startswith("[") else last] = value
+    return table
+
+
+def test_a_good_scene_has_no_faults(evaluate: Any) -> None:
+    assert evaluate("(scene) => engine.faults(scene)", good()) == []
+
+
+@pytest.mark.parametrize(("path", "value"), CHANGES)
+def test_what_python_refuses_is_refused_at_the_same_places(evaluate: Any, path: str, value: Any) -> None:
+    table = changed(path, value)
+    with pytest.raises(carom.CaromError) as error:
+        carom.Scene(**with_infinities(table))
+    expected = {
+        fault.removeprefix("Scene: ").split(": expected ")[0].removeprefix("Scene") for fault in error.value.faults
+    }
+    found = evaluate("(scene) => engine.faults(scene)", table)
+    assert all(": expected " in fault for fault in found), found
+    # (an outline's, a box's, an arc's own fault is named by its wall)
+    places = {fault.split(": expected ")[0] for fault in found}
+    assert {place.split(".")[0] for place in places} == {place.split(".")[0] for place in expected}, (
+        found,
+        error.value.faults,
+    )
+    said = evaluate("(scene) => { try { engine.run(scene); } catch (error) { return error.message; } }", table)
+    assert said == "\n".join(found)
+
+
+@pytest.mark.parametrize("value", [None, 3, "scene", [], {}, {"walls": [3], "balls": [None]}, {"walls": None}])
+def test_what_is_no_scene_at_all_is_refused(evaluate: Any, value: Any) -> None:
+    found = evaluate("(scene) => engine.faults(scene)", value)
+    assert found
+    assert all(": expected " in fault for fault in found)
+
+
+@pytest.mark.parametrize("law", ["conventional", "maw", "stronge", "contact"])
+def test_a_law_put_at_all_walls_is_checked(evaluate: Any, law: str) -> None:
+    table = good()
+    table["run"]["law"] = law
+    table["walls"][0] |= {"tangential_restitution": 0.5, "stiffness_ratio": 50.0}
+    faults: tuple[str, ...] = ()
+    try:
+        carom.Scene(**with_infinities(table))
+    except carom.CaromError as error:
+        faults = error.faults
+    expected = {fault.removeprefix("Scene: ").split(": expected ")[0] for fault in faults}
+    found = evaluate("(scene) => engine.faults(scene)", table)
+    walls = {place.split(".")[0] for place in expected}
+    assert {fault.split(": expected ")[0].split(".")[0] for fault in found} == walls
+
+
+def test_a_scene_too_large_and_a_run_too_long_are_said(evaluate: Any) -> None:
+    table = good()
+    ball = table["balls"][1]
+    table["balls"] = [{**ball, "position": [x / 20 - 1, y / 10 - 0.5, 0.03]} for x in range(20) for y in range(6)]
+    found = evaluate("(scene) => engine.faults(scene)", table)
+    assert len(found) == 1
+    assert found[0].startswith("balls: expected at most 100 in a page, got 120")
+    table["walls"][0]["nose_height"] = None
+    for ball in table["balls"]:
+        ball["radius"] = 0.01
+    table["balls"] = table["balls"][:90]
+    for i, ball in enumerate(table["balls"]):
+        ball["velocity"] = [1.0, 0.1 * i, 0.0]
+    run = evaluate("(scene) => engine.run(scene, 'mirror', { events: 1e6, milliseconds: 50 })", table)
+    assert run["status"] == "time"
+    assert 0 < len(run["events"]) < 1e6
