@@ -13,7 +13,7 @@ const text = (bytes) => {
 export function recordsOf(engine, scene, limits) {
   const { module } = engine;
   const { records } = module.layout;
-  const made = setUp(scene, module.layout, module.libm, 0);
+  const made = setUp(scene, module.layout, 0);
   module.memory.clear();
   const at = {
     world: module.memory.records(records.world, [made.world]),

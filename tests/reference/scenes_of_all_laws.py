@@ -13,7 +13,7 @@ from carom.laws.maw import CHI
 from carom.laws.registry import laws
 from carom.scene.as_json import plain_model
 
-__all__ = ["angled", "may_call_libm", "scene_of_all_laws", "with_infinities"]
+__all__ = ["may_call_libm", "scene_of_all_laws", "with_infinities"]
 
 FORMS: tuple[dict[str, Any], ...] = (
     {"form": "polynomial", "coefficients": [0.9, -0.1, 0.005]},
@@ -62,18 +62,8 @@ def with_infinities(value: Any) -> Any:
     return {"inf": math.inf, "-inf": -math.inf}.get(value, value) if isinstance(value, str) else value
 
 
-def angled(scene: carom.Scene) -> bool:
-    """Return whether a wall is described by angles, of which sin and cos are taken."""
-    return bool({wall.kind for wall in scene.walls} & {"wedge", "arc", "stadium"})
-
-
 def may_call_libm(scene: carom.Scene) -> bool:
-    """Return whether a run of a scene may call sin, cos, acos, atan2, exp, log or pow.
-
-    In docs/explorer.md, the list of what calls them.
-    """
-    if angled(scene):
-        return True
+    """Return whether a run of a scene may call sin, cos, acos, atan2, exp, log or pow (docs/explorer.md lists what does)."""
     if {law.name for law in scene.laws} & {"maw", "stronge"}:
         return True
     surfaces = [wall.restitution for wall in scene.walls] + [scene.ball_contact.restitution]

@@ -39,7 +39,7 @@ export function firstMeeting(module, scene) {
   const number = other(hit);
   // (the surface as the wall has it: a law may hold some of it fixed)
   const plain = { ...scene, run: { ...scene.run, law: "two-step" }, walls: scene.walls.map((wall) => ({ ...wall, law: null })) };
-  const made = setUp(plain, layout, module.libm, 0);
+  const made = setUp(plain, layout, 0);
   memory.clear();
   const features = memory.records(layout.records.features, made.features);
   const one = memory.records(layout.records.balls, [{ ...made.balls[0], x, v, w }]);

@@ -11,8 +11,6 @@ export class Module {
     this.exports = exports;
     this.layout = layout;
     this.memory = new Memory(exports.memory, exports.__heap_base.value);
-    /** @type {{sin: (x: number) => number, cos: (x: number) => number, acos: (x: number) => number, atan2: (y: number, x: number) => number}} */
-    this.libm = exports;
   }
 
   /** Call a function of the module; its results are written to `out`. @param {string} name @param {number} out @param {...number} rest */

@@ -32,7 +32,6 @@
  * @property {string} version
  * @property {Record<string, RecordLayout>} records
  * @property {string[]} functions
- * @property {string[]} libm
  * @property {Record<string, number>} features
  * @property {string[]} kinds
  * @property {string[]} phases

@@ -9,8 +9,6 @@ import { UP, frame, unit } from "./vectors.js";
 /** Kinds, as carom.core.geometry.features numbers them. */
 export const KIND = { face: 0, over: 1, line: 2, point: 3, rim: 4 };
 
-/** @typedef {{sin: (x: number) => number, cos: (x: number) => number}} Libm the module's */
-
 /**
  * @typedef {object} Feature
  * @property {number} kind

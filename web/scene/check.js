@@ -123,7 +123,7 @@ function wallLawFaults(scene, wall, law, layout) {
 /** @param {Module} module @param {Scene} scene */
 function overlaps(module, scene) {
   const { memory, layout } = module;
-  const made = setUp(scene, layout, module.libm, 0);
+  const made = setUp(scene, layout, 0);
   if (made.features.length > MOST_FEATURES) {
     return [`walls: expected at most ${MOST_FEATURES} faces, edges and corners in a page, got ${made.features.length}; carom simulate takes more`];
   }
@@ -132,7 +132,7 @@ function overlaps(module, scene) {
   const centers = scene.balls.map((ball) => centerOf(scene, ball));
   const blocked = scene.walls.map((wall, k) =>
     centers.map((x, i) => {
-      const bad = SHAPES[wall.shape].blocked(wall, x, module.libm);
+      const bad = SHAPES[wall.shape].blocked(wall, x);
       if (bad) {
         found.push(`balls[${i}].position: expected a place on the free side of ${wallName(wall, k)}, got ${vectorText(x, 6)}; move the ball`);
       }

@@ -75,5 +75,29 @@ export function length2(x, y) {
   return root + (sum - square - error + lost) / (2 * root);
 }
 
-/** As math.radians. @param {number} degrees */
-export const radians = (degrees) => degrees * (Math.PI / 180);
+const [DEGREE, DEGREE_REST] = [0.017453292519943295, 2.9486522708701687e-19];
+const [S1, S2, S3] = [-1.66666666666666324348e-1, 8.33333333332248946124e-3, -1.98412698298579493134e-4];
+const [S4, S5, S6] = [2.75573137070700676789e-6, -2.50507602534068634195e-8, 1.58969099521155010221e-10];
+const [C1, C2, C3] = [4.16666666666666019037e-2, -1.38888888888741095749e-3, 2.48015872894767294178e-5];
+const [C4, C5, C6] = [-2.75573143513906633035e-7, 2.0875723212981748279e-9, -1.13596475577881948265e-11];
+
+/** Cosine and sine of an angle in degrees (carom.core.geometry.angles.direction). @param {number} degrees @returns {[number, number]} */
+export function direction(degrees) {
+  const turn = degrees % 360;
+  const quarters = Math.floor(turn / 90 + 0.5);
+  const rest = turn - 90 * quarters;
+  const [x, lost] = twoProd(rest, DEGREE);
+  const y = lost + rest * DEGREE_REST;
+  const z = x * x;
+  let w = z * z;
+  const v = z * x;
+  let r = S2 + z * (S3 + z * S4) + z * w * (S5 + z * S6);
+  const s = x - (z * (0.5 * y - v * r) - y - v * S1);
+  r = z * (C1 + z * (C2 + z * C3)) + w * w * (C4 + z * (C5 + z * C6));
+  const half = 0.5 * z;
+  w = 1 - half;
+  const c = w + (1 - w - half + (z * r - x * y));
+  /** @type {[number, number][]} */
+  const found = [[c, s], [0 - s, c], [0 - c, 0 - s], [s, 0 - c]];
+  return found[((quarters % 4) + 4) % 4];
+}

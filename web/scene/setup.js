@@ -2,7 +2,6 @@
 
 /** @import { Ball, Restitution, Scene, Vec, Wall } from "../state/types.js" */
 /** @import { Law, Layout } from "../engine/types.js" */
-/** @import { Libm } from "./builders.js" */
 import { extended } from "./numbers.js";
 import { SHAPES } from "./shapes.js";
 
@@ -67,8 +66,8 @@ export function surfaceOf(wall, law, layout) {
   return contact;
 }
 
-/** A scene as records; `address` is that of rims. @param {Scene} scene @param {Layout} layout @param {Libm} libm @param {number} address @returns {Setup} */
-export function setUp(scene, layout, libm, address) {
+/** A scene as records; `address` is that of rims. @param {Scene} scene @param {Layout} layout @param {number} address @returns {Setup} */
+export function setUp(scene, layout, address) {
   const floor = scene.floor;
   /** @type {Row} */
   const world = {
@@ -86,7 +85,7 @@ export function setUp(scene, layout, libm, address) {
     const number = law.response + (law.response === layout.responses.called ? called.indexOf(law) : 0);
     const shape = SHAPES[wall.shape];
     const surface = { wall: i, form, e: p, mu, beta, law: number, ends: shape.encloses?.(wall) ?? false };
-    return shape.features(wall, libm).map((one) => ({ ...one, ...surface, at: one.kind === layout.features.rim ? address : 0 }));
+    return shape.features(wall).map((one) => ({ ...one, ...surface, at: one.kind === layout.features.rim ? address : 0 }));
   });
   const balls = scene.balls.map((ball) => ({
     radius: ball.radius, mass: ball.mass, kappa: kappaOf(ball), x: centerOf(scene, ball), v: ball.velocity, w: spinOf(ball),

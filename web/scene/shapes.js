@@ -2,15 +2,15 @@
 // carom.scene.planes, segments and rounds have them, with the same bits.
 
 /** @import { Vec, Wall } from "../state/types.js" */
-/** @import { Feature, Flat, Libm } from "./builders.js" */
+/** @import { Feature, Flat } from "./builders.js" */
 import { KIND, corner, disc, feature, levels, line, plane, post, rim, upright } from "./builders.js";
-import { extended, length2, radians } from "./numbers.js";
+import { direction, extended, length2 } from "./numbers.js";
 import { UP, across, cross, dot, frame, minus, unit } from "./vectors.js";
 
 /**
  * @typedef {object} Shape
- * @property {(wall: Wall, libm: Libm) => Feature[]} features
- * @property {(wall: Wall, x: Vec, libm: Libm) => boolean} blocked whether no ball's centre can be at x
+ * @property {(wall: Wall) => Feature[]} features
+ * @property {(wall: Wall, x: Vec) => boolean} blocked whether no ball's centre can be at x
  * @property {(wall: Wall, z: number) => boolean} vertical whether it is vertical where a ball with its centre at height z meets it
  * @property {(wall: Wall) => boolean} [encloses] whether the run of a ball that clears it ends
  * @property {(wall: Wall) => number} [room] upper bound of the radius of a ball inside, m
@@ -24,10 +24,10 @@ function beyond(wall, d) {
   return [p[0] + width * d[0], p[1] + width * d[1], p[2] + width * d[2]];
 }
 
-/** @param {Wall} wall @param {number} degrees @param {Libm} libm @returns {Vec} */
-function wedgeSide(wall, degrees, libm) {
+/** @param {Wall} wall @param {number} degrees @returns {Vec} */
+function wedgeSide(wall, degrees) {
   const [u, v] = frame(unit(wall.axis));
-  const [c, s] = [libm.cos(radians(degrees)), libm.sin(radians(degrees))];
+  const [c, s] = direction(degrees);
   return [c * u[0] + s * v[0], c * u[1] + s * v[1], c * u[2] + s * v[2]];
 }
 
@@ -131,13 +131,12 @@ function cylinderBlocked(wall, x) {
 /** @param {Wall} wall */
 const fullCircle = (wall) => wall.to_angle - wall.from_angle >= 360;
 
-/** @param {Wall} wall @param {Libm} libm */
-function arcFeatures(wall, libm) {
+/** @param {Wall} wall */
+function arcFeatures(wall) {
   const [low, high, span] = [extended(wall.low), extended(wall.height), wall.to_angle - wall.from_angle];
-  const middle = radians(wall.from_angle + span / 2);
   /** @type {Vec} */
-  const u = [libm.cos(middle), libm.sin(middle), 0];
-  const cosine = fullCircle(wall) ? -1 : libm.cos(radians(span / 2));
+  const u = [...direction(wall.from_angle + span / 2), 0];
+  const cosine = fullCircle(wall) ? -1 : direction(span / 2)[0];
   const [x, y] = wall.center;
   const R = wall.radius;
   /** @param {number} kind @param {number} which @param {number} lo2 @param {number} hi2 */
@@ -146,9 +145,9 @@ function arcFeatures(wall, libm) {
   for (const z of levels(low, high)) found.push(rim([x, y, z], UP, R, u, cosine));
   if (!fullCircle(wall)) {
     for (const degrees of [wall.from_angle, wall.to_angle]) {
-      const angle = radians(degrees);
+      const [c, s] = direction(degrees);
       /** @type {Flat} */
-      const end = [x + R * libm.cos(angle), y + R * libm.sin(angle)];
+      const end = [x + R * c, y + R * s];
       if (low < high) found.push(post(end, low, high));
       for (const z of levels(low, high)) found.push(corner([...end, z]));
     }
@@ -159,12 +158,9 @@ function arcFeatures(wall, libm) {
   return found;
 }
 
-/** @param {Wall} wall @param {Libm} libm @returns {Flat} */
-const stadiumAlong = (wall, libm) => [libm.cos(radians(wall.angle)), libm.sin(radians(wall.angle))];
-
-/** @param {Wall} wall @param {Libm} libm */
-function stadiumFeatures(wall, libm) {
-  const [t, half, R] = [stadiumAlong(wall, libm), wall.length / 2, wall.radius];
+/** @param {Wall} wall */
+function stadiumFeatures(wall) {
+  const [t, half, R] = [direction(wall.angle), wall.length / 2, wall.radius];
   const n = [-t[1], t[0]];
   /** @param {number} along @param {number} off @returns {Vec} */
   const at = (along, off) => [wall.center[0] + along * t[0] + off * n[0], wall.center[1] + along * t[1] + off * n[1], 0];
@@ -202,9 +198,9 @@ export const SHAPES = {
     vertical: (wall) => level(wall.normal),
   },
   wedge: {
-    features: (wall, libm) => {
+    features: (wall) => {
       const axis = unit(wall.axis);
-      const [first, last] = [wedgeSide(wall, wall.from_angle, libm), wedgeSide(wall, wall.to_angle, libm)];
+      const [first, last] = [wedgeSide(wall, wall.from_angle), wedgeSide(wall, wall.to_angle)];
       if (wall.to_angle - wall.from_angle <= 180) return [plane(wall.apex, cross(axis, first)), plane(wall.apex, cross(last, axis))];
       return [
         feature(KIND.face, wall.apex, { d: cross(axis, first), u: first, lo1: 0 }),
@@ -268,8 +264,8 @@ export const SHAPES = {
   arc: { features: arcFeatures, blocked: () => false, vertical: stands, encloses: fullCircle },
   stadium: {
     features: stadiumFeatures,
-    blocked: (wall, x, libm) => {
-      const [[tx, ty], dx, dy] = [stadiumAlong(wall, libm), x[0] - wall.center[0], x[1] - wall.center[1]];
+    blocked: (wall, x) => {
+      const [[tx, ty], dx, dy] = [direction(wall.angle), x[0] - wall.center[0], x[1] - wall.center[1]];
       const [along, off] = [dx * tx + dy * ty, dy * tx - dx * ty];
       return length2(Math.max(Math.abs(along) - wall.length / 2, 0), off) > wall.radius;
     },

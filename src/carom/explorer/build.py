@@ -12,7 +12,7 @@ import zlib
 
 from carom.core.jit.kernel import kernel
 from carom.errors import CaromError
-from carom.explorer.entries import LIBM, entries
+from carom.explorer.entries import entries
 from carom.explorer.module import ASSETS, description
 from carom.files import write_text
 from carom.laws.callbacks import register_calls
@@ -38,7 +38,7 @@ def build() -> tuple[bytes, str]:
     ]  # fmt: skip
     described = description()
     try:
-        module = build_module(exports, LIBM, described["version"])
+        module = build_module(exports, described["version"])
         described["built_with"] = tool_versions()
     except WebAssemblyError as error:
         raise CaromError(str(error)) from None

@@ -24,10 +24,7 @@ from carom.simulation.predict import begin
 from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.states import state_rows, turn_rows
 
-__all__ = ["LIBM", "ModuleFunction", "entries"]
-
-# Functions of the module's libm that the page calls itself.
-LIBM = ("sin", "cos", "acos", "atan2")
+__all__ = ["ModuleFunction", "entries"]
 
 
 class ModuleFunction(NamedTuple):

@@ -19,7 +19,7 @@ from carom.core.geometry.features import FACE, FEATURES, LINE, OVER, POINT, RIM
 from carom.core.jit.kernel_hash import kernel_hash
 from carom.core.motion.phases import PHASES
 from carom.core.motion.restitution import FORMS
-from carom.explorer.entries import LIBM, entries
+from carom.explorer.entries import entries
 from carom.explorer.fields import scene_fields
 from carom.laws.landing import WHY
 from carom.laws.law import CALLED_WALL, CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL, ROLLING_WALL, TWO_STEP_WALL
@@ -66,7 +66,6 @@ def _described() -> dict[str, Any]:
             name: _record(dtype) for name, dtype in (("world", WORLD), ("features", FEATURES), ("balls", BALLS), ("log", LOG))
         },
         "functions": [entry.name for entry in entries()],
-        "libm": list(LIBM),
         "features": {"face": FACE, "over": OVER, "line": LINE, "point": POINT, "rim": RIM},
         "kinds": list(KINDS),
         "phases": list(PHASES),

@@ -9,6 +9,7 @@ from typing import Literal
 import numpy as np
 from pydantic import model_validator
 
+from carom.core.geometry.angles import direction
 from carom.core.geometry.features import FACE
 from carom.core.jit.kernel import cross, dot
 from carom.formatting import format_length
@@ -186,7 +187,7 @@ class Wedge(WallShape):
 
     def _along(self, degrees: float) -> Vector:
         u, v = frame(unit(self.axis))
-        c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+        c, s = direction(degrees)
         return (c * u[0] + s * v[0], c * u[1] + s * v[1], c * u[2] + s * v[2])
 
     def features(self) -> list[Feature]:

@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 from pydantic import model_validator
 
+from carom.core.geometry.angles import direction
 from carom.core.geometry.features import FACE, LINE, OVER, POINT
 from carom.core.jit.kernel import dot
 from carom.formatting import format_length
@@ -229,14 +230,13 @@ class Arc(Standing):
         return self.to_angle - self.from_angle
 
     def _at(self, degrees: float) -> Flat:
-        angle = math.radians(degrees)
-        return (self.center[0] + self.radius * math.cos(angle), self.center[1] + self.radius * math.sin(angle))
+        c, s = direction(degrees)
+        return (self.center[0] + self.radius * c, self.center[1] + self.radius * s)
 
     def features(self) -> list[Feature]:
         """Return its concave and convex sides, rims, ends, corners, and gates."""
-        middle = math.radians(self.from_angle + self.span / 2)
-        u = (math.cos(middle), math.sin(middle), 0.0)
-        cosine = -1.0 if self.encloses else math.cos(math.radians(self.span / 2))
+        u = (*direction(self.from_angle + self.span / 2), 0.0)
+        cosine = -1.0 if self.encloses else direction(self.span / 2)[0]
         at, low, high = (*self.center, 0.0), self.low, self.height
         levels = [z for z in sorted({low, high}) if math.isfinite(z)]
 
@@ -297,7 +297,7 @@ class Stadium(WallShape):
         return self.radius
 
     def _frame(self) -> tuple[Flat, Flat]:
-        c, s = math.cos(math.radians(self.angle)), math.sin(math.radians(self.angle))
+        c, s = direction(self.angle)
         return (c, s), (-s, c)
 
     def _point(self, along: float, off: float) -> Flat:

@@ -60,8 +60,8 @@ def plain_signature(numbers: int) -> Any:
     return types.void(*[types.float64] * numbers, types.CPointer(types.float64))
 
 
-def build_module(exports: Sequence[Export], libm: Sequence[str] = (), version: str = "") -> bytes:
-    """Return the WebAssembly module with the exports, and with functions of libm exported beside them.
+def build_module(exports: Sequence[Export], version: str = "") -> bytes:
+    """Return the WebAssembly module with the exports.
 
     ``version`` is kept in it, as its custom section "carom".
 
@@ -69,11 +69,9 @@ def build_module(exports: Sequence[Export], libm: Sequence[str] = (), version: s
     """
     register_kernels()
     text = [_module_text(export) for export in exports]
-    needed = set(libm)
     with tempfile.TemporaryDirectory() as folder:
         work = Path(folder)
-        made, undefined = _object(exports, text)
-        needed |= undefined
+        made, needed = _object(exports, text)
         if unknown := needed - set(LIBM):
             raise WebAssemblyError(
                 f"make wasm: expected functions of {', '.join(LIBM)}, got {', '.join(sorted(unknown))};"
@@ -81,7 +79,7 @@ def build_module(exports: Sequence[Export], libm: Sequence[str] = (), version: s
             )
         (work / "engine.o").write_bytes(made)
         addresses = [f"address_of_{one.name}" for one in exports if one.by_address]
-        names = [*(one.name for one in exports), *addresses, *libm]
+        names = [*(one.name for one in exports), *addresses]
         return _link(work, sorted(needed), names) + _custom_section("carom", version.encode())
 
 
