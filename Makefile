@@ -1,5 +1,5 @@
 # Thin wrappers; `make check` is what CI does.
-.PHONY: test doctest lint docs wasm page benchmarks campaigns check
+.PHONY: test doctest lint docs wasm page benchmarks campaigns mutants check
 test:
 	pytest
 doctest:
@@ -20,5 +20,9 @@ benchmarks:
 # what takes minutes to hours to count; results go to docs/campaigns.md
 campaigns:
 	python campaigns
+# changes of one place that the tests should notice: make mutants N=8
+N = 25
+mutants:
+	python campaigns/mutants.py $(N) --rows build/mutants.jsonl
 check:
 	bash .ci/run

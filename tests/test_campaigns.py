@@ -7,7 +7,9 @@ import re
 from pathlib import Path
 
 import pytest
-from campaign import NAMES, RESULTS, campaign, counting_errors, held, shares, write_result
+from campaign import NAMES, RESULTS, ROOT, campaign, counting_errors, held, shares, write_result
+from mutation.places import Mutant
+from mutation.runs import Copy
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -55,3 +57,18 @@ def test_shares_and_their_counting_errors() -> None:
     assert held([0.5, -1.5, 2.5, [True, True]]) == (50.0, 75.0)
     assert counting_errors(100) == pytest.approx((4.654, 2.179), abs=1e-3)
     assert "(68.3 ± 23.3, 95.0 ± 10.9; 4 of 5)" in shares([0.1, 0.2, 0.3, 1.5, None])
+
+
+def test_a_mutant_is_killed_by_a_test_that_reaches_it_and_survives_where_there_is_none(tmp_path: Path) -> None:
+    copied, part = Copy(ROOT, tmp_path), "core/test_phases.py"
+    baseline = copied.baseline([part])
+    path = "core/motion/phases.py"
+    source = (ROOT / "src" / "carom" / path).read_text(encoding="utf-8")
+
+    def fate(function: str, before: str, after: str) -> str:
+        assert before in source
+        return copied.try_mutant(Mutant(path, 1, function, before, after, source.replace(before, after)), baseline)
+
+    assert fate("pace", "phase > PIVOTING or not", "phase > PIVOTING and not") == "plain"
+    assert fate("pace", "phase > PIVOTING or not", "PIVOTING < phase or not") == "survived"
+    assert fate("advance", "h = s * s / 2", "h = s * s / 3") == "survived"  # which none of these tests calls
