@@ -19,9 +19,11 @@ from mutation.places import Mutant
 
 __all__ = ["Copy", "NotGreenError"]
 
-PLAIN_LIMIT = 2.0  # s: a test that takes longer with kernels as plain Python is run compiled
-STARTING, COMPILING = 30.0, 180.0  # s, added to the time that tests may take
+PLAIN_LIMIT = 2.0  # s of the processor: a test that takes longer with kernels as plain Python is run compiled
 SLOWER = 10.0  # times what a test takes without a mutant, after which it counts as failed
+COMPILED_LIMIT = 600.0  # s
+STARTING, COMPILING = 4.0, 120.0  # s, added to that, as the test may be the first that compiles
+LONGEST = 600.0  # s: what all tests of a mutant may take, and three times as long as they do without one
 Tests = dict[str, dict[str, Any]]
 
 
@@ -46,42 +48,40 @@ class Copy:
         return self.tree / "src" / "carom"
 
     def baseline(self, parts: Sequence[str]) -> tuple[Tests, Tests]:
-        """Run some of the tests without a mutant, as plain Python and compiled; raise NotGreenError where one fails compiled.
+        """Run some of the tests without a mutant: what passes quickly as plain Python, and the others compiled.
 
-        What it finds is kept, for as long as neither the package nor these tests change.
+        NotGreenError where one fails. What is found is kept, for as long as neither the package nor these tests change.
         """
         plain, compiled = dict[str, Any](), dict[str, Any]()
         for part in parts:
             kept = self.work / f"baseline-{part.replace('/', '-')}-{self._hash(part)}.json"
             if not kept.exists():
-                found = self._record(part, plain=False)
-                if bad := [name for name, row in found.items() if not row["passed"]] or not found:
+                first = self._record(part, plain=True)
+                # (not those that start another process, which would compile)
+                alone = {name: row for name, row in first.items() if row["passed"] and "*" not in row["reached"]}
+                again = self._record(part, plain=True, tests=limits(alone), reach=False)  # in another order
+                alone = {name: row for name, row in alone.items() if again[name]["passed"]}
+                found = self._record(
+                    part, plain=False, tests=dict.fromkeys(first.keys() - alone.keys(), COMPILED_LIMIT)
+                )
+                if bad := [name for name, row in found.items() if not row["passed"]] or not first:
                     raise NotGreenError(f"{part}: tests fail without a mutant: {bad}")
-                kept.write_text(json.dumps([self._as_python(part), found]))
+                kept.write_text(json.dumps([alone, found]))
             for rows, new in zip((plain, compiled), json.loads(kept.read_text()), strict=True):
                 rows.update(new)
         return plain, compiled
-
-    def _as_python(self, part: str) -> Tests:
-        """Return the tests that pass as plain Python in another order too, and start no other process, which would compile."""
-        first = self._record(part, plain=True)
-        alone = {name: row for name, row in first.items() if row["passed"] and "*" not in row["reached"]}
-        again = self._record(part, plain=True, tests=limits(alone))
-        return {name: row for name, row in alone.items() if again[name]["passed"]}
 
     def try_mutant(self, mutant: Mutant, baseline: tuple[Tests, Tests]) -> str:
         """Return who killed a mutant, "plain" or "compiled", or "slow" where it took too long, or "survived"."""
         plain, compiled = baseline
         first = reaching(mutant, plain)
         others = {name: row for name, row in compiled.items() if name not in plain}
-        second = reaching(mutant, others)
-        rest = {name: seconds for name, seconds in limits(others).items() if name not in second}
-        rest = self._nearest_first(mutant, rest)
+        second, every = reaching(mutant, others), self._nearest_first(mutant, limits(others))
         module = self.package / mutant.path
         before, times = module.read_bytes(), module.stat()
         try:
             module.write_text(mutant.source, encoding="utf-8")
-            for kind, tests, more in (("plain", first, None), ("compiled", second, rest)):
+            for kind, tests, more in (("plain", first, None), ("compiled", second, every)):
                 if tests or more:
                     fate = self._killed(kind == "plain", tests, more)
                     if fate:
@@ -119,22 +119,24 @@ class Copy:
     def _killed(self, plain: bool, tests: dict[str, float], more: dict[str, float] | None) -> str:
         cache = self.work / "cache"
         shutil.rmtree(cache, ignore_errors=True)
-        task = {"plain": plain, "warm": str(self.work / "warm"), "tests": tests, "if_compiled": more}
         every = tests | (more or {})
         files = list(dict.fromkeys(name.split("::")[0] for name in every))
-        allowed = STARTING + (0 if plain else COMPILING) + sum(every.values()) / SLOWER * 3
+        if not plain:
+            tests, more = later(tests), later(more or {})
+        allowed = LONGEST + 3 * sum(every.values()) / SLOWER
+        task = {"plain": plain, "warm": str(self.work / "warm"), "tests": tests, "if_compiled": more}
         rc = self._pytest(task, files, cache, allowed, ["-x"], {"PYTHONDONTWRITEBYTECODE": "1"})
         if rc in (3, 4):
             raise NotGreenError(f"tests could not be run: {(self.work / 'last.log').read_text()[-2000:]}")
         # (5: none of these tests had to be run)
         return "slow" if rc is None else "" if rc in (0, 5) else "killed"
 
-    def _record(self, part: str, plain: bool, tests: dict[str, float] | None = None) -> Tests:
+    def _record(self, part: str, plain: bool, tests: dict[str, float] | None = None, reach: bool = True) -> Tests:
         record = self.work / "record.json"
         record.unlink(missing_ok=True)
         warm = self.work / "warm"
-        limit = PLAIN_LIMIT if plain else 600.0
-        task = {"plain": plain, "record": str(record), "limit": limit, "keep": str(warm), "tests": tests}
+        task = {"plain": plain, "record": str(record), "limit": PLAIN_LIMIT, "keep": str(warm), "tests": tests}
+        task["reach"] = reach
         self._pytest(task, [f"tests/{part}"], self.work / "own-cache", None, [], {})
         rows: Tests = json.loads(record.read_text())
         return rows
@@ -188,4 +190,9 @@ def reaching(mutant: Mutant, tests: Tests) -> dict[str, float]:
 def limits(tests: Tests) -> dict[str, float]:
     """Return how long tests may take, the shortest first."""
     times = sorted((row["seconds"], name) for name, row in tests.items())
-    return {name: 2.0 + SLOWER * seconds for seconds, name in times}
+    return {name: STARTING + SLOWER * seconds for seconds, name in times}
+
+
+def later(tests: dict[str, float]) -> dict[str, float]:
+    """Return longer times, in which loops can be compiled."""
+    return {name: seconds + COMPILING for name, seconds in tests.items()}

@@ -38,6 +38,8 @@ class Task(NamedTuple):
     """Kernels as plain Python."""
     record: str = ""
     """File for what each test did: outcome, time, functions that it reached."""
+    reach: bool = True
+    """Whether to note these functions, which takes time."""
     warm: str = ""
     """Folder with the compiled loops of the code without the mutant."""
     keep: str = ""
@@ -45,7 +47,7 @@ class Task(NamedTuple):
     tests: dict[str, float] | None = None
     """Tests to run, each within so many seconds, in this order; None: all."""
     if_compiled: dict[str, float] | None = None
-    """Further tests, to be run where the mutant changes what is compiled."""
+    """Tests to run instead, in this order, where the mutant changes what is compiled."""
     limit: float = 600.0
     """Seconds for a test that ``tests`` has no time for."""
 
@@ -81,7 +83,7 @@ def pytest_configure(config: pytest.Config) -> None:
             raise
         # (the mutant cannot even be imported)
         pytest.exit(f"{type(error).__name__}: {error}", returncode=NOT_IMPORTED)
-    if TASK.record:
+    if TASK.record and TASK.reach:
         from carom.core.jit.progress import watch_compiling
 
         stack.enter_context(watch_compiling(while_compiling))
@@ -93,7 +95,7 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
     """Keep the tests that are wanted, in the order wanted."""
     if TASK.tests is None:
         return
-    wanted = TASK.tests | ((TASK.if_compiled or {}) if touched else {})
+    wanted = TASK.if_compiled if touched and TASK.if_compiled is not None else TASK.tests
     order = {name: number for number, name in enumerate(wanted)}
     config.hook.pytest_deselected(items=[item for item in items if item.nodeid not in order])
     items[:] = sorted((item for item in items if item.nodeid in order), key=lambda item: order[item.nodeid])
@@ -106,15 +108,16 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
         forget()
     reached.clear()
     allowed = {**(TASK.tests or {}), **(TASK.if_compiled or {})}.get(item.nodeid, TASK.limit)
-    signal.signal(signal.SIGALRM, too_late)
-    signal.setitimer(signal.ITIMER_REAL, allowed)
-    begin = time.perf_counter()
+    # (of the processor: other programs may run beside this one)
+    signal.signal(signal.SIGPROF, too_late)
+    signal.setitimer(signal.ITIMER_PROF, allowed)
+    begin = time.process_time()
     row = rows[item.nodeid] = {"passed": True}
     try:
         return (yield)
     finally:
-        signal.setitimer(signal.ITIMER_REAL, 0)
-        row |= {"seconds": time.perf_counter() - begin, "reached": sorted(reached)}
+        signal.setitimer(signal.ITIMER_PROF, 0)
+        row |= {"seconds": time.process_time() - begin, "reached": sorted(reached)}
 
 
 def pytest_runtest_logreport(report: pytest.TestReport) -> None:
@@ -168,12 +171,26 @@ def run_as_python() -> None:
     """Have loops and kernels run as plain Python, all warnings of NumPy's numbers off, as in compiled code."""
     from carom.core.jit import compile as compiling
     from carom.core.jit import pointers
+    from carom.core.jit.objects import as_objects, write_back
 
     def njit(function: Callable[..., Any], signature: Any = None, **_options: Any) -> Callable[..., Any]:
         @functools.wraps(function)
         def loop(*arguments: Any) -> Any:
-            with np.errstate(all="ignore"):
-                return function(*arguments)
+            as_python: list[Any] = []
+            written: list[Any] = []
+            for one in arguments:
+                if isinstance(one, np.ndarray) and one.dtype.names:
+                    flat = one.ndim == 1
+                    as_python.append(as_objects(one) if flat else one.view(np.recarray))
+                    written += [(as_python[-1], one)] if flat else []
+                else:
+                    as_python.append(one)
+            try:
+                with np.errstate(all="ignore"):
+                    return function(*as_python)
+            finally:
+                for objects, records in written:
+                    write_back(objects, records)
 
         return loop
 
