@@ -51,7 +51,10 @@ def main(words: Sequence[str] | None = None) -> None:
         if run.small:
             only_drawn(run, rooms)
         else:
-            try_all(run, rooms)
+            try:
+                try_all(run, rooms)
+            except NotGreenError as error:
+                sys.exit(f"carom: mutants: {error}")
             for room in rooms:
                 report(run, room)
 
@@ -80,14 +83,11 @@ def try_all(run: Campaign, rooms: Sequence[str]) -> None:
         row = run.rows.known.get((room, number))
         return row is None or (run.given.again and row["fate"] == "survived")
 
-    try:
-        for number in range(run.count):
-            for room in rooms:
-                if to_do(room, number):
-                    run.rows.known.pop((room, number), None)
-                    run.rows.fill(room, [number], lambda seed, room=room: one(room, seed))
-    except NotGreenError as error:
-        sys.exit(str(error))
+    for number in range(run.count):
+        for room in rooms:
+            if to_do(room, number):
+                run.rows.known.pop((room, number), None)
+                run.rows.fill(room, [number], lambda seed, room=room: one(room, seed))
 
 
 def report(run: Campaign, room: str) -> None:

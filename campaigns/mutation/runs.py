@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import contextlib
+import fcntl
 import functools
 import hashlib
 import json
@@ -36,6 +37,14 @@ class Copy:
 
     def __init__(self, root: Path, work: Path) -> None:
         self.work, self.tree = work, work / "tree"
+        work.mkdir(parents=True, exist_ok=True)
+        self._lock = (work / "lock").open("w")  # which ends with this process
+        try:
+            fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            raise NotGreenError(
+                f"{work}: expected a folder of its own for this run, got one in use by another"
+            ) from None
         shutil.rmtree(self.tree, ignore_errors=True)
         for name in ("src", "tests", "docs", "campaigns"):
             shutil.copytree(root / name, self.tree / name, ignore=shutil.ignore_patterns("_build", "_generated"))
