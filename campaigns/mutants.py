@@ -16,6 +16,7 @@ from __future__ import annotations
 import ast
 import sys
 from collections.abc import Sequence
+from contextlib import closing
 from pathlib import Path
 
 from campaign import ROOT, Campaign, Row, campaign
@@ -52,7 +53,8 @@ def main(words: Sequence[str] | None = None) -> None:
             only_drawn(run, rooms)
         else:
             try:
-                try_all(run, rooms)
+                with closing(Copy(ROOT, run.given.work)) as copied:
+                    try_all(run, rooms, copied)
             except NotGreenError as error:
                 sys.exit(f"carom: mutants: {error}")
             for room in rooms:
@@ -68,9 +70,8 @@ def only_drawn(run: Campaign, rooms: Sequence[str]) -> None:
             run.say(f"{room}: {mutant.about}")
 
 
-def try_all(run: Campaign, rooms: Sequence[str]) -> None:
+def try_all(run: Campaign, rooms: Sequence[str], copied: Copy) -> None:
     """Try mutants that are not known yet, one of each room in turn."""
-    copied = Copy(ROOT, run.given.work)
 
     def one(room: str, number: int) -> Row:
         mutant, tests = draw(copied.package, room, number), copied.baseline(ROOMS[room])

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import importlib
 import re
+from contextlib import closing
 from pathlib import Path
 
 import pytest
 from campaign import NAMES, RESULTS, ROOT, campaign, counting_errors, held, shares, write_result
 from mutation.places import Mutant
-from mutation.runs import Copy
+from mutation.runs import Copy, NotGreenError
 
 
 @pytest.mark.parametrize("name", NAMES)
@@ -60,15 +61,17 @@ def test_shares_and_their_counting_errors() -> None:
 
 
 def test_a_mutant_is_killed_by_a_test_that_reaches_it_and_survives_where_there_is_none(tmp_path: Path) -> None:
-    copied, part = Copy(ROOT, tmp_path), "core/test_phases.py"
-    baseline = copied.baseline([part])
-    path = "core/motion/phases.py"
+    part, path = "core/test_phases.py", "core/motion/phases.py"
     source = (ROOT / "src" / "carom" / path).read_text(encoding="utf-8")
+    with closing(Copy(ROOT, tmp_path)) as copied:
+        with pytest.raises(NotGreenError, match="in use by another"):
+            Copy(ROOT, tmp_path)
+        baseline = copied.baseline([part])
 
-    def fate(function: str, before: str, after: str) -> str:
-        assert before in source
-        return copied.try_mutant(Mutant(path, 1, function, before, after, source.replace(before, after)), baseline)
+        def fate(function: str, before: str, after: str) -> str:
+            assert before in source
+            return copied.try_mutant(Mutant(path, 1, function, before, after, source.replace(before, after)), baseline)
 
-    assert fate("pace", "phase > PIVOTING or not", "phase > PIVOTING and not") == "plain"
-    assert fate("pace", "phase > PIVOTING or not", "PIVOTING < phase or not") == "survived"
-    assert fate("advance", "h = s * s / 2", "h = s * s / 3") == "survived"  # which none of these tests calls
+        assert fate("pace", "phase > PIVOTING or not", "phase > PIVOTING and not") == "plain"
+        assert fate("pace", "phase > PIVOTING or not", "PIVOTING < phase or not") == "survived"
+        assert fate("advance", "h = s * s / 2", "h = s * s / 3") == "survived"  # which none of these tests calls

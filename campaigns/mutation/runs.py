@@ -38,10 +38,11 @@ class Copy:
     def __init__(self, root: Path, work: Path) -> None:
         self.work, self.tree = work, work / "tree"
         work.mkdir(parents=True, exist_ok=True)
-        self._lock = (work / "lock").open("w")  # which ends with this process
+        self._lock = (work / "lock").open("w")
         try:
             fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
+            self.close()
             raise NotGreenError(
                 f"{work}: expected a folder of its own for this run, got one in use by another"
             ) from None
@@ -50,6 +51,10 @@ class Copy:
             shutil.copytree(root / name, self.tree / name, ignore=shutil.ignore_patterns("_build", "_generated"))
         for name in ("pyproject.toml", "README.md"):
             shutil.copy2(root / name, self.tree)
+
+    def close(self) -> None:
+        """Let another run have the folder."""
+        self._lock.close()
 
     @property
     def package(self) -> Path:
