@@ -101,9 +101,24 @@ def test_pieces_of_motion_are_the_exact_motion(evaluate: Any) -> None:
                 np.testing.assert_allclose(place, state.position[i], atol=2e-6 * scene.balls[i].radius if low else 1e-9)
                 if not low:
                     spin = np.array(one["w"]) + np.array(one["turn"]) * s
-                    np.testing.assert_allclose(spin[:2], state.spin[i][:2], atol=1e-7)
+                    np.testing.assert_allclose(spin, state.spin[i], atol=1e-7)
                 looked += 1
     assert looked > 500
+
+
+def test_a_spin_that_fades_stays_at_zero(evaluate: Any) -> None:
+    fields = scene_fields()
+    fields["floor"]["spin_friction"] = 0.05
+    fields["balls"][0]["spin_z"] = 50.0
+    fields["balls"][0]["velocity"] = [0.0, 0.2]
+    scene = carom.Scene(**fields)
+    pieces = evaluate("(scene) => engine.run(scene)", scene_dict(scene))["balls"][0]["pieces"]
+    one, two = pieces[:2]
+    assert one["phase"] == two["phase"] == "rolling"
+    assert one["w"][2] + one["turn"][2] * one["lasts"] == pytest.approx(0, abs=1e-12)
+    assert (two["w"][2], two["turn"][2]) == (0, 0)
+    state = carom.simulate(scene).at(two["t"])
+    np.testing.assert_allclose(two["x"], state.position[0], atol=1e-14)
 
 
 def test_a_law_is_put_at_all_walls(evaluate: Any) -> None:

@@ -164,9 +164,25 @@ function pieces(module, world, ball, rows, end) {
     const piece = { t: row.t, lasts, x: row.x, v: row.v, w: row.w, acc: acc(one), turn: turn(one), phase: row.phase };
     if (gone(row.phase)) Object.assign(piece, { v: [0, 0, 0], acc: [0, 0, 0], turn: [0, 0, 0] });
     if (row.phase === "bouncing") Object.assign(piece, along(module, world, one, lasts, row.x));
-    found.push(piece);
+    found.push(...untilSpinEnds(piece));
   });
   return found;
+}
+
+/** The spin about the vertical fades, and stays at zero: a piece in which it ends becomes two. @param {Piece} piece @returns {Piece[]} */
+function untilSpinEnds(piece) {
+  const { t, lasts, x, v, w, acc, turn } = piece;
+  const s = -w[2] / turn[2];
+  if (!(s > 0 && s < lasts)) return [piece];
+  /** @param {Vec} p @param {Vec} rate @param {Vec} [bend] @returns {Vec} */
+  const later = (p, rate, bend = [0, 0, 0]) => [
+    p[0] + rate[0] * s + (bend[0] * s * s) / 2,
+    p[1] + rate[1] * s + (bend[1] * s * s) / 2,
+    p[2] + rate[2] * s + (bend[2] * s * s) / 2,
+  ];
+  const [wx, wy] = later(w, turn);
+  const second = { ...piece, t: t + s, lasts: lasts - s, x: later(x, v, acc), v: later(v, acc) };
+  return [{ ...piece, lasts: s }, { ...second, w: [wx, wy, 0], turn: [turn[0], turn[1], 0] }];
 }
 
 /** Bounces too low to see, as the straight line from the first to the last. @param {Module} module @param {number} world @param {number} ball @param {number} lasts @param {Vec} x */

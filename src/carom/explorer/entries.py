@@ -19,10 +19,10 @@ from carom.laws.callbacks import law_entry
 from carom.laws.landing import second_impact
 from carom.laws.registry import laws
 from carom.laws.two_step import first_impact
-from carom.simulation.loop import finish, run
+from carom.simulation.loop import run
 from carom.simulation.predict import begin
 from carom.simulation.records import BALLS, LOG, WORLD
-from carom.simulation.states import state_rows, turn_rows
+from carom.simulation.states import state_rows
 
 __all__ = ["ModuleFunction", "entries"]
 
@@ -44,10 +44,8 @@ def entries() -> list[ModuleFunction]:
     counts = (int, int, int, int, float, float)
     return [
         ModuleFunction("run", run_events, counts, (world, features, balls, log, float, float, int, array_of(int), int)),
-        ModuleFunction("finish", finish_run, None, (world, balls, float)),
         ModuleFunction("begin", begin_rows, None, (world, balls)),
         ModuleFunction("states", state_rows, None, (world, balls, floats)),
-        ModuleFunction("turns", turn_rows, None, (world, balls, floats, array_of(float, 2))),
         ModuleFunction("gaps", gap_rows, None, (features, balls, array_of(float, 2))),
         ModuleFunction("meet", meet_row, None, (features, balls, floats)),
         ModuleFunction("restitution", restitution_row, None, (floats, floats)),
@@ -64,11 +62,6 @@ def run_events(
 ) -> Any:
     """Run events: :func:`carom.simulation.loop.run`."""
     return run(worlds[0], features, balls, log, slow, until, most, users, keep)
-
-
-def finish_run(worlds: Any, balls: Any, t: float) -> None:
-    """Advance every ball to the time t: :func:`carom.simulation.loop.finish`."""
-    finish(worlds[0], balls, t)
 
 
 def begin_rows(worlds: Any, balls: Any) -> None:

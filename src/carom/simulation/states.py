@@ -19,7 +19,7 @@ from carom.core.motion.rotation import turned, turned_bouncing
 from carom.simulation.loop import move_by
 from carom.simulation.predict import begin, pace_of
 
-__all__ = ["orientations", "state_rows", "states", "turn_rows"]
+__all__ = ["orientations", "state_rows", "states"]
 
 Array = NDArray[np.float64]
 # Below so many rows Python is quicker than loading the compiled loop; and than compiling it.
@@ -33,7 +33,7 @@ def state_rows(worlds: Any, balls: Any, after: Any) -> None:
         move_by(worlds[0], balls[i], after[i], after[i])
 
 
-def turn_rows(worlds: Any, balls: Any, after: Any, q: Any) -> None:
+def _turn_rows(worlds: Any, balls: Any, after: Any, q: Any) -> None:
     """Rotate every orientation (N, 4) by the rotation of its ball in its time."""
     world = worlds[0]
     for i in range(balls.shape[0]):
@@ -96,5 +96,5 @@ def orientations(world: Any, balls: Any, log: Any, after: Array, q: Array) -> Ar
     """Return unit quaternions (N, 4) a time ``after`` (N,) each row of the log, at which the orientation was q (N, 4)."""
     rows = _rows(balls, log["ball"], log)
     q = np.array(q)
-    _run(turn_rows, world, rows, np.where(rows["phase"] >= HELD, 0.0, after), q)
+    _run(_turn_rows, world, rows, np.where(rows["phase"] >= HELD, 0.0, after), q)
     return q
