@@ -10,12 +10,11 @@ import { lawPanel } from "./panels/laws.js";
 import { menu } from "./panels/menu.js";
 import { anglePlot, timePlot } from "./panels/plots.js";
 import { transport } from "./panels/transport.js";
-import { cardsFor, curvesOf, horizon, incidenceOf, runAll, sentence, steps, verdictsOf } from "./state/compute.js";
+import { cardsFor, checked, curvesOf, horizon, incidenceOf, runAll, sentence, steps, verdictsOf } from "./state/compute.js";
 import { withBall } from "./state/edit.js";
 import { fromHash } from "./state/link.js";
 import { energyAt, sampleTimes, stateAt } from "./state/motion.js";
 import { Store } from "./state/store.js";
-import { checkedScene } from "./state/validate.js";
 import { flat } from "./view/flat.js";
 import { VIEWS, boxAround } from "./view/shot.js";
 import { stage } from "./view/stage.js";
@@ -50,6 +49,7 @@ function palette() {
 const json = (/** @type {string} */ id) => JSON.parse(byId(id).textContent ?? "null");
 
 async function start() {
+  performance.mark("script");
   document.documentElement.dataset.theme = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
   if (typeof WebAssembly !== "object") throw new Error("This browser has no WebAssembly, in which carom's engine is: any browser since 2018 has it.");
   /** @type {PageData} */
@@ -57,27 +57,30 @@ async function start() {
   const module = Uint8Array.from(atob((byId("engine-module").textContent ?? "").trim()), (c) => c.charCodeAt(0));
   const loaded = await loadEngine(module, json("engine-layout"));
   const engine = /** @type {Engine} */ (/** @type {unknown} */ (loaded));
-  Object.assign(window, { carom: { run: loaded.run.bind(loaded), version: loaded.version } });
-  show(data, engine);
+  const carom = { run: loaded.run.bind(loaded), version: loaded.version, scene: () => /** @type {Scene | null} */ (null) };
+  Object.assign(window, { carom });
+  const store = show(data, engine);
+  carom.scene = () => structuredClone(store.state.scene);
 }
 
-/** @param {PageData} data @param {Engine} engine */
+/** @param {PageData} data @param {Engine} engine @returns {Store} */
 function show(data, engine) {
   const first = data.presets[0];
   const names = data.cards.map(({ name }) => name);
   /** @type {ReturnType<typeof fromHash>} */
   let linked = null;
   try {
-    linked = fromHash(location.hash, names);
+    linked = fromHash(location.hash, engine, names);
   } catch (error) {
     say(sentence(error));
   }
-  let scene = linked?.scene ?? checkedScene(first.scene);
+  let scene = linked?.scene ?? checked(engine, first.scene);
   const laws = linked?.laws ?? names.filter((name) => first.laws.includes(name));
-  if (runAll(engine, scene, laws.length ? laws : [scene.run.law]).fault !== null && linked) {
-    say(`The scene of this link cannot be shown: ${runAll(engine, scene, laws.length ? laws : [scene.run.law]).fault}`);
+  const fault = runAll(engine, scene, laws.length ? laws : [scene.run.law]).fault;
+  if (fault !== null && linked) {
+    say(`The scene of this link cannot be shown: ${fault}`);
     linked = null;
-    scene = checkedScene(first.scene);
+    scene = checked(engine, first.scene);
   }
   const store = new Store({
     scene, laws: linked?.laws ?? names.filter((name) => first.laws.includes(name)), followed: "", ball: 0, wall: -1, t: linked?.t ?? 0, playing: false,
@@ -92,7 +95,7 @@ function show(data, engine) {
   let outcome = runAll(engine, state.scene, state.laws);
   let until = horizon(state.scene, outcome.runs.values());
   /** @type {Box} */
-  let box = boxAround(state.scene, outcome.runs.values(), until);
+  let box = boxAround(state.scene, outcome.runs, state.followed, until);
   let events = steps(state.scene, outcome.runs.get(state.followed));
   const colours = () => new Map(state.cards.map(({ name, colour }) => [name, tint(colour, document.documentElement.dataset.theme === "dark")]));
 
@@ -116,13 +119,13 @@ function show(data, engine) {
   const views = /** @type {HTMLElement} */ (host.querySelector(".views"));
   for (const { name, label } of webgl2 ? VIEWS : []) {
     views.append(el("button", { type: "button", "data-view": name, click: () => {
-      box = boxAround(state.scene, outcome.runs.values(), until);
+      box = boxAround(state.scene, outcome.runs, state.followed, until);
       draw(new Set(["scene"]));
       view.look(name);
     } }, label));
   }
 
-  const laws3 = lawPanels();
+  const lawColumn = lawPanels();
   const sliders = controls(byId("controls"), store, change, say);
   const angles = anglePlot(byId("angles"));
   const time = transport(store, () => ({ until, events }));
@@ -172,13 +175,14 @@ function show(data, engine) {
     const of = colours();
     if (parts.has("scene") || parts.has("laws")) {
       view.update({ scene: state.scene, ball: state.ball, followed: state.followed, runs: outcome.runs, colours: of, until, box }, palette());
-      const verdicts = verdictsOf(engine, state.scene);
-      if (laws3.cards.length !== state.cards.length) Object.assign(laws3, lawPanels());
-      laws3.panel.update(verdicts, of, outcome.notes);
+      byId("key").hidden = !state.scene.floor;
+      const { verdicts, none } = verdictsOf(engine, state.scene);
+      if (lawColumn.cards.length !== state.cards.length) Object.assign(lawColumn, lawPanels());
+      lawColumn.panel.update(verdicts, of, outcome.notes, none);
       sliders.update();
       drawAngles(verdicts, of);
       drawCourse(of);
-    } else if (parts.has("data")) drawAngles(verdictsOf(engine, state.scene), of);
+    } else if (parts.has("data")) drawAngles(verdictsOf(engine, state.scene).verdicts, of);
     view.draw(state.t);
     course.place(state.t);
     time.update();
@@ -229,9 +233,9 @@ function show(data, engine) {
     store.remember();
     say("");
     about(preset.about);
-    Object.assign(state, { ball: 0, wall: -1, t: 0, speed: preset.slow ?? 1, playing: false });
-    store.change({ scene: checkedScene(preset.scene), laws: names.filter((name) => preset.laws.includes(name)), followed: preset.scene.run.law }, "scene", "laws", "time");
-    box = boxAround(state.scene, outcome.runs.values(), until);
+    Object.assign(state, { ball: 0, wall: -1, t: preset.time ?? 0, speed: preset.slow ?? 1, playing: false });
+    store.change({ scene: checked(engine, preset.scene), laws: names.filter((name) => preset.laws.includes(name)), followed: preset.scene.run.law }, "scene", "laws", "time");
+    box = boxAround(state.scene, outcome.runs, state.followed, until);
     draw(new Set(["scene"]));
     view.look(preset.view ?? "free");
   };
@@ -250,13 +254,13 @@ function show(data, engine) {
   });
   addEventListener("hashchange", () => {
     try {
-      const found = fromHash(location.hash, names);
+      const found = fromHash(location.hash, engine, names);
       if (!found) return;
       const bad = runAll(engine, found.scene, found.laws.length ? found.laws : [found.scene.run.law]).fault;
       if (bad !== null) throw new Error(bad);
       store.remember();
       store.change({ ...found, ball: 0, wall: -1, playing: false }, "scene", "laws", "time");
-      box = boxAround(state.scene, outcome.runs.values(), until);
+      box = boxAround(state.scene, outcome.runs, state.followed, until);
       draw(new Set(["scene"]));
     } catch (error) {
       say(sentence(error));
@@ -268,7 +272,9 @@ function show(data, engine) {
   }).observe(host);
   draw(new Set(["scene"]));
   view.look(linked ? "free" : (first.view ?? "free"));
+  performance.mark("ready");
   document.documentElement.dataset.ready = "true";
+  return store;
 }
 
 start().catch((error) => {

@@ -4,6 +4,7 @@ from . import cli as cli
 from . import core as core
 from . import data as data
 from . import derive as derive
+from . import explorer as explorer
 from . import fitting as fitting
 from . import gas as gas
 from . import laws as laws
@@ -19,6 +20,7 @@ from .bodies import kinetic_energy as kinetic_energy
 from .bodies import rolling as rolling
 from .bodies import slip as slip
 from .errors import CaromError as CaromError
+from .explorer.page import explore as explore
 from .laws.comparison import Comparison as Comparison
 from .laws.comparison import Verdict as Verdict
 from .laws.comparison import compare as compare

@@ -5,16 +5,25 @@ from __future__ import annotations
 import json
 import os
 import shutil
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
 
+import carom
 from carom.explorer.module import ASSETS
 
 ROOT = Path(__file__).parents[2]
 SITE = "http://carom.test"
+# WebGL without a graphics card.
+ARGUMENTS = [
+    "--no-sandbox",
+    "--use-gl=angle",
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--disable-gpu-compositing",
+]
 TYPES = {".js": "text/javascript", ".json": "application/json", ".wasm": "application/wasm", ".html": "text/html"}
 
 
@@ -29,7 +38,7 @@ def chromium() -> Iterator[Any]:
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as player:
-        browser = player.chromium.launch(executable_path=path, args=["--no-sandbox"])
+        browser = player.chromium.launch(executable_path=path, args=ARGUMENTS)
         yield browser
         browser.close()
 
@@ -78,3 +87,48 @@ def evaluate(engine_page: Any) -> Any:
         return None if text is None else json.loads(text)
 
     return run
+
+
+# --- the page itself -----------------------------------------------------------------------------------------------
+
+
+@pytest.fixture(scope="session")
+def page_file(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The default page."""
+    return carom.explore().save(tmp_path_factory.mktemp("explorer") / "page.html")
+
+
+Opener = Callable[..., Any]
+
+
+@pytest.fixture
+def open_page(chromium: Any, page_file: Path) -> Iterator[Opener]:
+    """Open the page (``file``: another one) with the network off; at the end: no error in the console, nothing asked for."""
+    contexts: list[Any] = []
+    said: list[str] = []
+
+    def opened(
+        file: Path = page_file, after: str = "", script: str = "", size: tuple[int, int] = (1280, 720), **settings: Any
+    ) -> Any:
+        context = chromium.new_context(viewport={"width": size[0], "height": size[1]}, offline=True, **settings)
+        contexts.append(context)
+        page = context.new_page()
+        page.on("console", lambda message: said.append(message.text) if message.type in ("error", "warning") else None)
+        page.on("pageerror", lambda error: said.append(str(error)))
+        page.on(
+            "request",
+            lambda request: (
+                said.append(request.url) if not request.url.startswith(("file:", "blob:", "data:")) else None
+            ),
+        )
+        if script:
+            page.add_init_script(script)
+        page.goto(file.as_uri() + after)
+        page.wait_for_function("() => document.documentElement.dataset.ready")
+        return page
+
+    yield opened
+    for context in contexts:
+        context.close()
+    # (Chromium says of software WebGL that reading pixels is slow: no fault of the page)
+    assert [text for text in said if "GPU stall" not in text and "GL Driver Message" not in text] == []

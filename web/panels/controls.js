@@ -13,6 +13,7 @@ import { el } from "./dom.js";
  * @returns {{update: () => void}}
  */
 export function controls(host, store, change, complain) {
+  let moving = false;
   /** @type {{control: Control, row: HTMLElement, range: HTMLInputElement, field: HTMLInputElement}[]} */
   const rows = [];
   const ballChoice = el("select", { id: "ball-choice", "aria-label": "Ball", change: () => store.change({ ball: Number(ballChoice.value) }, "scene", "laws") });
@@ -38,8 +39,10 @@ export function controls(host, store, change, complain) {
       const id = `control-${control.key}`;
       const range = el("input", {
         type: "range", id, min: String(control.least), max: String(control.infinite ? control.most + control.step * 4 : control.most), step: "any",
-        pointerdown: () => store.remember(), keydown: () => store.remember(),
+        change: () => (moving = false),
         input: () => {
+          if (!moving) store.remember(); // (once for a whole drag)
+          moving = true;
           const raw = Number(range.value);
           const value = control.infinite && raw > control.most + control.step ? Infinity : Math.round(raw / control.step) * control.step;
           write(control, value);

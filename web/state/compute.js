@@ -10,6 +10,7 @@ export const AS_GIVEN = "as in the scene";
 
 /**
  * @typedef {object} Engine
+ * @property {(scene: Scene) => string[]} faults
  * @property {(scene: Scene, law?: string, limits?: {events?: number, until?: number}) => Run} run
  * @property {(scene: Scene) => Verdict[]} compare
  * @property {(law: string, scene: Scene, incidences: number[]) => (number | null)[]} curve
@@ -20,28 +21,39 @@ export const AS_GIVEN = "as in the scene";
 /** @param {unknown} error */
 export const sentence = (error) => (error instanceof Error ? error.message : String(error));
 
+/** Return a scene, or throw an Error that says what is wrong with it. @param {Engine} engine @param {unknown} scene @returns {Scene} */
+export function checked(engine, scene) {
+  const faults = engine.faults(/** @type {Scene} */ (scene));
+  if (faults.length) throw new Error(faults.slice(0, 3).join(". ") + (faults.length > 3 ? `. (${faults.length - 3} more)` : ""));
+  return /** @type {Scene} */ (scene);
+}
+
 /** Run a scene under laws. @param {Engine} engine @param {Scene} scene @param {string[]} laws @returns {Outcome} */
 export function runAll(engine, scene, laws) {
   /** @type {Outcome} */
   const found = { runs: new Map(), notes: new Map(), fault: null };
   for (const law of laws) {
     try {
-      found.runs.set(law, engine.run(scene, law === AS_GIVEN ? undefined : law, { events: MOST_EVENTS }));
+      const run = engine.run(scene, law === AS_GIVEN ? undefined : law, { events: MOST_EVENTS });
+      found.runs.set(law, run);
+      const after = `after ${run.events.length} events, at ${Number(run.until.toPrecision(4))} s`;
+      if (run.status === "refused") found.notes.set(law, run.why);
+      if (run.status === "limit" || run.status === "time") found.notes.set(law, `The run is cut off ${after}: carom simulate goes on.`);
     } catch (error) {
       found.notes.set(law, sentence(error));
     }
   }
   // one law may refuse a scene; what all refuse is no scene
-  if (found.notes.size && !found.runs.size) found.fault = [...found.notes.values()][0];
+  if (laws.length && !found.runs.size) found.fault = [...found.notes.values()][0];
   return found;
 }
 
-/** What each law says of the first contact. @param {Engine} engine @param {Scene} scene @returns {Map<string, Verdict>} */
+/** What each law says of the first contact; `none`: why there is nothing to say. @param {Engine} engine @param {Scene} scene @returns {{verdicts: Map<string, Verdict>, none: string}} */
 export function verdictsOf(engine, scene) {
   try {
-    return new Map(engine.compare(scene).map((verdict) => [verdict.law, verdict]));
-  } catch {
-    return new Map(); // no ball meets a wall, or none of those that laws are compared for
+    return { verdicts: new Map(engine.compare(scene).map((verdict) => [verdict.law, verdict])), none: "" };
+  } catch (error) {
+    return { verdicts: new Map(), none: sentence(error) };
   }
 }
 
@@ -67,10 +79,8 @@ export function horizon(scene, runs) {
   for (const run of runs) {
     const last = run.events.at(-1)?.t ?? 0;
     const still = run.final.every(({ phase }) => phase === "rest");
-    const limited = run.events.length >= MOST_EVENTS;
-    until = Math.max(until, still || limited ? last : last * 1.3 + 0.3);
-    // (a run that was cut off says how far it has got)
-    if (limited) until = Math.min(until, run.until || last);
+    const whole = run.status === "done" || run.status === "quiet";
+    until = Math.max(until, still || !whole ? last : last * 1.3 + 0.3);
   }
   const duration = scene.run.duration;
   return Math.max(1e-6, duration === null ? until || 1 : Math.min(until || duration, duration));

@@ -1,7 +1,8 @@
 // The page's state in the part of its address after #: a link restores it. What a link holds is looked at like any file.
 
+/** @import { Engine } from "./compute.js" */
 /** @import { Scene } from "./types.js" */
-import { checkedScene } from "./validate.js";
+import { checked } from "./compute.js";
 
 const LONGEST = 60_000; // characters of a link that are looked at
 
@@ -18,10 +19,11 @@ export function toHash({ scene, laws, followed, t }) {
 /**
  * What a link shows; null if the address has no state. Throws an Error, a sentence, for one that cannot be shown.
  * @param {string} hash
+ * @param {Engine} engine
  * @param {string[]} known names of laws
  * @returns {Shown | null}
  */
-export function fromHash(hash, known) {
+export function fromHash(hash, engine, known) {
   const coded = new URLSearchParams(hash.replace(/^#/, "")).get("s");
   if (coded === null) return null;
   if (coded.length > LONGEST) throw new Error("This link is too long to be one of the explorer's.");
@@ -33,7 +35,7 @@ export function fromHash(hash, known) {
     throw new Error("This link is damaged: it may have been cut off when it was copied.");
   }
   if (typeof found !== "object" || found === null) throw new Error("This link holds no scene.");
-  const scene = checkedScene(found.scene);
+  const scene = checked(engine, found.scene);
   const laws = Array.isArray(found.laws) ? known.filter((name) => found.laws.includes(name)) : known;
   const followed = known.includes(found.followed) ? found.followed : "";
   const t = typeof found.t === "number" && found.t >= 0 && found.t < 1e6 ? found.t : 0;

@@ -41,33 +41,9 @@
  * @property {{law: string, duration: number | null, max_events: number | null, floor_contact: "with" | "after"}} run
  */
 
-/** @typedef {{t: number, lasts: number, x: Vec, v: Vec, w: Vec, acc: Vec, turn: Vec, phase: string}} Piece */
-
-/**
- * @typedef {object} Happening
- * @property {number} t
- * @property {string} kind
- * @property {number} ball
- * @property {string | number | null} [met]
- * @property {number | null} [other]
- * @property {Vec} x
- * @property {Vec} v
- * @property {Vec} w
- * @property {Vec} v_before
- * @property {Vec} w_before
- * @property {string} phase
- * @property {number} [required]
- * @property {string | null} [regime]
- */
-
-/**
- * @typedef {object} Run
- * @property {string} status
- * @property {number} until
- * @property {Happening[]} events
- * @property {{x: Vec, v: Vec, w: Vec, phase: string}[]} final
- * @property {{pieces: Piece[]}[]} balls
- */
+/** @typedef {import("../engine/types.js").Piece} Piece */
+/** @typedef {import("../engine/types.js").LoggedEvent} Happening */
+/** @typedef {import("../engine/types.js").Run} Run */
 
 /**
  * @typedef {object} Verdict
@@ -86,7 +62,7 @@
 /** A law as the page shows it: its colour and dashes are those of carom's figures.
  * @typedef {{name: string, summary: string, valid: string, colour: string, dashes: number[] | null, reads: string[] | null}} LawCard */
 
-/** @typedef {{name: string, title: string, about: string, laws: string[], scene: Scene, view?: string, slow?: number}} Preset */
+/** @typedef {{name: string, title: string, about: string, laws: string[], scene: Scene, view?: string, slow?: number, time?: number}} Preset */
 
 /** One measured rebound: angles from the wall's normal, degrees. @typedef {{incidence: number, reflection: number, stage: string}} Rebound */
 

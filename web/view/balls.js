@@ -57,15 +57,13 @@ const ring = new RingGeometry(1.16, 1.34, 48);
 
 /** One drawn ball. `halo`: the colour of the law that it follows. */
 export class BallMesh {
-  /** @param {number} radius @param {string} body @param {string} mark @param {{ghost?: boolean, halo?: string | null, floor: boolean, dark: boolean}} look */
-  constructor(radius, body, mark, { ghost = false, halo = null, floor, dark }) {
-    this.radius = radius;
-    this.floor = floor;
+  /** @param {string} body @param {string} mark @param {{ghost?: boolean, halo?: string | null, floor: boolean, dark: boolean}} look */
+  constructor(body, mark, { ghost = false, halo = null, floor, dark }) {
+    this.radius = 1;
     this.group = new Group();
     const map = marks(body, mark);
     const material = new MeshLambertMaterial({ map, transparent: ghost, opacity: ghost ? 0.55 : 1, depthWrite: true });
     this.ball = new Mesh(sphere, material);
-    this.ball.scale.setScalar(radius);
     this.group.add(this.ball);
     /** @type {Mesh<any, MeshBasicMaterial> | null} */
     this.shadow = null;
@@ -78,9 +76,15 @@ export class BallMesh {
     this.halo = null;
     if (halo && floor) {
       this.halo = new Mesh(ring, new MeshBasicMaterial({ color: new Color(halo), transparent: true, opacity: ghost ? 0.8 : 1, depthWrite: false }));
-      this.halo.scale.setScalar(radius * (ghost ? 0.8 : 1));
       this.group.add(this.halo);
     }
+  }
+
+  /** @param {number} radius */
+  resize(radius) {
+    this.radius = radius;
+    this.ball.scale.setScalar(radius);
+    this.halo?.scale.setScalar(radius);
   }
 
   /** @param {number[]} x @param {Quaternion} q @param {number} apart from the ball that leads, m: a ghost in its place is not drawn */
@@ -97,12 +101,5 @@ export class BallMesh {
       this.shadow.scale.setScalar(this.radius * (1.12 + Math.min(1, (0.25 * lift) / this.radius)));
     }
     if (this.halo) this.halo.position.set(x[0], x[1], 0.008 * this.radius);
-  }
-
-  dispose() {
-    const material = /** @type {MeshLambertMaterial} */ (this.ball.material);
-    material.map?.dispose();
-    material.dispose();
-    for (const one of [this.shadow, this.halo]) if (one) /** @type {MeshBasicMaterial} */ (one.material).dispose();
   }
 }

@@ -36,11 +36,11 @@ export function flat(host, drag) {
     const k = Math.min((width - 40) / (high[0] - low[0]), (height - strip - 50) / (high[1] - low[1]));
     const [cx, cy] = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
     const tall = Math.max(high[2] - low[2], 1e-6);
-    const up = Math.min(k, (strip - 30) / tall);
+    const up = Math.min(k, (strip - 50) / tall);
     return {
       width, height, k, up, strip,
       above: (/** @type {number} */ x, /** @type {number} */ y) => [width / 2 + k * (x - cx), (height - strip) / 2 - k * (y - cy)],
-      side: (/** @type {number} */ x, /** @type {number} */ z) => [width / 2 + k * (x - cx), height - 14 - up * (z - low[2])],
+      side: (/** @type {number} */ x, /** @type {number} */ z) => [width / 2 + k * (x - cx), height - 34 - up * (z - low[2])],
       metres: (/** @type {number} */ px, /** @type {number} */ py) => [cx + (px - width / 2) / k, cy - (py - (height - strip) / 2) / k],
     };
   }
@@ -172,9 +172,14 @@ export function flat(host, drag) {
     c.beginPath();
     c.arc(...pair(view.above(end[0], end[1])), 5, 0, 7);
     c.fill();
-    for (const { law, ball, turns } of balls) {
+    [canvas.dataset.ball, canvas.dataset.arrow] = [start, end].map((p) => view.above(p[0], p[1]).map(Math.round).join());
+    const leader = shot.runs.get(shot.followed);
+    const solid = leader ? stateAt(leader.balls[shot.ball].pieces, now).x : null;
+    for (const { law, ball, turns } of [...balls].reverse()) {
       const { x } = stateAt(turns.pieces, now);
       const leads = law === shot.followed;
+      // a ghost in the place of the ball that leads is not drawn
+      if (!leads && solid && Math.hypot(x[0] - solid[0], x[1] - solid[1], x[2] - solid[2]) < 0.02 * shot.scene.balls[ball].radius) continue;
       const colour = leads ? ballColour(shot.scene.balls[ball], ball) : (shot.colours.get(law) ?? palette.ink);
       const radius = Math.max(3, view.k * shot.scene.balls[ball].radius);
       const [w, qx, qy, qz] = turns.at(now);

@@ -2,7 +2,7 @@
 
 /** @import { Run, Scene, Vec, Wall } from "../state/types.js" */
 import { toNumber } from "../state/edit.js";
-import { stateAt, trail } from "../state/motion.js";
+import { trail } from "../state/motion.js";
 import { unit } from "../state/vectors.js";
 
 /**
@@ -131,9 +131,10 @@ const bounded = (wall) =>
 
 /**
  * All that is worth looking at: paths of the balls, finite walls, and where the edited ball first meets a wall.
- * @param {Scene} scene @param {Iterable<Run>} runs @param {number} until @returns {Box}
+ * @param {Scene} scene @param {Map<string, Run>} runs @param {string} followed a law; balls under others may leave the box
+ * @param {number} until @returns {Box}
  */
-export function boxAround(scene, runs, until) {
+export function boxAround(scene, runs, followed, until) {
   /** @type {Vec} */
   const low = [Infinity, Infinity, scene.floor ? 0 : Infinity];
   /** @type {Vec} */
@@ -149,13 +150,17 @@ export function boxAround(scene, runs, until) {
   const enclosed = scene.walls.some((wall) => bounded(wall) && wall.shape !== "segment");
   for (const wall of scene.walls) if (bounded(wall)) for (const line of outline(wall, none)) for (const p of line) add(p);
   scene.balls.forEach((ball) => add(ball.position, ball.radius));
-  for (const run of runs) {
-    run.balls.forEach(({ pieces }, i) => {
+  // the law that is followed first: the others widen the box to no more than twice its size
+  const reach = (/** @type {number[]} */ x) => x.map((value, k) => Math.max(low[k] - wide, Math.min(high[k] + wide, value)));
+  let wide = Infinity;
+  for (const law of new Set([followed, ...runs.keys()])) {
+    const run = runs.get(law);
+    run?.balls.forEach(({ pieces }, i) => {
       const radius = scene.balls[i].radius;
-      for (const { points } of trail(pieces, until)) for (const p of points) add(enclosed ? [NaN, NaN, p[2]].map((z, k) => (k < 2 ? scene.balls[i].position[k] : z)) : p, radius);
-      const end = stateAt(pieces, until).x;
-      if (!enclosed) add(end, radius);
+      const [x, y] = scene.balls[i].position;
+      for (const { points } of trail(pieces, until)) for (const p of points) add(enclosed ? [x, y, p[2]] : wide < Infinity ? reach(p) : p, radius);
     });
+    if (run && wide === Infinity) wide = 0.25 * Math.max(high[0] - low[0], high[1] - low[1]);
   }
   const least = 10 * Math.max(...scene.balls.map((ball) => ball.radius));
   for (const k of [0, 1]) {

@@ -12,7 +12,7 @@ import { Orientation, stateAt } from "../state/motion.js";
 import { unit } from "../state/vectors.js";
 import { BallMesh, ballColour } from "./balls.js";
 import { arrowTime, middleOf, sizeOf } from "./shot.js";
-import { trailLines } from "./trails.js";
+import { Trails } from "./trails.js";
 import { dispose, wallMeshes } from "./walls.js";
 
 const REACH = 26; // pixels around a handle in which it is grasped
@@ -25,6 +25,15 @@ export function roundLength(value) {
   return (first >= 5 ? 5 : first >= 2 ? 2 : 1) * power;
 }
 
+/** Whether the processor draws, for want of a graphics card: smooth edges would make it three times as slow. */
+function drawnBySoftware() {
+  const probe = document.createElement("canvas").getContext("webgl2");
+  const names = probe?.getExtension("WEBGL_debug_renderer_info");
+  const name = probe && names ? String(probe.getParameter(names.UNMASKED_RENDERER_WEBGL)) : "";
+  probe?.getExtension("WEBGL_lose_context")?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
 /**
  * @param {HTMLElement} host
  * @param {Drag} drag what to do when the ball or its arrow is dragged
@@ -32,7 +41,7 @@ export function roundLength(value) {
  * @returns {View}
  */
 export function stage(host, drag, labels) {
-  const renderer = new WebGLRenderer({ antialias: true, alpha: false, powerPreference: "low-power" });
+  const renderer = new WebGLRenderer({ antialias: !drawnBySoftware(), alpha: false, powerPreference: "low-power" });
   const canvas = renderer.domElement;
   canvas.tabIndex = 0;
   canvas.setAttribute("role", "img");
@@ -50,12 +59,17 @@ export function stage(host, drag, labels) {
   let shot = null;
   let now = 0;
   let queued = false;
-  /** @type {Group[]} */
-  let fixed = [];
+  const gaze = new Vector3();
+  /** Floor and walls, and what they were made of. @type {{groups: Group[], of: string}} */
+  let fixed = { groups: [], of: "" };
+  /** @type {Map<string, BallMesh>} */
+  const meshes = new Map();
   /** @type {{mesh: BallMesh, turns: Orientation, law: string, ball: number}[]} */
   let balls = [];
+  const trails = new Trails();
   const arrow = makeArrow();
-  scene.add(arrow.group);
+  scene.add(arrow.group, trails.group);
+  const size = { width: 1, height: 1 }; // of the canvas, in pixels of the page
 
   // --- dragging: before the controls hear of it ------------------------------------------------------------------
   const caster = new Raycaster();
@@ -71,19 +85,19 @@ export function stage(host, drag, labels) {
   /** @param {Vector3} p */
   const project = (p) => {
     const q = p.clone().project(camera);
-    return new Vector2(((q.x + 1) / 2) * canvas.clientWidth, ((1 - q.y) / 2) * canvas.clientHeight);
+    return new Vector2(((q.x + 1) / 2) * size.width, ((1 - q.y) / 2) * size.height);
   };
   /** Where a pixel meets the horizontal plane of the edited ball's centre. @param {Vector2} at */
   const onPlane = (at) => {
     if (!shot) return null;
     const z = shot.scene.balls[shot.ball].position[2];
-    caster.setFromCamera(new Vector2((at.x / canvas.clientWidth) * 2 - 1, 1 - (at.y / canvas.clientHeight) * 2), camera);
+    caster.setFromCamera(new Vector2((at.x / size.width) * 2 - 1, 1 - (at.y / size.height) * 2), camera);
     if (Math.abs(caster.ray.direction.z) < 0.03) return null; // seen along the floor
     return caster.ray.intersectPlane(new Plane(new Vector3(0, 0, 1), -z), new Vector3());
   };
   /** What a pixel grasps. @param {Vector2} at @returns {"ball" | "velocity" | null} */
   const handle = (at) => {
-    if (!shot) return null;
+    if (!shot || !arrow.group.visible) return null;
     const ball = shot.scene.balls[shot.ball];
     const centre = new Vector3(...ball.position);
     const side = new Vector3(1, 0, 0).applyQuaternion(camera.quaternion).multiplyScalar(ball.radius);
@@ -152,20 +166,19 @@ export function stage(host, drag, labels) {
   function update(next, palette) {
     const reframe = !shot || shot.box !== next.box;
     shot = next;
-    for (const group of fixed) {
-      scene.remove(group);
-      dispose(group);
-    }
-    for (const { mesh } of balls) {
-      scene.remove(mesh.group);
-      mesh.dispose();
-    }
     scene.background = new Color(palette.background);
-    const floor = floorGrid(next, palette);
-    const walls = wallMeshes(next.scene, next.box, palette);
-    const trails = trailLines(next, { width: canvas.width, height: canvas.height }, (i) => ballColour(next.scene.balls[i], i));
-    fixed = [floor, walls, trails];
-    scene.add(...fixed);
+    const of = JSON.stringify([next.scene.walls, Boolean(next.scene.floor), next.box, palette, next.scene.balls.map(({ radius }) => radius)]);
+    if (of !== fixed.of) {
+      const groups = [floorGrid(next, palette), wallMeshes(next.scene, next.box, palette)];
+      scene.add(...groups);
+      for (const group of fixed.groups) {
+        scene.remove(group);
+        dispose(group);
+      }
+      fixed = { groups, of };
+    }
+    trails.update(next, (i) => ballColour(next.scene.balls[i], i));
+    for (const { mesh } of balls) scene.remove(mesh.group);
     balls = [];
     for (const [law, run] of next.runs) {
       const leads = law === next.followed;
@@ -175,7 +188,11 @@ export function stage(host, drag, labels) {
         const edited = i === next.ball;
         const body = leads ? ballColour(next.scene.balls[i], i) : colour;
         const mark = leads ? (edited ? colour : "#2b2f36") : palette.dark ? "#15181d" : "#ffffff";
-        const mesh = new BallMesh(next.scene.balls[i].radius, body, mark, { ghost: !leads, halo: edited ? colour : null, floor: Boolean(next.scene.floor), dark: palette.dark });
+        const look = { ghost: !leads, halo: edited ? colour : null, floor: Boolean(next.scene.floor), dark: palette.dark };
+        const key = JSON.stringify([law, i, body, mark, look]);
+        const mesh = meshes.get(key) ?? new BallMesh(body, mark, look);
+        meshes.set(key, mesh);
+        mesh.resize(next.scene.balls[i].radius);
         scene.add(mesh.group);
         balls.push({ mesh, turns: new Orientation(pieces), law, ball: i });
       });
@@ -209,18 +226,26 @@ export function stage(host, drag, labels) {
       const apart = law === shot.followed || !solid ? Infinity : Math.hypot(x[0] - solid[0], x[1] - solid[1], x[2] - solid[2]);
       mesh.place(x, turns.at(now), apart);
     }
+    // (seen along the floor, nothing can be dragged over it)
+    arrow.group.visible = Math.abs(camera.getWorldDirection(gaze).z) > 0.12;
     renderer.render(scene, camera);
     label(solid);
+    // where hands, and tests, find the handles
+    const at = [new Vector3(...shot.scene.balls[shot.ball].position), arrow.tip].map((p) => project(p).toArray().map(Math.round).join());
+    [canvas.dataset.ball, canvas.dataset.arrow] = at;
   }
 
   /** The scale, and how high the ball is. @param {Vec | null} x */
   function label(x) {
     if (!shot) return;
     const away = camera.position.distanceTo(controls.target);
-    const perMetre = canvas.clientHeight / (2 * away * Math.tan((camera.fov * Math.PI) / 360));
+    const perMetre = size.height / (2 * away * Math.tan((camera.fov * Math.PI) / 360));
     const bar = roundLength(110 / perMetre);
-    labels.scale.style.width = `${(bar * perMetre).toFixed(1)}px`;
-    labels.scale.textContent = bar >= 1 ? `${bar} m` : `${Number((bar * 1e3).toPrecision(1))} mm`;
+    const wide = `${(bar * perMetre).toFixed(1)}px`;
+    if (labels.scale.style.width !== wide) {
+      labels.scale.style.width = wide;
+      labels.scale.textContent = bar >= 1 ? `${bar} m` : `${Number((bar * 1e3).toPrecision(1))} mm`;
+    }
     const lift = x && shot.scene.floor ? x[2] - shot.scene.balls[shot.ball].radius : 0;
     labels.height.hidden = !(x && lift > 2e-5);
     if (x && lift > 2e-5) {
@@ -254,7 +279,7 @@ export function stage(host, drag, labels) {
       }
     } else if (name === "side") way.copy(out).setZ(0.05);
     else if (name === "above") way.set(0, -0.0005, 1);
-    else way.copy(out).multiplyScalar(0.8).addScaledVector(along, -0.75).setZ(0.8);
+    else way.copy(out).multiplyScalar(plane ? 0.8 : 1).addScaledVector(along, plane ? -0.75 : 0.2).setZ(plane ? 0.8 : 1.05);
     way.normalize();
     const away = distanceFor(seen, target, way);
     camera.near = Math.max(away / 200, 1e-4);
@@ -286,9 +311,10 @@ export function stage(host, drag, labels) {
     if (!width || !height) return;
     renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     renderer.setSize(width, height);
+    Object.assign(size, { width, height });
     camera.aspect = width / height;
     camera.updateProjectionMatrix();
-    scene.traverse((/** @type {any} */ one) => one.material?.isLineMaterial && one.material.resolution.set(canvas.width, canvas.height));
+    trails.resize(canvas.width, canvas.height);
     request();
   }
 

@@ -2,7 +2,7 @@
 
 /** @import { Shot } from "./shot.js" */
 /** @import { Vec } from "../state/types.js" */
-import { BufferGeometry, Color, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments } from "three";
+import { BufferGeometry, Float32BufferAttribute, Group, LineBasicMaterial, LineSegments } from "three";
 import { LineMaterial } from "three/addons/lines/LineMaterial.js";
 import { LineSegments2 } from "three/addons/lines/LineSegments2.js";
 import { LineSegmentsGeometry } from "three/addons/lines/LineSegmentsGeometry.js";
@@ -19,54 +19,81 @@ function pairs(points) {
   return found;
 }
 
-/**
- * @param {Shot} shot
- * @param {{width: number, height: number}} pixels
- * @param {(ball: number) => string} bodyColour
- * @returns {Group}
- */
-export function trailLines(shot, pixels, bodyColour) {
-  const group = new Group();
-  const unit = sizeOf(shot.box) / 100;
-  const many = shot.scene.balls.length > 6;
-  for (const [law, run] of shot.runs) {
-    const leads = law === shot.followed;
-    run.balls.forEach(({ pieces }, i) => {
-      if (!leads && i !== shot.ball) return;
-      const edited = i === shot.ball;
-      const colour = new Color(edited ? shot.colours.get(law) : bodyColour(i));
-      /** @type {Record<string, number[]>} */
-      const found = { rolling: [], sliding: [], flight: [] };
-      /** @type {number[]} */
-      const threads = [];
-      for (const { style, points } of trail(pieces, shot.until)) {
-        found[style].push(...pairs(points));
-        if (style !== "flight" || !shot.scene.floor || many) continue;
-        for (const p of points) if (p[2] > shot.scene.balls[i].radius * 1.001) threads.push(...p, p[0], p[1], 0);
-      }
-      for (const [style, points] of Object.entries(found)) {
-        if (!points.length) continue;
-        const dashes = DASHES[style];
-        const material = new LineMaterial({
-          color: colour.getHex(), linewidth: edited ? (leads ? 3.4 : 2.4) : 1.4, dashed: dashes !== null, transparent: true,
-          opacity: edited ? 1 : many ? 0.45 : 0.75, depthWrite: false,
-        });
-        if (dashes) {
-          material.dashSize = dashes[0] * unit;
-          material.gapSize = dashes[1] * unit;
-        }
-        material.resolution.set(pixels.width, pixels.height);
-        const line = new LineSegments2(new LineSegmentsGeometry().setPositions(points), material);
-        if (dashes) line.computeLineDistances();
-        line.renderOrder = leads ? 3 : 2;
-        group.add(line);
-      }
-      if (threads.length) {
-        const made = new BufferGeometry();
-        made.setAttribute("position", new Float32BufferAttribute(threads, 3));
-        group.add(new LineSegments(made, new LineBasicMaterial({ color: colour, transparent: true, opacity: 0.35, depthWrite: false })));
-      }
-    });
+/** All trails. Lines and materials are kept from change to change: a new one would have its shaders compiled anew. */
+export class Trails {
+  constructor() {
+    this.group = new Group();
+    /** @type {Map<string, LineSegments2 | LineSegments>} */
+    this.lines = new Map();
+    this.pixels = { width: 1, height: 1 };
   }
-  return group;
+
+  /** @param {string} key @param {number[]} points @param {string} style @param {import("three").ColorRepresentation} colour @param {number} width @param {number} opacity @param {number} unit @param {boolean} leads */
+  #draw(key, points, style, colour, width, opacity, unit, leads) {
+    const thread = style === "thread";
+    let line = this.lines.get(key);
+    if (!line) {
+      line = thread
+        ? new LineSegments(new BufferGeometry(), new LineBasicMaterial({ transparent: true, depthWrite: false }))
+        : new LineSegments2(new LineSegmentsGeometry(), new LineMaterial({ dashed: DASHES[style] !== null, transparent: true, depthWrite: false }));
+      line.frustumCulled = false;
+      this.lines.set(key, line);
+      this.group.add(line);
+    }
+    line.geometry.dispose();
+    const material = /** @type {LineMaterial | LineBasicMaterial} */ (line.material);
+    material.color.set(colour);
+    material.opacity = opacity;
+    line.renderOrder = leads ? 3 : 2;
+    line.visible = true;
+    if (line instanceof LineSegments2) {
+      const dashes = DASHES[style];
+      line.geometry = new LineSegmentsGeometry().setPositions(points);
+      line.material.linewidth = width;
+      line.material.resolution.set(this.pixels.width, this.pixels.height);
+      if (dashes) {
+        line.material.dashSize = dashes[0] * unit;
+        line.material.gapSize = dashes[1] * unit;
+        line.computeLineDistances();
+      }
+    } else {
+      line.geometry = new BufferGeometry();
+      line.geometry.setAttribute("position", new Float32BufferAttribute(points, 3));
+    }
+  }
+
+  /** @param {Shot} shot @param {(ball: number) => string} bodyColour */
+  update(shot, bodyColour) {
+    for (const line of this.lines.values()) line.visible = false;
+    const unit = sizeOf(shot.box) / 100;
+    const many = shot.scene.balls.length > 6;
+    for (const [law, run] of shot.runs) {
+      const leads = law === shot.followed;
+      run.balls.forEach(({ pieces }, i) => {
+        if (!leads && i !== shot.ball) return;
+        const edited = i === shot.ball;
+        const colour = (edited ? shot.colours.get(law) : null) ?? bodyColour(i);
+        /** @type {Record<string, number[]>} */
+        const found = { rolling: [], sliding: [], flight: [], thread: [] };
+        for (const { style, points } of trail(pieces, shot.until)) {
+          // (without a floor there is nothing but flight)
+          found[shot.scene.floor ? style : "rolling"].push(...pairs(points));
+          if (style !== "flight" || !shot.scene.floor || many) continue;
+          const a = shot.scene.balls[i].radius;
+          for (const p of points) if (p[2] > a * 1.001 && p[2] < 5 * a) found.thread.push(...p, p[0], p[1], 0);
+        }
+        for (const [style, points] of Object.entries(found)) {
+          if (!points.length) continue;
+          const opacity = style === "thread" ? 0.35 : edited ? 1 : many ? 0.45 : 0.75;
+          this.#draw(`${law} ${i} ${style}`, points, style, colour, edited ? (leads ? 3.4 : 2.4) : 1.4, opacity, unit, leads);
+        }
+      });
+    }
+  }
+
+  /** @param {number} width @param {number} height */
+  resize(width, height) {
+    this.pixels = { width, height };
+    for (const line of this.lines.values()) if (line instanceof LineSegments2) line.material.resolution.set(width, height);
+  }
 }

@@ -8,12 +8,13 @@ from __future__ import annotations
 import functools
 import importlib
 import pkgutil
+from collections.abc import Sequence
 from typing import Any
 
 from carom.errors import CaromError, did_you_mean, require_type
 from carom.laws.law import Card, Law
 
-__all__ = ["card_named", "cards", "law_named", "laws"]
+__all__ = ["card_named", "cards", "law_named", "law_styles", "laws"]
 
 
 @functools.cache
@@ -52,6 +53,24 @@ def card_named(name: str) -> Card:
     if name not in cards():
         raise CaromError(f"law: expected one of {', '.join(cards())}, got {name!r}{did_you_mean(name, list(cards()))}")
     return cards()[name]
+
+
+# The lines of laws have the colours of Okabe & Ito, distinct for colour-blind people, and different dashes for print.
+MORE_COLOURS = ("#B8A600", "#000000", "#7A4FB5", "#A0522D")
+
+
+def law_styles(names: Sequence[str]) -> dict[str, tuple[str, Any]]:
+    """Return colour and dashes of each law; custom laws get the remaining colours, in order."""
+    known = laws()
+    found: dict[str, tuple[str, Any]] = {}
+    new = 0
+    for law in names:
+        if law in known and (line := known[law].line) is not None:
+            found[law] = line
+        else:
+            found[law] = (MORE_COLOURS[new % len(MORE_COLOURS)], (0, (3 + new, 1.5)))
+            new += 1
+    return found
 
 
 def __getattr__(name: str) -> Any:

@@ -14,7 +14,7 @@ from typing import Any
 
 from carom import files
 from carom.files import as_path, atomic_path, require_library
-from carom.laws.registry import laws as laws_by_name
+from carom.laws.registry import law_styles
 
 __all__ = [
     "GREY",
@@ -120,23 +120,6 @@ def save(figure: Any, path: str | os.PathLike[str]) -> None:
 
 
 INK, GREY, PALE = "#222222", "#8a8a8a", "#eceae4"
-
-# The lines of laws have the colours of Okabe & Ito, distinct for colour-blind people, and different dashes for print.
-MORE_COLOURS = ("#B8A600", "#000000", "#7A4FB5", "#A0522D")
-
-
-def law_styles(laws: Sequence[str]) -> dict[str, tuple[str, Any]]:
-    """Return colour and dashes of each law; custom laws get the remaining colours, in order."""
-    known = laws_by_name()
-    found: dict[str, tuple[str, Any]] = {}
-    new = 0
-    for law in laws:
-        if law in known and (line := known[law].line) is not None:
-            found[law] = line
-        else:
-            found[law] = (MORE_COLOURS[new % len(MORE_COLOURS)], (0, (3 + new, 1.5)))
-            new += 1
-    return found
 
 
 def new_figure(width: float, height: float) -> Any:

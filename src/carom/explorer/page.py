@@ -1,0 +1,244 @@
+"""The explorer as one HTML file: the engine's module, the page's script and styles, presets, a scene and measured rebounds."""
+
+from __future__ import annotations
+
+import base64
+import functools
+import html
+import json
+import os
+import re
+import tomllib
+from collections.abc import Iterable
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from carom.data.rebounds import Rebounds, read_rebounds
+from carom.errors import CaromError, require_type
+from carom.explorer.module import engine_bytes, engine_layout
+from carom.files import as_path, require_writable, write_text
+from carom.laws.law import Law
+from carom.laws.registry import law_named, law_styles
+from carom.laws.registry import laws as all_laws
+from carom.scene.as_json import scene_dict
+from carom.scene.scene import Scene
+from carom.scene.toml import load_scene
+from carom.scene.wall import law_name
+
+__all__ = ["MOST_BALLS", "MOST_FEATURES", "ExplorerPage", "explore", "presets"]
+
+# What the page takes at most: balls and features (faces, edges, rims... of all walls) as in web/scene/check.js.
+MOST_BALLS, MOST_FEATURES, MOST_REBOUNDS = 100, 2000, 20_000
+FRAME_HEIGHT = 760  # px, in a notebook
+
+
+class ExplorerPage:
+    """A page in which one scene runs under several laws: a notebook shows it, and :meth:`save` writes it as one file.
+
+    Examples
+    --------
+    >>> import carom
+    >>> page = carom.explore(laws=["two-step", "mirror"])
+    >>> page.html.startswith("<!doctype html>")
+    True
+    """
+
+    def __init__(self, text: str) -> None:
+        self.html = text
+        """The whole page."""
+
+    def save(self, path: str | os.PathLike[str]) -> Path:
+        """Write the page to a file .html and return its path. Raises CaromError if it cannot be written."""
+        target = as_path("explore", path)
+        require_writable(target, [".html", ".htm"])
+        write_text(target, self.html)
+        return target
+
+    def _repr_html_(self) -> str:
+        # a frame of its own, from whose scripts the notebook is safe
+        return (
+            f'<iframe srcdoc="{html.escape(self.html)}" title="carom explorer" sandbox="allow-scripts allow-downloads"'
+            f' style="width: 100%; height: {FRAME_HEIGHT}px; border: 1px solid #8884; border-radius: 6px"></iframe>'
+        )
+
+
+def explore(
+    scene: Scene | str | os.PathLike[str] | None = None,
+    laws: Iterable[str] | None = None,
+    data: Rebounds | str | os.PathLike[str] | None = None,
+) -> ExplorerPage:
+    """Return a page in which a scene can be changed by hand and is run under several laws at once, by carom's own engine.
+
+    Parameters
+    ----------
+    scene : Scene or path, optional
+        Default: the paper's example. At most 100 balls, and walls of at most 2,000 faces, edges and corners.
+    laws : names, optional
+        Laws that are shown at first. Default: all that `carom compare` shows. The scene's own law leads.
+    data : Rebounds or path, optional
+        Measured rebounds, shown over the curves of reflection against incidence.
+
+    Returns
+    -------
+    ExplorerPage
+        Jupyter and marimo show it; ``save("page.html")`` writes one file that needs no network.
+
+    Raises
+    ------
+    CaromError
+        For a scene that is too large or has a law of its own code, for an unknown law, and for data that are no rebounds.
+
+    Examples
+    --------
+    >>> import carom
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0), velocity=(-2, 1), rolling=True)
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
+    >>> page = carom.explore(carom.Scene(floor=carom.Floor(friction=0.2), walls=[wall], balls=[ball]))
+    >>> len(page.html) < 1_500_000
+    True
+    """
+    faults: list[str] = []
+    given = None if scene is None else _scene(scene, faults)
+    named = _laws(laws, faults)
+    rebounds = None
+    if data is not None:
+        try:
+            rebounds = data if isinstance(data, Rebounds) else read_rebounds(Path(data))
+        except CaromError as error:
+            faults += error.faults
+    if rebounds is not None and len(rebounds) > MOST_REBOUNDS:
+        faults.append(
+            f"explore: data: expected at most {MOST_REBOUNDS:,} rebounds, got {len(rebounds):,}; carom fit takes more"
+        )
+    if faults:
+        raise CaromError(*faults)
+    return ExplorerPage(_page(given, named, rebounds))
+
+
+def _scene(scene: Scene | str | os.PathLike[str], faults: list[str]) -> Scene | None:
+    """Return a scene that the page can show; else add to the faults why it cannot."""
+    try:
+        found = load_scene(Path(scene)) if isinstance(scene, str | os.PathLike) else scene
+        require_type("explore", "scene", found, Scene)
+    except CaromError as error:
+        faults += error.faults
+        return None
+    where = str(scene) if isinstance(scene, str | os.PathLike) else "explore"
+    features = sum(len(wall.features()) for wall in found.walls)
+    for what, count, most in (("balls", len(found.balls), MOST_BALLS), ("features of walls", features, MOST_FEATURES)):
+        if count > most:
+            faults.append(f"{where}: {what}: expected at most {most:,}, got {count:,}; carom simulate takes more")
+    for law in dict.fromkeys((*found.wall_laws, found.run.law)):
+        name = law_name(law)
+        if isinstance(law, Law) or name not in all_laws():
+            advice = "the page holds no law of your own; carom simulate runs it"
+            faults.append(f"{where}: law: expected one of {', '.join(_compiled())}, got {name!r}; {advice}")
+    return found
+
+
+def _laws(laws: Iterable[str] | None, faults: list[str]) -> list[str]:
+    """Return the names of laws, each once."""
+    if laws is None:
+        return []
+    if isinstance(laws, str) or not isinstance(laws, Iterable):
+        faults.append(f"explore: laws: expected a sequence of names, got {laws!r:.60}; put them in a list")
+        return []
+    found: dict[str, None] = {}
+    for name in laws:
+        try:
+            law = name if isinstance(name, Law) else law_named(name)
+        except CaromError as error:
+            faults += error.faults
+            continue
+        if law.name not in _compiled():
+            faults.append(
+                f"explore: laws: expected one of {', '.join(_compiled())}, got {law.name!r}; the page holds no other"
+            )
+        found[law.name] = None
+    return list(found)
+
+
+def _compiled() -> list[str]:
+    """The laws in the engine's module."""
+    return [law["name"] for law in engine_layout()["laws"]]
+
+
+def presets() -> list[dict[str, Any]]:
+    """Return the explorer's presets: name, title, about, laws, view, and the scene as plain data."""
+    folder = files("carom.explorer") / "presets"
+    found = tomllib.loads((folder / "presets.toml").read_text(encoding="utf-8"))["preset"]
+    for preset in found:
+        preset["name"] = name = preset.pop("file")
+        table = tomllib.loads((folder / f"{name}.toml").read_text(encoding="utf-8"))
+        preset["scene"] = scene_dict(Scene(**table))
+    return list(found)
+
+
+def _page(scene: Scene | None, laws: list[str], rebounds: Rebounds | None) -> str:
+    shown = presets()
+    default = [law.name for law in all_laws().values() if not law.variant_of and not law.ignores_floor]
+    own = [] if scene is None else [law_name(law) for law in (scene.run.law, *scene.wall_laws)]
+    names = [name for name in _compiled() if name in {*default, *laws, *own}]
+    if scene is not None:
+        first = {"name": "scene", "title": "Your scene", "about": scene.describe(), "scene": scene_dict(scene)}
+        shown.insert(0, {**first, "laws": laws or [name for name in names if name in {*default, *own}], "slow": 1.0})
+    elif laws:
+        shown[0]["laws"] = laws
+    data = {
+        "presets": shown,
+        "cards": [_card(name) for name in names],
+        "rebounds": [] if rebounds is None else _angles(rebounds),
+        "reboundsFrom": "" if rebounds is None else Path(rebounds.source).name or "the data given",
+    }
+    return _filled(
+        STYLE=_asset("style.css"),
+        DATA=_script_json(data),
+        LAYOUT=_script_json(engine_layout()),
+        MODULE=base64.b64encode(engine_bytes()).decode("ascii"),
+        SCRIPT=_asset("page.js"),
+    )
+
+
+def _card(name: str) -> dict[str, Any]:
+    """What the page shows of a law; colour and dashes are those of its line in figures."""
+    law = law_named(name)
+    colour, dashes = law_styles(_compiled())[name]
+    return {
+        "name": name,
+        "summary": law.card.summary,
+        "valid": law.card.valid,
+        "colour": colour,
+        "dashes": None if isinstance(dashes, str) else list(dashes[1]),
+        "reads": None if law.reads is None else list(law.reads),
+    }
+
+
+def _angles(rebounds: Rebounds) -> list[dict[str, Any]]:
+    """Return incidence and reflection of measured rebounds, degrees, mirrored so that each comes from the positive side."""
+    side = np.where(rebounds["v_t_in"] < 0, -1.0, 1.0)
+    incidence = np.degrees(np.arctan2(side * rebounds["v_t_in"], rebounds["v_n_in"]))
+    reflection = np.degrees(np.arctan2(side * rebounds["v_t_out"], rebounds["v_n_out"]))
+    stages = np.full(len(rebounds), "") if rebounds.stage is None else rebounds.stage
+    return [
+        {"incidence": round(x, 4), "reflection": round(y, 4), "stage": stage}
+        for x, y, stage in zip(incidence.tolist(), reflection.tolist(), stages.tolist(), strict=True)
+        if np.isfinite(x) and np.isfinite(y)
+    ]
+
+
+@functools.cache
+def _asset(name: str) -> str:
+    return (files("carom.explorer") / "assets" / name).read_text(encoding="utf-8")
+
+
+def _script_json(data: Any) -> str:
+    """Return JSON that may stand in a script element, whatever names are in it."""
+    return json.dumps(data, separators=(",", ":"), allow_nan=False, ensure_ascii=True).replace("<", "\\u003c")
+
+
+def _filled(**parts: str) -> str:
+    """Return the page with its parts, in one pass: what is put in is not looked at again."""
+    return re.sub(r"@([A-Z]+)@", lambda match: parts[match[1]], _asset("index.html"))
