@@ -1,7 +1,7 @@
 """The paper's question on real shots: where do rolling balls go after a cushion? For docs/howto/which_law.md.
 
     python docs/real_rebounds.py carom_tracks_50hz.csv --out rebounds.csv --stage rolling
-    python docs/real_angles.py rebounds.csv --share 0.03 --least 0.01
+    python docs/real_angles.py rebounds.csv
 
 The sidespin of these balls is unknown and is averaged over: normal, with a mean along the wall and a width that are fitted.
 """
@@ -31,7 +31,7 @@ SLOWEST = 0.3  # m/s toward the cushion
 
 def ranked(rebounds: Rebounds, names: list[str] | None, **changes: object) -> Ranking:
     """All laws, and what there is to say."""
-    setting = Setting(radius=RADIUS, contact_height=NOSE, **changes)  # type: ignore[arg-type]
+    setting = Setting(radius=RADIUS, contact_height=NOSE, **{"scatter": "share", **changes})  # type: ignore[arg-type]
     start = time.process_time()
     ranking = fit_laws(rebounds, setting, names, profiles=False, bootstrap=0)
     print(f"\n{len(rebounds)} rebounds, {changes or 'as they are'}: {time.process_time() - start:.0f} s of processor")
@@ -50,18 +50,6 @@ def ranked(rebounds: Rebounds, names: list[str] | None, **changes: object) -> Ra
     )
     print(*(note for note in ranking.notes if "heavy tails" in note), sep="\n", flush=True)
     return ranking
-
-
-def widened(rebounds: Rebounds, share: float, least: float) -> Rebounds:
-    """The same with a scatter of every cushion contact added to the error bars after it: a share of the speed, and a least."""
-    from dataclasses import replace
-
-    speed = np.hypot(rebounds["v_n_in"], rebounds["v_t_in"])
-    extra = np.hypot(share * speed, least)
-    sigma = dict(rebounds.sigma)
-    for name in ("v_n_out", "v_t_out"):
-        sigma[name] = np.hypot(sigma[name], extra)
-    return replace(rebounds, sigma=sigma)
 
 
 def at(fit: Fit, angle: np.ndarray, spin: float | np.ndarray) -> np.ndarray:
@@ -147,13 +135,10 @@ def first_balls(rebounds: Rebounds) -> np.ndarray:
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("rebounds", type=Path)
-    parser.add_argument("--share", type=float, default=0.0, help="scatter of a contact, of the speed")
-    parser.add_argument("--least", type=float, default=0.0, help="and at least, m/s")
     parser.add_argument("--first", action="store_true", help="only with all rows, and without the outliers")
     given = parser.parse_args()
     table = read_rebounds(given.rebounds)
     table = table.select((table.stage == "rolling") & (table["v_n_in"] > SLOWEST))
-    table = widened(table, given.share, given.least)
     print(f"{len(table)} rebounds of rolling balls, {len(np.unique(table.extra['shot']))} shots")
     everything = ranked(table, None)
     names = [row.row for row in everything.outliers]
@@ -169,7 +154,7 @@ def main() -> None:
         return
     two = ["two-step", "two-step-after", "contact", "no-slip"]
     ranked(kept, two, spin_mean=0.0)
-    ranked(table, two, robust=True)
+    ranked(table, two, robust=True, scatter="")  # (heavy tails in place of a fitted scatter)
     by_hand = first_balls(table)[~odd]
     ranked(kept.select(by_hand), two[:2])
     ranked(kept.select(~by_hand), two[:2])

@@ -306,3 +306,28 @@ def test_a_friction_that_has_two_values_gets_none() -> None:
     assert "friction" in best.untold
     assert any("friction" in sentence for sentence in best.degenerate)
     assert abs(best.estimates["restitution"].value - truth["restitution"]) < 3 * best.estimates["restitution"].stderr
+
+
+def test_a_cushion_that_is_no_single_number_widens_error_bars_and_is_named() -> None:
+    """Six shots, each on a wall of another restitution: error bars by the scatter of shots, and the contacts as what fails."""
+    rng = np.random.default_rng(5)
+    each = rng.normal(0.85, 0.03, 6)
+    tracks = [
+        replace(track, group=f"shot {n}")
+        for n, e in enumerate(each.tolist())
+        for track in film(rng, 1, restitution=e, seconds=1.5)
+    ]
+    setting = replace(SETTING, noise=None, cushions=2, fixed={"rolling_resistance": 0.008, "floor_friction": 0.2})
+    found = fit_tracks(measure(tracks, Settings(radius=0.0, view="above", noise=NOISE)), setting, ["two-step"])
+    fit, expected = found.best, float(np.std(each, ddof=1) / np.sqrt(len(each)))
+    bar = fit.estimates["restitution"].stderr
+    assert bar is not None
+    assert not fit.follows
+    assert fit.design_effect > 5
+    # (walls and friction make up for a part of what the shots differ by)
+    assert expected / 4 < bar < 2 * expected
+    assert abs(fit.numbers["restitution"] - each.mean()) < 4 * bar
+    assert np.all(np.diff(found.distances) > 0)
+    assert found.distances[0] < 3 * NOISE
+    assert any("worst described: the contacts" in note for note in found.notes)
+    assert json.loads(json.dumps(found.as_dict()))["distance_through_contacts"] == found.distances.tolist()

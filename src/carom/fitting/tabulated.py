@@ -9,8 +9,9 @@ nodes are combined into one grid, with its derivatives (:func:`carom.fitting.ker
 Where a contact changes from sliding to sticking the answer has a kink, across which a table is off by a share of its spacing: by
 1.3e-3 of the speed (rms; 4e-3 at most) on the coarse lattice, which serves the search, and by 3e-5 (3e-4) on a fine one, spaced by
 the error bars about the place that was found (tests keep that). The fine one serves what asks how much the deviance rises: what is
-identifiable, the bootstrap, cross-validation. The estimates, chi^2, AICc and the friction's profile are from the law itself, by a
-descent that starts there, and are those of a fit without a table to a hundredth of an error bar (a test says so).
+identifiable, the friction's profile, the bootstrap, cross-validation. The estimates, chi^2 and AICc are from the law itself, by a
+descent that starts there, and are those of a fit without a table to a hundredth of an error bar, the friction's
+error bar to 5 % (a test says so).
 """
 
 from __future__ import annotations

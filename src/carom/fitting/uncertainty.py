@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 
 from carom.data.rebounds import Rebounds
 from carom.fitting.data import make_problem
-from carom.fitting.model import model_of
+from carom.fitting.model import FitModel, model_of
 from carom.fitting.parameters import INDEX
-from carom.fitting.result import Estimate, Fit, refit, scaled
+from carom.fitting.result import Estimate, Fit, refit, scaled, working_model
 
 __all__ = [
     "half_width", "profile_ends", "with_bootstrap", "with_marginal_errors", "with_profiled_friction", "with_profiles", "with_shared"
@@ -156,9 +156,11 @@ def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:
     return fit
 
 
-def _rises(fit: Fit, name: str, place: int, base: float, steps: int | None = None) -> Rises:
+def _rises(
+    fit: Fit, name: str, place: int, base: float, steps: int | None = None, model: FitModel | None = None
+) -> Rises:
     """Return the profile of a parameter above ``base``; with ``steps`` each end goes on from where it was left."""
-    model = model_of(fit.law, fit.problem).holding(name)
+    model = (model or model_of(fit.law, fit.problem)).holding(name)
     seeds: dict[int, Array] = {}
 
     def rises(values: Array, which: Indices) -> Array:
@@ -290,7 +292,10 @@ def with_profiled_friction(fit: Fit, information: Array, extra: float = 0.0) -> 
 
 
 def _friction_profile(fit: Fit, extra: float, step: float) -> tuple[float, Array]:
-    """Return the half-width of the friction's profile and the rises at its ends."""
-    parameter = model_of(fit.law, fit.problem).parameters["friction"]
-    rises = _rises(fit, "friction", INDEX["friction"], fit.deviance - extra, MARGINAL_STEPS)
+    """Return the half-width of the friction's profile and the rises at its ends; of a tabulated law from its table."""
+    model, base = working_model(fit, fit.problem), fit.deviance - extra
+    if model.tabulated is not None:
+        base = float(model.minimize(fit.numbers[None], MARGINAL_STEPS).value[0])
+    parameter = model.parameters["friction"]
+    rises = _rises(fit, "friction", INDEX["friction"], base, MARGINAL_STEPS, model)
     return half_width(rises, float(fit.numbers[INDEX["friction"]]), step, parameter.low, parameter.high)

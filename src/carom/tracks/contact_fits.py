@@ -117,7 +117,8 @@ class ContactFitter:
             e = [fit["vn_out"] / -fit["vn_in"] for fit, _shift in fits]
             new = [(fit["vn_out"] + shift["vn_out"]) / -(fit["vn_in"] + shift["vn_in"]) for fit, shift in fits]
             change = float(np.median(new) - np.median(e))
-            effect = f"; one standard deviation less changes the median restitution by {change:+.2g}, as the error bars allow for"
+            effect = f"; one standard deviation less changes the median restitution by {change:+.2g}"
+            effect += " (in the error bars of rebounds)"
         return (
             f"frames up to {times[0]} before and {times[1]} after a contact scatter across the wall far more than"
             f" others (a soft wall, or a tracker that smooths): left out (--blind 0 keeps them){effect}"

@@ -16,7 +16,8 @@ __all__ = ["ERROR_TOO_SMALL", "ambiguous", "with_errors"]
 
 Array = NDArray[np.float64]
 ERROR_TOO_SMALL = "error bar too small: the law does not follow the frames"
-SPARE_SHOTS = 4  # excess of shots over parameters above which error bars are computed from the scatter of shots
+LEAST_SHOTS = 5  # for error bars from the scatter of shots
+NOTHING_LEFT = 1e-9  # share of the information that the other shots have
 FOLLOWING_STEPS = 5  # of the starts after a parameter has been changed
 
 
@@ -24,8 +25,9 @@ class _Subject:
     """A fit of whole tracks, for :func:`carom.fitting.identifiability.identify`.
 
     If the law follows the frames, the covariance is computed from derivatives and the noise, with all starts free. If not,
-    residuals are correlated from frame to frame; only shots are independent, and the covariance is computed from their scatter
-    (White, Econometrica 48, 817 (1980), by shot).
+    residuals are correlated from frame to frame; only shots are independent, and the covariance is computed from the scores of
+    shots, each corrected for how much of the information is its own (CR2 of Bell & McCaffrey, Survey Methodology 28, 169 (2002)).
+    The design effect is the median over the parameters of this variance over that of independent frames.
     """
 
     def __init__(self, fit: TrackFit, settled: BestStarts) -> None:
@@ -37,15 +39,31 @@ class _Subject:
         each = np.einsum("ntp,nt->np", gaps, settled.gap)
         each += np.einsum("nkp,nk->np", prior, np.sqrt(fit.starts.weight) * settled.q)
         self.scores = np.array([each[rows].sum(axis=0) for rows in fit.frames.groups])
-        self.by_shots = False
+        by_segment = np.einsum("ntp,ntq->npq", gaps, gaps) + np.einsum("nkp,nkq->npq", prior, prior)
+        self.by_shot = np.array([by_segment[rows].sum(axis=0) for rows in fit.frames.groups])
+        self.by_shots, self.design_effect = False, 1.0
 
     def covariance(self, inside: NDArray[np.int64]) -> Array:
         """Return the covariance of some parameters."""
-        inverse, shots = np.linalg.inv(self.information[np.ix_(inside, inside)]), self.scores[:, inside]
-        self.by_shots = not self.fit.follows and len(shots) >= len(inside) + SPARE_SHOTS
-        if self.by_shots:
-            inverse = inverse @ (shots.T @ shots) @ inverse * len(shots) / (len(shots) - len(inside))
-        return np.asarray(inverse)
+        independent = np.linalg.inv(self.information[np.ix_(inside, inside)])
+        self.by_shots = not self.fit.follows and len(self.scores) >= LEAST_SHOTS
+        if not self.by_shots:
+            return np.asarray(independent)
+        found = self._covariance_by_shot(inside)
+        self.design_effect = float(max(np.median(np.diag(found) / np.diag(independent)), 1.0))
+        return found
+
+    def _covariance_by_shot(self, inside: NDArray[np.int64]) -> Array:
+        both = np.ix_(inside, inside)
+        root = np.linalg.inv(np.linalg.cholesky(self.information[both]))
+        moved = []
+        for score, information in zip(self.scores[:, inside], self.by_shot, strict=True):
+            share, along = np.linalg.eigh(root @ information[both] @ root.T)
+            left = 1 - np.clip(share, 0.0, 1.0)
+            # (a wall that only this shot meets: nothing is left, and the score of the other shots is zero)
+            factor = np.divide(1.0, np.sqrt(left), out=np.zeros_like(left), where=left > NOTHING_LEFT)
+            moved.append(root.T @ (along @ (factor * (along.T @ (root @ score)))))
+        return np.asarray(np.array(moved).T @ np.array(moved))
 
     def rise(self, i: int, value: float) -> float:
         """Return the deviance above its minimum with one shared parameter changed and the starts fitted again."""
@@ -82,8 +100,9 @@ def with_errors(fit: TrackFit, settled: BestStarts) -> TrackFit:
             name: one if one.stderr is None else replace(one, note=ERROR_TOO_SMALL) for name, one in estimates.items()
         }
     return replace(
-        fit, covariance=found.covariance, estimates=estimates, degenerate=found.degenerate, untold=found.untold
-    )
+        fit, covariance=found.covariance, estimates=estimates, degenerate=found.degenerate, untold=found.untold,
+        design_effect=subject.design_effect,
+    )  # fmt: skip
 
 
 def ambiguous(fit: TrackFit, name: str, other: float) -> TrackFit:

@@ -170,12 +170,15 @@ def finish(
 def _with_scatter(
     model: TrackModel, frames: SegmentArrays, starts: Starts, q: Array, numbers: Mapping[str, float], noise: Array
 ) -> SegmentArrays:
-    """Return frames with the scatter of each segment if no noise is given: from its residuals, at least its noise."""
+    """Return frames with the scatter of each segment if no noise is given: from its residuals, at least its noise and the median.
+
+    (With smaller scatters the fit comes to follow whichever shot it is nearest to, since that shot's weight grows as it does so.)
+    """
     if model.setting.noise is not None:
         return frames
     gap = settle(model.scene(numbers), frames, starts, q, 1).gap * frames.sigma[:, None]
     scatter = np.sqrt((gap * gap).sum(axis=1) / np.maximum(2 * frames.count - q.shape[1], 1))
-    return replace(frames, sigma=np.maximum(scatter, noise))
+    return replace(frames, sigma=np.maximum(scatter, np.maximum(noise, np.median(scatter))))
 
 
 def _restarted(

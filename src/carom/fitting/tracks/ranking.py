@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -20,6 +20,7 @@ from carom.fitting.tracks.model import TrackSetting, track_models
 from carom.fitting.tracks.result import TrackFit
 from carom.fitting.tracks.search import fit_track_law
 from carom.fitting.tracks.segments import find_segments
+from carom.fitting.tracks.stages import distances_through_contacts, failing_part
 from carom.tracks.measurement import Measured
 
 __all__ = ["TrackRanking", "fit_tracks"]
@@ -51,6 +52,8 @@ class TrackRanking:
     notes: tuple[str, ...]
     decisive: bool = False
     """Whether the verdict is a decision."""
+    distances: Array = field(default_factory=lambda: np.zeros(0))
+    """m: of the best law, up to the first contact, through one contact, two, ...; empty where it follows the frames."""
 
     @property
     def best(self) -> TrackFit:
@@ -73,6 +76,7 @@ class TrackRanking:
             "follows": best.follows,
             "closer_in": None if self.closer is None else {"shots": self.closer[0], "of": self.closer[1]},
             "chance": finite(self.chance),
+            "distance_through_contacts": self.distances.tolist(),
             "noise": best.noise,
             "noise_given": best.known,
             "tracks": [
@@ -172,6 +176,9 @@ def _ranked(fits: list[TrackFit], notes: list[str]) -> TrackRanking:
             support = 0.0 if chance > HINT or closer[0] <= closer[1] / 2 else LEANS if chance > SURE else DECIDED
             reason = f"nearer than {rival.law.name} in {closer[0]} of {closer[1]} shots (median {medians})"
     verdict, decisive = _verdict(best, evidence, support, reason)
+    distances = np.zeros(0) if best.follows else distances_through_contacts(best)
+    if failing := failing_part(distances, best.noise):
+        notes.append(f"{best.law.name}: {failing}")
     odds = evidence.odds if rival is not None and best.follows else math.nan
     return TrackRanking(
         tuple(fits),
@@ -183,6 +190,7 @@ def _ranked(fits: list[TrackFit], notes: list[str]) -> TrackRanking:
         chance,
         tuple(notes),
         decisive,
+        distances,
     )
 
 

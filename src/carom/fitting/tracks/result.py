@@ -55,6 +55,8 @@ class TrackFit:
     """Sentences on parameters that are not identifiable from these tracks."""
     untold: tuple[str, ...] = ()
     """The parameters concerned."""
+    design_effect: float = 1.0
+    """Variance of the parameters over that of independent frames, by the scatter of shots; 1 where the law follows the frames."""
 
     @property
     def law(self) -> FittedLaw:

@@ -62,7 +62,7 @@ def fit_track_law(
         if other.deviance < best.deviance:
             best = other
     best, others = _across_kinks(model, replace(best, model=model), noise)
-    return _with_friction_profile(best, others) if best.follows else best
+    return _with_friction_profile(best, others) if best.follows or best.design_effect > 1 else best
 
 
 def _across_kinks(model: TrackModel, best: TrackFit, noise: float) -> tuple[TrackFit, list[tuple[float, float]]]:
@@ -128,17 +128,18 @@ def _hold(model: TrackModel, best: TrackFit, friction: float, numbers: Numbers) 
 
 def _with_friction_profile(best: TrackFit, others: Sequence[tuple[float, float]]) -> TrackFit:
     """Return the fit with the friction's error bar by profile likelihood, as for rebounds with unmeasured spins; and without an
-    estimate where another friction, beyond a kink, fits as well (95 %)."""
+    estimate where another friction, beyond a kink, fits as well (95 %). Where the law does not follow the frames, chi^2 counts
+    by its design effect: at a kink the derivatives say nothing of how far a friction may be off."""
     step = best.estimates["friction"].stderr
     if not step:
         return best
     here, parameter = best.numbers["friction"], best.model.free["friction"]
     alike = [one for one, chi2 in others if chi2 < best.chi2 + LEVELS[1] and abs(one - here) > DISTINCT * step]
-    if alike:
+    if alike and best.follows:
         return ambiguous(best, "friction", alike[0])
 
     def rises(values: Array, _which: object) -> Array:
-        return held_rises(best, "friction", values)[0]
+        return held_rises(best, "friction", values)[0] / best.design_effect
 
     half, _rise = half_width(rises, here, step, parameter.low, parameter.high)
     found: TrackFit = scaled(best, "friction", half / step)
