@@ -21,12 +21,16 @@ import { stage } from "./view/stage.js";
 
 /** @typedef {{presets: Preset[], cards: LawCard[], rebounds: Rebound[], reboundsFrom: string}} PageData */
 
-/** @param {string} text @param {boolean} [good] */
+let fading = 0;
+
+/** Show a sentence; a good one goes by itself. @param {string} text @param {boolean} [good] */
 function say(text, good = false) {
   const message = byId("message");
   message.textContent = text;
   message.hidden = !text;
   message.className = good ? "good" : "bad";
+  clearTimeout(fading);
+  if (good) fading = window.setTimeout(() => (message.hidden = true), 6000);
 }
 
 /** @param {string} hex @param {boolean} dark lighter on a dark ground */
@@ -116,6 +120,7 @@ function show(data, engine) {
     byId("scale").hidden = true;
     say("This browser has no WebGL 2: the scene is drawn from above and from the side.");
   }
+  const canvas = /** @type {HTMLCanvasElement} */ (host.querySelector("canvas"));
   const views = /** @type {HTMLElement} */ (host.querySelector(".views"));
   for (const { name, label } of webgl2 ? VIEWS : []) {
     views.append(el("button", { type: "button", "data-view": name, click: () => {
@@ -176,6 +181,7 @@ function show(data, engine) {
     if (parts.has("scene") || parts.has("laws")) {
       view.update({ scene: state.scene, ball: state.ball, followed: state.followed, runs: outcome.runs, colours: of, until, box }, palette());
       byId("key").hidden = !state.scene.floor;
+      canvas.setAttribute("aria-label", `The scene: ${state.scene.balls.length} ball${state.scene.balls.length > 1 ? "s" : ""} under ${state.laws.join(", ") || "no law"}. Drag the ball or its arrow, or use the sliders.`);
       const { verdicts, none } = verdictsOf(engine, state.scene);
       if (lawColumn.cards.length !== state.cards.length) Object.assign(lawColumn, lawPanels());
       lawColumn.panel.update(verdicts, of, outcome.notes, none);

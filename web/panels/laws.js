@@ -43,20 +43,25 @@ export function lawPanel(host, store) {
       },
     }, card.name);
     const swatch = el("span", { class: "swatch" });
-    const verdict = el("span", { class: "verdict" });
+    const why = el("ul", { class: "why", hidden: true, id: `why-${card.name}` });
+    const verdict = el("button", {
+      type: "button", class: "verdict", "aria-controls": why.id, "aria-expanded": "false",
+      click: () => {
+        why.hidden = !why.hidden;
+        verdict.setAttribute("aria-expanded", String(!why.hidden));
+      },
+    });
     const numbers = el("dl", {});
-    const why = el("ul", { class: "why" });
-    const more = el("details", {}, el("summary", {}, "why it may not apply"), why);
-    const root = el("article", { class: "law", "data-law": card.name }, el("header", {}, box, swatch, follow, verdict), numbers, more);
+    const root = el("article", { class: "law", "data-law": card.name }, el("header", {}, box, swatch, follow, verdict), why, numbers);
     host.append(root);
-    return { card, box, follow, swatch, verdict, numbers, why, more, root };
+    return { card, box, follow, swatch, verdict, numbers, why, root };
   });
 
   return {
     update(verdicts, colours, notes, none) {
       nothing.textContent = none;
       nothing.hidden = !none;
-      for (const { card, box, follow, swatch, verdict, numbers, why, more, root } of cards) {
+      for (const { card, box, follow, swatch, verdict, numbers, why, root } of cards) {
         const found = verdicts.get(card.name);
         const note = notes.get(card.name);
         const colour = colours.get(card.name) ?? "currentColor";
@@ -67,13 +72,14 @@ export function lawPanel(host, store) {
         root.classList.toggle("followed", store.state.followed === card.name);
         follow.setAttribute("aria-pressed", String(store.state.followed === card.name));
         swatch.replaceChildren(sample(colour, card.dashes));
-        const fine = found?.admissible ?? false;
-        verdict.textContent = found ? (fine ? "✓ may apply" : "✗ may not apply") : "";
-        verdict.className = `verdict ${fine ? "yes" : "no"}`;
-        numbers.replaceChildren(...(found ? facts(found) : []));
         const reasons = note ? [note] : (found?.reasons ?? []);
-        more.hidden = reasons.length === 0;
+        const fine = found?.admissible && !note;
+        verdict.textContent = found || note ? (fine ? "✓ may apply" : "✗ may not apply") : "";
+        verdict.className = `verdict ${fine ? "yes" : "no"}`;
+        verdict.disabled = reasons.length === 0;
+        verdict.title = reasons.join("; ");
         why.replaceChildren(...reasons.map((one) => el("li", {}, one)));
+        numbers.replaceChildren(...(found ? facts(found) : []));
       }
     },
   };
@@ -84,11 +90,11 @@ function facts({ angle, velocity, spin, energy_kept, hop, required, available })
   /** @type {[string, string, string][]} */
   const rows = [
     ["angle", "angle", angle === null ? "–" : `${angle.toFixed(1)}°`],
-    ["velocity", "velocity", velocity ? `${velocity.map((one) => shown(one)).join(", ")} m/s` : "–"],
-    ["spin", "spin", spin ? `${spin.map((one) => shown(one)).join(", ")} rad/s` : "–"],
     ["energy", "energy kept", energy_kept === null ? "–" : `${(100 * energy_kept).toFixed(1)} %`],
     ["hop", "hop", hop === null ? "–" : lengthText(hop)],
-    ["friction", "friction", required === null ? "–" : `needs ${shown(required, 2)} of ${shown(available, 2)}`],
+    ["friction", "μ needed", required === null ? "–" : `${shown(required, 2)} of ${shown(available, 2)}`],
+    ["velocity", "velocity", velocity ? `${velocity.map((one) => shown(one)).join(", ")} m/s` : "–"],
+    ["spin", "spin", spin ? `${spin.map((one) => shown(one)).join(", ")} rad/s` : "–"],
   ];
   return rows.map(([name, label, text]) => el("div", { class: name }, el("dt", {}, label), el("dd", {}, text)));
 }

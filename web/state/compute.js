@@ -5,13 +5,14 @@ import { angleOf, referenceNormal } from "./edit.js";
 import { eventText } from "./files.js";
 
 export const MOST_EVENTS = 2000;
+const MOST_MILLISECONDS = 600; // of one change, for all laws together: a page that computes longer seems frozen
 /** The card of a scene whose walls have laws of their own. */
 export const AS_GIVEN = "as in the scene";
 
 /**
  * @typedef {object} Engine
  * @property {(scene: Scene) => string[]} faults
- * @property {(scene: Scene, law?: string, limits?: {events?: number, until?: number}) => Run} run
+ * @property {(scene: Scene, law?: string, limits?: {events?: number, until?: number, milliseconds?: number}) => Run} run
  * @property {(scene: Scene) => Verdict[]} compare
  * @property {(law: string, scene: Scene, incidences: number[]) => (number | null)[]} curve
  */
@@ -34,7 +35,7 @@ export function runAll(engine, scene, laws) {
   const found = { runs: new Map(), notes: new Map(), fault: null };
   for (const law of laws) {
     try {
-      const run = engine.run(scene, law === AS_GIVEN ? undefined : law, { events: MOST_EVENTS });
+      const run = engine.run(scene, law === AS_GIVEN ? undefined : law, { events: MOST_EVENTS, milliseconds: MOST_MILLISECONDS / laws.length });
       found.runs.set(law, run);
       const after = `after ${run.events.length} events, at ${Number(run.until.toPrecision(4))} s`;
       if (run.status === "refused") found.notes.set(law, run.why);

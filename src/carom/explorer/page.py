@@ -32,6 +32,7 @@ __all__ = ["MOST_BALLS", "MOST_FEATURES", "ExplorerPage", "explore", "presets"]
 
 # What the page takes at most: balls and features (faces, edges, rims... of all walls) as in web/scene/check.js.
 MOST_BALLS, MOST_FEATURES, MOST_REBOUNDS = 100, 2000, 20_000
+FEW_BALLS = 6
 FRAME_HEIGHT = 760  # px, in a notebook
 
 
@@ -77,7 +78,8 @@ def explore(
     scene : Scene or path, optional
         Default: the paper's example. At most 100 balls, and walls of at most 2,000 faces, edges and corners.
     laws : names, optional
-        Laws that are shown at first. Default: all that `carom compare` shows. The scene's own law leads.
+        Laws that are shown at first. Default: all that `carom compare` shows, of a scene of more than 6 balls its own. The scene's
+        own law leads.
     data : Rebounds or path, optional
         Measured rebounds, shown over the curves of reflection against incidence.
 
@@ -184,7 +186,9 @@ def _page(scene: Scene | None, laws: list[str], rebounds: Rebounds | None) -> st
     names = [name for name in _compiled() if name in {*default, *laws, *own}]
     if scene is not None:
         first = {"name": "scene", "title": "Your scene", "about": scene.describe(), "scene": scene_dict(scene)}
-        shown.insert(0, {**first, "laws": laws or [name for name in names if name in {*default, *own}], "slow": 1.0})
+        # (many balls under all laws at once would make the page slow at its first sight)
+        wanted = {*own} if len(scene.balls) > FEW_BALLS else {*default, *own}
+        shown.insert(0, {**first, "laws": laws or [name for name in names if name in wanted], "slow": 1.0})
     elif laws:
         shown[0]["laws"] = laws
     data = {
