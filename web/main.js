@@ -61,7 +61,8 @@ async function start() {
   const module = Uint8Array.from(atob((byId("engine-module").textContent ?? "").trim()), (c) => c.charCodeAt(0));
   const loaded = await loadEngine(module, json("engine-layout"));
   const engine = /** @type {Engine} */ (/** @type {unknown} */ (loaded));
-  const carom = { run: loaded.run.bind(loaded), version: loaded.version, scene: () => /** @type {Scene | null} */ (null) };
+  const [run, report] = [loaded.run.bind(loaded), loaded.report.bind(loaded)]; // report: in the form of carom simulate --json
+  const carom = { run, report, version: loaded.version, scene: () => /** @type {Scene | null} */ (null) };
   Object.assign(window, { carom });
   const store = show(data, engine);
   carom.scene = () => structuredClone(store.state.scene);

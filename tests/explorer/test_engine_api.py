@@ -12,6 +12,7 @@ import pytest
 from reference.scenes_of_all_laws import may_call_libm, scene_of_all_laws
 
 import carom
+from carom.cli.trajectory_output import as_json
 from carom.core.motion.phases import PHASES
 from carom.explorer.module import version
 from carom.scene.as_json import scene_dict
@@ -73,6 +74,19 @@ def test_a_run_is_that_of_python_event_by_event(evaluate: Any) -> None:
             assert ball["x"] == run.final.position[i].tolist()
             assert ball["v"] == run.final.velocity[i].tolist()
             assert ball["w"] == run.final.spin[i].tolist()
+
+
+def test_a_report_is_what_carom_simulate_prints(evaluate: Any) -> None:
+    scenes = [one for seed in range(SCENES) if not may_call_libm(one := scene_of_all_laws(seed))]
+    asked = [scene_dict(scene) for scene in scenes]
+    answers = evaluate(f"(all) => all.map((scene) => engine.report(scene, undefined, {{ events: {EVENTS} }}))", asked)
+    for scene, answer in zip(scenes, answers, strict=True):
+        run = carom.simulate(scene.model_copy(update={"run": scene.run.model_copy(update={"max_events": EVENTS})}))
+        printed = json.loads(as_json(run, []))
+        assert list(answer) == list(printed)
+        assert answer["final"] == printed["final"]
+        assert (answer["end"], answer["ended"]) == (printed["end"], printed["ended"])
+        assert answer["events"] == printed["events"]
 
 
 def test_pieces_of_motion_are_the_exact_motion(evaluate: Any) -> None:

@@ -7,6 +7,7 @@
 import { compareScene, reflections } from "./compare.js";
 import { firstMeeting } from "./meeting.js";
 import { loadModule } from "./module.js";
+import { reportOf } from "./report.js";
 import { runScene } from "./run.js";
 import { sceneFaults } from "../scene/check.js";
 
@@ -43,6 +44,16 @@ export class Engine {
    */
   run(scene, law, limits = {}) {
     return runScene(this.module, this.checked(law === undefined ? scene : withLaw(scene, law)), limits);
+  }
+
+  /**
+   * A run in the form of `carom simulate --json`; the same arguments as of `run`.
+   * @param {Scene} scene
+   * @param {string} [law]
+   * @param {Limits} [limits]
+   */
+  report(scene, law, limits = {}) {
+    return reportOf(scene, this.run(scene, law, limits));
   }
 
   /** @param {Scene} scene @returns {Scene} */

@@ -71,16 +71,17 @@ export class Memory {
     else this.doubles[(at + place.at) / 8] = Number(value);
   }
 
-  /** A reader of a field of records: a number, or a list of numbers. @param {RecordLayout} layout @param {string} name */
+  /** A reader of a field of records: a number, or a list of three. @param {RecordLayout} layout @param {string} name */
   field(layout, name) {
     const { at, count, whole } = layout.fields[name];
     /** @param {number} record @returns {any} */
-    const read = (record) => {
-      const place = record + at;
-      if (whole) return this.words[place / 4];
-      const k = place / 8;
-      return count === 1 ? this.doubles[k] : Array.from(this.doubles.subarray(k, k + count));
+    const one = (record) => (whole ? this.words[(record + at) / 4] : this.doubles[(record + at) / 8]);
+    /** @param {number} record @returns {any} */
+    const three = (record) => {
+      const k = (record + at) / 8;
+      const numbers = this.doubles;
+      return [numbers[k], numbers[k + 1], numbers[k + 2]];
     };
-    return read;
+    return count === 1 ? one : three;
   }
 }

@@ -74,7 +74,9 @@ export function follow(module, scene, limits) {
 export function runScene(module, scene, limits) {
   const { world, balls, logs, status, code, end, atFault } = follow(module, scene, limits);
   const found = readLog(module, logs);
-  const perBall = scene.balls.map((_ball, i) => found.filter((row) => row.ball === i));
+  /** @type {LoggedEvent[][]} */
+  const perBall = scene.balls.map(() => []);
+  for (const row of found) perBall[row.ball].push(row);
   const bytes = module.layout.records.balls.bytes;
   return {
     status,
@@ -132,14 +134,23 @@ function ballsIn(module, ball, rows) {
   const { memory, layout } = module;
   const record = layout.records.balls;
   const at = memory.take(record.bytes * Math.max(rows.length, 1));
-  const bytes = new Uint8Array(memory.memory.buffer);
-  rows.forEach((row, i) => {
-    const one = at + i * record.bytes;
-    bytes.copyWithin(one, ball, ball + record.bytes);
-    for (const name of /** @type {const} */ (["x", "v", "w"])) memory.set(record, one, name, row[name]);
-    memory.set(record, one, "phase", layout.phases.indexOf(row.phase));
-    memory.set(record, one, "clock", 0);
-  });
+  const size = record.bytes / 8;
+  const [x, v, w, clock] = ["x", "v", "w", "clock"].map((name) => record.fields[name].at / 8);
+  const phase = record.fields.phase.at;
+  const codes = new Map(layout.phases.map((name, code) => [name, code]));
+  const numbers = memory.doubles;
+  let one = at / 8;
+  for (const row of rows) {
+    numbers.copyWithin(one, ball / 8, ball / 8 + size);
+    for (let k = 0; k < 3; k++) {
+      numbers[one + x + k] = row.x[k];
+      numbers[one + v + k] = row.v[k];
+      numbers[one + w + k] = row.w[k];
+    }
+    numbers[one + clock] = 0;
+    memory.putWhole(8 * one + phase, codes.get(row.phase) ?? 0);
+    one += size;
+  }
   return at;
 }
 
