@@ -102,11 +102,12 @@ def chosen(rebounds: Rebounds, where: list[str]) -> Rebounds:
 
 
 def _words(cells: list[Any]) -> bool:
-    """Return whether a column holds names, not numbers."""
+    """Return whether a column holds names, not numbers; empty cells are neither."""
     try:
-        return not [float(cell) for cell in cells]
+        _numbers = [float(cell) for cell in cells if str(cell).strip()]
     except (TypeError, ValueError):
         return True
+    return False
 
 
 def is_track(file: Path) -> bool:
