@@ -1,0 +1,47 @@
+"""Features of walls: normals, and how the gap of a ball changes, against differences of the distance."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from carom.core.geometry.features import distance, feature_normal, way_in
+from carom.scene.feature_builders import corner, disc, line, plane, rim, unit
+
+TILTED = unit((1.0, 2.0, 2.0))
+FEATURES = {
+    "plane": plane((0.1, 0.2, 0.3), TILTED),
+    "edge": line((0.1, 0.2, 0.3), TILTED),
+    "cylinder": line((0.1, 0.2, 0.3), TILTED, R=0.5, side=1.0),
+    "tube": line((0.1, 0.2, 0.3), TILTED, R=2.5, side=-1.0),
+    "corner": corner((0.1, 0.2, 0.3)),
+    "disc": disc((0.1, 0.2, 0.3), TILTED, 9.0),
+    "rim": rim((0.1, 0.2, 0.3), TILTED, 0.5),
+}
+VELOCITY, ACCELERATION = np.array([0.7, -0.4, 1.3]), np.array([0.3, 0.5, -9.8])
+
+
+@pytest.mark.parametrize("name", FEATURES)
+def test_the_gap_changes_as_its_derivatives_say(name: str) -> None:
+    feature, x = FEATURES[name], np.array([1.3, 0.9, 1.1])
+    a = distance(feature, 0.0, tuple(x.tolist()))  # a ball that touches it
+    assert distance(feature, a, tuple(x.tolist())) == pytest.approx(0, abs=1e-15)
+
+    def gap(s: float) -> float:
+        return distance(feature, a, tuple((x + VELOCITY * s + ACCELERATION * s * s / 2).tolist()))
+
+    h = 1e-4
+    speed, bend = way_in(feature, tuple(x.tolist()), tuple(VELOCITY.tolist()), tuple(ACCELERATION.tolist()))
+    assert speed == pytest.approx((gap(h) - gap(-h)) / (2 * h), rel=1e-6)
+    assert bend == pytest.approx((gap(h) - 2 * gap(0) + gap(-h)) / (h * h), rel=1e-5)
+
+
+@pytest.mark.parametrize("name", FEATURES)
+def test_the_normal_is_where_the_gap_grows_fastest(name: str) -> None:
+    feature, x, h = FEATURES[name], np.array([1.3, 0.9, 1.1]), 1e-6
+    grows = [
+        (distance(feature, 0.0, tuple((x + h * e).tolist())) - distance(feature, 0.0, tuple((x - h * e).tolist())))
+        / (2 * h)
+        for e in np.eye(3)
+    ]
+    assert feature_normal(feature, tuple(x.tolist())) == pytest.approx(grows, abs=1e-8)
