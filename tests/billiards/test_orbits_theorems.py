@@ -4,9 +4,11 @@ import math
 
 import numpy as np
 import pytest
+from scipy.stats import kstest, kstwo
 
 import carom
 from carom import billiards
+from carom.billiards.analysis import _ks_distance, _ks_p_value
 
 KAPPAS = (0.2, 0.5, 1.0)
 
@@ -359,6 +361,16 @@ def test_the_measure_is_kept(law):
         billiards.stadium(), 20_000, 30, law="contact", surface=carom.Surface(1.0, math.inf, 0.5)
     )
     assert rough.p["radius"] < 1e-9
+
+
+@pytest.mark.parametrize("n", [10, 30, 100, 1000])
+def test_chances_of_a_distance_from_uniform_are_those_of_kolmogorov_and_smirnov(n):
+    # Stephens's correction is good to 4 % at worst
+    for chance in (0.5, 0.1, 0.01):
+        assert _ks_p_value(float(kstwo.isf(chance, n)), n) == pytest.approx(chance, rel=0.045)
+    assert _ks_p_value(0.0, n) == 1.0
+    sample = np.sort(np.random.default_rng(n).random(n))
+    assert _ks_distance(sample) == pytest.approx(kstest(sample, "uniform").statistic, rel=1e-14)
 
 
 def test_reversal_where_nothing_is_chaotic():
