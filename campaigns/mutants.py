@@ -23,11 +23,11 @@ from campaign import ROOT, Campaign, Row, campaign
 from mutation.places import draw
 from mutation.runs import Copy, NotGreenError
 
-# The tests that a mutant of a room is shown to, its own first.
+# The tests that a mutant of a room is shown to: its own, and what else tests it.
 ROOMS = {
     "laws": ("laws",),
     "core": ("core", "laws", "simulation", "billiards"),
-    "simulation": ("simulation",),
+    "simulation": ("simulation", "cli/test_cli_simulate.py"),
     "billiards": ("billiards",),
     "scene": ("scene", "simulation"),
     "gas": ("gas",),
