@@ -394,6 +394,10 @@ WRONG = {
         lambda: Arc(center=(0, 0), radius=1, from_angle=90, to_angle=0),
         "Arc: expected an arc of more than 0 and at most 360 degrees, got 90 to 0; to_angle is the greater one",
     ),
+    "arc of no length": (
+        lambda: Arc(center=(0, 0), radius=1, from_angle=90, to_angle=90),
+        "Arc: expected an arc of more than 0 and at most 360 degrees, got 90 to 90; to_angle is the greater one",
+    ),
     "low table": (
         lambda: Table(length=2, width=1, nose_height=0.04, height=0.03),
         "Table: height: expected at least nose_height = 0.04 m, got 0.03",
