@@ -87,7 +87,6 @@ def pytest_configure(config: pytest.Config) -> None:
         from carom.core.jit.progress import watch_compiling
 
         stack.enter_context(watch_compiling(while_compiling))
-        sys.setprofile(note)
         threading.setprofile(note)
 
 
@@ -107,6 +106,10 @@ def pytest_runtest_protocol(item: pytest.Item) -> Iterator[None]:
     if TASK.plain:
         forget()
     reached.clear()
+    if TASK.record and TASK.reach:
+        # (anew for each test: Python drops a profiler in which an exception is raised, as by too_late)
+        compiling.clear()
+        sys.setprofile(note)
     allowed = {**(TASK.tests or {}), **(TASK.if_compiled or {})}.get(item.nodeid, TASK.limit)
     # (of the processor: other programs may run beside this one)
     signal.signal(signal.SIGPROF, too_late)
@@ -156,7 +159,10 @@ def note(frame: FrameType, event: str, _argument: Any) -> None:
 
 def while_compiling(name: str, finished: bool) -> None:
     """Note nothing while Numba compiles, which is much Python."""
-    compiling.pop() if finished and compiling else compiling.append(name)
+    if not finished:
+        compiling.append(name)
+    elif compiling:
+        compiling.pop()
     sys.setprofile(None if compiling else note)
 
 
@@ -243,8 +249,12 @@ def loop_hashes(warm: Path) -> dict[str, str]:
         found.append((index.name, function if isinstance(function, FunctionType) else None))
     from carom.core.jit.kernel import KERNELS
 
-    # (one that is made by a function, or is a test's own, may call any kernel)
-    every = meaning(*KERNELS)
+    # (one that is made by a function, or is a test's own, may call any kernel; all are there once their modules are)
+    for path in sorted(Path(PACKAGE).glob("*/**/*.py")):
+        if path.relative_to(PACKAGE).parts[0] in ("core", "laws"):
+            name = path.relative_to(PACKAGE).with_suffix("").as_posix().replace("/", ".")
+            importlib.import_module(f"carom.{name}".removesuffix(".__init__"))
+    every = meaning(*(one for one in KERNELS if one.__module__.startswith(("carom.core.", "carom.laws."))))
     for name, function in found:
         hashes[name] = meaning(function) if function is not None else every
     return hashes

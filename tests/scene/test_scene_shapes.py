@@ -245,6 +245,28 @@ def test_every_shape_can_be_drawn_and_named(name: str) -> None:
     assert wall.bounded == (np.abs(np.concatenate(outline)).max() < 100)
 
 
+def test_a_tilted_cylinder_with_ends_is_drawn_as_a_closed_rectangle() -> None:
+    pillar = Cylinder(point=(0, 1, -0.5), axis=(3, 4, 5), radius=0.7, length=math.sqrt(50))
+    [outline] = pillar.outline()
+    expected = [(-0.56, 1.42), (2.44, 5.42), (3.56, 4.58), (0.56, 0.58), (-0.56, 1.42)]
+    np.testing.assert_allclose(outline, expected, atol=1e-12)
+
+
+@pytest.mark.parametrize(("opening", "edges"), [(179.5, 0), (180, 0), (180.5, 1), (270, 1)])
+def test_a_wedge_has_an_edge_where_balls_can_touch_it(opening: float, edges: int) -> None:
+    features = Wedge(apex=(0.2, 0, 0), from_angle=0, to_angle=opening).features()
+    assert len([f for f in features if f.kind == FACE]) == 2
+    assert len([f for f in features if f.kind == LINE]) == edges
+
+
+def test_the_room_inside_a_wall() -> None:
+    assert Table(length=3, width=1.5).room == Table(length=1.5, width=3).room == 0.75
+    assert Stadium(length=2, radius=0.6).room == 0.6
+    assert Cylinder(point=(0, 0, 0), radius=0.5, inside=True).room == 0.5
+    assert Cylinder(point=(0, 0, 0), radius=0.5, inside=True, length=2).room == INF  # outside of it
+    assert Cylinder(point=(0, 0, 0), radius=0.5).room == INF
+
+
 def test_a_level_plane_has_no_outline() -> None:
     assert Plane(point=(0, 0, 1), normal=(0, 0, -1)).outline() == []
 
