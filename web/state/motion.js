@@ -2,7 +2,7 @@
 // at a constant rate, so nothing is stored but where each piece begins.
 
 /** @import { Piece, Run, Scene, Vec } from "./types.js" */
-import { dot, length } from "./vectors.js";
+import { cross, dot, length } from "./vectors.js";
 
 /** @typedef {[number, number, number, number]} Quaternion w, x, y, z */
 /** @typedef {{x: Vec, v: Vec, w: Vec, phase: string}} State */
@@ -94,32 +94,34 @@ export function styleOf(phase) {
   return phase === "sliding" ? "sliding" : "rolling";
 }
 
+/** How far a chord may be from the path, in radii of the ball: a hop of 2 mm is looked at closely, a long slide is not. */
+const CHORD = { flight: 0.001, sliding: 0.02, rolling: 0.02 };
+
 /**
- * The path of a ball until a time, as chains of points of one style each.
+ * The path of a ball until a time, as chains of points of one style each. (A chord of a parabola that lasts s is a s^2/8 off it.)
  * @param {Piece[]} pieces
  * @param {number} until
+ * @param {number} radius of the ball
  * @returns {{style: "flight" | "sliding" | "rolling", points: Vec[]}[]}
  */
-export function trail(pieces, until) {
+export function trail(pieces, until, radius) {
   /** @type {{style: "flight" | "sliding" | "rolling", points: Vec[]}[]} */
   const found = [];
   for (const piece of pieces) {
     const lasts = Math.min(piece.lasts, until - piece.t);
     if (!(lasts > 0)) continue;
     const style = styleOf(piece.phase);
-    const bend = length(piece.acc) * lasts * lasts;
-    const straight = bend < 1e-7 || length(crossOf(piece)) < 1e-9 * length(piece.v) * length(piece.acc);
-    const steps = straight ? 1 : Math.min(32, 4 + Math.ceil(Math.sqrt(bend * 2000)));
+    const { v, acc } = piece;
+    const straight = length(cross(v, acc)) < 1e-9 * length(v) * length(acc);
+    const off = (length(acc) * lasts * lasts) / 8;
+    const steps = straight ? 1 : Math.max(1, Math.min(32, Math.ceil(Math.sqrt(off / (CHORD[style] * radius)))));
     let last = found[found.length - 1];
     if (!last || last.style !== style) found.push((last = { style, points: [piece.x] }));
+    const top = straight ? -dot(v, acc) / dot(acc, acc) : 0; // when a ball that was thrown straight up turns round
+    if (top > 0 && top < lasts) last.points.push(along(piece, top).x);
     for (let i = 1; i <= steps; i++) last.points.push(along(piece, (lasts * i) / steps).x);
   }
   return found;
-}
-
-/** @param {Piece} piece @returns {Vec} */
-function crossOf({ v, acc }) {
-  return [v[1] * acc[2] - v[2] * acc[1], v[2] * acc[0] - v[0] * acc[2], v[0] * acc[1] - v[1] * acc[0]];
 }
 
 /** I/(m a^2). @param {"solid" | "hollow" | number} inertia */

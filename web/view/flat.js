@@ -151,7 +151,7 @@ export function flat(host, drag) {
     for (const { law, ball, turns } of balls) {
       c.strokeStyle = ball === shot.ball ? (shot.colours.get(law) ?? palette.ink) : ballColour(shot.scene.balls[ball], ball);
       c.lineWidth = law === shot.followed && ball === shot.ball ? 2.4 : 1.4;
-      for (const { style, points } of trail(turns.pieces, shot.until)) {
+      for (const { style, points } of trail(turns.pieces, shot.until, shot.scene.balls[ball].radius)) {
         c.setLineDash(DASHES[style]);
         for (const to of [(/** @type {number[]} */ p) => view.above(p[0], p[1]), (/** @type {number[]} */ p) => view.side(p[0], p[2])]) {
           c.beginPath();

@@ -158,7 +158,7 @@ export function boxAround(scene, runs, followed, until) {
     run?.balls.forEach(({ pieces }, i) => {
       const radius = scene.balls[i].radius;
       const [x, y] = scene.balls[i].position;
-      for (const { points } of trail(pieces, until)) for (const p of points) add(enclosed ? [x, y, p[2]] : wide < Infinity ? reach(p) : p, radius);
+      for (const { points } of trail(pieces, until, radius)) for (const p of points) add(enclosed ? [x, y, p[2]] : wide < Infinity ? reach(p) : p, radius);
     });
     if (run && wide === Infinity) wide = 0.25 * Math.max(high[0] - low[0], high[1] - low[1]);
   }

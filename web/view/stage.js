@@ -261,7 +261,8 @@ export function stage(host, drag, labels) {
     const { low, high } = shot.box;
     const target = new Vector3(...middleOf(shot.box));
     const plane = shot.scene.walls.find((wall) => wall.shape === "plane" && Math.hypot(wall.normal[0], wall.normal[1]) > 0.3);
-    const n = plane ? unit([plane.normal[0], plane.normal[1], 0]) : [0, -1, 0];
+    const first = shot.runs.get(shot.followed)?.events.find((event) => event.kind === "wall" && event.ball === shot?.ball);
+    const n = plane ? unit([plane.normal[0], plane.normal[1], 0]) : name === "along" && first ? facing(first.impulse) : [0, -1, 0];
     const out = new Vector3(n[0], n[1], 0);
     const along = new Vector3(-n[1], n[0], 0);
     /** @type {Vector3[]} */
@@ -271,7 +272,6 @@ export function stage(host, drag, labels) {
     if (name === "along") {
       way.copy(along).multiplyScalar(-1).setZ(0.05);
       // close up, where the ball first meets the wall: a hop of 2 mm is to be seen
-      const first = shot.runs.get(shot.followed)?.events.find((event) => event.kind === "wall" && event.ball === shot?.ball);
       const radius = shot.scene.balls[shot.ball].radius;
       if (first && shot.scene.floor) {
         target.set(first.x[0], first.x[1], 1.6 * radius).addScaledVector(out, 3 * radius);
@@ -327,6 +327,9 @@ export function stage(host, drag, labels) {
   resize();
   return { update, draw, look, resize, picture };
 }
+
+/** Which of the four ways along the axes a wall faces, from its impulse on a ball (friction turns it by less than 45 degrees, mostly). @param {Vec} impulse @returns {Vec} */
+const facing = ([x, y]) => (Math.abs(x) > Math.abs(y) ? [Math.sign(x), 0, 0] : [0, Math.sign(y) || -1, 0]);
 
 /** The floor with lines at round distances. @param {Shot} shot @param {Palette} palette */
 function floorGrid(shot, palette) {

@@ -75,7 +75,7 @@ export class Trails {
         const colour = (edited ? shot.colours.get(law) : null) ?? bodyColour(i);
         /** @type {Record<string, number[]>} */
         const found = { rolling: [], sliding: [], flight: [], thread: [] };
-        for (const { style, points } of trail(pieces, shot.until)) {
+        for (const { style, points } of trail(pieces, shot.until, shot.scene.balls[i].radius)) {
           // (without a floor there is nothing but flight)
           found[shot.scene.floor ? style : "rolling"].push(...pairs(points));
           if (style !== "flight" || !shot.scene.floor || many) continue;
