@@ -11,7 +11,7 @@ from carom.core.jit import webassembly
 from carom.core.jit.compile import signature
 from carom.core.jit.kernel_hash import kernel_hash
 from carom.explorer.build import MAX_BYTES
-from carom.explorer.module import description, engine_bytes, engine_layout, version
+from carom.explorer.module import ASSETS, description, engine_bytes, engine_layout, version
 
 
 def test_the_module_is_of_todays_kernels() -> None:
@@ -28,6 +28,12 @@ def test_the_module_carries_the_version_and_is_small() -> None:
     assert module[:4] == b"\0asm"
     assert module.endswith(b"\x05carom" + version().encode())
     assert len(module) < MAX_BYTES
+
+
+def test_the_licence_of_what_is_linked_in_is_kept() -> None:
+    text = (ASSETS / "LICENSE-musl.txt").read_text(encoding="utf-8")
+    for holder in ("Rich Felker", "Sun Microsystems", "Arm Limited"):
+        assert holder in text
 
 
 FACTOR = 2.0

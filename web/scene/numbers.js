@@ -75,6 +75,8 @@ export function length2(x, y) {
   return root + (sum - square - error + lost) / (2 * root);
 }
 
+// fdlibm: Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved. Developed at SunSoft, a Sun Microsystems, Inc. business.
+// Permission to use, copy, modify, and distribute this software is freely granted, provided that this notice is preserved.
 const [DEGREE, DEGREE_REST] = [0.017453292519943295, 2.9486522708701687e-19];
 const [S1, S2, S3] = [-1.66666666666666324348e-1, 8.33333333332248946124e-3, -1.98412698298579493134e-4];
 const [S4, S5, S6] = [2.75573137070700676789e-6, -2.50507602534068634195e-8, 1.58969099521155010221e-10];

@@ -1,6 +1,6 @@
 """Build the explorer's WebAssembly module from today's kernels: what `make wasm` runs.
 
-``python -m carom.explorer.build`` writes ``assets/engine.wasm`` and ``assets/engine.json``.
+``python -m carom.explorer.build`` writes ``assets/engine.wasm``, ``assets/engine.json`` and musl's licence.
 """
 
 from __future__ import annotations
@@ -23,10 +23,20 @@ __all__ = ["build", "main"]
 MAX_BYTES = 250_000
 
 
-def build() -> tuple[bytes, str]:
-    """Return the module and the text of its description. Raises CaromError where it cannot be built."""
+def build() -> tuple[bytes, str, str]:
+    """Return the module, the text of its description, and the licence of the functions of libm in it.
+
+    Raises CaromError where it cannot be built.
+    """
     from carom.core.jit.compile import signature
-    from carom.core.jit.webassembly import Export, WebAssemblyError, build_module, plain_signature, tool_versions
+    from carom.core.jit.webassembly import (
+        Export,
+        WebAssemblyError,
+        build_module,
+        libm_licence,
+        plain_signature,
+        tool_versions,
+    )
 
     # (in the engine's own loop another process compiles this part)
     kernel(joint_impact)
@@ -40,24 +50,26 @@ def build() -> tuple[bytes, str]:
     try:
         module = build_module(exports, described["version"])
         described["built_with"] = tool_versions()
+        licence = libm_licence()
     except WebAssemblyError as error:
         raise CaromError(str(error)) from None
     if len(module) > MAX_BYTES:
         raise CaromError(f"make wasm: expected at most {MAX_BYTES:,} bytes, got {len(module):,}")
-    return module, json.dumps(described, indent=1, allow_nan=False) + "\n"
+    return module, json.dumps(described, indent=1, allow_nan=False) + "\n", licence
 
 
 def main() -> int:
     """Build the module and write it beside its description; return the exit code."""
     begin = time.perf_counter()
     try:
-        module, text = build()
+        module, text, licence = build()
     except CaromError as error:
         sys.stderr.write(f"carom: {error}\n")
         return 2
     ASSETS.mkdir(exist_ok=True)
     (ASSETS / "engine.wasm").write_bytes(module)
     write_text(ASSETS / "engine.json", text)
+    write_text(ASSETS / "LICENSE-musl.txt", licence)
     size = len(zlib.compress(module, 9))
     sys.stdout.write(f"engine.wasm: {len(module):,} bytes ({size:,} compressed), {time.perf_counter() - begin:.0f} s\n")
     return 0

@@ -3,9 +3,11 @@
 math.cos and math.sin are those of the platform's libm, which differ in the last digit; a wall at an angle would stand elsewhere in
 a browser. Here there are + - * and an exact remainder only, and multiples of 90 degrees are exact.
 
-The polynomials are those of fdlibm's __kernel_sin and __kernel_cos (Sun Microsystems, 1993), for |x| <= pi/4, with an error below 1
-in the last digit.
+The polynomials are those of fdlibm's __kernel_sin and __kernel_cos, for |x| <= pi/4, with an error below 1 in the last digit.
 """
+
+# fdlibm: Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved. Developed at SunSoft, a Sun Microsystems, Inc. business.
+# Permission to use, copy, modify, and distribute this software is freely granted, provided that this notice is preserved.
 
 from __future__ import annotations
 

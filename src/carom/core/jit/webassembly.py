@@ -20,7 +20,7 @@ from typing import Any, NamedTuple
 
 from carom.core.jit.compile import KERNEL_OPTIONS, register_kernels
 
-__all__ = ["Export", "WebAssemblyError", "build_module", "plain_signature", "tool_versions"]
+__all__ = ["Export", "WebAssemblyError", "build_module", "libm_licence", "plain_signature", "tool_versions"]
 
 TRIPLE = "wasm32-unknown-unknown"
 LAYOUT = "e-m:e-p:32:32-p10:8:8-p20:8:8-i64:64-i128:128-n32:64-S128-ni:1:10:20"
@@ -253,6 +253,11 @@ def _link(work: Path, functions: Sequence[str], names: Sequence[str]) -> bytes:
         "-o", str(work / "engine.wasm"),
     )  # fmt: skip
     return (work / "engine.wasm").read_bytes()
+
+
+def libm_licence() -> str:
+    """Return the licence of what is linked into a module beside the kernels: musl's, with the notices of its libm."""
+    return (_math_folder().parents[1] / "COPYRIGHT").read_text(encoding="utf-8")
 
 
 def tool_versions() -> dict[str, str]:
