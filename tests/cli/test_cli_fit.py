@@ -353,7 +353,7 @@ def test_rows_of_one_kind_by_a_column_of_the_tables_own(here, monkeypatch, capsy
 
 
 def test_a_column_of_numbers_is_no_kind_of_rows(here, monkeypatch, capsys):
-    batch, slip = np.repeat([1.0, 2.0], 30), np.repeat(["0.5", ""], 30)  # (an empty cell is no name)
+    batch, slip = np.repeat([1.0, 2.0], 30), np.repeat([0.5, np.nan], 30)  # (an empty cell is no name)
     file = write(here / "bounces.csv", bounces(1, 60) | {"batch": batch, "slip": slip})
     code, _out, err = run(monkeypatch, capsys, "fit", str(file), "--radius", "0.02", "--laws", "contact", "--json",
                           "--bootstrap", "0", "--no-report")  # fmt: skip
