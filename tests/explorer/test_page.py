@@ -55,7 +55,9 @@ def test_the_bundle_is_of_todays_sources() -> None:
 
 def test_licences_of_what_is_inside_are_kept() -> None:
     text = (ASSETS / "LICENSES.txt").read_text(encoding="utf-8")
-    pinned = json.loads((WEB / "package.json").read_text(encoding="utf-8"))["dependencies"]
+    package = json.loads((WEB / "package.json").read_text(encoding="utf-8"))
+    pinned = package["dependencies"] | package["overrides"]
+    assert set(json.loads((ASSETS / "page.json").read_text(encoding="utf-8"))["packages"]) == set(pinned)
     assert all(re.fullmatch(r"\d+\.\d+\.\d+", version) for version in pinned.values())
     for name, version in pinned.items():
         assert f"{name} {version} (" in text
