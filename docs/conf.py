@@ -19,7 +19,9 @@ author = "the carom authors"
 project_copyright = "the carom authors"
 version = release = carom.__version__
 
+sys.path.insert(0, str(Path(__file__).parent))
 extensions = [
+    "explorer_frame",
     "myst_nb",
     "sphinx.ext.autodoc",
     "sphinx.ext.mathjax",
