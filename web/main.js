@@ -61,8 +61,8 @@ async function start() {
   const module = Uint8Array.from(atob((byId("engine-module").textContent ?? "").trim()), (c) => c.charCodeAt(0));
   const loaded = await loadEngine(module, json("engine-layout"));
   const engine = /** @type {Engine} */ (/** @type {unknown} */ (loaded));
-  const [run, report] = [loaded.run.bind(loaded), loaded.report.bind(loaded)]; // report: in the form of carom simulate --json
-  const carom = { run, report, version: loaded.version, scene: () => /** @type {Scene | null} */ (null) };
+  const [run, pieces] = [loaded.report.bind(loaded), loaded.run.bind(loaded)]; // run: in the form of carom simulate --json
+  const carom = { run, pieces, version: loaded.version, scene: () => /** @type {Scene | null} */ (null) };
   Object.assign(window, { carom });
   const store = show(data, engine);
   carom.scene = () => structuredClone(store.state.scene);
@@ -70,7 +70,10 @@ async function start() {
 
 /** @param {PageData} data @param {Engine} engine @returns {Store} */
 function show(data, engine) {
-  const first = data.presets[0];
+  // (the documentation links to #preset=NAME)
+  const asked = new URLSearchParams(location.hash.replace(/^#/, "")).get("preset");
+  const at = Math.max(0, data.presets.findIndex(({ name }) => name === asked));
+  const first = data.presets[at];
   const names = data.cards.map(({ name }) => name);
   /** @type {ReturnType<typeof fromHash>} */
   let linked = null;
@@ -88,7 +91,7 @@ function show(data, engine) {
     scene = checked(engine, first.scene);
   }
   const store = new Store({
-    scene, laws: linked?.laws ?? names.filter((name) => first.laws.includes(name)), followed: "", ball: 0, wall: -1, t: linked?.t ?? 0, playing: false,
+    scene, laws: linked?.laws ?? names.filter((name) => first.laws.includes(name)), followed: "", ball: 0, wall: -1, t: linked?.t ?? first.time ?? 0, playing: false,
     speed: first.slow ?? 1, rebounds: data.rebounds, reboundsFrom: data.reboundsFrom, cards: cardsFor(data.cards, scene),
   });
   const { state } = store;
@@ -233,6 +236,7 @@ function show(data, engine) {
   // --- presets, theme, undo -------------------------------------------------------------------------------------------
   const presets = /** @type {HTMLSelectElement} */ (byId("preset"));
   presets.append(...data.presets.map(({ title }, i) => el("option", { value: String(i) }, title)));
+  presets.value = String(at);
   const about = (/** @type {string} */ text) => (byId("about").textContent = text);
   about(linked ? "" : first.about);
   presets.onchange = () => {

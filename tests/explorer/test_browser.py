@@ -381,3 +381,13 @@ def test_without_webassembly_or_with_another_module_a_sentence(open_page: Any, p
     page = open_page(other)
     assert page.locator("html").get_attribute("data-ready") == "failed"
     assert page.locator("#message").inner_text()
+
+
+def test_an_address_may_name_a_preset(open_page: Any) -> None:
+    page = open_page(after="#preset=three_cushions")
+    assert page.locator("#preset option:checked").inner_text() == "Three cushions"
+    assert len(_scene(page)["balls"]) == 3
+    assert page.locator("#law-two-step").is_checked()
+    assert not page.locator("#law-maw").is_checked()
+    page = open_page(after="#preset=none")
+    assert page.locator("#preset option:checked").inner_text() == "The paper's example"

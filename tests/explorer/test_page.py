@@ -64,12 +64,18 @@ def test_licences_of_what_is_inside_are_kept() -> None:
     assert "Copyright © 2010-" in text  # three.js
 
 
+def test_the_page_carries_the_licences_of_what_is_inside() -> None:
+    page = carom.explore().html
+    assert "three.js authors" in page
+    assert "musl as a whole is licensed" in page
+
+
 def test_the_page_is_one_small_file_that_asks_for_nothing() -> None:
     page = carom.explore()
     assert len(page.html.encode()) < 1_500_000
     assert not re.search(r"<(script|link|img|iframe)[^>]*(src|href)\s*=", page.html.replace(_script(page), ""))
     assert "default-src 'none'" in page.html
-    assert page.html.count("</script>") == 4
+    assert page.html.count("</script>") == 5
 
 
 def _script(page: ExplorerPage) -> str:

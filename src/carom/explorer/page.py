@@ -201,6 +201,8 @@ def _page(scene: Scene | None, laws: list[str], rebounds: Rebounds | None) -> st
         STYLE=_asset("style.css"),
         DATA=_script_json(data),
         LAYOUT=_script_json(engine_layout()),
+        # (the file is a copy of what is inside, so that their licences go with it)
+        LICENCES=(_asset("LICENSES.txt") + _asset("LICENSE-musl.txt")).replace("</", "<\\/"),
         MODULE=base64.b64encode(engine_bytes()).decode("ascii"),
         SCRIPT=_asset("page.js"),
     )
