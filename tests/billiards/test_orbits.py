@@ -11,9 +11,11 @@ from reference.plane_tables import CLEARANCE, L_SHAPE, PLANE, first_outside
 import carom
 from carom import billiards
 from carom.billiards.elliptic_boundary import ellipse_arc_length
+from carom.billiards.intersections import circle_exit
 from carom.billiards.loop import MEMORY, follow
 from carom.billiards.records import ENDS
 from carom.billiards.setup import orbit_setup, start_rows
+from carom.billiards.tangent import follow_tangents
 from carom.core.jit.kernel import dot
 from carom.laws.no_slip import no_slip_bounce, no_slip_reflection
 
@@ -376,3 +378,24 @@ def test_bad_input(words):
         BAD[words]()
     assert words in str(caught.value)
     assert all(len(fault.splitlines()) == 1 for fault in caught.value.faults)
+
+
+def test_a_ball_that_just_fits_between_the_walls_of_a_strip():
+    """Up to half the width there is room for it; from there on there is none."""
+    strip, ball = billiards.strip(1.0, bounds="surface"), carom.Ball(radius=0.499, mass=1.0)
+    orbit = billiards.orbit(strip, ((0.0, 0.0), (0.3, 1.0), 0.0), 3, ball=ball)
+    np.testing.assert_allclose(np.abs(orbit.position[..., 1]), 0.001, rtol=1e-9)
+    with pytest.raises(carom.CaromError, match=r"expected one that fits between the walls, got 0\.5;"):
+        billiards.orbit(strip, ((0.0, 0.0), (0.3, 1.0), 0.0), 3, ball=carom.Ball(radius=0.5, mass=1.0))
+
+
+def test_a_ball_on_a_circle_that_flies_along_its_tangent_never_meets_it_again():
+    assert circle_exit(0.0, 1.0, 1.0, 0.0, 1.0) == math.inf
+    assert circle_exit(-1.0, 0.0, 1.0, 0.0, 1.0) == 2.0
+
+
+def test_displacements_that_are_followed_to_no_bounce_have_met_no_wall():
+    at_rest = (0.0, 0.0, 0.0)
+    assert follow_tangents(
+        None, None, at_rest, at_rest, at_rest, 0, np.zeros((0, 9)), np.zeros(0), 0, np.zeros(10)
+    ) == (0, 0, -1)
