@@ -3,6 +3,7 @@
 /** @import { Drag, Palette, Shot, View } from "./shot.js" */
 import { Orientation, stateAt, trail } from "../state/motion.js";
 import { ballColour } from "./balls.js";
+import { oncePerFrame } from "./frames.js";
 import { arrowTime, outline } from "./shot.js";
 
 const DASHES = { rolling: [], sliding: [7, 4], flight: [1.5, 3.5] };
@@ -20,7 +21,7 @@ export function flat(host, drag) {
   /** @type {Palette | null} */
   let palette = null;
   let now = 0;
-  let queued = false;
+  const request = oncePerFrame(render);
   /** @type {"ball" | "velocity" | null} */
   let grasped = null;
   let offset = [0, 0];
@@ -105,14 +106,7 @@ export function flat(host, drag) {
     request();
   }
 
-  function request() {
-    if (queued) return;
-    queued = true;
-    requestAnimationFrame(render);
-  }
-
   function render() {
-    queued = false;
     if (!shot || !palette) return;
     const view = frame(shot);
     const ratio = Math.min(devicePixelRatio, 2);

@@ -11,6 +11,7 @@ import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { Orientation, stateAt } from "../state/motion.js";
 import { unit } from "../state/vectors.js";
 import { BallMesh, ballColour } from "./balls.js";
+import { oncePerFrame } from "./frames.js";
 import { arrowTime, middleOf, sizeOf } from "./shot.js";
 import { Trails } from "./trails.js";
 import { dispose, wallMeshes } from "./walls.js";
@@ -58,7 +59,7 @@ export function stage(host, drag, labels) {
   /** @type {Shot | null} */
   let shot = null;
   let now = 0;
-  let queued = false;
+  const request = oncePerFrame(render);
   const gaze = new Vector3();
   /** Floor and walls, and what they were made of. @type {{groups: Group[], of: string}} */
   let fixed = { groups: [], of: "" };
@@ -210,14 +211,7 @@ export function stage(host, drag, labels) {
     request();
   }
 
-  function request() {
-    if (queued) return;
-    queued = true;
-    requestAnimationFrame(render);
-  }
-
   function render() {
-    queued = false;
     if (!shot) return;
     const leads = shot.runs.get(shot.followed);
     const solid = leads ? stateAt(leads.balls[shot.ball].pieces, now).x : null;
