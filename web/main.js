@@ -4,22 +4,23 @@
 /** @import { Engine } from "./state/compute.js" */
 /** @import { Box, Palette, View } from "./view/shot.js" */
 import { loadEngine } from "./engine/engine.js";
+import { loadRecorded } from "./engine/recorded.js";
 import { byId, el } from "./panels/dom.js";
 import { controls } from "./panels/controls.js";
 import { lawPanel } from "./panels/laws.js";
 import { menu } from "./panels/menu.js";
 import { anglePlot, timePlot } from "./panels/plots.js";
 import { transport } from "./panels/transport.js";
-import { cardsFor, checked, curvesOf, horizon, incidenceOf, runAll, sentence, steps, verdictsOf } from "./state/compute.js";
+import { AS_GIVEN, cardsFor, checked, curvesOf, horizon, incidenceOf, runAll, sentence, steps, verdictsOf } from "./state/compute.js";
 import { withBall } from "./state/edit.js";
 import { fromHash } from "./state/link.js";
-import { energyAt, sampleTimes, stateAt } from "./state/motion.js";
+import { Orientation, energyAt, sampleTimes, stateAt, trailTime } from "./state/motion.js";
 import { Store } from "./state/store.js";
 import { flat } from "./view/flat.js";
 import { VIEWS, boxAround } from "./view/shot.js";
 import { stage } from "./view/stage.js";
 
-/** @typedef {{presets: Preset[], cards: LawCard[], rebounds: Rebound[], reboundsFrom: string}} PageData */
+/** `recorded`: a run that the page shows and does not compute. @typedef {{presets: Preset[], cards: LawCard[], rebounds: Rebound[], reboundsFrom: string, recorded?: import("./engine/types.js").Recording}} PageData */
 
 let fading = 0;
 
@@ -59,31 +60,36 @@ async function start() {
   /** @type {PageData} */
   const data = json("page-data");
   const module = Uint8Array.from(atob((byId("engine-module").textContent ?? "").trim()), (c) => c.charCodeAt(0));
-  const loaded = await loadEngine(module, json("engine-layout"));
+  const layout = json("engine-layout");
+  const { recorded, presets } = data;
+  const loaded = await (recorded ? loadRecorded(module, layout, presets[0].scene, recorded) : loadEngine(module, layout));
   const engine = /** @type {Engine} */ (/** @type {unknown} */ (loaded));
   const [run, pieces] = [loaded.report.bind(loaded), loaded.run.bind(loaded)]; // run: in the form of carom simulate --json
-  const carom = { run, pieces, version: loaded.version, scene: () => /** @type {Scene | null} */ (null) };
+  const carom = { run, pieces, version: loaded.version };
   Object.assign(window, { carom });
-  const store = show(data, engine);
-  carom.scene = () => structuredClone(store.state.scene);
+  if (recorded) document.documentElement.dataset.recorded = "true";
+  const { store, at } = show(data, engine);
+  Object.assign(carom, { scene: () => structuredClone(store.state.scene), at });
 }
 
-/** @param {PageData} data @param {Engine} engine @returns {Store} */
+/** @param {PageData} data @param {Engine} engine */
 function show(data, engine) {
   // (the documentation links to #preset=NAME)
   const asked = new URLSearchParams(location.hash.replace(/^#/, "")).get("preset");
-  const at = Math.max(0, data.presets.findIndex(({ name }) => name === asked));
-  const first = data.presets[at];
-  const names = data.cards.map(({ name }) => name);
+  const number = Math.max(0, data.presets.findIndex(({ name }) => name === asked));
+  const first = data.presets[number];
+  const names = [AS_GIVEN, ...data.cards.map(({ name }) => name)];
+  const cardsOf = (/** @type {Scene} */ of) => (data.recorded ? data.cards : cardsFor(data.cards, of));
+  const lawsOf = (/** @type {Preset} */ preset) => cardsOf(preset.scene).map(({ name }) => name).filter((name) => preset.laws.includes(name));
   /** @type {ReturnType<typeof fromHash>} */
   let linked = null;
   try {
-    linked = fromHash(location.hash, engine, names);
+    if (!data.recorded) linked = fromHash(location.hash, engine, names);
   } catch (error) {
     say(sentence(error));
   }
   let scene = linked?.scene ?? checked(engine, first.scene);
-  const laws = linked?.laws ?? names.filter((name) => first.laws.includes(name));
+  const laws = linked?.laws ?? lawsOf(first);
   const fault = runAll(engine, scene, laws.length ? laws : [scene.run.law]).fault;
   if (fault !== null && linked) {
     say(`The scene of this link cannot be shown: ${fault}`);
@@ -91,25 +97,25 @@ function show(data, engine) {
     scene = checked(engine, first.scene);
   }
   const store = new Store({
-    scene, laws: linked?.laws ?? names.filter((name) => first.laws.includes(name)), followed: "", ball: 0, wall: -1, t: linked?.t ?? first.time ?? 0, playing: false,
-    speed: first.slow ?? 1, rebounds: data.rebounds, reboundsFrom: data.reboundsFrom, cards: cardsFor(data.cards, scene),
+    scene, laws: linked?.laws ?? lawsOf(first), followed: "", ball: 0, wall: -1, t: linked?.t ?? first.time ?? 0, playing: false,
+    span: linked ? null : (first.span ?? null), speed: first.slow ?? 1, rebounds: data.rebounds, reboundsFrom: data.reboundsFrom, cards: cardsOf(scene),
   });
   const { state } = store;
 
   /** The law that leads: the one asked for, the scene's own, or the first. @param {string} [wanted] */
-  const leader = (wanted) => [wanted, state.cards[0]?.name === "as in the scene" ? state.cards[0].name : undefined, state.scene.run.law].find((law) => law && state.laws.includes(law)) ?? state.laws[0] ?? "";
+  const leader = (wanted) => [wanted, state.cards[0]?.name === AS_GIVEN ? AS_GIVEN : undefined, state.scene.run.law].find((law) => law && state.laws.includes(law)) ?? state.laws[0] ?? "";
   state.followed = leader(linked?.followed);
 
   let outcome = runAll(engine, state.scene, state.laws);
-  let until = horizon(state.scene, outcome.runs.values());
+  let span = horizon(state.scene, outcome.runs.values(), state.span);
   /** @type {Box} */
-  let box = boxAround(state.scene, outcome.runs, state.followed, until);
+  let box = boxAround(state.scene, outcome.runs, state.followed, span);
   let events = steps(state.scene, outcome.runs.get(state.followed));
   const colours = () => new Map(state.cards.map(({ name, colour }) => [name, tint(colour, document.documentElement.dataset.theme === "dark")]));
 
   // --- what is seen ---------------------------------------------------------------------------------------------------
   const host = byId("stage");
-  const drag = {
+  const drag = data.recorded ? null : {
     start: () => store.remember(),
     ball: (/** @type {number} */ x, /** @type {number} */ y) => change(withBall(state.scene, state.ball, { position: [x, y, state.scene.balls[state.ball].position[2]] })),
     velocity: (/** @type {number} */ x, /** @type {number} */ y) => change(withBall(state.scene, state.ball, { velocity: [x, y, state.scene.balls[state.ball].velocity[2]] })),
@@ -128,7 +134,7 @@ function show(data, engine) {
   const views = /** @type {HTMLElement} */ (host.querySelector(".views"));
   for (const { name, label } of webgl2 ? VIEWS : []) {
     views.append(el("button", { type: "button", "data-view": name, click: () => {
-      box = boxAround(state.scene, outcome.runs, state.followed, until);
+      box = boxAround(state.scene, outcome.runs, state.followed, span);
       draw(new Set(["scene"]));
       view.look(name);
     } }, label));
@@ -137,7 +143,7 @@ function show(data, engine) {
   const lawColumn = lawPanels();
   const sliders = controls(byId("controls"), store, change, say);
   const angles = anglePlot(byId("angles"));
-  const time = transport(store, () => ({ until, events }));
+  const time = transport(store, () => ({ ...span, events }));
   const course = timePlot(byId("course"), time.seek);
   menu(store, view, () => outcome.runs.get(state.followed), say);
 
@@ -156,7 +162,7 @@ function show(data, engine) {
       return;
     }
     say("");
-    store.change({ scene: next }, "scene");
+    store.change({ scene: next, span: null }, "scene");
   }
 
   /** @type {Set<import("./state/store.js").Part>} */
@@ -164,18 +170,24 @@ function show(data, engine) {
   let queued = false;
   store.listen((parts) => {
     if (parts.has("scene") || parts.has("laws")) {
-      state.cards = cardsFor(data.cards, state.scene);
+      state.cards = cardsOf(state.scene);
       state.laws = state.cards.map(({ name }) => name).filter((name) => state.laws.includes(name));
       state.followed = leader(state.followed);
       outcome = runAll(engine, state.scene, state.laws);
-      until = horizon(state.scene, outcome.runs.values());
+      span = horizon(state.scene, outcome.runs.values(), state.span);
       events = steps(state.scene, outcome.runs.get(state.followed));
-      state.t = Math.min(state.t, until);
+      state.t = Math.max(span.from, Math.min(state.t, span.until));
     }
     dirty = new Set([...dirty, ...parts]);
     if (!queued) requestAnimationFrame(() => draw(dirty));
     queued = true;
   });
+
+  /** The times between which paths are drawn: of long runs only the last. */
+  function trailSpan() {
+    const lasts = trailTime(outcome.runs.get(state.followed), span);
+    return lasts === Infinity ? span : { from: Math.max(span.from, state.t - lasts), until: state.t };
+  }
 
   /** @param {Set<string>} parts */
   function draw(parts) {
@@ -183,7 +195,7 @@ function show(data, engine) {
     dirty = new Set();
     const of = colours();
     if (parts.has("scene") || parts.has("laws")) {
-      view.update({ scene: state.scene, ball: state.ball, followed: state.followed, runs: outcome.runs, colours: of, until, box }, palette());
+      view.update({ scene: state.scene, ball: state.ball, followed: state.followed, runs: outcome.runs, colours: of, span: trailSpan(), box }, palette());
       byId("key").hidden = !state.scene.floor;
       canvas.setAttribute("aria-label", `The scene: ${state.scene.balls.length} ball${state.scene.balls.length > 1 ? "s" : ""} under ${state.laws.join(", ") || "no law"}. Drag the ball or its arrow, or use the sliders.`);
       const { verdicts, none } = verdictsOf(engine, state.scene);
@@ -193,6 +205,7 @@ function show(data, engine) {
       drawAngles(verdicts, of);
       drawCourse(of);
     } else if (parts.has("data")) drawAngles(verdictsOf(engine, state.scene).verdicts, of);
+    else if (trailSpan() !== span) view.trace(trailSpan());
     view.draw(state.t);
     course.place(state.t);
     time.update();
@@ -224,19 +237,19 @@ function show(data, engine) {
       const run = outcome.runs.get(name);
       if (!run) continue;
       const look = { name, colour: of.get(name) ?? "#888", dashes, width: name === state.followed ? 2.2 : 1.5 };
-      const times = sampleTimes(run, state.ball, until, 60);
+      const times = sampleTimes(run, state.ball, span, 60);
       const all = energyAt(state.scene, run, 0);
       const low = state.scene.floor ? state.scene.balls[state.ball].radius : 0;
       if (all > 0) energy.push({ ...look, points: times.map((t) => [t, energyAt(state.scene, run, t) / all]) });
       height.push({ ...look, points: times.map((t) => [t, (stateAt(run.balls[state.ball].pieces, t).x[2] - low) * 1e3]) });
     }
-    course.update(energy, height, until);
+    course.update(energy, height, span);
   }
 
   // --- presets, theme, undo -------------------------------------------------------------------------------------------
   const presets = /** @type {HTMLSelectElement} */ (byId("preset"));
   presets.append(...data.presets.map(({ title }, i) => el("option", { value: String(i) }, title)));
-  presets.value = String(at);
+  presets.value = String(number);
   const about = (/** @type {string} */ text) => (byId("about").textContent = text);
   about(linked ? "" : first.about);
   presets.onchange = () => {
@@ -244,9 +257,9 @@ function show(data, engine) {
     store.remember();
     say("");
     about(preset.about);
-    Object.assign(state, { ball: 0, wall: -1, t: preset.time ?? 0, speed: preset.slow ?? 1, playing: false });
-    store.change({ scene: checked(engine, preset.scene), laws: names.filter((name) => preset.laws.includes(name)), followed: preset.scene.run.law }, "scene", "laws", "time");
-    box = boxAround(state.scene, outcome.runs, state.followed, until);
+    Object.assign(state, { ball: 0, wall: -1, t: preset.time ?? 0, span: preset.span ?? null, speed: preset.slow ?? 1, playing: false });
+    store.change({ scene: checked(engine, preset.scene), laws: lawsOf(preset), followed: preset.scene.run.law }, "scene", "laws", "time");
+    box = boxAround(state.scene, outcome.runs, state.followed, span);
     draw(new Set(["scene"]));
     view.look(preset.view ?? "free");
   };
@@ -265,13 +278,13 @@ function show(data, engine) {
   });
   addEventListener("hashchange", () => {
     try {
-      const found = fromHash(location.hash, engine, names);
+      const found = data.recorded ? null : fromHash(location.hash, engine, names);
       if (!found) return;
       const bad = runAll(engine, found.scene, found.laws.length ? found.laws : [found.scene.run.law]).fault;
       if (bad !== null) throw new Error(bad);
       store.remember();
-      store.change({ ...found, ball: 0, wall: -1, playing: false }, "scene", "laws", "time");
-      box = boxAround(state.scene, outcome.runs, state.followed, until);
+      store.change({ ...found, ball: 0, wall: -1, span: null, playing: false }, "scene", "laws", "time");
+      box = boxAround(state.scene, outcome.runs, state.followed, span);
       draw(new Set(["scene"]));
     } catch (error) {
       say(sentence(error));
@@ -285,7 +298,13 @@ function show(data, engine) {
   view.look(linked ? "free" : (first.view ?? "free"));
   performance.mark("ready");
   document.documentElement.dataset.ready = "true";
-  return store;
+  /** All balls and their energy, J, at a time under the law that is followed; q: orientation, a quaternion w, x, y, z. @param {number} t s */
+  function at(t) {
+    const run = outcome.runs.get(state.followed);
+    if (!run) return null;
+    return { energy: energyAt(state.scene, run, t), balls: run.balls.map(({ pieces }) => ({ ...stateAt(pieces, t), q: new Orientation(pieces).at(t) })) };
+  }
+  return { store, at };
 }
 
 start().catch((error) => {

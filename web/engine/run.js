@@ -66,25 +66,33 @@ export function follow(module, scene, limits) {
   }
   /** @type {Record<number, Run["status"]>} */
   const known = { [status.done]: "done", [status.quiet]: "quiet", [status.limit]: events < most ? "time" : "limit" };
-  const found = known[code] ?? "refused";
-  return { world, features, balls, logs, status: found, code, end: found === "done" && until < Infinity ? until : last, atFault };
+  const reached = known[code] ?? "refused";
+  const found = reached === "done" && until === Infinity ? "quiet" : reached; // no end was asked for
+  return { world, features, balls, logs, status: found, code, end: found === "done" ? until : last, atFault };
 }
 
 /** @param {Module} module @param {Scene} scene @param {Limits} limits @returns {Run} */
 export function runScene(module, scene, limits) {
-  const { world, balls, logs, status, code, end, atFault } = follow(module, scene, limits);
+  const followed = follow(module, scene, limits);
+  const { status, code, balls, atFault } = followed;
+  return { ...runOf(module, scene, followed), why: status === "refused" ? refusal(module, scene, code, balls, atFault) : "" };
+}
+
+/** Events, pieces of motion and final states from what a log holds; its first rows are the balls' starts. @param {Module} module @param {Scene} scene @param {Pick<Followed, "world" | "balls" | "logs" | "status" | "end">} followed @returns {Run} */
+export function runOf(module, scene, { world, balls, logs, status, end }) {
   const found = readLog(module, logs);
   /** @type {LoggedEvent[][]} */
   const perBall = scene.balls.map(() => []);
   for (const row of found) perBall[row.ball].push(row);
   const bytes = module.layout.records.balls.bytes;
+  const open = status === "quiet" ? Infinity : end; // where nothing more happens, the last motion goes on
   return {
     status,
-    why: status === "refused" ? refusal(module, scene, code, balls, atFault) : "",
+    why: "",
     until: end,
     events: found.slice(perBall.length),
     final: finalStates(module, world, balls, perBall, end),
-    balls: perBall.map((rows, i) => ({ pieces: pieces(module, world, balls + i * bytes, rows, end) })),
+    balls: perBall.map((rows, i) => ({ pieces: pieces(module, world, balls + i * bytes, rows, open) })),
   };
 }
 
@@ -96,7 +104,6 @@ function readLog(module, logs) {
   const read = /** @type {Record<typeof names[number], (at: number) => any>} */ (
     Object.fromEntries(names.map((name) => [name, memory.field(records.log, name)]))
   );
-  /** @type {LoggedEvent[]} */
   /** @type {LoggedEvent[]} */
   const found = [];
   for (const log of logs) {

@@ -50,6 +50,8 @@
 
 /** @typedef {{events?: number, until?: number, milliseconds?: number}} Limits */
 
+/** A recorded run: its log (gzip, base64), how and when it ended, and why the page does not run it. @typedef {{log: string, status: "done" | "quiet" | "limit", end: number, why: string}} Recording */
+
 /**
  * @typedef {object} LoggedEvent
  * @property {number} t

@@ -31,7 +31,7 @@ export function menu(store, view, followed, say) {
   let waiting = 0;
   // browsers count how often an address is changed: once when the hand rests
   store.listen((parts) => {
-    if (store.state.playing || (parts.size === 1 && parts.has("data"))) return;
+    if (document.documentElement.dataset.recorded || store.state.playing || (parts.size === 1 && parts.has("data"))) return;
     clearTimeout(waiting);
     waiting = window.setTimeout(() => {
       try {

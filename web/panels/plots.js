@@ -90,12 +90,12 @@ export function anglePlot(host) {
 export function timePlot(host, seek) {
   const { root, size } = surface(host, "Energy kept and height of the ball over time under each law");
   const cursor = svg("path", { class: "cursor" });
-  let until = 1;
+  let span = { from: 0, until: 1 };
   let area = size();
   const at = (/** @type {PointerEvent} */ event) => {
     const box = root.getBoundingClientRect();
     const x = ((event.clientX - box.left) / box.width) * (area.x + area.width + MARGIN.right);
-    seek(Math.max(0, Math.min(1, (x - area.x) / area.width)) * until);
+    seek(span.from + Math.max(0, Math.min(1, (x - area.x) / area.width)) * (span.until - span.from));
   };
   root.addEventListener("pointerdown", (event) => {
     root.setPointerCapture(event.pointerId);
@@ -106,19 +106,19 @@ export function timePlot(host, seek) {
   });
 
   const place = (/** @type {number} */ t) => {
-    const x = area.x + (area.width * Math.min(t, until)) / until;
+    const x = area.x + (area.width * (Math.min(t, span.until) - span.from)) / (span.until - span.from);
     cursor.setAttribute("d", `M${x.toFixed(1)} ${area.y}V${area.y + area.height}`);
   };
   return {
     place,
-    /** @param {Curve[]} energy shares of the energy at the start @param {Curve[]} height mm @param {number} end s */
-    update(energy, height, end) {
+    /** @param {Curve[]} energy shares of the energy at the start @param {Curve[]} height mm @param {{from: number, until: number}} shown s */
+    update(energy, height, shown) {
       area = size();
-      until = end;
+      span = shown;
       const most = Math.max(0, ...height.flatMap(({ points }) => points.map(([, y]) => y)));
       const both = most > 1e-3;
       const top = { ...area, height: both ? (area.height - 24) * 0.52 : area.height };
-      const sx = scaleLinear([0, end], [area.x, area.x + area.width]);
+      const sx = scaleLinear([span.from, span.until], [area.x, area.x + area.width]);
       const peak = Math.max(1, ...energy.flatMap(({ points }) => points.map(([, y]) => y)));
       const se = scaleLinear([0, peak * 1.02], [top.y + top.height, top.y]);
       const children = [axes(top, sx, se, { title: "energy kept", yTicks: both ? 2 : 4, yFormat: (y) => `${tidy(100 * y)} %`, ...(both ? {} : { xLabel: "time, s" }) }), ...paths(energy, sx, se)];

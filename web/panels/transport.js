@@ -8,7 +8,7 @@ const STEPS = 10_000; // of the slider
 
 /**
  * @param {Store} store
- * @param {() => {until: number, events: {t: number, text: string}[]}} timeline of the law that is followed
+ * @param {() => {from: number, until: number, events: {t: number, text: string}[]}} timeline of the law that is followed
  */
 export function transport(store, timeline) {
   const play = /** @type {HTMLButtonElement} */ (byId("play"));
@@ -40,7 +40,8 @@ export function transport(store, timeline) {
   /** @param {boolean} on */
   function setPlaying(on) {
     if (on === store.state.playing) return;
-    const t = on && store.state.t >= timeline().until * (1 - 1e-9) ? 0 : store.state.t;
+    const { from, until } = timeline();
+    const t = on && store.state.t >= until - 1e-9 * (until - from) ? from : store.state.t;
     before = null;
     store.change({ playing: on, t }, "time");
     if (on) requestAnimationFrame(tick);
@@ -48,35 +49,40 @@ export function transport(store, timeline) {
 
   /** @param {number} t */
   function seek(t) {
-    store.change({ t: Math.max(0, Math.min(t, timeline().until)), playing: false }, "time");
+    const { from, until } = timeline();
+    store.change({ t: Math.max(from, Math.min(t, until)), playing: false }, "time");
   }
 
   /** To the next event, or the one before. @param {1 | -1} way */
   function step(way) {
-    const { events, until } = timeline();
+    const { events, from, until } = timeline();
     const now = store.state.t;
     const close = 1e-9 * Math.max(until, 1e-3);
-    const times = events.map(({ t }) => t).filter((t) => t <= until);
+    const times = events.map(({ t }) => t).filter((t) => t >= from && t <= until);
     const next = way > 0 ? times.find((t) => t > now + close) : times.findLast((t) => t < now - close);
-    seek(next ?? (way > 0 ? until : 0));
+    seek(next ?? (way > 0 ? until : from));
   }
 
   play.onclick = () => setPlaying(!store.state.playing);
   byId("next").onclick = () => step(1);
   byId("previous").onclick = () => step(-1);
-  byId("restart").onclick = () => seek(0);
-  slider.oninput = () => seek((Number(slider.value) / STEPS) * timeline().until);
+  byId("restart").onclick = () => seek(timeline().from);
+  slider.oninput = () => {
+    const { from, until } = timeline();
+    seek(from + (Number(slider.value) / STEPS) * (until - from));
+  };
   speed.onchange = () => store.change({ speed: Number(speed.value) }, "time");
 
   addEventListener("keydown", (event) => {
     const target = /** @type {HTMLElement} */ (event.target);
     if (event.ctrlKey || event.metaKey || event.altKey || /^(INPUT|SELECT|TEXTAREA)$/.test(target.tagName)) return;
-    const frame = timeline().until / 200;
+    const { from, until } = timeline();
+    const frame = (until - from) / 200;
     /** @type {Record<string, () => void>} */
     const does = {
       " ": () => setPlaying(!store.state.playing), ArrowLeft: () => seek(store.state.t - frame * (event.shiftKey ? 10 : 1)),
-      ArrowRight: () => seek(store.state.t + frame * (event.shiftKey ? 10 : 1)), ",": () => step(-1), ".": () => step(1), Home: () => seek(0),
-      End: () => seek(timeline().until),
+      ArrowRight: () => seek(store.state.t + frame * (event.shiftKey ? 10 : 1)), ",": () => step(-1), ".": () => step(1), Home: () => seek(from),
+      End: () => seek(until),
     };
     if (event.key === " " && target.tagName === "BUTTON") return; // (a button is pressed)
     if (Object.hasOwn(does, event.key)) {
@@ -89,9 +95,9 @@ export function transport(store, timeline) {
     setPlaying,
     seek,
     update() {
-      const { until, events } = timeline();
+      const { from, until, events } = timeline();
       const { t, playing } = store.state;
-      slider.value = String(Math.round((t / until) * STEPS));
+      slider.value = String(Math.round(((t - from) / (until - from)) * STEPS));
       slider.setAttribute("aria-valuetext", timeText(t));
       byId("clock").textContent = `${timeText(t)} of ${timeText(until)}`;
       play.textContent = playing ? "Pause" : "Play";

@@ -39,7 +39,8 @@ export function runAll(engine, scene, laws) {
       found.runs.set(law, run);
       const after = `after ${run.events.length} events, at ${Number(run.until.toPrecision(4))} s`;
       if (run.status === "refused") found.notes.set(law, run.why);
-      if (run.status === "limit" || run.status === "time") found.notes.set(law, `The run is cut off ${after}: carom simulate goes on.`);
+      const asked = run.events.length >= (scene.run.max_events ?? Infinity);
+      if (!asked && (run.status === "limit" || run.status === "time")) found.notes.set(law, `The run is cut off ${after}: carom simulate goes on.`);
     } catch (error) {
       found.notes.set(law, sentence(error));
     }
@@ -74,8 +75,9 @@ export function curvesOf(engine, scene, laws) {
   return found;
 }
 
-/** Where the time slider ends, s. @param {Scene} scene @param {Iterable<Run>} runs */
-export function horizon(scene, runs) {
+/** The times between which the slider moves, s. @param {Scene} scene @param {Iterable<Run>} runs @param {[number, number] | null} asked @returns {{from: number, until: number}} */
+export function horizon(scene, runs, asked) {
+  if (asked) return { from: asked[0], until: asked[1] };
   let until = 0;
   for (const run of runs) {
     const last = run.events.at(-1)?.t ?? 0;
@@ -84,7 +86,7 @@ export function horizon(scene, runs) {
     until = Math.max(until, still || !whole ? last : last * 1.3 + 0.3);
   }
   const duration = scene.run.duration;
-  return Math.max(1e-6, duration === null ? until || 1 : Math.min(until || duration, duration));
+  return { from: 0, until: Math.max(1e-6, duration === null ? until || 1 : Math.min(until || duration, duration)) };
 }
 
 /** The events of a run that people step through; of two balls that meet, one is enough. @param {Scene} scene @param {Run | undefined} run */

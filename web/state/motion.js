@@ -98,17 +98,18 @@ export function styleOf(phase) {
 const CHORD = { flight: 0.001, sliding: 0.02, rolling: 0.02 };
 
 /**
- * The path of a ball until a time, as chains of points of one style each. (A chord of a parabola that lasts s is a s^2/8 off it.)
+ * The path of a ball between two times, as chains of points of one style each. (A chord of a parabola that lasts s is a s^2/8 off it.)
  * @param {Piece[]} pieces
- * @param {number} until
+ * @param {{from: number, until: number}} span s
  * @param {number} radius of the ball
  * @returns {{style: "flight" | "sliding" | "rolling", points: Vec[]}[]}
  */
-export function trail(pieces, until, radius) {
+export function trail(pieces, { from, until }, radius) {
   /** @type {{style: "flight" | "sliding" | "rolling", points: Vec[]}[]} */
   const found = [];
   for (const piece of pieces) {
-    const lasts = Math.min(piece.lasts, until - piece.t);
+    const [first, end] = [Math.max(0, from - piece.t), Math.min(piece.lasts, until - piece.t)];
+    const lasts = end - first;
     if (!(lasts > 0)) continue;
     const style = styleOf(piece.phase);
     const { v, acc } = piece;
@@ -116,12 +117,19 @@ export function trail(pieces, until, radius) {
     const off = (length(acc) * lasts * lasts) / 8;
     const steps = straight ? 1 : Math.max(1, Math.min(32, Math.ceil(Math.sqrt(off / (CHORD[style] * radius)))));
     let last = found[found.length - 1];
-    if (!last || last.style !== style) found.push((last = { style, points: [piece.x] }));
+    if (!last || last.style !== style) found.push((last = { style, points: [along(piece, first).x] }));
     const top = straight ? -dot(v, acc) / dot(acc, acc) : 0; // when a ball that was thrown straight up turns round
-    if (top > 0 && top < lasts) last.points.push(along(piece, top).x);
-    for (let i = 1; i <= steps; i++) last.points.push(along(piece, (lasts * i) / steps).x);
+    if (top > first && top < end) last.points.push(along(piece, top).x);
+    for (let i = 1; i <= steps; i++) last.points.push(along(piece, first + (lasts * i) / steps).x);
   }
   return found;
+}
+
+const MOST_TRAIL = 300; // pieces of a path that are drawn as a whole; of a longer one, as many before the time that is shown
+/** How long before the time that is shown trails begin, s. @param {Run | undefined} run @param {{from: number, until: number}} span */
+export function trailTime(run, { from, until }) {
+  const most = Math.max(0, ...(run?.balls.map(({ pieces }) => pieces.length) ?? []));
+  return most > MOST_TRAIL ? (0.2 * MOST_TRAIL * (until - from)) / most : Infinity;
 }
 
 /** I/(m a^2). @param {"solid" | "hollow" | number} inertia */
@@ -139,17 +147,18 @@ export function energyAt(scene, run, t) {
   return energy;
 }
 
-/** Times at which a curve of a run is drawn: events, and enough in between. @param {Run} run @param {number} ball @param {number} until @param {number} count */
-export function sampleTimes(run, ball, until, count) {
-  const times = new Set([0, until]);
-  for (let i = 0; i < count; i++) times.add((until * i) / count);
+/** Times at which a curve of a run is drawn: events, and enough in between. @param {Run} run @param {number} ball @param {{from: number, until: number}} span @param {number} count */
+export function sampleTimes(run, ball, { from, until }, count) {
+  const times = new Set([until]);
+  for (let i = 0; i < count; i++) times.add(from + ((until - from) * i) / count);
   let left = 4 * count;
   for (const { t, lasts, acc } of run.balls[ball].pieces) {
     if (t > until || left <= 0) break;
+    if (t < from) continue;
     times.add(t);
     times.add(Math.min(until, t + lasts * (1 - 1e-9)));
     // a short hop is still a curve
-    if (acc[2] !== 0 && lasts < until / 20) for (let i = 1; i < 6; i++, left--) times.add(Math.min(until, t + (lasts * i) / 6));
+    if (acc[2] !== 0 && lasts < (until - from) / 20) for (let i = 1; i < 6; i++, left--) times.add(Math.min(until, t + (lasts * i) / 6));
     left--;
   }
   return [...times].sort((a, b) => a - b);

@@ -10,6 +10,7 @@
  * @property {number} ball number of the ball that is edited
  * @property {number} wall number of the wall that is edited; -1: all
  * @property {number} t s
+ * @property {[number, number] | null} span times that are shown, s; null: the whole run
  * @property {boolean} playing
  * @property {number} speed seconds of the scene in one second
  * @property {Rebound[]} rebounds

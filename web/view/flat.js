@@ -10,7 +10,7 @@ const DASHES = { rolling: [], sliding: [7, 4], flight: [1.5, 3.5] };
 const REACH = 24;
 const SHORTEST_ARROW = 1.8;
 
-/** @param {HTMLElement} host @param {Drag} drag @returns {View} */
+/** @param {HTMLElement} host @param {Drag | null} drag as of stage @returns {View} */
 export function flat(host, drag) {
   const canvas = document.createElement("canvas");
   canvas.tabIndex = 0;
@@ -56,7 +56,7 @@ export function flat(host, drag) {
   }
 
   canvas.addEventListener("pointerdown", (event) => {
-    if (!shot || event.button !== 0) return;
+    if (!shot || drag === null || event.button !== 0) return;
     const view = frame(shot);
     const ball = shot.scene.balls[shot.ball];
     const far = (/** @type {number[]} */ p) => Math.hypot(p[0] - event.offsetX, p[1] - event.offsetY);
@@ -71,7 +71,7 @@ export function flat(host, drag) {
     drag.start();
   });
   canvas.addEventListener("pointermove", (event) => {
-    if (!grasped || !shot) return;
+    if (!grasped || !shot || drag === null) return;
     const [x, y] = frame(shot).metres(event.offsetX, event.offsetY).map((value, k) => value + offset[k]);
     if (grasped === "ball") {
       drag.ball(x, y);
@@ -86,7 +86,7 @@ export function flat(host, drag) {
     if (!grasped) return;
     grasped = null;
     if (shot) arrowScale = arrowTime(shot);
-    drag.end();
+    drag?.end();
     request();
   };
   canvas.addEventListener("pointerup", release);
@@ -145,7 +145,7 @@ export function flat(host, drag) {
     for (const { law, ball, turns } of balls) {
       c.strokeStyle = ball === shot.ball ? (shot.colours.get(law) ?? palette.ink) : ballColour(shot.scene.balls[ball], ball);
       c.lineWidth = law === shot.followed && ball === shot.ball ? 2.4 : 1.4;
-      for (const { style, points } of trail(turns.pieces, shot.until, shot.scene.balls[ball].radius)) {
+      for (const { style, points } of trail(turns.pieces, shot.span, shot.scene.balls[ball].radius)) {
         c.setLineDash(DASHES[style]);
         for (const to of [(/** @type {number[]} */ p) => view.above(p[0], p[1]), (/** @type {number[]} */ p) => view.side(p[0], p[2])]) {
           c.beginPath();
@@ -157,15 +157,17 @@ export function flat(host, drag) {
     }
     const end = tip();
     const start = shot.scene.balls[shot.ball].position;
-    c.strokeStyle = c.fillStyle = palette.ink;
-    c.lineWidth = 2;
-    c.beginPath();
-    c.moveTo(...pair(view.above(start[0], start[1])));
-    c.lineTo(...pair(view.above(end[0], end[1])));
-    c.stroke();
-    c.beginPath();
-    c.arc(...pair(view.above(end[0], end[1])), 5, 0, 7);
-    c.fill();
+    if (drag) {
+      c.strokeStyle = c.fillStyle = palette.ink;
+      c.lineWidth = 2;
+      c.beginPath();
+      c.moveTo(...pair(view.above(start[0], start[1])));
+      c.lineTo(...pair(view.above(end[0], end[1])));
+      c.stroke();
+      c.beginPath();
+      c.arc(...pair(view.above(end[0], end[1])), 5, 0, 7);
+      c.fill();
+    }
     [canvas.dataset.ball, canvas.dataset.arrow] = [start, end].map((p) => view.above(p[0], p[1]).map(Math.round).join());
     const leader = shot.runs.get(shot.followed);
     const solid = leader ? stateAt(leader.balls[shot.ball].pieces, now).x : null;
@@ -201,6 +203,9 @@ export function flat(host, drag) {
 
   return {
     update,
+    trace(span) {
+      if (shot) shot = { ...shot, span };
+    },
     draw(t) {
       now = t;
       request();

@@ -12,7 +12,7 @@ import { unit } from "../state/vectors.js";
  * @property {string} followed the law whose balls are all drawn
  * @property {Map<string, Run>} runs by law, those shown
  * @property {Map<string, string>} colours of the laws, for the theme
- * @property {number} until s: where trails end
+ * @property {{from: number, until: number}} span s: where trails begin and end
  * @property {Box} box
  */
 
@@ -23,6 +23,7 @@ import { unit } from "../state/vectors.js";
 /**
  * @typedef {object} View
  * @property {(shot: Shot, palette: Palette) => void} update
+ * @property {(span: {from: number, until: number}) => void} trace draw paths between other times
  * @property {(t: number) => void} draw
  * @property {(name: string) => void} look one of VIEWS
  * @property {() => void} resize
@@ -132,9 +133,9 @@ const bounded = (wall) =>
 /**
  * All that is worth looking at: paths of the balls, finite walls, and where the edited ball first meets a wall.
  * @param {Scene} scene @param {Map<string, Run>} runs @param {string} followed a law; balls under others may leave the box
- * @param {number} until @returns {Box}
+ * @param {{from: number, until: number}} span @returns {Box}
  */
-export function boxAround(scene, runs, followed, until) {
+export function boxAround(scene, runs, followed, span) {
   /** @type {Vec} */
   const low = [Infinity, Infinity, scene.floor ? 0 : Infinity];
   /** @type {Vec} */
@@ -158,7 +159,7 @@ export function boxAround(scene, runs, followed, until) {
     run?.balls.forEach(({ pieces }, i) => {
       const radius = scene.balls[i].radius;
       const [x, y] = scene.balls[i].position;
-      for (const { points } of trail(pieces, until, radius)) for (const p of points) add(enclosed ? [x, y, p[2]] : wide < Infinity ? reach(p) : p, radius);
+      for (const { points } of trail(pieces, span, radius)) for (const p of points) add(enclosed ? [x, y, p[2]] : wide < Infinity ? reach(p) : p, radius);
     });
     if (run && wide === Infinity) wide = 0.25 * Math.max(high[0] - low[0], high[1] - low[1]);
   }

@@ -37,7 +37,7 @@ function drawnBySoftware() {
 
 /**
  * @param {HTMLElement} host
- * @param {Drag} drag what to do when the ball or its arrow is dragged
+ * @param {Drag | null} drag what to do when the ball or its arrow is dragged; null: neither can be
  * @param {{scale: HTMLElement, height: HTMLElement}} labels
  * @returns {View}
  */
@@ -117,7 +117,7 @@ export function stage(host, drag, labels) {
     canvas.setPointerCapture(event.pointerId);
     const from = what === "ball" ? shot.scene.balls[shot.ball].position : arrow.tip.toArray();
     offset = [from[0] - hit.x, from[1] - hit.y];
-    drag.start();
+    drag?.start();
   });
   canvas.addEventListener("pointermove", (event) => {
     const at = pixel(event);
@@ -129,12 +129,12 @@ export function stage(host, drag, labels) {
     if (!hit || !shot) return;
     canvas.style.cursor = "grabbing";
     const [x, y] = [hit.x + offset[0], hit.y + offset[1]];
-    if (grasped === "ball") drag.ball(x, y);
+    if (grasped === "ball") drag?.ball(x, y);
     else {
       const { position, radius } = shot.scene.balls[shot.ball];
       const away = Math.hypot(x - position[0], y - position[1]);
       const speed = Math.max(0, away - SHORTEST_ARROW * radius) / arrow.time;
-      drag.velocity((speed * (x - position[0])) / (away || 1), (speed * (y - position[1])) / (away || 1));
+      drag?.velocity((speed * (x - position[0])) / (away || 1), (speed * (y - position[1])) / (away || 1));
     }
   });
   const release = () => {
@@ -144,7 +144,7 @@ export function stage(host, drag, labels) {
     canvas.style.cursor = "";
     arrow.time = shot ? arrowTime(shot) : 1;
     placeArrow();
-    drag.end();
+    drag?.end();
     request();
   };
   canvas.addEventListener("pointerup", release);
@@ -178,7 +178,7 @@ export function stage(host, drag, labels) {
       }
       fixed = { groups, of };
     }
-    trails.update(next, (i) => ballColour(next.scene.balls[i], i));
+    trace(next.span);
     for (const { mesh } of balls) scene.remove(mesh.group);
     balls = [];
     for (const [law, run] of next.runs) {
@@ -205,6 +205,13 @@ export function stage(host, drag, labels) {
     draw(now);
   }
 
+  /** @param {{from: number, until: number}} span */
+  function trace(span) {
+    if (!shot) return;
+    const { balls } = shot.scene;
+    trails.update({ ...shot, span }, (i) => ballColour(balls[i], i));
+  }
+
   /** @param {number} t */
   function draw(t) {
     now = t;
@@ -221,7 +228,7 @@ export function stage(host, drag, labels) {
       mesh.place(x, turns.at(now), apart);
     }
     // (seen along the floor, nothing can be dragged over it)
-    arrow.group.visible = Math.abs(camera.getWorldDirection(gaze).z) > 0.12;
+    arrow.group.visible = drag !== null && Math.abs(camera.getWorldDirection(gaze).z) > 0.12;
     renderer.render(scene, camera);
     label(solid);
     // where hands, and tests, find the handles
@@ -319,7 +326,7 @@ export function stage(host, drag, labels) {
   }
 
   resize();
-  return { update, draw, look, resize, picture };
+  return { update, trace, draw, look, resize, picture };
 }
 
 /** Which of the four ways along the axes a wall faces, from its impulse on a ball (friction turns it by less than 45 degrees, mostly). @param {Vec} impulse @returns {Vec} */

@@ -67,15 +67,16 @@ export class Trails {
     for (const line of this.lines.values()) line.visible = false;
     const unit = sizeOf(shot.box) / 100;
     const many = shot.scene.balls.length > 6;
+    const crowd = shot.scene.balls.length > 60; // whose paths would hide each other
     for (const [law, run] of shot.runs) {
       const leads = law === shot.followed;
       run.balls.forEach(({ pieces }, i) => {
-        if (!leads && i !== shot.ball) return;
         const edited = i === shot.ball;
+        if (!edited && (!leads || crowd)) return;
         const colour = (edited ? shot.colours.get(law) : null) ?? bodyColour(i);
         /** @type {Record<string, number[]>} */
         const found = { rolling: [], sliding: [], flight: [], thread: [] };
-        for (const { style, points } of trail(pieces, shot.until, shot.scene.balls[i].radius)) {
+        for (const { style, points } of trail(pieces, shot.span, shot.scene.balls[i].radius)) {
           // (without a floor there is nothing but flight)
           found[shot.scene.floor ? style : "rolling"].push(...pairs(points));
           if (style !== "flight" || !shot.scene.floor || many) continue;

@@ -28,11 +28,12 @@ from carom.scene.scene import Scene
 from carom.scene.toml import load_scene
 from carom.scene.wall import law_name
 
-__all__ = ["MOST_BALLS", "MOST_FEATURES", "ExplorerPage", "explore", "presets"]
+__all__ = ["MOST_BALLS", "MOST_FEATURES", "ExplorerPage", "explore", "filled_page", "not_shown", "page_text", "presets"]
 
 # What the page takes at most: balls and features (faces, edges, rims... of all walls) as in web/scene/check.js.
 MOST_BALLS, MOST_FEATURES, MOST_REBOUNDS = 100, 2000, 20_000
 FEW_BALLS = 6
+SEVERAL_LAWS = "as in the scene"  # as web/state/compute.js calls walls that have laws of their own
 FRAME_HEIGHT = 760  # px, in a notebook
 
 
@@ -117,7 +118,7 @@ def explore(
         )
     if faults:
         raise CaromError(*faults)
-    return ExplorerPage(_page(given, named, rebounds))
+    return ExplorerPage(page_text(given, named, rebounds))
 
 
 def _scene(scene: Scene | str | os.PathLike[str], faults: list[str]) -> Scene | None:
@@ -128,17 +129,23 @@ def _scene(scene: Scene | str | os.PathLike[str], faults: list[str]) -> Scene | 
     except CaromError as error:
         faults += error.faults
         return None
-    where = str(scene) if isinstance(scene, str | os.PathLike) else "explore"
-    features = sum(len(wall.features()) for wall in found.walls)
-    for what, count, most in (("balls", len(found.balls), MOST_BALLS), ("features of walls", features, MOST_FEATURES)):
+    faults += not_shown(found, str(scene) if isinstance(scene, str | os.PathLike) else "explore")
+    return found
+
+
+def not_shown(scene: Scene, where: str) -> list[str]:
+    """Return why the page cannot run a scene, a line for each reason; ``where`` begins them."""
+    faults = []
+    features = sum(len(wall.features()) for wall in scene.walls)
+    for what, count, most in (("balls", len(scene.balls), MOST_BALLS), ("features of walls", features, MOST_FEATURES)):
         if count > most:
             faults.append(f"{where}: {what}: expected at most {most:,}, got {count:,}; carom simulate takes more")
-    for law in dict.fromkeys((*found.wall_laws, found.run.law)):
+    for law in dict.fromkeys((*scene.wall_laws, scene.run.law)):
         name = law_name(law)
         if isinstance(law, Law) or name not in all_laws():
             advice = "the page holds no law of your own; carom simulate runs it"
             faults.append(f"{where}: law: expected one of {', '.join(_compiled())}, got {name!r}; {advice}")
-    return found
+    return faults
 
 
 def _laws(laws: Iterable[str] | None, faults: list[str]) -> list[str]:
@@ -179,7 +186,10 @@ def presets() -> list[dict[str, Any]]:
     return list(found)
 
 
-def _page(scene: Scene | None, laws: list[str], rebounds: Rebounds | None) -> str:
+def page_text(
+    scene: Scene | None, laws: list[str], rebounds: Rebounds | None = None, seen: dict[str, Any] | None = None
+) -> str:
+    """Return the page's HTML; ``seen``: further fields of the first preset, that of the scene (``web/state/types.js``)."""
     shown = presets()
     default = [law.name for law in all_laws().values() if not law.variant_of and not law.ignores_floor]
     own = [] if scene is None else [law_name(law) for law in (scene.run.law, *scene.wall_laws)]
@@ -188,15 +198,23 @@ def _page(scene: Scene | None, laws: list[str], rebounds: Rebounds | None) -> st
         first = {"name": "scene", "title": "Your scene", "about": scene.describe(), "scene": scene_dict(scene)}
         # (many balls under all laws at once would make the page slow at its first sight)
         wanted = {*own} if len(scene.balls) > FEW_BALLS else {*default, *own}
-        shown.insert(0, {**first, "laws": laws or [name for name in names if name in wanted], "slow": 1.0})
+        several = [SEVERAL_LAWS] if any(wall.law is not None for wall in scene.walls) else []
+        listed = laws or [*several, *(name for name in names if name in wanted)]
+        shown.insert(0, {**first, "laws": listed, "slow": 1.0, **(seen or {})})
     elif laws:
         shown[0]["laws"] = laws
-    data = {
-        "presets": shown,
-        "cards": [_card(name) for name in names],
-        "rebounds": [] if rebounds is None else _angles(rebounds),
-        "reboundsFrom": "" if rebounds is None else Path(rebounds.source).name or "the data given",
-    }
+    return filled_page(
+        {
+            "presets": shown,
+            "cards": [_card(name) for name in names],
+            "rebounds": [] if rebounds is None else _angles(rebounds),
+            "reboundsFrom": "" if rebounds is None else Path(rebounds.source).name or "the data given",
+        }
+    )
+
+
+def filled_page(data: dict[str, Any]) -> str:
+    """Return the page's HTML around what it shows, in the form of ``PageData`` of ``web/main.js``."""
     return _filled(
         STYLE=_asset("style.css"),
         DATA=_script_json(data),

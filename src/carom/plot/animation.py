@@ -1,4 +1,4 @@
-"""Animate a run: a film (.mp4, .gif) or an interactive page (.html). Spots on the balls make their spin visible."""
+"""Animate a run: a film (.mp4, .gif) or the explorer's page (.html). Spots on the balls make their spin visible."""
 
 from __future__ import annotations
 
@@ -14,8 +14,8 @@ from typing import Any
 import numpy as np
 
 from carom.errors import CaromError, FaultList
+from carom.explorer.player import player_page
 from carom.files import atomic_path, import_optional, require_library, require_writable, write_text
-from carom.plot.html import page
 from carom.plot.scene_view import last_time
 from carom.plot.style import style
 from carom.plot.video import Film
@@ -43,6 +43,9 @@ def animate(
     progress: Progress | None = None,
 ) -> Path:
     """Write an animation of a run, by the name's ending: a film (.mp4, .gif), or a self-contained page (.html).
+
+    The page is the explorer with this run: see :func:`carom.explore`. One of more than 2,000 events or 100 balls, or under a law of
+    your own, is recorded in it.
 
     Parameters
     ----------
@@ -88,7 +91,7 @@ def animate(
     tell = progress or (lambda _done, _total: None)
     if kind == ".html":
         tell(0, 1)
-        text = page(run, *span, float(speed))
+        text = player_page(run, *span, float(speed))
         write_text(path, text)
         tell(1, 1)
         return path

@@ -10,13 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.formatting import format_length
-from carom.plot.html import WORDS
 from carom.plot.scene_view import colour, steps, view, walls_in, way
 from carom.plot.style import GREY, INK, PALE
 from carom.simulation.records import BALL, WALL
 from carom.simulation.trajectory import Trajectory
 
 __all__ = ["Film"]
+
+WORDS = {
+    "flight": "in the air", "bouncing": "bouncing", "sliding": "sliding", "rolling": "rolling",
+    "pivoting": "spinning on the spot", "rest": "at rest", "held": "held", "left": "gone",
+}  # fmt: skip
 
 Array = NDArray[np.float64]
 # Duration of the dark part of a trail, s.
