@@ -38,10 +38,12 @@ def test_the_papers_example() -> None:
 
 def test_every_law_is_there_in_order() -> None:
     main = [name for name, law in carom.LAWS.items() if not law.variant_of]
-    assert main == ["mirror", "conventional", "no-slip", "two-step", "maw", "stronge", "contact"]
-    on_floor = [name for name in main if name != "contact"]  # which leaves the floor out
+    cushions = ["han2005", "mathavan2010", "stronge-cushion"]
+    assert main == ["mirror", "conventional", "no-slip", "two-step", "maw", "stronge", "contact", *cushions]
+    on_floor = [name for name in main if name not in ("contact", *cushions)]  # which leaves the floor out
     assert [v.law for v in carom.compare().verdicts] == on_floor
-    assert [v.law for v in carom.compare(carom.incoming(height=0.1)).verdicts] == main
+    assert [v.law for v in carom.compare(carom.incoming(cushion_height=1.3)).verdicts] == [*on_floor, *cushions]
+    assert [v.law for v in carom.compare(carom.incoming(height=0.1)).verdicts] == [*on_floor, "contact"]
     assert [v.law for v in carom.compare(laws=["two-step", "mirror", "two-step"]).verdicts] == ["two-step", "mirror"]
     with pytest.raises(KeyError):
         carom.compare(laws=["mirror"])["two-step"]

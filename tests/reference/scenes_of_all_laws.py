@@ -39,7 +39,7 @@ def scene_of_all_laws(seed: int) -> carom.Scene:
     stiff = 1.001 * max(CHI[0] / share for share in shares), 0.999 * min(CHI[1] / share for share in shares)
     for wall in table["walls"]:
         wall["law"] = str(rng.choice([*known, "maw", "stronge"]))
-        if wall["law"] in ("maw", "stronge"):
+        if laws()[wall["law"]].last == "stiffness_ratio":
             wall["tangential_restitution"] = 0.0
             wall["stiffness_ratio"] = float(rng.uniform(*stiff))
         if rng.random() < OWN_FORMS:
@@ -64,11 +64,12 @@ def with_infinities(value: Any) -> Any:
 
 def may_call_libm(scene: carom.Scene) -> bool:
     """Return whether a run of a scene may call sin, cos, acos, atan2, exp, log or pow (docs/explorer.md lists what does)."""
-    if {law.name for law in scene.laws} & {"maw", "stronge"}:
+    if {law.last for law in scene.laws} & {"stiffness_ratio"}:
         return True
     surfaces = [wall.restitution for wall in scene.walls] + [scene.ball_contact.restitution]
     surfaces += [scene.floor.restitution] if scene.floor else []
     if {getattr(one, "form", "constant") for one in surfaces} & {"power", "viscoelastic", "exponential"}:
         return True
+    names = {law.name for law in scene.laws}
     at_once = scene.floor is not None and scene.run.floor_contact == "with"
-    return at_once and "two-step" in {law.name for law in scene.laws}
+    return "mathavan2010" in names or (at_once and "two-step" in names)

@@ -20,8 +20,11 @@ import { slips } from "./slip.js";
  * @property {number} requiredFloor
  * @property {string} why why there is no final state, else empty
  * @property {Steps | null} steps
+ * @property {number} [vertical] the vertical velocity after the wall that a law of cushions drops, m/s
  * @property {{regime: string, required: number, floorImpulse: Vec} | null} impact the wall's contact, of the two-step law
  */
+
+const ROUNDING = 1e-12;
 
 /** @param {number[]} found @param {number} at @returns {Vec} */
 const three = (found, at) => [found[at], found[at + 1], found[at + 2]];
@@ -29,7 +32,7 @@ const three = (found, at) => [found[at], found[at + 1], found[at + 2]];
 /** The wall alone, by a law's kernel. @param {Module} module @param {Meeting} m @param {Law} law @returns {Motion} */
 function atWall(module, m, law) {
   const out = module.memory.take(48);
-  const last = law.last === "stiffness_ratio" ? m.stiffness : m.beta;
+  const last = { stiffness_ratio: m.stiffness, floor_friction: m.floor?.mu ?? 0, tangential_restitution: m.beta }[law.last];
   module.exports[law.function](...m.v, ...m.w, ...m.n, m.radius, m.kappa, m.e, m.mu, last, out);
   const found = module.memory.numbers(out, 6);
   return { v: three(found, 0), w: three(found, 3) };
@@ -100,9 +103,24 @@ function twoStep(module, m, together) {
   };
 }
 
+/** What a published law of cushions drops: the vertical velocity. @param {Module} module @param {Meeting} m @param {Law} law @returns {Answer} */
+function onTable(module, m, law) {
+  const found = /** @type {Law} */ (module.layout.laws.find(({ name }) => name === law.on_table));
+  // (one in flight is at some height: it has no table)
+  const height = m.v[2] === 0 ? 0 : m.radius;
+  const floor = m.floor && { e: 0, mu: m.floor.mu, beta: 0 };
+  const [e, mu] = [m.given.e ? m.e : (law.defaults.restitution ?? m.e), m.given.mu ? m.mu : (law.defaults.friction ?? m.mu)];
+  const full = answerOf(module, { ...m, e, mu, beta: 0, floor, height, together: true }, found);
+  const [vx, vy, vz] = full.afterWall.v;
+  const own = wallThenFloor(module, m, { v: [vx, vy, m.v[2] === 0 && m.n[2] <= ROUNDING ? 0 : vz], w: full.afterWall.w });
+  const acts = full.impact && (vz > 0 ? 0 : full.requiredFloor);
+  return { ...own, required: full.required, requiredFloor: acts ?? own.requiredFloor, vertical: vz };
+}
+
 /** What a law predicts, for a meeting that it has an answer for. @param {Module} module @param {Meeting} m @param {Law} law @returns {Answer} */
 export function answerOf(module, m, law) {
   const { responses } = module.layout;
+  if (law.on_table !== "") return onTable(module, m, law);
   if (law.response === responses["two-step"]) return twoStep(module, m, m.together);
   if (law.name === "two-step-after") return twoStep(module, m, false);
   const after = atWall(module, m, law);

@@ -70,10 +70,13 @@ function verdict(module, m, law) {
   };
 }
 
-/** All laws of one meeting, but special cases of others. @param {Module} module @param {Meeting} m */
+/** All laws of one meeting, but special cases of others, and published laws of cushions elsewhere than at a nose. @param {Module} module @param {Meeting} m */
 export function verdicts(module, m) {
   const aloft = m.height > 0;
-  const laws = module.layout.laws.filter((law) => law.variant_of === "" && (aloft || !law.ignores_floor));
+  const cushion = !aloft && m.n[2] < 0;
+  const laws = module.layout.laws.filter(
+    (law) => law.variant_of === "" && (aloft || !law.ignores_floor) && (cushion || law.on_table === ""),
+  );
   return laws.map((law) => {
     module.memory.clear();
     return verdict(module, m, law);

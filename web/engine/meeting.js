@@ -16,6 +16,7 @@ import { follow } from "./run.js";
  * @property {Vec} w
  * @property {Vec} n the wall's unit normal, towards the ball
  * @property {number} e the wall's restitution at this speed
+ * @property {{e: boolean, mu: boolean}} given whether the wall has them; if not, a law may have its authors' numbers
  * @property {number} mu
  * @property {number} beta tangential restitution
  * @property {number} stiffness tangential over normal stiffness
@@ -56,6 +57,7 @@ export function firstMeeting(module, scene) {
   const [wall, { radius, mass }] = [scene.walls[number], scene.balls[0]];
   const { mu, beta } = contactOf(wall, layout);
   return {
+    given: { e: wall.restitution !== null, mu: wall.friction !== null },
     t, wall: number, radius, mass, kappa: Number(made.balls[0].kappa), v, w, n: [nx, ny, nz], e, mu, beta,
     stiffness: wall.stiffness_ratio,
     floor: scene.floor && floorAt(module, scene.floor, approach),

@@ -61,7 +61,7 @@ function resolved(m, { limits }) {
 }
 
 /** @type {Record<string, Conditions>} beyond that the ball approaches */
-const CONDITIONS = { conventional: rolls, "two-step": notPressed, maw: tabulated, stronge: resolved };
+const CONDITIONS = { conventional: rolls, "two-step": notPressed, maw: tabulated, stronge: resolved, "stronge-cushion": resolved };
 
 /** What a law expects and this meeting does not have. @param {Meeting} m @param {Law} law @param {Layout} layout */
 export const unmet = (m, law, layout) => [...approaches(m, layout, law), ...(CONDITIONS[law.name]?.(m, layout, law) ?? [])];
@@ -131,9 +131,22 @@ function ignoresFloor(m, { afterWall }) {
   return grounded && moved ? ["it ignores the floor on which this ball rests"] : [];
 }
 
+/** @type {Objections} */
+function onTable(m, answer) {
+  const found = impossible(m, answer);
+  if (m.v[2] !== 0 || m.height > 0) return [...found, "it describes a ball on the table; one in flight meets the cushion as if there were no table"];
+  if (m.n[2] > 1e-12) return [...found, "it describes a cushion, which touches the ball at or above its centre"];
+  const rise = answer.vertical ?? 0;
+  if (!(Math.abs(rise) > 1e-9 * sum(m.v))) return found;
+  const share = (100 * ((m.mass * rise * rise) / 2)) / kineticEnergy(m, m);
+  const way = rise > 0 ? "throws it up" : "drives it into the table";
+  return [...found, `it keeps the ball on the table, though the cushion ${way}: ${general(share, 3)} % of the energy is dropped`];
+}
+
 /** @type {Record<string, Objections>} */
 const OBJECTIONS = {
   mirror: frictionless, conventional: againstFriction, "no-slip": noSlip, maw: compliant, stronge: compliant, contact: ignoresFloor,
+  han2005: onTable, mathavan2010: onTable, "stronge-cushion": onTable,
 };
 
 /** Why a law's answer may not apply. @param {Meeting} m @param {Law} law @param {Answer} answer */

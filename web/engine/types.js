@@ -19,7 +19,9 @@
  * @property {Record<string, number | "inf">} pinned
  * @property {number} response
  * @property {string} function
- * @property {"tangential_restitution" | "stiffness_ratio"} last
+ * @property {"tangential_restitution" | "stiffness_ratio" | "floor_friction"} last
+ * @property {Record<string, number>} defaults its authors' parameters, where a wall has none
+ * @property {string} on_table the law that it equals but for the vertical velocity, which stays zero; else empty
  * @property {string} variant_of
  * @property {boolean} ignores_floor
  * @property {string | null} colour

@@ -53,9 +53,15 @@ export function contactOf(surface, layout) {
 /** @param {string} of @param {ReturnType<typeof contactOf>} contact @returns {Row} */
 const prefixed = (of, contact) => Object.fromEntries(Object.entries(contact).map(([key, value]) => [`${of}_${key}`, value]));
 
-/** The surface of a wall as its law reads it. @param {Wall} wall @param {Law} law @param {Layout} layout */
-export function surfaceOf(wall, law, layout) {
-  const contact = contactOf(wall, layout);
+/** A wall with its law's numbers where it has none. @template {{restitution: Restitution | null, friction: unknown}} T @param {T} wall @param {Law} law @returns {T} */
+export function withDefaults(wall, { defaults }) {
+  const restitution = wall.restitution ?? (defaults.restitution === undefined ? null : { form: "constant", value: defaults.restitution });
+  return { ...wall, restitution, friction: wall.friction ?? defaults.friction ?? null };
+}
+
+/** The surface of a wall as its law reads it. @param {Scene} scene @param {Wall} wall @param {Law} law @param {Layout} layout */
+export function surfaceOf(scene, wall, law, layout) {
+  const contact = contactOf(withDefaults(wall, law), layout);
   if (law.response === layout.responses.contact) {
     const { restitution, friction, tangential_restitution: beta } = law.pinned;
     if (restitution !== undefined) [contact.form, contact.p] = [layout.forms.constant, [extended(restitution), 0, 0]];
@@ -63,6 +69,7 @@ export function surfaceOf(wall, law, layout) {
     if (beta !== undefined) contact.beta = extended(beta);
   }
   if (law.last === "stiffness_ratio") contact.beta = wall.stiffness_ratio;
+  if (law.last === "floor_friction") contact.beta = scene.floor ? contactOf(scene.floor, layout).mu : 0;
   return contact;
 }
 
@@ -81,7 +88,7 @@ export function setUp(scene, layout, address) {
   const called = [...new Set(found.filter((law) => law.response === layout.responses.called))];
   const features = scene.walls.flatMap((wall, i) => {
     const law = found[i];
-    const { form, p, mu, beta } = surfaceOf(wall, law, layout);
+    const { form, p, mu, beta } = surfaceOf(scene, wall, law, layout);
     const number = law.response + (law.response === layout.responses.called ? called.indexOf(law) : 0);
     const shape = SHAPES[wall.shape];
     const surface = { wall: i, form, e: p, mu, beta, law: number, ends: shape.encloses?.(wall) ?? false };

@@ -178,6 +178,7 @@ def response_of(law: Law) -> int:
 def surface_numbers(law: Law, surface: Surface | None) -> tuple[float, float, float]:
     """Return restitution, friction and the law's last number: those it holds fixed, the surface's, or an ideal wall's."""
     given = {"restitution": 1.0, "friction": math.inf, "tangential_restitution": 1.0, "stiffness_ratio": LIKE_SOLIDS}
+    given |= {**law.defaults, "floor_friction": 0.0}  # (there is no floor)
     if surface is not None:
         found = {name: getattr(surface, name) for name in ON_WALL}
         if any(np.ndim(x) for x in found.values()):

@@ -28,7 +28,7 @@ __all__ = [
 
 SpinRule = Literal["rolling", "none"]
 
-# The paper's ball and surfaces, unless a column or an option gives the number.
+# The paper's ball and surfaces, unless a column or an option gives the number, or the law has its authors' own.
 DEFAULTS: dict[str, float] = {
     "radius": 0.02625, "mass": 0.1406, "kappa": 2 / 5,
     "restitution": 1.0, "friction": math.inf, "tangential_restitution": 0.0,
@@ -288,7 +288,7 @@ def _sources(
         elif name in columns:
             sources[name] = columns[name][0]
         elif name in DEFAULTS:
-            constants[name] = DEFAULTS[name]
+            constants[name] = settings.law.defaults.get(name, DEFAULTS[name])
         elif not (name.startswith("spin") or name == "incidence"):
             constants[name] = 0.0
     faults += bad_numbers(constants, settings.normal, settings.contact_height, settings.gravity)
@@ -365,7 +365,8 @@ def _reading(form: str, air: bool, sources: dict[str, InputColumn]) -> str:
 def _assumed(constants: dict[str, float], settings: PredictSettings, air: bool) -> list[str]:
     units = {"radius": " m", "mass": " kg", "height": " m"}
     skip = ("floor", "height") if air else ()
-    skip = (*skip, *unread(settings.law), "tangential" if settings.law.last == "stiffness_ratio" else "stiffness")
+    lasts = {"tangential_restitution": "tangential", "stiffness_ratio": "stiffness"}
+    skip = (*skip, *unread(settings.law), *(word for last, word in lasts.items() if last != settings.law.last))
     taken = [
         f"{name} {value:g}{units.get(name, '')}"
         for name, value in constants.items()

@@ -108,6 +108,8 @@ def _law(law: Any) -> dict[str, Any]:
         "response": law.response,
         "function": f"law_{law.name.replace('-', '_')}",
         "last": law.last,
+        "defaults": dict(law.defaults),
+        "on_table": law.on_table,
         "variant_of": law.variant_of,
         "ignores_floor": law.ignores_floor,
         "colour": law.line[0] if law.line else None,

@@ -191,9 +191,10 @@ def page_text(
 ) -> str:
     """Return the page's HTML; ``seen``: further fields of the first preset, that of the scene (``web/state/types.js``)."""
     shown = presets()
-    default = [law.name for law in all_laws().values() if not law.variant_of and not law.ignores_floor]
+    main = [law for law in all_laws().values() if not law.variant_of and not law.ignores_floor]
+    default = [law.name for law in main if not law.on_table]
     own = [] if scene is None else [law_name(law) for law in (scene.run.law, *scene.wall_laws)]
-    names = [name for name in _compiled() if name in {*default, *laws, *own}]
+    names = [name for name in _compiled() if name in {*(law.name for law in main), *laws, *own}]
     if scene is not None:
         first = {"name": "scene", "title": "Your scene", "about": scene.describe(), "scene": scene_dict(scene)}
         # (many balls under all laws at once would make the page slow at its first sight)

@@ -268,7 +268,8 @@ def compare(meeting: Meeting | None = None, laws: Iterable[str | Law] | None = N
         One ball, one wall (:func:`incoming` makes one from a speed and an angle). Default: the paper's example.
     laws : names or Laws
         Default: those of ``carom.LAWS``, in their order, without special cases of others (:attr:`Law.variant_of`); laws
-        that ignore the floor (contact) are included only for a ball above it.
+        that ignore the floor (contact) are included only for a ball above it, and published laws of cushions only for a
+        ball on the floor and a wall that touches it above the centre.
 
     Returns
     -------
@@ -295,7 +296,12 @@ def compare(meeting: Meeting | None = None, laws: Iterable[str | Law] | None = N
     require_approach(m.ball, m.state, m.normal)
     if laws is None:
         aloft = m.height > 0 or m.ball.planar
-        laws = [law for law in all_laws().values() if not law.variant_of and (aloft or not law.ignores_floor)]
+        cushion = not aloft and m.normal[2] < 0
+        laws = [
+            law
+            for law in all_laws().values()
+            if not law.variant_of and (aloft or not law.ignores_floor) and (cushion or not law.on_table)
+        ]
     if isinstance(laws, str) or not isinstance(laws, Iterable):
         raise CaromError(f"compare: laws: expected a sequence of names, got {laws!r:.60}; put them in a list")
     asked = [law if isinstance(law, Law) else law_named(law) for law in laws]

@@ -40,6 +40,7 @@ ON_WALL = ("restitution", "friction", "tangential_restitution")
 ON_FLOOR = ("floor_restitution", "floor_friction", "floor_tangential_restitution")
 SURFACES = (*ON_WALL, "stiffness_ratio", *ON_FLOOR)
 """Parameters of wall and floor that a law may read."""
+LastNumber = Literal["tangential_restitution", "stiffness_ratio", "floor_friction"]
 LIKE_SOLIDS = 14 / 17
 """Tangential over normal contact stiffness of two solids of the same material, 2 (1 - nu)/(2 - nu), at nu = 0.3."""
 
@@ -188,7 +189,7 @@ class Law:
     """The wall alone: (v, w, n, a, kappa, e, mu, last) -> (v, w); ``last`` is the parameter that :attr:`last` names."""
     reads: tuple[str, ...] | None = None
     """Parameters of wall and floor (:data:`SURFACES`) that the law reads; None: unknown, possibly all of them."""
-    last: Literal["tangential_restitution", "stiffness_ratio"] = "tangential_restitution"
+    last: LastNumber = "tangential_restitution"
     """Name of the last argument of the kernel."""
     response: int = CALLED_WALL
     """How compiled loops evaluate the law (:data:`CALLED_WALL`: through its kernel)."""
@@ -196,10 +197,15 @@ class Law:
     """Wall parameters that the law holds fixed, whatever the surface has."""
     needs: tuple[str, ...] = ()
     """Wall parameters that a scene must specify."""
+    defaults: Mapping[str, float] = field(default_factory=dict)
+    """Its authors' parameters, which scenes and tables use where they give none."""
     in_flight: bool = False
     """The law describes a single contact: in a table without spins the ball is assumed to be in flight."""
     ignores_floor: bool = False
     """The law ignores the floor: by default `compare` includes it only for a ball above the floor."""
+    on_table: str = ""
+    """The law that this one equals but for the vertical velocity of a ball on the table, which stays zero: a published law of
+    cushions. `compare` includes it by default only for a ball on the table and a nose above the centre."""
     variant_of: str = ""
     """The law of which this one is a special case; `compare` includes it only if it is named."""
     fits: tuple[FitSpec, ...] = (FitSpec("planar"), FitSpec("table"))
@@ -306,8 +312,8 @@ def wall_law(
     """
 
     def answer(meeting: Meeting) -> Answer:
-        last = meeting.stiffness_ratio if more.get("last") == "stiffness_ratio" else None
-        return wall_then_floor(meeting, respond(kernel, meeting, last))
+        last = {"stiffness_ratio": meeting.stiffness_ratio, "floor_friction": meeting.floor.friction}
+        return wall_then_floor(meeting, respond(kernel, meeting, last.get(more.get("last", ""))))
 
     def against(meeting: Meeting, answer: Answer) -> list[str]:
         return [*impossible(meeting, answer), *(objections(meeting, answer) if objections else [])]

@@ -226,18 +226,20 @@ class Scene(Model):
     def features(self) -> NDArray[np.void]:
         """Return all that a ball can touch, (F,) of :data:`carom.core.geometry.features.FEATURES`, wall by wall.
 
-        ``law`` is the law's response; from CALLED_WALL on, its place in ``called_laws``. A law of tangential compliance has
-        the stiffness ratio in the place of the tangential restitution.
+        ``law`` is the law's response; from CALLED_WALL on, its place in ``called_laws``. In the place of the tangential
+        restitution stands the last number that the law reads: stiffness ratio, or friction of the floor.
         """
         rows = []
         for i, (wall, law) in enumerate(zip(self.walls, self.laws, strict=True)):
-            number, contact = law.response, wall.contact
+            number, contact = law.response, wall.contact_of(law)
             if number == CALLED_WALL:
                 number += self.called_laws.index(law)
             elif number == CONTACT_WALL:
                 contact = _pinned(contact, law)
             if law.last == "stiffness_ratio":
                 contact = contact._replace(beta=wall.stiffness_ratio)
+            elif law.last == "floor_friction":
+                contact = contact._replace(beta=0.0 if self.floor is None else self.floor.contact.mu)
             surface = (*contact, number, wall.encloses, 0)
             rows += [(*feature, i, *surface) for feature in wall.features()]
         return np.array(rows, dtype=FEATURES)
@@ -318,7 +320,9 @@ def _law_faults(scene: Scene) -> list[Fault]:
         at = ("walls", i)
         for name, expected in NEEDED.items():
             if name in law.needs and getattr(wall, name) is None:
-                others = [one.name for one in laws().values() if name not in one.needs and not one.variant_of]
+                others = [
+                    one.name for one in laws().values() if not (name in one.needs or one.variant_of or one.on_table)
+                ]
                 advice = f"the law {law.name} reads it; {', '.join(others)} do not need it"
                 found.append(Fault(expected, Unquoted("nothing"), advice, (*at, name)))
         found += _condition_faults(scene, wall, law, i)

@@ -18,7 +18,7 @@ from carom.laws.law import LIKE_SOLIDS, Law
 from carom.laws.registry import laws
 from carom.laws.user import find_law
 from carom.scene.feature_builders import Feature
-from carom.scene.restitution import Bounce, Restitution
+from carom.scene.restitution import Bounce, Constant, Restitution
 from carom.scene.schema import Fault, Friction, Model, PositiveNumber, Spring, Unquoted, Vector, runs_own_laws
 
 __all__ = ["ContactParameters", "LawChoice", "WallShape", "contact", "format_vector", "law_name"]
@@ -113,6 +113,14 @@ class WallShape(Model):
     def contact(self) -> ContactParameters:
         """Return its surface as numbers."""
         return contact(self.restitution, self.friction, self.tangential_restitution)
+
+    def contact_of(self, law: Law) -> ContactParameters:
+        """Return its surface as numbers, with a law's defaults for what it does not give."""
+        e = self.restitution
+        if e is None and "restitution" in law.defaults:
+            e = Constant(value=law.defaults["restitution"])
+        mu = law.defaults.get("friction") if self.friction is None else self.friction
+        return contact(e, mu, self.tangential_restitution)
 
     @property
     def encloses(self) -> bool:
