@@ -49,6 +49,8 @@ os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.envir
 os.environ["PYTHONPATH"] = os.pathsep.join([str(Path(__file__).parent), *filter(None, [os.environ.get("PYTHONPATH")])])
 # (a kernel sets FORCE_COLOR for its children; TTY_COMPATIBLE comes before it)
 os.environ.update(NO_COLOR="1", TTY_COMPATIBLE="0", COLUMNS="100", PYTHONWARNINGS="default")
+# figures go into the page, also where the caller draws without a screen (MPLBACKEND=Agg)
+os.environ["MPLBACKEND"] = "module://matplotlib_inline.backend_inline"
 
 # --- the reference ------------------------------------------------------------------------------------------------
 autodoc_member_order = "bysource"

@@ -45,6 +45,9 @@ from .laws.results import Flight as Flight
 from .laws.results import Impact as Impact
 from .laws.results import Settled as Settled
 from .laws.results import TwoStep as TwoStep
+from .laws.strike import Cue as Cue
+from .laws.strike import Strike as Strike
+from .laws.strike import strike as strike
 from .laws.two_step import two_step as two_step
 from .laws.two_step_batch import two_step_into as two_step_into
 from .scene.ball import SceneBall as SceneBall

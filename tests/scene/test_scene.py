@@ -263,7 +263,9 @@ def test_the_new_scene_is_sound_and_shows_every_field(tmp_path: Path) -> None:
 
 
 def test_its_commented_lines_are_sound_too(tmp_path: Path) -> None:
-    text = new_scene().replace("# spin = ", "## spin = ")  # beside rolling = true it is a fault
+    text = (
+        new_scene().replace("# spin = ", "## spin = ").replace("# strike = ", "## strike = ")
+    )  # faults beside rolling = true
     scene = load(tmp_path, re.sub(r"^# (?=\w+ = |\[)", "", text, flags=re.MULTILINE))
     assert [wall.kind for wall in scene.walls] == ["table", "plane", "segment"]
 

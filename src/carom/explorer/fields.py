@@ -43,7 +43,8 @@ def scene_fields() -> dict[str, Any]:
 
 
 def _fields(model: type[Model]) -> dict[str, Any]:
-    return {name: _field(name, info) for name, info in model.model_fields.items()}
+    # (a strike has become velocity and spin before a scene is shown)
+    return {name: _field(name, info) for name, info in model.model_fields.items() if name != "strike"}
 
 
 def _field(name: str, info: FieldInfo) -> dict[str, Any]:

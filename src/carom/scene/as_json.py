@@ -30,6 +30,9 @@ def scene_dict(scene: Scene) -> dict[str, Any]:
     found = plain_model(scene)
     for entry, ball in zip(found["balls"], scene.balls, strict=True):
         entry["inertia"] = float(ball.ball.kappa)
+        if entry.pop("strike") is not None:
+            entry["velocity"], entry["spin"] = ball.state.velocity.tolist(), ball.state.spin.tolist()
+            continue
         if ball.rolling:
             entry["spin_z"] = ball.spin_z or 0.0
         else:

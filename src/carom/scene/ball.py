@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated, Any
 
 import numpy as np
@@ -9,22 +10,28 @@ from pydantic import AfterValidator, BeforeValidator, model_validator
 
 from carom.bodies import INERTIAS, Ball, State
 from carom.errors import MIN_MAGNITUDE, CaromError, suggestion
+from carom.laws.strike import DEFAULT_CUE, Cue, Strike, strike
 from carom.scene.schema import (
+    Angle,
+    Coefficient,
     Components,
     Fault,
     Flag,
+    Friction,
     Length,
     Mass,
     Model,
     Number,
+    Share,
     Size,
     Speed,
     Spin,
+    Unquoted,
     Vector,
     raise_faults,
 )
 
-__all__ = ["SceneBall"]
+__all__ = ["CueStrike", "SceneBall", "SceneCue"]
 
 _KAPPA = Number("'solid', 'hollow', or kappa = I/(m a^2) in (0, 2/3]", least=0, most=2 / 3 * (1 + 1e-12), above=True)
 
@@ -41,6 +48,59 @@ def _three(value: tuple[float, ...]) -> Vector:
     return (value[0], value[1], value[2] if len(value) == 3 else 0.0)
 
 
+class SceneCue(Model):
+    """A cue in a scene: the numbers of :class:`carom.Cue`."""
+
+    mass: Mass = DEFAULT_CUE.mass
+    end_mass: Mass = DEFAULT_CUE.end_mass
+    friction: Friction = DEFAULT_CUE.friction
+    restitution: Share = DEFAULT_CUE.restitution
+
+
+def _on_the_ball(value: tuple[float, float]) -> tuple[float, float]:
+    if not math.hypot(*value) < 1:
+        raise Fault(_OFFSET.what, list(value), "the tip would miss the ball").error()
+    return value
+
+
+_OFFSET = Components("2 numbers, to the player's right and up in radii, less than 1 from the centre", (2,))
+
+
+class CueStrike(Model):
+    """How a cue strikes a ball that is at rest: the arguments of :func:`carom.strike`.
+
+    Parameters
+    ----------
+    speed : m/s, > 0, of the cue
+    azimuth : degrees, counterclockwise from +x as seen from above; default: 0
+    elevation : degrees, 0 to 90: how far the butt is raised; default: 0
+    offset : 2 numbers, in radii: to the player's right, and up; default: the centre
+    cue : SceneCue; default: an ordinary one
+
+    Examples
+    --------
+    >>> import carom
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0), strike={"speed": 2, "azimuth": 90, "offset": [0.2, 0]})
+    >>> [round(float(v), 3) for v in ball.state.velocity]
+    [-0.032, 2.364, 0.0]
+    """
+
+    speed: Annotated[float, BeforeValidator(Number("a speed in m/s, > 0", "m/s", least=0, above=True))]
+    azimuth: Angle = 0.0
+    elevation: Annotated[float, BeforeValidator(Number("an angle in degrees, 0 to 90", "degree", least=0, most=90))] = (
+        0.0
+    )
+    offset: Annotated[tuple[Coefficient, Coefficient], BeforeValidator(_OFFSET), AfterValidator(_on_the_ball)] = (
+        0.0,
+        0.0,
+    )
+    cue: SceneCue = SceneCue()
+
+    def on(self, ball: Ball) -> Strike:
+        """Return what it does to a ball."""
+        return strike(ball, Cue(**dict(self.cue)), self.speed, self.azimuth, self.elevation, self.offset)
+
+
 class SceneBall(Model):
     """A ball and its initial state.
 
@@ -53,6 +113,7 @@ class SceneBall(Model):
     rolling : whether it rolls on the floor: its spin follows from its velocity, except for ``spin_z``
     spin : 3 numbers, rad/s: angular velocity of a ball that does not roll; default: none
     spin_z : rad/s: sidespin of a ball that rolls; default: 0
+    strike : how a cue strikes it, in place of velocity and spin: speed, azimuth, elevation, offset, cue (:class:`CueStrike`)
     name : its name in tables; default: its number
 
     Every number with a unit may also be a text such as "61.5 mm". Raises CaromError, one line per problem.
@@ -82,6 +143,7 @@ class SceneBall(Model):
         | None
     ) = None
     spin_z: Spin | None = None
+    strike: CueStrike | None = None
     name: str | None = None
 
     @model_validator(mode="after")
@@ -96,6 +158,9 @@ class SceneBall(Model):
             faults.append(Fault("no speed along z with rolling = true", self.velocity[2], at=("velocity", 2)))
         if not self.rolling and self.spin_z is not None:
             faults.append(Fault("no spin_z without rolling = true", self.spin_z, "give spin = [x, y, z]", ("spin_z",)))
+        if self.strike is not None and (self.rolling or self.spin is not None or any(self.velocity)):
+            advice = "a ball is struck at rest; leave out velocity, spin and rolling, or strike"
+            faults.append(Fault("no velocity and no spin with strike", Unquoted("both"), advice, ("strike",)))
         largest = max(map(abs, (*self.velocity, *(self.spin or ()), self.spin_z or 0.0)))
         if 0 < largest < MIN_MAGNITUDE:
             what = f"a ball at rest, or a component of velocity or spin of at least {MIN_MAGNITUDE:g}"
@@ -138,6 +203,9 @@ class SceneBall(Model):
     @property
     def state(self) -> State:
         """Return the initial velocity, spin and position."""
+        if self.strike is not None:
+            struck = self.strike.on(self.ball).state
+            return State(velocity=struck.velocity, spin=struck.spin, position=self.center)
         x, y, z = self.velocity
         spin = self.spin or (0.0, 0.0, 0.0)
         if self.rolling:  # (27)
