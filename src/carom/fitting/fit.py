@@ -32,6 +32,7 @@ Array = NDArray[np.float64]
 FEW_STEPS, HELD_STEPS = 40, 12
 SEARCH_ROWS, MARGINAL_SEARCH_ROWS = 150, 40  # rows, of many, in which starts are tried
 STARTS, MARGINAL_STARTS = 8, 12  # from which the search descends
+OWN_STARTS = 4  # from which a law descends itself whose search is that of a similar one
 ANNEALED_ROWS = 120  # of many, in which the search with shrinking error bars is made
 KINK_ROWS = 250  # among which, of many, frictions beyond kinks are sought
 FREED = 3  # number of held frictions that are then freed
@@ -60,20 +61,24 @@ def _descend(model: FitModel, p: Array) -> _Place:
 
 def _search(model: FitModel) -> Array:
     """Return starting points (B, K): the best of a grid, after a short descent with few rows."""
-    problem, law, start = model.problem, model.law, model.start
+    problem, law = model.problem, model.law
     n, parameters = len(problem.x), model.parameters
-    if law.search_code is not None and parameters:  # a similar law that is a hundred times as fast
-        quick = replace(model.using(None), law=replace(law, code=law.search_code, search_code=None))
-        found = quick.minimize(_search(quick), FEW_STEPS)
-        return found.p[_distinct(found.p[:, model.free], found.value, MAX_EXCESS, 2)]
     marginal = problem.spins is not None
     few = min(n, MARGINAL_SEARCH_ROWS if marginal else SEARCH_ROWS)
     some = model if n <= few else replace(model, problem=problem.select(np.linspace(0, n - 1, few).astype(int)))
-    grid = np.array(list(itertools.product(*(parameter.tried for parameter in parameters.values()))))
-    p = np.tile(start, (max(len(grid), 1), 1))
+    if law.search_code is not None and parameters:  # a similar law that is a hundred times as fast
+        quick = replace(model.using(None), law=replace(law, code=law.search_code, search_code=None))
+        found = quick.minimize(_search(quick), FEW_STEPS)
+        starts = found.p[_distinct(found.p[:, model.free], found.value, MAX_EXCESS, 2)]
+        if marginal:
+            return starts
+        # where the similar law saturates (no restitution above 1) its best point is one that this law cannot leave
+        p = _grid(model)
+        found = some.minimize(p[np.argsort(some.minimize(p, 1).value)[:OWN_STARTS]], FEW_STEPS)
+        return np.vstack([starts, found.p[np.argmin(found.value)]])
+    p = _grid(model)
     if not parameters:
         return p
-    p[:, model.without_shared().free] = grid
     cost = some.minimize(p, 1).value
     # the best of the grid; only one of points that the rows do not distinguish
     _cost, first = np.unique(np.round(cost, 6), return_index=True)
@@ -83,6 +88,15 @@ def _search(model: FitModel) -> Array:
         first = first[np.sort(best)]
     found = some.minimize(p[first[: MARGINAL_STARTS if marginal else STARTS]], FEW_STEPS)
     return found.p[_distinct(found.p[:, model.free], found.value, MAX_EXCESS * n / few, 4 if marginal else 3)]
+
+
+def _grid(model: FitModel) -> Array:
+    """Return all combinations (B, K) of the values that the parameters try."""
+    grid = np.array(list(itertools.product(*(parameter.tried for parameter in model.parameters.values()))))
+    p = np.tile(model.start, (max(len(grid), 1), 1))
+    if model.parameters:
+        p[:, model.without_shared().free] = grid
+    return p
 
 
 def _distinct(p: Array, cost: Array, excess: float, most: int) -> list[int]:
