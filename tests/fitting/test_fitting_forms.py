@@ -1,4 +1,4 @@
-"""A restitution that depends on the speed is found by the law itself, where the law that its search begins with cannot leave a bound."""
+"""A restitution that depends on the speed is found by the law itself, where that with which its search begins is at a bound."""
 
 from __future__ import annotations
 
