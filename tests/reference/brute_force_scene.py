@@ -21,18 +21,29 @@ import numpy as np
 
 import carom
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, PIVOTING, ROLLING, SLIDING
-from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, LOG, PHASE, SETTLED, WALL
+from carom.simulation.records import (
+    BALL,
+    FLOOR,
+    HELD_EVENT,
+    LEFT_EVENT,
+    LOG,
+    PHASE,
+    POCKETED_EVENT,
+    SETTLED,
+    WALL,
+)
 
 DEEP = 1e-9
 LEAST = 2e-3  # of the radius: the shortest step, which passes over no more than 1e-6 radii of a graze
 CLOSE = 1e-9  # of the radius, for contact; and of the speeds, for states
-PLANE, SHEET, BLOCK, PILLAR, TUBE, SPHERE, HOLLOW, ARC, STADIUM, WEDGE, ROUND, SLEEVE = range(12)
+PLANE, SHEET, BLOCK, PILLAR, TUBE, SPHERE, HOLLOW, ARC, STADIUM, WEDGE, ROUND, SLEEVE, HOLE = range(13)
 FAULTS = (
     "", "deep in a wall", "deep in the floor", "deep in a ball", "no contact at the wall", "no approach at the wall",
     "no contact with the floor", "no approach to the floor", "no contact of the balls", "no approach of the balls",
     "a phase that had not ended", "another place before the event", "another velocity before the event",
     "another spin before the event", "another velocity after the event", "another spin after the event",
-    "energy grew", "events out of order", "held without touch", "another place than run.at",
+    "energy grew", "events out of order", "held without touch", "another place than run.at", "over a pocket",
+    "not at a pocket's edge", "not into the pocket",
 )  # fmt: skip
 
 # --- shapes as rows of numbers: code, wall, parameters -------------------------------------------------------------
@@ -54,6 +65,9 @@ def solids(scene: carom.Scene) -> Any:
         elif kind == "polygon":
             ends = w.points[1:] + (w.points[:1] if w.closed else ())
             rows += [[SHEET, i, *p, *q, w.low, w.height] for p, q in zip(w.points, ends, strict=False)]
+        elif kind == "table" and (w.corner_pockets or w.side_pockets):
+            first = sum(len(other.pockets) for other in scene.walls[:i])
+            rows += _pocket_table(w, i, first)
         elif kind == "table":
             (x, y), p, q = w.center, w.length / 2, w.width / 2
             around = [(x - p, y - q), (x + p, y - q), (x + p, y + q), (x - p, y + q)]
@@ -94,14 +108,68 @@ def solids(scene: carom.Scene) -> Any:
     return out
 
 
+def _pocket_table(w: Any, i: int, first: int) -> list[list[float]]:
+    """What stands in a table with pockets: the edges of pockets, then of each mouth two jaws, and the noses between them."""
+    low = -math.inf if w.nose_height is None else w.nose_height
+    rows: list[list[float]] = []
+    corners = [
+        np.array((w.center[0] + w.length / 2 * p, w.center[1] + w.width / 2 * q))
+        for p, q in ((-1, -1), (1, -1), (1, 1), (-1, 1))
+    ]
+    points: list[Any] = []  # ends of noses, counterclockwise
+    pocket = 0
+    for k, corner in enumerate(corners):
+        along = unit(corners[(k + 1) % 4] - corner)
+        back = unit(corners[k - 1] - corner)
+        longer = (w.length >= w.width) == (k % 2 == 0)
+        places = [(w.corner_pockets, corner, back, along, -unit(back + along), math.pi / 2)] if w.corner_pockets else []
+        if w.side_pockets and longer:
+            out = np.array((along[1], -along[0]))
+            places.append((w.side_pockets, (corner + corners[(k + 1) % 4]) / 2, -along, along, out, math.pi))
+        if not w.corner_pockets:
+            points += [corner, corner]
+        for shape, at, one, two, out, opening in places:
+            half = shape.mouth / 2 / math.sin(opening / 2)  # from where the two noses' lines meet to a tip
+            middle = at - out * half * math.cos(opening / 2)
+            center = middle + out * (shape.shelf + shape.radius)
+            rows.append([HOLE, -1 - first - pocket, *center, shape.radius])
+            pocket += 1
+            for nose, turn in ((one, 1.0), (two, -1.0)):
+                # from the tip the facing leads away from the nose at the jaw's angle
+                tip, angle = at + half * nose, math.radians(shape.jaw_angle) * turn
+                facing = np.array(
+                    (
+                        nose[0] * math.cos(angle) - nose[1] * math.sin(angle),
+                        nose[0] * math.sin(angle) + nose[1] * math.cos(angle),
+                    )
+                )
+                far = shape.jaw_radius / math.tan(math.radians(shape.jaw_angle) / 2)
+                inner = unit(nose + facing) * shape.jaw_radius / math.sin(math.radians(shape.jaw_angle) / 2)
+                towards = -unit(nose + facing)
+                span = (math.pi - math.radians(shape.jaw_angle)) / 2
+                rows.append(
+                    [ARC, i, *(tip + inner), shape.jaw_radius, math.atan2(towards[1], towards[0]), span, low, w.height]
+                )
+                # (as far as the middle of the pocket, where no ball comes)
+                if np.linalg.norm(tip + far * facing - center) > shape.radius:
+                    rows.append(
+                        [SHEET, i, *(tip + far * facing), *(tip + (center - tip) @ facing * facing), low, w.height]
+                    )
+                points.append(tip + far * nose)
+    ends = [*points[1:], points[0]]
+    return rows + [[SHEET, i, *p, *q, low, w.height] for p, q in zip(ends[::2], ends[1::2], strict=True)]
+
+
 def unit(v: Any) -> Any:
     v = np.array(v, dtype=float)
     return v / np.sqrt(v @ v)
 
 
 def _gap(s: Any, x: float, y: float, z: float) -> float:  # noqa: PLR0911
-    """Distance of a point from a solid."""
+    """Distance of a point from a solid; from a pocket's edge as seen from above."""
     kind = s[0]
+    if kind == HOLE:
+        return math.sqrt((x - s[2]) ** 2 + (y - s[3]) ** 2) - s[4]
     if kind == PLANE:
         return (x - s[2]) * s[5] + (y - s[3]) * s[6] + (z - s[4]) * s[7]
     if kind == SHEET:
@@ -299,7 +367,11 @@ def _judge(  # noqa: PLR0911
                 most = _pace(v, w, a) if own.phase != FLIGHT else _speed(v) + pull * (until - at)
                 near = math.inf
                 for k in range(stuff.shape[0]):
-                    near = min(near, _gap(stuff[k], x[0], x[1], x[2]) - a)
+                    gap = _gap(stuff[k], x[0], x[1], x[2])
+                    if stuff[k, 0] == HOLE and gap < -DEEP * a:
+                        out[0], out[1], out[2] = 20, row, gap / a
+                        return
+                    near = min(near, gap if stuff[k, 0] == HOLE else gap - a)
                 if near < -DEEP * a:
                     out[0], out[1], out[2] = 1, row, near / a
                     return
@@ -400,6 +472,16 @@ def _judge(  # noqa: PLR0911
             if code != 0:
                 out[0], out[1], out[2] = code, row, nearest / a
                 return
+        elif r.kind == POCKETED_EVENT:
+            code = 21
+            for k in range(stuff.shape[0]):
+                own_edge = stuff[k, 0] == HOLE and stuff[k, 1] == -1 - r.other
+                if own_edge and abs(_gap(stuff[k], x[0], x[1], x[2])) <= CLOSE * a:
+                    into = (stuff[k, 2] - x[0]) * v[0] + (stuff[k, 3] - x[1]) * v[1]
+                    code = 0 if into > 0 and r.phase > HELD else 22
+            if code != 0:
+                out[0], out[1] = code, row
+                return
         elif r.kind == FLOOR:
             if abs(x[2] - a) > CLOSE * a:
                 out[0], out[1], out[2] = 6, row, x[2] / a - 1
@@ -455,7 +537,7 @@ def _judge(  # noqa: PLR0911
             if wrong:
                 out[0], out[1] = 10, row
                 return
-        if r.kind not in (BALL, HELD_EVENT, LEFT_EVENT):
+        if r.kind not in (BALL, HELD_EVENT, LEFT_EVENT, POCKETED_EVENT):
             before, after = _energy(r.v_before, r.w_before, m, kappa, a), _energy(r.v, r.w, m, kappa, a)
             # (what rounding took of a ball's energy is given back, that of its height too)
             height = m * abs(world.force[0] * x[0] + world.force[1] * x[1] + world.force[2] * x[2])

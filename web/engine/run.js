@@ -117,7 +117,7 @@ function readLog(module, logs) {
         t: read.t(at),
         kind: kind === "phase" ? phase : kind, // the end of a phase has the name of the one that begins
         ball: read.ball(at),
-        met: /** @type {"wall" | "ball" | null} */ (met === "nothing" ? null : met),
+        met: /** @type {"wall" | "ball" | "pocketed" | null} */ (met === "nothing" ? null : met),
         other: read.other(at),
         x: read.x(at),
         v_before: read.v_before(at),
@@ -162,7 +162,7 @@ function ballsIn(module, ball, rows) {
 }
 
 /** @param {string} phase */
-const gone = (phase) => phase === "held" || phase === "left";
+const gone = (phase) => phase === "held" || phase === "left" || phase === "pocketed";
 
 /** The motion between events, in closed form. @param {Module} module @param {number} world @param {number} ball @param {LoggedEvent[]} rows @param {number} end @returns {Piece[]} */
 function pieces(module, world, ball, rows, end) {

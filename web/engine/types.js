@@ -35,6 +35,7 @@
  * @property {Record<string, RecordLayout>} records
  * @property {string[]} functions
  * @property {Record<string, number>} features
+ * @property {Record<string, number>} gates
  * @property {string[]} kinds
  * @property {string[]} phases
  * @property {string[]} regimes
@@ -57,9 +58,9 @@
 /**
  * @typedef {object} LoggedEvent
  * @property {number} t
- * @property {string} kind wall, floor, ball; rolling, pivoting, rest: the phase that begins; settled, left, held
+ * @property {string} kind wall, floor, ball; rolling, pivoting, rest: the phase that begins; settled, left, held, pocketed
  * @property {number} ball
- * @property {"wall" | "ball" | null} met what `other` is the number of
+ * @property {"wall" | "ball" | "pocketed" | null} met what `other` is the number of
  * @property {number} other -1 for none
  * @property {Vec} x
  * @property {Vec} v_before

@@ -21,11 +21,12 @@ export const KIND = { face: 0, over: 1, line: 2, point: 3, rim: 4 };
  * @property {number} hi1
  * @property {number} lo2
  * @property {number} hi2
+ * @property {number} pocket number of the pocket whose edge it is, among those of its wall; -1 for none
  */
 
 /** @param {number} kind @param {Vec} p @param {Partial<Feature>} [rest] @returns {Feature} */
 export const feature = (kind, p, rest) => ({
-  kind, p, d: UP, R: 0, side: 1, u: [1, 0, 0], lo1: -Infinity, hi1: Infinity, lo2: -Infinity, hi2: Infinity, ...rest,
+  kind, p, d: UP, R: 0, side: 1, u: [1, 0, 0], lo1: -Infinity, hi1: Infinity, lo2: -Infinity, hi2: Infinity, pocket: -1, ...rest,
 });
 
 /** @param {Vec} p @param {Vec} normal */
@@ -58,6 +59,28 @@ function standing(kind, start, end, low, high) {
 export function levels(low, high) {
   const finite = [low, high].filter(Number.isFinite).sort((a, b) => a - b);
   return finite.length === 2 && finite[0] === finite[1] ? [finite[0]] : finite;
+}
+
+/** One side of an outline that is gone round counterclockwise, with the balls inside. @param {Flat} start @param {Flat} end @param {number} low @param {number} high */
+export function cushion(start, end, low, high) {
+  const found = low < high ? [standing(KIND.face, end, start, low, high)] : [];
+  const t = unit([end[0] - start[0], end[1] - start[1], 0]);
+  const size = length2(start[0] - end[0], start[1] - end[1]);
+  for (const z of [low, high].filter(Number.isFinite)) found.push(line([start[0], start[1], z], t, 0, size));
+  if (Number.isFinite(high)) found.push(standing(KIND.over, end, start, high, Infinity));
+  return found;
+}
+
+/** The same along an arc that is convex towards the balls. @param {Flat} center @param {number} R @param {Flat} middle @param {number} cosine @param {number} low @param {number} high */
+export function roundCushion(center, R, middle, cosine, low, high) {
+  /** @type {Vec} */
+  const u = [middle[0], middle[1], 0];
+  const side = (/** @type {number} */ kind, /** @type {number} */ lo2, /** @type {number} */ hi2) =>
+    feature(kind, [center[0], center[1], 0], { R, u, lo1: cosine, hi1: 1, lo2, hi2 });
+  const found = low < high ? [side(KIND.line, low, high)] : [];
+  for (const z of [low, high].filter(Number.isFinite)) found.push(rim([center[0], center[1], z], UP, R, u, cosine));
+  if (Number.isFinite(high)) found.push(side(KIND.over, high, Infinity));
+  return found;
 }
 
 /** An upright wall without thickness along a polyline. @param {Flat[]} points @param {boolean} closed @param {number} low @param {number} high @param {boolean} [inside] */

@@ -7,6 +7,7 @@
 import { general, lengthText, vectorText } from "../engine/text.js";
 import { fieldFaults } from "./fields.js";
 import { extended } from "./numbers.js";
+import { pocketFaults } from "./pockets.js";
 import { SHAPES } from "./shapes.js";
 import { centerOf, kappaOf, lawOf, setUp } from "./setup.js";
 
@@ -34,6 +35,7 @@ function shapeFaults(wall) {
   if (wall.shape === "segment" && String(wall.start) === String(wall.end)) found.push("expected another point than start");
   if (wall.shape === "cylinder" && !(extended(wall.length) > 0)) found.push("expected a length greater than 0 m");
   if (wall.shape === "table" && !(height >= (wall.nose_height ?? 0) && height > 0)) found.push("expected a height above nose and floor");
+  if (wall.shape === "table") found.push(...pocketFaults(wall));
   if ("low" in wall && !(low <= height && low < Infinity && height > -Infinity)) found.push(`expected a height above low = ${general(low, 6)} m`);
   if (wall.shape === "polygon" && crosses(wall.points, wall.closed)) found.push("expected an outline that does not meet itself");
   return found;

@@ -89,7 +89,8 @@ class FieldChecker {
     else if (texts && typeof value !== "string") this.fault(at, "a text", value);
     else if (field.kind === "law" && !this.layout.laws.some((law) => law.name === value)) {
       this.fault(at, `one of ${this.layout.laws.map((law) => law.name).join(", ")}`, value);
-    } else if (field.kind === "restitution") this.restitution(at, value);
+    } else if (field.kind === "pockets") this.table(at, value, this.layout.fields.pockets);
+    else if (field.kind === "restitution") this.restitution(at, value);
     else if (field.kind === "inertia" && value !== "solid" && value !== "hollow") {
       if (!isNumber(value, { kind: "number", least: 0, most: (2 / 3) * (1 + 1e-12), above: true })) this.fault(at, KAPPA, value);
     }

@@ -86,13 +86,21 @@ export function setUp(scene, layout, address) {
   };
   const found = scene.walls.map((wall) => lawOf(scene, wall, layout));
   const called = [...new Set(found.filter((law) => law.response === layout.responses.called))];
+  let pockets = 0; // of the walls before
   const features = scene.walls.flatMap((wall, i) => {
     const law = found[i];
     const { form, p, mu, beta } = surfaceOf(scene, wall, law, layout);
     const number = law.response + (law.response === layout.responses.called ? called.indexOf(law) : 0);
     const shape = SHAPES[wall.shape];
-    const surface = { wall: i, form, e: p, mu, beta, law: number, ends: shape.encloses?.(wall) ?? false };
-    return shape.features(wall).map((one) => ({ ...one, ...surface, at: one.kind === layout.features.rim ? address : 0 }));
+    const { leaves, falls, goes_on: goesOn } = layout.gates;
+    const surface = { wall: i, form, e: p, mu, beta, law: number };
+    const gate = shape.encloses?.(wall) ? leaves : goesOn;
+    const before = pockets;
+    pockets += shape.pockets?.(wall).length ?? 0;
+    return shape.features(wall).map(({ pocket, ...one }) => {
+      const at = pocket >= 0 ? before + pocket : one.kind === layout.features.rim ? address : 0;
+      return { ...one, ...surface, ends: pocket >= 0 ? falls : gate, at };
+    });
   });
   const balls = scene.balls.map((ball) => ({
     radius: ball.radius, mass: ball.mass, kappa: kappaOf(ball), x: centerOf(scene, ball), v: ball.velocity, w: spinOf(ball),

@@ -3,8 +3,10 @@
 
 /** @import { Vec, Wall } from "../state/types.js" */
 /** @import { Feature, Flat } from "./builders.js" */
+/** @import { Pocket } from "./pockets.js" */
 import { KIND, corner, disc, feature, levels, line, plane, post, rim, upright } from "./builders.js";
 import { direction, extended, length2 } from "./numbers.js";
+import { layoutOf, pocketTableFeatures, tableBlocked, tableCorners } from "./pockets.js";
 import { UP, across, cross, dot, frame, minus, unit } from "./vectors.js";
 
 /**
@@ -13,6 +15,7 @@ import { UP, across, cross, dot, frame, minus, unit } from "./vectors.js";
  * @property {(wall: Wall, x: Vec) => boolean} blocked whether no ball's centre can be at x
  * @property {(wall: Wall, z: number) => boolean} vertical whether it is vertical where a ball with its centre at height z meets it
  * @property {(wall: Wall) => boolean} [encloses] whether the run of a ball that clears it ends
+ * @property {(wall: Wall) => Pocket[]} [pockets]
  * @property {(wall: Wall) => number} [room] upper bound of the radius of a ball inside, m
  */
 
@@ -79,12 +82,6 @@ function boxFeatures(wall) {
   }
   for (const i of [0, 1]) for (const j of [0, 1]) for (const k of [0, 1]) found.push(corner([ends[i][0], ends[j][1], ends[k][2]]));
   return found;
-}
-
-/** @param {Wall} wall @returns {Flat[]} */
-function tableCorners(wall) {
-  const [[x, y], dx, dy] = [wall.center, wall.length / 2, wall.width / 2];
-  return [[x - dx, y - dy], [x + dx, y - dy], [x + dx, y + dy], [x - dx, y + dy]];
 }
 
 /** @param {Wall} wall @returns {Flat[]} its points, counterclockwise where it is closed */
@@ -236,8 +233,13 @@ export const SHAPES = {
     encloses: (wall) => wall.closed,
   },
   table: {
-    features: (wall) => upright(tableCorners(wall), true, wall.nose_height ?? -Infinity, extended(wall.height), true),
-    blocked: (wall, x) => Math.abs(x[0] - wall.center[0]) > wall.length / 2 || Math.abs(x[1] - wall.center[1]) > wall.width / 2,
+    features: (wall) => {
+      const layout = layoutOf(wall);
+      if (layout.mouths.length > 0) return pocketTableFeatures(wall, layout);
+      return upright(tableCorners(wall), true, wall.nose_height ?? -Infinity, extended(wall.height), true);
+    },
+    blocked: tableBlocked,
+    pockets: (wall) => layoutOf(wall).mouths.map(({ pocket }) => pocket),
     vertical: (wall, z) => (wall.nose_height === null || wall.nose_height <= z) && z <= extended(wall.height),
     encloses: () => true,
     room: (wall) => Math.min(wall.length, wall.width) / 2,

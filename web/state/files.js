@@ -3,6 +3,7 @@
 /** @import { Happening, Rebound, Restitution, Run, Scene } from "./types.js" */
 import { csvFormatRows, csvParseRows, dsvFormat, tsvParseRows } from "d3-dsv";
 import { stringify } from "smol-toml";
+import { SHAPES } from "../scene/shapes.js";
 
 /** @param {unknown} value @returns {any} */
 function forToml(value) {
@@ -20,7 +21,9 @@ function forToml(value) {
 /** A scene file that carom simulate runs. @param {Scene} scene */
 export function sceneToml(scene) {
   const balls = scene.balls.map(({ spin, spin_z, rolling, ...ball }) => ({ ...ball, rolling, ...(rolling ? { spin_z } : { spin }) }));
-  const table = forToml({ ...scene, balls });
+  // (all that a preset fills is there)
+  const walls = scene.walls.map((wall) => ({ ...wall, preset: null }));
+  const table = forToml({ ...scene, walls, balls });
   return `# A scene of carom: carom simulate FILE, carom explore FILE. SI units.\n${stringify(table, { numbersAsFloat: false })}`;
 }
 
@@ -42,15 +45,22 @@ export const nameOf = (scene, i) => scene.balls[i]?.name ?? `ball ${i}`;
 /** @param {Scene} scene @param {number} i */
 export const wallName = (scene, i) => scene.walls[i]?.name ?? `${scene.walls[i]?.shape ?? "wall"} ${i}`;
 
+/** The names of all pockets, wall by wall, as carom.Scene.pocket_names. @param {Scene} scene @returns {string[]} */
+export function pocketNames(scene) {
+  return scene.walls.flatMap((wall) => (SHAPES[wall.shape]?.pockets?.(wall) ?? []).map(({ name }) => name));
+}
+
 /** @type {Record<string, string>} */
 const HAPPENS = {
   wall: "meets", ball: "meets", floor: "lands", rolling: "rolls", sliding: "slides", pivoting: "spins on the spot", rest: "comes to rest",
-  settled: "bounces no more", left: "clears", held: "is held", flight: "flies", bouncing: "bounces", start: "starts",
+  settled: "bounces no more", left: "clears", held: "is held", pocketed: "falls into the", flight: "flies", bouncing: "bounces", start: "starts",
 };
 
 /** What happens at an event, in words. @param {Scene} scene @param {Happening} event */
 export function eventText(scene, event) {
-  const met = event.kind === "ball" ? nameOf(scene, event.other ?? 0) : event.kind === "wall" || event.kind === "left" ? wallName(scene, event.other ?? 0) : "";
+  const other = event.other ?? 0;
+  const names = { ball: () => nameOf(scene, other), wall: () => wallName(scene, other), left: () => wallName(scene, other), pocketed: () => pocketNames(scene)[other] };
+  const met = names[/** @type {keyof typeof names} */ (event.kind)]?.() ?? "";
   return `${nameOf(scene, event.ball)} ${HAPPENS[event.kind] ?? event.kind} ${met}`.trim();
 }
 

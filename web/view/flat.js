@@ -1,6 +1,7 @@
 // The scene from above and from the side, for browsers without WebGL 2.
 
 /** @import { Drag, Palette, Shot, View } from "./shot.js" */
+import { SHAPES } from "../scene/shapes.js";
 import { Orientation, stateAt, trail } from "../state/motion.js";
 import { ballColour } from "./balls.js";
 import { oncePerFrame } from "./frames.js";
@@ -129,6 +130,14 @@ export function flat(host, drag) {
         c.stroke();
       }
     }
+    c.fillStyle = palette.edge;
+    for (const wall of shot.scene.walls) {
+      for (const { center, radius } of SHAPES[wall.shape].pockets?.(wall) ?? []) {
+        c.beginPath();
+        c.arc(...pair(view.above(...center)), view.k * radius, 0, 7);
+        c.fill();
+      }
+    }
     c.fillStyle = palette.floor;
     c.fillRect(0, view.height - view.strip, view.width, view.strip);
     c.fillStyle = palette.soft;
@@ -172,7 +181,8 @@ export function flat(host, drag) {
     const leader = shot.runs.get(shot.followed);
     const solid = leader ? stateAt(leader.balls[shot.ball].pieces, now).x : null;
     for (const { law, ball, turns } of [...balls].reverse()) {
-      const { x } = stateAt(turns.pieces, now);
+      const { x, phase } = stateAt(turns.pieces, now);
+      if (phase === "pocketed") continue;
       const leads = law === shot.followed;
       // a ghost in the place of the ball that leads is not drawn
       if (!leads && solid && Math.hypot(x[0] - solid[0], x[1] - solid[1], x[2] - solid[2]) < 0.02 * shot.scene.balls[ball].radius) continue;

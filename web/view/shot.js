@@ -1,6 +1,7 @@
 // What both views (3-D, and 2-D where there is no WebGL 2) draw, and how large it is.
 
 /** @import { Run, Scene, Vec, Wall } from "../state/types.js" */
+import { layoutOf } from "../scene/pockets.js";
 import { toNumber } from "../state/edit.js";
 import { trail } from "../state/motion.js";
 import { unit } from "../state/vectors.js";
@@ -81,6 +82,11 @@ export function outline(wall, box) {
     case "polygon":
       return [wall.closed ? [...wall.points, wall.points[0]] : wall.points];
     case "table": {
+      const { noses, mouths } = layoutOf(wall);
+      if (mouths.length > 0) {
+        const jaws = mouths.flatMap(({ before, after }) => [before, after].map(jawLine));
+        return [...noses.map(([start, end]) => [start, end]), ...jaws];
+      }
       const [x, y] = wall.center;
       return [rectangle(x - wall.length / 2, y - wall.width / 2, x + wall.length / 2, y + wall.width / 2)];
     }
@@ -116,6 +122,13 @@ function arc(center, radius, from, to) {
     const a = ((from + ((to - from) * i) / steps) * Math.PI) / 180;
     return [center[0] + radius * Math.cos(a), center[1] + radius * Math.sin(a)];
   });
+}
+
+/** A jaw from the nose's end into the pocket. @param {import("../scene/pockets.js").Jaw} jaw @returns {[number, number][]} */
+export function jawLine({ center, radius, middle, cosine, forward, end }) {
+  const [at, half] = [(Math.atan2(middle[1], middle[0]) * 180) / Math.PI, (Math.acos(cosine) * 180) / Math.PI];
+  const points = arc(center, radius, at - half, at + half);
+  return [...(forward ? points.reverse() : points), end];
 }
 
 /** The lowest and the highest corner of a box. @param {Wall} wall @returns {[Vec, Vec]} */

@@ -223,7 +223,11 @@ export function stage(host, drag, labels) {
     const leads = shot.runs.get(shot.followed);
     const solid = leads ? stateAt(leads.balls[shot.ball].pieces, now).x : null;
     for (const { mesh, turns, law } of balls) {
-      const { x } = stateAt(turns.pieces, now);
+      const { x, phase } = stateAt(turns.pieces, now);
+      if (phase === "pocketed") {
+        mesh.group.visible = false;
+        continue;
+      }
       const apart = law === shot.followed || !solid ? Infinity : Math.hypot(x[0] - solid[0], x[1] - solid[1], x[2] - solid[2]);
       mesh.place(x, turns.at(now), apart);
     }

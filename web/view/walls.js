@@ -4,11 +4,14 @@
 /** @import { Box, Palette } from "./shot.js" */
 import {
   BackSide, BoxGeometry, BufferGeometry, CylinderGeometry, DoubleSide, EdgesGeometry, Float32BufferAttribute, Group, LineBasicMaterial,
-  LineSegments, Mesh, MeshLambertMaterial, Quaternion, SphereGeometry, Vector3,
+  LineSegments, Mesh, MeshLambertMaterial, Quaternion, Shape, ShapeGeometry, SphereGeometry, Vector2, Vector3,
 } from "three";
 import { cross, plus, times, unit } from "../state/vectors.js";
-import { boxOf, levels, middleOf, outline, sizeOf } from "./shot.js";
+import { layoutOf } from "../scene/pockets.js";
+import { boxOf, jawLine, levels, middleOf, outline, sizeOf } from "./shot.js";
 import { toNumber } from "../state/edit.js";
+
+const HOLE = "#0c0d0f";
 
 /** @param {number[]} points triples @param {number[]} index */
 function geometry(points, index) {
@@ -67,6 +70,33 @@ function cushions(wall, scene, box) {
   return { faces: geometry(points, index), lines: edges([line], [profile[at][1]]) };
 }
 
+/** The cushions of a table with pockets, upright: their faces, their tops, and the pockets. @param {Wall} wall @param {import("../scene/pockets.js").Layout} layout @param {Scene} scene @param {Box} box */
+function pocketTable(wall, { noses, mouths }, scene, box) {
+  const radius = Math.max(...scene.balls.map((ball) => ball.radius));
+  const nose = wall.nose_height ?? radius;
+  const high = Math.max(Math.min(levels(wall, scene, box)[1], 1.7 * radius), nose + 0.12 * radius);
+  const same = (/** @type {number[]} */ p, /** @type {number[]} */ q) => p[0] === q[0] && p[1] === q[1];
+  const lines = noses.map(([start, end]) => {
+    const from = mouths.find((mouth) => same(mouth.after.nose, start));
+    const to = mouths.find((mouth) => same(mouth.before.nose, end));
+    return [...(from ? jawLine(from.after).reverse() : [start]), ...(to ? jawLine(to.before) : [end])];
+  });
+  const tops = lines.map((line, i) => {
+    const [[x, y], , [tx, ty]] = noses[i];
+    // back to its beginning along the rail
+    const out = (/** @type {[number, number]} */ p) => (p[0] - x) * ty - (p[1] - y) * tx;
+    const width = Math.max(2.2 * radius, ...line.map(out));
+    const back = [line[line.length - 1], line[0]].map((p) => new Vector2(p[0] + (width - out(p)) * ty, p[1] - (width - out(p)) * tx));
+    return new Shape([...line.map((p) => new Vector2(...p)), ...back]);
+  });
+  const holes = mouths.map(({ pocket }) => new Shape().absarc(pocket.center[0], pocket.center[1], pocket.radius, 0, 2 * Math.PI, false));
+  return [
+    { faces: ribbons(lines, 0, high), lines: edges(lines, [nose, high]) },
+    { faces: new ShapeGeometry(tops).translate(0, 0, high), lines: new BufferGeometry() },
+    { faces: new ShapeGeometry(holes, 24).translate(0, 0, 0.01 * radius), lines: new BufferGeometry(), hole: true },
+  ];
+}
+
 /** A rectangle of a plane near what is seen. @param {Vec} point @param {Vec} n unit @param {Scene} scene @param {Box} box @param {boolean} solid */
 function planeFaces(point, n, scene, box, solid) {
   const size = sizeOf(box);
@@ -99,13 +129,15 @@ function planeFaces(point, n, scene, box, solid) {
 
 /**
  * @param {Wall} wall @param {Scene} scene @param {Box} box
- * @returns {{faces: BufferGeometry, lines?: BufferGeometry, inside?: boolean, clear?: boolean}[]}
+ * @returns {{faces: BufferGeometry, lines?: BufferGeometry, inside?: boolean, clear?: boolean, hole?: boolean}[]}
  */
 function parts(wall, scene, box) {
   const [low, high] = levels(wall, scene, box);
   switch (wall.shape) {
-    case "table":
-      return [cushions(wall, scene, box)];
+    case "table": {
+      const layout = layoutOf(wall);
+      return layout.mouths.length > 0 ? pocketTable(wall, layout, scene, box) : [cushions(wall, scene, box)];
+    }
     case "plane": {
       const n = unit(wall.normal);
       return [{ faces: planeFaces(wall.point, n, scene, box, true), clear: Math.hypot(n[0], n[1]) < 0.05 }];
@@ -146,10 +178,10 @@ export function wallMeshes(scene, box, palette) {
   const group = new Group();
   const edge = new LineBasicMaterial({ color: palette.edge });
   for (const wall of scene.walls) {
-    for (const { faces, lines, inside, clear } of parts(wall, scene, box)) {
+    for (const { faces, lines, inside, clear, hole } of parts(wall, scene, box)) {
       const see = Boolean(clear || inside);
       const material = new MeshLambertMaterial({
-        color: palette.wall, side: inside ? BackSide : DoubleSide, transparent: see, opacity: see ? 0.3 : 1, depthWrite: !see,
+        color: hole ? HOLE : palette.wall, side: inside ? BackSide : DoubleSide, transparent: see, opacity: see ? 0.3 : 1, depthWrite: !see,
         polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
       });
       group.add(new Mesh(faces, material));

@@ -12,6 +12,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic.fields import FieldInfo
 
 from carom.scene.ball import SceneBall
+from carom.scene.pockets import Pockets
 from carom.scene.restitution import Constant, Exponential, Han2005, Polynomial, Power, Viscoelastic
 from carom.scene.scene import BallContact, Floor, Run, Scene
 from carom.scene.schema import Components, Model, Number
@@ -24,6 +25,7 @@ FORMS = (Constant, Polynomial, Han2005, Power, Viscoelastic, Exponential)
 
 # Fields of several types, which the page checks by their names.
 OF_THEIR_OWN = ("gravity", "inertia", "law", "restitution")
+POCKETS = ("corner_pockets", "side_pockets")
 
 
 def scene_fields() -> dict[str, Any]:
@@ -38,6 +40,7 @@ def scene_fields() -> dict[str, Any]:
         "ball_contact": _fields(BallContact),
         "run": _fields(Run),
         "walls": {model.model_fields["shape"].default: _fields(model) for model in SHAPES},
+        "pockets": _fields(Pockets),
         "restitution": {model.model_fields["form"].default: _fields(model) for model in FORMS},
     }
 
@@ -51,6 +54,8 @@ def _field(name: str, info: FieldInfo) -> dict[str, Any]:
     found = _described(info.annotation, list(info.metadata))
     if name in OF_THEIR_OWN:
         found = {"kind": name, **({"optional": True} if found.get("optional") else {})}
+    if name in POCKETS:
+        found = {"kind": "pockets", "optional": True}
     if info.is_required():
         found["required"] = True
     return found

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from carom.core.geometry.features import FACE, FEATURES, LINE, OVER, POINT, RIM
+from carom.core.geometry.features import FACE, FALLS, FEATURES, GOES_ON, LEAVES, LINE, OVER, POINT, RIM
 from carom.core.jit.kernel_hash import kernel_hash
 from carom.core.motion.phases import PHASES
 from carom.core.motion.restitution import FORMS
@@ -67,6 +67,7 @@ def _described() -> dict[str, Any]:
         },
         "functions": [entry.name for entry in entries()],
         "features": {"face": FACE, "over": OVER, "line": LINE, "point": POINT, "rim": RIM},
+        "gates": {"goes_on": GOES_ON, "leaves": LEAVES, "falls": FALLS},
         "kinds": list(KINDS),
         "phases": list(PHASES),
         "regimes": [str(name) for name in REGIME_NAMES],

@@ -1,4 +1,5 @@
 from .ball import SceneBall as SceneBall
+from .pockets import Pockets as Pockets
 from .scene import BallContact as BallContact
 from .scene import Floor as Floor
 from .scene import Run as Run

@@ -16,8 +16,8 @@ from carom.core.roots.polynomial import two_prod
 from carom.scene.schema import Vector
 
 __all__ = [
-    "Feature", "Flat", "across", "circle", "corner", "disc", "frame", "line", "minus", "plane", "post", "rim", "unit",
-    "upright",
+    "Feature", "Flat", "across", "circle", "corner", "cushion", "disc", "frame", "line", "minus", "plane", "post", "rim",
+    "round_cushion", "unit", "upright",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -40,6 +40,8 @@ class Feature(NamedTuple):
     hi1: float = math.inf
     lo2: float = -math.inf
     hi2: float = math.inf
+    pocket: int = -1
+    """Number of the pocket whose edge it is, among those of its wall; -1 for none."""
 
 
 # --- vectors ------------------------------------------------------------------------------------------------------
@@ -171,6 +173,22 @@ def upright(points: Sequence[Flat], *, closed: bool, low: float, high: float, in
             if not closed:
                 found.append(_standing(OVER, start, end, high, math.inf))
     return found
+
+
+def cushion(start: Flat, end: Flat, low: float, high: float) -> list[Feature]:
+    """One side of an outline that is gone round counterclockwise, with the balls inside: a face, edges, and the gate above."""
+    found = [_standing(FACE, end, start, low, high)] if low < high else []
+    t = unit((end[0] - start[0], end[1] - start[1], 0.0))
+    found += [line((*start, z), t, 0.0, math.dist(start, end)) for z in (low, high) if math.isfinite(z)]
+    return found + ([_standing(OVER, end, start, high, math.inf)] if math.isfinite(high) else [])
+
+
+def round_cushion(center: Flat, radius: float, middle: Flat, cosine: float, low: float, high: float) -> list[Feature]:
+    """The same along an arc that is convex towards the balls, on both sides of ``middle`` by the cosine of half its angle."""
+    at, u = (*center, 0.0), (*middle, 0.0)
+    found = [Feature(LINE, at, UP, radius, 1.0, u, cosine, 1.0, low, high)] if low < high else []
+    found += [rim((*center, z), UP, radius, u, cosine) for z in (low, high) if math.isfinite(z)]
+    return found + ([Feature(OVER, at, UP, radius, 1.0, u, cosine, 1.0, high, math.inf)] if math.isfinite(high) else [])
 
 
 def circle(center: Sequence[float], radius: float, first: float = 0.0, last: float = 2 * math.pi) -> Array:

@@ -15,7 +15,7 @@ from pydantic import BeforeValidator, Field, field_validator, model_validator
 from pydantic_core.core_schema import ValidationInfo
 
 from carom.bodies import State, Surface
-from carom.core.geometry.features import FEATURES, OVER, distance, feature_normal
+from carom.core.geometry.features import FALLS, FEATURES, GOES_ON, LEAVES, OVER, distance, feature_normal
 from carom.core.jit.kernel import Vec
 from carom.core.motion.restitution import CONSTANT
 from carom.formatting import format_length, format_time
@@ -229,7 +229,8 @@ class Scene(Model):
         ``law`` is the law's response; from CALLED_WALL on, its place in ``called_laws``. In the place of the tangential
         restitution stands the last number that the law reads: stiffness ratio, or friction of the floor.
         """
-        rows = []
+        rows: list[tuple[Any, ...]] = []
+        first = 0  # number of the wall's first pocket
         for i, (wall, law) in enumerate(zip(self.walls, self.laws, strict=True)):
             number, contact = law.response, wall.contact_of(law)
             if number == CALLED_WALL:
@@ -240,14 +241,22 @@ class Scene(Model):
                 contact = contact._replace(beta=wall.stiffness_ratio)
             elif law.last == "floor_friction":
                 contact = contact._replace(beta=0.0 if self.floor is None else self.floor.contact.mu)
-            surface = (*contact, number, wall.encloses, 0)
-            rows += [(*feature, i, *surface) for feature in wall.features()]
+            gate = LEAVES if wall.encloses else GOES_ON
+            for *shape, pocket in wall.features():
+                end = (gate, 0) if pocket < 0 else (FALLS, first + pocket)
+                rows.append((*shape, i, *contact, number, *end))
+            first += len(wall.pockets)
         return np.array(rows, dtype=FEATURES)
 
     @property
     def wall_names(self) -> tuple[str, ...]:
         """Return the walls' names; of one without, its shape and its number."""
         return tuple(wall.name or f"{wall.kind} {i}" for i, wall in enumerate(self.walls))
+
+    @property
+    def pocket_names(self) -> tuple[str, ...]:
+        """Return the names of all pockets, wall by wall."""
+        return tuple(pocket.name for wall in self.walls for pocket in wall.pockets)
 
     @property
     def ball_names(self) -> tuple[str, ...]:

@@ -1,4 +1,4 @@
-"""Upright walls along straight lines: segment, polygon, table."""
+"""Upright walls along straight lines: segment, polygon."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 from pydantic import BeforeValidator, model_validator
 
 from carom.formatting import format_length
-from carom.scene.feature_builders import Feature, Flat, upright
-from carom.scene.schema import Components, Extent, Fault, Flag, Place, Size, Unquoted, Vector, raise_faults
+from carom.scene.feature_builders import Feature, upright
+from carom.scene.schema import Components, Extent, Fault, Flag, Place, Unquoted, raise_faults
 from carom.scene.wall import Outline, WallShape, format_vector
 
-__all__ = ["Polygon", "Segment", "Standing", "Table"]
+__all__ = ["Polygon", "Segment", "Standing"]
 
 Array = NDArray[np.float64]
 
@@ -129,80 +129,6 @@ class Polygon(Standing):
     def describe(self) -> str:
         """Return a description of a few words."""
         return f"a polygon of {len(self.points)} points{'' if self.closed else ', open'}{self._tall()}"
-
-
-class Table(WallShape):
-    """A rectangular table: four cushions.
-
-    Parameters
-    ----------
-    length, width : m: along x and y, from nose to nose
-    center : 2 lengths, m, as seen from above; default: the origin
-    nose_height : m, optional: each cushion begins with an edge at this height. A ball of a smaller radius meets it above its
-        centre; one in flight may meet the cushion above it
-    height : m: the cushions' upper edge; default: infinite, so that no ball leaves the table
-    restitution, friction, tangential_restitution, stiffness_ratio, law, name : fields of every wall, as of :class:`Plane`
-
-    Raises CaromError, one line per problem.
-
-    Examples
-    --------
-    >>> import carom
-    >>> table = carom.scene.Table(length=2.84, width=1.42, nose_height="37 mm", restitution=0.9, friction=0.2)
-    >>> table.nose_height, table.room
-    (0.037, 0.71)
-    """
-
-    shape: Literal["table"] = "table"
-    length: Size
-    width: Size
-    center: Place = (0.0, 0.0)
-    nose_height: Size | None = None
-    height: Extent = math.inf
-
-    @model_validator(mode="after")
-    def _upwards(self) -> Table:
-        low = self.nose_height or 0.0
-        if not (self.height >= low and self.height > 0):
-            expected = f"at least nose_height = {low:g} m" if low else "a height above the floor"
-            raise_faults([Fault(expected, self.height, at=("height",))])
-        return self
-
-    @property
-    def encloses(self) -> bool:
-        """Return True: it surrounds the balls."""
-        return True
-
-    @property
-    def room(self) -> float:
-        """Return half of the shorter side, m."""
-        return min(self.length, self.width) / 2
-
-    def _corners(self) -> list[Flat]:
-        (x, y), dx, dy = self.center, self.length / 2, self.width / 2
-        return [(x - dx, y - dy), (x + dx, y - dy), (x + dx, y + dy), (x - dx, y + dy)]
-
-    def features(self) -> list[Feature]:
-        """Return four faces, noses, upper edges, and gates."""
-        low = -math.inf if self.nose_height is None else self.nose_height
-        return upright(self._corners(), closed=True, low=low, high=self.height, inside=True)
-
-    def outline(self) -> Outline:
-        """Return a rectangle."""
-        return [np.array([*self._corners(), self._corners()[0]])]
-
-    def describe(self) -> str:
-        """Return a description of a few words."""
-        nose = "" if self.nose_height is None else f", cushion noses at {format_length(self.nose_height)}"
-        return f"a table of {format_length(self.length)} by {format_length(self.width)}{nose}"
-
-    def blocked(self, x: Vector) -> bool:
-        """Return whether a point is beyond a cushion."""
-        return abs(x[0] - self.center[0]) > self.length / 2 or abs(x[1] - self.center[1]) > self.width / 2
-
-    def vertical(self, z: float) -> bool:
-        """Return whether it has no nose above the balls' centres, and is not lower than they are."""
-        return (self.nose_height is None or self.nose_height <= z) and z <= self.height
 
 
 def _turn(p: Array, q: Array, r: Array) -> Array:

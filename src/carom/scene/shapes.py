@@ -8,7 +8,8 @@ from pydantic import Field
 
 from carom.scene.planes import Box, Plane, Strip, Wedge
 from carom.scene.rounds import Arc, Cylinder, Sphere, Stadium
-from carom.scene.segments import Polygon, Segment, Table
+from carom.scene.segments import Polygon, Segment
+from carom.scene.table import Table
 
 __all__ = [
     "AnyWall", "Arc", "Box", "Cylinder", "Plane", "Polygon", "Segment", "Sphere", "Stadium", "Strip", "Table", "Wedge",

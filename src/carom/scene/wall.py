@@ -17,13 +17,21 @@ from carom.errors import CaromError, suggestion
 from carom.laws.law import LIKE_SOLIDS, Law
 from carom.laws.registry import laws
 from carom.laws.user import find_law
-from carom.scene.feature_builders import Feature
+from carom.scene.feature_builders import Feature, Flat
 from carom.scene.restitution import Bounce, Constant, Restitution
 from carom.scene.schema import Fault, Friction, Model, PositiveNumber, Spring, Unquoted, Vector, runs_own_laws
 
-__all__ = ["ContactParameters", "LawChoice", "WallShape", "contact", "format_vector", "law_name"]
+__all__ = ["ContactParameters", "LawChoice", "Pocket", "WallShape", "contact", "format_vector", "law_name"]
 
 Outline = list[NDArray[np.float64]]
+
+
+class Pocket(NamedTuple):
+    """A pocket of a table: its name, and its edge, a circle as seen from above (m)."""
+
+    name: str
+    center: Flat
+    radius: float
 
 
 class ContactParameters(NamedTuple):
@@ -136,6 +144,11 @@ class WallShape(Model):
     def room(self) -> float:
         """Return the upper bound of the radius of a ball inside, m."""
         return math.inf
+
+    @property
+    def pockets(self) -> tuple[Pocket, ...]:
+        """Return its pockets, in the order of their numbers."""
+        return ()
 
     @abstractmethod
     def features(self) -> list[Feature]:

@@ -10,10 +10,10 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.core.geometry.features import OVER
+from carom.core.geometry.features import FALLS, GOES_ON, OVER
 from carom.core.jit.kernel import Vec, dot, kernel, vector
 from carom.core.motion.bounces import bounces
-from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, PIVOTING, grounded, next_phase
+from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, PIVOTING, POCKETED, grounded, next_phase
 from carom.simulation.predict import begin, predict, put, state_at
 from carom.simulation.records import (
     BALL,
@@ -23,6 +23,7 @@ from carom.simulation.records import (
     NO_REGIME,
     NOTHING,
     PHASE,
+    POCKETED_EVENT,
     SETTLED,
     START,
     WALL,
@@ -162,9 +163,11 @@ def _happen(world: Any, features: Any, balls: Any, i: int, users: Any) -> tuple[
         who = f.wall
         if f.kind != OVER:
             j, jf, required, regime, refusal = meet_wall(world, f, ball, users)
+        elif f.ends == FALLS:
+            kind, who, ball.phase = POCKETED_EVENT, f.at, POCKETED
         else:
             kind = LEFT_EVENT
-            if f.ends != 0:
+            if f.ends != GOES_ON:
                 ball.phase = LEFT
     else:
         v, w = vector(ball.v), vector(ball.w)
@@ -269,6 +272,8 @@ def run(
         kind, who, j, jf, required, regime, refusal = _happen(world, features, balls, i, users)
         if refusal != DONE:
             return refusal, events, rows, i, slow, _last(balls)
+        if kind == POCKETED_EVENT:
+            met = kind
         bit = PHASES_FROM + ball.phase if kind == PHASE else kind
         if room and (keep >> bit) & 1 != 0:
             _note(log[rows], ball, kind, i, met, who, v, w, before)

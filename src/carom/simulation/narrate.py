@@ -12,16 +12,16 @@ from numpy.typing import NDArray
 from carom.core.contact import SLIDE, STICK
 from carom.core.geometry.features import OVER, distance, feature_normal
 from carom.core.jit.kernel import dot
-from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, PIVOTING, REST, ROLLING, SLIDING
+from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, PIVOTING, POCKETED, REST, ROLLING, SLIDING
 from carom.formatting import format_length, format_number, format_time
 from carom.laws.law import CONTACT_WALL, TWO_STEP_WALL
 from carom.laws.wall_and_floor.solver import JAM
-from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, START, WALL
+from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, POCKETED_EVENT, START, WALL
 from carom.simulation.trajectory import Trajectory
 
 __all__ = ["describe_run", "with_count"]
 
-IMPACT_KINDS = (START, WALL, BALL, LEFT_EVENT, HELD_EVENT)
+IMPACT_KINDS = (START, WALL, BALL, LEFT_EVENT, HELD_EVENT, POCKETED_EVENT)
 # How many impacts of a ball are described, the first and the last; those between are counted.
 FIRST, LAST = 6, 3
 # Lower bounces (m) and shorter phases (s) are not mentioned.
@@ -130,6 +130,8 @@ def _sentence(run: Trajectory, features: Any, part: Rows, end: float) -> str:
         head = _wall(run, features, row)
     elif kind == BALL:
         head = _other_ball(run, row)
+    elif kind == POCKETED_EVENT:
+        return f"{_at(row)} it falls into the {run.scene.pocket_names[row['other']]} at {format_number(_speed(row['v']))} m/s."
     elif kind == LEFT_EVENT:
         head = f"{_at(row)} it clears {run.scene.wall_names[row['other']]}"
     else:
@@ -313,7 +315,7 @@ def _outcome(run: Trajectory, rows: Rows) -> str:
     """Describe the final state of a ball, after how long and how many impacts."""
     last = rows[-1]
     phase, ball = int(last["phase"]), int(last["ball"])
-    if phase in (HELD, LEFT):
+    if phase in (HELD, LEFT, POCKETED):
         return ""
     met = _met(list(rows[1:]))
     after = "" if met == "nothing" else f" and {met}" if " and " not in met else f", {met}"
@@ -339,7 +341,12 @@ def _others(run: Trajectory, balls: list[Rows]) -> str:
     """Describe all other balls in one sentence: their impacts and final states."""
     firsts = [row for rows in balls for row in rows[1:] if row["kind"] in IMPACT_KINDS]
     ends = Counter(int(rows["phase"][-1]) for rows in balls)
-    words = {REST: ("is at rest", "are at rest"), HELD: ("is held", "are held"), LEFT: ("has left", "have left")}
+    words = {
+        REST: ("is at rest", "are at rest"),
+        HELD: ("is held", "are held"),
+        LEFT: ("has left", "have left"),
+        POCKETED: ("is pocketed", "are pocketed"),
+    }
     how = [
         f"{count:,} {words[k][count > 1] if k in words else _plural(PHASE_VERBS[k], count)}"
         for k, count in sorted(ends.items())

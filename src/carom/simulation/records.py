@@ -15,13 +15,13 @@ from carom.core.motion.phases import PHASES
 
 __all__ = [
     "BALL", "BALLS", "FLOOR", "HELD_EVENT", "KINDS", "LEFT_EVENT", "LOG", "NOTHING", "NO_REGIME",
-    "PHASE", "SETTLED", "START", "WALL", "WORLD", "kind_names",
+    "PHASE", "POCKETED_EVENT", "SETTLED", "START", "WALL", "WORLD", "kind_names",
 ]  # fmt: skip
 
 # What can come next for a ball, and what a log says of it.
-START, WALL, FLOOR, BALL, PHASE, SETTLED, LEFT_EVENT, HELD_EVENT, NOTHING = range(9)
+START, WALL, FLOOR, BALL, PHASE, SETTLED, LEFT_EVENT, HELD_EVENT, NOTHING, POCKETED_EVENT = range(10)
 # What people see; the end of a phase is called after the phase that begins.
-KINDS = ("start", "wall", "floor", "ball", "phase", "settled", "left", "held", "nothing")
+KINDS = ("start", "wall", "floor", "ball", "phase", "settled", "left", "held", "nothing", "pocketed")
 
 NO_REGIME = -1
 
@@ -71,7 +71,7 @@ LOG = np.dtype(
         ("t", _NUMBER),
         ("kind", _WHOLE),
         ("ball", _WHOLE),
-        ("met", _WHOLE),  # WALL, BALL, or NOTHING: what ``other`` is the number of
+        ("met", _WHOLE),  # WALL, BALL, POCKETED_EVENT, or NOTHING: what ``other`` is the number of
         ("other", _WHOLE),  # -1 for none
         ("x", *_VECTOR),
         ("v_before", *_VECTOR),

@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.core.geometry.features import OVER, distance, way_in
+from carom.core.geometry.features import FALLS, OVER, distance, pocket_distance, way_in
 from carom.core.jit.kernel import Vec, cross, dot, kernel, vector
 from carom.core.motion.bounces import bounces, series_lasts
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, grounded
@@ -45,8 +45,11 @@ def stays_clear(features: Any, balls: Any, i: int, time: float) -> bool:
     # a rubbing floor cannot make it faster than this
     reach = (math.sqrt(dot(v, v)) + a * math.sqrt(dot(w, w))) * time
     for f in range(features.shape[0]):
+        one = features[f]
         # (a gap below -a: the ball is behind a face, or outside of a hollow, and comes in over another feature)
-        if features[f].kind != OVER and -a <= distance(features[f], a, x) <= reach:
+        if one.kind != OVER and -a <= distance(one, a, x) <= reach:
+            return False
+        if one.kind == OVER and one.ends == FALLS and pocket_distance(one, x) <= reach:
             return False
     for k in range(balls.shape[0]):
         other = balls[k]

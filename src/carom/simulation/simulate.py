@@ -165,7 +165,7 @@ class ManyRuns:
 
     @property
     def phase(self) -> NDArray[np.str_]:
-        """(N, B): flight, sliding, rolling, pivoting, rest, bouncing, held, left."""
+        """(N, B): flight, sliding, rolling, pivoting, rest, bouncing, held, left, pocketed."""
         return np.array(PHASES)[self.code]
 
 

@@ -15,7 +15,7 @@ from carom.core.motion.phases import PHASES
 from carom.files import import_optional
 from carom.laws.results import REGIME_NAMES as NAMES
 from carom.scene.scene import Scene
-from carom.simulation.records import BALL, WALL, kind_names
+from carom.simulation.records import BALL, POCKETED_EVENT, WALL, kind_names
 
 if TYPE_CHECKING:
     import pandas
@@ -75,17 +75,23 @@ def _names(names: tuple[str, ...], which: NDArray[Any]) -> NDArray[Any]:
 def event_columns(run: RunRecord, rows: NDArray[np.void]) -> Columns:
     """Return rows of a run's log as named columns (N,).
 
-    ``vx`` ... ``wz`` are velocity and spin just after the event, ``vx_before`` ... just before; ``other`` is the number of the wall
-    or of the other ball, -1 for none, ``name`` its name; ``energy_lost`` is that of this ball.
+    ``vx`` ... ``wz`` are velocity and spin just after the event, ``vx_before`` ... just before; ``other`` is the number of the
+    wall, of the other ball or of the pocket, -1 for none, ``name`` its name; ``energy_lost`` is that of this ball.
     """
     wall = np.where(rows["met"] == WALL, rows["other"], -1)
     ball = np.where(rows["met"] == BALL, rows["other"], -1)
+    pocket = np.where(rows["met"] == POCKETED_EVENT, rows["other"], -1)
+    names = (
+        _names(run.scene.wall_names, wall),
+        _names(run.scene.ball_names, ball),
+        _names(run.scene.pocket_names, pocket),
+    )
     columns: Columns = {
         "t": np.array(rows["t"]),
         "kind": kind_names(rows),
         "ball": np.array(rows["ball"]),
         "other": np.array(rows["other"]),
-        "name": _names(run.scene.wall_names, wall) + _names(run.scene.ball_names, ball),
+        "name": names[0] + names[1] + names[2],
         "phase_before": np.array(PHASES, dtype=object)[rows["phase_before"]],
         "phase": np.array(PHASES, dtype=object)[rows["phase"]],
     }

@@ -18,7 +18,7 @@ from carom.errors import CaromError
 from carom.files import as_path
 from carom.laws.results import REGIME_NAMES as NAMES
 from carom.scene.scene import Scene
-from carom.simulation.records import BALL, START, WALL, kind_names
+from carom.simulation.records import BALL, POCKETED_EVENT, START, WALL, kind_names
 from carom.simulation.save import save
 from carom.simulation.setup import set_up
 from carom.simulation.states import orientations, states
@@ -53,14 +53,15 @@ class Event:
     """s."""
     kind: str
     """ "wall", "floor", "ball"; "rolling", "pivoting", "rest": the phase that begins; "settled": the end of infinitely many
-    bounces; "left": it cleared a wall; "held": a force presses it on a wall or a ball, and it is followed no further."""
+    bounces; "left": it cleared a wall; "held": a force presses it on a wall or a ball, and it is followed no further;
+    "pocketed": it fell into a pocket, and is followed no further."""
     ball: int
     other: int
-    """Number of the wall, or of the other ball; -1 for none."""
+    """Number of the wall, of the other ball, or of the pocket (in ``scene.pocket_names``); -1 for none."""
     name: str
-    """Name of the wall or of the other ball; empty for none."""
+    """Name of the wall, of the other ball, or of the pocket; empty for none."""
     phase: str
-    """The phase that begins: flight, sliding, rolling, pivoting, rest, bouncing, held, left."""
+    """The phase that begins: flight, sliding, rolling, pivoting, rest, bouncing, held, left, pocketed."""
     before: State
     after: State
     """Velocity, spin, position."""
@@ -185,7 +186,9 @@ class Trajectory:
         x = np.array(row["x"])
         before = State.of(np.array(row["v_before"]), np.array(row["w_before"]), x)
         after = State.of(np.array(row["v"]), np.array(row["w"]), x)
-        names = {WALL: self.scene.wall_names, BALL: self.scene.ball_names}.get(met)
+        names = {
+            WALL: self.scene.wall_names, BALL: self.scene.ball_names, POCKETED_EVENT: self.scene.pocket_names,
+        }.get(met)  # fmt: skip
         return Event(
             t=float(row["t"]),
             kind=str(kind_names(row)),
@@ -233,7 +236,7 @@ class Trajectory:
     def at(self, t: ArrayLike) -> State:
         """Return the exact states at a time, s, or at times: arrays (B, 3), or (..., B, 3) for times (...).
 
-        At the time of an event, the state just after it. NaN after a ball has left or is held. Raises CaromError for
+        At the time of an event, the state just after it. NaN after a ball has left, is held or is pocketed. Raises CaromError for
         times before the start or after the end of the run.
         """
         times, after, rows = self._find(t)
@@ -266,7 +269,7 @@ class Trajectory:
 
     @property
     def final(self) -> State:
-        """Return the final states (B, 3); of a ball that left or is held, its last one."""
+        """Return the final states (B, 3); of a ball that left, is held or is pocketed, its last one."""
         found = self.at(self.end)
         last = self.log[[own[-1] for own in self._rows_of]]
         gone = np.isnan(found.velocity[:, 0])

@@ -29,6 +29,8 @@ SEAM, BEHIND, GRAZE = 1e-9, 1e-3, 1e-12
 # their roots come together, and rounding moves them, or takes both; and at last they are met at once.
 BESIDE, CENTRED, ALL = 0.1, 1e-4, 1e-10
 TOGETHER = 1e-6
+# From far away the polynomials know little of a small circle: a hit that may be off by this share of the ball's radius is polished.
+ROUNDING, BLURRED = 1.1e-16, 1e-11
 NUMBERS = 23
 
 
@@ -134,7 +136,7 @@ def _centred(d: Vec, radius: float, a: float, r: Vec, v: Vec, acc: Vec, until: f
 
 @kernel
 def _polished(d: Vec, radius: float, a: float, r: Vec, v: Vec, acc: Vec, s: float, until: float) -> float:
-    """A hit near the axis, where the polynomials say little of the gap: by Newton's steps on the gap itself."""
+    """A hit near the axis or from afar, where the polynomials say little of the gap: by Newton's steps on the gap itself."""
     zero = (0 * a, 0 * a, 0 * a)
     last = math.inf
     for _ in range(20):
@@ -204,10 +206,12 @@ def rim_hit(
         y, _w = _at(r, v, acc, s)
         if _on_arc(d, u, cosine, y):
             found = s
-    if found > 0 and found <= until and radius < a:
+    if found > 0 and found <= until:
         y, _w = _at(r, v, acc, found)
         _q, rho, _h = _across(d, y)
-        if rho < BESIDE * radius:
+        # what rounding of coefficients of the size |r|^4 makes of the gap; its factor is 2 a times 4 R rho in touch
+        blurred = dot(r, r) * dot(r, r) * ROUNDING > BLURRED * a * (8 * a * radius * rho)
+        if (radius < a and rho < BESIDE * radius) or blurred:
             return _polished(d, radius, a, r, v, acc, found, until)
     return found
 

@@ -24,13 +24,16 @@ from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel, vector
 from carom.core.roots.first_root import hit2, hit4, next_hit4
 
 __all__ = [
-    "FACE", "FEATURES", "LINE", "OVER", "POINT", "RIM", "contact_normal", "distance", "feature_hit", "feature_normal",
-    "stays", "way_in",
+    "FACE", "FALLS", "FEATURES", "GOES_ON", "LEAVES", "LINE", "OVER", "POINT", "RIM", "contact_normal", "distance", "feature_hit",
+    "feature_normal", "pocket_distance", "stays", "way_in",
 ]  # fmt: skip
 
 # Kinds. OVER is no wall: it is the upward continuation of a low one, and a ball whose centre passes it has cleared it; of a
 # round one, with R > 0. Faces come before what is round, so that one comparison tells them apart.
 FACE, OVER, LINE, POINT, RIM = range(5)
+# What becomes of a ball whose centre passes a gate, an OVER: it goes on; it has left, and is followed no further; or the gate is
+# the edge of a pocket, into which it falls.
+GOES_ON, LEAVES, FALLS = range(3)
 
 FEATURES = np.dtype(
     [
@@ -51,8 +54,11 @@ FEATURES = np.dtype(
         ("mu", "f8"),
         ("beta", "f8"),
         ("law", "i8"),
-        ("ends", "i8"),  # whether a ball that clears the wall is followed no further
-        ("at", "i8"),  # of a rim: the address of carom.core.geometry.circles.rim_hit
+        ("ends", "i8"),  # GOES_ON, LEAVES or FALLS
+        (
+            "at",
+            "i8",
+        ),  # of a rim: the address of carom.core.geometry.circles.rim_hit; of a pocket: its number in the scene
     ]
 )
 # Seams: a feature reaches this share of the ball's radius over its ends, so that no ball slips in between two.
@@ -155,7 +161,7 @@ def _round_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: f
         s = next_hit4(c0, c1, c2, c3, c4, 0 * a, until)
     else:
         s = hit4(c0, c1, c2, c3, c4, until, 2 * reach * slow)
-    if f.kind == OVER and s == 0:  # it stands in the gate, having just come through
+    if f.kind == OVER and s == 0 and f.ends != FALLS:  # it stands in the gate, having just come through
         s = next_hit4(c0, c1, c2, c3, c4, 0 * a, until)
     for _ in range(2):
         if not s <= until:
@@ -234,6 +240,14 @@ def distance(f: Any, a: float, x: Vec) -> float:
             r = (r[0] - c * d[0], r[1] - c * d[1], r[2] - c * d[2])
         gap = side * (math.sqrt(dot(r, r)) - f.R) - a
     return gap if _within(f, x, a) else math.inf
+
+
+@kernel
+def pocket_distance(f: Any, x: Vec) -> float:
+    """Distance of the centre x of a ball from the edge of pocket f, as seen from above; negative over it."""
+    p = vector(f.p)
+    far = math.sqrt((x[0] - p[0]) * (x[0] - p[0]) + (x[1] - p[1]) * (x[1] - p[1]))
+    return float(far - f.R)
 
 
 @kernel

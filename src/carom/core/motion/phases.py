@@ -17,15 +17,16 @@ from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel
 from carom.core.motion.rolling import UP, rolls_at_last
 
 __all__ = [
-    "BOUNCING", "FLIGHT", "HELD", "LEFT", "ON_FLOOR", "PHASES", "PIVOTING", "REST", "ROLLING", "SLIDING",
+    "BOUNCING", "FLIGHT", "HELD", "LEFT", "ON_FLOOR", "PHASES", "PIVOTING", "POCKETED", "REST", "ROLLING", "SLIDING",
     "advance", "grounded", "next_phase", "pace",
 ]  # fmt: skip
 
 # The phases; what people see is PHASES[code]. A bouncing ball hops infinitely often in a finite time (motion.bounces); one
-# that is held presses on a wall or a ball, one that left has left the table: neither is followed any further.
-FLIGHT, SLIDING, ROLLING, PIVOTING, REST, BOUNCING, HELD, LEFT = range(8)
-PHASES = ("flight", "sliding", "rolling", "pivoting", "rest", "bouncing", "held", "left")
-ON_FLOOR = (False, True, True, True, True, False, False, False)
+# that is held presses on a wall or a ball, one that left has left the table, one that is pocketed lies in a pocket: none of them
+# is followed any further.
+FLIGHT, SLIDING, ROLLING, PIVOTING, REST, BOUNCING, HELD, LEFT, POCKETED = range(9)
+PHASES = ("flight", "sliding", "rolling", "pivoting", "rest", "bouncing", "held", "left", "pocketed")
+ON_FLOOR = (False, True, True, True, True, False, False, False, False)
 
 # Below this share of the speeds a slip is the rounding of a rolling ball.
 ROUNDING = 1e-12
