@@ -25,7 +25,7 @@ from carom.simulation.loop import ALL, LIMIT
 from carom.simulation.records import BALLS, KINDS, LOG, WORLD
 from carom.simulation.setup import set_up
 
-SCENES, EVENTS, SHOTS = 300, 200, 4
+SCENES, EVENTS, SHOTS = 300, 200, 12
 TOLERANCE = 1e-12
 WHOLE = ("kind", "ball", "met", "other", "phase_before", "phase", "regime")
 # Numbers of a log that share a scale.

@@ -23,7 +23,7 @@ def shot(preset: str, seed: int, count: int = 2, **more: Any) -> carom.Scene:
     inside = np.array((wall.length, wall.width)) / 2 - 1.5 * a
     places: list[Any] = []
     while len(places) < count:
-        at = rng.uniform(-inside, inside)
+        at = rng.uniform(-inside, inside) + wall.center
         if all(np.linalg.norm(at - other) > 2.1 * a for other in places):
             places.append(at)
     speed, angle = rng.uniform(0.5, 6), rng.uniform(0, 2 * math.pi)

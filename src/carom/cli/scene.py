@@ -25,16 +25,27 @@ def new(
         Path | None, typer.Argument(metavar="[FILE]", help="File to write. Default: standard output.")
     ] = None,
     gas: Annotated[bool, typer.Option("--gas", help="A gas of balls, for carom gas.")] = False,
+    table: Annotated[
+        str | None,
+        typer.Option("--table", metavar="NAME", help="A real table with its balls and cloth; --table list names all."),
+    ] = None,
     force: Annotated[bool, shared("force")] = False,
 ) -> None:
-    """Write a commented scene that runs as it stands: one ball on a carom table; or a gas."""
+    """Write a commented scene that runs as it stands: one ball on a carom table; a real table by name; or a gas."""
     from carom.cli.common import wrote
     from carom.errors import CaromError
     from carom.files import write_text
     from carom.gas.build import new_gas
     from carom.scene.toml import new_scene
 
-    text = new_gas() if gas else new_scene()
+    if table is not None and gas:
+        raise CaromError("--table: expected a scene of single balls, got --gas as well; give one of the two")
+    if table == "list":
+        from carom.scene.presets import presets
+
+        sys.stdout.write("".join(f"{name:<18}{preset.title}\n" for name, preset in presets().items()))
+        return
+    text = new_gas() if gas else new_scene(table)
     if file is None:
         sys.stdout.write(text)
         return

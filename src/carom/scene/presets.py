@@ -19,10 +19,11 @@ POCKETS = ("corner_pockets", "side_pockets")
 
 @dataclass(frozen=True)
 class Sourced:
-    """A value, and where it comes from."""
+    """A value, where it comes from, and the short name of that source."""
 
     value: Any
     source: str
+    key: str
 
 
 @dataclass(frozen=True)
@@ -42,7 +43,7 @@ def presets() -> dict[str, Preset]:
     sources = tables.pop("sources")
 
     def numbers(found: dict[str, Any]) -> dict[str, Sourced]:
-        return {name: Sourced(value, sources[key]) for name, (value, key) in found.items()}
+        return {name: Sourced(value, sources[key], key) for name, (value, key) in found.items()}
 
     made: dict[str, Preset] = {}
     for name, own in tables.items():

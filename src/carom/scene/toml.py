@@ -10,6 +10,7 @@ from typing import Any
 
 from carom.errors import CaromError
 from carom.files import as_path
+from carom.scene.openings import table_scene
 from carom.scene.scene import Scene
 from carom.scene.schema import from_file
 
@@ -86,18 +87,30 @@ def _beside(table: dict[str, Any], folder: Path) -> None:
             part["law"] = str(folder / law)
 
 
-def new_scene() -> str:
+def new_scene(table: str | None = None) -> str:
     """Return the text of a commented scene file that can be run unchanged: one ball on a carom table.
+
+    Parameters
+    ----------
+    table : str, optional
+        A real table by name, such as "snooker" (:class:`carom.Table`): its balls as they lie when a game begins, its cushions and
+        cloth, each number with its source.
 
     Returns
     -------
     str
         TOML.
 
+    Raises CaromError, one line, for a name that no table has.
+
     Examples
     --------
     >>> import carom
     >>> carom.new_scene().splitlines()[0].startswith("#")
     True
+    >>> print(carom.new_scene("pool-9ft").splitlines()[0])
+    # A pool table of 9 feet. The break: white meets the rack from the head string.
     """
+    if table is not None:
+        return table_scene(table)
     return files("carom.scene").joinpath("new.toml").read_text(encoding="utf-8")

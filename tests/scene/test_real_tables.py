@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+import re
+import tomllib
 from pathlib import Path
 from typing import Any
 
@@ -189,3 +191,41 @@ def test_pockets_in_json() -> None:
     assert wall["corner_pockets"] == {**CORNER, "jaw_angle": 142.0}
     assert wall["side_pockets"] is None
     assert wall["preset"] is None
+
+
+@pytest.mark.parametrize("name", list(presets()))
+def test_a_new_scene_of_a_table_has_all_its_numbers_and_runs(name: str, tmp_path: Path) -> None:
+    file = tmp_path / "scene.toml"
+    text = carom.new_scene(name)
+    file.write_text(text, encoding="utf-8")
+    scene = carom.load_scene(file)
+    preset = presets()[name]
+    parts = {part: {field: one.value for field, one in found.items()} for part, found in preset.parts.items()}
+    assert scene.walls[0] == Table(preset=name, name="cushions")
+    assert {(ball.radius, ball.mass) for ball in scene.balls} == {(parts["ball"]["radius"], parts["ball"]["mass"])}
+    assert scene.floor == carom.Floor(**parts["floor"])
+    assert scene.ball_contact == carom.BallContact(**parts["ball_contact"])
+    assert len(scene.balls) == {"c": 3, "p": 16, "s": 22}[name[0]]
+    # its sources, once each at the end; and its comments are sound fields
+    for one in (*preset.cushions.values(), *(one for part in preset.parts.values() for one in part.values())):
+        assert text.count(f"# {one.key}: ") == 1
+    loose = re.sub(r"^# (?=[\w.]+ = )", "", text, flags=re.MULTILINE)
+    file.write_text(loose, encoding="utf-8")
+    assert carom.load_scene(file) == scene
+
+
+def test_the_first_shot_of_the_carom_table_scores() -> None:
+    run = carom.simulate(carom.Scene(**tomllib.loads(carom.new_scene("carom"))))
+    met = [event.name for event in run.events.of("wall", "ball", ball=0)]
+    assert met[0] == "red"
+    assert met.index("yellow") >= 4
+    assert set(met[1 : met.index("yellow")]) == {"cushions"}
+    # a real nose: the ball hops by less than its radius
+    assert run.at(np.linspace(0, run.end, 2000)).position[:, 0, 2].max() < 1.2 * 0.03075
+
+
+def test_no_other_table_has_a_scene() -> None:
+    with pytest.raises(
+        carom.CaromError, match=r"^table: expected one of carom, .*, got 'karom'; did you mean 'carom'\?$"
+    ):
+        carom.new_scene("karom")
