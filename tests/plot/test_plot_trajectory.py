@@ -14,7 +14,7 @@ from reference.drawn_scenes import SCENES, gallery, hop, three
 import carom
 
 pytest.importorskip("matplotlib")
-from carom.plot.scene_view import View, _clipped, colour, last_time, steps, view, walls_in, way
+from carom.plot.scene_view import CALLED, View, _clipped, colour, last_time, steps, view, walls_in, way
 
 
 @pytest.mark.parametrize("scene", SCENES)
@@ -174,3 +174,37 @@ def test_paths_say_how_the_ball_moved() -> None:
     )
     assert "comes to rest" in said
     assert not re.search("clears|held", " ".join(said))
+
+
+def test_pockets_are_drawn_and_a_ball_that_fell_lies_in_one(tmp_path: Path) -> None:
+    ball = {"radius": 0.028575, "mass": 0.163}
+    balls = [
+        {**ball, "position": (0, 0), "velocity": (0, -1.2), "rolling": True, "name": "red 1"},
+        {**ball, "position": (0.5, 0)},
+    ]
+    table = {"shape": "table", "preset": "pool-9ft"}
+    run = carom.simulate(carom.Scene(floor={"friction": 0.2}, walls=[table], balls=balls))
+    from matplotlib.colors import to_rgb
+    from matplotlib.patches import Circle
+
+    figure = run.plot(tmp_path / "run.png")
+    above = figure.axes[0]
+    circles = [patch for patch in above.patches if isinstance(patch, Circle)]
+    pocket = run.scene.walls[0].pockets[1]
+    assert [circle.center for circle in circles].count(pocket.center) == 1
+    fills = [patch for patch in above.patches if not isinstance(patch, Circle)]
+    assert sum(patch.get_facecolor()[:3] == to_rgb("#2b2926") for patch in fills) == 6
+    assert "falls" in {text.get_text() for text in figure.legends[0].get_texts()}
+    assert above.get_xlim()[0] < -1.27 - pocket.radius
+    assert colour(run, 0) == CALLED["red"]
+
+
+def test_the_bed_of_a_table_is_one_outline_through_its_pockets() -> None:
+    for name in ("pool-9ft", "snooker"):
+        table = carom.scene.Table(preset=name)
+        x, y = table.bed.T
+        area = float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2
+        assert table.length * table.width < area < 1.03 * table.length * table.width
+        # no step is longer than a nose
+        assert np.hypot(*np.diff(table.bed, axis=0).T).max() < table.width
+    assert carom.scene.Table(preset="carom").bed is None

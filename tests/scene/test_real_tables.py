@@ -229,3 +229,8 @@ def test_no_other_table_has_a_scene() -> None:
         carom.CaromError, match=r"^table: expected one of carom, .*, got 'karom'; did you mean 'carom'\?$"
     ):
         carom.new_scene("karom")
+
+
+def test_the_scene_of_the_readme_is_that_of_the_table() -> None:
+    file = Path(__file__).parents[2] / "docs" / "scenes" / "carom_table.toml"
+    assert file.read_text(encoding="utf-8") == carom.new_scene("carom")

@@ -11,7 +11,7 @@ const NAMED = { white: "#f4f1e8", yellow: "#f0c43c", red: "#c63a32", blue: "#356
 const OTHERS = ["#f4f1e8", "#c63a32", "#f0c43c", "#3569b0", "#2f8559", "#d9822b", "#7d4fa0", "#8a5a3a", "#dd8fa6", "#4aa3a2"];
 
 /** @param {Ball} ball @param {number} i */
-export const ballColour = (ball, i) => NAMED[/** @type {keyof typeof NAMED} */ (ball.name ?? "")] ?? OTHERS[i % OTHERS.length];
+export const ballColour = (ball, i) => NAMED[/** @type {keyof typeof NAMED} */ ((ball.name ?? "").toLowerCase().split(" ")[0])] ?? OTHERS[i % OTHERS.length];
 
 /** A ball's surface: one colour, a band, and six dots. @param {string} body @param {string} mark @returns {CanvasTexture} */
 function marks(body, mark) {

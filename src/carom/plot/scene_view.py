@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, SLIDING
+from carom.scene.feature_builders import circle
 from carom.scene.wall import WallShape
 from carom.simulation.records import START
 from carom.simulation.setup import set_up
@@ -32,8 +33,9 @@ MANY = 4000
 
 
 def colour(run: Trajectory, ball: int) -> str:
-    """Return the colour of a ball: that in its name, if there is one, else by its number."""
-    return CALLED.get(run.scene.ball_names[ball].lower(), COLOURS[ball % len(COLOURS)])
+    """Return the colour of a ball: that with which its name begins ("red 3"), if there is one, else by its number."""
+    first = run.scene.ball_names[ball].lower().split(maxsplit=1)[:1]
+    return CALLED.get(first[0] if first else "", COLOURS[ball % len(COLOURS)])
 
 
 def last_time(run: Trajectory) -> float:
@@ -96,6 +98,7 @@ def view(run: Trajectory, points: Array) -> View:
     """Return the region that contains all bounded walls and all points (N, 3) of the paths, with a margin."""
     a = max(ball.radius for ball in run.scene.balls)
     seen = [line for wall in run.scene.walls if wall.bounded for line in wall.outline()]
+    seen += [circle(pocket.center, pocket.radius) for wall in run.scene.walls for pocket in wall.pockets]
     low = np.min([points[:, :2].min(axis=0) - 1.4 * a, *(line.min(axis=0) for line in seen)], axis=0)
     high = np.max([points[:, :2].max(axis=0) + 1.4 * a, *(line.max(axis=0) for line in seen)], axis=0)
     air = 0.03 * float((high - low).max())
@@ -106,10 +109,12 @@ def view(run: Trajectory, points: Array) -> View:
 
 
 def walls_in(run: Trajectory, shown: View) -> list[tuple[Array, str]]:
-    """Return the visible parts of the walls: polylines or polygons (N, 2), each with its kind, "line", "felt" or "solid"."""
+    """Return the visible parts of the walls: polylines or polygons (N, 2), each a "line", "felt", "solid" or "pocket"."""
     found: list[tuple[Array, str]] = []
     z = float(run.start.position[0, 2]) if run.start.position is not None else 0.0
     for wall in run.scene.walls:
+        found += [] if wall.bed is None else [(wall.bed, "felt")]
+        found += [(circle(pocket.center, pocket.radius), "pocket") for pocket in wall.pockets]
         for line in wall.outline():
             if not wall.bounded:
                 for piece in _clipped(line, shown):
@@ -121,7 +126,7 @@ def walls_in(run: Trajectory, shown: View) -> list[tuple[Array, str]]:
                 x, y = line[:-1].mean(axis=0)
                 found.append((line, "solid" if wall.blocked((float(x), float(y), z)) else "felt"))
             found.append((line, "line"))
-    order = ("felt", "solid", "line")
+    order = ("felt", "solid", "pocket", "line")
     return sorted(found, key=lambda one: order.index(one[1]))
 
 

@@ -15,13 +15,13 @@ from carom.errors import CaromError, suggestion
 from carom.formatting import format_time
 from carom.plot.scene_view import SEEN, View, colour, last_time, steps, view, walls_in, way
 from carom.plot.style import GREY, INK, PALE, new_figure, require_writable, save, spread_apart, style
-from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, WALL
+from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, POCKETED_EVENT, WALL
 from carom.simulation.trajectory import Trajectory
 
 __all__ = ["plot_trajectory"]
 
 Array = NDArray[np.float64]
-FELT, SOLID, CUSHION = "#f4f2ec", "#d9d5ca", "#55504a"
+FILLS, CUSHION = {"felt": "#f4f2ec", "solid": "#d9d5ca", "pocket": "#2b2926"}, "#55504a"
 AIR, SLIDES, ROLLS = "in the air", "slides", "rolls"
 STYLES: dict[str, Any] = {ROLLS: "solid", SLIDES: (0, (4.5, 1.8)), AIR: (0, (0.6, 1.5))}
 MOTION = {FLIGHT: AIR, BOUNCING: AIR, SLIDING: SLIDES, ROLLING: ROLLS}
@@ -149,7 +149,9 @@ def _draw(run: Trajectory, balls: list[int], title: str | None) -> Any:
                 color=GREY,
             )  # fmt: skip
     said = f"{run.scene.describe()}; {len(run.events)} events in {format_time(run.end)}" if title is None else title
-    figure.text(left / width, 1 - 0.16 / height, said[:1].upper() + said[1:], va="top", fontsize=9.5)
+    # (a letter of this size takes a fifteenth of an inch)
+    size = 9.5 * min(1.0, 15 * (width - left - 0.1) / max(len(said), 1))
+    figure.text(left / width, 1 - 0.16 / height, said[:1].upper() + said[1:], va="top", fontsize=size)
     _legend(figure, run, ways, balls, (left / width, 1 - 0.34 / height))
     return figure
 
@@ -161,12 +163,15 @@ def _above(axes: Any, run: Trajectory, shown: View, ways: dict[int, list[Any]], 
         if what == "line":
             axes.plot(*line.T, color=CUSHION, lw=1.8, zorder=2, solid_joinstyle="miter", solid_capstyle="butt")
         else:
-            axes.fill(*line.T, color=FELT if what == "felt" else SOLID, lw=0, zorder=0 if what == "felt" else 1)
+            axes.fill(*line.T, color=FILLS[what], lw=0, zorder=0 if what == "felt" else 1)
     one = len({MOTION.get(phase) for i in balls for phase, _t, _x in ways[i]} - {None}) < 2
     thin = 1.4 if len(run.log) < 50 else 0.8 if len(run.log) < 1500 else 0.3
     last = run.final.position
     assert last is not None
     start = np.array(run.start.position)
+    # a ball that fell is drawn in its pocket
+    pockets = [pocket.center for wall in run.scene.walls for pocket in wall.pockets]
+    fallen = {int(row["ball"]): pockets[row["other"]] for row in run.log if row["kind"] == POCKETED_EVENT}
     for i in balls:
         a, ink = run.scene.balls[i].radius, colour(run, i)
         for phase, _t, x in ways[i]:
@@ -174,6 +179,7 @@ def _above(axes: Any, run: Trajectory, shown: View, ways: dict[int, list[Any]], 
                 dashes = "solid" if one else STYLES[MOTION[phase]]
                 axes.plot(x[:, 0], x[:, 1], color=ink, ls=dashes, lw=thin, zorder=4, solid_joinstyle="round")
         end = ways[i][-1][2][-1] if ways[i] else last[i]
+        end = fallen.get(i, end)
         axes.add_patch(Circle((start[i, 0], start[i, 1]), a, fc="white", ec=ink, lw=0.9, zorder=5))
         axes.add_patch(Circle((end[0], end[1]), a, fc=ink, ec="white", lw=0.6, zorder=7, alpha=0.9))
     _marks(axes, run, balls)
@@ -191,6 +197,7 @@ MARKS: dict[int, tuple[str, str, float]] = {
     FLOOR: ("lands", "v", 3.4),
     LEFT_EVENT: ("leaves the table", "x", 5.0),
     HELD_EVENT: ("is held", "s", 3.6),
+    POCKETED_EVENT: ("falls", "D", 3.4),
 }
 
 

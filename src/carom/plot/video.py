@@ -19,7 +19,7 @@ __all__ = ["Film"]
 
 WORDS = {
     "flight": "in the air", "bouncing": "bouncing", "sliding": "sliding", "rolling": "rolling",
-    "pivoting": "spinning on the spot", "rest": "at rest", "held": "held", "left": "gone",
+    "pivoting": "spinning on the spot", "rest": "at rest", "held": "held", "left": "gone", "pocketed": "in a pocket",
 }  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -118,7 +118,7 @@ class Film:
             if what == "line":
                 self.axes.plot(x, y, color="#55504a", lw=wide / 500, solid_joinstyle="miter")
             else:
-                self.axes.fill(x, y, color="#f1eee6" if what == "felt" else "#d9d5ca", lw=0)
+                self.axes.fill(x, y, color={"felt": "#f1eee6", "solid": "#d9d5ca", "pocket": "#2b2926"}[what], lw=0)
         t = steps(self.run, self.span[1])
         t = t[t >= self.span[0]]
         energy = np.nansum(self.run.energy(t, each=True), axis=1)

@@ -13,6 +13,7 @@ from itertools import combinations
 from typing import Annotated, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import BeforeValidator
 
 from carom.core.geometry.angles import direction
@@ -20,10 +21,10 @@ from carom.core.geometry.features import OVER
 from carom.formatting import format_length
 from carom.scene.feature_builders import UP, Feature, Flat, circle, cushion, round_cushion
 from carom.scene.schema import Fault, Length, Model, Number, Size, Unquoted, Vector
-from carom.scene.wall import Outline, Pocket
+from carom.scene.wall import Pocket
 
 __all__ = [
-    "Jaw", "Pockets", "is_free", "jaw_at", "jaw_features", "jaw_outline", "mouth_faults", "overlap_faults",
+    "Jaw", "Pockets", "is_free", "jaw_at", "jaw_features", "jaw_line", "mouth_faults", "overlap_faults",
     "pocket_features",
 ]  # fmt: skip
 
@@ -122,11 +123,11 @@ def jaw_features(jaw: Jaw, low: float, high: float) -> list[Feature]:
     return found + (cushion(*facing, low, high) if facing else [])
 
 
-def jaw_outline(jaw: Jaw) -> Outline:
-    """Return arc and facing as seen from above."""
+def jaw_line(jaw: Jaw) -> NDArray[np.float64]:
+    """Return a jaw as seen from above, a polyline (n, 2) from the nose's end into the pocket."""
     middle, half = math.atan2(jaw.middle[1], jaw.middle[0]), math.acos(jaw.cosine)
-    facing = _facing(jaw)
-    return [circle(jaw.center, jaw.radius, middle - half, middle + half), *([np.array(facing)] if facing else [])]
+    first, last = (middle + half, middle - half) if jaw.forward else (middle - half, middle + half)
+    return np.vstack([circle(jaw.center, jaw.radius, first, last), jaw.end])
 
 
 def pocket_features(number: int, pocket: Pocket, high: float) -> Iterator[Feature]:

@@ -7,6 +7,7 @@ import math
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 from pydantic import model_validator
 
 from carom.formatting import format_length
@@ -17,7 +18,7 @@ from carom.scene.pockets import (
     is_free,
     jaw_at,
     jaw_features,
-    jaw_outline,
+    jaw_line,
     mouth_faults,
     overlap_faults,
     pocket_features,
@@ -163,8 +164,22 @@ class Table(WallShape):
         noses, mouths = self._layout
         if not mouths:
             return [np.array([*self._corners(), self._corners()[0]])]
-        jaws = [line for mouth in mouths for jaw in (mouth.before, mouth.after) for line in jaw_outline(jaw)]
-        return [np.array(nose[:2]) for nose in noses] + jaws
+        return [np.array(nose[:2]) for nose in noses] + [jaw_line(jaw) for m in mouths for jaw in (m.before, m.after)]
+
+    @property
+    def bed(self) -> NDArray[np.float64] | None:
+        """Return the outline (n, 2) of the cloth of a table with pockets."""
+        noses, mouths = self._layout
+        if not mouths:
+            return None
+        before = {mouth.before.nose_end: mouth for mouth in mouths}
+        parts: list[Any] = []
+        for start, end, _t in noses:
+            parts += [start, end]
+            if end in before:
+                mouth = before[end]
+                parts += [*jaw_line(mouth.before), mouth.pocket.center, *jaw_line(mouth.after)[::-1]]
+        return np.array(parts)
 
     def describe(self) -> str:
         """Return a description of a few words."""

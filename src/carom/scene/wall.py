@@ -150,6 +150,11 @@ class WallShape(Model):
         """Return its pockets, in the order of their numbers."""
         return ()
 
+    @property
+    def bed(self) -> NDArray[np.float64] | None:
+        """Return the outline (n, 2) of what balls lie on, where :meth:`outline` is not closed around it."""
+        return None
+
     @abstractmethod
     def features(self) -> list[Feature]:
         """Return the features that a ball can touch, and the gates above."""
