@@ -81,7 +81,9 @@ def _numbers(numbers: dict[str, Sourced], comment: bool = False, known: bool = F
     """Return a line for each field; ``known``: without its source."""
     lines = [f"{'# ' if comment else ''}{field} = {_value(one.value)}" for field, one in numbers.items()]
     return (
-        lines if known else [f"{line:<{WIDTH - 2}}  # {one.key}" for line, one in zip(lines, numbers.values(), strict=True)]
+        lines
+        if known
+        else [f"{line:<{WIDTH - 2}}  # {one.key}" for line, one in zip(lines, numbers.values(), strict=True)]
     )
 
 
