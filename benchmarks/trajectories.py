@@ -19,6 +19,7 @@ import numpy as np
 
 import carom
 from carom.scene.shapes import Plane, Table
+from carom.simulation.compiled import compiled_engine
 
 RADIUS, MASS, GRAVITY = 0.03075, 0.21, 9.81
 LENGTH, WIDTH = 2.84, 1.42
@@ -61,6 +62,7 @@ def scene(starts: Any, law: str, nose: float | None = None) -> carom.Scene:
 
 def carom_shots() -> dict[str, float]:
     print("\ncarom: one shot by `simulate`, hit hard, until everything rests")
+    compiled_engine()  # (a process that runs few shots interprets them)
     found = {}
     for name, starts in (("one ball", ONE), ("three balls", THREE)):
         for law, nose in (("mirror", None), ("two-step", None), ("two-step", 0.037)):

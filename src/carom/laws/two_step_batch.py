@@ -15,23 +15,28 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Ball, State, Surface
-from carom.core.contact import SLIDE
 from carom.core.jit.kernel import Vec, kernel, prange
 from carom.laws.arrays import loop_for, state_arrays, unit_normal
 from carom.laws.landing import landing_settings, rolling_after
 from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact
 from carom.laws.two_step import two_step_final, two_step_plain
 from carom.laws.wall_and_floor.frame import meet, part
-from carom.laws.wall_and_floor.rates import FLOOR_SLIP, Couplings, Pair, Slips, decide_mode, size
+from carom.laws.wall_and_floor.rates import Couplings, Pair, Slips
 from carom.laws.wall_and_floor.sliding import DONE, GOES, REACH, glide
-from carom.laws.wall_and_floor.solver import AGAIN, AT_REST, STALL, error_allowed, go_on, pressed_down
+from carom.laws.wall_and_floor.solver import (
+    AGAIN,
+    LEAST_SLIP,
+    STALL,
+    error_allowed,
+    go_on,
+    pressed_down,
+    slides_at_both,
+)
 
 __all__ = ["two_step_final_rows", "two_step_into"]
 
 Array = NDArray[Any]
 
-FIRM = 3  # largest friction for which balls are put in lanes, and the least slip (over the speeds) for it
-LEAST = 1e-10
 LANES, TOGETHER = 64, 8
 # Contents of a lane: six numbers of the state, both directions, compressed or not, energy to return, reach, error, speed,
 # least slip, continuation code, index of the ball, impulse on entry.
@@ -57,22 +62,6 @@ def _steps(s: Array, lanes: int, q: Couplings, e: float) -> None:
         s[i + _PEAK] = peak
         s[i + _REACH] = reach
         s[i + _GOES] = goes
-
-
-@kernel
-def _glides(y: Slips, vz: float, q: Couplings, scale: float) -> tuple[bool, Slips, Pair, Pair]:
-    """Return whether both contacts slide at first, not in one plane (straight paths), the slips, and the start of f."""
-    c, _m, _b, _k, _d, _e, _drive, muw, muf, _heed = q
-    zero, tiny = 0 * vz, AT_REST * scale
-    y = (y[0] - c * vz, y[1], y[2], y[3], y[4])
-    straight = y[1] == 0 and y[3] == 0
-    if straight or vz > tiny or not max(muw, muf) <= FIRM or not size(y[0], y[1]) > LEAST * scale:
-        return False, y, (1 + zero, zero), (1 + zero, zero)
-    if muf > 0 and size(y[2], y[3]) <= tiny:
-        y = (y[0], y[1], zero, zero, y[4])
-    wall, floor, level, dw, df = decide_mode(y, q, False, False, True, tiny)
-    slips = y[2] != 0 or y[3] != 0 or muf > 0
-    return wall == SLIDE and floor == FLOOR_SLIP and level == 0 and slips, y, dw, df
 
 
 @kernel
@@ -102,15 +91,15 @@ def _enters(
     v1, _s, _j, _frame, q, slips, speed, scale = meet(v, w, n, a, kappa, mu, ef, muf, betaf)
     if not speed > 0:
         return False
-    glides, y, dw, df = _glides(slips, v1[2], q, scale)
-    if glides:
+    slides, y, dw, df = slides_at_both(slips, v1[2], q, scale)
+    if slides:
         _stand(s, i, y, 0 * scale, dw, df, True, 0 * scale)
         s[i + _CAME] = -1.0
         s[i + _ERROR] = error_allowed(speed, scale)
         s[i + _SPEED] = speed
-        s[i + _LEAST] = LEAST * scale
+        s[i + _LEAST] = LEAST_SLIP * scale
         s[i + _BALL] = ball
-    return glides
+    return slides
 
 
 @kernel

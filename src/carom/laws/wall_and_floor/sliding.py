@@ -7,6 +7,8 @@ straight line is b cosh s), and a step of order 8 can be several times as long. 
 independent variable in the last step (Henon, Physica D 5, 412 (1982)): to u_n in compression, which ends at 0; in restitution to
 w, with w^2 / 2 the energy returned. Both can be used from the start, so a ball whose slips turn little takes three steps in all.
 
+A slip that is about to vanish takes steps of another variable, :func:`fade`: there s would grow without end.
+
 Other cases are left to :mod:`carom.laws.wall_and_floor.solver`: a slip that vanishes, a floor that is no longer loaded, and
 steps that have to be short. :mod:`carom.laws.two_step_batch` integrates many balls together.
 """
@@ -15,25 +17,28 @@ from __future__ import annotations
 
 import math
 
-from carom.core.jit.kernel import hot_kernel
+from carom.core.jit.kernel import hot_kernel, kernel
 from carom.laws.wall_and_floor.rates import LEVEL, Couplings, Pair
 
-__all__ = ["DONE", "GOES", "LEAVES", "Glide", "glide"]
+__all__ = ["DONE", "GOES", "REACH", "Glide", "glide", "slide"]
 
 # The slips u_t, u_y, f_x, f_y, the energy in the wall's spring, the wall's impulse.
 Glide = tuple[float, float, float, float, float, float]
 By = tuple[float, float, float, float, float]  # coefficients of ds/dP: see _flow
 GOES, DONE, LEAVES = 0, 1, 2
 REACH = 0.9  # in s: the first step and the longest; the singularities lie at about i pi/2
+# Of |u|^(1/2), in a step of a slip that vanishes: at first, and bounds; below the last (over the speed) it is straight to its end.
+FIRST_SHARE, LEAST_SHARE, MOST_SHARE, NEARLY = 0.45, 0.05, 0.75, 1e-5
 BASE = 0.2  # in s: distance to the end if no slip turns
 GROWS = 0.8  # weight of a growing slip relative to a decreasing one
 # The last step is taken within this fraction of the reach; the step before it stops short of the end by this fraction.
 LAST, NEAR = 0.6, 0.85
 FIRST = 1e-3  # of the unloading of the wall's spring: close to its start w is dominated by rounding
-SAFE = 0.8  # of the step that the error would allow
+SAFE, FADE_SAFE = 0.8, 0.85  # of the step that the error would allow
 # The error estimate is that of order 5, an upper bound: the true error is 10 to 10,000 times smaller. (Hairer's combination with
 # the one of order 3 is closer on average, but passes zero in one of some hundred steps, and is then 1e5 times too small.)
 ESTIMATE = 30_000
+NEVER_ZERO = 1e-250  # added to what is divided by
 SHORT = 0.02  # in s: balls that need shorter steps are left to the solver
 
 
@@ -77,10 +82,10 @@ def _rates(y: Glide, pw: Pair, pf: Pair, q: Couplings) -> tuple[float, float, fl
 
 
 @hot_kernel
-def _flow(y: Glide, h: float, q: Couplings, by: By) -> Glide:
+def _flow(y: Glide, h: float, q: Couplings, by: By, fades: bool) -> Glide:
     """Return the changes in a step h of s, where dP = ds / (a/|u| + b/|f| + base + x (u_t' + f_x') + z u_n).
 
-    The rates of :func:`_rates` are multiplied by |u| |f|, so that there is a single division.
+    The rates of :func:`_rates` are multiplied by |u| |f|, so that there is a single division. ``fades``: |u|^(1/2) in place of |u|.
     """
     c, m, b, k, d, e, _drive, muw, muf, _heed = q
     u, f = math.sqrt(y[0] * y[0] + y[1] * y[1]), math.sqrt(y[2] * y[2] + y[3] * y[3])
@@ -90,43 +95,52 @@ def _flow(y: Glide, h: float, q: Couplings, by: By) -> Glide:
     r0, r1 = -(b * muw) * px - e * gx - (m * c) * uf, d * gy - (k * muw) * py
     r2, r3 = c * uf + (e * muw) * px + k * gx, k * gy - (d * muw) * py
     un = c / (1 - m) * (y[0] + y[2])
-    g = h / (by[0] * f + by[1] * u + (by[2] + by[4] * un) * uf + by[3] * (r0 + r2))
+    root = math.sqrt(u) if fades else 1 + 0 * h
+    g = h / (NEVER_ZERO + by[0] * root * f + by[1] * u + (by[2] + by[4] * un) * uf + by[3] * (r0 + r2))
     p = g * uf
     return g * r0, g * r1, g * r2, g * r3, -p * un, p
 
 
 @hot_kernel
 def _stride(
-    y: Glide, k1: Glide, h: float, w: float, dw: float, q: Couplings, by: By, long: float
+    y: Glide, k1: Glide, h: float, w: float, dw: float, q: Couplings, by: By, long: float, fades: bool
 ) -> tuple[Glide, float]:
     """Take one step of Dormand & Prince 8(5,3) (Hairer, Norsett & Wanner, Solving ODEs I, II.5); return its error of order 5.
 
     k1 is h times the rates at y; the rates are multiplied by a w that grows linearly by dw. For slips shorter than ``long``
     the error is weighted by the square root of the error in direction.
     """
-    k2 = _flow(_one(y, 0.05260015195876773, k1), h * (w + 0.05260015195876773 * dw), q, by)
-    k3 = _flow(_two(y, 0.0197250569845379, k1, 0.0591751709536137, k2), h * (w + 0.0789002279381516 * dw), q, by)
-    k4 = _flow(_two(y, 0.02958758547680685, k1, 0.08876275643042054, k3), h * (w + 0.1183503419072274 * dw), q, by)
+    k2 = _flow(_one(y, 0.05260015195876773, k1), h * (w + 0.05260015195876773 * dw), q, by, fades)
+    k3 = _flow(_two(y, 0.0197250569845379, k1, 0.0591751709536137, k2), h * (w + 0.0789002279381516 * dw), q, by, fades)
+    k4 = _flow(
+        _two(y, 0.02958758547680685, k1, 0.08876275643042054, k3), h * (w + 0.1183503419072274 * dw), q, by, fades
+    )
     x = _three(y, 0.2413651341592667, k1, -0.8845494793282861, k3, 0.924834003261792, k4)
-    k5 = _flow(x, h * (w + 0.2816496580927726 * dw), q, by)
+    k5 = _flow(x, h * (w + 0.2816496580927726 * dw), q, by, fades)
     x = _three(y, 0.037037037037037035, k1, 0.17082860872947386, k4, 0.12546768756682242, k5)
-    k6 = _flow(x, h * (w + 0.3333333333333333 * dw), q, by)
+    k6 = _flow(x, h * (w + 0.3333333333333333 * dw), q, by, fades)
     x = _three(y, 0.037109375, k1, 0.17025221101954405, k4, 0.06021653898045596, k5)
-    k7 = _flow(_one(x, -0.017578125, k6), h * (w + 0.25 * dw), q, by)
+    k7 = _flow(_one(x, -0.017578125, k6), h * (w + 0.25 * dw), q, by, fades)
     x = _three(y, 0.03709200011850479, k1, 0.17038392571223998, k4, 0.10726203044637328, k5)
-    k8 = _flow(_two(x, -0.015319437748624402, k6, 0.008273789163814023, k7), h * (w + 0.3076923076923077 * dw), q, by)
+    k8 = _flow(
+        _two(x, -0.015319437748624402, k6, 0.008273789163814023, k7), h * (w + 0.3076923076923077 * dw), q, by, fades
+    )
     x = _three(y, 0.6241109587160757, k1, -3.3608926294469414, k4, -0.868219346841726, k5)
     x = _three(x, 27.59209969944671, k6, 20.154067550477894, k7, -43.48988418106996, k8)
-    k9 = _flow(x, h * (w + 0.6512820512820513 * dw), q, by)
+    k9 = _flow(x, h * (w + 0.6512820512820513 * dw), q, by, fades)
     x = _three(y, 0.47766253643826434, k1, -2.4881146199716677, k4, -0.590290826836843, k5)
     x = _three(x, 21.230051448181193, k6, 15.279233632882423, k7, -33.28821096898486, k8)
-    k10 = _flow(_one(x, -0.020331201708508627, k9), h * (w + 0.6 * dw), q, by)
+    k10 = _flow(_one(x, -0.020331201708508627, k9), h * (w + 0.6 * dw), q, by, fades)
     x = _three(y, -0.9371424300859873, k1, 5.186372428844064, k4, 1.0914373489967295, k5)
     x = _three(x, -8.149787010746927, k6, -18.52006565999696, k7, 22.739487099350505, k8)
-    k11 = _flow(_two(x, 2.4936055526796523, k9, -3.0467644718982196, k10), h * (w + 0.8571428571428571 * dw), q, by)
+    k11 = _flow(
+        _two(x, 2.4936055526796523, k9, -3.0467644718982196, k10), h * (w + 0.8571428571428571 * dw), q, by, fades
+    )
     x = _three(y, 2.273310147516538, k1, -10.53449546673725, k4, -2.0008720582248625, k5)
     x = _three(x, -17.9589318631188, k6, 27.94888452941996, k7, -2.8589982771350235, k8)
-    k12 = _flow(_three(x, -8.87285693353063, k9, 12.360567175794303, k10, 0.6433927460157636, k11), h * (w + dw), q, by)
+    k12 = _flow(
+        _three(x, -8.87285693353063, k9, 12.360567175794303, k10, 0.6433927460157636, k11), h * (w + dw), q, by, fades
+    )
     zero = 0 * h
     nought = (zero, zero, zero, zero, zero, zero)
     x = _three(nought, 0.054293734116568765, k1, 4.450312892752409, k6, 1.8915178993145003, k7)
@@ -136,9 +150,62 @@ def _stride(
     fifth = _three(fifth, 1.6643771824549864, k8, -0.35032884874997366, k9, 0.3341791187130175, k10)
     fifth = _two(fifth, 0.08192320648511571, k11, -0.022355307863886294, k12)
     x = _one(y, 1 + zero, x)
-    u, f = long / math.sqrt(x[0] * x[0] + x[1] * x[1]), long / math.sqrt(x[2] * x[2] + x[3] * x[3])
+    u, f = math.sqrt(x[0] * x[0] + x[1] * x[1]), math.sqrt(x[2] * x[2] + x[3] * x[3])
+    u, f = long / (u + NEVER_ZERO), long / (f + NEVER_ZERO)
     u, f = (u if u > 1 else 1 + zero), (f if f > 1 else 1 + zero)
     return x, math.sqrt(_squares(fifth, u, f) + fifth[4] * fifth[4] / (long * long))
+
+
+@kernel
+def fade(
+    y: Glide, compressing: bool, share: float, allowed: float, long: float, q: Couplings
+) -> tuple[Glide, float, int]:
+    """Take a step of a slip u that vanishes before the phase ends; return state, share of the next step, and DONE at its end.
+
+    In the variable |u|^(1/2) a slip that goes straight to zero is a polynomial of degree 2, and the energy one of degree 4, which
+    a step follows exactly, its error estimate too; ``share`` is how much of that variable a step takes away. LEAVES where
+    nothing vanishes, or where a step of :func:`glide` is as good.
+    """
+    zero, one = 0 * share, 1 + 0 * share
+    u, f = math.sqrt(y[0] * y[0] + y[1] * y[1]), math.sqrt(y[2] * y[2] + y[3] * y[3])
+    if not (u > 0 and f > 0):
+        return y, share, LEAVES
+    px, py, qx, qy = y[0] / u, y[1] / u, y[2] / f, y[3] / f
+    r0, r1, r2, r3, push = _rates(y, (px, py), (qx, qy), q)
+    lever = q[0] / (1 - q[1])
+    un, along = lever * (y[0] + y[2]), lever * (r0 + r2)
+    fades, turns = -(px * r0 + py * r1), abs(px * r1 - py * r0)
+    lasts = un < 0 if compressing else (un >= 0 and y[4] > 0)
+    if not (fades > 2 * turns and along > 0 and push > LEVEL * (1 + q[7]) and lasts):
+        return y, share, LEAVES
+    goal = -un / along if compressing else 2 * y[4] / (un + math.sqrt(un * un + 2 * along * y[4]))
+    if u > goal * fades:
+        return y, share, LEAVES
+    turn = (px * r1 - py * r0) / fades  # per e-fold
+    if u < NEARLY * long and u * turn * turn < allowed and u * u < allowed * f:
+        # straight to the end, in the slip's mean direction: the one that it has an e-fold later
+        size = math.sqrt(1 + turn * turn)
+        px, py = (px - turn * py) / size, (py + turn * px) / size
+        r0, r1, r2, r3, _push = _rates(y, (px, py), (qx, qy), q)
+        p = -u / (px * r0 + py * r1)
+        return (zero, zero, y[2] + p * r2, y[3] + p * r3, y[4] - p * un, y[5] + p), share, DONE
+    rho = math.sqrt(u)
+    h = share * rho
+    g = h * 2 * rho / fades
+    by = (fades / 2, zero, zero, zero, zero)
+    new, error = _stride(y, (g * r0, g * r1, g * r2, g * r3, -g * un, g), h, one, zero, q, by, long, True)
+    error = error / ESTIMATE
+    un1 = lever * (new[0] + new[2])
+    ahead = (px * new[0] + py * new[1] > 0) & (qx * new[2] + qy * new[3] > 0)
+    within = (un1 < 0) if compressing else (new[4] > 0)
+    kept = error <= allowed and ahead and within
+    # (error ~ share^8, and ~ |u|^(1/2), by the weight of the direction)
+    expected = error * (1 - share) if kept else error
+    grow = FADE_SAFE * math.sqrt(math.sqrt(math.sqrt(allowed / expected))) if expected > 0 else 2 * one
+    if not kept:
+        share = share * (max(grow, 0.2 * one) if error > allowed else 0.5 * one)
+        return y, share, LEAVES if share < LEAST_SHARE else GOES
+    return new, min(share * min(grow, 2 * one), MOST_SHARE * one), GOES
 
 
 @hot_kernel
@@ -153,7 +220,7 @@ def _pace(turn: float, fade: float) -> float:
 
 
 @hot_kernel
-def glide(
+def glide(  # noqa: PLR0915  (one step for all balls, without branches)
     y: Glide,
     dw: Pair,
     df: Pair,
@@ -183,7 +250,12 @@ def glide(
     # (a, b, base): the rate at which the slips lose their directions, per P
     a = zero if starts_w else _pace(abs(px * r1 - py * r0), -(px * r0 + py * r1))
     b = zero if starts_f else _pace(abs(qx * r3 - qy * r2), -(qx * r2 + qy * r3))
-    goal = -un / along if compressing else 2 * y[4] / (un + math.sqrt(un * un + 2 * along * y[4]))
+    # (where the wall does not push the ball back, or a phase is over, the answer is LEAVES; until then nothing is divided by zero)
+    pushed = along if along > 0 else one
+    root = un + math.sqrt(un * un + 2 * pushed * y[4])
+    goal = -un / pushed if compressing else 2 * y[4] / (root if root > 0 else one)
+    lasting = (along > 0) & (goal > 0) & (compressing | (un > 0) | (y[4] >= peak))
+    goal = goal if lasting else one
     loses = goal * (a * iu + b * jf)
     need, base = loses + BASE, BASE / goal
     rate = need / goal
@@ -198,10 +270,19 @@ def glide(
         lever if last & compressing else zero, one if back else zero,
     )  # fmt: skip
     step = (-un if compressing else whole - w) if last else h
-    per = (along if compressing else (math.sqrt(along) if fresh else un / w)) if last else rate
+    per = (pushed if compressing else (math.sqrt(pushed) if fresh else un / w)) if last else rate
+    per = per if lasting else one
     g = step / per
     new, error = _stride(
-        y, (g * r0, g * r1, g * r2, g * r3, -g * un, g), step, w if back else one, step if back else zero, q, by, long
+        y,
+        (g * r0, g * r1, g * r2, g * r3, -g * un, g),
+        step,
+        w if back else one,
+        step if back else zero,
+        q,
+        by,
+        long,
+        False,
     )
     error = error / ESTIMATE
     u1, f1 = math.sqrt(new[0] * new[0] + new[1] * new[1]), math.sqrt(new[2] * new[2] + new[3] * new[3])
@@ -217,7 +298,7 @@ def glide(
     took = min(need, reach) if last else h
     wider = min(took * grow if took >= reach else max(reach, took * grow), REACH * one)
     if_bad = took * (grow if error > allowed else 0.5 * one)
-    fine = (along > 0) & (push > LEVEL * (1 + q[7]))
+    fine = lasting & (push > LEVEL * (1 + q[7]))
     keeps = good & pushes & lasts & fine
     ends = keeps & last & compressing
     over = keeps & last & (not compressing)
@@ -230,3 +311,29 @@ def glide(
         new[3] if keeps else y[3], (peak1 if ends else new[4]) if keeps else y[4], new[5] if keeps else y[5],
     )  # fmt: skip
     return y, (compressing & (not ends)), peak1, (wider if keeps else if_bad), status
+
+
+@kernel
+def slide(
+    y: Glide,
+    dw: Pair,
+    df: Pair,
+    compressing: bool,
+    peak: float,
+    allowed: float,
+    long: float,
+    least: float,
+    q: Couplings,
+    e: float,
+) -> tuple[Glide, bool, float, bool]:
+    """Integrate while both contacts slide; return state, phase, energy to return, and whether the impact has ended."""
+    zero = 0 * long
+    reach, share, status = REACH + zero, FIRST_SHARE + zero, GOES
+    while status == GOES:
+        fading = GOES
+        while fading == GOES:
+            y, share, fading = fade(y, compressing, share, allowed, long, q)
+        if fading == DONE:  # the wall's slip has vanished
+            break
+        y, compressing, peak, reach, status = glide(y, dw, df, compressing, peak, reach, allowed, long, least, q, e)
+    return y, compressing, peak, status == DONE

@@ -32,13 +32,19 @@ from carom.laws.wall_and_floor.rates import (
     rates,
     size,
 )
+from carom.laws.wall_and_floor.sliding import slide
 from carom.laws.wall_and_floor.spring import gap_growth, remaining, touch_down
 
 __all__ = [
-    "AGAIN", "AT_REST", "JAM", "STALL", "error_allowed", "go_on", "pressed_down", "wall_and_floor"
+    "AGAIN", "JAM", "LEAST_SLIP", "STALL", "error_allowed", "go_on", "pressed_down", "slides_at_both", "wall_and_floor"
 ]  # fmt: skip
 
 JAM, STALL, AGAIN = 3, 4, 6  # (5 is two_step.UNDEFINED)
+# Both contacts slide by long steps up to this friction, and above this slip (over the speeds).
+FIRM, LEAST_SLIP = 3, 1e-10
+GRAZING = (
+    1e-6  # of the speeds: below this speed of approach slips hardly change, and the phases are too short for long steps
+)
 LEAST_FIRM = 1e3  # a mobilised friction above half of this is regarded as infinite
 ROUNDING = 1e-15  # of the speeds: a velocity of approach below this is zero
 TINY = 1e-12
@@ -358,6 +364,22 @@ def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
 
 
 @kernel
+def slides_at_both(y: Slips, vz: float, q: Couplings, scale: float) -> tuple[bool, Slips, Pair, Pair]:
+    """Return whether both contacts slide, not in one plane (straight paths), the slips, and the directions in which they start."""
+    c, _m, _b, _k, _d, _e, _drive, muw, muf, _heed = q
+    zero, tiny = 0 * vz, AT_REST * scale
+    y = (y[0] - c * vz, y[1], y[2], y[3], y[4])
+    straight = y[1] == 0 and y[3] == 0
+    if straight or vz > tiny or not max(muw, muf) <= FIRM or not size(y[0], y[1]) > LEAST_SLIP * scale:
+        return False, y, (1 + zero, zero), (1 + zero, zero)
+    if muf > 0 and size(y[2], y[3]) <= tiny:
+        y = (y[0], y[1], zero, zero, y[4])
+    wall, floor, level, dw, df = decide_mode(y, q, False, False, True, tiny)
+    slips = y[2] != 0 or y[3] != 0 or muf > 0
+    return wall == SLIDE and floor == FLOOR_SLIP and level == 0 and slips, y, dw, df
+
+
+@kernel
 def wall_and_floor(
     v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, muw: float, ef: float, muf: float, betaf: float
 ) -> tuple[Vec, Vec, Vec, Vec, int]:
@@ -367,8 +389,23 @@ def wall_and_floor(
     if not speed > 0:
         zero = 0 * a
         return v1, (s1[0] / a, s1[1] / a, s1[2] / a), (zero, zero, zero), j, GRAZE
-    after, up, p, regime, _compressing, _peak, _dw, _df = go_on(
-        before, v1[2], q, e, kappa, ef, muf, betaf, speed, scale, 0 * a, True, 0 * a, False
-    )
+    zero = 0 * a
+    slides, after, dw, df = slides_at_both(before, v1[2], q, scale)
+    up, p, compressing, peak, regime = v1[2], zero, True, zero, AGAIN
+    if not (slides and speed > GRAZING * scale):
+        after, up, p, regime, compressing, peak, dw, df = go_on(
+            before, up, q, e, kappa, ef, muf, betaf, speed, scale, p, compressing, peak, False
+        )
+    while regime == AGAIN:
+        came, up, least = p, zero, LEAST_SLIP * scale
+        y = (after[0], after[1], after[2], after[3], after[4], p)
+        y, compressing, peak, ends = slide(
+            y, dw, df, compressing, peak, error_allowed(speed, scale), speed, least, q, e
+        )
+        after, p, regime = (y[0], y[1], y[2], y[3], y[4]), y[5], SLIDE
+        if not ends:  # on its own to where both slide again, or to the end
+            after, up, p, regime, compressing, peak, dw, df = go_on(
+                after, up, q, e, kappa, ef, muf, betaf, speed, scale, p, compressing, peak, p > came
+            )
     v2, w2, wall, floor = part(v, w, a, kappa, met, after, up, p)
     return v2, w2, wall, floor, regime
