@@ -7,6 +7,7 @@ from . import derive as derive
 from . import explorer as explorer
 from . import fitting as fitting
 from . import gas as gas
+from . import interop as interop
 from . import laws as laws
 from . import plot as plot
 from . import scene as scene

@@ -46,6 +46,7 @@ OPTIONAL = {
     "h5py": ("h5py", "xarray"),
     "imageio_ffmpeg": ("imageio-ffmpeg", "film"),
     "matplotlib": ("Matplotlib", "plot"),
+    "msgpack": ("msgpack", "msgpack"),
     "pandas": ("pandas", "pandas"),
     "pyarrow": ("pyarrow", "parquet"),
     "scipy": ("SciPy", "fit"),

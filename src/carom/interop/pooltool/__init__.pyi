@@ -1,0 +1,2 @@
+from .engine import engine as engine
+from .engine import register as register

@@ -1,0 +1,112 @@
+"""carom's laws in pooltool: an engine for ``pooltool.simulate``, and names for resolver files."""
+
+from __future__ import annotations
+
+import importlib.util
+from typing import Any, Literal
+
+import numpy as np
+
+from carom.bodies import Surface
+from carom.errors import CaromError, MissingLibraryError, require_type
+from carom.laws.law import Law
+from carom.laws.registry import law_named
+
+__all__ = ["VERSION", "engine", "register", "require_pooltool"]
+
+VERSION = "0.6"
+
+
+def require_pooltool(needed_by: str) -> Any:
+    """Return pooltool. MissingLibraryError, one line, where it is not installed; CaromError where it is of another version."""
+    if importlib.util.find_spec("pooltool") is None:
+        raise MissingLibraryError(
+            f"{needed_by}: needs pooltool {VERSION}, which is not installed; carom's page 'From pooltool to carom' has two"
+            " commands that install it"
+        )
+    try:
+        import pooltool
+    except ImportError as error:
+        raise MissingLibraryError(
+            f"{needed_by}: cannot import pooltool: {error}; install what it names with pip"
+        ) from None
+    found = str(getattr(pooltool, "__version__", "unknown"))
+    if not found.startswith(f"{VERSION}."):
+        raise CaromError(
+            f"{needed_by}: expected pooltool {VERSION}, got {found}; pip install --no-deps pooltool-billiards==0.6.0"
+        )
+    return pooltool
+
+
+def engine(
+    cushion: str | Law = "two-step", wall: Surface | None = None, ball_ball: Literal["carom"] | None = "carom"
+) -> Any:
+    """Make a physics engine for ``pooltool.simulate`` in which a law of carom's acts at the cushions.
+
+    pooltool 0.6 has no gravity. The ball that a cushion lifts lands at once, with the impulse that the cloth would give it after
+    the flight (cloth: the ball's u_s, no restitution). The flights that are left out are listed by
+    ``engine.resolver.ball_linear_cushion.flights`` (carom.Flight; that of the jaws is the same list) and, for balls that throw each
+    other up, ``engine.resolver.ball_ball.flights``; the first one of each list is a warning.
+
+    Parameters
+    ----------
+    cushion : str or carom.Law
+        A law by name, such as "two-step", "mathavan2010", "mirror", or a custom one.
+    wall : carom.Surface, optional
+        The cushion's restitution and friction, for straight cushions and jaws. Default: the balls' own e_c and f_c.
+    ball_ball : "carom" or None
+        carom.collide, with the balls' e_b and u_b, where balls meet; None: pooltool's own model.
+
+    Returns
+    -------
+    pooltool.physics.PhysicsEngine
+        pooltool's default models in everything else.
+
+    Raises
+    ------
+    CaromError
+        For an unknown law or surface; without pooltool 0.6 (MissingLibraryError). During a run: where the law has no answer.
+
+    Examples
+    --------
+    >>> import carom.interop.pooltool
+    >>> import pooltool as pt                                                       # doctest: +SKIP
+    >>> shot = pt.System.example()                                                  # doctest: +SKIP
+    >>> pt.simulate(shot, engine=carom.interop.pooltool.engine(), inplace=True)     # doctest: +SKIP
+    """
+    if not isinstance(cushion, Law):
+        require_type("engine", "cushion", cushion, str)
+        cushion = law_named(cushion).name
+    if wall is not None:
+        require_type("engine", "wall", wall, Surface)
+        if any(np.ndim(x) for x in (wall.restitution, wall.friction, wall.tangential_restitution)):
+            raise CaromError("engine: wall: expected one surface, got arrays of numbers; give single numbers")
+    if ball_ball not in ("carom", None):
+        raise CaromError(f"engine: ball_ball: expected 'carom' or None (pooltool's model), got {ball_ball!r:.60}")
+    require_pooltool("engine")
+    from carom.interop.pooltool.models import build_engine
+
+    return build_engine(cushion, wall, ball_ball == "carom")
+
+
+def register() -> None:
+    """Make carom's models known to pooltool, so that resolvers with them can be saved to YAML or JSON, and loaded.
+
+    Their names are ``carom_cushion`` (fields law, restitution, friction, tangential_restitution) and ``carom_collide``
+    (restitution, friction). Load such a file by ``Resolver.load(path)`` after ``register()``. Keep it out of pooltool's own folder
+    of settings: pooltool reads that one while it is imported, before anything can be registered, and moves it away as malformed.
+
+    Raises
+    ------
+    CaromError
+        Without pooltool 0.6 (MissingLibraryError).
+
+    Examples
+    --------
+    >>> import carom.interop.pooltool
+    >>> carom.interop.pooltool.register()                                           # doctest: +SKIP
+    """
+    require_pooltool("register")
+    from carom.interop.pooltool.models import register_models
+
+    register_models()
