@@ -72,7 +72,7 @@ def carom_shots() -> dict[str, float]:
             label = f"{name}, {law}" + (", nose at 37 mm" if nose else "")
             rate = len(run.events) / seconds
             print(f"  {label:38} {len(run.events):4} events {seconds * 1e6:8.0f} us {rate:12,.0f} events/s")
-            found[label] = rate
+            found[label] = seconds
     return found
 
 
@@ -146,8 +146,8 @@ def pooltool_shots(single: dict[str, float], many: dict[str, float]) -> None:
                 f"  {label:38} {len(shot.events):4} events {seconds * 1e6:8.0f} us {rate:12,.0f} events/s; carom",
                 end=" ",
             )
-            print(f"{single[label] / rate:.0f} x by simulate", end="")
-            print(f", {many[label] / rate:.0f} x by simulate_many" if label in many else "")
+            print(f"{seconds / single[label]:.0f} x a shot by simulate", end="")
+            print(f", {many[label] / rate:.0f} x an event by simulate_many" if label in many else "")
             if law == "mirror":
                 run = carom.simulate(scene(starts, "mirror"))
                 there = np.array([shot.balls[str(k)].state.rvw[0] for k in range(len(starts))])
