@@ -198,13 +198,13 @@ function show(data, engine) {
       view.update({ scene: state.scene, ball: state.ball, followed: state.followed, runs: outcome.runs, colours: of, span: trailSpan(), box }, palette());
       byId("key").hidden = !state.scene.floor;
       canvas.setAttribute("aria-label", `The scene: ${state.scene.balls.length} ball${state.scene.balls.length > 1 ? "s" : ""} under ${state.laws.join(", ") || "no law"}. Drag the ball or its arrow, or use the sliders.`);
-      const { verdicts, none } = verdictsOf(engine, state.scene);
+      const { verdicts, none } = verdictsOf(engine, state.scene, state.cards);
       if (lawColumn.cards.length !== state.cards.length) Object.assign(lawColumn, lawPanels());
       lawColumn.panel.update(verdicts, of, outcome.notes, none);
       sliders.update();
       drawAngles(verdicts, of);
       drawCourse(of);
-    } else if (parts.has("data")) drawAngles(verdictsOf(engine, state.scene).verdicts, of);
+    } else if (parts.has("data")) drawAngles(verdictsOf(engine, state.scene, state.cards).verdicts, of);
     else if (trailSpan() !== span) view.trace(trailSpan());
     view.draw(state.t);
     course.place(state.t);

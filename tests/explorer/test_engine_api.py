@@ -230,6 +230,17 @@ def test_a_comparison_is_that_of_python_with_its_sentences(evaluate: Any) -> Non
     assert len(seen) > 100
 
 
+def test_laws_of_cushions_are_compared_by_name_at_any_wall(evaluate: Any, tmp_path: Any) -> None:
+    file = tmp_path / "paper.toml"
+    file.write_text(PAPER)
+    names = ["mathavan2010", "han2005", "stronge-cushion"]
+    found = evaluate(f"(scene) => engine.compare(scene, {json.dumps(names)})", scene_dict(carom.load_scene(file)))
+    by_name = {one["law"]: one for one in found}
+    for verdict in carom.compare(laws=names).verdicts:
+        assert by_name[verdict.law]["angle"] == pytest.approx(verdict.reflection_angle, rel=1e-9)
+        assert by_name[verdict.law]["reasons"] == list(verdict.why)
+
+
 def test_a_curve_of_reflection_is_that_of_python(evaluate: Any, tmp_path: Any) -> None:
     file = tmp_path / "paper.toml"
     file.write_text(PAPER)

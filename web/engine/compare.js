@@ -70,12 +70,12 @@ function verdict(module, m, law) {
   };
 }
 
-/** All laws of one meeting, but special cases of others, and published laws of cushions elsewhere than at a nose. @param {Module} module @param {Meeting} m */
-export function verdicts(module, m) {
+/** All laws of one meeting, but special cases of others, and published laws of cushions elsewhere than at a nose if they are not named. @param {Module} module @param {Meeting} m @param {string[]} also */
+export function verdicts(module, m, also) {
   const aloft = m.height > 0;
   const cushion = !aloft && m.n[2] < 0;
   const laws = module.layout.laws.filter(
-    (law) => law.variant_of === "" && (aloft || !law.ignores_floor) && (cushion || law.on_table === ""),
+    (law) => law.variant_of === "" && (aloft || !law.ignores_floor) && (cushion || law.on_table === "" || also.includes(law.name)),
   );
   return laws.map((law) => {
     module.memory.clear();
@@ -83,10 +83,10 @@ export function verdicts(module, m) {
   });
 }
 
-/** @param {Module} module @param {Scene} scene */
-export function compareScene(module, scene) {
+/** @param {Module} module @param {Scene} scene @param {string[]} also */
+export function compareScene(module, scene, also) {
   const meeting = firstMeeting(module, scene);
-  return { meeting, incidence: angleFrom(meeting.n, meeting.v, -1), verdicts: verdicts(module, meeting) };
+  return { meeting, incidence: angleFrom(meeting.n, meeting.v, -1), verdicts: verdicts(module, meeting, also) };
 }
 
 /** A meeting at another angle of incidence: velocity and spin turned about the vertical. @param {Meeting} m @param {number} degrees @returns {Meeting} */

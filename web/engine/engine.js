@@ -64,12 +64,13 @@ export class Engine {
   }
 
   /**
-   * What `carom compare` says of the first ball at the first wall, for each law.
+   * What `carom compare` says of the first ball at the first wall, for each law that it lists; laws of cushions that it does not list, by name.
    * @param {Scene} scene
+   * @param {string[]} [also]
    * @returns {Verdict[]}
    */
-  compare(scene) {
-    return compareScene(this.module, this.checked(scene)).verdicts;
+  compare(scene, also = []) {
+    return compareScene(this.module, this.checked(scene), also).verdicts;
   }
 
   /** The first ball just before the first wall. @param {Scene} scene @returns {Meeting} */

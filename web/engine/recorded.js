@@ -49,10 +49,10 @@ export class Recorded extends Engine {
     return this.found;
   }
 
-  /** @override @param {Scene} scene @returns {Verdict[]} */
-  compare(scene) {
+  /** @override @param {Scene} scene @param {string[]} [also] @returns {Verdict[]} */
+  compare(scene, also = []) {
     try {
-      return super.compare(scene);
+      return super.compare(scene, also);
     } catch {
       throw new Error(this.why);
     }

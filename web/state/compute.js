@@ -13,7 +13,7 @@ export const AS_GIVEN = "as in the scene";
  * @typedef {object} Engine
  * @property {(scene: Scene) => string[]} faults
  * @property {(scene: Scene, law?: string, limits?: {events?: number, until?: number, milliseconds?: number}) => Run} run
- * @property {(scene: Scene) => Verdict[]} compare
+ * @property {(scene: Scene, also: string[]) => Verdict[]} compare
  * @property {(law: string, scene: Scene, incidences: number[]) => (number | null)[]} curve
  */
 
@@ -50,10 +50,10 @@ export function runAll(engine, scene, laws) {
   return found;
 }
 
-/** What each law says of the first contact; `none`: why there is nothing to say. @param {Engine} engine @param {Scene} scene @returns {{verdicts: Map<string, Verdict>, none: string}} */
-export function verdictsOf(engine, scene) {
+/** What each law says of the first contact; `none`: why there is nothing to say. @param {Engine} engine @param {Scene} scene @param {LawCard[]} cards @returns {{verdicts: Map<string, Verdict>, none: string}} */
+export function verdictsOf(engine, scene, cards) {
   try {
-    return { verdicts: new Map(engine.compare(scene).map((verdict) => [verdict.law, verdict])), none: "" };
+    return { verdicts: new Map(engine.compare(scene, cards.map(({ name }) => name)).map((verdict) => [verdict.law, verdict])), none: "" };
   } catch (error) {
     return { verdicts: new Map(), none: sentence(error) };
   }
