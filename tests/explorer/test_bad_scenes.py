@@ -12,6 +12,7 @@ import carom
 from carom.scene.as_json import scene_dict
 
 WALL = {"restitution": 0.9, "friction": 0.2}
+POCKETS = {"mouth": 0.12, "jaw_angle": 140.0, "jaw_radius": 0.01, "shelf": 0.04, "radius": 0.06}
 
 
 def good() -> dict[str, Any]:
@@ -57,6 +58,10 @@ CHANGES: list[tuple[str, Any]] = [
     ("walls[4].points", [[5, 1], [6, 2], [6, 1], [5, 2]]), ("walls[4].points", [[5, 1], [5, 1], [6, 1], [5, 2]]),
     ("walls[5].from_angle", 90), ("walls[6].end", [5.0, -1.0]), ("walls[7].center", None), ("walls[7].size", [1, 1, 0]),
     ("walls[7].corner", [1, 1, 1]), ("walls[8].radius", 25.0), ("walls[9].radius", 0.01), ("walls[10].width", 9.0),
+    ("walls[0].corner_pockets", 3), ("walls[0].corner_pockets", POCKETS | {"depth": 1}), ("walls[0].side_pockets", {"mouth": 0.1}),
+    ("walls[0].corner_pockets", POCKETS | {"jaw_angle": 80}), ("walls[0].corner_pockets", POCKETS | {"mouth": 1.4}),
+    ("walls[0].corner_pockets", POCKETS | {"shelf": 0.2}), ("walls[0].corner_pockets", POCKETS | {"radius": 0.03}),
+    ("walls[0].corner_pockets", POCKETS | {"shelf": -0.12, "radius": 2.2}),
 ]  # fmt: skip
 
 
