@@ -128,7 +128,9 @@ export function trail(pieces, { from, until }, radius) {
 const MOST_TRAIL = 300; // pieces of a path that are drawn as a whole; of a longer one, as many before the time that is shown
 /** How long before the time that is shown trails begin, s. @param {Run | undefined} run @param {{from: number, until: number}} span */
 export function trailTime(run, { from, until }) {
-  const most = Math.max(0, ...(run?.balls.map(({ pieces }) => pieces.length) ?? []));
+  // (a hop that cannot be seen from above is no piece)
+  const seen = (/** @type {Piece} */ piece) => piece.lasts > (until - from) / 5000;
+  const most = Math.max(0, ...(run?.balls.map(({ pieces }) => pieces.filter(seen).length) ?? []));
   return most > MOST_TRAIL ? (0.2 * MOST_TRAIL * (until - from)) / most : Infinity;
 }
 

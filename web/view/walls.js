@@ -93,7 +93,7 @@ function pocketTable(wall, { noses, mouths }, scene, box) {
   return [
     { faces: ribbons(lines, 0, high), lines: edges(lines, [nose, high]) },
     { faces: new ShapeGeometry(tops).translate(0, 0, high), lines: new BufferGeometry() },
-    { faces: new ShapeGeometry(holes, 24).translate(0, 0, 0.01 * radius), lines: new BufferGeometry(), hole: true },
+    { faces: new ShapeGeometry(holes, 24).translate(0, 0, 0.06 * radius), lines: new BufferGeometry(), hole: true },
   ];
 }
 
