@@ -1,0 +1,147 @@
+"""pooltool 0.6's files as plain values, JSON or MessagePack; and their fields, each validated where it is taken."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.errors import CaromError, did_you_mean
+from carom.files import import_optional
+
+__all__ = ["Field", "open_file"]
+
+Array = NDArray[np.float64]
+ENDINGS = (".json", ".msgpack")
+REMEDY = "save the shot again with pooltool 0.6"
+# What arrays in MessagePack may be made of; anything else (objects, which would be unpickled) is refused.
+NUMBERS = ("<f8", "<f4", "<i8", "<i4", "|b1")
+
+
+class Field:
+    """A value in a file, and where it stands, for messages such as ``shot.json: cue.V0: expected ...``."""
+
+    def __init__(self, value: Any, file: str, place: str = "") -> None:
+        self.value, self.file, self.place = value, file, place
+
+    def fault(self, expected: str, got: str | None = None, remedy: str = REMEDY) -> CaromError:
+        """Return the error of this field."""
+        shown = repr(self.value) if got is None else got
+        shown = " ".join(shown.split())
+        shown = shown if len(shown) <= 60 else shown[:57] + "..."
+        where = f"{self.file}: {self.place}" if self.place else self.file
+        return CaromError(f"{where}: expected {expected}, got {shown}; {remedy}")
+
+    def __getitem__(self, key: str | int) -> Field:
+        """Return a field of this one; CaromError if it has none of that name."""
+        place = f"{self.place}.{key}" if self.place else str(key)
+        if isinstance(key, str):
+            fields = self.fields()
+            if key not in fields:
+                remedy = did_you_mean(key, list(fields)).removeprefix("; ")
+                raise Field(None, self.file, place).fault(
+                    "a field of this name, as in files of pooltool 0.6", "none", remedy or REMEDY
+                )
+            return Field(fields[key], self.file, place)
+        return Field(self.items()[key], self.file, place)
+
+    def __contains__(self, key: str) -> bool:
+        """Return whether a table has a field of that name."""
+        return key in self.fields()
+
+    def fields(self) -> dict[str, Any]:
+        """Return a table of fields."""
+        if not isinstance(self.value, dict):
+            raise self.fault("a table of fields")
+        return self.value
+
+    def parts(self) -> dict[str, Field]:
+        """Return the fields of a table, by name."""
+        return {str(key): self[key] for key in self.fields()}
+
+    def items(self) -> list[Any]:
+        """Return a list."""
+        if not isinstance(self.value, list | tuple):
+            raise self.fault("a list")
+        return list(self.value)
+
+    def each(self) -> list[Field]:
+        """Return the items of a list."""
+        return [self[i] for i in range(len(self.items()))]
+
+    def text(self) -> str:
+        """Return a text."""
+        if not isinstance(self.value, str):
+            raise self.fault("text")
+        return self.value
+
+    def number(self) -> float:
+        """Return a finite number."""
+        x = self.value
+        if isinstance(x, bool) or not isinstance(x, int | float | np.number) or not math.isfinite(x):
+            raise self.fault("a finite number")
+        return float(x)
+
+    def array(self, *shape: int) -> Array:
+        """Return an array of finite numbers; -1 in the shape is any length."""
+        try:
+            found = np.array(self.value, dtype=float)
+        except (TypeError, ValueError):
+            found = np.array(np.nan)
+        same = found.ndim == len(shape) and all(n in (-1, m) for n, m in zip(shape, found.shape, strict=True))
+        if not (same and np.isfinite(found).all()):
+            size = " by ".join("n" if n < 0 else str(n) for n in shape)
+            raise self.fault(f"{size} finite numbers")
+        return found
+
+
+def open_file(path: Path) -> Field:
+    """Return what a file holds. CaromError, one line, for what is no file of pooltool's, and for damage."""
+    if path.suffix.lower() not in ENDINGS:
+        raise CaromError(
+            f"{path}: expected a file of pooltool's, with a name that ends with .json or .msgpack, got"
+            f" {path.suffix or 'none'!r}; save the shot with system.save('shot.json')"
+        )
+    try:
+        data = path.read_bytes()
+    except OSError as error:
+        raise CaromError(f"{path}: expected a file of pooltool's, got: {error.strerror}; check the name") from None
+    if path.suffix.lower() == ".msgpack":
+        return Field(_unpacked(path, data), str(path))
+    try:
+        return Field(json.loads(data.decode("utf-8-sig")), str(path))
+    except UnicodeDecodeError as error:
+        got = f"byte {error.object[error.start]:#04x}"
+        raise CaromError(f"{path}: expected JSON, text in UTF-8, got {got}; a binary file ends with .msgpack") from None
+    except json.JSONDecodeError as error:
+        raise CaromError(
+            f"{path}: line {error.lineno}: expected JSON, got something else ({error.msg}); {REMEDY}"
+        ) from None
+    except RecursionError:
+        raise CaromError(f"{path}: expected a shot, got JSON nested without end; {REMEDY}") from None
+
+
+def _unpacked(path: Path, data: bytes) -> Any:
+    msgpack = import_optional("msgpack", str(path))
+    try:
+        return msgpack.unpackb(data, object_hook=_decoded)
+    except Exception as error:  # msgpack's errors have no common class
+        got = " ".join(str(error).split())[:60] or type(error).__name__
+        raise CaromError(
+            f"{path}: expected a whole MessagePack file, got one that ends or errs: {got}; {REMEDY}"
+        ) from None
+
+
+def _decoded(table: dict[Any, Any]) -> Any:
+    """Return the array or number that msgpack-numpy has written as a table; any other table as it is."""
+    if b"nd" not in table:
+        return table
+    kind = table[b"type"]
+    if kind not in NUMBERS:
+        raise ValueError(f"an array of {kind!r}")
+    found = np.frombuffer(table[b"data"], dtype=np.dtype(kind))
+    return found.reshape(table[b"shape"]) if table[b"nd"] else found[0].item()
