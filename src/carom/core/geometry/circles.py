@@ -31,6 +31,7 @@ BESIDE, CENTRED, ALL = 0.1, 1e-4, 1e-10
 TOGETHER = 1e-6
 # From far away the polynomials know little of a small circle: a hit that may be off by this share of the ball's radius is polished.
 ROUNDING, BLURRED = 1.1e-16, 1e-11
+CLEAR = 1e-9
 NUMBERS = 23
 
 
@@ -115,6 +116,23 @@ def _at(r: Vec, v: Vec, acc: Vec, s: float) -> tuple[Vec, Vec]:
 
 
 @kernel
+def _passes(q: Vec, v: Vec, b: Vec, reach: float, until: float) -> bool:
+    """Whether a straight way, seen along the axis, leads past a circle of radius ``reach``: most rims, cheaply.
+
+    Straight are the ways of balls that fly or roll; of those that roll, b is along v but for its rounding.
+    """
+    along, speed2, off2 = dot(q, v), dot(v, v), dot(q, q)
+    clear = reach * reach * (1 + CLEAR)
+    turn = cross(v, b)
+    if dot(b, b) == 0:
+        if along >= 0:
+            return bool(off2 > clear)
+    elif not math.sqrt(dot(turn, turn)) * until * until <= CLEAR * CLEAR * reach * math.sqrt(speed2):
+        return False
+    return bool(off2 * speed2 - along * along > clear * speed2 + CLEAR * off2 * speed2)
+
+
+@kernel
 def _centred(d: Vec, radius: float, a: float, r: Vec, v: Vec, acc: Vec, until: float, slow: float) -> float:
     """When a ball larger than the circle comes down on all of it at once, or nearly; infinite where it does not."""
     far2 = radius * radius - a * a
@@ -162,6 +180,8 @@ def rim_hit(
     qv, _size, h1 = _across(d, v)
     qb, _size, _h2 = _across(d, acc)
     rr = radius * radius
+    if _passes(q, qv, qb, radius + a, until):
+        return math.inf
     near = math.sqrt((rho - radius) * (rho - radius) + h * h)
     gap = (near - a) * (near + a)
     far = gap + 4 * radius * rho
