@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import importlib.util
+import sys
 from typing import Any, Literal
 
 import numpy as np
@@ -12,7 +13,7 @@ from carom.errors import CaromError, MissingLibraryError, require_type
 from carom.laws.law import Law
 from carom.laws.registry import law_named
 
-__all__ = ["VERSION", "engine", "register", "require_pooltool"]
+__all__ = ["VERSION", "engine", "register", "require_pooltool", "use_as_default"]
 
 VERSION = "0.6"
 
@@ -110,3 +111,10 @@ def register() -> None:
     from carom.interop.pooltool.models import register_models
 
     register_models()
+
+
+def use_as_default(own: Any) -> None:
+    """Let pooltool, in this process, play with an engine wherever none is given, as in its game."""
+    import pooltool.evolution.event_based.simulate  # noqa: F401  (the package has a function of that name)
+
+    sys.modules["pooltool.evolution.event_based.simulate"].DEFAULT_ENGINE.resolver = own.resolver
