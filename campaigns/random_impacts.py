@@ -22,7 +22,6 @@ from campaign import Campaign, campaign
 
 from carom.core.jit.compile import njit
 from carom.core.jit.kernel import cross, dot, kernel
-from carom.core.motion.phases import ROUNDING
 from carom.laws.pair import pair_contact
 from carom.laws.registry import LAWS
 from carom.laws.two_step import two_step_final
@@ -136,8 +135,13 @@ def at_fault(errors: Any, worst: Any) -> bool:
 
 
 @functools.cache
-def contact_loop(law: Callable[..., Any], elastic: bool, rough: bool, smooth: bool, low: float, high: float) -> Any:
-    """Return the loop over random contacts under a law; ``low`` to ``high``: its last number."""
+def contact_loop(
+    law: Callable[..., Any], elastic: bool, rough: bool, smooth: bool, low: float, high: float, cushion: bool
+) -> Any:
+    """Return the loop over random contacts under a law; ``low`` to ``high``: its last number.
+
+    ``cushion``: it keeps a ball on its table, whose force enters the other balances: of such a ball only the energy is judged.
+    """
 
     def loop(rng: Any, count: int, worst: Any, case: Any, errors: Any) -> int:
         faults = 0
@@ -153,6 +157,8 @@ def contact_loop(law: Callable[..., Any], elastic: bool, rough: bool, smooth: bo
             v1, w1 = law(v, w, n, a, kappa, e, mu, last)
             used = 1.0 if elastic else e
             judge(v, w, v1, w1, n, a, kappa, used, math.inf if rough else 0.0 if smooth else mu, errors)
+            if cushion and v[2] == 0:
+                errors[RESTITUTION] = errors[CONE] = errors[MOMENTUM] = 0.0
             if at_fault(errors, worst):
                 faults += 1
                 if faults == 1:
@@ -254,9 +260,9 @@ def loop_of(name: str) -> Any:
         return pair_loop
     law = LAWS[name]
     pinned = law.pinned
-    low, high = (0.2, 3.0) if law.last == "stiffness_ratio" else (-1.0, 1.0)
+    low, high = {"stiffness_ratio": (0.2, 3.0), "floor_friction": (0.0, 2.0)}.get(law.last, (-1.0, 1.0))
     rough, smooth = pinned.get("friction", 0.5) == math.inf, pinned.get("friction") == 0
-    return contact_loop(law.kernel, pinned.get("restitution") == 1, rough, smooth, low, high)
+    return contact_loop(law.kernel, pinned.get("restitution") == 1, rough, smooth, low, high, bool(law.on_table))
 
 
 def one(loop: Any, seed: int, count: int) -> dict[str, Any]:
