@@ -226,3 +226,24 @@ def test_what_is_read_says_what_it_is() -> None:
     assert (
         shot.scene.describe() == "a floor, a table of 1.42 m by 2.84 m, cushion noses at 37 mm, 2 balls, law two-step"
     )
+
+
+def test_a_shot_stored_by_pooltool_with_two_step_has_its_states_after_every_cushion() -> None:
+    from carom.interop.pooltool.files import open_file
+    from carom.interop.pooltool.physics import nose_normal
+
+    ball, wall, floor = carom.Ball(0.03075, 0.2125), carom.Surface(0.85, 0.2), carom.Surface(0.0, 0.2)
+    found = 0
+    for event in open_file(FILES / "bank_two_step.msgpack")["events"].each():
+        if event["event_type"].text() != "ball_linear_cushion":
+            continue
+        one, cushion = (agent for agent in event["agents"].each())
+        before, after = (np.array(one[when]["state"]["rvw"].array(3, 3)) for when in ("initial", "final"))
+        p1, p2 = (cushion["initial"][end].array(3) for end in ("p1", "p2"))
+        level = np.array([p2[1] - p1[1], p1[0] - p2[0]]) / np.linalg.norm(p2 - p1)
+        n = nose_normal(level, before[1], p1[2], 0.03075)
+        two = carom.two_step(ball, carom.State(before[1], before[2]), wall, floor, n, 9.81)
+        assert after[1] == pytest.approx(two.after_floor.velocity, rel=1e-12, abs=1e-14)
+        assert after[2] == pytest.approx(two.after_floor.spin, rel=1e-12, abs=1e-12)
+        found += 1
+    assert found == 5
