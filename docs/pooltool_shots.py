@@ -14,7 +14,11 @@ import carom
 from carom.plot.style import new_figure, style
 
 FILES = Path(__file__).parents[1] / "tests" / "interop" / "files"
-LINES = (("#999999", (0, (4, 2))), ("#D55E00", (0, (6, 1.5))), ("#0072B2", "solid"))
+LINES = (
+    ("#777777", (0, (4, 2)), 1.3),
+    ("#D55E00", (0, (2, 2)), 1.3),
+    ("#9CC8E8", "solid", 3.0),
+)  # colour, dashes, width
 
 
 def fetch() -> None:
@@ -32,11 +36,12 @@ def picture(scene: carom.Scene, paths: Mapping[str, NDArray[np.float64]]) -> Any
         for wall in scene.walls:
             for line in wall.outline():
                 axes.plot(line[:, 1], line[:, 0], color="#444444", lw=1.2)
-        for (label, path), (colour, dashes) in zip(paths.items(), LINES, strict=False):
-            axes.plot(path[:, 2], path[:, 1], color=colour, ls=dashes, lw=1.3, label=label)
-            axes.plot(*path[-1, [2, 1]], "o", color=colour, ms=6)
+        for (label, path), (colour, dashes, width) in zip(paths.items(), LINES, strict=True):
+            axes.plot(path[:, 2], path[:, 1], color=colour, ls=dashes, lw=width, label=label, zorder=4 - width)
+            axes.plot(*path[-1, [2, 1]], "o", color=colour, ms=4 + width, zorder=4 - width)
         for ball in scene.balls:
             axes.plot(ball.position[1], ball.position[0], "o", mfc="none", mec="#444444", ms=7)
         axes.set(aspect="equal", xlabel="y, m", ylabel="x, m")
+        axes.invert_yaxis()  # x downwards, as y to the right is a quarter turn
         axes.legend(loc="upper center", bbox_to_anchor=(0.5, 1.16), ncols=3, frameon=False)
     return figure
