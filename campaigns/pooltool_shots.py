@@ -3,8 +3,8 @@
     python campaigns/pooltool_shots.py [N] [--python PYTHON]
 
 N shots (100) of one ball, on pooltool's billiard and pool tables in turn: any direction, cue speeds of 0.5 to 3 m/s, offsets up to
-0.3. pooltool is run by PYTHON, or in a virtual environment of its own (build/pooltool), which is made first. With --small the stored
-shot of tests/interop is compared, and pooltool is not needed.
+0.3. pooltool is run by PYTHON, or in a virtual environment of its own (build/pooltool), which is made first. With --small the
+stored shot of tests/interop is compared, and pooltool is not needed.
 """
 
 from __future__ import annotations
