@@ -161,7 +161,9 @@ def contact_loop(
             judge(v, w, v1, w1, n, a, kappa, used, math.inf if rough else 0.0 if smooth else mu, errors)
             if cushion and v[2] == 0:
                 errors[RESTITUTION] = errors[CONE] = errors[MOMENTUM] = 0.0
-                if math.isnan(v1[0]) and max(mu, last) >= LOCKS:  # no prediction of a ball that is locked between nose and table
+                if (
+                    math.isnan(v1[0]) and max(mu, last) >= LOCKS
+                ):  # no prediction of a ball that is locked between nose and table
                     errors[FINITE] = errors[ENERGY] = 0.0
             if at_fault(errors, worst):
                 faults += 1
