@@ -32,7 +32,7 @@ LIMIT = 1000.0  # roundings
 CHECKS = ("finite", "energy", "restitution", "friction cone", "angular momentum")
 FINITE, ENERGY, RESTITUTION, CONE, MOMENTUM = range(len(CHECKS))
 EPSILON = 2.0**-52
-LOCKS = 1.0  # friction from which nose and table can hold a ball
+LOCKS, CEILING = 1.0, -0.9  # friction from which nose and table can hold a ball; a normal below which less is enough
 AT_REST = 1e-100  # m/s: a ball without motion has no rounding
 NUMBERS = 24  # of a case
 CONTACTS = [law.name for law in LAWS.values() if law.kernel is not None and law.name != "conventional"]
@@ -161,9 +161,8 @@ def contact_loop(
             judge(v, w, v1, w1, n, a, kappa, used, math.inf if rough else 0.0 if smooth else mu, errors)
             if cushion and v[2] == 0:
                 errors[RESTITUTION] = errors[CONE] = errors[MOMENTUM] = 0.0
-                if (
-                    math.isnan(v1[0]) and max(mu, last) >= LOCKS
-                ):  # no prediction of a ball that is locked between nose and table
+                # no prediction of a ball that is locked between nose and table, or under a nose that is nearly a ceiling
+                if math.isnan(v1[0]) and (max(mu, last) >= LOCKS or n[2] < CEILING):
                     errors[FINITE] = errors[ENERGY] = 0.0
             if at_fault(errors, worst):
                 faults += 1
