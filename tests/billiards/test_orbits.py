@@ -399,3 +399,9 @@ def test_displacements_that_are_followed_to_no_bounce_have_met_no_wall():
     assert follow_tangents(
         None, None, at_rest, at_rest, at_rest, 0, np.zeros((0, 9)), np.zeros(0), 0, np.zeros(10)
     ) == (0, 0, -1)
+
+
+def test_the_slowest_ball_that_is_followed():
+    assert billiards.orbit(billiards.circle(), ((0.0, 0.0), (0.0, 1e-100), 0.0), 2).velocity[-1, 1] != 0
+    with pytest.raises(carom.CaromError, match="speeds and spins from 1e-100"):
+        billiards.orbit(billiards.circle(), ((0.0, 0.0), (0.0, 0.99e-100), 0.0), 2)

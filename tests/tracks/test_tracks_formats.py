@@ -242,3 +242,12 @@ def test_many_rows(tmp_path: Path) -> None:
     np.savetxt(file, rows, fmt="%.6f", delimiter=",", header="t,x,y", comments="")
     found: TrackFile = read_tracks(file)
     np.testing.assert_array_equal(found.tracks[0].position, np.round(rows[:, 1:], 6))
+
+
+def test_pixels_of_tracker_count_downwards(tmp_path: Path) -> None:
+    text = (HERE / "tracker_single.txt").read_text().replace("\tx\ty", "\tpixelx\tpixely")
+    (track,) = read_tracks(put(tmp_path, text, "pixels.txt"), calibration=Calibration(scale=1e-3)).tracks
+    (up,) = read_tracks(put(tmp_path, text, "pixels.txt"), calibration=Calibration(scale=1e-3, down=False)).tracks
+    (metres,) = read_tracks(HERE / "tracker_single.txt").tracks
+    np.testing.assert_allclose(track.position, 1e-3 * metres.position * [1, -1], rtol=1e-12)
+    np.testing.assert_allclose(up.position, 1e-3 * metres.position, rtol=1e-12)

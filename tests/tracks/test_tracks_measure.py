@@ -18,6 +18,7 @@ from carom.errors import CaromError
 from carom.scene.shapes import Plane
 from carom.tracks import Measured, Settings, Track, WallLine, measure, to_rebounds, usable_stages
 from carom.tracks.contact_models import slide_would_show
+from carom.tracks.events import _bends
 from carom.tracks.floor import pool_floor, shared_fraction
 from carom.tracks.least_squares import ContactFit, Prior
 from carom.tracks.preprocess import camera_clock, position_noise, rounding_step
@@ -556,3 +557,10 @@ def test_frames_that_show_free_motion_are_all_kept() -> None:
         _on, measured, rows = filmed("with", Camera(60, 3e-4), seed, 11)
         assert measured.blind[:2] == (0, 0), seed
         assert "blind_v_n_out" not in rows.extra
+
+
+def test_bends_are_judged_by_the_speeds_beside_them() -> None:
+    """A slow ball that turns back bends, however fast it was before."""
+    t = np.arange(6.0)
+    along = np.array([0.0, 10.0, 11.0, 12.0, 11.0, 10.0])
+    assert _bends(np.stack([along, 0 * along], axis=1), t).tolist() == [1, 1, 1, 1, 0]

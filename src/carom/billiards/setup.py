@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from carom.billiards.boundary import Boundary
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Disc, Surface
-from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, broadcast_shape, did_you_mean, float_array
+from carom.errors import MAX_MAGNITUDE, MIN_MAGNITUDE, CaromError, FaultList, broadcast_shape, did_you_mean, float_array
 from carom.laws.callbacks import user_address
 from carom.laws.law import (
     CALLED_WALL,
@@ -260,7 +260,7 @@ def _inside(setup: OrbitSetup, rows: Array, shape: tuple[int, ...], faults: Faul
     speed = np.abs(rows[:, 3:6]).max(axis=1)
     if (speed == 0).any():
         faults.add("velocity", "a moving ball", "one at rest")
-    elif not ((speed > 1 / MAX_MAGNITUDE) & (np.abs(rows[:, 3:]).max(axis=1) < MAX_MAGNITUDE)).all():
+    elif not ((speed >= MIN_MAGNITUDE) & (np.abs(rows[:, 3:]).max(axis=1) < MAX_MAGNITUDE)).all():
         faults.add(
             "velocity", "speeds and spins from 1e-100 to 1e100, whose squares are finite", f"{float(speed.max())!r}"
         )
