@@ -22,6 +22,7 @@ version = release = carom.__version__
 sys.path.insert(0, str(Path(__file__).parent))
 extensions = [
     "explorer_frame",
+    "picture_count",
     "myst_nb",
     "sphinx.ext.autodoc",
     "sphinx.ext.mathjax",
