@@ -168,3 +168,11 @@ def test_any_ball_gives_json_without_nan(**given: float) -> None:
         assert (row["energy_ratio"] is None) == (row["final"] is None)
         if row["energy_ratio"] is not None:
             assert row["energy_ratio"] <= 1 + 1e-9
+
+
+def test_a_wall_that_lies_flat_has_laws_and_no_angles() -> None:
+    ball, state = carom.Ball(), carom.State((1.0, 0.0, -1.0), (0.0, 0.0, 0.0))
+    found = carom.compare(carom.Meeting(ball, state, np.array([0.0, 0.0, 1.0]), carom.Surface(0.8, 0.2)))
+    assert math.isnan(found.incident_angle)
+    assert math.isnan(found["two-step"].reflection_angle)
+    assert found["two-step"].final is not None

@@ -149,8 +149,12 @@ class TwoStep(Settled):
 
 
 def angle_from(normal: Array, state: State, *, incoming: bool = False) -> Any:
-    """Angle (...) of a velocity along the floor from the normal, rad: 0 normal, pi/2 along the wall, more towards it."""
-    level = normal[..., :2] / np.sqrt((normal[..., :2] ** 2).sum(axis=-1, keepdims=True))
+    """Angle (...) of a velocity along the floor from the normal, rad: 0 normal, pi/2 along the wall, more towards it.
+
+    NaN where the normal is vertical.
+    """
+    with np.errstate(invalid="ignore"):
+        level = normal[..., :2] / np.sqrt((normal[..., :2] ** 2).sum(axis=-1, keepdims=True))
     x, y = state.velocity[..., 0], state.velocity[..., 1]
     along = np.abs(level[..., 0] * y - level[..., 1] * x)
     out = level[..., 0] * x + level[..., 1] * y
