@@ -19,10 +19,7 @@ of a scene, and mu = 0.471 - 0.241 theta (27), with theta in radians from the cu
 
 from __future__ import annotations
 
-import math
-
-from carom.core.contact import LEAST, slip_velocity, struck_along
-from carom.core.jit.kernel import Vec, dot, kernel
+from carom.core.jit.kernel import Vec, kernel
 from carom.laws.cushion import cushion_law, nose_alone, stays_on_table
 from carom.laws.law import ON_FLOOR, Card, FitSpec, contact_kernel
 
@@ -48,19 +45,9 @@ CARD = Card(
 @kernel
 def han2005(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float) -> tuple[Vec, Vec]:
     """Velocity and spin after the cushion; beta is not read."""
-    # (14): the slip s_0 at the nose, and the speed of approach c = -u_n
-    un, s0 = slip_velocity(v, w, n, a)
-    slip = math.sqrt(dot(s0, s0))
-    # (16), mass 1: s changes by A, and c by B, per impulse along them; B = 1
-    a_slip = 1 + 1 / kappa
-    # (17): the normal impulse of the whole impact
-    pz = -(1 + e) * un
-    f = 0 * slip
-    if slip > 0 and pz > LEAST * slip:
-        # (18): P_E = s_0/A, which leaves no slip, if the friction suffices; (19): sliding, P_E = mu P_zE s_0/|s_0|
-        f = -1 / a_slip if slip / a_slip <= mu * pz else -mu * pz / slip
-    # (21)-(25)
-    v1, w1 = struck_along(v, w, n, a, kappa, pz if pz > LEAST * slip else 0 * pz, f, s0)
+    # (14)-(25) are one contact whose friction stops the slip at most, beta = 0: (14) slip s_0 and speed of approach c = -u_n;
+    # (17) P_z = (1 + e) c; (18) P_E = s_0/A, A = 1 + 1/kappa, if the friction suffices, else (19) P_E = mu P_zE s_0/|s_0|
+    v1, w1 = contact_kernel(v, w, n, a, kappa, e, mu, 0 * beta)
     return stays_on_table(v, v1, n), w1
 
 

@@ -133,21 +133,15 @@ class Cue:
     ) -> None:
         faults = FaultList("Cue")
 
-        def number(
-            field: str, value: ArrayLike, expected: str, most: float, *, above: bool, infinite: bool = False
-        ) -> Any:
-            def holds(x: Any) -> Any:
-                return ((x > 0) if above else (x >= 0)) & (x <= most)
-
-            return checked_number(faults, field, value, expected, holds, infinite=infinite)
-
         values = {
-            "mass": number("mass", mass, "a mass in kg, > 0", math.inf, above=True),
-            "end_mass": number("end_mass", end_mass, "a mass in kg, > 0", math.inf, above=True),
-            "friction": number(
-                "friction", friction, "a number >= 0 (inf: never slips)", math.inf, above=False, infinite=True
+            "mass": checked_number(faults, "mass", mass, "a mass in kg, > 0", lambda x: x > 0),
+            "end_mass": checked_number(faults, "end_mass", end_mass, "a mass in kg, > 0", lambda x: x > 0),
+            "friction": checked_number(
+                faults, "friction", friction, "a number >= 0 (inf: never slips)", lambda x: x >= 0, infinite=True
             ),
-            "restitution": number("restitution", restitution, "a number from 0 to 1", 1, above=False),
+            "restitution": checked_number(
+                faults, "restitution", restitution, "a number from 0 to 1", lambda x: (x >= 0) & (x <= 1)
+            ),
         }
         faults.raise_if_any()
         for key, value in values.items():
