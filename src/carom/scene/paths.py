@@ -1,0 +1,166 @@
+"""Paths to the numbers of a scene, such as ``balls.0.velocity`` and ``walls.*.friction``: look them up, and replace them.
+
+The parts of a path are the names of fields, separated by dots. Of several balls or walls one is chosen by its number or its name,
+all of them by ``*``; a component of a vector by ``x``, ``y``, ``z`` or its number.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from difflib import get_close_matches
+from typing import Any, NamedTuple, TypeVar
+
+from carom.errors import CaromError, shortened_list
+from carom.scene.schema import Model
+
+__all__ = ["PathMatch", "overlapping_paths", "path_match", "replaced"]
+
+AnyModel = TypeVar("AnyModel", bound=Model)
+Keys = tuple[str | int, ...]
+COMPONENTS = ("x", "y", "z")
+
+
+class PathMatch(NamedTuple):
+    """What a path stands for: the places it names, and the value at each."""
+
+    path: str
+    places: tuple[Keys, ...]
+    """Field names and numbers, one tuple for each place; several only where the path has a ``*``."""
+    values: tuple[Any, ...]
+
+
+def path_match(model: Model, path: str, where: str = "path") -> PathMatch:
+    """Look up a path in a scene, or in another model.
+
+    Parameters
+    ----------
+    model : Model
+        A :class:`carom.Scene`, or a part of one.
+    path : str
+    where : str, optional
+        What a message begins with.
+
+    Raises CaromError, one line with the nearest name, for a path that leads nowhere.
+
+    Examples
+    --------
+    >>> import carom
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
+    >>> scene = carom.Scene(gravity=0, walls=[wall], balls=[{"radius": 0.03, "mass": 0.2, "position": (1, 0, 0)}])
+    >>> path_match(scene, "walls.*.friction")
+    PathMatch(path='walls.*.friction', places=(('walls', 0, 'friction'),), values=(0.2,))
+    """
+    if not isinstance(path, str) or not path or "" in path.split("."):
+        raise CaromError(f"{where}: expected a path such as 'balls.0.velocity' or 'walls.*.friction', got {path!r:.60}")
+    found: list[tuple[Keys, Any]] = [((), model)]
+    names = path.split(".")
+    for depth, name in enumerate(names):
+        next_found = []
+        for keys, value in found:
+            next_found += [((*keys, key), _item(value, key)) for key in _chosen(value, name)]
+        if not next_found:
+            known = list(dict.fromkeys(name for _keys, value in found for name in _known(value)))
+            raise CaromError(_nowhere(where, path, names[:depth], name, known))
+        found = next_found
+    return PathMatch(path, tuple(keys for keys, _value in found), tuple(value for _keys, value in found))
+
+
+def _item(value: Any, key: str | int) -> Any:
+    return value[key] if isinstance(key, int) else getattr(value, key)
+
+
+def _chosen(value: Any, name: str) -> list[str | int]:
+    """Return the keys by which a part of a path goes on: none where it leads nowhere."""
+    if isinstance(value, Model):
+        return [name] if name in type(value).model_fields else []
+    if not isinstance(value, tuple):
+        return []
+    if name == "*":
+        return list(range(len(value)))
+    if name.isdecimal():
+        return [int(name)] if int(name) < len(value) else []
+    if value and isinstance(value[0], Model):
+        return [i for i, one in enumerate(value) if getattr(one, "name", None) == name]
+    return [COMPONENTS.index(name)] if name in COMPONENTS[: len(value)] else []
+
+
+def _known(value: Any) -> list[str]:
+    """Return the names by which a path can go on from a value."""
+    if isinstance(value, Model):
+        return list(type(value).model_fields)
+    if not isinstance(value, tuple):
+        return []
+    if value and isinstance(value[0], Model):
+        named = [getattr(one, "name", None) or str(i) for i, one in enumerate(value)]
+        return ["*", *named]
+    return list(COMPONENTS[: len(value)])
+
+
+def _nowhere(where: str, path: str, before: list[str], name: str, known: list[str]) -> str:
+    here = ".".join(before) or "the scene"
+    if not known:
+        return f"{where}: {path}: expected a path to a number, got {name!r} after {here}, which has no fields here"
+    close = get_close_matches(name, known, n=1, cutoff=0.5)
+    advice = f"did you mean {'.'.join([*before, close[0]])!r}?" if close else "take one of these"
+    return f"{where}: {path}: expected {shortened_list(known, 12)} in {here}, got {name!r}; {advice}"
+
+
+def overlapping_paths(matches: list[PathMatch]) -> list[tuple[str, str]]:
+    """Return the pairs of paths that stand for the same place, or of which one stands for a part of the other."""
+    owners: dict[Keys, str] = {}
+    found = []
+    for match in matches:
+        for place in match.places:
+            for other, path in owners.items():
+                shorter = min(len(place), len(other))
+                if path != match.path and place[:shorter] == other[:shorter]:
+                    found.append((path, match.path))
+            owners[place] = match.path
+    return list(dict.fromkeys(found))
+
+
+def replaced(model: AnyModel, changes: Mapping[str, Any]) -> AnyModel:
+    """Return a copy of a scene with other values at some paths; the copy is validated as a whole.
+
+    Parameters
+    ----------
+    model : Model
+        A :class:`carom.Scene`, or a part of one.
+    changes : mapping of paths to values
+        A path with a ``*`` gives all of its places the same value.
+
+    Raises CaromError, one line per problem: for a path that leads nowhere, and for what the scene refuses.
+
+    Examples
+    --------
+    >>> import carom
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0, 0), velocity=(-2, 1, 0))
+    >>> scene = carom.Scene(gravity=0, balls=[ball])
+    >>> replaced(scene, {"balls.0.velocity": (-3, 0), "balls.0.mass": "250 g"}).balls[0].velocity
+    (-3.0, 0.0, 0.0)
+    """
+    tree: dict[str | int, Any] = {}
+    for path, value in changes.items():
+        for place in path_match(model, path).places:
+            here = tree
+            for key in place[:-1]:
+                here = here.setdefault(key, {})
+            here[place[-1]] = _Leaf(value)
+    return type(model)(**_fields(model, tree))
+
+
+class _Leaf(NamedTuple):
+    value: Any
+
+
+def _fields(model: Model, changes: dict[str | int, Any]) -> dict[str, Any]:
+    fields = {name: getattr(model, name) for name in type(model).model_fields}
+    return fields | {str(name): _changed(fields[str(name)], change) for name, change in changes.items()}
+
+
+def _changed(value: Any, changes: dict[str | int, Any] | _Leaf) -> Any:
+    if isinstance(changes, _Leaf):
+        return changes.value
+    if isinstance(value, Model):  # (as a dict: the scene then says where in it a value is wrong)
+        return _fields(value, changes)
+    return tuple(_changed(one, changes[i]) if i in changes else one for i, one in enumerate(value))
