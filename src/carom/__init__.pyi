@@ -12,6 +12,7 @@ from . import laws as laws
 from . import plot as plot
 from . import scene as scene
 from . import simulation as simulation
+from . import sweeps as sweeps
 from . import tracks as tracks
 from .bodies import Ball as Ball
 from .bodies import Disc as Disc
@@ -65,5 +66,9 @@ from .simulation.simulate import simulate_many as simulate_many
 from .simulation.trajectory import Event as Event
 from .simulation.trajectory import Events as Events
 from .simulation.trajectory import Trajectory as Trajectory
+from .sweeps.axes import polar as polar
+from .sweeps.space import Space as Space
+from .sweeps.sweep import Sweep as Sweep
+from .sweeps.sweep import sweep as sweep
 
 __version__: str

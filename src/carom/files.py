@@ -50,8 +50,10 @@ OPTIONAL = {
     "pandas": ("pandas", "pandas"),
     "pyarrow": ("pyarrow", "parquet"),
     "scipy": ("SciPy", "fit"),
+    "distributed": ("Dask's distributed", "cluster"),
     "sympy": ("SymPy", "derive"),
     "xarray": ("xarray", "xarray"),
+    "zarr": ("Zarr", "sweeps"),
 }
 
 

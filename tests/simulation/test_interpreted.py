@@ -21,7 +21,7 @@ SCENES = 40
 
 def one_run(scene: carom.Scene, loop: Any, compiled: bool) -> tuple[Any, bytes, bytes]:
     world, features, balls, users = set_up(scene, compiled)
-    until, most = simulate._limits(scene)
+    until, most = simulate.run_limits(scene)
     log = np.zeros(400, LOG)
     answer = loop(world, features, balls, log, -1.0, until, most, users, ALL)
     return answer, balls.tobytes(), log.tobytes()

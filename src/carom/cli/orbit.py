@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import json
-import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from carom.billiards.named import SIZES, named_table
 from carom.cli.common import attempt, require_outputs, working, wrote
 from carom.cli.options import BALL, OUTPUT, shared
 from carom.cli.orbit_output import every_bounce, orbit_facts, print_orbit
@@ -19,21 +19,6 @@ if TYPE_CHECKING:
 
 TABLE, LAW, START = "Table", "Law", "Initial state"
 
-# The options that each table uses.
-SIZES = {
-    "circle": ("radius",),
-    "ellipse": ("major", "minor"),
-    "stadium": ("straight", "radius"),
-    "polygon": ("sides", "radius", "vertices"),
-    "rectangle": ("width", "height"),
-    "strip": ("width", "acceleration"),
-    "wedge": ("angle",),
-    "sinai": ("radius", "side"),
-    "periodic-strip": ("period", "width", "radius"),
-    "sphere": ("radius",),
-    "box": ("width", "height", "depth"),
-    "plates": ("distance", "acceleration"),
-}
 SOLIDS = ("sphere", "box", "plates")
 
 
@@ -188,7 +173,9 @@ def _table(name: str, given: dict[str, Any], bounds: str) -> Table:
     # a scalar acceleration acts along the cylinder; the height is the cylinder's unless the section has one
     axial = {"acceleration", "height"} - ({"height"} & set(SIZES[kind])) if colon else set()
     solid = {key: sizes.pop(key) for key in axial & set(sizes)}
-    section = _make(billiards, kind, sizes, bounds)
+    if "vertices" in sizes:
+        sizes["vertices"] = _points(sizes["vertices"])
+    section = named_table(kind, sizes, bounds)
     made = billiards.cylinder(section, **solid) if colon else section
     return made if pull is None else billiards.under(made, pull)
 
@@ -204,30 +191,6 @@ def _force(name: str, given: dict[str, Any]) -> tuple[dict[str, Any], tuple[floa
     if axial and "," not in text:
         return rest | {"acceleration": _numbers("--acceleration", text, 1)[0]}, None
     return rest, _numbers("--acceleration", text, 3 if colon or over in SOLIDS else 2)
-
-
-def _make(billiards: Any, kind: str, sizes: dict[str, Any], bounds: Any) -> Table:  # noqa: PLR0911  (one return per table)
-    b = {"bounds": bounds}
-    if kind == "polygon":
-        if "vertices" in sizes:
-            if len(sizes) > 1:
-                raise CaromError("--vertices: expected neither --sides nor --radius with it")
-            return billiards.polygon(_points(sizes["vertices"]), **b)  # type: ignore[no-any-return]
-        return billiards.regular(sizes.pop("sides", 3), **sizes, **b)  # type: ignore[no-any-return]
-    if kind == "wedge":
-        angle = sizes.get("angle", 40.0)
-        if not 0 < angle < 180:
-            raise CaromError(f"--angle: expected degrees > 0 and < 180, got {angle:g}")
-        return billiards.wedge(math.radians(angle), **b)  # type: ignore[no-any-return]
-    if kind == "periodic-strip":
-        r = sizes.pop("radius", 0.2)
-        return billiards.periodic_strip(**sizes, scatterers=((0.0, 0.0, r),), **b)  # type: ignore[no-any-return]
-    if kind == "box":
-        return billiards.box([sizes.get(key, 1.0) for key in ("width", "height", "depth")], **b)  # type: ignore[no-any-return]
-    if kind == "plates":
-        g = sizes.pop("acceleration", 0.0)
-        return billiards.plates(**sizes, acceleration=(0.0, g), **b)  # type: ignore[no-any-return]
-    return getattr(billiards, kind)(**sizes, **b)  # type: ignore[no-any-return]
 
 
 def _points(text: str) -> list[tuple[float, ...]]:

@@ -14,4 +14,5 @@ from .paper import setting as setting
 from .style import require_matplotlib as require_matplotlib
 from .style import require_writable as require_writable
 from .style import save as save
+from .sweeps import plot_sweep as plot_sweep
 from .trajectory import plot_trajectory as plot_trajectory

@@ -26,8 +26,9 @@ from carom.errors import CaromError, float_array
 __all__ = ["guarded"]
 
 LIBRARIES = frozenset({
-    "carom", "gsd", "h5netcdf", "h5py", "imageio_ffmpeg", "lazy_loader", "llvmlite", "matplotlib", "mpl_toolkits", "numba", "numpy",
-    "pandas", "pint", "pyarrow", "pydantic", "pydantic_core", "rich", "scipy", "sympy", "typer", "xarray",
+    "carom", "dask", "distributed", "gsd", "h5netcdf", "h5py", "imageio_ffmpeg", "lazy_loader", "llvmlite", "matplotlib",
+    "mpl_toolkits", "numba", "numpy", "pandas", "pint", "pyarrow", "pydantic", "pydantic_core", "rich", "scipy", "sympy",
+    "typer", "xarray", "zarr",
 })  # fmt: skip
 SEQUENCES = (collections.abc.Sequence, collections.abc.Iterable)
 _done: dict[Any, Any] = {}

@@ -31,7 +31,7 @@ from carom.scene.schema import (
     raise_faults,
 )
 
-__all__ = ["CueStrike", "SceneBall", "SceneCue"]
+__all__ = ["CueStrike", "Inertia", "SceneBall", "SceneCue"]
 
 _KAPPA = Number("'solid', 'hollow', or kappa = I/(m a^2) in (0, 2/3]", least=0, most=2 / 3 * (1 + 1e-12), above=True)
 
@@ -42,6 +42,9 @@ def _inertia(value: Any) -> str | float:
     if value not in INERTIAS:
         raise Fault(_KAPPA.what, value, suggestion(value, list(INERTIAS))).error()
     return value
+
+
+Inertia = Annotated[str | float, BeforeValidator(_inertia)]
 
 
 def _three(value: tuple[float, ...]) -> Vector:
@@ -128,7 +131,7 @@ class SceneBall(Model):
 
     radius: Size
     mass: Mass
-    inertia: Annotated[str | float, BeforeValidator(_inertia)] = "solid"
+    inertia: Inertia = "solid"
     position: Annotated[
         tuple[Length, ...], BeforeValidator(Components("2 or 3 lengths in m: x, y and z, of the centre", (2, 3)))
     ]

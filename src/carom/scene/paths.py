@@ -11,6 +11,7 @@ from difflib import get_close_matches
 from typing import Any, NamedTuple, TypeVar
 
 from carom.errors import CaromError, shortened_list
+from carom.scene.ball import SceneBall
 from carom.scene.schema import Model
 
 __all__ = ["PathMatch", "overlapping_paths", "path_match", "replaced"]
@@ -97,12 +98,14 @@ def _known(value: Any) -> list[str]:
 
 
 def _nowhere(where: str, path: str, before: list[str], name: str, known: list[str]) -> str:
-    here = ".".join(before) or "the scene"
+    here = ".".join(before)
     if not known:
-        return f"{where}: {path}: expected a path to a number, got {name!r} after {here}, which has no fields here"
+        return f"{where}: {path}: expected a path to a number, got {name!r} after {here or 'nothing'}, which has no fields here"
     close = get_close_matches(name, known, n=1, cutoff=0.5)
     advice = f"did you mean {'.'.join([*before, close[0]])!r}?" if close else "take one of these"
-    return f"{where}: {path}: expected {shortened_list(known, 12)} in {here}, got {name!r}; {advice}"
+    return (
+        f"{where}: {path}: expected {shortened_list(known, 12)}{f' in {here}' if here else ''}, got {name!r}; {advice}"
+    )
 
 
 def overlapping_paths(matches: list[PathMatch]) -> list[tuple[str, str]]:
@@ -155,7 +158,15 @@ class _Leaf(NamedTuple):
 
 def _fields(model: Model, changes: dict[str | int, Any]) -> dict[str, Any]:
     fields = {name: getattr(model, name) for name in type(model).model_fields}
-    return fields | {str(name): _changed(fields[str(name)], change) for name, change in changes.items()}
+    made = fields | {str(name): _changed(fields[str(name)], change) for name, change in changes.items()}
+    if (
+        isinstance(model, SceneBall)
+        and "radius" in changes
+        and "position" not in changes
+        and model.center[2] == model.radius
+    ):
+        made["position"] = model.position[:2]  # (a ball that lies on the floor still does)
+    return made
 
 
 def _changed(value: Any, changes: dict[str | int, Any] | _Leaf) -> Any:

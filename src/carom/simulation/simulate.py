@@ -23,7 +23,7 @@ from carom.simulation.resolve import DONE, REFUSED_ROLLING, REFUSED_STALL, REFUS
 from carom.simulation.setup import set_up
 from carom.simulation.trajectory import Trajectory
 
-__all__ = ["MOST_EVENTS", "ManyRuns", "simulate", "simulate_many"]
+__all__ = ["MOST_EVENTS", "ManyRuns", "run_limits", "simulate", "simulate_many"]
 
 Array = NDArray[np.float64]
 # Where a scene names no end: a ball between elastic walls would never stop.
@@ -50,7 +50,8 @@ def _refusal(code: int, scene: Scene, ball: Any, i: int) -> CaromError:
     )
 
 
-def _limits(scene: Scene) -> tuple[float, int]:
+def run_limits(scene: Scene) -> tuple[float, int]:
+    """Return until when, and for how many events at most, a scene is run."""
     run = scene.run
     most = run.max_events if run.max_events is not None else MOST_EVENTS if run.duration is None else 2**62
     return math.inf if run.duration is None else run.duration, most
@@ -87,7 +88,7 @@ def simulate(scene: Scene, progress: Callable[[int, float], None] | None = None)
     array([[1.051, 0.796, 0.   ]])
     """
     require_type("simulate", "scene", scene, Scene)
-    until, most = _limits(scene)
+    until, most = run_limits(scene)
     interpreted = worth_interpreting(scene)
     world, features, balls, users = set_up(scene, compiled=not interpreted)
     loop = run_interpreted if interpreted else compiled_engine().run
@@ -245,7 +246,7 @@ def simulate_many(
     for field, array in given.items():
         balls[field] = array
     _check_starts(scene, balls, given)
-    until, most = _limits(scene)
+    until, most = run_limits(scene)
     return _run_many(setup, balls, until, most, events, kinds, progress)
 
 

@@ -25,8 +25,8 @@ from carom.core.jit.progress import listen
 from carom.core.jit.shared_cache import LOCATOR, compile_in_one_process
 
 __all__ = [
-    "ArrayOf", "array_of", "cache_folder", "call_compiled", "cfunc", "function_type", "is_cached", "named_tuple_type", "njit",
-    "numba_type", "parallel_range", "signature", "source_hash", "thread_count",
+    "ArrayOf", "array_of", "cache_folder", "call_compiled", "cfunc", "function_type", "is_cached", "limit_threads",
+    "named_tuple_type", "njit", "numba_type", "parallel_range", "signature", "source_hash", "thread_count",
 ]  # fmt: skip
 
 _registered: set[Callable[..., Any]] = set()
@@ -130,6 +130,13 @@ def thread_count() -> int:
     import numba
 
     return int(numba.get_num_threads())
+
+
+def limit_threads(count: int) -> None:
+    """Let the parallel loops that this thread calls use at most so many threads."""
+    import numba
+
+    numba.set_num_threads(max(min(count, numba.config.NUMBA_NUM_THREADS), 1))
 
 
 def call_compiled(function: Callable[..., Any], provide: Callable[[], Callable[..., Any]]) -> None:

@@ -27,6 +27,7 @@ PARTS = {
     "carom.gas": "event loop of gases",
     "carom.fitting": "fits",
     "carom.tracks": "tracks",
+    "carom.sweeps": "sweeps",
 }
 # The loop itself, which LLVM optimises with all that it calls, takes as long as so large a share of its functions.
 OPTIMISING = 0.25

@@ -1,0 +1,285 @@
+"""``carom sweep``: maps over parameters of a scene, computed block by block into a store, and drawn."""
+
+from __future__ import annotations
+
+import json
+import sys
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from carom.cli.common import attempt, require_outputs, wrote
+from carom.cli.options import OUTPUT, RUN, shared
+from carom.errors import CaromError
+
+if TYPE_CHECKING:
+    from collections.abc import Callable
+
+    from carom.sweeps.sweep import Sweep
+
+FILE = Annotated[
+    Path, typer.Argument(metavar="FILE", help="A sweep, as TOML (carom sweep new writes one), or the store of one.")
+]
+STORE = Annotated[
+    str, typer.Argument(metavar="STORE", help="The store of a sweep: a folder, or an address (s3://...).")
+]
+OWN_LAWS = Annotated[bool, shared("allow_own_laws")]
+JSON = Annotated[bool, shared("json")]
+
+
+def register(app: typer.Typer) -> None:
+    """Add the verbs to the command."""
+    verbs = typer.Typer(
+        help="Compute maps over parameters of a scene, an impact, an orbit or a gas.", no_args_is_help=True
+    )
+    for verb in (new, explain, run, status, verify, plot):
+        verbs.command(verb.__name__)(verb)
+    app.add_typer(verbs, name="sweep")
+
+
+def new(
+    file: Annotated[
+        Path | None, typer.Argument(metavar="[FILE]", help="File to write. Default: standard output.")
+    ] = None,
+    force: Annotated[bool, shared("force")] = False,
+) -> None:
+    """Write a commented sweep that runs as it stands: where the balls of a carom table end, over speed and angle."""
+    from carom.files import write_text
+    from carom.sweeps.toml import new_sweep
+
+    if file is None:
+        sys.stdout.write(new_sweep())
+        return
+    if file.is_file() and not force:
+        raise CaromError(f"{file}: expected a new file, got one that exists; --force overwrites it")
+    write_text(file, new_sweep())
+    wrote(file)
+
+
+def explain(file: FILE, allow_own_laws: OWN_LAWS = False, as_json: JSON = False) -> None:
+    """Say how many points, blocks, bytes and seconds a sweep has; a few points are computed, nothing is written."""
+    from carom.cli.streams import say
+
+    plan = _sweep(str(file), None, allow_own_laws).explain()
+    if as_json:
+        _print({name: value for name, value in vars(plan).items() if name != "text"})
+    else:
+        say(plan.text)
+
+
+def run(
+    file: FILE,
+    store: Annotated[
+        str | None,
+        typer.Option(
+            "--store",
+            metavar="STORE",
+            help="Folder or address of the results.",
+            show_default="FILE with the ending .zarr",
+            rich_help_panel=OUTPUT,
+        ),
+    ] = None,
+    on: Annotated[
+        str,
+        typer.Option(
+            "--on",
+            metavar="cores|dask:ADDRESS",
+            help="Where: on this machine's cores, or on a Dask cluster.",
+            rich_help_panel=RUN,
+        ),
+    ] = "cores",
+    block: Annotated[
+        str | None,
+        typer.Option(
+            "--block",
+            metavar="K/N",
+            help="Only the K-th of N equal parts, for one of an array of jobs.",
+            rich_help_panel=RUN,
+        ),
+    ] = None,
+    allow_own_laws: OWN_LAWS = False,
+    as_json: JSON = False,
+    quiet: Annotated[bool, shared("quiet")] = False,
+) -> None:
+    """Compute what is missing of a sweep, block by block; stopped, by Ctrl-C or kill, it goes on where it was."""
+    from carom.cli.streams import note
+
+    part = None if block is None else _part(block)
+    place = on.removeprefix("dask:") if on != "cores" else on
+    if on != "cores" and not on.startswith("dask:"):
+        raise CaromError(f"--on: expected cores, or dask:ADDRESS such as dask:tcp://host:8786, got {on!r:.60}")
+    made = _sweep(str(file), store or str(file.with_suffix(".zarr")), allow_own_laws)
+    assert made.store is not None
+    try:
+        with _progress(quiet or as_json) as report:
+            made.run(on=place, part=part, progress=report)
+    except KeyboardInterrupt:
+        note(f"carom: stopped; what is done stays in {made.store.name}: the same command goes on")
+        raise
+    _report(made, as_json, quiet)
+
+
+def status(store: STORE, as_json: JSON = False, allow_own_laws: OWN_LAWS = False) -> None:
+    """Say how far a sweep is, and which of its points have no outcome."""
+    _report(_stored(store, allow_own_laws), as_json, False)
+
+
+def verify(
+    store: STORE,
+    blocks: Annotated[int, typer.Option("--blocks", min=0, help="Number of blocks that are computed again.")] = 3,
+    allow_own_laws: OWN_LAWS = False,
+    as_json: JSON = False,
+) -> None:
+    """Compare a store with its checksums, and some of its blocks with what is computed again; exit code 1 if any differ."""
+    from carom.cli.streams import say
+
+    made = _stored(store, allow_own_laws)
+    with _progress(as_json) as report:
+        bad = made.verify(blocks, report)
+    done = made.blocks.number - len(made.missing())
+    if as_json:
+        _print({"blocks_done": done, "blocks_computed_again": min(blocks, done), "blocks_that_differ": bad})
+    elif bad:
+        say(f"{store}: {len(bad):,} of {done:,} blocks differ: {', '.join(map(str, bad[:12]))}")
+    else:
+        say(f"{store}: {done:,} blocks have their checksums, {min(blocks, done)} computed again are the same bits")
+    if bad:
+        raise typer.Exit(1)
+
+
+def plot(
+    store: STORE,
+    out: Annotated[Path, shared("plot", flags=("--out", "--plot"), help="Figure to draw: .svg, .pdf or .png.")],
+    of: Annotated[
+        str | None,
+        typer.Option(
+            "--of",
+            metavar="NAME",
+            help="Outcome to draw, such as final.position.",
+            show_default="the first",
+            rich_help_panel=OUTPUT,
+        ),
+    ] = None,
+    x: Annotated[
+        str | None, typer.Option("--x", metavar="DIM", help="Dimension along x.", rich_help_panel=OUTPUT)
+    ] = None,
+    y: Annotated[
+        str | None, typer.Option("--y", metavar="DIM", help="Dimension along y.", rich_help_panel=OUTPUT)
+    ] = None,
+    panels: Annotated[
+        str | None,
+        typer.Option("--panels", metavar="DIM", help="Dimension with a panel for each value.", rich_help_panel=OUTPUT),
+    ] = None,
+    at: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--at",
+            metavar="DIM=VALUE",
+            help="Value of another dimension: ball=white, axis=x. May be repeated.",
+            rich_help_panel=OUTPUT,
+        ),
+    ] = None,
+    allow_own_laws: OWN_LAWS = False,
+) -> None:
+    """Draw a map of an outcome over one or two dimensions, with small multiples for a third."""
+    from carom.plot import save
+    from carom.plot.sweeps import plot_sweep
+    from carom.sweeps.dataset import open_dataset
+
+    found: list[str] = []
+    require_outputs(found, {"--out": out})
+    chosen: dict[str, str] = {}
+    for text in at or ():
+        name, equals, value = text.partition("=")
+        if not equals:
+            found.append(f"--at: expected DIM=VALUE, got {text!r}")
+        chosen[name.strip()] = value.strip()
+    made = attempt(found, _stored, store, allow_own_laws)
+    if found:
+        raise CaromError(*found)
+    made.missing()
+    save(plot_sweep(open_dataset(made), of, x=x, y=y, panels=panels, at=chosen), out)
+    wrote(out)
+
+
+# --- shared --------------------------------------------------------------------------------------------------------
+
+
+def _sweep(file: str, store: str | None, allow_own_laws: bool) -> Sweep:
+    """Return the sweep of a file, or of a store."""
+    from carom.sweeps.sweep import sweep
+    from carom.sweeps.toml import load_sweep
+
+    if "://" in file or Path(file).is_dir():
+        return sweep(file, allow_own_laws=allow_own_laws)
+    return load_sweep(file, store, allow_own_laws=allow_own_laws)
+
+
+def _stored(store: str, allow_own_laws: bool) -> Sweep:
+    from carom.sweeps.sweep import sweep
+
+    return sweep(store, allow_own_laws=allow_own_laws)
+
+
+def _part(text: str) -> tuple[int, int]:
+    first, slash, second = text.partition("/")
+    if not (slash and first.isdecimal() and second.isdecimal() and 1 <= int(first) <= int(second)):
+        raise CaromError(f"--block: expected K/N with 1 <= K <= N, such as 17/64, got {text!r}")
+    return int(first), int(second)
+
+
+@contextmanager
+def _progress(quiet: bool) -> Iterator[Callable[[int, int], None] | None]:
+    """Show a bar with points, points per second, and the time left, if standard error is a terminal."""
+    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+    from carom.cli.console import err
+
+    console = err()
+    if quiet or not console.is_terminal:
+        yield None
+        return
+    columns = (
+        TextColumn("sweep"),
+        BarColumn(),
+        TextColumn("{task.completed:,.0f} of {task.total:,.0f} points"),
+        TextColumn("{task.fields[rate]}"),
+        TimeRemainingColumn(),
+    )
+    with Progress(*columns, console=console, transient=True) as bar:
+        task: Any = None
+
+        def report(done: int, total: int) -> None:
+            nonlocal task
+            if task is None:
+                task = bar.add_task("sweep", total=total, completed=done, rate="")
+                return
+            speed = bar.tasks[0].speed
+            bar.update(task, completed=done, rate="" if speed is None else f"{speed:,.0f}/s")
+
+        yield report
+
+
+def _report(made: Sweep, as_json: bool, quiet: bool) -> None:
+    from carom.cli.streams import say
+
+    found = made.status()
+    if as_json:
+        _print(found)
+        return
+    if quiet:
+        return
+    assert made.store is not None
+    say(
+        f"{made.store.name}: {found['points_done']:,} of {found['points']:,} points,"
+        f" {found['blocks_done']:,} of {found['blocks']:,} blocks"
+    )
+    for reason, count in found["failed"].items():
+        say(f"  without an outcome: {count:,} points ({reason.replace('_', ' ')})")
+
+
+def _print(found: dict[str, Any]) -> None:
+    sys.stdout.write(json.dumps(found, indent=2) + "\n")

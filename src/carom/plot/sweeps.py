@@ -1,0 +1,219 @@
+"""Maps of sweeps: an outcome over one or two dimensions, with small multiples for a third."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+
+from carom.errors import CaromError, did_you_mean
+from carom.formatting import format_number
+from carom.plot.style import INK, new_figure, style
+
+__all__ = ["plot_sweep"]
+
+MOST_PANELS = 16
+MAP = "viridis"
+# Colours of named outcomes (phases, pockets, laws): told apart in grey, and by those who see few colours (Okabe & Ito 2008).
+NAMED = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442", "#666666", "#bbbbbb", "#44AA99")
+NOTHING = "#ececec"
+
+
+def plot_sweep(
+    found: Any,
+    of: str | None = None,
+    *,
+    x: str | None = None,
+    y: str | None = None,
+    panels: str | None = None,
+    at: Mapping[str, Any] | None = None,
+) -> Any:
+    """Draw an outcome of a sweep: a line over one dimension, a map over two, small multiples for a third.
+
+    Parameters
+    ----------
+    found : xarray.Dataset
+        The result of a sweep.
+    of : str, optional
+        Name of the outcome; default: the first.
+    x, y, panels : str, optional
+        Dimensions along x and y, and of the panels. Default: the dimensions in their order; numbers before names.
+    at : mapping of dimensions to values, optional
+        Where along the other dimensions; the nearest value is taken. Default: the first, as the title says.
+
+    Returns
+    -------
+    Figure
+        A Matplotlib figure. Points without an outcome stay grey.
+
+    Raises CaromError for names that are not there, and for more than 16 panels.
+
+    Examples
+    --------
+    >>> import numpy as np, carom
+    >>> case = carom.sweeps.ImpactCase(restitution=0.85)
+    >>> space = carom.Space(case, {"angle": np.linspace(5, 80, 16), "friction": [0.1, 0.2, 0.3], "law": ["two-step", "stronge"]})
+    >>> found = carom.sweep(space, keep=["reflection_angle"]).run()
+    >>> len(carom.plot.plot_sweep(found, x="angle", y="friction", panels="law").axes)
+    3
+    """
+    names = [str(name) for name in found.data_vars if name != "failed"]
+    of = of or names[0]
+    if of not in found:
+        raise CaromError(f"plot: of: expected an outcome of {', '.join(names)}, got {of!r}{did_you_mean(of, names)}")
+    array, title = found[of], [of]
+    dims = [str(dim) for dim in array.dims]
+    for option, dim in (("x", x), ("y", y), ("panels", panels), *(("at", dim) for dim in at or ())):
+        if dim is not None and dim not in dims:
+            raise CaromError(
+                f"plot: {option}: expected a dimension of {', '.join(dims)}, got {dim!r}{did_you_mean(dim, dims)}"
+            )
+    free = [dim for dim in dims if dim not in (at or {}) and dim not in (x, y, panels) and found.sizes[dim] > 1]
+    own = [dim for dim in free if dim not in found["failed"].dims]  # (ball, axis)
+    free = sorted((dim for dim in free if dim not in own), key=lambda dim: _is_named(found, dim))
+    x = x or (free.pop(0) if free else None)
+    if x is None:
+        raise CaromError("plot: expected at least one dimension to draw along, got none; leave one out of at")
+    y = y or (free.pop(0) if free and not _is_named(found, free[0]) else None)
+    panels = panels or (free.pop(0) if free and found.sizes[free[0]] <= MOST_PANELS else None)
+    for dim in dims:
+        if dim not in (x, y, panels):
+            array, said = _chosen(array, dim, (at or {}).get(dim))
+            if found.sizes[dim] > 1:
+                title.append(said)
+    count = 1 if panels is None else found.sizes[panels]
+    if count > MOST_PANELS:
+        raise CaromError(
+            f"plot: panels: expected at most {MOST_PANELS} values, got {count} of {panels}; draw another dimension"
+        )
+    return _draw(array, x, y, panels, ", ".join(title))
+
+
+def _is_named(found: Any, dim: str) -> bool:
+    return dim in found.coords and found[dim].dtype.kind in "UO"
+
+
+def _chosen(array: Any, dim: str, value: Any) -> tuple[Any, str]:
+    """Return the array at a value of a dimension, the first by default, and a few words on it."""
+    if dim not in array.coords:
+        k = 0 if value is None else int(value)
+        return array.isel({dim: k}), f"{dim} {k}"
+    coordinate = array[dim]
+    if value is None:
+        k = 0
+    elif coordinate.dtype.kind in "UO":
+        known = [str(one) for one in coordinate.values]
+        if str(value) not in known:
+            raise CaromError(
+                f"plot: at: expected {dim} of {', '.join(known)}, got {value!r}{did_you_mean(str(value), known)}"
+            )
+        k = known.index(str(value))
+    else:
+        try:
+            k = int(np.abs(coordinate.values - float(value)).argmin())
+        except ValueError:
+            raise CaromError(f"plot: at: expected a number for {dim}, got {value!r}") from None
+    return array.isel({dim: k}), f"{dim} {_text(coordinate.values[k], coordinate)}"
+
+
+def _text(value: Any, coordinate: Any) -> str:
+    units = coordinate.attrs.get("units", "")
+    return (
+        str(value) if coordinate.dtype.kind in "UO" else f"{format_number(float(value))}{' ' + units if units else ''}"
+    )
+
+
+def _label(array: Any, dim: str) -> str:
+    units = array[dim].attrs.get("units", "") if dim in array.coords else ""
+    return f"{dim} ({units})" if units else dim
+
+
+def _draw(array: Any, x: str, y: str | None, panels: str | None, title: str) -> Any:
+    with style():
+        count = 1 if panels is None else array.sizes[panels]
+        columns = min(count, max(math.ceil(math.sqrt(count * 1.4)), 1))
+        rows = math.ceil(count / columns)
+        figure = new_figure(max(2.5 * columns + 1.3, 4.6), 2.3 * rows + 0.9)
+        figure.set_layout_engine("constrained")
+        grid = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
+        flat = grid.ravel().tolist()
+        drawn = None
+        names = list(array.attrs.get("flag_meanings", ()))
+        names = names.split() if isinstance(names, str) else names
+        values = array.values.astype(float)
+        numbers = values[np.isfinite(values) & ((values >= 0) | (not names))]
+        limits = (float(numbers.min()), float(numbers.max())) if numbers.size else (0.0, 1.0)
+        for k in range(count):
+            one = array if panels is None else array.isel({panels: k})
+            axes = flat[k]
+            if panels is not None:
+                coordinate = array[panels] if panels in array.coords else None
+                axes.set_title(f"{panels} {k if coordinate is None else _text(coordinate.values[k], coordinate)}")
+            if y is None:
+                _line(axes, one, x, limits)
+            else:
+                drawn = _map(axes, one, x, y, limits, names)
+            if k >= count - columns:
+                axes.set_xlabel(_label(array, x))
+                axes.tick_params(labelbottom=True)
+            if k % columns == 0:
+                units = array.attrs.get("units", "")
+                axes.set_ylabel(_label(array, y) if y is not None else f"{array.name}{f' ({units})' if units else ''}")
+        for axes in flat[count:]:
+            axes.set_visible(False)
+        units = array.attrs.get("units", "")
+        figure.suptitle(title, fontsize=10)
+        if y is not None and names:
+            _legend(figure, names, {int(value) for value in np.unique(numbers)})
+        elif y is not None:
+            bar = figure.colorbar(drawn, ax=flat[:count], fraction=0.05, pad=0.02)
+            bar.set_label(f"{array.name}{f' ({units})' if units else ''}")
+        return figure
+
+
+def _line(axes: Any, one: Any, x: str, limits: tuple[float, float]) -> None:
+    place = one[x].values if x in one.coords and one[x].dtype.kind not in "UO" else np.arange(one.sizes[x])
+    if x in one.coords and one[x].dtype.kind in "UO":
+        axes.set_xticks(place, [str(name) for name in one[x].values], rotation=30, ha="right")
+    few = len(place) <= 40
+    axes.plot(place, one.values.astype(float), color=INK, lw=1.2, marker="o" if few else None, ms=3)
+    space = 0.05 * (limits[1] - limits[0]) or 0.5
+    axes.set_ylim(limits[0] - space, limits[1] + space)
+
+
+def _edges(one: Any, dim: str) -> Any:
+    """Return the edges of the cells along a dimension: half-way between its values."""
+    if dim not in one.coords or one[dim].dtype.kind in "UO":
+        return np.arange(one.sizes[dim] + 1) - 0.5
+    values = one[dim].values.astype(float)
+    if len(values) == 1:
+        return np.array([values[0] - 0.5, values[0] + 0.5])
+    middle = (values[1:] + values[:-1]) / 2
+    return np.concatenate([[2 * values[0] - middle[0]], middle, [2 * values[-1] - middle[-1]]])
+
+
+def _map(axes: Any, one: Any, x: str, y: str, limits: tuple[float, float], names: list[str]) -> Any:
+    from matplotlib.colors import BoundaryNorm, ListedColormap, Normalize
+
+    values = np.ma.masked_invalid(one.transpose(y, x).values.astype(float))
+    if names:
+        values = np.ma.masked_less(values, 0)
+        colours: Any = ListedColormap([NAMED[k % len(NAMED)] for k in range(len(names))])
+        norm: Any = BoundaryNorm(np.arange(len(names) + 1) - 0.5, len(names)) if len(names) > 1 else Normalize(0, 1)
+    else:
+        colours, norm = MAP, Normalize(*limits)
+    axes.set_facecolor(NOTHING)
+    drawn = axes.pcolormesh(_edges(one, x), _edges(one, y), values, cmap=colours, norm=norm, rasterized=True)
+    for dim, axis in ((x, axes.xaxis), (y, axes.yaxis)):
+        if dim in one.coords and one[dim].dtype.kind in "UO":
+            axis.set_ticks(np.arange(one.sizes[dim]), [str(name) for name in one[dim].values])
+    return drawn
+
+
+def _legend(figure: Any, names: list[str], there: set[int]) -> None:
+    from matplotlib.patches import Patch
+
+    parts = [Patch(color=NAMED[k % len(NAMED)], label=names[k]) for k in sorted(there) if k < len(names)]
+    figure.legend(handles=parts, loc="outside lower center", ncols=min(len(parts), 6), frameon=False, fontsize=8)

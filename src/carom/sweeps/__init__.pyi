@@ -1,0 +1,13 @@
+from .axes import along as along
+from .axes import latin_hypercube as latin_hypercube
+from .axes import normal as normal
+from .axes import polar as polar
+from .axes import sobol as sobol
+from .axes import uniform as uniform
+from .impacts import ImpactCase as ImpactCase
+from .orbits import OrbitCase as OrbitCase
+from .space import Space as Space
+from .sweep import Sweep as Sweep
+from .sweep import sweep as sweep
+from .toml import load_sweep as load_sweep
+from .toml import new_sweep as new_sweep

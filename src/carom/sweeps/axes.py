@@ -1,0 +1,328 @@
+"""What a parameter of a sweep runs through: values, random draws, and designs of samples; in Python and as plain data."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Literal
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom.errors import CaromError, suggestion
+from carom.files import import_optional
+
+__all__ = [
+    "Axis", "Design", "Draw", "Polar", "Values", "along", "as_axis", "axis_from_data", "axis_to_data", "from_plain",
+    "latin_hypercube", "normal", "polar", "sobol", "uniform",
+]  # fmt: skip
+
+MAX_VALUES = 100_000_000  # of one dimension, which lie in memory
+MAX_TIDIED = 1_000_000  # values of one dimension that are freed from rounding
+
+
+@dataclass(frozen=True, eq=False)
+class Values:
+    """Values (N,), or vectors (N, 2) or (N, 3), or texts such as names of laws, along a dimension."""
+
+    values: NDArray[Any]
+    dim: str | None = None
+    """Name of the dimension; parameters of one dimension vary together. Default: a dimension of its own."""
+
+
+@dataclass(frozen=True)
+class Draw:
+    """A random number, drawn anew at every point."""
+
+    kind: Literal["uniform", "normal"]
+    first: float
+    """Lower end, or mean."""
+    second: float
+    """Upper end, or standard deviation."""
+
+
+@dataclass(frozen=True)
+class Design:
+    """A column of a design of samples: all parameters of one dimension share the design."""
+
+    kind: Literal["sobol", "latin-hypercube"]
+    low: float
+    high: float
+    count: int
+    dim: str = "sample"
+
+
+@dataclass(frozen=True, eq=False)
+class Polar:
+    """Vectors in the plane z = 0 by length and angle, each of which is a number or runs through something."""
+
+    speed: Axis
+    angle: Axis
+
+
+Axis = Values | Draw | Design | Polar
+
+
+def along(dim: str, values: ArrayLike) -> Values:
+    """Return values along a named dimension: parameters of the same dimension vary together.
+
+    Parameters
+    ----------
+    dim : str
+    values : array (N,), or (N, 2) or (N, 3) of vectors
+
+    Examples
+    --------
+    >>> from carom import sweeps
+    >>> sweeps.along("table", [0.1, 0.2]).dim
+    'table'
+    """
+    found = as_axis(values, "along: values")
+    if not isinstance(dim, str) or not dim.isidentifier():
+        raise CaromError(f"along: dim: expected a name such as 'table', got {dim!r:.60}")
+    assert isinstance(found, Values)
+    return replace(found, dim=dim)
+
+
+def polar(speed: Any, angle: Any) -> Polar:
+    """Return velocities by speed and angle, each a number, an array (a dimension of the sweep), a draw, or a design.
+
+    Parameters
+    ----------
+    speed : m/s
+    angle : degrees, counterclockwise from +x
+
+    Examples
+    --------
+    >>> import numpy as np, carom
+    >>> carom.polar(speed=2.0, angle=np.linspace(0, 90, 4)).angle.values
+    array([ 0., 30., 60., 90.])
+    """
+    return Polar(_inner(speed, "polar: speed"), _inner(angle, "polar: angle"))
+
+
+def _inner(value: Any, where: str) -> Axis:
+    found = as_axis(value, where)
+    if isinstance(found, Polar) or (isinstance(found, Values) and found.values.ndim > 1):
+        raise CaromError(f"{where}: expected numbers, got vectors")
+    if isinstance(found, Values) and found.values.dtype.kind != "f":
+        raise CaromError(f"{where}: expected numbers, got {found.values.ravel()[0]!r}")
+    return found
+
+
+def uniform(low: float, high: float) -> Draw:
+    """Return a random number between two ends, drawn anew at every point of a sweep.
+
+    Examples
+    --------
+    >>> from carom import sweeps
+    >>> sweeps.uniform(0.1, 0.3).kind
+    'uniform'
+    """
+    return Draw("uniform", *_two("uniform", ("low", low), ("high", high)))
+
+
+def normal(mean: float, deviation: float) -> Draw:
+    """Return a normal random number of a mean and a standard deviation, drawn anew at every point of a sweep.
+
+    Examples
+    --------
+    >>> from carom import sweeps
+    >>> sweeps.normal(2.0, 0.05).second
+    0.05
+    """
+    found = _two("normal", ("mean", mean), ("deviation", deviation))
+    if found[1] < 0:
+        raise CaromError(f"normal: deviation: expected a number >= 0, got {deviation!r}")
+    return Draw("normal", *found)
+
+
+def sobol(low: float, high: float, count: int, dim: str = "sample") -> Design:
+    """Return a parameter's column of a scrambled Sobol sequence: those of one dimension fill the space evenly together.
+
+    Parameters
+    ----------
+    low, high : float
+    count : int
+        Number of samples; a power of two keeps the sequence balanced.
+    dim : str, optional
+
+    Source: A. B. Owen, J. Complexity 14, 466 (1998), as ``scipy.stats.qmc.Sobol``.
+
+    Examples
+    --------
+    >>> from carom import sweeps
+    >>> sweeps.sobol(0.1, 0.3, 256).count
+    256
+    """
+    return Design("sobol", *_two("sobol", ("low", low), ("high", high)), _count("sobol", count), dim)
+
+
+def latin_hypercube(low: float, high: float, count: int, dim: str = "sample") -> Design:
+    """Return a parameter's column of a Latin hypercube: each of ``count`` equal intervals holds one sample.
+
+    Source: M. D. McKay et al., Technometrics 21, 239 (1979), as ``scipy.stats.qmc.LatinHypercube``.
+
+    Examples
+    --------
+    >>> from carom import sweeps
+    >>> sweeps.latin_hypercube(0, 90, 100).dim
+    'sample'
+    """
+    ends = _two("latin_hypercube", ("low", low), ("high", high))
+    return Design("latin-hypercube", *ends, _count("latin_hypercube", count), dim)
+
+
+def _two(where: str, *given: tuple[str, Any]) -> tuple[float, float]:
+    found = []
+    for name, value in given:
+        try:
+            number = float(value)
+        except (TypeError, ValueError):
+            number = math.nan
+        if isinstance(value, bool) or not math.isfinite(number):
+            raise CaromError(f"{where}: {name}: expected a finite number, got {value!r:.60}")
+        found.append(number)
+    return found[0], found[1]
+
+
+def _count(where: str, value: Any) -> int:
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or not 1 <= value <= MAX_VALUES:
+        raise CaromError(
+            f"{where}: count: expected a whole number from 1 to {MAX_VALUES:,}, got {value!r:.60}; more samples: uniform or"
+            " normal, with repeats"
+        )
+    return int(value)
+
+
+def design_columns(designs: Sequence[Design], seed: int) -> list[NDArray[np.float64]]:
+    """Return the columns (count,) of the designs of one dimension, which have the same kind and count."""
+    qmc = import_optional("scipy.stats.qmc", designs[0].kind)
+    count, kind = designs[0].count, qmc.Sobol if designs[0].kind == "sobol" else qmc.LatinHypercube
+    engine = kind(d=len(designs), rng=np.random.Generator(np.random.Philox(seed)))
+    power = int(count).bit_length() - 1
+    # (random(n) warns where n is no power of two: the user was told so)
+    rows = engine.random_base2(power) if kind is qmc.Sobol and count == 1 << power else _quietly(engine, count)
+    return [one.low + (one.high - one.low) * rows[:, k] for k, one in enumerate(designs)]
+
+
+def _quietly(engine: Any, count: int) -> Any:
+    import warnings
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        return engine.random(count)
+
+
+# --- from what people write ----------------------------------------------------------------------------------------
+
+
+def as_axis(value: Any, where: str) -> Axis:
+    """Return what a parameter runs through: an axis as it is, else values. CaromError, one line, for what is neither."""
+    if isinstance(value, Values | Draw | Design | Polar):
+        return value
+    try:
+        array = np.atleast_1d(np.asarray(value))
+    except ValueError:
+        raise CaromError(f"{where}: expected numbers, or vectors of one length, got {value!r:.60}") from None
+    if not array.size:
+        raise CaromError(f"{where}: expected at least one value, got none")
+    if array.dtype.kind == "b" or array.dtype.kind not in "iufU":
+        raise CaromError(f"{where}: expected numbers, vectors, or names, got {value!r:.60}")
+    if array.ndim > 2 or (array.ndim == 2 and array.shape[1] not in (2, 3)):
+        raise CaromError(f"{where}: expected values (N,) or vectors (N, 2) or (N, 3), got shape {array.shape}")
+    if array.dtype.kind == "U":
+        return Values(array)
+    array = array.astype(float)
+    if np.isnan(array).any():
+        raise CaromError(f"{where}: expected numbers, got NaN at index {int(np.argwhere(np.isnan(array))[0][0])}")
+    return Values(_without_rounding(array))
+
+
+def _without_rounding(array: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return values without the rounding of ``np.linspace``: 0.2 for 0.20000000000000004, which ``sel(friction=0.2)`` finds."""
+    if array.size > MAX_TIDIED:
+        return array
+    short = np.array([float(f"{x:.12g}") for x in array.ravel().tolist()]).reshape(array.shape)
+    with np.errstate(invalid="ignore"):
+        near = np.abs(array - short) <= 4 * np.spacing(np.abs(short))
+    return np.where(near, short, array)
+
+
+# --- as plain data, for TOML, JSON and stores ----------------------------------------------------------------------
+
+FORMS = ("values", "linspace", "geomspace", "uniform", "normal", "sobol", "latin_hypercube", "polar", "arange")
+
+
+def axis_to_data(axis: Axis) -> Any:
+    """Return an axis as plain data, from which :func:`axis_from_data` makes it again, bit for bit."""
+    if isinstance(axis, Draw):
+        return {axis.kind: [axis.first, axis.second]}
+    if isinstance(axis, Design):
+        return {axis.kind.replace("-", "_"): [axis.low, axis.high, axis.count], "dim": axis.dim}
+    if isinstance(axis, Polar):
+        return {"polar": {"speed": axis_to_data(axis.speed), "angle": axis_to_data(axis.angle)}}
+    values = axis.values
+    named = {} if axis.dim is None else {"dim": axis.dim}
+    if values.dtype.kind == "f" and values.ndim == 1 and len(values) > 3:
+        even = _without_rounding(np.linspace(values[0], values[-1], len(values)))
+        if np.array_equal(even, values):
+            return {"linspace": [float(values[0]), float(values[-1]), len(values)], **named}
+    return {"values": [_plain(one) for one in values.tolist()], **named}
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, list):
+        return [_plain(one) for one in value]
+    if isinstance(value, float) and math.isinf(value):
+        return "inf" if value > 0 else "-inf"
+    return value
+
+
+def from_plain(value: Any) -> Any:
+    """Return plain data with the numbers that JSON has no word for: "inf" and "-inf"."""
+    if isinstance(value, dict):
+        return {name: from_plain(one) for name, one in value.items()}
+    if isinstance(value, list):
+        return [from_plain(one) for one in value]
+    return float(value) if value in ("inf", "-inf") else value
+
+
+def axis_from_data(data: Any, where: str) -> Axis:
+    """Return the axis that plain data stand for: a value, a list, or a table with one of FORMS. CaromError, one line."""
+    if not isinstance(data, Mapping):
+        return as_axis(from_plain(data) if isinstance(data, list) else data, where)
+    form, dim = [name for name in data if name != "dim"], data.get("dim")
+    if len(form) != 1 or form[0] not in FORMS:
+        got = repr(form[0]) if len(form) == 1 else repr(form)
+        advice = suggestion(form[0], FORMS) if len(form) == 1 else "one of them"
+        raise CaromError(f"{where}: expected one of {', '.join(FORMS)}, got {got}; {advice}")
+    name, given = form[0], data[form[0]]
+    if name == "polar":
+        if not isinstance(given, Mapping) or set(given) != {"speed", "angle"}:
+            raise CaromError(f"{where}: polar: expected speed and angle, got {given!r:.60}")
+        return polar(*(axis_from_data(given[part], f"{where}: {part}") for part in ("speed", "angle")))
+    if not isinstance(given, list):
+        raise CaromError(f"{where}: {name}: expected a list, got {given!r:.60}")
+    try:
+        made: Any
+        if name == "values":
+            made = as_axis(from_plain(given), where)
+        elif name in ("linspace", "geomspace", "arange"):
+            made = as_axis(getattr(np, name)(*given), where)
+        else:
+            makers = {"uniform": uniform, "normal": normal, "sobol": sobol, "latin_hypercube": latin_hypercube}
+            maker: Any = makers[name]
+            made = maker(*given)
+    except (TypeError, ValueError) as error:
+        if isinstance(error, CaromError):
+            raise
+        raise CaromError(f"{where}: {name}: expected its arguments, got {given!r:.60} ({error})") from None
+    if dim is None:
+        return made  # type: ignore[no-any-return]
+    if isinstance(made, Values):
+        return along(dim, made.values)
+    if isinstance(made, Design):
+        return replace(made, dim=dim)
+    raise CaromError(f"{where}: dim: expected none with {name}, which is drawn anew at every point, got {dim!r}")

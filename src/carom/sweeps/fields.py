@@ -1,0 +1,62 @@
+"""Sweeps over a model whose numbers are all of one level, or lie in its parts: paths, units, values made whole."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from carom.errors import CaromError
+from carom.scene.paths import overlapping_paths, path_match, replaced
+from carom.scene.schema import Model
+from carom.sweeps.axes import Axis, Values
+
+__all__ = ["check_paths", "ends_of", "plain_value", "unit_of"]
+
+UNITS = {
+    "velocity": "m/s", "speed": "m/s", "spin": "rad/s", "spin_x": "rad/s", "spin_y": "rad/s", "spin_z": "rad/s", "position": "m",
+    "radius": "m", "ball_radius": "m", "mass": "kg", "azimuth": "degree", "elevation": "degree", "angle": "degree",
+    "gravity": "m/s^2", "acceleration": "m/s^2", "duration": "s", "length": "m", "width": "m", "nose_height": "m", "height": "m",
+    "depth": "m", "distance": "m", "period": "m", "side": "m", "straight": "m", "major": "m", "minor": "m", "point": "m",
+    "size": "m", "vertical_speed": "m/s", "temperature": "J",
+}  # fmt: skip
+
+
+def unit_of(path: str) -> str:
+    """Return the unit of a number by the last name of its path; "1" where it has none."""
+    names = [name for name in path.split(".") if name not in ("x", "y", "z", "*") and not name.isdecimal()]
+    return UNITS.get(names[-1], "1") if names else "1"
+
+
+def check_paths(model: Model, parameters: Mapping[str, Axis]) -> None:
+    """Raise CaromError for paths that lead nowhere or overlap, and for values that the model refuses wherever they stand."""
+    found: list[str] = []
+    matches = []
+    for path, axis in parameters.items():
+        try:
+            matches.append(path_match(model, path, "Space"))
+            for value in ends_of(axis):
+                replaced(model, {path: value})
+        except CaromError as error:
+            fault = error.faults[0]
+            found.append(fault if fault.startswith("Space:") else f"Space: {path}: {fault}")
+    found += [
+        f"Space: {one} and {two}: expected parameters of different numbers, got two of the same; leave one out"
+        for one, two in overlapping_paths(matches)
+    ]
+    if found:
+        raise CaromError(*found)
+
+
+def ends_of(axis: Axis) -> list[Any]:
+    """Return the values of an axis that a model is asked about beforehand: the ends of numbers, all names."""
+    if not isinstance(axis, Values) or axis.values.ndim > 1:
+        return []
+    if axis.values.dtype.kind == "U":
+        return list(dict.fromkeys(axis.values.tolist()))
+    return [plain_value(axis.values.min()), plain_value(axis.values.max())]
+
+
+def plain_value(value: Any) -> Any:
+    """Return one value as Python's own: whole numbers as int, for fields that count."""
+    found = value.tolist()
+    return int(found) if isinstance(found, float) and found.is_integer() and abs(found) < 2**53 else found

@@ -1,0 +1,162 @@
+"""Sweeps over single-particle billiards: exponents and phase portraits over families of tables."""
+
+from __future__ import annotations
+
+import functools
+from typing import Annotated, Any, Literal
+
+import numpy as np
+from pydantic import BeforeValidator, model_validator
+
+from carom.billiards.named import SIZES, named_table
+from carom.billiards.orbits import orbit
+from carom.billiards.records import ENDS
+from carom.billiards.sampling import starts
+from carom.billiards.setup import default_ball, needs_surface
+from carom.billiards.stability import lyapunov
+from carom.billiards.tables import Table
+from carom.bodies import Ball, Disc, Surface
+from carom.core.random import threefry
+from carom.errors import suggestion
+from carom.scene.schema import Fault, Friction, Model, Number, Share, Spring, raise_faults
+from carom.sweeps.outcomes import Outcome, require_outcomes
+from carom.sweeps.points import PointByPoint
+
+__all__ = ["OrbitCase", "Orbits"]
+
+_SIZE = Number("a length in m, > 0", "m", least=0, above=True)
+Extent = Annotated[float, BeforeValidator(_SIZE)]
+WORD = 0xFFFFFFFF
+
+
+def _count(value: Any) -> int:
+    if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 1:
+        raise Fault("a whole number >= 1", value).error()
+    return int(value)
+
+
+Count = Annotated[int, BeforeValidator(_count)]
+
+
+class OrbitCase(Model):
+    """Orbits of a ball in a table, from initial states drawn from the invariant measure: the options of ``carom orbit``.
+
+    Parameters
+    ----------
+    table : circle, ellipse, stadium, polygon, rectangle, strip, wedge, sinai, periodic-strip, sphere, box, plates
+    radius, major, minor, straight, sides, width, height, depth, angle, side, period, distance : sizes of the table, as for
+        ``carom orbit``; default: about 1 m
+    law : "no-slip", "mirror", "contact", "rolling"
+    kappa : I/(m a^2); default: 0.5 in the plane, 0.4 in space
+    restitution, friction, tangential_restitution : of the law "contact"
+    bounces : of every orbit; default: 1000
+    orbits : how many, at every point; default: 1
+
+    Examples
+    --------
+    >>> import carom
+    >>> case = carom.sweeps.OrbitCase(table="sinai", law="mirror", bounces=500)
+    >>> space = carom.Space(case, {"radius": [0.2, 0.4]})
+    >>> found = carom.sweep(space, keep=["lyapunov.largest"]).run()["lyapunov.largest"].values
+    >>> bool((found > 0.3).all())
+    True
+    """
+
+    table: str
+    radius: Extent | None = None
+    major: Extent | None = None
+    minor: Extent | None = None
+    straight: Extent | None = None
+    sides: Count | None = None
+    width: Extent | None = None
+    height: Extent | None = None
+    depth: Extent | None = None
+    angle: Extent | None = None
+    side: Extent | None = None
+    period: Extent | None = None
+    distance: Extent | None = None
+    bounds: Literal["centre", "surface"] = "centre"
+    law: str = "no-slip"
+    kappa: (
+        Annotated[float, BeforeValidator(Number("kappa = I/(m a^2), > 0, at most 1", least=0, most=1, above=True))]
+        | None
+    ) = None
+    ball_radius: Extent | None = None
+    restitution: Share = 1.0
+    friction: Friction = float("inf")
+    tangential_restitution: Spring = 0.0
+    bounces: Count = 1000
+    orbits: Count = 1
+
+    @model_validator(mode="after")
+    def _known(self) -> OrbitCase:
+        if self.table not in SIZES:
+            raise_faults(
+                [Fault(f"one of {', '.join(SIZES)}", self.table, suggestion(self.table, list(SIZES)), ("table",))]
+            )
+        own = SIZES[self.table]
+        sizes = [name for names in SIZES.values() for name in names]
+        wrong = [name for name in dict.fromkeys(sizes) if getattr(self, name, None) is not None and name not in own]
+        raise_faults([Fault(f"sizes of a {self.table}: {', '.join(own)}", name, at=(name,)) for name in wrong])
+        return self
+
+    @functools.cached_property
+    def made(self) -> Table:
+        """The table."""
+        sizes = {name: getattr(self, name, None) for name in SIZES[self.table]}
+        return named_table(self.table, {name: size for name, size in sizes.items() if size is not None}, self.bounds)
+
+    @property
+    def options(self) -> dict[str, Any]:
+        """Ball, law and surface, as :func:`carom.billiards.orbit` takes them."""
+        usual = default_ball(self.made)
+        make = Disc if self.made.dimension == 2 else Ball
+        ball = make(self.ball_radius or usual.radius, 1.0, self.kappa or usual.kappa)
+        surface = Surface(self.restitution, self.friction, self.tangential_restitution)
+        return {"ball": ball, "law": self.law, "surface": surface if needs_surface(self.law) else None}
+
+
+OUTCOMES = {
+    "lyapunov.largest": Outcome("lyapunov.largest"),
+    "lyapunov.error": Outcome("lyapunov.error"),
+    "lyapunov.spectrum": Outcome("lyapunov.spectrum", dims={"exponent": tuple(range(4))}),
+    "bounces.count": Outcome("bounces.count"),
+    "ended": Outcome("ended", "i1", meanings=ENDS),
+    "time": Outcome("time", units="s"),
+}
+
+
+class Orbits(PointByPoint):
+    """A sweep's subject: orbits in tables."""
+
+    kind = "orbit"
+
+    def outcomes(self, names: tuple[str, ...]) -> list[Outcome]:
+        """Return the outcomes of some names. CaromError with the nearest name."""
+        require_outcomes(names, list(OUTCOMES))
+        self._names = names
+        return [OUTCOMES[name] for name in names]
+
+    def compute(self, model: OrbitCase, seed: int, index: int) -> dict[str, Any]:
+        """Return the outcomes of a point: means over its orbits, the initial states drawn for its index."""
+        options = model.options
+        number = threefry(seed, 0, index & WORD, index >> 32)[0]
+        begin = starts(model.made, model.orbits, number, ball=options["ball"], law=options["law"])
+        found: dict[str, Any] = {}
+        if any(name.startswith("lyapunov") for name in self._names):
+            spectrum = lyapunov(model.made, begin, model.bounces, **options)
+            largest = spectrum.per_bounce[..., 0]
+            found["lyapunov.largest"] = np.nanmean(largest) if np.isfinite(largest).any() else np.nan
+            spread = (
+                np.nanstd(largest) / np.sqrt(max(model.orbits - 1, 1))
+                if model.orbits > 1
+                else spectrum.error[..., 0].max()
+            )
+            found["lyapunov.error"] = spread
+            found["lyapunov.spectrum"] = spectrum.per_bounce.reshape(model.orbits, -1)[:, :4].mean(axis=0)
+        if not all(name.startswith("lyapunov") for name in self._names):
+            run = orbit(model.made, begin, model.bounces, **options)
+            found["bounces.count"] = np.mean(run.count)
+            found["ended"] = np.bincount(np.ravel(run.ending)).argmax()
+            found["time"] = np.mean(run.last[..., 0])
+        return found

@@ -1,0 +1,58 @@
+"""What a sweep keeps of every point: names, shapes, types, units; and why a point has no outcome."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.errors import CaromError, shortened_list, suggestion
+
+__all__ = ["FAILED", "FAILURES", "NOT_DONE", "Outcome", "blank", "require_outcomes"]
+
+AXES = ("x", "y", "z")
+FAILED = "failed"
+# Codes of the variable ``failed``.
+FAILURES = ("no", "law_needs_a_rolling_ball", "law_undefined_for_pressed_ball", "ball_locked", "refused")
+NOT_DONE = -1  # of a point that was not computed yet
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """One variable of a sweep's result.
+
+    ``dims`` are its dimensions beside those of the space, with the labels of their places.
+    """
+
+    name: str
+    dtype: str = "f8"
+    dims: dict[str, tuple[Any, ...]] = field(default_factory=dict)
+    units: str = "1"
+    meanings: tuple[str, ...] = ()
+    """What its whole numbers stand for, from 0 on; -1 stands for a point without an outcome."""
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Sizes of its own dimensions."""
+        return tuple(len(labels) for labels in self.dims.values())
+
+    @property
+    def fill(self) -> float:
+        """Value of a point that has no outcome."""
+        return float("nan") if self.dtype.startswith("f") else -1
+
+
+def blank(outcome: Outcome, count: int) -> NDArray[Any]:
+    """Return an array of ``count`` points without an outcome."""
+    return np.full((count, *outcome.shape), outcome.fill, dtype=outcome.dtype)
+
+
+def require_outcomes(names: tuple[str, ...], known: list[str]) -> None:
+    """Raise CaromError, with the nearest name, for names that are not known."""
+    for name in names:
+        if name not in known:
+            raise CaromError(
+                f"sweep: keep: expected outcomes of {shortened_list(known, 12)}, got {name!r:.60}; {suggestion(str(name), known)}"
+            )

@@ -1,0 +1,394 @@
+"""Sweeps over a scene: the runs of many scenes that differ in some numbers, each bit for bit what ``carom.simulate`` gives.
+
+A number of a scene ends in the records that the event loop reads. Where, is found by making the scene with a few of its values: if
+the records hold the number itself (friction, restitution, gravity), they are filled for all points at once; if anything else
+changes with it (a wall's place, a law), the scene is made anew for every value.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.core.jit.slices import Pace
+from carom.core.motion.phases import PHASES
+from carom.errors import CaromError, shortened_list, suggestion
+from carom.scene.paths import PathMatch, path_match, replaced
+from carom.scene.scene import Scene
+from carom.simulation.loop import LIMIT, PHASES_FROM
+from carom.simulation.records import BALL, KINDS, LOG, POCKETED_EVENT
+from carom.simulation.resolve import REFUSED_ROLLING, REFUSED_STALL, REFUSED_UNDEFINED
+from carom.simulation.setup import SceneArrays, set_up
+from carom.simulation.simulate import run_limits
+from carom.sweeps.axes import Axis
+from carom.sweeps.fields import check_paths, plain_value, unit_of
+from carom.sweeps.outcomes import AXES, FAILURES, Outcome, blank
+from carom.sweeps.shots_loop import CODES, LOG_ROWS, compiled_follow
+from carom.sweeps.starts import START_FIELDS, start_states
+
+__all__ = ["SceneRuns"]
+
+Array = NDArray[Any]
+Columns = dict[str, Array]
+REFUSED = FAILURES.index("refused")
+FAILURE_OF = {REFUSED_ROLLING: 1, REFUSED_UNDEFINED: 2, REFUSED_STALL: 3}
+PARTS = 64  # of the runs that threads take
+FIRST_EVENTS = 1 << 16  # of all runs in the first call of the loop
+# A group of fewer points is not worth finding out where its numbers end.
+WORTH_PROBING = 8
+# Fields of the loop's records that may be filled without making the scene anew: no shape and no place depends on them.
+FILLED = {
+    "world": (
+        "force",
+        "g",
+        "floor_p",
+        "floor_mu",
+        "floor_beta",
+        "resistance",
+        "spin_friction",
+        "pair_p",
+        "pair_mu",
+        "pair_beta",
+    ),
+    "features": ("e", "mu", "beta"),
+    "balls": ("mass", "kappa"),
+}
+EVENT_KINDS = {
+    **{name: k for k, name in enumerate(KINDS) if name not in ("start", "phase", "nothing")},
+    **{name: PHASES_FROM + k for k, name in enumerate(PHASES) if name not in KINDS},
+}
+EVENT_PARTS = {"time": "t", "ball": "ball", "met": "other", "position": "x", "velocity": "v", "spin": "w"}
+UNITS = {"position": "m", "velocity": "m/s", "spin": "rad/s", "time": "s"}
+
+
+class Group(NamedTuple):
+    """Points whose scenes differ in nothing but what the loop's records hold."""
+
+    scene: Scene
+    rows: Array
+    filled: dict[str, dict[str, Array]]
+    """By path: in which places (words of 8 bytes) of which records it ends."""
+
+
+class SceneRuns:
+    """A sweep's subject: the runs of a scene."""
+
+    kind = "scene"
+
+    def __init__(self, scene: Scene) -> None:
+        self.scene = scene
+        self._matches: dict[str, PathMatch] = {}
+
+    def describe(self) -> str:
+        """Return a few words."""
+        return "a scene"
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the scene as plain data."""
+        from carom.scene.as_json import plain_model
+
+        return {"scene": plain_model(self.scene)}
+
+    def units(self, path: str) -> str:
+        """Return the unit of a parameter."""
+        return unit_of(path)
+
+    # --- parameters ------------------------------------------------------------------------------------------------
+
+    def check(self, parameters: Mapping[str, Axis]) -> None:
+        """Raise CaromError for paths that lead nowhere or overlap, and for values that the scene refuses wherever they stand."""
+        check_paths(self.scene, parameters)
+        self._matches = {path: path_match(self.scene, path) for path in parameters}
+
+    def _is_start(self, path: str) -> bool:
+        """Return whether a path is of the initial state of balls."""
+        return all(
+            place[0] == "balls" and len(place) > 2 and place[2] in START_FIELDS and (place[2] != "strike" or len(place) > 3)
+            and place[3:4] != ("cue",)
+            for place in self._matches[path].places
+        )  # fmt: skip
+
+    # --- outcomes --------------------------------------------------------------------------------------------------
+
+    def outcomes(self, names: tuple[str, ...]) -> list[Outcome]:
+        """Return the outcomes of some names. CaromError with the nearest name."""
+        return [self._outcome(name) for name in names]
+
+    def _outcome(self, name: str) -> Outcome:
+        balls = {"ball": self.scene.ball_names}
+        vector = {"axis": AXES}
+        places = [
+            Outcome(f"final.{part}", "f8", balls | vector, UNITS[part]) for part in ("position", "velocity", "spin")
+        ]
+        final = {
+            **{one.name: one for one in places},
+            "final.phase": Outcome("final.phase", "i1", balls, meanings=PHASES),
+            "final.pocket": Outcome("final.pocket", "i2", balls, meanings=self.scene.pocket_names),
+            "final.time": Outcome("final.time", "f8", {}, "s"),
+            "events.count": Outcome("events.count", "i8"),
+        }  # fmt: skip
+        if name in final:
+            return final[name]
+        known = [*final, *(f"events.{kind}.count" for kind in EVENT_KINDS)]
+        match str(name).split("."):
+            case ["events", kind, "count"] if kind in EVENT_KINDS:
+                return Outcome(name, "i8")
+            case ["events", kind, number, part] if kind in EVENT_KINDS and number.isdecimal() and part in EVENT_PARTS:
+                vector = vector if part in ("position", "velocity", "spin") else {}
+                return Outcome(name, "i4" if part in ("ball", "met") else "f8", vector, UNITS.get(part, "1"))
+        raise CaromError(
+            f"sweep: keep: expected outcomes such as {shortened_list(known[:8])}, or events.wall.0.position, got {name!r:.60};"
+            f" {suggestion(str(name), known)}"
+        )
+
+    # --- points ----------------------------------------------------------------------------------------------------
+
+    def evaluate(
+        self, columns: Columns, outcomes: list[Outcome], first: int, seed: int, tick: Any = None
+    ) -> tuple[Columns, Array]:
+        """Return the outcomes of N points by name, and (N,) the codes of those without one."""
+        count = len(next(iter(columns.values())))
+        found = {outcome.name: blank(outcome, count) for outcome in outcomes}
+        failed = np.zeros(count, np.int8)
+        starts = [path for path in columns if self._is_start(path)]
+        numbers = [path for path in columns if path not in starts and self._may_be_filled(path, columns[path], starts)]
+        others = [path for path in columns if path not in starts and path not in numbers]
+        for group in self._groups(self.scene, np.arange(count), columns, others, numbers, failed):
+            self._run(group, columns, starts, outcomes, found, failed, tick)
+        return found, failed
+
+    def _may_be_filled(self, path: str, column: Array, starts: list[str]) -> bool:
+        """Return whether a number may end in the loop's records as it is; not if the initial states must be made with it."""
+        places = self._matches[path].places
+        tied = any(place[0] == "balls" and (place[2] == "radius" or starts) for place in places)
+        return column.dtype.kind == "f" and column.ndim == 1 and places[0][0] != "run" and not tied
+
+    def _groups(
+        self, scene: Scene, rows: Array, columns: Columns, others: list[str], numbers: list[str], failed: Array
+    ) -> list[Group]:
+        """Split points into groups whose scenes are made once."""
+        if len(rows) < WORTH_PROBING:
+            others, numbers = [*others, *numbers], []
+        found = []
+        for part in _split(rows, [columns[path] for path in others]):
+            values = {path: plain_value(columns[path][part[0]]) for path in others}
+            try:
+                made = replaced(scene, values) if values else scene
+                filled = {path: self._filled(made, path, columns[path][part]) for path in numbers}
+            except CaromError:
+                failed[part] = REFUSED
+                continue
+            again = [path for path, places in filled.items() if places is None]
+            if again:
+                found += self._groups(
+                    made, part, columns, again, [path for path in numbers if path not in again], failed
+                )
+            else:
+                found.append(Group(made, part, {path: places for path, places in filled.items() if places is not None}))
+        return found
+
+    def _filled(self, scene: Scene, path: str, column: Array) -> dict[str, Array] | None:
+        """Return where in the loop's records a number stands as it is; None where something else changes with it."""
+        probes = np.unique([column.min(), column.max(), column[len(column) // 2]])
+        try:
+            made = [set_up(replaced(scene, {path: float(value)})) for value in probes]
+        except CaromError:
+            return None
+        found, base = {}, set_up(scene)
+        for name in ("world", "features", "balls"):
+            words = [_words(getattr(base, name))] + [_words(getattr(one, name)) for one in made]
+            if len({len(one) for one in words}) > 1:
+                return None
+            changed = np.flatnonzero(
+                np.any([one.view(np.int64) != words[0].view(np.int64) for one in words[1:]], axis=0)
+            )
+            if not set(changed.tolist()) <= _fillable(name, len(words[0])):
+                return None
+            if any((one[changed] != value).any() for one, value in zip(words[1:], probes, strict=True)):
+                return None
+            if len(changed):
+                found[name] = changed
+        return found
+
+    def _run(
+        self,
+        group: Group,
+        columns: Columns,
+        starts: list[str],
+        outcomes: list[Outcome],
+        found: Columns,
+        failed: Array,
+        tick: Any,
+    ) -> None:
+        """Run the points of a group, and write their outcomes."""
+        scene, rows = group.scene, group.rows
+        arrays = self._arrays(group, columns)
+        if starts:
+            doubtful = start_states(scene, {self._matches[path]: columns[path][rows] for path in starts}, arrays)
+            # (what a scene refuses is decided by the scene alone)
+            bad = [k for k in np.flatnonzero(doubtful).tolist() if self._refused(columns, int(rows[k]))]
+            if bad:
+                failed[rows[bad]] = REFUSED
+                good = np.ones(len(rows), bool)
+                good[bad] = False
+                world = arrays.world[good] if len(arrays.world) > 1 else arrays.world
+                features = arrays.features[good] if len(arrays.features) > 1 else arrays.features
+                arrays = SceneArrays(world, features, arrays.balls[good], arrays.users)
+                rows = rows[good]
+        if not len(rows):
+            return
+        until, most = run_limits(scene)
+        kept = _Kept(outcomes, len(scene.balls))
+        counts, firsts, ended = _follow(arrays, until, most, kept, tick)
+        for outcome in outcomes:
+            found[outcome.name][rows] = kept.values(outcome, arrays.balls, counts, firsts, ended)
+        for code, failure in FAILURE_OF.items():
+            lost = rows[ended[:, 0] == code]
+            failed[lost] = failure
+            for outcome in outcomes:
+                found[outcome.name][lost] = outcome.fill
+
+    def _arrays(self, group: Group, columns: Columns) -> SceneArrays:
+        """Return the records of a group's points: of the world and the features one for all where nothing in them varies."""
+        base, n = set_up(group.scene), len(group.rows)
+        named = {"world": base.world, "features": base.features, "balls": base.balls}
+        made = {}
+        for name, records in named.items():
+            varies = name == "balls" or any(name in places for places in group.filled.values())
+            block = np.tile(_words(records), (n if varies else 1, 1))
+            for path, places in group.filled.items():
+                if name in places:
+                    block[:, places[name]] = columns[path][group.rows][:, None]
+            shape = (len(block),) if name == "world" else (len(block), len(records))
+            made[name] = (
+                block.reshape(-1).view(records.dtype).reshape(shape) if len(records) else np.empty(shape, records.dtype)
+            )
+        return SceneArrays(made["world"], made["features"], made["balls"], base.users)
+
+    def _values(self, columns: Columns, k: int) -> dict[str, Any]:
+        return {path: plain_value(column[k]) for path, column in columns.items()}
+
+    def _refused(self, columns: Columns, k: int) -> bool:
+        try:
+            replaced(self.scene, self._values(columns, k))
+        except CaromError:
+            return True
+        return False
+
+    def why(self, columns: Columns) -> str:
+        """Return why the one point of ``columns`` has no outcome, as the scene or its run says it; empty if it has one."""
+        from carom.simulation.simulate import simulate
+
+        try:
+            simulate(replaced(self.scene, self._values(columns, 0)))
+        except CaromError as error:
+            return str(error)
+        return ""
+
+
+def _words(records: Array) -> NDArray[np.float64]:
+    """Return records as their words of 8 bytes."""
+    return records.reshape(-1).view(np.float64)
+
+
+@functools.cache
+def _fillable(name: str, words: int) -> frozenset[int]:
+    from carom.core.geometry.features import FEATURES
+    from carom.simulation.records import BALLS, WORLD
+
+    dtype = {"world": WORLD, "features": FEATURES, "balls": BALLS}[name]
+    assert dtype.fields is not None
+    one = [
+        dtype.fields[field][1] // 8 + k for field in FILLED[name] for k in range(dtype.fields[field][0].itemsize // 8)
+    ]
+    size = dtype.itemsize // 8
+    return frozenset(start + k for start in range(0, words, size) for k in one)
+
+
+def _split(rows: Array, columns: list[Array]) -> list[Array]:
+    """Split rows into those with the same values in all columns, in the order in which these come first."""
+    if not columns:
+        return [rows]
+    label = np.zeros(len(rows), np.int64)
+    for column in columns:
+        _unique, which = np.unique(column[rows], axis=0, return_inverse=True)
+        _unique, label = np.unique(label * (int(which.max()) + 1) + which.reshape(-1), return_inverse=True)
+    order = np.argsort(label, kind="stable")
+    return np.split(rows[order], np.flatnonzero(np.diff(label[order])) + 1)
+
+
+class _Kept:
+    """Which events the loop must count and copy for some outcomes, and what it then finds."""
+
+    def __init__(self, outcomes: list[Outcome], balls: int) -> None:
+        self.keep, wanted = 0, []
+        for outcome in outcomes:
+            match outcome.name.split("."):
+                case ["events", kind, "count"]:
+                    self.keep |= 1 << EVENT_KINDS[kind]
+                case ["events", kind, number, _part]:
+                    self.keep |= 1 << EVENT_KINDS[kind]
+                    wanted.append((EVENT_KINDS[kind], self._row(kind, int(number))))
+                case ["final", "pocket"]:
+                    self.keep |= 1 << POCKETED_EVENT
+                    wanted += [(POCKETED_EVENT, k) for k in range(balls)]
+        self.wanted = list(dict.fromkeys(wanted))
+        self.balls = balls
+
+    def _row(self, kind: str, number: int) -> int:
+        return 2 * number if EVENT_KINDS[kind] == BALL else number  # (an event of two balls has two rows)
+
+    def values(self, outcome: Outcome, balls: Array, counts: Array, firsts: Array, ended: Array) -> Array:
+        """Return an outcome (N, ...) of N runs."""
+        match outcome.name.split("."):
+            case ["final", "pocket"]:
+                found = blank(outcome, len(balls))
+                for k in range(self.balls):
+                    row = firsts[:, self.wanted.index((POCKETED_EVENT, k))]
+                    there = np.flatnonzero(row["kind"] == POCKETED_EVENT)
+                    found[there, row["ball"][there]] = row["other"][there]
+                return found
+            case ["final", "time"]:
+                return balls["clock"].max(axis=1)  # type: ignore[no-any-return]
+            case ["final", part]:
+                return balls[{"position": "x", "velocity": "v", "spin": "w", "phase": "phase"}[part]]
+            case ["events", "count"]:
+                return ended[:, 1]
+            case ["events", kind, "count"]:
+                code = EVENT_KINDS[kind]
+                return counts[:, code] // (2 if code == BALL else 1)
+            case ["events", kind, number, part]:
+                key = EVENT_KINDS[kind], self._row(kind, int(number))
+                row = firsts[:, self.wanted.index(key)]
+                found = blank(outcome, len(balls))
+                reached = counts[:, key[0]] > key[1]
+                found[reached] = row[EVENT_PARTS[part]][reached]
+                return found
+        raise AssertionError(outcome.name)
+
+
+def _follow(arrays: SceneArrays, until: float, most: int, kept: _Kept, tick: Any) -> tuple[Array, Array, Array]:
+    """Run all points to their ends; return counts (N, CODES), wanted events (N, W), status and number of events (N, 2)."""
+    follow, n = compiled_follow(), len(arrays.balls)
+    wanted = np.array(kept.wanted, dtype=np.int64).reshape(-1, 2)
+    counts, firsts = np.zeros((n, CODES), np.int64), np.zeros((n, len(wanted)), LOG)
+    ended, slow = np.zeros((n, 2), np.int64), np.full(n, -1.0)
+    ended[:, 0] = LIMIT
+    logs = np.empty((min(PARTS, n), LOG_ROWS), LOG)
+    pace, goes_on = Pace(FIRST_EVENTS), True
+    while goes_on:  # (a few events of every run at a time)
+        share = pace.begin()
+        follow(
+            arrays.world, arrays.features, arrays.balls, logs, slow, until, most, max(share // n, 1), arrays.users, kept.keep,
+            wanted, counts, firsts, ended,
+        )  # fmt: skip
+        pace.done(share)
+        going = (ended[:, 0] == LIMIT) & (ended[:, 1] < most)
+        goes_on = bool(going.any())
+        if tick is not None:
+            tick()
+    return counts, firsts, ended

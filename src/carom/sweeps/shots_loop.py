@@ -1,0 +1,100 @@
+"""The compiled loop of a sweep over a scene: every point a run of its own, its events counted, some of them kept."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable
+from typing import Any
+
+from carom.core.geometry.features import FEATURES
+from carom.core.jit.compile import array_of, njit, parallel_range, signature
+from carom.core.jit.kernel import kernel
+from carom.core.motion.phases import PHASES
+from carom.simulation.compiled import compiled_engine
+from carom.simulation.loop import LIMIT, PHASES_FROM, QUIET, ROWS, finish, run
+from carom.simulation.records import BALLS, LOG, PHASE, WORLD
+from carom.simulation.resolve import DONE
+
+__all__ = ["CODES", "LOG_ROWS", "compiled_follow", "count_rows"]
+
+# Codes of events: kinds, and from PHASES_FROM on the phases that begin.
+CODES = PHASES_FROM + len(PHASES)
+LOG_ROWS = 128  # of the log of a thread, which is read and emptied again and again
+
+
+@kernel
+def count_rows(log: Any, rows: int, wanted: Any, counts: Any, firsts: Any) -> None:
+    """Count the events of a log by their codes; copy those that are wanted: (W, 2) code, and which of its kind."""
+    for r in range(rows):
+        code = PHASES_FROM + log[r].phase if log[r].kind == PHASE else log[r].kind
+        for j in range(wanted.shape[0]):
+            if wanted[j, 0] == code and wanted[j, 1] == counts[code]:
+                firsts[j] = log[r]
+        counts[code] += 1
+
+
+# The compiled functions, once there are any (a closure over them would not be cached).
+_run: Any = run
+_finish: Any = finish
+_prange: Any = range
+
+
+def _follow(
+    worlds: Any, features: Any, balls: Any, logs: Any, slow: Any, until: float, most: int, share: int, users: Any, keep: int,
+    wanted: Any, counts: Any, firsts: Any, ended: Any,
+) -> None:  # fmt: skip
+    """Continue every run of ``balls`` (N, B) by at most ``share`` events.
+
+    ``worlds`` (1 or N,), ``features`` (1 or N, F): of all runs, or of each; ``logs`` (T, LOG_ROWS): of each of T parts of the runs;
+    ``counts`` (N, CODES) and ``firsts`` (N, W): :func:`count_rows`; ``ended`` (N, 2): status and number of events. A run goes on
+    while its status is LIMIT, with fewer than ``most`` events.
+    """
+    total, parts = balls.shape[0], logs.shape[0]
+    for part in _prange(parts):
+        log = logs[part]
+        for n in range(part * total // parts, (part + 1) * total // parts):
+            here = n if worlds.shape[0] > 1 else 0
+            shape = features[n if features.shape[0] > 1 else 0]
+            left = min(share, most - ended[n, 1])
+            while ended[n, 0] == LIMIT and left > 0:
+                # (a full log loses rows, and one event may write ROWS of them)
+                step = min(left, LOG_ROWS // ROWS) if keep != 0 else left
+                status, events, rows, _ball, slow[n], last = _run(
+                    worlds[here : here + 1], shape, balls[n], log, slow[n], until, step, users, keep
+                )
+                count_rows(log, rows, wanted, counts[n], firsts[n])
+                left -= events
+                ended[n, 0], ended[n, 1] = status, ended[n, 1] + events
+                if status != LIMIT or ended[n, 1] >= most:
+                    _finish(
+                        worlds[here : here + 1],
+                        balls[n],
+                        until if until < math.inf and status in (DONE, QUIET) else last,
+                    )
+
+
+@functools.cache
+def compiled_follow() -> Callable[..., None]:
+    """Return the compiled loop, which uses all cores."""
+    global _run, _finish, _prange  # noqa: PLW0603
+    _run, _finish = compiled_engine()
+    _prange = parallel_range()
+    loop = signature(
+        None,
+        array_of(WORLD),
+        array_of(FEATURES, 2),
+        array_of(BALLS, 2),
+        array_of(LOG, 2),
+        array_of(float),
+        float,
+        int,
+        int,
+        array_of(int),
+        int,
+        array_of(int, 2),
+        array_of(int, 2),
+        array_of(LOG, 2),
+        array_of(int, 2),
+    )
+    return njit(_follow, signature=loop, parallel=True)

@@ -1,0 +1,210 @@
+"""The space of a sweep: what is computed, and which of its numbers run through what; points counted in C order."""
+
+from __future__ import annotations
+
+import math
+import zlib
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.errors import CaromError
+from carom.sweeps.axes import Axis, Design, Draw, Polar, Values, as_axis, axis_to_data, design_columns
+from carom.sweeps.draws import normal_draws, polar_rows, uniform_draws
+from carom.sweeps.subjects import SweepSubject, subject_of
+
+__all__ = ["Coordinate", "Space"]
+
+Columns = dict[str, NDArray[Any]]
+REPEAT = "repeat"
+
+
+class Coordinate:
+    """Values along a dimension, with the units of the parameter that they belong to."""
+
+    def __init__(self, dim: str, values: NDArray[Any], path: str, units: str) -> None:
+        self.dim, self.values, self.path, self.units = dim, values, path, units
+
+    @property
+    def dims(self) -> tuple[str, ...]:
+        """The dimension, and for vectors that of their components."""
+        return (
+            (self.dim,) if self.values.ndim == 1 else (self.dim, "axis" if self.values.shape[1] == 3 else "component")
+        )
+
+
+class Space:
+    """What a sweep runs through: parameters of a scene, an impact, an orbit or a gas, each with its values.
+
+    Parameters
+    ----------
+    subject : Scene, GasScene, ImpactCase or OrbitCase
+        What is computed at every point.
+    parameters : mapping of paths to what they run through
+        A path is that of a number of the subject, such as ``balls.0.velocity``, ``walls.*.friction``, ``run.law``. It runs through
+        a list or array (a dimension of its own), :func:`carom.sweeps.along` (a named dimension: parameters of one dimension vary
+        together), :func:`carom.polar`, :func:`carom.sweeps.uniform` or :func:`carom.sweeps.normal` (drawn anew at every point),
+        :func:`carom.sweeps.sobol` or :func:`carom.sweeps.latin_hypercube`. Different dimensions multiply.
+    repeats : int, optional
+        Number of points with the same values, for random draws and for gases. Default: 1.
+    seed : int, optional
+        0 to 2^32 - 1; default: 0.
+
+    Raises CaromError, all faults at once: unknown paths (with the nearest name), paths that overlap, empty axes.
+
+    Examples
+    --------
+    >>> import numpy as np, carom
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0, 0))
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
+    >>> scene = carom.Scene(gravity=0, walls=[wall], balls=[ball], run=carom.Run(duration=2))
+    >>> space = carom.Space(scene, {
+    ...     "balls.0.velocity": carom.polar(speed=2.0, angle=np.linspace(120, 240, 5)), "walls.*.friction": [0.1, 0.2, 0.3]})
+    >>> space
+    <Space: angle 5 x friction 3 = 15 points of a scene>
+    >>> space.columns(0, 2)["walls.*.friction"]
+    array([0.1, 0.2])
+    """
+
+    def __init__(self, subject: Any, parameters: Mapping[str, Any], repeats: int = 1, seed: int = 0) -> None:
+        self.subject: SweepSubject = subject_of(subject)
+        found: list[str] = []
+        if not isinstance(parameters, Mapping) or not parameters:
+            raise CaromError(
+                f"Space: parameters: expected a mapping of paths to values, got {parameters!r:.60}; such as"
+                " {'walls.*.friction': [0.1, 0.2]}"
+            )
+        for name, value, low, high in (("repeats", repeats, 1, 10**15), ("seed", seed, 0, 2**32 - 1)):
+            if isinstance(value, bool) or not isinstance(value, int | np.integer) or not low <= value <= high:
+                found.append(f"Space: {name}: expected a whole number from {low} to {high}, got {value!r:.60}")
+        self.parameters: dict[str, Axis] = {}
+        for path, value in parameters.items():
+            try:
+                self.parameters[path] = as_axis(value, f"Space: {path}")
+            except CaromError as error:
+                found += error.faults
+        try:
+            self.subject.check(self.parameters)
+        except CaromError as error:
+            found += error.faults
+        if found:
+            raise CaromError(*found)
+        self.repeats, self.seed = int(repeats), int(seed)
+        self.coordinates: list[Coordinate] = []
+        self._columns: dict[int, tuple[str, NDArray[Any]]] = {}
+        self.dims: dict[str, int] = {}
+        self._lay_out()
+
+    def __repr__(self) -> str:
+        """Return one line: dimensions, points, and of what."""
+        sizes = " x ".join(f"{dim} {size:,}" for dim, size in self.dims.items()) or "1"
+        return f"<Space: {sizes} = {self.size:,} points of {self.subject.describe()}>"
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Sizes of the dimensions, in their order."""
+        return tuple(self.dims.values())
+
+    @property
+    def size(self) -> int:
+        """Number of points."""
+        return math.prod(self.shape)
+
+    def _parts(self) -> list[tuple[str, str, Axis]]:
+        """Return the single axes: path, the name that a dimension of its own would have, axis."""
+        found: list[tuple[str, str, Axis]] = []
+        for path, axis in self.parameters.items():
+            if isinstance(axis, Polar):
+                found += [(path, "speed", axis.speed), (path, "angle", axis.angle)]
+            else:
+                names = [name for name in path.split(".") if not name.isdecimal() and name != "*"]
+                found.append((path, names[-1] if names[-1] not in ("x", "y", "z") else "_".join(names[-2:]), axis))
+        return found
+
+    def _lay_out(self) -> None:
+        """Give every axis its dimension, and every dimension its coordinates."""
+        parts, found = self._parts(), []
+        own = [
+            name
+            for _path, name, axis in parts
+            if isinstance(axis, Values) and axis.dim is None and len(axis.values) > 1
+        ]
+        designs: dict[str, list[tuple[str, str, Design]]] = {}
+        for path, name, axis in parts:
+            if isinstance(axis, Values):
+                if len(axis.values) == 1 and axis.dim is None:
+                    continue
+                dim = axis.dim or (name if own.count(name) == 1 else path.replace(".", "_").replace("*", "all"))
+                found += self._add(dim, axis.values, path, name)
+                self._columns[id(axis)] = dim, axis.values
+            elif isinstance(axis, Design):
+                designs.setdefault(axis.dim, []).append((path, name, axis))
+        for dim, group in designs.items():
+            if len({(axis.kind, axis.count) for _path, _name, axis in group}) > 1:
+                found.append(
+                    f"Space: dimension {dim}: expected designs of one kind and count, got"
+                    f" {', '.join(f'{axis.kind} of {axis.count}' for _path, _name, axis in group)}; name another dim"
+                )
+                continue
+            key = zlib.crc32(dim.encode())
+            columns = design_columns([axis for _path, _name, axis in group], self.seed << 32 | key)
+            for (path, name, axis), values in zip(group, columns, strict=True):
+                found += self._add(dim, values, path, name)
+                self._columns[id(axis)] = dim, values
+        if found:
+            raise CaromError(*found)
+        if self.repeats > 1:
+            self.dims[REPEAT] = self.repeats
+
+    def _add(self, dim: str, values: NDArray[Any], path: str, name: str) -> list[str]:
+        size = self.dims.setdefault(dim, len(values))
+        units = {"speed": "m/s", "angle": "degree"}.get(name) if isinstance(self.parameters[path], Polar) else None
+        self.coordinates.append(
+            Coordinate(dim, values, path if units is None else f"{path}.{name}", units or self.subject.units(path))
+        )
+        if size != len(values):
+            return [f"Space: {path}: expected {size} values, as the dimension {dim} has, got {len(values)}"]
+        return []
+
+    # --- the points ------------------------------------------------------------------------------------------------
+
+    def columns(self, first: int, stop: int) -> Columns:
+        """Return the values of every path, (N,) or (N, 2 or 3), at the points ``first`` to ``stop``, in C order."""
+        count = stop - first
+        index = dict(zip(self.dims, np.unravel_index(np.arange(first, stop), self.shape or (1,)), strict=False))
+        found: Columns = {}
+        for path, axis in self.parameters.items():
+            if isinstance(axis, Polar):
+                speed, angle = (
+                    self._column(part, f"{path}.{name}", index, first, count)
+                    for part, name in ((axis.speed, "speed"), (axis.angle, "angle"))
+                )
+                found[path] = polar_rows(speed, angle)
+            else:
+                found[path] = self._column(axis, path, index, first, count)
+        return found
+
+    def _column(self, axis: Axis, name: str, index: dict[str, Any], first: int, count: int) -> NDArray[Any]:
+        if isinstance(axis, Draw):
+            draws = uniform_draws if axis.kind == "uniform" else normal_draws
+            return draws(self.seed, zlib.crc32(name.encode()), first, count, axis.first, axis.second)
+        if id(axis) in self._columns:
+            dim, values = self._columns[id(axis)]
+            return values[index[dim]]  # type: ignore[no-any-return]
+        assert isinstance(axis, Values)
+        return np.repeat(axis.values, count, axis=0)
+
+    def point(self, index: int) -> dict[str, Any]:
+        """Return the values at one point, by path."""
+        return {path: column[0].tolist() for path, column in self.columns(index, index + 1).items()}
+
+    def to_data(self) -> dict[str, Any]:
+        """Return the space as plain data, the same for the same space."""
+        return {
+            "subject": self.subject.to_data(),
+            "parameters": {path: axis_to_data(axis) for path, axis in self.parameters.items()},
+            "repeats": self.repeats,
+            "seed": self.seed,
+        }

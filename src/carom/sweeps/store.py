@@ -1,0 +1,268 @@
+"""Stores of sweeps: a Zarr v3 group that xarray opens, written block by block, the mark that a block is done last.
+
+    /                       attributes: carom (specification, identity, versions), written when everything else stands
+    /<outcome>              one array each, one shard a block
+    /failed                 why a point has no outcome
+    /<dimension>, ...       coordinates
+    /blocks/checksum        of every block, 0 where it is not done
+
+Several processes may write different blocks at once, without locks: no two of them write the same file.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import hashlib
+import json
+import math
+import warnings
+from collections.abc import Iterator, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.errors import CaromError
+from carom.files import import_optional
+from carom.sweeps.outcomes import FAILED, FAILURES, NOT_DONE, Outcome
+from carom.sweeps.space import Coordinate
+
+__all__ = ["Blocks", "Store", "blocks_of", "checksum"]
+
+Array = NDArray[Any]
+ATTRIBUTE = "carom"
+INNER_POINTS = 8192  # of a chunk within a shard: what a reader of a few points has to read
+
+
+class Blocks(NamedTuple):
+    """How points are divided into blocks: boxes of ``rows`` places along one dimension and all of the later ones."""
+
+    shape: tuple[int, ...]
+    axis: int
+    rows: int
+
+    @property
+    def box(self) -> tuple[int, ...]:
+        """Shape of a block; the last ones along ``axis`` may be shorter."""
+        return (*(1,) * self.axis, self.rows, *self.shape[self.axis + 1 :]) if self.shape else ()
+
+    @property
+    def along(self) -> int:
+        """Number of blocks along ``axis``."""
+        return -(-self.shape[self.axis] // self.rows) if self.shape else 1
+
+    @property
+    def number(self) -> int:
+        """Number of blocks."""
+        return math.prod(self.shape[: self.axis]) * self.along
+
+    def region(self, block: int) -> tuple[slice, ...]:
+        """Return where a block lies in the arrays."""
+        if not self.shape:
+            return ()
+        before, k = divmod(block, self.along)
+        start = np.unravel_index(before, self.shape[: self.axis]) if self.axis else ()
+        rows = slice(k * self.rows, min((k + 1) * self.rows, self.shape[self.axis]))
+        return (*(slice(int(i), int(i) + 1) for i in start), rows, *(slice(0, n) for n in self.shape[self.axis + 1 :]))
+
+    def points(self, block: int) -> tuple[int, int]:
+        """Return the first point of a block and the one after its last: blocks are contiguous in C order."""
+        if not self.shape:
+            return 0, 1
+        before, k = divmod(block, self.along)
+        inner = math.prod(self.shape[self.axis + 1 :])
+        whole = self.shape[self.axis] * inner
+        return before * whole + k * self.rows * inner, before * whole + min((k + 1) * self.rows * inner, whole)
+
+
+def blocks_of(shape: tuple[int, ...], points: int) -> Blocks:
+    """Return blocks of about so many points, at most."""
+    inner = 1
+    for axis in range(len(shape) - 1, -1, -1):
+        if inner * shape[axis] > points or axis == 0:
+            return Blocks(shape, axis, min(max(points // inner, 1), shape[axis]))
+        inner *= shape[axis]
+    return Blocks(shape, 0, 1)
+
+
+def _inner(blocks: Blocks) -> tuple[int, ...]:
+    """Return the shape of chunks within a block's shard: a whole number of them along its axis."""
+    if not blocks.shape:
+        return ()
+    rest = math.prod(blocks.box[blocks.axis + 1 :])
+    rows = blocks.rows
+    parts = next((n for n in range(1, rows + 1) if rows % n == 0 and rows // n * rest <= INNER_POINTS), rows)
+    return (*(1,) * blocks.axis, rows // parts, *blocks.box[blocks.axis + 1 :])
+
+
+def checksum(outcomes: list[Outcome], values: Mapping[str, Array]) -> int:
+    """Return a block's checksum, never 0: 8 bytes of BLAKE2b over all outcomes and ``failed``."""
+    digest = hashlib.blake2b(digest_size=8)
+    for name in [*(outcome.name for outcome in outcomes), FAILED]:
+        digest.update(np.ascontiguousarray(values[name]).data)
+    return int.from_bytes(digest.digest(), "little") or 1
+
+
+class Store:
+    """A sweep's store: a folder, an address that fsspec knows (s3://...), or a store of Zarr's own."""
+
+    def __init__(self, place: Any) -> None:
+        self.zarr = import_optional("zarr", "sweep: store")
+        self.place = place if not isinstance(place, str) and hasattr(place, "list_prefix") else str(place)
+        self.name = str(place)
+
+    @contextlib.contextmanager
+    def _explaining(self, what: str) -> Iterator[None]:
+        try:
+            with warnings.catch_warnings():
+                # (consolidated metadata are Zarr's own extension of v3)
+                warnings.filterwarnings("ignore", message=".*onsolidated metadata.*")
+                yield
+        except (OSError, PermissionError) as error:
+            said = error.strerror or str(error) or type(error).__name__
+            raise CaromError(
+                f"{self.name}: expected a store that can be {what}, got: {said}; blocks that are done stay: when there is"
+                " room, run it again"
+            ) from None
+
+    # --- reading ---------------------------------------------------------------------------------------------------
+
+    def attributes(self) -> dict[str, Any] | None:
+        """Return what the store says of its sweep; None where there is nothing. CaromError for what is no store of a sweep."""
+        with self._explaining("read"):
+            try:
+                group = self.zarr.open_group(self.place, mode="r")
+            except (FileNotFoundError, self.zarr.errors.GroupNotFoundError):
+                self._require_empty()
+                return None
+            except Exception as error:
+                if isinstance(error, OSError) and not isinstance(error, NotADirectoryError):
+                    raise
+                raise CaromError(
+                    f"{self.name}: expected a store of a sweep, got something else ({type(error).__name__}); name a new one"
+                ) from None
+        found = dict(group.attrs).get(ATTRIBUTE)
+        if not isinstance(found, dict) or "identity" not in found:
+            raise CaromError(f"{self.name}: expected a store of a sweep, got a Zarr group without one; name a new one")
+        return found
+
+    def _require_empty(self) -> None:
+        import os
+
+        if isinstance(self.place, str) and "://" not in self.place and os.path.exists(self.place):
+            if not os.path.isdir(self.place):
+                raise CaromError(f"{self.name}: expected a store of a sweep, a folder, got a file; name a new one")
+            if os.listdir(self.place):
+                raise CaromError(
+                    f"{self.name}: expected a store of a sweep, got a folder with other things; name a new one"
+                )
+
+    def checksums(self) -> Array:
+        """Return (blocks,) the checksums: 0 where a block is not done."""
+        with self._explaining("read"):
+            found: Array = self.zarr.open_group(self.place, mode="r")["blocks/checksum"][:]
+        return found
+
+    def read(self, name: str, region: tuple[slice, ...]) -> Array:
+        """Return a part of a variable."""
+        with self._explaining("read"):
+            array = self.zarr.open_group(self.place, mode="r")[name]
+            return np.asarray(array[region if array.ndim else ...])
+
+    # --- writing ---------------------------------------------------------------------------------------------------
+
+    def create(
+        self,
+        specification: dict[str, Any],
+        blocks: Blocks,
+        dims: tuple[str, ...],
+        outcomes: list[Outcome],
+        coordinates: list[Coordinate],
+    ) -> None:
+        """Make the arrays, and say last what they are. What another process has made already stays as it is."""
+        with self._explaining("written"):
+            group = self.zarr.open_group(self.place, mode="a", zarr_format=3)
+            for outcome in [*outcomes, Outcome(FAILED, "i1", meanings=FAILURES)]:
+                inner = outcome.shape
+                attributes: dict[str, Any] = {"units": outcome.units} if outcome.units != "1" else {}
+                if outcome.meanings:
+                    attributes |= {
+                        "flag_values": list(range(len(outcome.meanings))),
+                        "flag_meanings": list(outcome.meanings),
+                    }
+                self._array(
+                    group,
+                    outcome.name,
+                    attributes,
+                    shape=(*blocks.shape, *inner),
+                    dtype=outcome.dtype,
+                    chunks=(*_inner(blocks), *inner) or "auto",
+                    shards=(*blocks.box, *inner) or None,
+                    fill_value=NOT_DONE if outcome.name == FAILED else outcome.fill,
+                    dimension_names=(*dims, *outcome.dims),
+                )
+                for dim, labels in outcome.dims.items():
+                    self._coordinate(group, dim, (dim,), np.array(labels), {})
+            for one in coordinates:
+                alone = sum(other.dim == one.dim for other in coordinates) == 1
+                name = one.dim if alone and one.values.ndim == 1 else one.path
+                about = {"path": one.path, **({"units": one.units} if one.units != "1" else {})}
+                self._coordinate(group, name, one.dims, one.values, about)
+            inside = group.require_group("blocks")
+            self._array(
+                inside,
+                "checksum",
+                {},
+                shape=(blocks.number,),
+                dtype="u8",
+                chunks=(1,),
+                fill_value=0,
+                dimension_names=("block",),
+            )
+            group.attrs[ATTRIBUTE] = specification
+            self.zarr.consolidate_metadata(group.store)
+
+    def _coordinate(
+        self, group: Any, name: str, dims: tuple[str, ...], values: Array, attributes: dict[str, Any]
+    ) -> None:
+        if name in group:
+            return
+        if values.dtype.kind == "U":
+            # (texts have no type in Zarr v3 yet: names are numbered, and their meanings written beside them)
+            attributes = attributes | {"names": values.tolist()}
+            values = np.arange(len(values))
+        array = self._array(
+            group,
+            name,
+            attributes,
+            shape=values.shape,
+            dtype=values.dtype,
+            chunks=values.shape,
+            fill_value=0,
+            dimension_names=dims,
+        )
+        array[:] = values
+
+    def _array(self, group: Any, name: str, attributes: dict[str, Any], **about: Any) -> Any:
+        try:
+            return group.create_array(name, attributes=attributes, **about)
+        except (self.zarr.errors.ContainsArrayError, FileExistsError):
+            return group[name]
+
+    def write(self, block: int, blocks: Blocks, outcomes: list[Outcome], values: Mapping[str, Array]) -> int:
+        """Write a block, and then that it is done; return its checksum."""
+        with self._explaining("written"):
+            group = self.zarr.open_group(self.place, mode="r+")
+            region = blocks.region(block)
+            shape = tuple(one.stop - one.start for one in region)
+            for name in [*(outcome.name for outcome in outcomes), FAILED]:
+                array = values[name].reshape(*shape, *values[name].shape[1:])
+                group[name][region if region else ...] = array if region else array.reshape(group[name].shape)
+            found = checksum(outcomes, values)
+            group["blocks/checksum"][block] = found
+            return found
+
+
+def identity(data: dict[str, Any]) -> str:
+    """Return the hash of a specification."""
+    return hashlib.sha256(json.dumps(data, sort_keys=True).encode()).hexdigest()

@@ -1,0 +1,427 @@
+"""Sweeps: a space, what is kept of every point, and where; computed block by block, gone on with where they stopped."""
+
+from __future__ import annotations
+
+import functools
+import math
+import platform
+import threading
+import time
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.core.jit.cache import source_hash
+from carom.errors import CaromError
+from carom.formatting import format_time
+from carom.sweeps.cluster import run_on_cluster
+from carom.sweeps.dataset import dataset_of, open_dataset
+from carom.sweeps.outcomes import FAILED, FAILURES, NOT_DONE, Outcome
+from carom.sweeps.space import Space
+from carom.sweeps.store import Blocks, Store, blocks_of, checksum, identity
+
+__all__ = ["Sweep", "SweepPlan", "sweep"]
+
+Array = NDArray[Any]
+Progress = Callable[[int, int], None]
+BLOCK_POINTS = 1 << 16
+SAMPLE_SECONDS = 1.0
+
+
+class SweepPlan:
+    """What a sweep would do: :meth:`Sweep.explain`."""
+
+    def __init__(self, text: str, **numbers: Any) -> None:
+        self.text = text
+        self.points: int = numbers["points"]
+        self.blocks: int = numbers["blocks"]
+        self.blocks_done: int = numbers["blocks_done"]
+        self.bytes: int = numbers["bytes"]
+        self.seconds: float = numbers["seconds"]
+        """Of the blocks that are not done, on this machine's cores."""
+
+    def __repr__(self) -> str:
+        """Return the table as text."""
+        return self.text
+
+
+class Sweep:
+    """A sweep: made by :func:`carom.sweep`.
+
+    Examples
+    --------
+    >>> import numpy as np, carom
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0, 0))
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
+    >>> scene = carom.Scene(gravity=0, walls=[wall], balls=[ball], run=carom.Run(duration=2))
+    >>> space = carom.Space(scene, {"balls.0.velocity": carom.polar(2.0, np.linspace(120, 240, 5)), "walls.*.friction": [0.1, 0.3]})
+    >>> ds = carom.sweep(space, keep=["final.velocity", "events.wall.count"]).run()
+    >>> ds["events.wall.count"].sel(friction=0.3).values
+    array([1, 1, 1, 1, 1])
+    """
+
+    def __init__(
+        self, space: Space, keep: tuple[str, ...], store: Store | None, blocks: Blocks, own_laws: bool = False
+    ) -> None:
+        self.space = space
+        self.outcomes: list[Outcome] = space.subject.outcomes(keep)
+        self.store = store
+        self.blocks = blocks
+        self.own_laws = own_laws
+
+    def __repr__(self) -> str:
+        """Return one line."""
+        return f"<Sweep: {self.space.size:,} points of {self.space.subject.describe()}, {self.blocks.number:,} blocks>"
+
+    @functools.cached_property
+    def specification(self) -> dict[str, Any]:
+        """Return what identifies the sweep, as plain data: what it computes, the hash of the kernels' sources, types, blocks."""
+        import carom
+
+        data = {
+            **self.space.to_data(),
+            "keep": [outcome.name for outcome in self.outcomes],
+            "dtypes": [outcome.dtype for outcome in self.outcomes],
+            "sources": source_hash(),
+            "block": [list(self.blocks.shape), self.blocks.axis, self.blocks.rows],
+        }
+        versions = {"carom": carom.__version__, "numpy": np.__version__, "python": platform.python_version()}
+        return {"identity": identity(data), **data, "versions": versions}
+
+    # --- computing -------------------------------------------------------------------------------------------------
+
+    def compute(self, block: int, tick: Callable[[], None] | None = None) -> dict[str, Array]:
+        """Compute a block; return its outcomes and ``failed``, (N, ...) by name."""
+        first, stop = self.blocks.points(block)
+        return self._compute(first, stop, tick)
+
+    def _compute(self, first: int, stop: int, tick: Callable[[], None] | None = None) -> dict[str, Array]:
+        columns = self.space.columns(first, stop)
+        found, failed = self.space.subject.evaluate(columns, self.outcomes, first, self.space.seed, tick)
+        return {**found, FAILED: failed}
+
+    def missing(self) -> list[int]:
+        """Return the blocks that are not done."""
+        if self.store is None:
+            return list(range(self.blocks.number))
+        return np.flatnonzero(self._checksums() == 0).tolist()
+
+    def _checksums(self) -> Array:
+        assert self.store is not None
+        if self.store.attributes() is None:
+            return np.zeros(self.blocks.number, np.uint64)
+        self._require_same()
+        return self.store.checksums()
+
+    def _require_same(self) -> None:
+        """Raise CaromError if the store holds another sweep, and say in what it differs."""
+        assert self.store is not None
+        there, here = self.store.attributes(), self.specification
+        if there is not None and there["identity"] != here["identity"]:
+            parts = [name for name in here if name not in ("identity", "versions") and there.get(name) != here[name]]
+            if parts == ["sources"]:
+                raise CaromError(
+                    f"{self.store.name}: expected a store of this version of carom, got one computed by other code (carom"
+                    f" {there.get('versions', {}).get('carom', '?')}, sources {there.get('sources')}; here {here['sources']});"
+                    " name a new store, or go on with that version"
+                )
+            raise CaromError(
+                f"{self.store.name}: expected the store of this sweep, got that of another, which differs in"
+                f" {', '.join(parts)}; name a new store"
+            )
+
+    def prepare(self) -> None:
+        """Make the store, if there is none. CaromError if it holds something else."""
+        if self.store is None:
+            return
+        if self.store.attributes() is None:
+            self.store.create(
+                self.specification, self.blocks, tuple(self.space.dims), self.outcomes, self.space.coordinates
+            )
+        self._require_same()
+
+    def write(self, block: int, tick: Callable[[], None] | None = None) -> int:
+        """Compute a block and write it to the store; return its checksum."""
+        assert self.store is not None
+        return self.store.write(block, self.blocks, self.outcomes, self.compute(block, tick))
+
+    def run(self, on: Any = "cores", *, part: tuple[int, int] | None = None, progress: Progress | None = None) -> Any:
+        """Compute what is missing, and return the result.
+
+        Parameters
+        ----------
+        on : "cores", the address of a Dask scheduler such as "tcp://host:8786", or a ``distributed.Client``
+            Where: on this machine's cores (default), or on a cluster, whose workers write to the store themselves.
+        part : (int, int), optional
+            (17, 64): only the blocks of the 17th of 64 equal parts, for a job of an array of jobs.
+        progress : function of (points done, points in all), optional
+
+        Returns
+        -------
+        xarray.Dataset
+            The outcomes over the dimensions of the space; from a store they are read when they are used.
+
+        Raises CaromError: a store of another sweep, a full disk, a cluster that cannot be reached; blocks that are done stay.
+        """
+        blocks = self.missing()
+        if part is not None:
+            blocks = [block for block in blocks if block % part[1] == part[0] - 1]
+        if self.store is None:
+            if not (isinstance(on, str) and on == "cores"):
+                raise CaromError(
+                    f"sweep: run: on: expected a store for a run on {on!r:.60}, got none; give store='FILE.zarr'"
+                )
+            return self._in_memory(progress)
+        self.prepare()
+        total = self.space.size
+        done = total - sum(self._size(block) for block in self.missing())
+        if progress is not None:
+            progress(done, total)
+        for block in self._written(blocks, on):
+            done += self._size(block)
+            if progress is not None:
+                progress(done, total)
+        return open_dataset(self)
+
+    def _written(self, blocks: list[int], on: Any) -> Any:
+        """Yield blocks as they are done."""
+        if isinstance(on, str) and on == "cores":
+            for block in blocks:
+                self.write(block)
+                yield block
+        else:
+            yield from run_on_cluster(self, write_block, blocks, on)
+
+    def _size(self, block: int) -> int:
+        first, stop = self.blocks.points(block)
+        return stop - first
+
+    def _in_memory(self, progress: Progress | None) -> Any:
+        parts: list[dict[str, Array]] = []
+        done = 0
+        for block in range(self.blocks.number):
+            parts.append(self.compute(block))
+            done += self._size(block)
+            if progress is not None:
+                progress(done, self.space.size)
+        shape = self.space.shape
+        values = {
+            name: np.concatenate([part[name] for part in parts]).reshape(*shape, *parts[0][name].shape[1:])
+            for name in parts[0]
+        }
+        return dataset_of(self, values)
+
+    # --- looking ---------------------------------------------------------------------------------------------------
+
+    def explain(self) -> SweepPlan:
+        """Say how many points, blocks, bytes and seconds the sweep has; a few points are computed to estimate its time.
+
+        Nothing is written.
+        """
+        points = self.space.size
+        each = sum(np.dtype(one.dtype).itemsize * math.prod(one.shape) for one in self.outcomes) + 1
+        missing = len(self.missing())
+        seconds = self._seconds_each() * points * missing / self.blocks.number
+        rows = [
+            ("dimensions", " x ".join(f"{dim} {size:,}" for dim, size in self.space.dims.items()) or "none"),
+            ("points", f"{points:,}"),
+            (
+                "blocks",
+                f"{self.blocks.number:,} of up to {math.prod(self.blocks.box) if self.blocks.shape else 1:,} points",
+            ),
+            ("done", f"{self.blocks.number - missing:,} blocks"),
+            ("size", f"{format_bytes(points * each)} before compression ({each} bytes a point)"),
+            ("time", f"about {format_time(seconds)} on the cores of this machine"),
+        ]
+        text = "\n".join(f"{name:<11} {value}" for name, value in rows)
+        return SweepPlan(
+            text,
+            points=points,
+            blocks=self.blocks.number,
+            blocks_done=self.blocks.number - missing,
+            bytes=points * each,
+            seconds=seconds,
+        )
+
+    def _seconds_each(self) -> float:
+        """Return how long a point takes, from points spread over the space: as many as fit in a second."""
+        count, size, took = 1, self.space.size, 0.0
+        self._compute(0, 1)  # (what has to be compiled is not counted)
+        while True:
+            starts = np.linspace(0, size - 1, min(count, 16)).astype(int).tolist()
+            each = max(count // len(starts), 1)
+            begin = time.perf_counter()
+            computed = 0
+            for start in starts:
+                stop = min(start + each, size)
+                self._compute(start, stop)
+                computed += stop - start
+            took = time.perf_counter() - begin
+            if took > SAMPLE_SECONDS / 4 or computed >= size or count >= BLOCK_POINTS:
+                return took / computed
+            count *= 4
+
+    def why(self, *place: int) -> str:
+        """Return why a point, by its indices along the dimensions, has no outcome; empty if it has one."""
+        index = int(np.ravel_multi_index(place, self.space.shape)) if self.space.shape else 0
+        return self.space.subject.why(self.space.columns(index, index + 1))
+
+    def status(self) -> dict[str, Any]:
+        """Return how far the store is: points and blocks, done and in all, and how many points have no outcome, by reason."""
+        done = np.flatnonzero(self._checksums() != 0).tolist()
+        failed = np.zeros(len(FAILURES), int)
+        assert self.store is not None
+        for block in done:
+            codes = self.store.read(FAILED, self.blocks.region(block)).ravel()
+            failed += np.bincount(codes[codes != NOT_DONE], minlength=len(FAILURES))
+        return {
+            "points": self.space.size,
+            "points_done": sum(self._size(block) for block in done),
+            "blocks": self.blocks.number,
+            "blocks_done": len(done),
+            "failed": {name: int(count) for name, count in zip(FAILURES[1:], failed[1:], strict=True) if count},
+        }
+
+    def verify(self, blocks: int = 3, progress: Progress | None = None) -> list[int]:
+        """Compute some blocks of the store again, spread over it, and compare; return those that differ.
+
+        What the store holds is compared with its checksums as well, for all blocks that are done.
+        """
+        assert self.store is not None
+        sums = self._checksums()
+        done = np.flatnonzero(sums).tolist()
+        again = {done[int(k)] for k in np.linspace(0, len(done) - 1, min(max(blocks, 0), len(done)))}
+        bad = []
+        for count, block in enumerate(done):
+            region = self.blocks.region(block)
+            values = {one.name: self.store.read(one.name, region) for one in self.outcomes}
+            values[FAILED] = self.store.read(FAILED, region)
+            same = checksum(self.outcomes, values) == sums[block]
+            if same and block in again:
+                same = checksum(self.outcomes, self.compute(block)) == sums[block]
+            if not same:
+                bad.append(block)
+            if progress is not None:
+                progress(count + 1, len(done))
+        return bad
+
+
+def format_bytes(count: float) -> str:
+    """Return a number of bytes with its unit."""
+    for unit in ("B", "kB", "MB", "GB"):
+        if count < 1000:
+            return f"{count:.3g} {unit}"
+        count /= 1000
+    return f"{count:,.3g} TB"
+
+
+def sweep(
+    space: Space | str | Path,
+    keep: tuple[str, ...] | list[str] = (),
+    store: Any = None,
+    *,
+    block: int = BLOCK_POINTS,
+    allow_own_laws: bool = False,
+) -> Sweep:
+    """Make a sweep of a space, or take up the one of a store.
+
+    Parameters
+    ----------
+    space : Space, or str or Path of a store
+        With a store: the sweep that it holds, to be gone on with, or looked at.
+    keep : sequence of str
+        Outcomes of every point; of a scene "final.position", "final.phase", "final.pocket", "final.time", "events.count",
+        "events.wall.count", "events.wall.0.position", ...; the error about an unknown name lists them.
+    store : str, Path, or address that fsspec knows, optional
+        Where results go, block by block; default: memory.
+    block : int, optional
+        Points of a block, at most. Default: 65,536.
+    allow_own_laws : bool, optional
+        Whether laws of one's own, "file.py:name", in a store that is opened may be run.
+
+    Returns
+    -------
+    Sweep
+        ``.explain()``, ``.run(on=...)``, ``.status()``, ``.verify()``.
+
+    Raises CaromError: an unknown outcome, a store that is not there or is none.
+
+    Examples
+    --------
+    >>> import carom
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0, 0), velocity=(-1, 0, 0))
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
+    >>> scene = carom.Scene(gravity=0, walls=[wall], balls=[ball], run=carom.Run(duration=2))
+    >>> made = carom.sweep(carom.Space(scene, {"walls.0.restitution": [0.5, 1.0]}), keep=["final.velocity"])
+    >>> made.run()["final.velocity"].values[:, 0, 0]
+    array([0.5, 1. ])
+    """
+    if isinstance(space, str | Path):
+        return _from_store(Store(space), allow_own_laws)
+    if not isinstance(space, Space):
+        raise CaromError(
+            f"sweep: space: expected a Space or the name of a store, got {type(space).__name__} {space!r:.60}"
+        )
+    if isinstance(keep, str) or not keep:
+        raise CaromError(f"sweep: keep: expected a list of outcomes such as ['final.position'], got {keep!r:.60}")
+    if isinstance(block, bool) or not isinstance(block, int) or block < 1:
+        raise CaromError(f"sweep: block: expected a whole number >= 1, got {block!r:.60}")
+    return Sweep(
+        space, tuple(dict.fromkeys(keep)), None if store is None else Store(store), blocks_of(space.shape, block)
+    )
+
+
+def _from_store(store: Store, allow_own_laws: bool) -> Sweep:
+    from carom.sweeps.axes import axis_from_data, from_plain
+    from carom.sweeps.subjects import subject_from_data
+
+    data = store.attributes()
+    if data is None:
+        raise CaromError(
+            f"{store.name}: expected a store of a sweep, got nothing there; carom.sweep(space, keep, store=...) makes one"
+        )
+    try:
+        subject = subject_from_data(from_plain(data["subject"]), store.name, allow_own_laws=allow_own_laws)
+        parameters = {path: axis_from_data(one, f"{store.name}: {path}") for path, one in data["parameters"].items()}
+        space = Space(subject, parameters, data["repeats"], data["seed"])
+        shape, axis, rows = data["block"]
+        found = Sweep(space, tuple(data["keep"]), store, Blocks(tuple(shape), axis, rows), allow_own_laws)
+    except (KeyError, TypeError, ValueError) as error:
+        if isinstance(error, CaromError):
+            raise
+        raise CaromError(
+            f"{store.name}: expected a store of a sweep, got one whose attributes are damaged ({error})"
+        ) from None
+    return found
+
+
+# --- what a worker of a cluster does -------------------------------------------------------------------------------
+
+# Numba's threads serve one loop at a time: a worker that runs several tasks lets them take turns.
+_turns = threading.Lock()
+
+
+@functools.lru_cache(maxsize=4)
+def _opened(place: str, identity: str, own_laws: bool) -> Sweep:
+    found = sweep(place, allow_own_laws=own_laws)
+    if found.specification["identity"] != identity:
+        raise CaromError(
+            f"{place}: expected workers with the same version of carom as here, got other sources"
+            f" ({found.specification['sources']}); install the same version everywhere"
+        )
+    return found
+
+
+def write_block(place: str, identity: str, own_laws: bool, block: int) -> int:
+    """Compute a block and write it to the store at ``place``; return its number. (What a worker does, with all of its threads.)"""
+    from distributed import get_worker
+
+    from carom.core.jit.compile import limit_threads
+
+    with _turns:
+        limit_threads(get_worker().state.nthreads)
+        _opened(place, identity, own_laws).write(block)
+    return block

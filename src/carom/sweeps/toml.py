@@ -1,0 +1,124 @@
+"""Sweeps in files: what is swept, its parameters, what is kept."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from importlib.resources import files
+from pathlib import Path
+from typing import Any
+
+from carom.errors import CaromError, did_you_mean
+from carom.files import as_path
+from carom.gas.build import load_gas
+from carom.gas.scene import GasScene
+from carom.scene.toml import load_scene, read_toml
+from carom.sweeps.axes import Axis, axis_from_data
+from carom.sweeps.space import Space
+from carom.sweeps.subjects import subject_from_data
+from carom.sweeps.sweep import BLOCK_POINTS, Sweep, sweep
+
+__all__ = ["load_sweep", "new_sweep"]
+
+SUBJECTS = ("scene", "gas", "impact", "orbit")
+FIELDS = ("keep", "repeats", "seed", "block", "parameters", *SUBJECTS)
+
+
+def new_sweep() -> str:
+    """Return the text of a commented sweep file that runs as it stands.
+
+    Examples
+    --------
+    >>> from carom import sweeps
+    >>> sweeps.new_sweep().splitlines()[0].startswith("# A sweep for carom")
+    True
+    """
+    return files("carom.sweeps").joinpath("new.toml").read_text(encoding="utf-8")
+
+
+def load_sweep(path: str | Path, store: Any = None, *, allow_own_laws: bool = False) -> Sweep:
+    """Read a sweep from a TOML file; ``carom sweep new`` writes one.
+
+    Parameters
+    ----------
+    path : str or Path
+    store : str or Path, optional
+        Where results go; default: memory.
+    allow_own_laws : bool, optional
+        Whether laws of one's own, "file.py:name", may be run. Default: they are refused.
+
+    Returns
+    -------
+    Sweep
+
+    Raises CaromError, one line per problem.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> from carom import sweeps
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = pathlib.Path(folder) / "sweep.toml"
+    ...     _ = file.write_text(sweeps.new_sweep(), encoding="utf-8")
+    ...     sweeps.load_sweep(file)
+    <Sweep: 1,488 points of a scene, 1 blocks>
+    """
+    path = as_path("load_sweep", path)
+    table = read_toml(path, f"carom sweep new {path}")
+    found = [
+        f"{path}: {name}: expected one of {', '.join(FIELDS)}, got {name!r}{did_you_mean(name, FIELDS)}"
+        for name in table
+        if name not in FIELDS
+    ]
+    given = [name for name in SUBJECTS if name in table]
+    if len(given) != 1:
+        found.append(
+            f"{path}: expected one of {', '.join(SUBJECTS)}, which is swept, got {' and '.join(given) or 'none'};"
+            " scene = 'scene.toml', or a table [scene]"
+        )
+    subject = None
+    if len(given) == 1:
+        try:
+            subject = _subject(path, given[0], table[given[0]], allow_own_laws)
+        except CaromError as error:
+            found += error.faults
+    parameters: dict[str, Axis] = {}
+    if not isinstance(table.get("parameters"), Mapping):
+        found.append(f"{path}: parameters: expected a table [parameters] of paths, got {table.get('parameters')!r:.60}")
+    else:
+        for name, data in table["parameters"].items():
+            try:
+                parameters[name] = axis_from_data(data, f"{path}: {name}")
+            except CaromError as error:
+                found += error.faults
+    made = None
+    if not found:
+        try:
+            space = Space(subject, parameters, table.get("repeats", 1), table.get("seed", 0))
+            made = sweep(
+                space,
+                table.get("keep", ()),
+                store,
+                block=table.get("block", BLOCK_POINTS),
+                allow_own_laws=allow_own_laws,
+            )
+        except CaromError as error:
+            found += [f"{path}: {fault.partition(': ')[2]}" for fault in error.faults]
+    if found or made is None:
+        raise CaromError(*found)
+    return made
+
+
+def _subject(path: Path, kind: str, given: Any, allow_own_laws: bool) -> Any:
+    if isinstance(given, str) and kind in ("scene", "gas"):
+        file = path.parent / given
+        if kind == "scene":
+            return load_scene(file, allow_own_laws=allow_own_laws)
+        gas = load_gas(file)
+        if not isinstance(gas, GasScene):
+            raise CaromError(
+                f"{file}: expected a gas of balls in a container, got another kind; sweep one of {GasScene.__name__}"
+            )
+        return gas
+    if not isinstance(given, Mapping):
+        raise CaromError(f"{path}: {kind}: expected a table [{kind}], got {given!r:.60}")
+    return subject_from_data({kind: given}, f"{path}: {kind}", allow_own_laws=allow_own_laws)

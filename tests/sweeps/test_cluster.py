@@ -1,0 +1,78 @@
+"""Sweeps on a real Dask cluster of processes: the same bits, with workers that die, and with nobody there."""
+
+from __future__ import annotations
+
+import os
+import signal
+import time
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from sweeps.test_store import KEEP, files_of, space
+
+import carom
+
+distributed = pytest.importorskip("distributed")
+pytestmark = pytest.mark.filterwarnings("ignore")  # (Dask's own, of sockets that dying workers leave)
+
+
+@pytest.fixture
+def cluster() -> Iterator[Any]:
+    with (
+        distributed.LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as made,
+        distributed.Client(made) as client,
+    ):
+        client.wait_for_workers(2)
+        yield client
+
+
+def test_a_cluster_gives_the_same_bits_though_workers_die(cluster: Any, tmp_path: Path) -> None:
+    carom.sweep(space(), KEEP, store=tmp_path / "whole.zarr", block=4).run()
+    made = carom.sweep(space(), KEEP, store=tmp_path / "cluster.zarr", block=4)
+    killed: list[int] = []
+
+    def kill(done: int, total: int) -> None:
+        if len(killed) < 2 and done > total * (1 + len(killed)) / 4:
+            workers = [worker for worker in cluster.run(os.getpid).values() if worker not in killed]
+            killed.append(workers[0])
+            os.kill(workers[0], signal.SIGKILL)
+
+    made.run(on=cluster, progress=kill)
+    assert len(killed) == 2
+    for part in (tmp_path / "cluster.zarr").rglob("*.partial"):
+        part.unlink()
+    assert files_of(tmp_path / "cluster.zarr") == files_of(tmp_path / "whole.zarr")
+
+
+def test_nobody_answers(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("carom.sweeps.cluster.CONNECT_SECONDS", 1)
+    made = carom.sweep(space(), KEEP, store=tmp_path / "s.zarr", block=40)
+    begin = time.monotonic()
+    with pytest.raises(carom.CaromError, match="expected a Dask scheduler that answers at tcp://127"):
+        made.run(on="tcp://127.0.0.1:9")
+    assert time.monotonic() - begin < 15
+    with pytest.raises(carom.CaromError, match="expected 'cores', the address of a Dask scheduler"):
+        made.run(on="elsewhere")
+    with pytest.raises(carom.CaromError, match="expected a store for a run on"):
+        carom.sweep(space(), KEEP).run(on="tcp://127.0.0.1:9")
+
+
+def test_a_lost_connection_loses_nothing(tmp_path: Path) -> None:
+    cluster = distributed.LocalCluster(n_workers=1, threads_per_worker=1, processes=True, dashboard_address=None)
+    try:
+        made = carom.sweep(space(), KEEP, store=tmp_path / "s.zarr", block=4)
+
+        def stop(done: int, total: int) -> None:
+            if done > total / 4:
+                cluster.close(timeout=5)
+
+        with pytest.raises(carom.CaromError, match="run it again to go on"):
+            made.run(on=cluster.scheduler_address, progress=stop)
+    finally:
+        cluster.close()
+    assert 0 < len(made.missing()) < made.blocks.number
+    made.run()
+    carom.sweep(space(), KEEP, store=tmp_path / "whole.zarr", block=4).run()
+    assert files_of(tmp_path / "s.zarr") == files_of(tmp_path / "whole.zarr")

@@ -1,0 +1,220 @@
+"""Stores of sweeps: killed and gone on with, bit for bit; what is another's is refused; what is damaged is found."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray
+from reference.sweep_scenes import table_scene
+
+import carom
+from carom import sweeps
+from carom.sweeps.store import Blocks, blocks_of
+
+KEEP = ["final.position", "final.phase", "events.wall.count", "events.wall.0.position"]
+
+
+def space(**more: object) -> carom.Space:
+    velocity = carom.polar(np.linspace(0.5, 3, 8), np.linspace(0, 90, 20))
+    return carom.Space(
+        table_scene(duration=2.0), {"balls.0.velocity": velocity, "floor.friction": [0.15, 0.2], **more}, seed=5
+    )
+
+
+def files_of(store: Path) -> dict[str, str]:
+    """Hash of every file of a store."""
+    files = sorted(path for path in store.rglob("*") if path.is_file())
+    return {str(path.relative_to(store)): hashlib.sha256(path.read_bytes()).hexdigest() for path in files}
+
+
+@pytest.mark.parametrize("shape", [(), (1,), (7,), (3, 5), (4, 3, 5), (2, 3, 4, 5)])
+@pytest.mark.parametrize("points", [1, 2, 7, 16, 1000])
+def test_blocks_cover_every_point_once_in_order(shape: tuple[int, ...], points: int) -> None:
+    blocks = blocks_of(shape, points)
+    index = np.arange(int(np.prod(shape))).reshape(shape)
+    seen = []
+    for block in range(blocks.number):
+        first, stop = blocks.points(block)
+        assert stop - first <= max(points, 1)
+        assert np.array_equal(index[blocks.region(block)].ravel(), np.arange(first, stop))
+        seen += list(range(first, stop))
+    assert seen == list(range(index.size))
+    assert isinstance(blocks, Blocks)
+
+
+def test_a_store_holds_what_memory_holds(tmp_path: Path) -> None:
+    memory = carom.sweep(space(), KEEP).run()
+    stored = carom.sweep(space(), KEEP, store=tmp_path / "s.zarr", block=50).run()
+    xarray.testing.assert_equal(memory.drop_attrs(), stored.drop_attrs()[list(memory.data_vars)].load())
+    assert stored["final.position"].attrs["units"] == "m"
+    assert stored["speed"].attrs == {"path": "balls.0.velocity.speed", "units": "m/s"}
+    assert stored["final.phase"].attrs["flag_meanings"][4] == "rest"
+    assert set(stored.attrs) >= {"identity", "sources", "seed", "carom_version", "specification"}
+    # and without carom: any program that reads Zarr
+    plain = xarray.open_zarr(tmp_path / "s.zarr", consolidated=False, mask_and_scale=False)
+    assert np.array_equal(plain["final.position"].values, memory["final.position"].values)
+    assert np.array_equal(plain["angle"].values, memory["angle"].values)
+
+
+def test_names_as_coordinates(tmp_path: Path) -> None:
+    parameters = {"run.law": ["two-step", "mirror"], "floor.friction": [0.2]}
+    found = carom.sweep(carom.Space(table_scene(), parameters), ["final.position"], store=tmp_path / "s.zarr").run()
+    assert found["law"].values.tolist() == ["two-step", "mirror"]
+    assert found["final.position"].sel(law="mirror", ball="white", axis="x").ndim == 0
+    again = carom.sweep(tmp_path / "s.zarr")
+    assert again.space.size == 2
+    assert again.missing() == []
+
+
+def test_parts_of_an_array_of_jobs_make_the_whole(tmp_path: Path) -> None:
+    carom.sweep(space(), KEEP, store=tmp_path / "whole.zarr", block=30).run()
+    for part in (3, 1, 2):
+        made = carom.sweep(space(), KEEP, store=tmp_path / "parts.zarr", block=30)
+        before = len(made.missing())
+        made.run(part=(part, 3))
+        assert len(made.missing()) < before
+    assert files_of(tmp_path / "parts.zarr") == files_of(tmp_path / "whole.zarr")
+    assert carom.sweep(tmp_path / "parts.zarr").status() == {
+        "points": 320, "points_done": 320, "blocks": made.blocks.number, "blocks_done": made.blocks.number, "failed": {},
+    }  # fmt: skip
+
+
+PROGRAM = """
+import sys, carom
+from test_store import KEEP, space
+def tell(done, total):
+    print(done, flush=True)
+carom.sweep(space(), KEEP, store=sys.argv[1], block=4).run(progress=tell)
+"""
+
+
+def test_killed_and_gone_on_with(tmp_path: Path) -> None:
+    carom.sweep(space(), KEEP, store=tmp_path / "whole.zarr", block=4).run()
+    store = tmp_path / "killed.zarr"
+    paths = [str(Path(__file__).parent), str(Path(__file__).parents[1]), *sys.path]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(paths)}
+    for kill in range(3):
+        process = subprocess.Popen(
+            [sys.executable, "-c", PROGRAM, str(store)],
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            env=environment,
+        )
+        assert process.stdout is not None
+        for _line in range(3 + 4 * kill):
+            process.stdout.readline()
+        time.sleep(0.003 * kill)
+        process.send_signal(signal.SIGKILL)
+        process.wait()
+        process.stdout.close()
+    made = carom.sweep(store)
+    assert 0 < len(made.missing()) < made.blocks.number
+    made.run()
+    for part in store.rglob("*.partial"):  # (of a file that was being written when the process was killed)
+        part.unlink()
+    assert files_of(store) == files_of(tmp_path / "whole.zarr")
+    assert made.verify(5) == []
+
+
+def test_a_store_of_another_sweep_is_refused(tmp_path: Path) -> None:
+    carom.sweep(space(), KEEP, store=tmp_path / "s.zarr", block=100).run()
+    before = files_of(tmp_path / "s.zarr")
+    other = carom.Space(table_scene(duration=2.0), {"floor.friction": [0.1]}, seed=5)
+    for made, differs in (
+        (carom.sweep(other, KEEP, store=tmp_path / "s.zarr", block=100), "parameters, block"),
+        (carom.sweep(space(), ["final.spin"], store=tmp_path / "s.zarr", block=100), "keep, dtypes"),
+    ):
+        with pytest.raises(
+            carom.CaromError, match=f"got that of another, which differs in {differs}; name a new store"
+        ):
+            made.run()
+    assert files_of(tmp_path / "s.zarr") == before
+
+
+def test_a_store_that_was_computed_by_other_code_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    carom.sweep(space(), KEEP, store=tmp_path / "s.zarr", block=100).run()
+    monkeypatch.setattr(sys.modules["carom.sweeps.sweep"], "source_hash", lambda: "0123456789abcdef")
+    with pytest.raises(carom.CaromError, match="got one computed by other code"):
+        carom.sweep(tmp_path / "s.zarr").run()
+
+
+@pytest.mark.parametrize("what", ["file", "folder", "group", "nothing"])
+def test_what_is_no_store_is_refused(tmp_path: Path, what: str) -> None:
+    import zarr
+
+    place = tmp_path / "s.zarr"
+    if what == "file":
+        place.write_text("text")
+    elif what == "folder":
+        place.mkdir()
+        (place / "mine.txt").write_text("text")
+    elif what == "group":
+        zarr.create_group(place)
+    with pytest.raises(carom.CaromError, match="expected a store of a sweep, "):
+        carom.sweep(place)
+    if what != "nothing":
+        with pytest.raises(carom.CaromError, match="name a new one"):
+            carom.sweep(space(), KEEP, store=place).run()
+    if what == "folder":
+        assert [path.name for path in place.iterdir()] == ["mine.txt"]
+
+
+def test_damage_is_found(tmp_path: Path) -> None:
+    made = carom.sweep(space(), KEEP, store=tmp_path / "s.zarr", block=40)
+    made.run()
+    assert made.verify(2) == []
+    import zarr
+
+    group = zarr.open_group(tmp_path / "s.zarr", mode="r+")
+    region = made.blocks.region(3)
+    group["events.wall.count"][region] = group["events.wall.count"][region] + 1
+    assert made.verify(0) == [3]
+    # a block with the right checksum of wrong numbers is found by computing it again
+    values = {one.name: made.store.read(one.name, region) for one in made.outcomes}
+    values["failed"] = made.store.read("failed", region)
+    flat = {name: array.reshape(-1, *array.shape[len(made.space.shape) :]) for name, array in values.items()}
+    made.store.write(3, made.blocks, made.outcomes, flat)
+    assert made.verify(0) == []
+    assert made.verify(made.blocks.number) == [3]
+
+
+def test_a_full_disk_is_one_line_and_loses_nothing(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    made = carom.sweep(space(), KEEP, store=tmp_path / "s.zarr", block=40)
+    from zarr.storage import _local
+
+    whole, count = _local._put, 0
+
+    def full(path: Path, value: object, exclusive: bool = False) -> int:
+        nonlocal count
+        count += "c" in path.parts
+        if count > 30:
+            raise OSError(28, "No space left on device")
+        return whole(path, value, exclusive)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(_local, "_put", full)
+    with pytest.raises(carom.CaromError, match="No space left on device; blocks that are done stay") as caught:
+        made.run()
+    assert len(caught.value.faults) == 1
+    monkeypatch.undo()
+    again = carom.sweep(tmp_path / "s.zarr")
+    assert 0 < len(again.missing()) < again.blocks.number
+    again.run()
+    carom.sweep(space(), KEEP, store=tmp_path / "whole.zarr", block=40).run()
+    assert files_of(tmp_path / "s.zarr") == files_of(tmp_path / "whole.zarr")
+
+
+def test_sweeps_of_impacts_orbits_and_gases_are_taken_up(tmp_path: Path) -> None:
+    case = sweeps.ImpactCase(friction=float("inf"))
+    carom.sweep(carom.Space(case, {"angle": [10.0, 20.0]}), ["reflection_angle"], store=tmp_path / "i.zarr").run()
+    assert carom.sweep(tmp_path / "i.zarr").missing() == []
+    orbit = sweeps.OrbitCase(table="stadium", bounces=50)
+    carom.sweep(carom.Space(orbit, {"straight": [0.5, 1.0]}), ["time"], store=tmp_path / "o.zarr").run()
+    assert carom.sweep(tmp_path / "o.zarr").verify(2) == []
