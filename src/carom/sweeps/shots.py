@@ -82,6 +82,7 @@ class SceneRuns:
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
         self._matches: dict[str, PathMatch] = {}
+        self._pace = Pace(FIRST_EVENTS)
 
     def describe(self) -> str:
         """Return a few words."""
@@ -243,7 +244,7 @@ class SceneRuns:
             return
         until, most = run_limits(scene)
         kept = _Kept(outcomes, len(scene.balls))
-        counts, firsts, ended = _follow(arrays, until, most, kept, tick)
+        counts, firsts, ended = _follow(arrays, until, most, kept, self._pace, tick)
         for outcome in outcomes:
             found[outcome.name][rows] = kept.values(outcome, arrays.balls, counts, firsts, ended)
         for code, failure in FAILURE_OF.items():
@@ -371,7 +372,7 @@ class _Kept:
         raise AssertionError(outcome.name)
 
 
-def _follow(arrays: SceneArrays, until: float, most: int, kept: _Kept, tick: Any) -> tuple[Array, Array, Array]:
+def _follow(arrays: SceneArrays, until: float, most: int, kept: _Kept, pace: Pace, tick: Any) -> tuple[Array, Array, Array]:
     """Run all points to their ends; return counts (N, CODES), wanted events (N, W), status and number of events (N, 2)."""
     follow, n = compiled_follow(), len(arrays.balls)
     wanted = np.array(kept.wanted, dtype=np.int64).reshape(-1, 2)
@@ -379,16 +380,16 @@ def _follow(arrays: SceneArrays, until: float, most: int, kept: _Kept, tick: Any
     ended, slow = np.zeros((n, 2), np.int64), np.full(n, -1.0)
     ended[:, 0] = LIMIT
     logs = np.empty((min(PARTS, n), LOG_ROWS), LOG)
-    pace, goes_on = Pace(FIRST_EVENTS), True
+    goes_on = True
     while goes_on:  # (a few events of every run at a time)
         share = pace.begin()
         follow(
             arrays.world, arrays.features, arrays.balls, logs, slow, until, most, max(share // n, 1), arrays.users, kept.keep,
             wanted, counts, firsts, ended,
         )  # fmt: skip
-        pace.done(share)
-        going = (ended[:, 0] == LIMIT) & (ended[:, 1] < most)
-        goes_on = bool(going.any())
+        goes_on = bool(((ended[:, 0] == LIMIT) & (ended[:, 1] < most)).any())
+        if goes_on:  # (what ends before its share is up says nothing of how long a share takes)
+            pace.done(share)
         if tick is not None:
             tick()
     return counts, firsts, ended

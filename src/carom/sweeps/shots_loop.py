@@ -53,7 +53,7 @@ def _follow(
     total, parts = balls.shape[0], logs.shape[0]
     for part in _prange(parts):
         log = logs[part]
-        for n in range(part * total // parts, (part + 1) * total // parts):
+        for n in range(part, total, parts):  # (neighbours cost about the same: every part has its share of them)
             here = n if worlds.shape[0] > 1 else 0
             shape = features[n if features.shape[0] > 1 else 0]
             left = min(share, most - ended[n, 1])

@@ -80,7 +80,9 @@ def blocks_of(shape: tuple[int, ...], points: int) -> Blocks:
     inner = 1
     for axis in range(len(shape) - 1, -1, -1):
         if inner * shape[axis] > points or axis == 0:
-            return Blocks(shape, axis, min(max(points // inner, 1), shape[axis]))
+            rows, chunk = min(max(points // inner, 1), shape[axis]), max(INNER_POINTS // inner, 1)
+            # (a whole number of chunks: the last block may reach over the end)
+            return Blocks(shape, axis, rows if rows <= chunk else rows - rows % chunk)
         inner *= shape[axis]
     return Blocks(shape, 0, 1)
 
@@ -90,9 +92,8 @@ def _inner(blocks: Blocks) -> tuple[int, ...]:
     if not blocks.shape:
         return ()
     rest = math.prod(blocks.box[blocks.axis + 1 :])
-    rows = blocks.rows
-    parts = next((n for n in range(1, rows + 1) if rows % n == 0 and rows // n * rest <= INNER_POINTS), rows)
-    return (*(1,) * blocks.axis, rows // parts, *blocks.box[blocks.axis + 1 :])
+    chunk = min(max(INNER_POINTS // rest, 1), blocks.rows)
+    return (*(1,) * blocks.axis, chunk, *blocks.box[blocks.axis + 1 :])
 
 
 def checksum(outcomes: list[Outcome], values: Mapping[str, Array]) -> int:
@@ -256,8 +257,8 @@ class Store:
             region = blocks.region(block)
             shape = tuple(one.stop - one.start for one in region)
             for name in [*(outcome.name for outcome in outcomes), FAILED]:
-                array = values[name].reshape(*shape, *values[name].shape[1:])
-                group[name][region if region else ...] = array if region else array.reshape(group[name].shape)
+                array = values[name].reshape((*shape, *values[name].shape[1:]))
+                group[name][region if region else ...] = array if region else array.reshape(tuple(group[name].shape))
             found = checksum(outcomes, values)
             group["blocks/checksum"][block] = found
             return found

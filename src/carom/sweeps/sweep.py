@@ -209,7 +209,7 @@ class Sweep:
                 progress(done, self.space.size)
         shape = self.space.shape
         values = {
-            name: np.concatenate([part[name] for part in parts]).reshape(*shape, *parts[0][name].shape[1:])
+            name: np.concatenate([part[name] for part in parts]).reshape((*shape, *parts[0][name].shape[1:]))
             for name in parts[0]
         }
         return dataset_of(self, values)
