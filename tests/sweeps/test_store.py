@@ -124,6 +124,29 @@ def test_killed_and_gone_on_with(tmp_path: Path) -> None:
     assert made.verify(5) == []
 
 
+def test_a_store_whose_making_was_killed_is_made_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from zarr.storage import _local
+
+    carom.sweep(space(), KEEP, store=tmp_path / "whole.zarr", block=100).run()
+    whole = _local._put
+    for most in range(0, 60, 3):  # (every file of a new store is written within the first of these)
+        store, count = tmp_path / f"{most}.zarr", 0
+
+        def killed(path: Path, value: object, exclusive: bool = False, *, most: int = most) -> int:
+            nonlocal count
+            count += 1
+            if count > most:
+                raise RuntimeError("killed")
+            return whole(path, value, exclusive)  # type: ignore[arg-type]
+
+        monkeypatch.setattr(_local, "_put", killed)
+        with pytest.raises(RuntimeError, match="killed"):
+            carom.sweep(space(), KEEP, store=store, block=100).run()
+        monkeypatch.undo()
+        carom.sweep(space(), KEEP, store=store, block=100).run()
+        assert files_of(store) == files_of(tmp_path / "whole.zarr"), most
+
+
 def test_a_store_of_another_sweep_is_refused(tmp_path: Path) -> None:
     carom.sweep(space(), KEEP, store=tmp_path / "s.zarr", block=100).run()
     before = files_of(tmp_path / "s.zarr")

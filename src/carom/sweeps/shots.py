@@ -372,7 +372,9 @@ class _Kept:
         raise AssertionError(outcome.name)
 
 
-def _follow(arrays: SceneArrays, until: float, most: int, kept: _Kept, pace: Pace, tick: Any) -> tuple[Array, Array, Array]:
+def _follow(
+    arrays: SceneArrays, until: float, most: int, kept: _Kept, pace: Pace, tick: Any
+) -> tuple[Array, Array, Array]:
     """Run all points to their ends; return counts (N, CODES), wanted events (N, W), status and number of events (N, 2)."""
     follow, n = compiled_follow(), len(arrays.balls)
     wanted = np.array(kept.wanted, dtype=np.int64).reshape(-1, 2)

@@ -1,6 +1,6 @@
 """Stores of sweeps: a Zarr v3 group that xarray opens, written block by block, the mark that a block is done last.
 
-    /                       attributes: carom (specification, identity, versions), written when everything else stands
+    /                       attributes: carom (specification, identity, versions; complete: when everything else stands)
     /<outcome>              one array each, one shard a block
     /failed                 why a point has no outcome
     /<dimension>, ...       coordinates
@@ -132,7 +132,7 @@ class Store:
         """Return what the store says of its sweep; None where there is nothing. CaromError for what is no store of a sweep."""
         with self._explaining("read"):
             try:
-                group = self.zarr.open_group(self.place, mode="r")
+                group = self.zarr.open_group(self.place, mode="r", zarr_format=3)
             except (FileNotFoundError, self.zarr.errors.GroupNotFoundError):
                 self._require_empty()
                 return None
@@ -153,7 +153,7 @@ class Store:
         if isinstance(self.place, str) and "://" not in self.place and os.path.exists(self.place):
             if not os.path.isdir(self.place):
                 raise CaromError(f"{self.name}: expected a store of a sweep, a folder, got a file; name a new one")
-            if os.listdir(self.place):
+            if any(not name.endswith(".partial") for name in os.listdir(self.place)):
                 raise CaromError(
                     f"{self.name}: expected a store of a sweep, got a folder with other things; name a new one"
                 )
@@ -161,13 +161,13 @@ class Store:
     def checksums(self) -> Array:
         """Return (blocks,) the checksums: 0 where a block is not done."""
         with self._explaining("read"):
-            found: Array = self.zarr.open_group(self.place, mode="r")["blocks/checksum"][:]
+            found: Array = self.zarr.open_group(self.place, mode="r", zarr_format=3)["blocks/checksum"][:]
         return found
 
     def read(self, name: str, region: tuple[slice, ...]) -> Array:
         """Return a part of a variable."""
         with self._explaining("read"):
-            array = self.zarr.open_group(self.place, mode="r")[name]
+            array = self.zarr.open_group(self.place, mode="r", zarr_format=3)[name]
             return np.asarray(array[region if array.ndim else ...])
 
     # --- writing ---------------------------------------------------------------------------------------------------
@@ -182,7 +182,9 @@ class Store:
     ) -> None:
         """Make the arrays, and say last what they are. What another process has made already stays as it is."""
         with self._explaining("written"):
-            group = self.zarr.open_group(self.place, mode="a", zarr_format=3)
+            # (a process that is killed here leaves a store that says whose it is, and is made again)
+            begun = {ATTRIBUTE: {**specification, "complete": False}}
+            group = self.zarr.open_group(self.place, mode="a", zarr_format=3, attributes=begun)
             for outcome in [*outcomes, Outcome(FAILED, "i1", meanings=FAILURES)]:
                 inner = outcome.shape
                 attributes: dict[str, Any] = {"units": outcome.units} if outcome.units != "1" else {}
@@ -220,14 +222,12 @@ class Store:
                 fill_value=0,
                 dimension_names=("block",),
             )
-            group.attrs[ATTRIBUTE] = specification
+            group.attrs[ATTRIBUTE] = {**specification, "complete": True}
             self.zarr.consolidate_metadata(group.store)
 
     def _coordinate(
         self, group: Any, name: str, dims: tuple[str, ...], values: Array, attributes: dict[str, Any]
     ) -> None:
-        if name in group:
-            return
         if values.dtype.kind == "U":
             # (texts have no type in Zarr v3 yet: names are numbered, and their meanings written beside them)
             attributes = attributes | {"names": values.tolist()}
@@ -253,7 +253,7 @@ class Store:
     def write(self, block: int, blocks: Blocks, outcomes: list[Outcome], values: Mapping[str, Array]) -> int:
         """Write a block, and then that it is done; return its checksum."""
         with self._explaining("written"):
-            group = self.zarr.open_group(self.place, mode="r+")
+            group = self.zarr.open_group(self.place, mode="r+", zarr_format=3)
             region = blocks.region(block)
             shape = tuple(one.stop - one.start for one in region)
             for name in [*(outcome.name for outcome in outcomes), FAILED]:

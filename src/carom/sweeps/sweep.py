@@ -28,7 +28,8 @@ __all__ = ["Sweep", "SweepPlan", "sweep"]
 Array = NDArray[Any]
 Progress = Callable[[int, int], None]
 BLOCK_POINTS = 1 << 16
-SAMPLE_SECONDS = 1.0
+SAMPLE_SECONDS = 0.25  # that points are computed for, so as to estimate how long all take
+SAMPLE_PLACES = 16  # where these points lie, spread over the space
 
 
 class SweepPlan:
@@ -74,7 +75,8 @@ class Sweep:
 
     def __repr__(self) -> str:
         """Return one line."""
-        return f"<Sweep: {self.space.size:,} points of {self.space.subject.describe()}, {self.blocks.number:,} blocks>"
+        blocks = "1 block" if self.blocks.number == 1 else f"{self.blocks.number:,} blocks"
+        return f"<Sweep: {self.space.size:,} points of {self.space.subject.describe()}, {blocks}>"
 
     @functools.cached_property
     def specification(self) -> dict[str, Any]:
@@ -111,15 +113,16 @@ class Sweep:
 
     def _checksums(self) -> Array:
         assert self.store is not None
-        if self.store.attributes() is None:
+        there = self.store.attributes()
+        self._require_same(there)
+        if there is None or not there["complete"]:
             return np.zeros(self.blocks.number, np.uint64)
-        self._require_same()
         return self.store.checksums()
 
-    def _require_same(self) -> None:
+    def _require_same(self, there: dict[str, Any] | None) -> None:
         """Raise CaromError if the store holds another sweep, and say in what it differs."""
         assert self.store is not None
-        there, here = self.store.attributes(), self.specification
+        here = self.specification
         if there is not None and there["identity"] != here["identity"]:
             parts = [name for name in here if name not in ("identity", "versions") and there.get(name) != here[name]]
             if parts == ["sources"]:
@@ -137,11 +140,12 @@ class Sweep:
         """Make the store, if there is none. CaromError if it holds something else."""
         if self.store is None:
             return
-        if self.store.attributes() is None:
+        there = self.store.attributes()
+        self._require_same(there)
+        if there is None or not there["complete"]:
             self.store.create(
                 self.specification, self.blocks, tuple(self.space.dims), self.outcomes, self.space.coordinates
             )
-        self._require_same()
 
     def write(self, block: int, tick: Callable[[], None] | None = None) -> int:
         """Compute a block and write it to the store; return its checksum."""
@@ -247,12 +251,12 @@ class Sweep:
         )
 
     def _seconds_each(self) -> float:
-        """Return how long a point takes, from points spread over the space: as many as fit in a second."""
-        count, size, took = 1, self.space.size, 0.0
-        self._compute(0, 1)  # (what has to be compiled is not counted)
+        """Return how long a point takes, from points spread over the space."""
+        size, each = self.space.size, 1
+        starts = np.unique(np.linspace(0, size - 1, min(size, SAMPLE_PLACES)).astype(int)).tolist()
+        for start in starts:  # (what has to be compiled is not counted)
+            self._compute(start, start + 1)
         while True:
-            starts = np.linspace(0, size - 1, min(count, 16)).astype(int).tolist()
-            each = max(count // len(starts), 1)
             begin = time.perf_counter()
             computed = 0
             for start in starts:
@@ -260,9 +264,9 @@ class Sweep:
                 self._compute(start, stop)
                 computed += stop - start
             took = time.perf_counter() - begin
-            if took > SAMPLE_SECONDS / 4 or computed >= size or count >= BLOCK_POINTS:
+            if took > SAMPLE_SECONDS or each * len(starts) >= min(size, BLOCK_POINTS):
                 return took / computed
-            count *= 4
+            each *= 4
 
     def why(self, *place: int) -> str:
         """Return why a point, by its indices along the dimensions, has no outcome; empty if it has one."""

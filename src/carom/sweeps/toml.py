@@ -60,7 +60,7 @@ def load_sweep(path: str | Path, store: Any = None, *, allow_own_laws: bool = Fa
     ...     file = pathlib.Path(folder) / "sweep.toml"
     ...     _ = file.write_text(sweeps.new_sweep(), encoding="utf-8")
     ...     sweeps.load_sweep(file)
-    <Sweep: 1,488 points of a scene, 1 blocks>
+    <Sweep: 1,488 points of a scene, 1 block>
     """
     path = as_path("load_sweep", path)
     table = read_toml(path, f"carom sweep new {path}")
