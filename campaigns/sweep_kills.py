@@ -126,7 +126,7 @@ def report(
 def main(words: Sequence[str] | None = None) -> int:
     """A line for each kind; 1 if a store ended otherwise."""
     kinds = {"driver": kill_driver, "worker": kill_worker, "disk": fill_disk}
-    with campaign("sweep_kills", __doc__, words, count=100, small=2) as run, tempfile.TemporaryDirectory() as folder:
+    with campaign("sweep_kills", __doc__, words, count=100, small=1) as run, tempfile.TemporaryDirectory() as folder:
         carom.sweep(space(), KEEP, store=Path(folder) / "s.zarr", block=BLOCK).run()
         whole = clean(Path(folder) / "s.zarr")
         good = [

@@ -28,6 +28,7 @@ COMPILE_JOBS = (
     "carom.billiards.loop:compiled_loops",
     f"{__name__}:fit_bounces",
     f"{__name__}:load_called_laws",
+    "carom.sweeps.shots_loop:compiled_follow",
     f"{__name__}:draw_shots",
     "carom.fitting.tracks.simulate:_compiled",
     "carom.tracks.table_motion:_compiled",

@@ -133,7 +133,8 @@ def _label(array: Any, dim: str) -> str:
 def _draw(array: Any, x: str, y: str | None, panels: str | None, title: str) -> Any:
     with style():
         count = 1 if panels is None else array.sizes[panels]
-        columns = min(count, max(math.ceil(math.sqrt(count * 1.4)), 1))
+        # (as few empty places as possible)
+        columns = min(count, min((3, 2, 4) if count <= 6 else (3, 4, 2), key=lambda n: -count % n))
         rows = math.ceil(count / columns)
         figure = new_figure(max(2.5 * columns + 1.3, 4.6), 2.3 * rows + 0.9)
         figure.set_layout_engine("constrained")
