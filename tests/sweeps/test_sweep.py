@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 from reference.sweep_scenes import table_scene
@@ -211,6 +213,29 @@ def test_unknown_outcomes(keep: object, said: str) -> None:
     with pytest.raises(carom.CaromError, match="sweep: keep") as caught:
         carom.sweep(carom.Space(table_scene(), {"floor.friction": [0.2]}), keep)  # type: ignore[arg-type]
     assert said in str(caught.value)
+
+
+def test_all_faults_of_a_file_at_once(tmp_path: Path) -> None:
+    text = sweeps.new_sweep().replace("walls.*.friction", "walls.*.frction").replace("final.phase", "final.fase")
+    (tmp_path / "a.toml").write_text(text, encoding="utf-8")
+    with pytest.raises(carom.CaromError) as caught:
+        sweeps.load_sweep(tmp_path / "a.toml")
+    assert "did you mean 'walls.*.friction'?" in str(caught.value)
+    (tmp_path / "b.toml").write_text(text.replace("linspace = [0.5", "linspce = [0.5"), encoding="utf-8")
+    with pytest.raises(carom.CaromError) as caught:
+        sweeps.load_sweep(tmp_path / "b.toml")
+    assert len(caught.value.faults) == 2
+    assert all(str(tmp_path) in fault for fault in caught.value.faults)
+    good = sweeps.load_sweep(_written(tmp_path / "c.toml", sweeps.new_sweep()))
+    assert good.space.size == 1488
+    impacts = 'keep = ["reflection_angle"]\nrepeats = 3\n[impact]\nfriction = 0.2\n[parameters]\nangle = [10, 20]\n'
+    impacts += "speed = { normal = [2, 0.1] }\n"
+    assert sweeps.load_sweep(_written(tmp_path / "d.toml", impacts)).run()["reflection_angle"].shape == (2, 3)
+
+
+def _written(path: Path, text: str) -> Path:
+    path.write_text(text, encoding="utf-8")
+    return path
 
 
 def test_explain_estimates_and_writes_nothing(tmp_path: object) -> None:

@@ -59,6 +59,6 @@ def open_dataset(sweep: Any) -> Any:
         warnings.filterwarnings("ignore", message=".*onsolidated metadata.*")
         found = xarray.open_dataset(sweep.store.place, engine="zarr", chunks=None, mask_and_scale=False)
     # (names are numbers in a store)
-    found = found.assign_coords(_coordinates(sweep))
+    found = found[[*(one.name for one in sweep.outcomes), FAILED]].assign_coords(_coordinates(sweep))
     del found.attrs["carom"]  # (which is in "specification", as text)
     return found.assign_attrs(_attributes(sweep))

@@ -122,8 +122,8 @@ class Store:
         except (OSError, PermissionError) as error:
             said = error.strerror or str(error) or type(error).__name__
             raise CaromError(
-                f"{self.name}: expected a store that can be {what}, got: {said}; blocks that are done stay: when there is"
-                " room, run it again"
+                f"{self.name}: expected a store that can be {what}, got: {said}; blocks that are done stay: run it again to"
+                " go on"
             ) from None
 
     # --- reading ---------------------------------------------------------------------------------------------------

@@ -91,7 +91,7 @@ def load_sweep(path: str | Path, store: Any = None, *, allow_own_laws: bool = Fa
             except CaromError as error:
                 found += error.faults
     made = None
-    if not found:
+    if subject is not None and parameters:  # (what is sound is looked at even where something is not)
         try:
             space = Space(subject, parameters, table.get("repeats", 1), table.get("seed", 0))
             made = sweep(
