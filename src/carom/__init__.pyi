@@ -21,6 +21,7 @@ from .bodies import Surface as Surface
 from .bodies import kinetic_energy as kinetic_energy
 from .bodies import rolling as rolling
 from .bodies import slip as slip
+from .data import rebounds as rebounds
 from .errors import CaromError as CaromError
 from .explorer.page import explore as explore
 from .laws.comparison import Comparison as Comparison
@@ -57,6 +58,7 @@ from .scene.scene import BallContact as BallContact
 from .scene.scene import Floor as Floor
 from .scene.scene import Run as Run
 from .scene.scene import Scene as Scene
+from .scene.table import Table as Table
 from .scene.toml import load_scene as load_scene
 from .scene.toml import new_scene as new_scene
 from .simulation.load import load_trajectory as load_trajectory

@@ -13,6 +13,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from carom.core.units import in_si
 from carom.errors import (
     MAX_MAGNITUDE,
     CaromError,
@@ -39,9 +40,9 @@ class Ball:
 
     Parameters
     ----------
-    radius : float or array
+    radius : float or array, or a text such as "26 mm"
         a, in m, > 0.
-    mass : float or array
+    mass : float or array, or a text such as "210 g"
         m, in kg, > 0.
     inertia : "solid", "hollow", or kappa as a float or an array
         I = kappa m a^2: 2/5 for a solid sphere, 2/3 for a thin shell; 0 < kappa <= 2/3.
@@ -64,6 +65,8 @@ class Ball:
     >>> ball = carom.Ball(radius=0.02, mass=0.0027, inertia="hollow")
     >>> round(ball.kappa, 4), round(1e7 * ball.moment, 3)
     (0.6667, 7.2)
+    >>> carom.Ball("26 mm", "140 g").radius
+    0.026
     """
 
     radius: Any
@@ -72,7 +75,7 @@ class Ball:
     planar: bool
 
     def __init__(
-        self, radius: ArrayLike = 0.02625, mass: ArrayLike = 0.1406, inertia: Inertia | ArrayLike = "solid"
+        self, radius: ArrayLike | str = 0.02625, mass: ArrayLike | str = 0.1406, inertia: Inertia | ArrayLike = "solid"
     ) -> None:
         _fill(self, "Ball", radius, mass, inertia, INERTIAS, 2 / 3, planar=False)
 
@@ -139,8 +142,8 @@ def _fill(
         ):
             faults.add_remedy("inertia", "a thin shell is 'hollow'; carom.Disc takes up to 1")
     values = {
-        "radius": checked_number(faults, "radius", radius, "a length in m, > 0", lambda x: x > 0),
-        "mass": checked_number(faults, "mass", mass, "a mass in kg, > 0", lambda x: x > 0),
+        "radius": checked_number(faults, "radius", in_si(radius, "m"), "a length in m, > 0", lambda x: x > 0),
+        "mass": checked_number(faults, "mass", in_si(mass, "kg"), "a mass in kg, > 0", lambda x: x > 0),
         "kappa": kappa,
         "planar": planar,
     }

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import html
 import math
 import re
+from collections.abc import Iterable, Sequence
 
-__all__ = ["escape_controls", "format_length", "format_number", "format_time"]
+__all__ = ["escape_controls", "format_length", "format_number", "format_time", "html_table"]
 
 # What steers a terminal and is no text: C0 without tab and new line, C1, line separators, changes of the writing direction, and
 # the halves of characters that stand for bytes of a file's name.
@@ -57,3 +59,18 @@ def format_time(x: float) -> str:
     ('250 ms', '12 s')
     """
     return f"{format_number(x)} s" if x >= 1 else f"{format_number(x * 1e3)} ms"
+
+
+def html_table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+    """Return a table as HTML, for notebooks.
+
+    >>> html_table(["law"], [["<two-step>"]])
+    '<table><thead><tr><th>law</th></tr></thead><tbody><tr><td>&lt;two-step&gt;</td></tr></tbody></table>'
+    """
+
+    def row(cells: Iterable[object], tag: str) -> str:
+        return "<tr>" + "".join(f"<{tag}>{html.escape(str(cell))}</{tag}>" for cell in cells) + "</tr>"
+
+    return (
+        f"<table><thead>{row(head, 'th')}</thead><tbody>{''.join(row(cells, 'td') for cells in rows)}</tbody></table>"
+    )

@@ -127,23 +127,27 @@ def test_killed_and_gone_on_with(tmp_path: Path) -> None:
 def test_a_store_whose_making_was_killed_is_made_again(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     from zarr.storage import _local
 
-    carom.sweep(space(), KEEP, store=tmp_path / "whole.zarr", block=100).run()
-    whole = _local._put
-    for most in range(0, 60, 3):  # (every file of a new store is written within the first of these)
+    small = carom.Space(sweeps.ImpactCase(), {"angle": [10.0, 20.0], "law": ["mirror", "two-step"]})
+    whole, count = _local._put, 0
+
+    def counted(path: Path, value: object, exclusive: bool = False) -> int:
+        nonlocal count
+        count += 1
+        if count > most:
+            raise RuntimeError("killed")
+        return whole(path, value, exclusive)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(_local, "_put", counted)
+    most = 1000
+    carom.sweep(small, ["reflection_angle", "final.velocity"], store=tmp_path / "whole.zarr").run()
+    writes = count
+    assert writes > 15
+    for most in range(writes):
         store, count = tmp_path / f"{most}.zarr", 0
-
-        def killed(path: Path, value: object, exclusive: bool = False, *, most: int = most) -> int:
-            nonlocal count
-            count += 1
-            if count > most:
-                raise RuntimeError("killed")
-            return whole(path, value, exclusive)  # type: ignore[arg-type]
-
-        monkeypatch.setattr(_local, "_put", killed)
         with pytest.raises(RuntimeError, match="killed"):
-            carom.sweep(space(), KEEP, store=store, block=100).run()
-        monkeypatch.undo()
-        carom.sweep(space(), KEEP, store=store, block=100).run()
+            carom.sweep(small, ["reflection_angle", "final.velocity"], store=store).run()
+        count = -1000
+        carom.sweep(small, ["reflection_angle", "final.velocity"], store=store).run()
         assert files_of(store) == files_of(tmp_path / "whole.zarr"), most
 
 

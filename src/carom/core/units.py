@@ -16,7 +16,7 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["UNITS", "Unit", "parse_quantity", "unit_named"]
+__all__ = ["UNITS", "Unit", "in_si", "parse_quantity", "unit_named"]
 
 
 @dataclass(frozen=True)
@@ -94,6 +94,20 @@ def _registry() -> Any:
     units: Any = pint.UnitRegistry(non_int_type=Decimal)
     units.define("@alias turn = rev")
     return units
+
+
+def in_si(value: Any, unit: str) -> Any:
+    """Return the number of a text such as "26 mm" in an SI unit; anything else, and a text that is none, as it is.
+
+    >>> in_si("26 mm", "m"), in_si(0.026, "m"), in_si("26", "m")
+    (0.026, 0.026, '26')
+    """
+    if not isinstance(value, str):
+        return value
+    try:
+        return parse_quantity(value, unit)
+    except ValueError:
+        return value
 
 
 def parse_quantity(text: str, unit: str) -> float:

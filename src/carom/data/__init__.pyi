@@ -1,4 +1,5 @@
 from . import datasets as datasets
+from . import rebounds as rebounds
 from .predict import PredictSettings as PredictSettings
 from .predict import PredictSummary as PredictSummary
 from .predict import predict_table as predict_table

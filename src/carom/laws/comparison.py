@@ -1,29 +1,31 @@
 """Compare every law's prediction for one incoming ball, and say which laws are admissible and why others are not.
 
 :func:`incoming` makes a :class:`~carom.laws.law.Meeting` from a speed, an angle and a spin; :func:`compare` evaluates every
-law; :func:`remarks_on` describes a prediction in sentences. All of it runs as plain Python, so nothing is compiled.
+law; :mod:`carom.laws.remarks` describes a prediction in sentences. All of it runs as plain Python, so nothing is compiled.
 """
 
 from __future__ import annotations
 
+import inspect
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from carom.bodies import Ball, State, Surface, kinetic_energy, slip
-from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, checked_number, require_type
-from carom.formatting import format_length, format_number, format_time
+from carom.bodies import Ball, State, Surface, kinetic_energy
+from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, checked_number, require_type, suggestion
+from carom.formatting import format_number, html_table
 from carom.laws.arrays import require_approach
 from carom.laws.law import LIKE_SOLIDS, Answer, Law, Meeting
 from carom.laws.registry import law_named
 from carom.laws.registry import laws as all_laws
-from carom.laws.results import GRAVITY, FloorContact, Settled, TwoStep, angle_from
+from carom.laws.remarks import remarks_on
+from carom.laws.results import GRAVITY, FloorContact, TwoStep, angle_from
 
-__all__ = ["Comparison", "Verdict", "compare", "incoming", "remarks_on"]
+__all__ = ["Comparison", "Verdict", "compare", "incoming"]
 
 Thing = TypeVar("Thing")
 
@@ -215,7 +217,7 @@ class Verdict:
         }
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Comparison:
     """Predictions of several laws for one incoming ball; ``comparison["two-step"]`` is the verdict on one law.
 
@@ -233,6 +235,31 @@ class Comparison:
     """Angle of incidence from the wall's normal, along the floor, degrees."""
     verdicts: tuple[Verdict, ...]
     """One per law."""
+
+    def __repr__(self) -> str:
+        """Return one line: the incidence, and the final angle under each law, with * where it is admissible."""
+        parts = [f"{one.law} {format_number(one.reflection_angle, 4)}{'*' * one.admissible}" for one in self.verdicts]
+        return f"<Comparison at {format_number(self.incident_angle, 4)} degrees: {', '.join(parts)}>"
+
+    def _repr_html_(self) -> str:
+        """Return a table for notebooks."""
+        head = (
+            "law",
+            "angle after the wall, deg",
+            "final angle, deg",
+            "energy kept",
+            "μ of wall",
+            "of floor",
+            "admissible",
+        )
+        rows = []
+        for one in self.verdicts:
+            numbers = (one.energy_ratio, one.required_wall, one.required_floor)
+            angles = (format_number(angle, 4) for angle in (one.angle_after_wall, one.reflection_angle))
+            rows.append(
+                (one.law, *angles, *map(format_number, numbers), "yes" if one.admissible else "; ".join(one.why))
+            )
+        return html_table(head, rows)
 
     def __getitem__(self, law: str) -> Verdict:
         """Return the verdict on a law by its name; KeyError if the law was not compared."""
@@ -259,13 +286,14 @@ class Comparison:
         }
 
 
-def compare(meeting: Meeting | None = None, laws: Iterable[str | Law] | None = None) -> Comparison:
+def compare(meeting: Meeting | None = None, laws: Iterable[str | Law] | None = None, **numbers: Any) -> Comparison:
     """Compare the predictions of several laws for one ball, and find which laws are admissible.
 
     Parameters
     ----------
     meeting : Meeting
-        One ball, one wall (:func:`incoming` makes one from a speed and an angle). Default: the paper's example.
+        One ball, one wall. Default: made from ``numbers``, the arguments of :func:`incoming`, such as ``angle=30``; without any,
+        the paper's example.
     laws : names or Laws
         Default: those of ``carom.LAWS``, in their order, without special cases of others (:attr:`Law.variant_of`); laws
         that ignore the floor (contact) are included only for a ball above it, and published laws of cushions only for a
@@ -288,7 +316,16 @@ def compare(meeting: Meeting | None = None, laws: Iterable[str | Law] | None = N
     >>> round(comparison["two-step"].reflection_angle, 2), comparison["mirror"].admissible
     (41.17, False)
     """
-    m = incoming() if meeting is None else meeting
+    known = list(inspect.signature(incoming).parameters)
+    if strange := [name for name in numbers if name not in known]:
+        faults = [
+            f"compare: {name}: expected an argument of incoming, got {name!r}; {suggestion(name, known)}"
+            for name in strange
+        ]
+        raise CaromError(*faults)
+    if meeting is not None and numbers:
+        raise CaromError(f"compare: expected a meeting or numbers, got both ({', '.join(numbers)}); give one of them")
+    m = incoming(**numbers) if meeting is None else meeting
     require_type("compare", "meeting", m, Meeting)
     parts = [m.ball.radius, m.ball.mass, m.ball.kappa, m.height, *vars(m.wall).values(), *vars(m.floor).values()]
     if m.state.shape or m.normal.ndim != 1 or any(np.ndim(x) for x in parts):
@@ -372,71 +409,3 @@ def state_dict(state: State | None) -> dict[str, Any] | None:
     if state is None or np.isnan(state.velocity).any():
         return None
     return {"velocity": state.velocity.tolist(), "spin": state.spin.tolist()}
-
-
-def remarks_on(meeting: Meeting, answer: Answer, final: State | None) -> Iterator[str]:
-    """Yield sentences on what happens to one ball; ``final`` is None if it never rolls."""
-    steps = answer.steps
-    if isinstance(steps, TwoStep):
-        yield from _wall(meeting, steps)
-    if steps is not None:
-        yield from _floor(meeting, steps)
-    if final is None:
-        yield f"the ball never rolls again: {answer.why}"
-    else:
-        yield from _way(meeting, final)
-
-
-def _wall(meeting: Meeting, steps: TwoStep) -> Iterator[str]:
-    hit = steps.wall
-    mu = float(meeting.wall.friction)
-    if np.any(steps.floor_impulse != 0):
-        end = _ENDS[hit.regime]
-        yield f"the wall presses the ball on the floor: both act at once, and the wall contact ends {end}"
-    elif hit.regime == "slide":
-        needed = format_number(float(hit.required_friction))
-        yield f"the ball slides on the wall: its friction {format_number(mu)} is below the {needed} required for sticking"
-    elif hit.regime == "graze":
-        yield "the ball only grazes the wall, without an impulse"
-
-
-_ENDS = {
-    "stick": "sticking", "slide": "sliding", "graze": "by separation", "jam": "jammed", "stall": "unresolved",
-}  # fmt: skip
-
-
-def _floor(meeting: Meeting, steps: Settled) -> Iterator[str]:
-    flight = steps.flight
-    if math.isfinite(flight.duration) and flight.duration > 0:
-        yield (
-            f"the ball flies for {format_time(flight.duration)}, {format_length(flight.distance)} far and up to"
-            f" {format_length(flight.height)} high"
-            + (", and bounces" if float(steps.after_floor.velocity[2]) > 0 else "")
-        )
-        if steps.floor.regime == "slide" and steps.rolls:
-            mu, needed = (
-                format_number(float(meeting.floor.friction)),
-                format_number(float(steps.floor.required_friction)),
-            )
-            yield f"it lands sliding: the floor's friction {mu} is below the {needed} required for sticking"
-    elif flight.duration == 0 and steps.rolls:
-        left = slip(meeting.ball, steps.after_floor)
-        speed = float(np.abs(steps.after_floor.velocity).sum())
-        if float(np.abs(left).max()) > 1e-9 * speed:
-            yield "the ball stays on the floor and slides until it rolls"
-
-
-def _way(meeting: Meeting, final: State) -> Iterator[str]:
-    v0, v = meeting.state.velocity, final.velocity
-    size = float(np.abs(v0).sum() + meeting.ball.radius * np.abs(meeting.state.spin).sum())
-    if not float(np.abs(v[:2]).sum()) > 1e-12 * size:
-        yield "the ball stops at the wall"
-        return
-    n = meeting.normal
-    if float(n[0] * v[0] + n[1] * v[1]) < -1e-9 * size:
-        yield "its spin turns the ball round: it rolls back to the wall and meets it again"
-    along0, along = (float(n[0] * u[1] - n[1] * u[0]) for u in (v0, v))
-    if along0 * along < 0 and abs(along) > 1e-12 * size:
-        yield "the ball returns to the side of the normal from which it came"
-    elif along0 == 0 and abs(along) > 1e-12 * size:
-        yield f"the ball leaves to the {'left' if along > 0 else 'right'} of the wall's normal"

@@ -165,7 +165,7 @@ class FitSpec:
     """Why the law cannot be fitted to this kind of rebound."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Law:
     """A law: its conditions, its prediction, the objections to it, and how compiled loops and fits evaluate it.
 
@@ -218,6 +218,10 @@ class Law:
     """Colour and dashes of its line in figures. Default: the next free ones."""
     order: int = 1000
     """Position in tables: laws are sorted by this number, then by name."""
+
+    def __repr__(self) -> str:
+        """Return one line: its name, and its summary."""
+        return f"<Law {self.name}: {self.card.summary}>"
 
     @property
     def name(self) -> str:

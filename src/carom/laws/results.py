@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from carom.bodies import Ball, State, Surface, kinetic_energy
 from carom.core.contact import REGIMES
+from carom.formatting import format_length, format_number, format_time
 
 __all__ = [
     "GRAVITY", "PAPER_FLOOR", "PAPER_WALL", "REGIME_NAMES", "Flight", "FloorContact", "Impact", "Settled", "TwoStep",
@@ -40,7 +41,7 @@ def as_column(x: Any) -> Any:
     return x if np.ndim(x) == 0 else np.asarray(x)[..., None]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Impact:
     """One impact: the states before and after, impulse, required friction and regime. Shapes are those of the state.
 
@@ -62,6 +63,13 @@ class Impact:
     """(...): the least friction with which the contact sticks (if the floor acts too: the friction that was mobilised)."""
     code: Any
     """(...): the regime as an integer."""
+
+    def __repr__(self) -> str:
+        """Return one line: regime, impulse and required friction of one impact; of many their shape."""
+        if np.ndim(self.code):
+            return f"<Impact of shape {np.shape(self.code)}>"
+        impulse = ", ".join(format_number(float(x)) for x in self.impulse)
+        return f"<Impact: {self.regime}, impulse ({impulse}) N s, required friction {format_number(float(self.required_friction))}>"
 
     @property
     def regime(self) -> Any:
@@ -127,7 +135,7 @@ class Settled:
         return angle_from(self.normal, self.rolling)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class TwoStep(Settled):
     """Prediction of the two-step law, step by step. Shapes are those of the state.
 
@@ -146,6 +154,18 @@ class TwoStep(Settled):
     """The contact with the wall."""
     floor_impulse: Array
     """(..., 3), N s: impulse of the floor during the wall contact (for a ball that the wall presses down)."""
+
+    def __repr__(self) -> str:
+        """Return one line: final angle, flight, and what the contacts did; of many balls their shape."""
+        if self.after_wall.shape:
+            return f"<TwoStep of shape {self.after_wall.shape}>"
+        flight = f"flight {format_time(float(self.flight.duration))}, {format_length(float(self.flight.height))} high"
+        end = (
+            f"reflected at {format_number(math.degrees(self.reflection_angle), 4)} degrees"
+            if self.rolls
+            else str(self.why)
+        )
+        return f"<TwoStep: {end}, {flight}, wall {self.wall.regime}, floor {self.floor.regime}>"
 
 
 def angle_from(normal: Array, state: State, *, incoming: bool = False) -> Any:

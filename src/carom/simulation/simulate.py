@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from carom.core.jit.slices import Pace
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, FaultList, require_type
 from carom.scene.scene import Scene
+from carom.scene.toml import load_scene
 from carom.simulation.compiled import compiled_engine, compiled_many
 from carom.simulation.interpreted import run_interpreted, worth_interpreting
 from carom.simulation.loop import ALL, FULL, LIMIT, PHASES_FROM, QUIET, ROWS
@@ -57,12 +59,12 @@ def run_limits(scene: Scene) -> tuple[float, int]:
     return math.inf if run.duration is None else run.duration, most
 
 
-def simulate(scene: Scene, progress: Callable[[int, float], None] | None = None) -> Trajectory:
+def simulate(scene: Scene | str | Path, progress: Callable[[int, float], None] | None = None) -> Trajectory:
     """Simulate a scene event by event.
 
     Parameters
     ----------
-    scene : Scene
+    scene : Scene, or the name of a scene file
         The run ends after ``scene.run.duration``, after ``scene.run.max_events``, or when no event follows; with neither given,
         after 100,000 events at most.
     progress : function of (events so far, simulated time in s), optional
@@ -87,6 +89,8 @@ def simulate(scene: Scene, progress: Callable[[int, float], None] | None = None)
     >>> run.final.velocity.round(3)
     array([[1.051, 0.796, 0.   ]])
     """
+    if isinstance(scene, str | Path):
+        scene = load_scene(scene)
     require_type("simulate", "scene", scene, Scene)
     until, most = run_limits(scene)
     interpreted = worth_interpreting(scene)

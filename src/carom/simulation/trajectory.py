@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import functools
+import html
 import importlib
+import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -16,6 +18,7 @@ from carom.bodies import State
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError
 from carom.files import as_path
+from carom.formatting import html_table
 from carom.laws.results import REGIME_NAMES as NAMES
 from carom.scene.scene import Scene
 from carom.simulation.records import BALL, POCKETED_EVENT, START, WALL, kind_names
@@ -31,6 +34,8 @@ if TYPE_CHECKING:
 __all__ = ["Event", "Events", "Trajectory"]
 
 Array = NDArray[np.float64]
+TABLE_TIMES = 201  # of a run's table, where no times are given
+HTML_ROWS = 20  # of events in a notebook
 
 
 @dataclass(frozen=True, eq=False)
@@ -142,6 +147,16 @@ class Events(Sequence[Event]):
         names, counts = np.unique(kind_names(self.rows), return_counts=True)
         listed = ", ".join(f"{count} {name}" for name, count in zip(names, counts, strict=True))
         return f"<{len(self)} events: {listed}>" if listed else "<no events>"
+
+    def _repr_html_(self) -> str:
+        """Return a table for notebooks: the first events."""
+        names = self._run.scene.ball_names
+        rows = []
+        for one in itertools.islice(self, HTML_ROWS):
+            place = np.concatenate([np.asarray(one.after.position), one.after.velocity])
+            rows.append((f"{one.t:.6g}", names[one.ball], one.kind, one.name, *(f"{x:.4g}" for x in place)))
+        rest = f"<p>and {len(self) - HTML_ROWS:,} more</p>" if len(self) > HTML_ROWS else ""
+        return html_table(("t, s", "ball", "event", "with", "x, m", "y", "z", "v_x, m/s", "v_y", "v_z"), rows) + rest
 
 
 class Trajectory:
@@ -337,13 +352,20 @@ class Trajectory:
 
     # --- tables, files, pictures -------------------------------------------------------------------------------------
 
-    def table(self, times: ArrayLike) -> pandas.DataFrame:
-        """Return a pandas DataFrame, one row per ball and time (s). CaromError without pandas."""
-        return states_table(self, np.atleast_1d(np.asarray(times, dtype=float)))
+    def table(self, times: ArrayLike | None = None) -> pandas.DataFrame:
+        """Return a pandas DataFrame, one row per ball and time (s; default: 201 over the run). CaromError without pandas."""
+        return states_table(self, self._times(times))
 
-    def to_xarray(self, times: ArrayLike) -> xarray.Dataset:
-        """Return the states at the given times (s) as an xarray Dataset. CaromError without xarray."""
-        return states_dataset(self, np.atleast_1d(np.asarray(times, dtype=float)))
+    to_pandas = table
+
+    def to_xarray(self, times: ArrayLike | None = None) -> xarray.Dataset:
+        """Return the states at some times (s; default: 201 over the run) as an xarray Dataset. CaromError without xarray."""
+        return states_dataset(self, self._times(times))
+
+    def _times(self, times: ArrayLike | None) -> Array:
+        return (
+            np.linspace(0.0, self.end, TABLE_TIMES) if times is None else np.atleast_1d(np.asarray(times, dtype=float))
+        )
 
     def save(self, path: str | Path) -> Path:
         """Write the run to a .parquet or .nc file; :func:`carom.load_trajectory` gives back the same bits."""
@@ -361,6 +383,10 @@ class Trajectory:
         """Return one line."""
         balls = len(self.scene.balls)
         return f"<Trajectory: {balls} ball{'s' if balls > 1 else ''}, {len(self.events)} events, {self.end:.6g} s, {self.ended}>"
+
+    def _repr_html_(self) -> str:
+        """Return one line and the first events, for notebooks."""
+        return f"<p>{html.escape(repr(self))}</p>{self.events._repr_html_()}"
 
 
 def _plotting(name: str) -> Any:

@@ -145,7 +145,8 @@ class Store:
         found = dict(group.attrs).get(ATTRIBUTE)
         if not isinstance(found, dict) or "identity" not in found:
             raise CaromError(f"{self.name}: expected a store of a sweep, got a Zarr group without one; name a new one")
-        return found
+        # (the metadata of all arrays, in one place, are what is written last)
+        return found | {"complete": found["complete"] and group.metadata.consolidated_metadata is not None}
 
     def _require_empty(self) -> None:
         import os

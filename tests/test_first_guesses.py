@@ -1,0 +1,79 @@
+"""What people write first works: names, units, files, tables; results show themselves in a line, or as a table in a notebook."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import carom
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    (tmp_path / "x.toml").write_text(carom.new_scene(), encoding="utf-8")
+    return tmp_path / "x.toml"
+
+
+def test_a_scene_by_the_name_of_its_file(file: Path) -> None:
+    run = carom.simulate(str(file))
+    assert np.array_equal(run.final.position, carom.simulate(carom.load_scene(file)).final.position)
+    assert np.array_equal(run.final.position, carom.simulate(file).final.position)
+    with pytest.raises(carom.CaromError, match="expected a scene file, got: No such file"):
+        carom.simulate(file.with_name("y.toml"))
+
+
+def test_numbers_for_compare() -> None:
+    assert carom.compare(angle=30, friction=0.2)["two-step"].reflection_angle == (
+        carom.compare(carom.incoming(angle=30, friction=0.2))["two-step"].reflection_angle
+    )
+    assert [one.law for one in carom.compare(laws=["mirror"], angle=30).verdicts] == ["mirror"]
+    with pytest.raises(carom.CaromError, match="did you mean 'angle'"):
+        carom.compare(angel=30)
+    with pytest.raises(carom.CaromError, match="got both \\(angle\\)"):
+        carom.compare(carom.incoming(), angle=30)
+
+
+def test_units() -> None:
+    ball = carom.Ball("26 mm", "140 g")
+    assert (ball.radius, ball.mass) == (0.026, 0.14)
+    assert carom.Disc("1 cm").radius == 0.01
+    for bad in ("26 kg", "wide", "26"):
+        with pytest.raises(carom.CaromError, match="Ball: radius: expected a length in m, > 0, got"):
+            carom.Ball(bad)
+
+
+def test_tables_without_times(file: Path) -> None:
+    pytest.importorskip("pandas")
+    run = carom.simulate(file)
+    table = run.table()
+    assert len(table) == 201
+    assert table["t"].iloc[-1] == run.end
+    assert run.to_pandas().equals(table)
+    pytest.importorskip("xarray")
+    assert run.to_xarray().sizes["time"] == 201
+
+
+def test_names() -> None:
+    assert carom.Table is carom.scene.Table
+    assert carom.rebounds.read_rebounds is not None
+    assert {"fitting", "tracks", "rebounds", "Table", "Space", "sweep"} <= set(dir(carom))
+    assert not [name for name in dir(carom) if name.startswith("_")]
+
+
+def test_results_in_one_line(file: Path) -> None:
+    ball = carom.Ball()
+    two = carom.two_step(ball, carom.rolling(ball, (-1.0, 1.0)))
+    assert repr(two) == "<TwoStep: reflected at 51.52 degrees, flight 58.3 ms, 4.16 mm high, wall stick, floor stick>"
+    many = carom.two_step(ball, carom.rolling(ball, [(-1.0, 1.0), (-2.0, 1.0)]))
+    assert repr(many) == "<TwoStep of shape (2,)>"
+    assert repr(two.wall).startswith("<Impact: stick, impulse (")
+    assert repr(many.wall) == "<Impact of shape (2,)>"
+    found = carom.compare(laws=["mirror", "two-step"])
+    assert repr(found) == "<Comparison at 45 degrees: mirror 45, two-step 51.52*>"
+    assert found._repr_html_().count("<tr>") == 3
+    assert repr(carom.LAWS["mirror"]).startswith("<Law mirror: ")
+    run = carom.simulate(file)
+    assert run._repr_html_().count("<tr>") == 1 + min(len(run.events), 20)
+    assert len(repr(run)) < 120
