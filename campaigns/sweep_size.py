@@ -45,7 +45,8 @@ def main(words: Sequence[str] | None = None) -> int:
         v = made.space.columns(made.space.size - side, made.space.size)["balls.0.velocity"]
         reached = rows[2, :, 0, 0] > 0
         same = np.allclose(rows[2, reached, 0, 0], -0.85 * v[reached, 0], rtol=1e-12)
-    return int(peak > 1 or not same)
+    # (a small run is one of many tests of a process, whose peak is theirs)
+    return int((peak > 1 and not run.small) or not same)
 
 
 if __name__ == "__main__":
