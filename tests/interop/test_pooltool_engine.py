@@ -14,7 +14,14 @@ import pytest
 
 import carom
 import carom.interop.pooltool as interop
-from carom.interop.pooltool.physics import after_collision, after_cushion, landed, nose_normal
+from carom.interop.pooltool.physics import (
+    after_collision,
+    after_cushion,
+    bounced,
+    landed,
+    lifted_by_cushion,
+    nose_normal,
+)
 
 POOLTOOL = importlib.util.find_spec("pooltool") is not None
 needs_pooltool = pytest.mark.skipif(not POOLTOOL, reason="pooltool 0.6 is not installed")
@@ -68,6 +75,35 @@ def test_a_cushion_leaves_the_state_of_two_step_after_the_landing_bit_for_bit(no
             lifted += flight.height > 0
         assert abs(after.velocity[2]) <= 1e-15 * np.abs(after.velocity).sum()
     assert lifted > 30 if nose == BALL.radius else lifted < 30
+
+
+@pytest.mark.parametrize("nose", [NOSE, BALL.radius])
+def test_in_three_dimensions_a_cushion_leaves_the_state_of_two_step_after_the_wall(nose: float) -> None:
+    for state in states(50):
+        n = nose_normal((0.6, 0.8), state.velocity, nose, BALL.radius)
+        after = lifted_by_cushion(carom.LAWS["two-step"], BALL, state, n, WALL, FLOOR, GRAVITY, 0.0)
+        two = carom.two_step(BALL, state, WALL, FLOOR, n, GRAVITY)
+        assert after == two.after_wall
+
+
+def test_in_three_dimensions_a_hop_ends_below_a_least_height() -> None:
+    floor = carom.Surface(0.5, 0.2)
+    # 20 cm/s down is 10 cm/s up: 0.51 mm high
+    down = carom.State((1.0, 0.0, -0.2), (0.0, 0.0, 0.0))
+    assert bounced(BALL, down, floor, 5e-4, GRAVITY).velocity[2] == pytest.approx(0.1)
+    assert bounced(BALL, down, floor, 6e-4, GRAVITY).velocity[2] == 0
+    assert bounced(BALL, down, floor, 6e-4, GRAVITY).velocity[0] == bounced(BALL, down, floor, 0.0, GRAVITY).velocity[0]
+
+
+@needs_pooltool
+@foreign
+def test_the_third_dimension_needs_the_main_branch() -> None:
+    if importlib.util.find_spec("pooltool.evolution.engine") is None:
+        with pytest.raises(carom.CaromError, match="engine: is_3d: expected pooltool's main branch"):
+            interop.engine(is_3d=True)
+    else:
+        assert interop.engine(is_3d=True).is_3d
+        assert not interop.engine().is_3d
 
 
 def test_a_ball_that_is_thrown_up_lands_with_the_friction_of_that_impulse() -> None:

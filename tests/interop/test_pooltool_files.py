@@ -247,3 +247,42 @@ def test_a_shot_stored_by_pooltool_with_two_step_has_its_states_after_every_cush
         assert after[2] == pytest.approx(two.after_floor.spin, rel=1e-12, abs=1e-12)
         found += 1
     assert found == 5
+
+
+def test_a_file_of_the_main_branch_has_a_table_that_bounces() -> None:
+    (shot,) = read(FILES / "main_hop.json")
+    params = text("main_hop.json")["balls"]["white"]["params"]
+    assert shot.scene.floor is not None
+    assert shot.scene.floor.contact.p[0] == params["e_t"] == 0.5
+    assert not any("restitution" in note for note in shot.notes)
+    # pooltool in three dimensions with carom's laws, and carom: hops, bounces and contacts, until it follows no more bounces
+    run = carom.simulate(shot.scene)
+    theirs = [
+        event
+        for event in text("main_hop.json")["events"]
+        if event["event_type"] in ("ball_linear_cushion", "ball_table")
+    ]
+    ours = [event for event in run.events if event.kind in ("wall", "floor")]
+    for event, own in list(zip(theirs, ours, strict=False))[:4]:
+        (state,) = (agent["final"]["state"] for agent in event["agents"] if agent["agent_type"] == "ball")
+        assert event["time"] == pytest.approx(own.t, abs=1e-5)
+        assert state["rvw"][0] == pytest.approx(own.after.position, abs=2e-5)
+        assert state["rvw"][1] == pytest.approx(own.after.velocity, abs=1e-5)
+    path = shot.paths["white"]
+    assert float(np.linalg.norm(path[-1, 1:3] - run.final.position[0, :2])) < 0.005
+
+
+@pytest.mark.parametrize("place", ["params", "system"])
+def test_a_file_of_another_version_is_named_as_such(tmp_path: Path, place: str) -> None:
+    system = text("bank.json")
+    if place == "params":
+        system["balls"]["white"]["params"]["e_air"] = 0.5
+    else:
+        system["weather"] = {"wind": 3}
+    (tmp_path / "later.json").write_text(json.dumps(system), encoding="utf-8")
+    with pytest.raises(
+        carom.CaromError, match=r"expected the fields of pooltool 0\.6 .*, got a file of another version"
+    ) as caught:
+        read(tmp_path / "later.json")
+    assert len(caught.value.faults) == 1
+    assert ("e_air" if place == "params" else "weather") in str(caught.value)

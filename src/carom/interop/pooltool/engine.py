@@ -40,7 +40,11 @@ def require_pooltool(needed_by: str) -> Any:
 
 
 def engine(
-    cushion: str | Law = "two-step", wall: Surface | None = None, ball_ball: Literal["carom"] | None = "carom"
+    cushion: str | Law = "two-step",
+    wall: Surface | None = None,
+    ball_ball: Literal["carom"] | None = "carom",
+    *,
+    is_3d: bool = False,
 ) -> Any:
     """Make a physics engine for ``pooltool.simulate`` in which a law of carom's acts at the cushions.
 
@@ -57,10 +61,13 @@ def engine(
         The cushion's restitution and friction, for straight cushions and jaws. Default: the balls' own e_c and f_c.
     ball_ball : "carom" or None
         carom.collide, with the balls' e_b and u_b, where balls meet; None: pooltool's own model.
+    is_3d : bool
+        With pooltool's main branch (after 0.6.0): the ball that a cushion lifts flies, lands on carom's floor (the ball's e_t and
+        u_s) and bounces, until a hop is below 0.1 mm. Default: in two dimensions, as above.
 
     Returns
     -------
-    pooltool.physics.PhysicsEngine
+    pooltool.physics.PhysicsEngine, of the main branch pooltool.evolution.engine.SimulationEngine
         pooltool's default models in everything else.
 
     Raises
@@ -87,7 +94,7 @@ def engine(
     require_pooltool("engine")
     from carom.interop.pooltool.models import build_engine
 
-    return build_engine(cushion, wall, ball_ball == "carom")
+    return build_engine(cushion, wall, ball_ball == "carom", is_3d)
 
 
 def register() -> None:

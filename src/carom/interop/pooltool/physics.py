@@ -1,7 +1,8 @@
 """What carom does with a ball at a cushion of pooltool's, or with two balls, in numbers alone: pooltool is not imported here.
 
-pooltool 0.6 has no gravity: a ball that a cushion lifts would rise for ever, and its own laws of cushions set the vertical velocity
-to zero. Here the ball lands at once, with the impulse that the floor gives it at the end of its flight, and the flight is reported.
+pooltool 0.6, and its main branch unless it is asked for three dimensions, has no gravity: a ball that a cushion lifts would rise
+for ever, and its own laws of cushions set the vertical velocity to zero. There the ball lands at once, with the impulse that the
+floor gives it at the end of its flight, and the flight is reported. In three dimensions it flies.
 """
 
 from __future__ import annotations
@@ -19,7 +20,7 @@ from carom.laws.law import Law, Meeting
 from carom.laws.pair import collide
 from carom.laws.results import Flight
 
-__all__ = ["after_collision", "after_cushion", "landed", "nose_normal"]
+__all__ = ["after_collision", "after_cushion", "bounced", "landed", "lifted_by_cushion", "nose_normal"]
 
 Array = NDArray[np.float64]
 UP = (0.0, 0.0, 1.0)
@@ -87,6 +88,29 @@ def after_cushion(
             f" spin {state.spin.tolist()}, normal {normal.tolist()}; use another law for this shot"
         )
     return landed(ball, answer.after_wall, floor, gravity)
+
+
+def lifted_by_cushion(
+    law: Law, ball: Ball, state: State, normal: Array, wall: Surface, floor: Surface, gravity: float, height: float
+) -> State:
+    """Return the state just after a cushion, in three dimensions: a ball that it lifts is in the air.
+
+    ``height`` is that of the ball above the table, m. Raises CaromError where the law has no answer.
+    """
+    answer = law.answer(Meeting(ball, state, normal, wall, floor, gravity, height))
+    if not np.isfinite(answer.after_wall.velocity).all():
+        raise CaromError(
+            f"pooltool: cushion: expected an answer of the law {law.name}, got none for velocity {state.velocity.tolist()},"
+            f" spin {state.spin.tolist()}, normal {normal.tolist()}; use another law for this shot"
+        )
+    return answer.after_wall
+
+
+def bounced(ball: Ball, state: State, floor: Surface, least_hop: float, gravity: float) -> State:
+    """Return the state after a ball has met the table; a hop of less than ``least_hop`` (m) is none."""
+    after = impact(ball, state, UP, floor).after
+    x, y, z = after.velocity.tolist()
+    return State((x, y, 0.0 if z * z < 2 * gravity * least_hop else z), after.spin)
 
 
 def after_collision(

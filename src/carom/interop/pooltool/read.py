@@ -82,6 +82,7 @@ def read(path: str | Path) -> list[PooltoolShot]:
 
 
 def _shot(system: Field) -> PooltoolShot:
+    _require_known(system, ("cue", "table", "balls", "t", "events", "meta"))
     events = system["events"].each()
     balls = system["balls"].parts()
     cue = system["cue"]
@@ -93,10 +94,11 @@ def _shot(system: Field) -> PooltoolShot:
     notes = [
         f"ball {name}: its {key}, {numbers[key]:g}, as the scene has the cue ball's, {own[key]:g}, for all"
         for name, numbers in params.items()
-        for key in (*CLOTH, "e_b", "u_b")
+        for key in (*CLOTH, "e_b", "u_b", "e_t")
         if numbers[key] != own[key]
     ]
-    notes.append("the floor has no restitution, as pooltool has no such number; balls do not bounce on it")
+    if not any(numbers["e_t"] for numbers in params.values()):
+        notes.append("the floor has no restitution, as pooltool 0.6 has no such number; balls do not bounce on it")
     starts, struck = _starts(events, balls, white)
     scene_balls = []
     for name, (rvw, state) in starts.items():
@@ -124,6 +126,7 @@ def _shot(system: Field) -> PooltoolShot:
             "gravity": own["g"],
             "floor": {
                 "friction": own["u_s"],
+                "restitution": own["e_t"],
                 "rolling_resistance": own["u_r"],
                 "spin_friction": own["u_sp_proportionality"] * own["R"],
             },
@@ -141,7 +144,22 @@ def _shot(system: Field) -> PooltoolShot:
 
 
 def _params(params: Field) -> dict[str, float]:
-    return {key: params[key].number() for key in ("m", "R", *CLOTH, "e_b", "u_b")}
+    known = ("m", "R", *CLOTH, "e_b", "u_b")
+    _require_known(params, (*known, "e_t"))
+    found = {key: params[key].number() for key in known}
+    # (of the main branch, after 0.6.0)
+    return found | {"e_t": params["e_t"].number() if "e_t" in params else 0.0}
+
+
+def _require_known(table: Field, known: tuple[str, ...]) -> None:
+    """Raise CaromError for a field that pooltool 0.6 and its main branch of November 2026 do not have: it may say anything."""
+    for name in table.fields():
+        if name not in known:
+            raise table[name].fault(
+                f"the fields of pooltool 0.6 ({', '.join(known)})",
+                "a file of another version, with this one",
+                "save the shot with 0.6",
+            )
 
 
 def _state(ball: Field) -> tuple[Array, int]:
