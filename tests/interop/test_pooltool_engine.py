@@ -207,7 +207,8 @@ def test_smooth_upright_cushions_give_pooltools_own_shot(phi: float, e: float) -
     resolver = default_resolver()  # its ball has a restitution of 0.85
     resolver.ball_linear_cushion = UnrealisticLinear(restitution=e < 1)
     resolver.ball_circular_cushion = UnrealisticCircular(restitution=e < 1)
-    own = pt.simulate(shot(phi, BALL.radius), engine=pt.physics.PhysicsEngine(resolver=resolver))
+    kind = type(interop.engine())  # (PhysicsEngine; SimulationEngine of the main branch)
+    own = pt.simulate(shot(phi, BALL.radius), engine=kind(resolver=resolver))
     ours = pt.simulate(shot(phi, BALL.radius), engine=interop.engine("two-step", carom.Surface(e, 0.0)))
     assert [event.event_type for event in ours.events] == [event.event_type for event in own.events]
     assert ours.t == pytest.approx(own.t, abs=1e-12)

@@ -132,6 +132,13 @@ def _pooltool_table(pt: Any, table: Table, turn: Array) -> Any:
     )  # fmt: skip
 
 
+def _fields() -> set[str]:
+    """Return the names of pooltool's numbers of a ball."""
+    from pooltool.objects.ball.params import BallParams
+
+    return {field.name for field in BallParams.__attrs_attrs__}
+
+
 def _params(scene: Scene) -> dict[str, float]:
     """Return pooltool's numbers of the balls; those of which the scene has none, or a form, are pooltool's own."""
     ball, floor, wall, pair = scene.balls[0], scene.floor, scene.walls[0], scene.ball_contact
@@ -140,7 +147,10 @@ def _params(scene: Scene) -> dict[str, float]:
         found["u_s"] = max(floor.friction, LEAST)
         found["u_r"] = max(floor.rolling_resistance, LEAST)
         found["u_sp_proportionality"] = max(floor.spin_friction / ball.radius, LEAST)
-    for key, form in (("e_b", pair.restitution), ("e_c", wall.restitution)):
+    forms = [("e_b", pair.restitution), ("e_c", wall.restitution)]
+    if floor is not None and "e_t" in _fields():  # (of the main branch, after 0.6.0)
+        forms.append(("e_t", floor.restitution))
+    for key, form in forms:
         if isinstance(form, Constant):
             found[key] = form.value
     if wall.friction is not None:
