@@ -6,7 +6,7 @@ import importlib
 import os
 import signal
 import sys
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -15,7 +15,6 @@ from carom.errors import CaromError
 app = typer.Typer(
     name="carom",
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
 )
 
@@ -23,7 +22,7 @@ app = typer.Typer(
 # fmt: off
 MODULES: tuple[str, ...] = (
     "compare", "catalog", "paper", "predict", "scene", "simulate", "explore", "gas", "orbit", "sweep", "tracks", "fit", "design",
-    "warm",
+    "doctor", "warm",
 )
 # fmt: on
 
@@ -34,8 +33,10 @@ for module in MODULES:
 def _version(wanted: bool) -> None:
     if wanted:
         from carom import __version__
+        from carom.cli.doctor import commit
 
-        sys.stdout.write(f"carom {__version__}\n")
+        found = commit()
+        sys.stdout.write(f"carom {__version__}{f' (commit {found})' if found else ''}\n")
         raise typer.Exit
 
 
@@ -64,7 +65,7 @@ def main() -> None:
 
 def _run() -> int:
     try:
-        return int(app(standalone_mode=False) or 0)
+        return int(_without_types_of_flags(typer.main.get_command(app))(standalone_mode=False) or 0)
     except CaromError as error:
         return _report(error)
     except KeyboardInterrupt:
@@ -79,6 +80,16 @@ def _run() -> int:
         else:
             _print_errors(f"{error.format_message()} (carom --help)")
     return 2
+
+
+def _without_types_of_flags(command: Any) -> Any:
+    """Return a command in whose help flags have no type."""
+    for option in command.params:
+        if getattr(option, "is_flag", False) and option.metavar is None:
+            option.metavar = ""
+    for inner in getattr(command, "commands", {}).values():
+        _without_types_of_flags(inner)
+    return command
 
 
 def _interrupted() -> int:

@@ -1,0 +1,100 @@
+"""``carom doctor``: what this installation has: versions, optional libraries, the cache of compiled code, cores."""
+
+from __future__ import annotations
+
+import importlib.metadata
+import json
+import platform
+import sys
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from carom.cli.options import shared
+
+BASE = ("numpy", "numba", "llvmlite", "pydantic", "pint", "rich", "typer", "lazy_loader")
+# Names of packages where they differ from those of their modules.
+PACKAGES = {"imageio_ffmpeg": "imageio-ffmpeg"}
+
+
+def register(app: typer.Typer) -> None:
+    """Add the command."""
+    app.command("doctor")(doctor)
+
+
+def doctor(as_json: Annotated[bool, shared("json")] = False) -> None:
+    """Say what this installation has: versions, optional libraries, the cache of compiled code, cores."""
+    found = report()
+    if as_json:
+        sys.stdout.write(json.dumps(found, indent=2) + "\n")
+        return
+    from rich import box
+    from rich.table import Table
+
+    from carom.cli.console import out
+
+    console = out()
+    table = Table(box=box.SIMPLE, show_header=False, pad_edge=False)
+    table.add_row("carom", found["carom"] + (f", commit {found['commit']}" if found["commit"] else ""))
+    table.add_row("Python", f"{found['python']} on {found['platform']}")
+    for name, version in found["libraries"].items():
+        table.add_row(name, version)
+    for name, about in found["optional"].items():
+        table.add_row(name, about["version"] or f"not installed: pip install 'carom[{about['extra']}]'")
+    cache = found["cache"]
+    ready = "ready" if cache["engine_ready"] else "the event loop is compiled when it is first needed"
+    state = f"{cache['megabytes']:.1f} MB, {ready}"
+    table.add_row("cache", f"{cache['folder']}: {state}")
+    table.add_row("cores", f"{found['cores']}, of which compiled loops use {found['threads']} at once")
+    console.print(table)
+
+
+def report() -> dict[str, Any]:
+    """Return what the installation has."""
+    import carom
+    from carom.core.jit.background import core_count
+    from carom.core.jit.compile import cache_folder, thread_count
+    from carom.files import OPTIONAL
+    from carom.simulation.compiled import compiled_before
+
+    folder = cache_folder()
+    size = sum(path.stat().st_size for path in folder.rglob("*") if path.is_file()) if folder.exists() else 0
+    return {
+        "carom": carom.__version__,
+        "commit": commit(),
+        "python": platform.python_version(),
+        "platform": platform.platform(),
+        "libraries": {name: _version(name) for name in BASE},
+        "optional": {
+            name: {"version": _version(name), "extra": extra} for name, (_prose, extra) in sorted(OPTIONAL.items())
+        },
+        "cache": {"folder": str(folder), "megabytes": size / 1e6, "engine_ready": compiled_before()},
+        "cores": core_count(),
+        "threads": thread_count(),
+    }
+
+
+def _version(name: str) -> str | None:
+    try:
+        return importlib.metadata.version(PACKAGES.get(name, name))
+    except importlib.metadata.PackageNotFoundError:
+        return None
+
+
+def commit() -> str | None:
+    """Return the commit that carom is run from, of a clone; None for an installed package."""
+    import carom
+
+    git = Path(carom.__file__).parents[2] / ".git"
+    try:
+        head = (git / "HEAD").read_text(encoding="utf-8").strip()
+        if not head.startswith("ref: "):
+            return head[:9]
+        name = head.removeprefix("ref: ")
+        if (git / name).exists():
+            return (git / name).read_text(encoding="utf-8").strip()[:9]
+        packed = (git / "packed-refs").read_text(encoding="utf-8").splitlines()
+        return next((line.split()[0][:9] for line in packed if line.endswith(f" {name}")), None)
+    except OSError:
+        return None

@@ -1,0 +1,53 @@
+"""``carom doctor``, ``--version``, completion, and help without types of flags."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+
+import carom
+
+
+def carom_command(*words: str, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        [sys.executable, "-m", "carom", *words],
+        capture_output=True,
+        text=True,
+        check=False,
+        env={**os.environ, **environment},
+    )
+
+
+def test_doctor_says_what_is_there() -> None:
+    done = carom_command("doctor", "--json")
+    assert done.returncode == 0, done.stderr
+    found = json.loads(done.stdout)
+    assert found["carom"] == carom.__version__
+    assert found["libraries"]["numpy"] == np.__version__
+    assert found["optional"]["scipy"]["extra"] == "fit"
+    assert found["cores"] >= found["threads"] >= 1
+    assert Path(found["cache"]["folder"]).name
+    table = carom_command("doctor", COLUMNS="60")
+    assert table.returncode == 0
+    assert "numba" in table.stdout
+
+
+def test_version() -> None:
+    assert carom_command("--version").stdout.startswith(f"carom {carom.__version__}")
+
+
+def test_flags_have_no_type_in_help() -> None:
+    shown = carom_command("simulate", "--help", COLUMNS="100").stdout
+    (line,) = (line for line in shown.splitlines() if "--quiet" in line)
+    assert "bool" not in line
+
+
+def test_completion_can_be_shown() -> None:
+    done = carom_command("--show-completion", "bash", _TYPER_COMPLETE_TEST_DISABLE_SHELL_DETECTION="1")
+    assert done.returncode == 0
+    assert "complete" in done.stdout
