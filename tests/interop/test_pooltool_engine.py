@@ -1,4 +1,4 @@
-"""carom's laws in pooltool: the numbers alone everywhere, whole shots where pooltool 0.6 is installed."""
+"""carom's laws in pooltool: the numbers alone everywhere, whole shots where pooltool, 0.6.0 or main, is installed."""
 
 from __future__ import annotations
 
@@ -14,17 +14,12 @@ import pytest
 
 import carom
 import carom.interop.pooltool as interop
-from carom.interop.pooltool.physics import (
-    after_collision,
-    after_cushion,
-    bounced,
-    landed,
-    lifted_by_cushion,
-    nose_normal,
-)
+from carom.interop.pooltool.physics import after_collision, after_cushion, landed, nose_normal, off_cushion, off_floor
 
 POOLTOOL = importlib.util.find_spec("pooltool") is not None
-needs_pooltool = pytest.mark.skipif(not POOLTOOL, reason="pooltool 0.6 is not installed")
+MAIN = POOLTOOL and importlib.util.find_spec("pooltool.evolution.engine") is not None
+needs_pooltool = pytest.mark.skipif(not POOLTOOL, reason="pooltool is not installed")
+needs_main = pytest.mark.skipif(not MAIN, reason="pooltool's main branch is not installed")
 # (what pooltool and its libraries warn of is theirs)
 foreign = pytest.mark.filterwarnings("ignore::DeprecationWarning", "ignore::SyntaxWarning", "ignore::UserWarning")
 
@@ -77,35 +72,6 @@ def test_a_cushion_leaves_the_state_of_two_step_after_the_landing_bit_for_bit(no
     assert lifted > 30 if nose == BALL.radius else lifted < 30
 
 
-@pytest.mark.parametrize("nose", [NOSE, BALL.radius])
-def test_in_three_dimensions_a_cushion_leaves_the_state_of_two_step_after_the_wall(nose: float) -> None:
-    for state in states(50):
-        n = nose_normal((0.6, 0.8), state.velocity, nose, BALL.radius)
-        after = lifted_by_cushion(carom.LAWS["two-step"], BALL, state, n, WALL, FLOOR, GRAVITY, 0.0)
-        two = carom.two_step(BALL, state, WALL, FLOOR, n, GRAVITY)
-        assert after == two.after_wall
-
-
-def test_in_three_dimensions_a_hop_ends_below_a_least_height() -> None:
-    floor = carom.Surface(0.5, 0.2)
-    # 20 cm/s down is 10 cm/s up: 0.51 mm high
-    down = carom.State((1.0, 0.0, -0.2), (0.0, 0.0, 0.0))
-    assert bounced(BALL, down, floor, 5e-4, GRAVITY).velocity[2] == pytest.approx(0.1)
-    assert bounced(BALL, down, floor, 6e-4, GRAVITY).velocity[2] == 0
-    assert bounced(BALL, down, floor, 6e-4, GRAVITY).velocity[0] == bounced(BALL, down, floor, 0.0, GRAVITY).velocity[0]
-
-
-@needs_pooltool
-@foreign
-def test_the_third_dimension_needs_the_main_branch() -> None:
-    if importlib.util.find_spec("pooltool.evolution.engine") is None:
-        with pytest.raises(carom.CaromError, match="engine: is_3d: expected pooltool's main branch"):
-            interop.engine(is_3d=True)
-    else:
-        assert interop.engine(is_3d=True).is_3d
-        assert not interop.engine().is_3d
-
-
 def test_a_ball_that_is_thrown_up_lands_with_the_friction_of_that_impulse() -> None:
     after, flight = landed(BALL, carom.State((1.0, 0.0, 0.5), (0.0, 0.0, 0.0)), FLOOR, GRAVITY)
     # Coulomb: mu times the impulse that stops 0.5 m/s; 2/7 of the slip would end it
@@ -155,12 +121,37 @@ def test_a_law_that_does_not_hold_says_so_in_one_line() -> None:
         ({"wall": (0.8, 0.2)}, "engine: wall: expected a Surface, got tuple"),
         ({"wall": carom.Surface([0.8, 0.9], 0.2)}, "engine: wall: expected one surface, got arrays"),
         ({"ball_ball": "pooltool"}, "engine: ball_ball: expected 'carom' or None"),
+        ({"is_3d": "yes"}, "engine: is_3d: expected a bool, got str 'yes'"),
     ],
 )
 def test_wrong_arguments_are_one_line_each(options: dict[str, Any], said: str) -> None:
     with pytest.raises(carom.CaromError, match=said) as caught:
         interop.engine(**options)
     assert len(caught.value.faults) == 1
+
+
+@pytest.mark.parametrize("nose", [NOSE, BALL.radius])
+def test_where_balls_fly_a_cushion_leaves_the_state_of_two_step_after_the_wall_bit_for_bit(nose: float) -> None:
+    floor = carom.Surface(0.5, 0.2)
+    rising = 0
+    for state in states(100):
+        n = nose_normal((0.6, 0.8), state.velocity, nose, BALL.radius)
+        after = off_cushion(carom.LAWS["two-step"], BALL, state, n, WALL, floor, GRAVITY)
+        two = carom.two_step(BALL, state, WALL, floor, n, GRAVITY)
+        if two.after_wall.velocity[2] >= 0:
+            assert after == two.after_wall
+        assert after.velocity[2] >= 0
+        rising += after.velocity[2] > 0
+    assert rising > 30 if nose == BALL.radius else rising == 0  # a nose above the centre presses the ball on the cloth
+
+
+def test_a_law_that_drives_the_ball_down_leaves_the_floor_at_once() -> None:
+    down = carom.State((1.0, 0.0, -0.5), (0.0, 0.0, 0.0))
+    after = off_floor(BALL, down, carom.Surface(0.5, 0.2))
+    # Coulomb: the impulse stops 0.5 m/s and gives 0.25 m/s back
+    assert after.velocity == pytest.approx((1 - 0.2 * 0.75, 0.0, 0.25))
+    up = carom.State((1.0, 0.0, 0.5), (0.0, 0.0, 0.0))
+    assert off_floor(BALL, up, FLOOR) is up
 
 
 @pytest.mark.skipif(POOLTOOL, reason="pooltool is installed")
@@ -204,11 +195,12 @@ def test_smooth_upright_cushions_give_pooltools_own_shot(phi: float, e: float) -
     from pooltool.physics.resolve.ball_cushion.unrealistic import UnrealisticCircular, UnrealisticLinear
     from pooltool.physics.resolve.resolver import default_resolver
 
+    from carom.interop.pooltool.models import make_engine
+
     resolver = default_resolver()  # its ball has a restitution of 0.85
     resolver.ball_linear_cushion = UnrealisticLinear(restitution=e < 1)
     resolver.ball_circular_cushion = UnrealisticCircular(restitution=e < 1)
-    kind = type(interop.engine())  # (PhysicsEngine; SimulationEngine of the main branch)
-    own = pt.simulate(shot(phi, BALL.radius), engine=kind(resolver=resolver))
+    own = pt.simulate(shot(phi, BALL.radius), engine=make_engine(resolver, False))
     ours = pt.simulate(shot(phi, BALL.radius), engine=interop.engine("two-step", carom.Surface(e, 0.0)))
     assert [event.event_type for event in ours.events] == [event.event_type for event in own.events]
     assert ours.t == pytest.approx(own.t, abs=1e-12)
@@ -298,3 +290,119 @@ def test_a_custom_law_plays_and_is_not_written_to_files(tmp_path: Path) -> None:
     assert abs(played.balls["white"].state.rvw[0][1] - (2.84 - BALL.radius)) < 1e-3
     with pytest.raises(carom.CaromError, match="pooltool: law: expected a law of carom's by name in a file"):
         engine.resolver.save(tmp_path / "resolver.yaml")
+
+
+# --- in its main branch, where balls fly ------------------------------------------------------------------------------
+
+
+@needs_pooltool
+@foreign
+@pytest.mark.skipif(MAIN, reason="this pooltool has flights")
+def test_flights_are_refused_where_pooltool_has_none() -> None:
+    with pytest.raises(
+        carom.CaromError, match=r"engine: is_3d: expected False, as pooltool 0\.6\.0 has no flights, got True"
+    ):
+        interop.engine(is_3d=True)
+
+
+@needs_main
+@foreign
+def test_main_has_flights_if_nothing_else_is_asked() -> None:
+    assert interop.engine(is_3d=True).is_3d
+    assert not interop.engine(is_3d=False).is_3d
+    assert interop.engine(ball_ball=None).resolver.ball_ball.model == "frictional_inelastic"
+    with pytest.raises(carom.CaromError, match="engine: ball_ball: expected 'carom' where balls fly"):
+        interop.engine(ball_ball=None, is_3d=True)
+
+
+@needs_main
+@foreign
+@pytest.mark.parametrize("phi", [60.0, 75.0, 110.0])
+def test_main_flies_the_hop_of_two_step_and_lands_on_caroms_floor(phi: float) -> None:
+    import pooltool as pt
+
+    played = pt.simulate(shot(phi, BALL.radius), engine=interop.engine(wall=WALL, is_3d=True), t_final=1.5)
+    kinds = [str(event.event_type) for event in played.events]
+    first = kinds.index("ball_linear_cushion")
+    assert kinds[first + 1] == "ball_table"
+    met, down = played.events[first], played.events[first + 1]
+    ball, cushion = sorted(met.agents, key=lambda agent: agent.agent_type != "ball")
+    before, after = ball.initial.state.rvw, ball.final.state.rvw
+    floor = carom.Surface(0.5, 0.2)  # the ball's e_t and u_s
+    n = nose_normal(cushion.initial.get_normal_xy(after[0]), before[1], cushion.initial.height, BALL.radius)
+    two = carom.two_step(BALL, carom.State(before[1], before[2]), WALL, floor, n, GRAVITY)
+    assert after[1].tolist() == two.after_wall.velocity.tolist()
+    assert down.time - met.time == pytest.approx(two.flight.duration, rel=1e-9)
+    landing, left = (getattr(down.agents[0], when).state.rvw for when in ("initial", "final"))
+    on_floor = carom.impact(BALL, carom.State(landing[1], landing[2]), (0.0, 0.0, 1.0), floor).after
+    assert left[1] == pytest.approx(on_floor.velocity, abs=1e-12)
+    assert left[2] == pytest.approx(on_floor.spin, abs=1e-9)
+
+
+@needs_main
+@foreign
+@pytest.mark.parametrize("number", range(10))
+def test_shots_in_main_end_where_carom_alone_ends_them(number: int, tmp_path: Path) -> None:
+    import pooltool as pt
+
+    played = shot(20.0 + 35 * number, sidespin=0.05 * (number - 5), speed=1.0 + 0.1 * number)
+    pt.simulate(played, engine=interop.engine(is_3d=True), inplace=True)
+    played.save(tmp_path / "shot.json")
+    (found,) = interop.read(tmp_path / "shot.json")
+    run = carom.simulate(found.scene)
+    path = found.paths["white"]
+    length = np.linalg.norm(np.diff(path[:, 1:3], axis=0), axis=1).sum()
+    assert len(run.events.of("wall")) > 0
+    assert np.linalg.norm(run.final.position[0, :2] - path[-1, 1:3]) < 0.01 * length
+
+
+@needs_main
+@foreign
+def test_an_elevated_cue_lifts_the_ball_in_main_and_in_its_file(tmp_path: Path) -> None:
+    import pooltool as pt
+
+    played = shot(90.0, speed=2.0)
+    played.cue.theta = 40.0
+    pt.simulate(played, engine=interop.engine(is_3d=True), inplace=True, t_final=0.3)
+    heights = [state.rvw[1, 2] for state in played.balls["white"].history]
+    assert max(heights) > 0.1
+    assert min(heights) < 0
+    played.save(tmp_path / "jump.json")
+    run = carom.simulate(interop.read(tmp_path / "jump.json")[0].scene)
+    assert np.nanmax(run.at(np.linspace(0, 0.3, 300)).position[:, 0, 2]) > BALL.radius + 1e-3
+
+
+@needs_main
+@foreign
+def test_balls_in_main_meet_as_in_collide() -> None:
+    import pooltool as pt
+
+    played = pt.simulate(with_balls(0.3), engine=interop.engine(is_3d=True), t_final=1.0)
+    event = next(one for one in played.events if one.event_type == "ball_ball")
+    one, two = event.agents
+    states = [carom.State(agent.initial.state.rvw[1], agent.initial.state.rvw[2]) for agent in (one, two)]
+    normal = one.final.state.rvw[0] - two.final.state.rvw[0]
+    hit = carom.collide(BALL, states[0], BALL, states[1], normal, carom.Surface(0.95, 0.05)).after
+    flying = 0
+    for agent, met in zip((one, two), hit, strict=True):
+        after = off_floor(BALL, met, carom.Surface(0.5, 0.2))  # (one of the two is pressed on the cloth)
+        assert agent.final.state.rvw[1] == pytest.approx(after.velocity, abs=1e-12)
+        assert agent.final.state.rvw[2] == pytest.approx(after.spin, abs=1e-9)
+        flying += agent.final.state.s == 5
+    assert flying == 2
+
+
+@needs_main
+@foreign
+def test_the_floor_survives_a_file(tmp_path: Path) -> None:
+    from pooltool.physics.resolve.resolver import Resolver
+
+    interop.register()
+    resolver = interop.engine("mathavan2010", is_3d=True).resolver
+    loaded = Resolver.load(resolver.save(tmp_path / "resolver.yaml"))
+    assert loaded == resolver
+    assert (loaded.ball_table.model, loaded.ball_table.least_bounce, loaded.ball_linear_cushion.is_3d) == (
+        "carom_floor",
+        1e-9,
+        True,
+    )

@@ -1,4 +1,4 @@
-"""carom's laws as models of the resolver of pooltool 0.6 and its main branch. Only this module and ``systems`` import pooltool."""
+"""carom's laws as models of pooltool's resolver, 0.6.0 or main. Only this module, ``floor`` and ``systems`` import pooltool."""
 
 from __future__ import annotations
 
@@ -6,10 +6,7 @@ import warnings
 from typing import Any
 
 import attrs
-import numpy as np
 from cattrs.gen import make_dict_unstructure_fn, override
-from pooltool import constants
-from pooltool.objects.ball.datatypes import BallState
 from pooltool.physics.resolve.ball_ball import ball_ball_models
 from pooltool.physics.resolve.ball_ball.core import CoreBallBallCollision
 from pooltool.physics.resolve.ball_cushion import ball_ccushion_models, ball_lcushion_models
@@ -19,35 +16,17 @@ from pooltool.serialize import SerializeFormat, conversion
 
 from carom.bodies import Ball, State, Surface
 from carom.errors import CaromError
-from carom.interop.pooltool.physics import (
-    after_collision,
-    after_cushion,
-    bounced,
-    landed,
-    lifted_by_cushion,
-    nose_normal,
-)
+from carom.interop.pooltool.dimensions import leave, needed
+from carom.interop.pooltool.installed import has_flights
+from carom.interop.pooltool.physics import after_collision, after_cushion, apart, nose_normal, off_cushion, off_floor
 from carom.laws.law import Law
 from carom.laws.pair import collide
 from carom.laws.registry import law_named
 from carom.laws.results import Flight
 
-__all__ = ["CaromCircular", "CaromLinear", "CaromPair", "build_engine", "register_models"]
+__all__ = ["CaromCircular", "CaromLinear", "CaromPair", "build_engine", "make_engine", "register_models"]
 
 CUSHION, PAIR = "carom_cushion", "carom_collide"
-LEAST_HOP = 1e-4  # m: pooltool follows bounces one by one, and would never end with them
-try:  # the main branch, after 0.6.0: engines of two or three dimensions
-    from pooltool.evolution.engine import SimulationEngine
-    from pooltool.physics.dimensionality import Dim
-    from pooltool.physics.resolve.ball_table.core import CoreBallTableCollision, final_ball_motion_state
-except ImportError:
-    from pooltool.physics.engine import PhysicsEngine
-
-    Dim: Any = None  # type: ignore[no-redef]
-
-
-def _planar() -> Any:
-    return None if Dim is None else Dim.TWO
 
 
 def _known(_model: Any, _field: Any, law: Any) -> None:
@@ -64,9 +43,9 @@ def _name(law: Any) -> str:
     return str(law)
 
 
-def _floor(params: Any) -> Surface:
-    """The cloth: pooltool's friction of a sliding ball; a ball that lands does not bounce, as pooltool could not show it."""
-    return Surface(0.0, params.u_s)
+def _floor(params: Any, is_3d: bool = False) -> Surface:
+    """The cloth: pooltool's friction of a sliding ball. In two dimensions a ball that lands does not bounce: none could show it."""
+    return Surface(params.e_t if is_3d else 0.0, params.u_s)
 
 
 def _note(flights: list[Flight], flight: Flight) -> None:
@@ -76,7 +55,7 @@ def _note(flights: list[Flight], flight: Flight) -> None:
     flights.append(flight)
     if len(flights) == 1:
         text = (
-            f"pooltool 0.6 has no gravity: a hop {1000 * flight.height:.3g} mm high, {flight.duration:.3g} s and"
+            f"pooltool in two dimensions has no gravity: a hop {1000 * flight.height:.3g} mm high, {flight.duration:.3g} s and"
             f" {1000 * flight.distance:.3g} mm long is left out, the ball lands at once; the model's `flights` lists all"
         )
         warnings.warn(text, stacklevel=2)
@@ -90,47 +69,32 @@ class _Cushion:
     restitution: float | None = None
     friction: float | None = None
     tangential_restitution: float = 0.0
+    is_3d: bool = False
     model: str = attrs.field(default=CUSHION, init=False, repr=False)
-    dim: Any = attrs.field(factory=_planar, init=False, repr=False, eq=False)
     flights: list[Flight] = attrs.field(factory=list, init=False, repr=False, eq=False)
 
+    @property
+    def dim(self) -> Any:
+        """The simulations of pooltool's main branch that this model is for."""
+        return needed(self.is_3d)
+
     def solve(self, ball: Any, cushion: Any) -> tuple[Any, Any]:
-        """Return ball and cushion after the impact and the landing."""
+        """Return ball and cushion after the impact and, in two dimensions, the landing."""
         law = self.law if isinstance(self.law, Law) else law_named(self.law)
         p, rvw = ball.params, ball.state.rvw
         e = p.e_c if self.restitution is None else self.restitution
         mu = p.f_c if self.friction is None else self.friction
-        above = float(rvw[0][2]) - p.R if _in_space(self) else 0.0
-        normal = nose_normal(cushion.get_normal_xy(rvw[0]), rvw[1], cushion.height - above, p.R)
         meeting = (
-            law, Ball(p.R, p.m), State(rvw[1], rvw[2]), normal, Surface(e, mu, self.tangential_restitution), _floor(p), p.g,
+            law, Ball(p.R, p.m), State(rvw[1], rvw[2]), nose_normal(cushion.get_normal_xy(rvw[0]), rvw[1], cushion.height, p.R),
+            Surface(e, mu, self.tangential_restitution), _floor(p, self.is_3d), p.g,
         )  # fmt: skip
-        if _in_space(self):
-            _leave_in_space(ball, lifted_by_cushion(*meeting, max(above, 0.0)))
-            return ball, cushion
-        state, flight = after_cushion(*meeting)
-        _note(self.flights, flight)
-        _leave(ball, state)
+        if self.is_3d:
+            state = off_cushion(*meeting)
+        else:
+            state, flight = after_cushion(*meeting)
+            _note(self.flights, flight)
+        leave(ball, state, self.is_3d)
         return ball, cushion
-
-
-def _in_space(model: Any) -> bool:
-    """Return whether a model plays in three dimensions."""
-    return Dim is not None and model.dim == Dim.THREE
-
-
-def _leave_in_space(ball: Any, state: State) -> None:
-    """Set a ball's state; one on the table that is pushed into it lands at once."""
-    x, p = ball.state.rvw[0], ball.params
-    if state.velocity[2] < 0 and x[2] <= p.R * (1 + 1e-9):
-        state = landed(Ball(p.R, p.m), state, _floor(p), p.g)[0]
-    rvw = np.array([x, state.velocity, state.spin])
-    ball.state = BallState(rvw, final_ball_motion_state(rvw, p.R))
-
-
-def _leave(ball: Any, state: State) -> None:
-    ball.state = BallState(np.array([ball.state.rvw[0], state.velocity, state.spin]), constants.sliding)
-    ball.state.rvw[1, 2] = 0.0  # (of the size of rounding)
 
 
 @attrs.define
@@ -149,68 +113,65 @@ class CaromPair(CoreBallBallCollision):
 
     restitution: float | None = None
     friction: float | None = None
+    is_3d: bool = False
     model: str = attrs.field(default=PAIR, init=False, repr=False)
-    dim: Any = attrs.field(factory=_planar, init=False, repr=False, eq=False)
     flights: list[Flight] = attrs.field(factory=list, init=False, repr=False, eq=False)
 
+    @property
+    def dim(self) -> Any:
+        """The simulations of pooltool's main branch that this model is for."""
+        return needed(self.is_3d)
+
     def solve(self, ball1: Any, ball2: Any) -> tuple[Any, Any]:
-        """Return both balls after the contact, and after what it lifts has landed."""
+        """Return both balls after the contact and, in two dimensions, after what it lifts has landed."""
         p, q = ball1.params, ball2.params
         e = (p.e_b + q.e_b) / 2 if self.restitution is None else self.restitution
         mu = (p.u_b + q.u_b) / 2 if self.friction is None else self.friction
         states = tuple(State(one.state.rvw[1], one.state.rvw[2]) for one in (ball1, ball2))
         normal = ball1.state.rvw[0] - ball2.state.rvw[0]
-        if _in_space(self):
-            found = collide(Ball(p.R, p.m), states[0], Ball(q.R, q.m), states[1], normal, Surface(e, mu)).after
-            for ball, state in zip((ball1, ball2), found, strict=True):
-                _leave_in_space(ball, state)
+        body, pair = Ball(p.R, p.m), (states[0], states[1])
+        if self.is_3d:
+            met = pair if apart(pair, normal) else collide(body, pair[0], body, pair[1], normal, Surface(e, mu)).after
+            for ball, state in zip((ball1, ball2), met, strict=True):
+                on_floor = ball.state.rvw[0, 2] <= p.R
+                leave(ball, off_floor(body, state, _floor(p, True)) if on_floor else state, True)
             return ball1, ball2
-        after, flights = after_collision(Ball(p.R, p.m), (states[0], states[1]), normal, Surface(e, mu), _floor(p), p.g)
+        after, flights = after_collision(body, pair, normal, Surface(e, mu), _floor(p), p.g)
         for ball, state, flight in zip((ball1, ball2), after, flights, strict=True):
             _note(self.flights, flight)
-            _leave(ball, state)
+            leave(ball, state, False)
         return ball1, ball2
 
 
-def _table_model() -> Any:
-    """Return carom's contact of a ball with the table, for the main branch's engine of three dimensions."""
-
-    @attrs.define
-    class CaromTable(CoreBallTableCollision):
-        """The contact kernel, with the ball's e_t and u_s."""
-
-        def solve(self, ball: Any) -> Any:
-            """Return the ball after it has met the table."""
-            p, rvw = ball.params, ball.state.rvw
-            after = bounced(Ball(p.R, p.m), State(rvw[1], rvw[2]), Surface(p.e_t, p.u_s), LEAST_HOP, p.g)
-            made = np.array([rvw[0], after.velocity, after.spin])
-            ball.state = BallState(made, final_ball_motion_state(made, p.R))
-            return ball
-
-    return CaromTable()
-
-
-def build_engine(law: str | Law, wall: Surface | None, pairs: bool, is_3d: bool = False) -> Any:
-    """Return pooltool's engine with its default models but carom's for cushions and, if asked, pairs and the third dimension."""
-    numbers = () if wall is None else (wall.restitution, wall.friction, wall.tangential_restitution)
+def build_engine(law: str | Law, wall: Surface | None, pairs: bool, is_3d: bool) -> Any:
+    """Return pooltool's engine with its default models but carom's for cushions and, if asked, pairs; in 3-D for the floor too."""
+    surface = (None, None, 0.0) if wall is None else (wall.restitution, wall.friction, wall.tangential_restitution)
+    numbers: tuple[Any, ...] = (law, *surface, is_3d)
     resolver = default_resolver()
-    resolver.ball_linear_cushion = CaromLinear(law, *numbers)
-    resolver.ball_circular_cushion = CaromCircular(law, *numbers)
+    resolver.ball_linear_cushion = CaromLinear(*numbers)
+    resolver.ball_circular_cushion = CaromCircular(*numbers)
     resolver.ball_circular_cushion.flights = resolver.ball_linear_cushion.flights  # one list, one warning
     if pairs:
-        resolver.ball_ball = CaromPair()
-    if Dim is None:
-        if is_3d:
-            raise CaromError(
-                "engine: is_3d: expected pooltool's main branch (after 0.6.0), which has a third dimension, got 0.6;"
-                " leave is_3d out: the ball then lands at once"
-            )
+        resolver.ball_ball = CaromPair(is_3d=is_3d)
+    return make_engine(resolver, is_3d)
+
+
+def make_engine(resolver: Any, is_3d: bool) -> Any:
+    """Return the engine of the pooltool that is installed. In 3-D its cue is the one that can lift a ball, its floor carom's."""
+    if not has_flights():
+        from pooltool.physics.engine import PhysicsEngine
+
         return PhysicsEngine(resolver=resolver)
+    from pooltool.evolution.engine import SimulationEngine
+
     if is_3d:
-        for model in (resolver.ball_linear_cushion, resolver.ball_circular_cushion, resolver.ball_ball):
-            if isinstance(model, _Cushion | CaromPair):
-                model.dim = Dim.THREE
-        resolver.ball_table = _table_model()
+        from pooltool.physics.resolve.stick_ball.instantaneous_point import InstantaneousPoint3D
+
+        from carom.interop.pooltool.floor import CaromFloor
+
+        cue = resolver.stick_ball
+        resolver.stick_ball = InstantaneousPoint3D(cue.english_throttle, cue.squirt_throttle)
+        resolver.ball_table = CaromFloor()
     return SimulationEngine(is_3d=is_3d, resolver=resolver)
 
 
@@ -219,10 +180,16 @@ def register_models() -> None:
     ball_lcushion_models[CUSHION] = CaromLinear
     ball_ccushion_models[CUSHION] = CaromCircular
     ball_ball_models[PAIR] = CaromPair
+    models: list[Any] = [CaromLinear, CaromCircular, CaromPair]
+    if has_flights():
+        from carom.interop.pooltool.floor import CaromFloor, register_floor
+
+        register_floor()
+        models.append(CaromFloor)
     for form in (SerializeFormat.YAML, SerializeFormat.JSON):
-        for cls in (CaromLinear, CaromCircular, CaromPair):
-            changed = {"flights": override(omit=True), "dim": override(omit=True)}
-            if cls is not CaromPair:
+        for cls in models:
+            changed = {"flights": override(omit=True)} if hasattr(cls, "flights") else {}
+            if issubclass(cls, _Cushion):
                 changed["law"] = override(unstruct_hook=_name)
             # without the field `model`, which has no place in __init__, the file could not be read again
             hook = make_dict_unstructure_fn(cls, conversion[form], _cattrs_include_init_false=True, **changed)

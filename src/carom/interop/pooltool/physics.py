@@ -1,8 +1,8 @@
 """What carom does with a ball at a cushion of pooltool's, or with two balls, in numbers alone: pooltool is not imported here.
 
-pooltool 0.6, and its main branch unless it is asked for three dimensions, has no gravity: a ball that a cushion lifts would rise
-for ever, and its own laws of cushions set the vertical velocity to zero. There the ball lands at once, with the impulse that the
-floor gives it at the end of its flight, and the flight is reported. In three dimensions it flies.
+pooltool 0.6 has no gravity: a ball that a cushion lifts would rise for ever, and its own laws of cushions set the vertical velocity
+to zero. Here the ball lands at once, with the impulse that the floor gives it at the end of its flight, and the flight is reported.
+pooltool's main branch lets balls fly (``is_3d``): there the ball leaves with its vertical velocity, and ``off_floor`` lands it.
 """
 
 from __future__ import annotations
@@ -16,11 +16,11 @@ from carom.bodies import Ball, State, Surface
 from carom.core.motion.phases import ROUNDING
 from carom.errors import CaromError
 from carom.laws.contact import impact
-from carom.laws.law import Law, Meeting
+from carom.laws.law import Answer, Law, Meeting
 from carom.laws.pair import collide
 from carom.laws.results import Flight
 
-__all__ = ["after_collision", "after_cushion", "bounced", "landed", "lifted_by_cushion", "nose_normal"]
+__all__ = ["after_collision", "after_cushion", "apart", "landed", "nose_normal", "off_cushion", "off_floor"]
 
 Array = NDArray[np.float64]
 UP = (0.0, 0.0, 1.0)
@@ -72,6 +72,31 @@ def after_cushion(
 
     Raises CaromError where the law does not hold for this ball and cushion, or has no answer.
     """
+    answer = _answer(law, ball, state, normal, wall, floor, gravity)
+    if answer.steps is not None and np.isfinite(answer.steps.after_floor.velocity).all():
+        return answer.steps.after_floor, answer.steps.flight
+    return landed(ball, _after_wall(law, answer, state, normal), floor, gravity)
+
+
+def off_cushion(
+    law: Law, ball: Ball, state: State, normal: Array, wall: Surface, floor: Surface, gravity: float
+) -> State:
+    """Return the state with which a ball leaves a cushion, for a simulation in which balls fly.
+
+    Of the two-step law it is :attr:`carom.TwoStep.after_wall`. A ball that another law drives into the floor meets it at once.
+
+    Raises CaromError as :func:`after_cushion`.
+    """
+    answer = _answer(law, ball, state, normal, wall, floor, gravity)
+    return off_floor(ball, _after_wall(law, answer, state, normal), floor)
+
+
+def off_floor(ball: Ball, state: State, floor: Surface) -> State:
+    """Return the state after the floor of a ball that touches it: a new one if it moves down, else the same."""
+    return impact(ball, state, UP, floor).after if state.velocity[2] < 0 else state
+
+
+def _answer(law: Law, ball: Ball, state: State, normal: Array, wall: Surface, floor: Surface, gravity: float) -> Answer:
     meeting = Meeting(ball, state, normal, wall, floor, gravity)
     for condition in law.conditions(meeting):
         if not np.all(condition.holds):
@@ -79,38 +104,16 @@ def after_cushion(
                 f"pooltool: cushion: expected {condition.expected}, which the law {law.name} needs, got velocity"
                 f" {state.velocity.tolist()}, spin {state.spin.tolist()}, normal {normal.tolist()}; two-step needs no such thing"
             )
-    answer = law.answer(meeting)
-    if answer.steps is not None and np.isfinite(answer.steps.after_floor.velocity).all():
-        return answer.steps.after_floor, answer.steps.flight
-    if not np.isfinite(answer.after_wall.velocity).all():
-        raise CaromError(
-            f"pooltool: cushion: expected an answer of the law {law.name}, got none for velocity {state.velocity.tolist()},"
-            f" spin {state.spin.tolist()}, normal {normal.tolist()}; use another law for this shot"
-        )
-    return landed(ball, answer.after_wall, floor, gravity)
+    return law.answer(meeting)
 
 
-def lifted_by_cushion(
-    law: Law, ball: Ball, state: State, normal: Array, wall: Surface, floor: Surface, gravity: float, height: float
-) -> State:
-    """Return the state just after a cushion, in three dimensions: a ball that it lifts is in the air.
-
-    ``height`` is that of the ball above the table, m. Raises CaromError where the law has no answer.
-    """
-    answer = law.answer(Meeting(ball, state, normal, wall, floor, gravity, height))
+def _after_wall(law: Law, answer: Answer, state: State, normal: Array) -> State:
     if not np.isfinite(answer.after_wall.velocity).all():
         raise CaromError(
             f"pooltool: cushion: expected an answer of the law {law.name}, got none for velocity {state.velocity.tolist()},"
             f" spin {state.spin.tolist()}, normal {normal.tolist()}; use another law for this shot"
         )
     return answer.after_wall
-
-
-def bounced(ball: Ball, state: State, floor: Surface, least_hop: float, gravity: float) -> State:
-    """Return the state after a ball has met the table; a hop of less than ``least_hop`` (m) is none."""
-    after = impact(ball, state, UP, floor).after
-    x, y, z = after.velocity.tolist()
-    return State((x, y, 0.0 if z * z < 2 * gravity * least_hop else z), after.spin)
 
 
 def after_collision(
@@ -121,9 +124,15 @@ def after_collision(
     The normal (3,) points from the second ball to the first, as in :func:`carom.collide`. Balls that move apart stay as they are.
     """
     none = Flight(0.0, 0.0, 0.0)
-    v1, v2 = states[0].velocity, states[1].velocity
-    if float((v1 - v2) @ normal) > ROUNDING * float((np.abs(v1) + np.abs(v2)).sum()) * float(np.linalg.norm(normal)):
+    if apart(states, normal):
         return states, (none, none)
     found = collide(ball, states[0], ball, states[1], normal, surface).after
     one, two = (landed(ball, state, floor, gravity) for state in found)
     return (one[0], two[0]), (one[1], two[1])
+
+
+def apart(states: tuple[State, State], normal: Array) -> bool:
+    """Return whether two balls move apart; the normal (3,) points from the second to the first."""
+    v1, v2 = states[0].velocity, states[1].velocity
+    size = float((np.abs(v1) + np.abs(v2)).sum()) * float(np.linalg.norm(normal))
+    return float((v1 - v2) @ normal) > ROUNDING * size

@@ -1,4 +1,4 @@
-"""Read pooltool 0.6's files, System or MultiSystem, as scenes. pooltool need not be installed."""
+"""Read the files of pooltool, 0.6.0 or its main branch, System or MultiSystem, as scenes. pooltool need not be installed."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.files import as_path
+from carom.interop.pooltool.fields import check_fields
 from carom.interop.pooltool.files import Field, open_file
 from carom.interop.pooltool.tables import walls_of
 from carom.scene.scene import Scene
@@ -18,7 +19,7 @@ from carom.scene.scene import Scene
 __all__ = ["PooltoolShot", "read"]
 
 Array = NDArray[np.float64]
-POCKETED = 4  # pooltool's number of that motion
+POCKETED, FLYING = 4, 5  # pooltool's numbers of those motions
 CLOTH = ("u_s", "u_r", "u_sp_proportionality", "e_c", "f_c", "g")
 
 
@@ -42,7 +43,7 @@ class PooltoolShot:
 
 
 def read(path: str | Path) -> list[PooltoolShot]:
-    """Read the shots in a file that pooltool 0.6 wrote by ``System.save`` or ``MultiSystem.save``.
+    """Read the shots in a file that pooltool (0.6.0, or main of June 2026) wrote by ``System.save`` or ``MultiSystem.save``.
 
     Each becomes a scene at its start: table, noses, jaws and pockets, the balls' and the cloth's numbers. Balls that pooltool has
     already simulated start as they were at first, the cue ball as the cue left it; if nothing was simulated the cue of the file
@@ -61,7 +62,8 @@ def read(path: str | Path) -> list[PooltoolShot]:
     Raises
     ------
     CaromError
-        For what is not such a file: where, what was expected, what was found, what to do.
+        For what is not such a file, or one of another version, whose fields are others: where, what was expected, what was found,
+        what to do.
 
     Examples
     --------
@@ -82,30 +84,30 @@ def read(path: str | Path) -> list[PooltoolShot]:
 
 
 def _shot(system: Field) -> PooltoolShot:
-    _require_known(system, ("cue", "table", "balls", "t", "events", "meta"))
+    main = check_fields(system)
     events = system["events"].each()
     balls = system["balls"].parts()
     cue = system["cue"]
     white = cue["cue_ball_id"].text()
     if white not in balls:
         raise cue["cue_ball_id"].fault(f"one of the balls {', '.join(balls)}")
-    params = {name: _params(ball["params"]) for name, ball in balls.items()}
+    params = {name: _params(ball["params"], main) for name, ball in balls.items()}
     own = params[white]
     notes = [
         f"ball {name}: its {key}, {numbers[key]:g}, as the scene has the cue ball's, {own[key]:g}, for all"
         for name, numbers in params.items()
-        for key in (*CLOTH, "e_b", "u_b", "e_t")
+        for key in (*CLOTH, "e_b", "u_b", *(["e_t"] if main else []))
         if numbers[key] != own[key]
     ]
-    if not any(numbers["e_t"] for numbers in params.values()):
-        notes.append("the floor has no restitution, as pooltool 0.6 has no such number; balls do not bounce on it")
+    if not main:
+        notes.append("the floor has no restitution, as pooltool 0.6.0 has no such number; balls do not bounce on it")
     starts, struck = _starts(events, balls, white)
     scene_balls = []
     for name, (rvw, state) in starts.items():
         if state == POCKETED:
             notes.append(f"ball {name}: in a pocket at the start")
             continue
-        scene_balls.append(_ball(name, rvw, params[name]))
+        scene_balls.append(_ball(name, rvw, params[name], state == FLYING and rvw[0, 2] > params[name]["R"]))
     if not struck:
         strike = _strike(cue)
         if strike is None:
@@ -126,9 +128,9 @@ def _shot(system: Field) -> PooltoolShot:
             "gravity": own["g"],
             "floor": {
                 "friction": own["u_s"],
-                "restitution": own["e_t"],
                 "rolling_resistance": own["u_r"],
                 "spin_friction": own["u_sp_proportionality"] * own["R"],
+                **({"restitution": own["e_t"]} if main else {}),
             },
             "walls": walls,
             "balls": scene_balls,
@@ -143,23 +145,8 @@ def _shot(system: Field) -> PooltoolShot:
     return PooltoolShot(scene, (*notes, *left_out), _paths(balls))
 
 
-def _params(params: Field) -> dict[str, float]:
-    known = ("m", "R", *CLOTH, "e_b", "u_b")
-    _require_known(params, (*known, "e_t"))
-    found = {key: params[key].number() for key in known}
-    # (of the main branch, after 0.6.0)
-    return found | {"e_t": params["e_t"].number() if "e_t" in params else 0.0}
-
-
-def _require_known(table: Field, known: tuple[str, ...]) -> None:
-    """Raise CaromError for a field that pooltool 0.6 and its main branch of November 2026 do not have: it may say anything."""
-    for name in table.fields():
-        if name not in known:
-            raise table[name].fault(
-                f"the fields of pooltool 0.6 ({', '.join(known)})",
-                "a file of another version, with this one",
-                "save the shot with 0.6",
-            )
+def _params(params: Field, main: bool) -> dict[str, float]:
+    return {key: params[key].number() for key in ("m", "R", *CLOTH, "e_b", "u_b", *(["e_t"] if main else []))}
 
 
 def _state(ball: Field) -> tuple[Array, int]:
@@ -188,11 +175,12 @@ def _starts(events: list[Field], balls: dict[str, Field], white: str) -> tuple[d
     return {name: found.get(name) or _state(ball) for name, ball in balls.items()}, struck
 
 
-def _ball(name: str, rvw: Array, params: dict[str, float]) -> dict[str, Any]:
-    """Return the fields of a scene's ball: on the floor, as pooltool's are (its rack may lie a rounding above it)."""
-    (x, y, _z), v, w = rvw.tolist()
+def _ball(name: str, rvw: Array, params: dict[str, float], flies: bool) -> dict[str, Any]:
+    """Return the fields of a scene's ball: on the floor (pooltool's rack may lie a rounding above it) if it does not fly."""
+    (x, y, z), v, w = rvw.tolist()
     return {
-        "name": name, "radius": params["R"], "mass": params["m"], "position": (x, y), "velocity": v, "spin": w,
+        "name": name, "radius": params["R"], "mass": params["m"], "position": (x, y, z) if flies else (x, y), "velocity": v,
+        "spin": w,
     }  # fmt: skip
 
 

@@ -1,4 +1,4 @@
-"""A run of carom's as a System that pooltool 0.6 shows and saves."""
+"""A run of carom's as a System that pooltool, 0.6.0 or main, shows and saves."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError, FaultList, checked_number, require_type
-from carom.interop.pooltool.engine import require_pooltool
+from carom.interop.pooltool.installed import has_flights, require_pooltool
 from carom.scene.restitution import Constant
 from carom.scene.scene import Scene
 from carom.scene.table import Table
@@ -18,7 +18,7 @@ from carom.simulation.trajectory import Trajectory
 __all__ = ["to_system"]
 
 Array = NDArray[np.float64]
-# pooltool's number of each phase; it has none for a ball in the air
+# pooltool's number of each phase; 0.6.0 has none for a ball in the air
 MOTIONS = {
     "rest": 0,
     "held": 0,
@@ -30,6 +30,7 @@ MOTIONS = {
     "rolling": 3,
     "pocketed": 4,
 }
+FLYING = 5  # in pooltool's main branch
 LEAST = 1e-12  # pooltool refuses frictions of 0
 
 
@@ -132,13 +133,6 @@ def _pooltool_table(pt: Any, table: Table, turn: Array) -> Any:
     )  # fmt: skip
 
 
-def _fields() -> set[str]:
-    """Return the names of pooltool's numbers of a ball."""
-    from pooltool.objects.ball.params import BallParams
-
-    return {field.name for field in BallParams.__attrs_attrs__}
-
-
 def _params(scene: Scene) -> dict[str, float]:
     """Return pooltool's numbers of the balls; those of which the scene has none, or a form, are pooltool's own."""
     ball, floor, wall, pair = scene.balls[0], scene.floor, scene.walls[0], scene.ball_contact
@@ -147,10 +141,9 @@ def _params(scene: Scene) -> dict[str, float]:
         found["u_s"] = max(floor.friction, LEAST)
         found["u_r"] = max(floor.rolling_resistance, LEAST)
         found["u_sp_proportionality"] = max(floor.spin_friction / ball.radius, LEAST)
-    forms = [("e_b", pair.restitution), ("e_c", wall.restitution)]
-    if floor is not None and "e_t" in _fields():  # (of the main branch, after 0.6.0)
-        forms.append(("e_t", floor.restitution))
-    for key, form in forms:
+        if has_flights() and isinstance(floor.restitution, Constant):
+            found["e_t"] = floor.restitution.value
+    for key, form in (("e_b", pair.restitution), ("e_c", wall.restitution)):
         if isinstance(form, Constant):
             found[key] = form.value
     if wall.friction is not None:
@@ -164,6 +157,7 @@ def _states(run: Trajectory, times: Array, turn: Array, corner: Array) -> list[t
     A ball that is in a pocket, or has left, stays at the last place where it was seen.
     """
     state, phases = run.at(times), run.phase(times)
+    motions = {**MOTIONS, "flight": FLYING, "bouncing": FLYING} if has_flights() else MOTIONS
     assert state.position is not None
     found = []
     for i in range(len(run.scene.balls)):
@@ -176,5 +170,5 @@ def _states(run: Trajectory, times: Array, turn: Array, corner: Array) -> list[t
             final = run.final.position
             assert final is not None
             rvw[gone, 0] = turn @ final[i] - corner
-        found.append((rvw, np.array([MOTIONS[name] for name in phases[:, i]]), times))
+        found.append((rvw, np.array([motions[name] for name in phases[:, i]]), times))
     return found
