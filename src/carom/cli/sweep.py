@@ -237,13 +237,14 @@ def _progress(quiet: bool) -> Iterator[Callable[[int, int], None] | None]:
     from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
     from carom.cli.console import err
+    from carom.core.jit.progress import watch_compiling
 
     console = err()
     if quiet or not console.is_terminal:
         yield None
         return
     columns = (
-        TextColumn("sweep"),
+        TextColumn("{task.description}", markup=False),
         BarColumn(),
         TextColumn("{task.completed:,.0f} of {task.total:,.0f} points"),
         TextColumn("{task.fields[rate]}"),
@@ -251,6 +252,13 @@ def _progress(quiet: bool) -> Iterator[Callable[[int, int], None] | None]:
     )
     with Progress(*columns, console=console, transient=True) as bar:
         task: Any = None
+        depth = 0
+
+        def describe(_function: str, finished: bool) -> None:
+            nonlocal depth
+            depth += -1 if finished else 1
+            if task is not None:
+                bar.update(task, description="compiling, once" if depth else "sweep")
 
         def report(done: int, total: int) -> None:
             nonlocal task
@@ -260,7 +268,8 @@ def _progress(quiet: bool) -> Iterator[Callable[[int, int], None] | None]:
             speed = bar.tasks[0].speed
             bar.update(task, completed=done, rate="" if speed is None else f"{speed:,.0f}/s")
 
-        yield report
+        with watch_compiling(describe):
+            yield report
 
 
 def _report(made: Sweep, as_json: bool, quiet: bool) -> None:
