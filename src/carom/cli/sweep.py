@@ -265,8 +265,9 @@ def _progress(quiet: bool) -> Iterator[Callable[[int, int], None] | None]:
             if task is None:
                 task = bar.add_task("sweep", total=total, completed=done, rate="")
                 return
+            bar.update(task, completed=done)
             speed = bar.tasks[0].speed
-            bar.update(task, completed=done, rate="" if speed is None else f"{speed:,.0f}/s")
+            bar.update(task, rate="" if speed is None else f"{speed:,.0f} points/s")
 
         with watch_compiling(describe):
             yield report
