@@ -1,7 +1,7 @@
 """The conventional law: the ball keeps rolling, the normal velocity is reversed, the energy is conserved.
 
-The paper, section 2, (16)-(26); Treschev & Zubelevich; the rolling reflection of nonholonomic billiards (Borisov, Kilin
-& Mamaev). With y along the wall, (17) and (21) leave two roots:
+The paper, section 2, (16)-(26), which names Treschev & Zubelevich (the copy at hand lacks its list of references); the rolling
+reflection of nonholonomic billiards (Borisov, Kilin & Mamaev). With y along the wall, (17) and (21) leave two roots:
 
 * a omega_z and y unchanged: no change along the wall (a rolling ball reflected at the mirror angle, without friction);
 * the slip y - a omega_z at the wall is reversed, (26): the root of the paper, (22).
@@ -21,6 +21,7 @@ from carom.bodies import Ball, State
 from carom.core.jit.kernel import Vec, kernel
 from carom.errors import CaromError
 from carom.laws.law import (
+    PAPER,
     ROLLING_WALL,
     Answer,
     Card,
@@ -50,7 +51,7 @@ CARD = Card(
     valid="The rolling reflection of nonholonomic billiards; a mathematical model. It requires that the wall pull the ball"
     " down and that the floor have a friction above 1, so no real ball follows it.",
     equations="(16)-(26)",
-    citation="D. V. Treschev & O. E. Zubelevich, Introduction to the Mechanics of Systems with Impacts; the paper, section 2.",
+    citation=f"{PAPER}, section 2.",
 )
 
 

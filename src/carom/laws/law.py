@@ -73,9 +73,12 @@ class Card:
     equations: str
     """Equation numbers in its source, e.g. "paper (27)-(39)"."""
     citation: str
-    """Authors, title or journal, year."""
+    """Authors, journal or publisher, year; sources end with semicolons. PAPER where it is the paper that carom is based on."""
     doi: str = ""
     """Empty if there is none."""
+
+
+PAPER = "Dynamics of a billiard-ball's collision with wall (the copy at hand names no author, year or journal)"
 
 
 @dataclass(frozen=True, eq=False)

@@ -10,6 +10,7 @@ from carom.core.contact import contact, slip_velocity
 from carom.core.jit.kernel import Vec, kernel
 from carom.laws.law import (
     MIRROR_WALL,
+    PAPER,
     Answer,
     Card,
     FitSpec,
@@ -33,7 +34,7 @@ CARD = Card(
     assumptions=("no friction at the wall, so the spin has no effect", "no friction on the floor, before or after"),
     valid="Point billiards, ice, a first estimate. On a rough floor the spin of a real ball bends its path after the wall.",
     equations="(19)",
-    citation="The law of reflection; the paper's closing remark that it is true only in a frictionless world.",
+    citation=f"The law of reflection, as in {PAPER}, section 5: true only in a frictionless world.",
 )
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from carom.core.jit.kernel import Vec, kernel
-from carom.laws.law import CONTACT_WALL, ON_FLOOR, Card, FitSpec, contact_kernel, drives_into_floor, wall_law
+from carom.laws.law import CONTACT_WALL, ON_FLOOR, PAPER, Card, FitSpec, contact_kernel, drives_into_floor, wall_law
 
 __all__ = ["CARD", "LAW"]
 
@@ -14,7 +14,7 @@ CARD = Card(
     valid="Balls without tangential rebound: billiard balls on cushions, hard spheres at grazing incidence. The contact law"
     " with beta = 0.",
     equations="(19), (28)-(31)",
-    citation="The paper, section 3.1; for the contact O. R. Walton & R. L. Braun, J. Rheol. 30, 949-980 (1986).",
+    citation=f"{PAPER}, section 3.1; O. R. Walton & R. L. Braun, J. Rheol. 30, 949-980 (1986), for the contact.",
     doi="10.1122/1.549893",
 )
 

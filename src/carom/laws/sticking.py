@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from carom.core.jit.kernel import Vec, kernel
-from carom.laws.law import CONTACT_WALL, ON_FLOOR, Card, FitSpec, contact_kernel, drives_into_floor, wall_law
+from carom.laws.law import CONTACT_WALL, ON_FLOOR, PAPER, Card, FitSpec, contact_kernel, drives_into_floor, wall_law
 
 __all__ = ["CARD", "LAW"]
 
@@ -15,7 +15,7 @@ CARD = Card(
     assumptions=("one impact with restitution e", "friction mu infinite, tangential restitution beta = 0"),
     valid="Very rough walls, small angles of incidence. The contact law with mu = inf and beta = 0; the paper's wall.",
     equations="(31)",
-    citation="The paper, section 3.1.",
+    citation=f"{PAPER}, section 3.1.",
 )
 
 

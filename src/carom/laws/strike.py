@@ -47,8 +47,9 @@ CARD = Card(
     equations="Kim (2022), sections II and III; Alciatore, TP A.30, TP A.31, TP 2.1; Shepard (2001)",
     citation=(
         "H.-C. Kim, Motions of a billiard ball after a cue stroke, New Phys. Sae Mulli 72, 208 (2022), arXiv 2104.11232; "
-        "D. G. Alciatore, technical proofs TP A.30 (speed and spin), TP A.31 (squirt), TP 2.1 (miscue), billiards.colostate.edu; "
-        "R. Shepard, Everything you always wanted to know about cue ball squirt (2001)"
+        "D. G. Alciatore, technical proofs TP A.30 (speed and spin), TP A.31 (squirt), TP 2.1 (miscue), billiards.colostate.edu"
+        " (undated); "
+        "R. Shepard, Everything you always wanted to know about cue ball squirt, preprint (2001)."
     ),
     doi="10.3938/NPSM.72.208",
 )

@@ -40,6 +40,7 @@ CARD = Card(
     " ratio k. For a sphere on a solid, maw is closer to elasticity theory: there slip begins at the edge of the contact.",
     equations="carom.laws.stronge",
     citation="W. J. Stronge, Impact Mechanics (Cambridge University Press, 2000), chapter 5.",
+    doi="10.1017/CBO9780511626432",
 )
 
 STIFFNESS = (1e-3, 1e3)  # range of stiffness ratios

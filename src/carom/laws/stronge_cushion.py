@@ -35,6 +35,7 @@ CARD = Card(
     equations="carom.laws.stronge",
     citation="W. J. Stronge, Impact Mechanics (Cambridge University Press, 2000), chapter 5; as a cushion in pooltool 0.6"
     " (E. Kiefl, D. McBlane) and tailuge/billiards.",
+    doi="10.1017/CBO9780511626432",
 )
 
 

@@ -24,6 +24,7 @@ from carom.laws.landing import LOST, NO_LAW, landing_settings, rolling_after, se
 from carom.laws.law import (
     ON_FLOOR,
     ON_WALL,
+    PAPER,
     TWO_STEP_WALL,
     Answer,
     Card,
@@ -57,7 +58,7 @@ CARD = Card(
     valid="Any ball, wall and state; the default. With e = 1 at the wall, e = 0 at the floor and both sticking it is the"
     " paper's law.",
     equations="(27)-(41)",
-    citation="The paper, section 3; O. R. Walton & R. L. Braun, J. Rheol. 30, 949-980 (1986), for the contact.",
+    citation=f"{PAPER}, section 3; O. R. Walton & R. L. Braun, J. Rheol. 30, 949-980 (1986), for the contact.",
     doi="10.1122/1.549893",
 )
 

@@ -8,6 +8,7 @@ from carom.laws.law import (
     CONTACT_WALL,
     ON_FLOOR,
     ON_WALL,
+    PAPER,
     Answer,
     Card,
     FitSpec,
@@ -30,7 +31,7 @@ CARD = Card(
     valid="The limit of a floor much softer than the wall. It is two-step with floor_contact='after'; the two differ only"
     " where the wall presses the ball down (backspin, sliding, a cushion that touches above the centre).",
     equations="(27)-(41)",
-    citation="The paper, section 3; O. R. Walton & R. L. Braun, J. Rheol. 30, 949-980 (1986), for the contact.",
+    citation=f"{PAPER}, section 3; O. R. Walton & R. L. Braun, J. Rheol. 30, 949-980 (1986), for the contact.",
     doi="10.1122/1.549893",
 )
 

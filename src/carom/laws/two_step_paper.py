@@ -6,7 +6,7 @@ import math
 from dataclasses import replace
 
 from carom.core.jit.kernel import Vec, kernel
-from carom.laws.law import CONTACT_WALL, Answer, Card, FitSpec, Law, Meeting, approaches, contact_kernel
+from carom.laws.law import CONTACT_WALL, PAPER, Answer, Card, FitSpec, Law, Meeting, approaches, contact_kernel
 from carom.laws.results import PAPER_FLOOR, PAPER_WALL
 from carom.laws.two_step import answer_two_step
 
@@ -19,7 +19,7 @@ CARD = Card(
     valid="The paper's own example, without free parameters: 51.52 degrees for an angle of incidence of 45. Real cushions"
     " have a lower restitution, and balls slide on them.",
     equations="(27)-(41)",
-    citation="The paper, section 3.",
+    citation=f"{PAPER}, section 3.",
 )
 
 
