@@ -7,7 +7,7 @@ import math
 import re
 from collections.abc import Iterable, Sequence
 
-__all__ = ["escape_controls", "format_length", "format_number", "format_time", "html_table"]
+__all__ = ["escape_controls", "format_bytes", "format_length", "format_number", "format_time", "html_table"]
 
 # What steers a terminal and is no text: C0 without tab and new line, C1, line separators, changes of the writing direction, and
 # the halves of characters that stand for bytes of a file's name.
@@ -59,6 +59,19 @@ def format_time(x: float) -> str:
     ('250 ms', '12 s')
     """
     return f"{format_number(x)} s" if x >= 1 else f"{format_number(x * 1e3)} ms"
+
+
+def format_bytes(count: float) -> str:
+    """Return a number of bytes with its unit.
+
+    >>> format_bytes(65536), format_bytes(2.5e13)
+    ('65.5 kB', '25 TB')
+    """
+    for unit in ("B", "kB", "MB", "GB"):
+        if count < 1000:
+            return f"{count:.3g} {unit}"
+        count /= 1000
+    return f"{count:,.3g} TB"
 
 
 def html_table(head: Sequence[str], rows: Iterable[Sequence[object]]) -> str:

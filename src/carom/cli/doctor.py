@@ -47,6 +47,7 @@ def doctor(as_json: Annotated[bool, shared("json")] = False) -> None:
     state = f"{cache['megabytes']:.1f} MB, {ready}"
     table.add_row("cache", f"{cache['folder']}: {state}")
     table.add_row("cores", f"{found['cores']}, of which compiled loops use {found['threads']} at once")
+    table.add_row("GPU", found["gpu"])
     console.print(table)
 
 
@@ -55,6 +56,7 @@ def report() -> dict[str, Any]:
     import carom
     from carom.core.jit.background import core_count
     from carom.core.jit.compile import cache_folder, thread_count
+    from carom.core.jit.cuda import why_no_gpu
     from carom.files import OPTIONAL
     from carom.simulation.compiled import compiled_before
 
@@ -72,6 +74,7 @@ def report() -> dict[str, Any]:
         "cache": {"folder": str(folder), "megabytes": size / 1e6, "engine_ready": compiled_before()},
         "cores": core_count(),
         "threads": thread_count(),
+        "gpu": why_no_gpu() or "ready for sweeps (--on cuda)",
     }
 
 

@@ -86,8 +86,8 @@ def run(
         str,
         typer.Option(
             "--on",
-            metavar="cores|dask:ADDRESS",
-            help="Where: on this machine's cores, or on a Dask cluster.",
+            metavar="cores|cuda|dask:ADDRESS",
+            help="Where: on this machine's cores, on its GPU, or on a Dask cluster.",
             rich_help_panel=RUN,
         ),
     ] = "cores",
@@ -108,9 +108,9 @@ def run(
     from carom.cli.streams import note
 
     part = None if block is None else _part(block)
-    place = on.removeprefix("dask:") if on != "cores" else on
-    if on != "cores" and not on.startswith("dask:"):
-        raise CaromError(f"--on: expected cores, or dask:ADDRESS such as dask:tcp://host:8786, got {on!r:.60}")
+    place = on.removeprefix("dask:")
+    if on not in ("cores", "cuda") and not on.startswith("dask:"):
+        raise CaromError(f"--on: expected cores, cuda, or dask:ADDRESS such as dask:tcp://host:8786, got {on!r:.60}")
     made = _sweep(str(file), store or str(file.with_suffix(".zarr")), allow_own_laws)
     assert made.store is not None
     try:

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Ball, State
+from carom.core.jit.cuda import CudaLoop, computes_on_gpu
 from carom.core.jit.kernel import Vec, kernel, prange
 from carom.core.jit.slices import sliced
 from carom.core.motion.phases import ROUNDING
@@ -230,8 +231,15 @@ def _compiled(loop: Callable[..., None]) -> Callable[..., None]:
     return njit(loop, parallel=True, cache=loop not in _FRESH)
 
 
+@functools.cache
+def _on_gpu(loop: Callable[..., None]) -> CudaLoop:
+    return CudaLoop(loop)
+
+
 def loop_for(loop: Callable[..., None], rows: int) -> Callable[..., None]:
-    """Return the loop: in Python for a few rows, compiled and in slices for many."""
+    """Return the loop: in Python for a few rows, compiled and in slices for many; or on the GPU, where that is asked for."""
+    if computes_on_gpu():
+        return _on_gpu(loop)
     return _quiet(loop) if rows < FEW else sliced(_compiled(loop), rows)
 
 

@@ -19,7 +19,7 @@ from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.resolve import DONE
 from carom.simulation.wall_and_floor import PART, register_joint_impact
 
-__all__ = ["Engine", "compiled_before", "compiled_engine", "compiled_many", "is_loaded", "loops_of"]
+__all__ = ["Engine", "compiled_before", "compiled_engine", "compiled_many", "is_loaded", "loops_of", "plain_engine"]
 
 
 class Engine(NamedTuple):
@@ -43,6 +43,11 @@ def compiled_engine() -> Engine:
             njit(_one_run, signature=loop, _nrt=False),
             njit(_one_end, signature=signature(None, worlds, balls, float), _nrt=False),
         )
+
+
+def plain_engine() -> Engine:
+    """Return the entries of the event loop as functions that are not compiled."""
+    return Engine(_one_run, _one_end)
 
 
 def is_loaded() -> bool:

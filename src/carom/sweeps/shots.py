@@ -9,11 +9,13 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Mapping
+from contextlib import nullcontext
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.jit.cuda import computes_on_gpu, on_device
 from carom.core.jit.slices import Pace
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, shortened_list, suggestion
@@ -27,7 +29,7 @@ from carom.simulation.simulate import run_limits
 from carom.sweeps.axes import Axis
 from carom.sweeps.fields import check_paths, plain_value, unit_of
 from carom.sweeps.outcomes import AXES, FAILURES, Outcome, blank
-from carom.sweeps.shots_loop import CODES, LOG_ROWS, compiled_follow
+from carom.sweeps.shots_loop import CODES, LOG_ROWS, compiled_follow, follow_on_gpu
 from carom.sweeps.starts import START_FIELDS, start_states
 
 __all__ = ["SceneRuns"]
@@ -37,6 +39,8 @@ Columns = dict[str, Array]
 REFUSED = FAILURES.index("refused")
 FAILURE_OF = {REFUSED_ROLLING: 1, REFUSED_UNDEFINED: 2, REFUSED_STALL: 3}
 PARTS = 64  # of the runs that threads take
+# On a GPU each thread has a log of its own, 6 kB here, and so many take turns at the runs.
+GPU_PARTS, GPU_LOG_ROWS = 1 << 15, 16
 FIRST_EVENTS = 1 << 16  # of all runs in the first call of the loop
 # A group of fewer points is not worth finding out where its numbers end.
 WORTH_PROBING = 8
@@ -376,22 +380,37 @@ def _follow(
     arrays: SceneArrays, until: float, most: int, kept: _Kept, pace: Pace, tick: Any
 ) -> tuple[Array, Array, Array]:
     """Run all points to their ends; return counts (N, CODES), wanted events (N, W), status and number of events (N, 2)."""
-    follow, n = compiled_follow(), len(arrays.balls)
+    n, on_gpu = len(arrays.balls), computes_on_gpu()
     wanted = np.array(kept.wanted, dtype=np.int64).reshape(-1, 2)
     counts, firsts = np.zeros((n, CODES), np.int64), np.zeros((n, len(wanted)), LOG)
     ended, slow = np.zeros((n, 2), np.int64), np.full(n, -1.0)
     ended[:, 0] = LIMIT
-    logs = np.empty((min(PARTS, n), LOG_ROWS), LOG)
-    goes_on = True
-    while goes_on:  # (a few events of every run at a time)
-        share = pace.begin()
-        follow(
-            arrays.world, arrays.features, arrays.balls, logs, slow, until, most, max(share // n, 1), arrays.users, kept.keep,
-            wanted, counts, firsts, ended,
-        )  # fmt: skip
-        goes_on = bool(((ended[:, 0] == LIMIT) & (ended[:, 1] < most)).any())
-        if goes_on:  # (what ends before its share is up says nothing of how long a share takes)
-            pace.done(share)
-        if tick is not None:
-            tick()
+    parts, rows = (min(GPU_PARTS, n), GPU_LOG_ROWS) if on_gpu else (min(PARTS, n), LOG_ROWS)
+    tables = (
+        arrays.world, arrays.features, arrays.balls, np.empty((parts, rows), LOG), slow, arrays.users,
+        wanted, counts, firsts, ended,
+    )  # fmt: skip
+    there: Any
+    with on_device(*tables) if on_gpu else nullcontext(tables) as there:
+        world, features, balls, logs, speeds, users, events, numbers, copies, statuses = there
+        follow = functools.partial(follow_on_gpu().on, parts) if on_gpu else compiled_follow()
+
+        def go_on(share: int) -> None:
+            follow(
+                world, features, balls, logs, speeds, until, most, share, users, kept.keep, events, numbers, copies, statuses
+            )  # fmt: skip
+
+        if on_gpu:
+            go_on(0)  # (compile it: that is no measure of the pace)
+        goes_on = True
+        while goes_on:  # (a few events of every run at a time)
+            share = pace.begin()
+            go_on(max(share // n, 1))
+            if on_gpu:
+                statuses.copy_to_host(ended)
+            goes_on = bool(((ended[:, 0] == LIMIT) & (ended[:, 1] < most)).any())
+            if goes_on:  # (what ends before its share is up says nothing of how long a share takes)
+                pace.done(share)
+            if tick is not None:
+                tick()
     return counts, firsts, ended

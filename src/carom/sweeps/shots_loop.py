@@ -9,18 +9,29 @@ from typing import Any
 
 from carom.core.geometry.features import FEATURES
 from carom.core.jit.compile import array_of, njit, parallel_range, signature
-from carom.core.jit.kernel import kernel
+from carom.core.jit.cuda import CudaLoop, grid_range
+from carom.core.jit.kernel import kernel, vector
 from carom.core.motion.phases import PHASES
-from carom.simulation.compiled import compiled_engine
+from carom.simulation.compiled import compiled_engine, plain_engine
 from carom.simulation.loop import LIMIT, PHASES_FROM, QUIET, ROWS, finish, run
+from carom.simulation.predict import put
 from carom.simulation.records import BALLS, LOG, PHASE, WORLD
 from carom.simulation.resolve import DONE
 
-__all__ = ["CODES", "LOG_ROWS", "compiled_follow", "count_rows"]
+__all__ = ["CODES", "LOG_ROWS", "LOOP", "compiled_follow", "count_rows", "follow_on_gpu"]
 
 # Codes of events: kinds, and from PHASES_FROM on the phases that begin.
 CODES = PHASES_FROM + len(PHASES)
 LOG_ROWS = 128  # of the log of a thread, which is read and emptied again and again
+
+
+@kernel
+def _copy(to: Any, row: Any) -> None:
+    """Copy what outcomes are made of (numba-cuda's simulator has no copy of a whole record)."""
+    to.t, to.kind, to.ball, to.other = row.t, row.kind, row.ball, row.other
+    put(to.x, vector(row.x))
+    put(to.v, vector(row.v))
+    put(to.w, vector(row.w))
 
 
 @kernel
@@ -30,9 +41,15 @@ def count_rows(log: Any, rows: int, wanted: Any, counts: Any, firsts: Any) -> No
         code = PHASES_FROM + log[r].phase if log[r].kind == PHASE else log[r].kind
         for j in range(wanted.shape[0]):
             if wanted[j, 0] == code and wanted[j, 1] == counts[code]:
-                firsts[j] = log[r]
+                _copy(firsts[j], log[r])
         counts[code] += 1
 
+
+# What the loop returns and takes.
+LOOP = (
+    None, array_of(WORLD), array_of(FEATURES, 2), array_of(BALLS, 2), array_of(LOG, 2), array_of(float), float, int, int,
+    array_of(int), int, array_of(int, 2), array_of(int, 2), array_of(LOG, 2), array_of(int, 2),
+)  # fmt: skip
 
 # The compiled functions, once there are any (a closure over them would not be cached).
 _run: Any = run
@@ -46,7 +63,7 @@ def _follow(
 ) -> None:  # fmt: skip
     """Continue every run of ``balls`` (N, B) by at most ``share`` events.
 
-    ``worlds`` (1 or N,), ``features`` (1 or N, F): of all runs, or of each; ``logs`` (T, LOG_ROWS): of each of T parts of the runs;
+    ``worlds`` (1 or N,), ``features`` (1 or N, F): of all runs, or of each; ``logs`` (T, rows): of each of T parts of the runs;
     ``counts`` (N, CODES) and ``firsts`` (N, W): :func:`count_rows`; ``ended`` (N, 2): status and number of events. A run goes on
     while its status is LIMIT, with fewer than ``most`` events.
     """
@@ -59,7 +76,7 @@ def _follow(
             left = min(share, most - ended[n, 1])
             while ended[n, 0] == LIMIT and left > 0:
                 # (a full log loses rows, and one event may write ROWS of them)
-                step = min(left, LOG_ROWS // ROWS) if keep != 0 else left
+                step = min(left, log.shape[0] // ROWS) if keep != 0 else left
                 status, events, rows, _ball, slow[n], last = _run(
                     worlds[here : here + 1], shape, balls[n], log, slow[n], until, step, users, keep
                 )
@@ -80,21 +97,11 @@ def compiled_follow() -> Callable[..., None]:
     global _run, _finish, _prange  # noqa: PLW0603
     _run, _finish = compiled_engine()
     _prange = parallel_range()
-    loop = signature(
-        None,
-        array_of(WORLD),
-        array_of(FEATURES, 2),
-        array_of(BALLS, 2),
-        array_of(LOG, 2),
-        array_of(float),
-        float,
-        int,
-        int,
-        array_of(int),
-        int,
-        array_of(int, 2),
-        array_of(int, 2),
-        array_of(LOG, 2),
-        array_of(int, 2),
-    )
-    return njit(_follow, signature=loop, parallel=True)
+    return njit(_follow, signature=signature(*LOOP), parallel=True)
+
+
+@functools.cache
+def follow_on_gpu() -> CudaLoop:
+    """Return the loop for a GPU: a thread for every part of the runs."""
+    one_run, one_end = plain_engine()
+    return CudaLoop(_follow, {"_run": one_run, "_finish": one_end, "_prange": grid_range})

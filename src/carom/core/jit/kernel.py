@@ -12,7 +12,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-__all__ = ["HOT", "KERNELS", "Vec", "cross", "dot", "hot_kernel", "kernel", "prange", "vector"]
+__all__ = ["HOT", "KERNELS", "ON_GPU", "Vec", "cross", "dot", "hot_kernel", "kernel", "prange", "vector"]
 
 Vec = tuple[float, float, float]
 Function = TypeVar("Function", bound=Callable[..., Any])
@@ -22,6 +22,8 @@ prange: Any = range
 
 KERNELS: list[Callable[..., Any]] = []
 HOT: set[Callable[..., Any]] = set()
+# What the cores call in a way of its own (by an address, or linked in), with the function that a GPU compiles in its place.
+ON_GPU: dict[Callable[..., Any], Callable[..., Any]] = {}
 
 
 def kernel(function: Function) -> Function:
