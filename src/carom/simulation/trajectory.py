@@ -350,6 +350,44 @@ class Trajectory:
             found = found.sum(axis=-1)
         return float(found) if np.ndim(found) == 0 else found
 
+    # --- derivatives -------------------------------------------------------------------------------------------------
+
+    def sensitivity(self, wrt: str | Sequence[str]) -> Any:
+        """Compute exact derivatives of events and states with respect to numbers of the scene.
+
+        Sources: Kong, Payne, Zhu & Johnson (2023), arXiv 2306.06862 (saltation matrices); Zhong et al. (2023), arXiv 2305.00092.
+
+        Parameters
+        ----------
+        wrt : list of str
+            Paths such as ``balls.0.velocity`` and ``walls.*.friction``. A vector is a column for x and y, and for z where the ball
+            is in flight; ``*`` is one shared column.
+
+        Returns
+        -------
+        Sensitivity
+            ``columns`` (p names), ``final`` and ``at(t)`` with ``position``, ``velocity``, ``spin`` (B, 3, p) at a fixed time,
+            ``events[i]`` with ``time`` (p,) and ``position``, ``velocity``, ``spin`` (3, p), ``margin`` (distance of each event to
+            the next switch of behaviour).
+
+        Raises CaromError for an unknown path, for a path to what is no finite real number, for the motion of a ball at rest, at an
+        exact graze, and for a law of one's own that calls more than Python's ``math``.
+
+        Examples
+        --------
+        >>> import carom
+        >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.5, friction=0)
+        >>> ball = carom.SceneBall(radius=0.1, mass=0.2, position=(1.1, 0, 0), velocity=(-2, 1, 0))
+        >>> run = carom.simulate(carom.Scene(gravity=0, walls=[wall], balls=[ball], run=carom.Run(duration=1)))
+        >>> s = run.sensitivity(["balls.0.velocity", "walls.0.restitution"])
+        >>> s.columns
+        ['balls.0.velocity.x', 'balls.0.velocity.y', 'balls.0.velocity.z', 'walls.0.restitution']
+        >>> s.final.position[0, 0].round(6).tolist()
+        [-0.5, 0.0, 0.0, 1.0]
+        """
+        module = importlib.import_module("carom.simulation.sensitivity.sensitivity")
+        return module.sensitivity(self, wrt)
+
     # --- tables, files, pictures -------------------------------------------------------------------------------------
 
     def table(self, times: ArrayLike | None = None) -> pandas.DataFrame:

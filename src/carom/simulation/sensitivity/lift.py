@@ -1,0 +1,70 @@
+"""Derived kernels: the very functions that the engine runs, with ``math`` replaced by its extension to dual numbers.
+
+A kernel is a function of numbers that names what it calls by the globals of its module. The derived one has the same code and other
+globals, in which ``math`` is :data:`carom.simulation.sensitivity.dual.DUAL_MATH` and every function is a derived one too. So each
+law, each phase and each shape has its exact derivative, without a line written by hand for it. The one exception is the integrator
+of wall and floor at once (:mod:`carom.simulation.sensitivity.pressed`).
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+import sys
+from collections.abc import Callable
+from types import FunctionType
+from typing import Any
+
+from carom.simulation.sensitivity.dual import DUAL_MATH, Dual
+from carom.simulation.sensitivity.pressed import differenced_joint_impact
+
+__all__ = ["lifted"]
+
+_spaces: dict[str, dict[str, Any]] = {}
+# math's functions that were imported by name
+_BY_FUNCTION = {getattr(math, name): function for name, function in vars(DUAL_MATH).items() if callable(function)}
+
+
+def _float(number: Any) -> Any:
+    """In the place of Python's float: a number with a derivative stays one."""
+    return number if isinstance(number, Dual) else float(number)
+
+
+def _call_law(law: Any, *numbers: Any) -> Any:
+    """In the place of carom.laws.callbacks.call_user, which goes through an address."""
+    return lifted(law)(*numbers)
+
+
+def _space(module: str, names: dict[str, Any]) -> dict[str, Any]:
+    """Return the globals of a module with derived functions in the place of its own and of those that it has imported."""
+    if module in _spaces:
+        return _spaces[module]
+    space = _spaces[module] = dict(names)
+    space["float"] = _float
+    for name, one in names.items():
+        if one is math:
+            space[name] = DUAL_MATH
+        elif name == "call_user":
+            space[name] = _call_law
+        elif name == "joint_impact":
+            space[name] = functools.partial(differenced_joint_impact, lifted(one))
+        elif isinstance(one, FunctionType) and _is_kernel(one, module):
+            space[name] = lifted(one)
+        elif callable(one) and not isinstance(one, type) and _BY_FUNCTION.get(one) is not None:
+            space[name] = _BY_FUNCTION[one]
+    return space
+
+
+def _is_kernel(one: FunctionType, module: str) -> bool:
+    return one.__module__ == module or one.__module__.startswith("carom.")
+
+
+def lifted(function: Callable[..., Any]) -> Callable[..., Any]:
+    """Return a kernel that takes and returns dual numbers where the given one takes and returns floats."""
+    if not isinstance(function, FunctionType) or hasattr(function, "__wrapped__"):
+        return function
+    module = function.__module__
+    names = function.__globals__ if module not in sys.modules else vars(sys.modules[module])
+    return FunctionType(
+        function.__code__, _space(module, names), function.__name__, function.__defaults__, function.__closure__
+    )

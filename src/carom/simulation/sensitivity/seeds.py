@@ -1,0 +1,136 @@
+"""The derivatives of a scene's arrays with respect to the numbers that paths name: where the tangents of a run begin.
+
+The arrays are made by the scene's own construction, whatever the shape; their derivatives are differences of order 8 in steps so
+large that a number on which they depend linearly (velocities, frictions, a wall's point) has its derivative to the last digits.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.core.motion.phases import FLIGHT, PIVOTING, REST
+from carom.errors import CaromError
+from carom.scene.paths import path_match, replaced
+from carom.scene.scene import Scene
+from carom.simulation.setup import SceneArrays, set_up
+
+__all__ = ["MOST_COLUMNS", "Column", "columns_of", "differences"]
+
+Array = NDArray[np.float64]
+
+# More parameters than this are refused: each event costs a time, and each row of the log memory, in proportion.
+MOST_COLUMNS = 2000
+WHERE = "sensitivity"
+# f'(0) = sum of c_k (f(k h) - f(-k h)) / h, of order 8 (Fornberg, Math. Comp. 51, 699 (1988), table 1); and on one side, of order 4
+CENTRAL = ((1, 4 / 5), (2, -1 / 5), (3, 4 / 105), (4, -1 / 280))
+ONE_SIDED = ((0, -25 / 12), (1, 4.0), (2, -3.0), (3, 4 / 3), (4, -1 / 4))
+STEP = 2.0**-7
+
+
+class Column(NamedTuple):
+    """One parameter: its name, and the paths and components that change together."""
+
+    name: str
+    path: str
+    component: int | None
+    values: tuple[Any, ...]
+
+    @property
+    def value(self) -> float:
+        """Its value in the scene (of several places, the first one's)."""
+        first = self.values[0]
+        return float(first if self.component is None else first[self.component])
+
+
+def columns_of(scene: Scene, wrt: Any, phases: Any) -> list[Column]:
+    """Return the parameters that paths name; CaromError for a path that leads nowhere, or to what is no real number."""
+    paths = [wrt] if isinstance(wrt, str) else list(wrt)
+    found: list[Column] = []
+    if not paths:
+        raise CaromError(f"{WHERE}: wrt: expected one or more paths such as 'balls.0.velocity', got none")
+    for path in paths:
+        match = path_match(scene, path, f"{WHERE}: wrt")
+        # (a constant restitution is its number)
+        match = match._replace(
+            values=tuple(one.value if getattr(one, "form", "") == "constant" else one for one in match.values)
+        )
+        first = match.values[0]
+        if isinstance(first, tuple) and first and all(isinstance(one, int | float) for one in first):
+            flies = _flies(match.places, phases)
+            names = ("x", "y", "z")[: len(first) if len(first) < 3 or flies else 2]
+            if len(first) > 3:
+                raise CaromError(f"{WHERE}: wrt: {path}: expected a number or a vector, got {len(first)} numbers")
+            found += [Column(f"{path}.{name}", path, k, match.values) for k, name in enumerate(names)]
+        else:
+            found.append(Column(path, path, None, match.values))
+        for keys in match.places:
+            moves = keys[0] == "balls" and len(keys) > 2 and keys[2] in ("velocity", "spin")
+            if moves and phases[keys[1]] in (PIVOTING, REST):
+                raise CaromError(
+                    f"{WHERE}: wrt: {path}: expected a ball that moves, got ball {keys[1]} at rest on the floor, where the "
+                    "derivative depends on the direction; give it a small velocity"
+                )
+    for one in found:
+        for number in one.values:
+            x = number if one.component is None else number[one.component]
+            if isinstance(x, bool) or not isinstance(x, int | float) or not math.isfinite(x):
+                raise CaromError(f"{WHERE}: wrt: {one.path}: expected a finite real number, got {x!r:.60}")
+    if len(found) > MOST_COLUMNS:
+        raise CaromError(
+            f"{WHERE}: wrt: expected at most {MOST_COLUMNS} parameters, got {len(found)}; time and memory grow in proportion"
+        )
+    return found
+
+
+def _flies(places: Any, phases: Any) -> bool:
+    return all(keys[0] != "balls" or phases[keys[1]] == FLIGHT for keys in places)
+
+
+def differences(scene: Scene, column: Column, setup: SceneArrays) -> dict[str, dict[str, Array]]:
+    """Return the derivatives of the arrays' floating-point fields, by array and field."""
+    scale = max((abs(x if column.component is None else x[column.component]) for x in column.values), default=0.0)
+    h = STEP * (2.0 ** round(math.log2(scale)) if scale > 0 else 1.0)
+
+    for stencil in _stencils():
+        try:
+            made = [(c, set_up(_shifted(scene, column, k * h), compiled=False)) for k, c in stencil]
+        except CaromError:
+            continue
+        found: dict[str, dict[str, Array]] = {}
+        for name in ("world", "features", "balls"):
+            base = getattr(setup, name)
+            fields = [field for field in base.dtype.names if base.dtype[field].base.kind == "f"]
+            if any(len(getattr(one, name)) != len(base) for _c, one in made):
+                break
+            with np.errstate(invalid="ignore"):
+                slopes = {field: sum(c * getattr(one, name)[field] for c, one in made) / h for field in fields}
+            # (infinite extents and frictions do not change)
+            found[name] = {field: np.nan_to_num(np.asarray(d, dtype=float), nan=0.0) for field, d in slopes.items()}
+        else:
+            return found
+    raise CaromError(
+        f"{WHERE}: wrt: {column.name}: expected a number that can change a little, got {column.value!r}, which the scene fixes"
+    )
+
+
+def _stencils() -> Any:
+    yield [(sign * k, sign * c) for k, c in CENTRAL for sign in (1, -1)]
+    for sign in (1, -1):
+        yield [(sign * k, sign * c) for k, c in ONE_SIDED]
+
+
+def _shifted(scene: Scene, column: Column, by: float) -> Scene:
+    """Return the scene with the parameter changed by ``by`` at every place."""
+    changes: dict[str, Any] = {}
+    for place, x in zip(path_match(scene, column.path).places, column.values, strict=True):
+        path = ".".join(map(str, place))
+        changes[path] = (
+            x + by
+            if column.component is None
+            else tuple(one + by if k == column.component else one for k, one in enumerate(x))
+        )
+    return replaced(scene, changes)

@@ -1,0 +1,154 @@
+"""The sensitivity of a run: derivatives of its events and states with respect to numbers of its scene, and how far they hold."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.errors import CaromError
+from carom.simulation.records import START
+from carom.simulation.sensitivity.dual import derivative, value
+from carom.simulation.sensitivity.replay import follow, state_of
+from carom.simulation.sensitivity.seeds import columns_of, differences
+from carom.simulation.setup import set_up
+
+__all__ = ["EventSensitivity", "Margin", "Sensitivity", "StateSensitivity", "sensitivity"]
+
+Array = NDArray[np.float64]
+
+
+class StateSensitivity(NamedTuple):
+    """Derivatives of the states of all balls at a fixed time, each (B, 3, p)."""
+
+    position: Array
+    """m per unit of the parameter."""
+    velocity: Array
+    spin: Array
+
+
+class EventSensitivity(NamedTuple):
+    """Derivatives of one event: of its time (p,), and of the ball's state there, each (3, p), at the time that changes with it."""
+
+    time: Array
+    position: Array
+    velocity: Array
+    spin: Array
+
+
+class Margin(NamedTuple):
+    """How far an event is from the nearest switch of behaviour, to first order."""
+
+    which: str
+    """ "graze", "stick/slip", "order", "roll/slide"; empty where nothing can switch."""
+    distance: float
+    """In the switch's own measure: m/s of approach or slip, friction, s."""
+    radius: float
+    """Length of the shortest change of the parameters (in their units) that reaches it; infinite if none does."""
+
+
+class Sensitivity:
+    """Derivatives of a run; made by :meth:`carom.Trajectory.sensitivity`."""
+
+    def __init__(self, run: Any, columns: list[Any], world: Any, passages: list[Any]) -> None:
+        self._run, self._world, self._passages = run, world, passages
+        self.columns: list[str] = [one.name for one in columns]
+        """Names of the p parameters."""
+        self.values = np.array([one.value for one in columns])
+        """Their values in the scene (p,)."""
+
+    @property
+    def events(self) -> list[EventSensitivity]:
+        """Derivatives of each event, in the order of ``run.events``."""
+        p, first = len(self.columns), len(self._run.scene.balls)
+        return [
+            EventSensitivity(
+                derivative(one.time, p), *(_stack(getattr(one.ball, field), p) for field in ("x", "v", "w"))
+            )
+            for one in self._passages[first:]
+        ]
+
+    def at(self, t: float) -> StateSensitivity:
+        """Return the derivatives of all states at a fixed time t, s."""
+        t = float(t)
+        self._run.at(t)  # (which refuses times before and after the run)
+        log, p = self._run.log, len(self.columns)
+        found = []
+        for i in range(len(self._run.scene.balls)):
+            own = np.flatnonzero(log["ball"] == i)
+            row = own[np.searchsorted(log["t"][own], t, side="right") - 1]
+            with np.errstate(all="ignore"):
+                ball = state_of(self._world, self._passages[row].ball, t)
+            found.append([_stack(getattr(ball, field), p) for field in ("x", "v", "w")])
+        return StateSensitivity(*(np.array([one[k] for one in found]) for k in range(3)))
+
+    @property
+    def final(self) -> StateSensitivity:
+        """Derivatives of the final states, at the fixed time ``run.end``."""
+        return self.at(self._run.end)
+
+    @property
+    def margin(self) -> list[Margin]:
+        """For each event the nearest switch: graze, stick or slip, roll or slide, or the order of two events of one ball."""
+        log, p, first = self._run.log, len(self.columns), len(self._run.scene.balls)
+        found = []
+        for k in range(first, len(log)):
+            one, choices = self._passages[k], []
+            if one.approach is not None:
+                choices.append(_margin("graze", one.approach, p))
+            if (
+                one.required is not None
+                and one.friction is not None
+                and 0 < one.friction < np.inf
+                and one.required != 0
+            ):
+                choices.append(_margin("stick/slip", one.required - one.friction, p))
+            if one.slip is not None:
+                size = float(np.sqrt(value(one.slip[0])))
+                slope = np.stack([derivative(s, p) for s in one.slip[1:]])
+                most = float(np.linalg.svd(slope, compute_uv=False)[0])
+                choices.append(Margin("roll/slide", size, size / most if most > 0 else np.inf))
+            later = [
+                j for j in range(k + 1, min(k + 4, len(log))) if log["t"][j] > log["t"][k] and log["kind"][j] != START
+            ]
+            if later and _share(log, k, later[0]):
+                choices.append(_margin("order", self._passages[later[0]].time - one.time, p))
+            found.append(min(choices, key=lambda m: m.radius, default=Margin("", np.inf, np.inf)))
+        return found
+
+    def what_matters(self) -> Array:
+        """Return how far each ball's final place moves when a parameter changes by 1 %: (B, p), m."""
+        return np.asarray(np.linalg.norm(self.final.position, axis=1) * np.abs(self.values) / 100)
+
+    def __repr__(self) -> str:
+        """One line."""
+        return f"<Sensitivity: {len(self.columns)} parameters, {len(self.events)} events>"
+
+
+def _share(log: Any, k: int, j: int) -> bool:
+    return bool({int(log["ball"][k]), int(log["other"][k])} & {int(log["ball"][j])})
+
+
+def _stack(numbers: Any, p: int) -> Array:
+    return np.array([derivative(one, p) for one in numbers], dtype=float).reshape(3, p)
+
+
+def _margin(which: str, distance: Any, p: int) -> Margin:
+    size, slope = abs(float(value(distance))), float(np.linalg.norm(derivative(distance, p)))
+    return Margin(which, size, size / slope if slope > 0 else np.inf)
+
+
+def sensitivity(run: Any, wrt: str | Iterable[str]) -> Sensitivity:
+    """Compute the derivatives of a run with respect to numbers of its scene, by a second pass over its log."""
+    scene, log = run.scene, run.log
+    first = log[: len(scene.balls)]
+    if len(log) and (len(first) < len(scene.balls) or (first["kind"] != START).any()):
+        raise CaromError("sensitivity: expected a run with a complete log")
+    setup = set_up(scene, compiled=False)
+    columns = columns_of(scene, wrt, first["phase"].tolist())
+    slopes = [differences(scene, one, setup) for one in columns]
+    with np.errstate(all="ignore"):
+        world, passages = follow(scene, setup, slopes, log)
+    return Sensitivity(run, columns, world, passages)

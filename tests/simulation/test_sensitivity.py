@@ -1,0 +1,143 @@
+"""Derivatives of runs: closed forms, tangent maps, differences of whole runs, and what is refused."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from reference.sensitivity_differences import compare
+
+import carom
+
+RADIUS = 0.1
+
+
+def bullet(x: float, v: float, **more: Any) -> carom.SceneBall:
+    return carom.SceneBall(radius=RADIUS, mass=1.0, position=(x, 0, 0), velocity=(v, 0, 0), **more)
+
+
+def test_two_elastic_balls_of_nimblephysics_issue_97() -> None:
+    # github.com/keenon/nimblephysics/issues/97: the struck ball ends at x1 + v0 T + 2 r, whatever its own start
+    contact = carom.BallContact(restitution=1.0, friction=0.0)
+    balls = [bullet(0.0, 1.0), bullet(0.52, 0.0)]
+    scene = carom.Scene(gravity=0, balls=balls, ball_contact=contact, run=carom.Run(duration=1.0))
+    wrt = ["balls.0.position.x", "balls.1.position.x", "balls.0.velocity.x", "balls.1.velocity.x"]
+    found = carom.simulate(scene).sensitivity(wrt)
+    assert found.final.position[1, 0] == pytest.approx([1, 0, 1, 0], abs=1e-12)
+    assert found.final.position[0, 0] == pytest.approx([0, 1, 0, 1], abs=1e-12)
+
+
+def test_a_ball_dropped_on_the_floor() -> None:
+    # one bounce of restitution e: z(T) = a + e w s - g s^2/2, w = sqrt(2 g h), s = T - w/g
+    g, h, e, end = 9.8, 0.7, 0.8, 0.6
+    scene = carom.Scene(
+        gravity=g,
+        floor=carom.Floor(restitution=e, friction=0.1),
+        balls=[carom.SceneBall(radius=RADIUS, mass=1.0, position=(0, 0, RADIUS + h))],
+        run=carom.Run(duration=end),
+    )
+    run = carom.simulate(scene)
+    found = run.sensitivity(["balls.0.position.z", "floor.restitution", "balls.0.velocity.z"])
+    w = math.sqrt(2 * g * h)
+    s = end - w / g
+    rise = (g / w) * (e * s - e * w / g + s)  # dw/dh = g/w, ds/dw = -1/g
+    assert found.events[0].time[0] == pytest.approx(1 / w, rel=1e-12)
+    assert found.final.position[0, 2, 0] == pytest.approx(rise, rel=1e-10)
+    assert found.final.position[0, 2, 1] == pytest.approx(w * s, rel=1e-12)
+    assert found.margin[0].which == "graze"
+    assert found.margin[0].distance == pytest.approx(w, rel=1e-12)
+
+
+def test_elastic_flight_in_a_box_preserves_phase_space_volume() -> None:
+    box = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), law="mirror")
+    post = carom.scene.Cylinder(point=(1.2, 0.3, 0), axis=(0, 0, 1), radius=0.2, law="mirror")
+    ball = carom.SceneBall(radius=RADIUS, mass=1.0, position=(0.5, 0.1, 0), velocity=(1.0, 0.25, 0.1))
+    scene = carom.Scene(gravity=0, walls=[box, post], balls=[ball], run=carom.Run(duration=1.5))
+    run = carom.simulate(scene)
+    assert len(run.events) == 2
+    found = run.sensitivity(["balls.0.position", "balls.0.velocity"]).final
+    map_ = np.concatenate([found.position[0], found.velocity[0]])
+    form = np.block([[np.zeros((3, 3)), np.eye(3)], [-np.eye(3), np.zeros((3, 3))]])
+    assert np.linalg.det(map_) == pytest.approx(1.0, abs=1e-11)
+    assert map_.T @ form @ map_ == pytest.approx(form, abs=1e-11)
+
+
+@pytest.mark.parametrize("seed", [0, 1, 4, 20, 35, 81, 92])
+def test_random_scenes_against_extrapolated_differences(seed: int) -> None:
+    cases = [case for case in compare(seed) if case.verdict == "compared"]
+    assert cases
+    for case in cases:
+        assert case.error <= 1e-7 + 30 * case.doubt, case
+
+
+def test_states_between_events_and_a_shared_column() -> None:
+    scene = _shot()
+    run = carom.simulate(scene)
+    found = run.sensitivity(["balls.0.velocity", "walls.*.friction"])
+    assert found.columns == ["balls.0.velocity.x", "balls.0.velocity.y", "walls.*.friction"]
+    assert found.at(0.0).velocity[0, :2, :2] == pytest.approx(np.eye(2))
+    assert found.final.position.shape == (1, 3, 3)
+    assert found.what_matters().shape == (1, 3)
+    assert len(found.events) == len(found.margin) == len(run.events)
+
+
+def _shot() -> carom.Scene:
+    wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
+    ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0), velocity=(-2, 1), rolling=True)
+    return carom.Scene(floor=carom.Floor(friction=0.2), walls=[wall], balls=[ball], run=carom.Run(duration=2))
+
+
+@pytest.mark.parametrize(
+    ("wrt", "message"),
+    [
+        (["balls.0.velocty"], "did you mean 'balls.0.velocity'"),
+        (["run.law"], "expected a finite real number"),
+        ([], "expected one or more paths"),
+        (["walls.0.normal.w"], "expected"),
+    ],
+)
+def test_wrong_paths_are_refused_in_one_line(wrt: list[str], message: str) -> None:
+    run = carom.simulate(_shot())
+    with pytest.raises(carom.CaromError) as caught:
+        run.sensitivity(wrt)
+    assert message in str(caught.value)
+    assert "\n" not in str(caught.value)
+
+
+def test_the_motion_of_a_ball_at_rest_is_refused() -> None:
+    ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0))
+    run = carom.simulate(carom.Scene(floor=carom.Floor(friction=0.2), balls=[ball], run=carom.Run(duration=1)))
+    with pytest.raises(carom.CaromError, match="expected a ball that moves"):
+        run.sensitivity("balls.0.velocity")
+
+
+def _soft(v: Any, w: Any, n: Any, a: float, kappa: float, e: float, mu: float, last: float) -> Any:
+    u = -(v[0] * n[0] + v[1] * n[1] + v[2] * n[2])
+    c = (1 + e / math.sqrt(1 + u * u)) * u
+    return (v[0] + c * n[0], v[1] + c * n[1], v[2] + c * n[2]), w
+
+
+def _arrays(v: Any, w: Any, n: Any, a: float, kappa: float, e: float, mu: float, last: float) -> Any:
+    u = np.sqrt(v[0] * v[0] + v[1] * v[1])
+    return (u * n[0], u * n[1], v[2]), w
+
+
+def _meets(law: carom.Law) -> carom.Trajectory:
+    wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.5, friction=0.0, law=law)
+    ball = carom.SceneBall(radius=RADIUS, mass=1.0, position=(1.1, 0, 0), velocity=(-2, 1, 0))
+    return carom.simulate(carom.Scene(gravity=0, walls=[wall], balls=[ball], run=carom.Run(duration=1)))
+
+
+def test_a_law_of_the_users_own_has_its_derivative() -> None:
+    law = carom.wall_law(carom.Card("soft", "A test.", (), "", "", ""), _soft, reads=("restitution",))
+    found = _meets(law).sensitivity(["balls.0.velocity.x", "walls.0.restitution"]).final.velocity[0, 0]
+    # v' = e u / sqrt(1 + u^2), u = -v = 2
+    assert found == pytest.approx([-0.5 / 5**1.5, 2 / math.sqrt(5)], rel=1e-10)
+
+
+def test_a_law_that_leaves_pythons_numbers_is_refused() -> None:
+    law = carom.wall_law(carom.Card("arrays", "A test.", (), "", "", ""), _arrays)
+    with pytest.raises(carom.CaromError, match="expected a wall's law made of"):
+        _meets(law).sensitivity(["balls.0.velocity.x"])
