@@ -9,7 +9,7 @@ import numpy as np
 from reference.scenes_of_all_laws import scene_of_all_laws
 
 import carom
-from carom.scene.paths import replaced
+from carom.scene.paths import path_match, replaced
 
 EVENTS = 50
 LEVELS = 6
@@ -30,14 +30,33 @@ class Case(NamedTuple):
     events: int = 0
 
 
-def paths_of(scene: carom.Scene) -> list[str]:
+# Of these, each scene has one or two in turn, where it has them at all.
+MORE = (
+    "balls.0.radius", "balls.0.mass", "balls.*.spin", "balls.0.position", "gravity", "walls.0.restitution", "walls.*.restitution",
+    "walls.0.friction", "ball_contact.friction", "ball_contact.restitution", "floor.restitution", "floor.rolling_resistance",
+    "walls.0.point", "walls.0.radius", "walls.0.vertices.1", "walls.0.center", "walls.0.length",
+)  # fmt: skip
+
+
+def paths_of(scene: carom.Scene, seed: int = 0) -> list[str]:
+    """Return velocities of two balls, frictions, and two other numbers that the scene has."""
     found = [f"balls.{i}.velocity" for i, ball in enumerate(scene.balls) if np.any(ball.state.velocity != 0)][:2]
-    # (the differences give all walls one value)
-    if len({wall.friction for wall in scene.walls}) == 1 and 0 < scene.walls[0].friction < math.inf:
-        found.append("walls.*.friction")
-    if scene.floor is not None and 0 < scene.floor.friction < math.inf:
-        found.append("floor.friction")
-    return found
+    found += [path for path in ("walls.*.friction", "floor.friction") if _is_number(scene, path)]
+    return found + [path for path in MORE if path not in found and _is_number(scene, path)][seed % 7 :: 7][:2]
+
+
+def _is_number(scene: carom.Scene, path: str) -> bool:
+    """Return whether a path leads to positive numbers, or to vectors, that are finite."""
+    try:
+        values = path_match(scene, path).values
+    except carom.CaromError:
+        return False
+    parts = [getattr(one, "value", one) for one in values]
+    return all(
+        (isinstance(one, float) and 0 < one < math.inf)
+        or (isinstance(one, tuple) and all(isinstance(x, float) and math.isfinite(x) for x in one))
+        for one in parts
+    )
 
 
 def sequence(run: Any, t: float) -> list[tuple[int, ...]]:
@@ -61,7 +80,7 @@ def compare(seed: int) -> list[Case]:
     if len(wide) == 0:
         return [Case(seed, "", "no events")]
     t = float((times[wide[-1]] + times[wide[-1] + 1]) / 2)
-    paths = paths_of(scene)
+    paths = paths_of(scene, seed)
     if not paths:
         return [Case(seed, "", "no parameter")]
     try:
@@ -81,13 +100,14 @@ def compare(seed: int) -> list[Case]:
     return cases
 
 
-def _value(scene: carom.Scene, name: str, path: str, x: float) -> carom.Scene:
-    if name == path:
-        return replaced(scene, {path: x})
-    i = int(path.split(".")[1])
-    old = list(scene.balls[i].velocity)
-    old["xyz".index(name[-1])] = x
-    return replaced(scene, {path: tuple(old)})
+def _shifted(scene: carom.Scene, name: str, path: str, by: float) -> carom.Scene:
+    """Return the scene with a number, or a component, changed at every place of the path by as much."""
+    match, changes = path_match(scene, path), {}
+    for place, old in zip(match.places, match.values, strict=True):
+        x = getattr(old, "value", old)
+        k = None if name == path else "xyz".index(name[-1])
+        changes[".".join(map(str, place))] = x + by if k is None else (*x[:k], x[k] + by, *x[k + 1 :])
+    return replaced(scene, changes)
 
 
 def _one(scene: Any, expected: Any, t: float, name: str, path: str, x: float, told: Any, seed: int) -> Case:
@@ -102,7 +122,7 @@ def _one(scene: Any, expected: Any, t: float, name: str, path: str, x: float, to
             ends = []
             for sign in (1, -1):
                 try:
-                    run = carom.simulate(_value(scene, name, path, x + sign * h))
+                    run = carom.simulate(_shifted(scene, name, path, sign * h))
                     state = run.at(t)
                 except carom.CaromError:
                     break
@@ -119,7 +139,10 @@ def _one(scene: Any, expected: Any, t: float, name: str, path: str, x: float, to
             rows.append([(4**k * b - a) / (4**k - 1) for a, b in zip(rows[-1], rows[-1][1:], strict=False)])
         for k in range(1, LEVELS):
             # (two estimates that share the smallest steps are wrong together: Ridders' doubt, Adv. Eng. Software 4, 75 (1982))
-            good, before = rows[k][-1], (rows[k - 1][-1], rows[k - 1][-2], rows[k][-2] if len(rows[k]) > 1 else rows[k - 1][-2])
+            good, before = (
+                rows[k][-1],
+                (rows[k - 1][-1], rows[k - 1][-2], rows[k][-2] if len(rows[k]) > 1 else rows[k - 1][-2]),
+            )
             # (where nothing depends on the parameter, rounding is all that is left)
             scale = max(largest, float(np.nanmax(np.abs(good))), 1e-3)
             doubt = max(float(np.nanmax(np.abs(good - one))) for one in before) / scale

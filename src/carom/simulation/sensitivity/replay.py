@@ -201,8 +201,9 @@ def _time_of_contact(features: Any, plain: Any, feature: int, here: list[Any], r
         return Dual(t0, moved)
     if not abs(rate) > LEAST_APPROACH * float(np.linalg.norm(v)):
         raise CaromError(
-            f"sensitivity: events[{number}] ({t0:.9g} s, ball {int(row['ball'])}): expected an impact, got a graze, "
-            "where no derivative exists; move a start a little, or end the run before"
+            f"sensitivity: events[{number}] ({t0:.9g} s, ball {int(row['ball'])}): expected an impact, got one at {abs(rate):.2g}"
+            " m/s (a graze, or the last of ever lower bounces), where no derivative exists; move a start a little, or end the"
+            " run before"
         )
     return Dual(t0, -moved / rate)
 

@@ -18,9 +18,10 @@ from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
 from carom.simulation.setup import SceneArrays, set_up
 
-__all__ = ["MOST_COLUMNS", "Column", "columns_of", "differences"]
+__all__ = ["MOST_COLUMNS", "Column", "Tangents", "tangents_of"]
 
 Array = NDArray[np.float64]
+Tangents = dict[str, dict[str, Array]]
 
 # More parameters than this are refused: each event costs a time, and each row of the log memory, in proportion.
 MOST_COLUMNS = 2000
@@ -46,7 +47,7 @@ class Column(NamedTuple):
         return float(first if self.component is None else first[self.component])
 
 
-def columns_of(scene: Scene, wrt: Any, phases: Any) -> list[Column]:
+def _columns_of(scene: Scene, wrt: Any, phases: Any) -> list[Column]:
     """Return the parameters that paths name; CaromError for a path that leads nowhere, or to what is no real number."""
     paths = [wrt] if isinstance(wrt, str) else list(wrt)
     found: list[Column] = []
@@ -90,8 +91,26 @@ def _flies(places: Any, phases: Any) -> bool:
     return all(keys[0] != "balls" or phases[keys[1]] == FLIGHT for keys in places)
 
 
-def differences(scene: Scene, column: Column, setup: SceneArrays) -> dict[str, dict[str, Array]]:
-    """Return the derivatives of the arrays' floating-point fields, by array and field."""
+def tangents_of(scene: Scene, wrt: Any, phases: Any, setup: SceneArrays) -> tuple[list[Column], list[Tangents]]:
+    """Return the parameters that paths name, and the derivatives of the scene's arrays with respect to each.
+
+    A component that the scene does not let change (gravity along a floor, the height of a ball on it) is left out of its vector;
+    CaromError for a number, or a whole vector, that cannot change.
+    """
+    columns = _columns_of(scene, wrt, phases)
+    slopes = [_differences(scene, one, setup) for one in columns]
+    for one, slope in zip(columns, slopes, strict=True):
+        whole = [found for other, found in zip(columns, slopes, strict=True) if other.path == one.path]
+        if slope is None and all(found is None for found in whole):
+            raise CaromError(
+                f"{WHERE}: wrt: {one.name}: expected a number that can change a little, got {one.value!r}, which the scene fixes"
+            )
+    kept = [(one, slope) for one, slope in zip(columns, slopes, strict=True) if slope is not None]
+    return [one for one, _slope in kept], [slope for _one, slope in kept]
+
+
+def _differences(scene: Scene, column: Column, setup: SceneArrays) -> Tangents | None:
+    """Return the derivatives of the arrays' floating-point fields, by array and field; None where the scene fixes the number."""
     scale = max((abs(x if column.component is None else x[column.component]) for x in column.values), default=0.0)
     h = STEP * (2.0 ** round(math.log2(scale)) if scale > 0 else 1.0)
 
@@ -112,9 +131,7 @@ def differences(scene: Scene, column: Column, setup: SceneArrays) -> dict[str, d
             found[name] = {field: np.nan_to_num(np.asarray(d, dtype=float), nan=0.0) for field, d in slopes.items()}
         else:
             return found
-    raise CaromError(
-        f"{WHERE}: wrt: {column.name}: expected a number that can change a little, got {column.value!r}, which the scene fixes"
-    )
+    return None
 
 
 def _stencils() -> Any:

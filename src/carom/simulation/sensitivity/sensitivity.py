@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
-from carom.simulation.records import START
+from carom.simulation.records import BALL, START
 from carom.simulation.sensitivity.dual import derivative, value
 from carom.simulation.sensitivity.replay import follow, state_of
-from carom.simulation.sensitivity.seeds import columns_of, differences
+from carom.simulation.sensitivity.seeds import tangents_of
 from carom.simulation.setup import set_up
 
 __all__ = ["EventSensitivity", "Margin", "Sensitivity", "StateSensitivity", "sensitivity"]
@@ -110,11 +110,9 @@ class Sensitivity:
                 slope = np.stack([derivative(s, p) for s in one.slip[1:]])
                 most = float(np.linalg.svd(slope, compute_uv=False)[0])
                 choices.append(Margin("roll/slide", size, size / most if most > 0 else np.inf))
-            later = [
-                j for j in range(k + 1, min(k + 4, len(log))) if log["t"][j] > log["t"][k] and log["kind"][j] != START
-            ]
-            if later and _share(log, k, later[0]):
-                choices.append(_margin("order", self._passages[later[0]].time - one.time, p))
+            j = _next_of_its_balls(log, k)
+            if j is not None:
+                choices.append(_margin("order", self._passages[j].time - one.time, p))
             found.append(min(choices, key=lambda m: m.radius, default=Margin("", np.inf, np.inf)))
         return found
 
@@ -127,8 +125,11 @@ class Sensitivity:
         return f"<Sensitivity: {len(self.columns)} parameters, {len(self.events)} events>"
 
 
-def _share(log: Any, k: int, j: int) -> bool:
-    return bool({int(log["ball"][k]), int(log["other"][k])} & {int(log["ball"][j])})
+def _next_of_its_balls(log: Any, k: int) -> int | None:
+    """Return the row of the next event of the balls that row k is about; events of other balls may change places with it."""
+    its = {int(log["ball"][k])} | ({int(log["other"][k])} if log["kind"][k] == BALL else set())
+    rows = np.flatnonzero((log["t"] > log["t"][k]) & np.isin(log["ball"], list(its)))
+    return int(rows[0]) if len(rows) else None
 
 
 def _stack(numbers: Any, p: int) -> Array:
@@ -147,8 +148,7 @@ def sensitivity(run: Any, wrt: str | Iterable[str]) -> Sensitivity:
     if len(log) and (len(first) < len(scene.balls) or (first["kind"] != START).any()):
         raise CaromError("sensitivity: expected a run with a complete log")
     setup = set_up(scene, compiled=False)
-    columns = columns_of(scene, wrt, first["phase"].tolist())
-    slopes = [differences(scene, one, setup) for one in columns]
+    columns, slopes = tangents_of(scene, wrt, first["phase"].tolist(), setup)
     with np.errstate(all="ignore"):
         world, passages = follow(scene, setup, slopes, log)
     return Sensitivity(run, columns, world, passages)
