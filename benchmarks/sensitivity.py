@@ -1,36 +1,85 @@
-"""Time of a run's sensitivity beside a plain run, in one process: ``python benchmarks/sensitivity.py``."""
+"""What derivatives of a run cost beside the run, in one process: ``python benchmarks/sensitivity.py``.
+
+Three balls between upright walls (docs/scenes/three_balls.toml): a plain run, its sensitivity with p = 1, 6, 12 parameters beside
+central differences of whole runs for the same p (2 p runs), and many starts at once. Every figure is the best of several, and
+every ratio is of figures of this run.
+"""
 
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
+
 import carom
+from carom.core.jit.compile import limit_threads, thread_count
+from carom.scene.paths import replaced
 
 SCENE = Path(__file__).parents[1] / "docs" / "scenes" / "three_balls.toml"
-WRT = ["balls.0.velocity", "balls.0.position", "floor.friction", "walls.*.friction"]
+WRT = {
+    1: ["balls.0.velocity.x"],
+    6: ["balls.0.velocity", "balls.0.position", "floor.friction", "walls.*.friction"],
+    12: ["balls.*.position.x", "balls.0.velocity", "balls.0.position", "balls.1.position", "floor.friction", "walls.*.friction",
+         "floor.restitution", "ball_contact.restitution", "ball_contact.friction"],
+}  # fmt: skip
+STARTS = 4000
 
 
-def best(work: object, repeats: int) -> float:
+def best(work: Callable[[], object], repeats: int) -> float:
     times = []
     for _ in range(repeats):
         start = time.perf_counter()
-        work()  # type: ignore[operator]
+        work()
         times.append(time.perf_counter() - start)
     return min(times)
+
+
+def once(work: Callable[[], object]) -> float:
+    return best(work, 1)
+
+
+def starts(scene: carom.Scene) -> tuple[np.ndarray, np.ndarray]:
+    """The scene's shot in STARTS directions, 0.1 rad wide."""
+    ball = scene.balls[0]
+    turn = np.random.default_rng(0).uniform(-0.05, 0.05, STARTS)
+    x, y = ball.velocity[:2]
+    v, w = (np.tile([getattr(one.state, name) for one in scene.balls], (STARTS, 1, 1)) for name in ("velocity", "spin"))
+    v[:, 0, 0], v[:, 0, 1] = x * np.cos(turn) - y * np.sin(turn), x * np.sin(turn) + y * np.cos(turn)
+    w[:, 0, 0], w[:, 0, 1] = -v[:, 0, 1] / ball.radius, v[:, 0, 0] / ball.radius
+    return v, w
 
 
 def main() -> None:
     scene = carom.load_scene(SCENE)
     run = carom.simulate(scene)
-    found = run.sensitivity(WRT)
-    plain = best(lambda: carom.simulate(scene), 200)
-    tangents = best(lambda: run.sensitivity(WRT), 5)
-    p = len(found.columns)
-    print(
-        f"three balls, {len(run.events)} events, p = {p}: plain run {1e6 * plain:.0f} us, sensitivity {1e3 * tangents:.1f} ms"
-    )
-    print(f"gradients per second and core: {1 / tangents:.1f}; ratio to a plain run {tangents / plain:.0f}")
+    print(f"three balls, {len(run.events)} events")
+    print(f"first sensitivity of a process, as Python: {1e3 * once(lambda: run.sensitivity(WRT[6])):.0f} ms")
+    v, w = starts(scene)
+    loading = once(lambda: carom.sensitivities(scene, WRT[6], v[:2], w[:2]))
+    print(f"compiled pass and loop, compiled or loaded: {loading:.1f} s")
+    carom.simulate_many(scene, v[:2], w[:2])
+    plain = best(lambda: carom.simulate(scene), 300)
+    print(f"plain run {1e6 * plain:.0f} us\n")
+    print("  p   sensitivity   in plain runs   central differences   another scene's first")
+    for p, wrt in WRT.items():
+        found = best(lambda wrt=wrt: run.sensitivity(wrt).final, 100)  # type: ignore[misc]
+        assert len(run.sensitivity(wrt).columns) == p
+        other = carom.simulate(replaced(scene, {"floor.restitution": 0.5}))
+        first = once(lambda wrt=wrt, other=other: other.sensitivity(wrt).final)  # type: ignore[misc]
+        print(f"{p:3d}   {1e6 * found:8.0f} us   {found / plain:13.1f}   {2 * p:19d}   {1e3 * first:18.1f} ms")
+    threads = thread_count()
+    limit_threads(1)
+    print(f"\n{STARTS:,} starts at once, one thread:")
+    alone = best(lambda: carom.simulate_many(scene, v, w), 3)
+    print(f"  runs alone {STARTS / alone:,.0f} a second")
+    for p, wrt in WRT.items():
+        many = best(lambda wrt=wrt: carom.sensitivities(scene, wrt, v, w), 3)  # type: ignore[misc]
+        print(
+            f"  runs with {p:2d} derivatives {STARTS / many:,.0f} a second: {many / alone:.1f} runs each, with the run itself"
+        )
+    limit_threads(threads)
 
 
 if __name__ == "__main__":

@@ -163,6 +163,10 @@ def right() -> dict[str, tuple[Callable[..., Any], dict[str, Any]]]:
             carom.simulate_many,
             {"scene": scene, "velocity": [[-1, 0, 0]], "spin": None, "position": None, "events": 1, "kinds": ("wall",)},
         ),
+        "sensitivities": (
+            carom.sensitivities,
+            {"scene": scene, "wrt": ["balls.0.velocity"], "velocity": [[-1, 0, 0]], "spin": None, "position": None},
+        ),
         "Trajectory.at": (run.at, {"t": 0.5}),
         "Trajectory.energy": (run.energy, {"t": 0.5}),
         "Trajectory.phase": (run.phase, {"t": 0.5}),

@@ -62,6 +62,8 @@ from .scene.table import Table as Table
 from .scene.toml import load_scene as load_scene
 from .scene.toml import new_scene as new_scene
 from .simulation.load import load_trajectory as load_trajectory
+from .simulation.sensitivity.many import ManySensitivities as ManySensitivities
+from .simulation.sensitivity.many import sensitivities as sensitivities
 from .simulation.simulate import ManyRuns as ManyRuns
 from .simulation.simulate import simulate as simulate
 from .simulation.simulate import simulate_many as simulate_many

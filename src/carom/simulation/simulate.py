@@ -25,7 +25,7 @@ from carom.simulation.resolve import DONE, REFUSED_ROLLING, REFUSED_STALL, REFUS
 from carom.simulation.setup import set_up
 from carom.simulation.trajectory import Trajectory
 
-__all__ = ["MOST_EVENTS", "ManyRuns", "run_limits", "simulate", "simulate_many"]
+__all__ = ["MOST_EVENTS", "REFUSALS", "ManyRuns", "run_limits", "simulate", "simulate_many", "starts_of"]
 
 Array = NDArray[np.float64]
 # Where a scene names no end: a ball between elastic walls would never stop.
@@ -228,6 +228,15 @@ def simulate_many(
                 f"kinds of events ({', '.join(sorted(set(names) - {'start', 'phase', 'nothing'}))})",
                 repr(kind),
             )
+    faults.raise_if_any()
+    balls = starts_of("simulate_many", scene, velocity, spin, position)
+    until, most = run_limits(scene)
+    return _run_many(set_up(scene), balls, until, most, events, kinds, progress)
+
+
+def starts_of(where: str, scene: Scene, velocity: Any, spin: Any, position: Any) -> NDArray[np.void]:
+    """Return the balls (N, B) at their starts: the scene's, with the arrays that are given; CaromError for those it refuses."""
+    faults = FaultList(where)
     given = {}
     for field, unit, value in (("v", "m/s", velocity), ("w", "rad/s", spin), ("x", "m", position)):
         if value is not None:
@@ -244,17 +253,16 @@ def simulate_many(
         except ValueError:
             shape = ()
         if len(shape) != 2 or shape[1] != count:
-            raise CaromError(f"simulate_many: expected states (N, {count}, 3), got shape {array.shape}")
+            raise CaromError(f"{where}: expected states (N, {count}, 3), got shape {array.shape}")
     balls = np.empty(shape, setup.balls.dtype)
     balls[:] = setup.balls
     for field, array in given.items():
         balls[field] = array
-    _check_starts(scene, balls, given)
-    until, most = run_limits(scene)
-    return _run_many(setup, balls, until, most, events, kinds, progress)
+    _check_starts(where, scene, balls, given)
+    return balls
 
 
-def _check_starts(scene: Scene, balls: NDArray[np.void], given: dict[str, Array]) -> None:
+def _check_starts(where: str, scene: Scene, balls: NDArray[np.void], given: dict[str, Array]) -> None:
     """Raise CaromError for the first initial state that overlaps something, or lies where no ball can be."""
     if "x" not in given:
         return
@@ -267,7 +275,7 @@ def _check_starts(scene: Scene, balls: NDArray[np.void], given: dict[str, Array]
     if bad.any():
         n = int(np.flatnonzero(bad)[0])
         raise CaromError(
-            f"simulate_many: position: expected places where the balls touch nothing, got {balls['x'][n].tolist()}"
+            f"{where}: position: expected places where the balls touch nothing, got {balls['x'][n].tolist()}"
             f" at index {n} ({int(bad.sum())} in all)"
         )
 

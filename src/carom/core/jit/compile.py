@@ -25,8 +25,9 @@ from carom.core.jit.progress import listen
 from carom.core.jit.shared_cache import LOCATOR, compile_in_one_process
 
 __all__ = [
-    "ArrayOf", "array_of", "cache_folder", "call_compiled", "cfunc", "function_type", "is_cached", "limit_threads",
-    "named_tuple_type", "njit", "numba_type", "parallel_range", "signature", "source_hash", "thread_count",
+    "ArrayOf", "array_of", "cache_folder", "call_compiled", "cfunc", "compiling_failed", "function_type", "is_cached",
+    "limit_threads", "named_tuple_type", "njit", "numba_type", "parallel_range", "plain_numbers", "signature", "source_hash",
+    "thread_count",
 ]  # fmt: skip
 
 _registered: set[Callable[..., Any]] = set()
@@ -150,12 +151,23 @@ def call_compiled(function: Callable[..., Any], provide: Callable[[], Callable[.
 
     # Numba wants the arguments by name, the same in both functions, and without annotations
     names = ", ".join(inspect.signature(function).parameters)
-    space: dict[str, Any] = {"provide": provide}
+    space: dict[str, Any] = {"provide": provide, "plain": plain_numbers}
     exec(
-        f"def typed({names}):\n    part = provide()\n    def call({names}):\n        return part({names})\n    return call\n",
+        f"def typed({names}):\n    if not plain({names}):\n        return None\n    part = provide()\n"
+        f"    def call({names}):\n        return part({names})\n    return call\n",
         space,
     )
     overload(function, jit_options={**KERNEL_OPTIONS, **linked_only(cache_folder())})(space["typed"])
+
+
+def plain_numbers(*kinds: Any) -> bool:
+    """Return whether Numba's types are those of numbers and of tuples of them (and none of numbers with derivatives)."""
+    from numba import types
+
+    return all(
+        plain_numbers(*one) if isinstance(one, types.BaseTuple) else isinstance(one, types.Number | types.Boolean)
+        for one in kinds
+    )
 
 
 # --- compiled functions ----------------------------------------------------------------------------------------------
@@ -165,6 +177,13 @@ def is_cached(function: Callable[..., Any]) -> bool:
     """Return whether the compiled code of a loop lies in the cache, for some signature."""
     name = f"{function.__module__.rpartition('.')[2]}.{function.__qualname__}"
     return any(cache_folder().glob(f"*/{name}-*.nbi"))
+
+
+def compiling_failed() -> type[Exception]:
+    """Return the class of what the compiler raises for code that it refuses."""
+    from numba.core.errors import NumbaError
+
+    return NumbaError
 
 
 def njit(function: Callable[..., Any], signature: Any = None, **options: Any) -> Callable[..., Any]:
@@ -189,12 +208,12 @@ def njit(function: Callable[..., Any], signature: Any = None, **options: Any) ->
     return compiled  # type: ignore[no-any-return]
 
 
-def cfunc(function: Callable[..., Any], numbers: int, keep: bool = False) -> Any:
-    """Compile a function of so many floats and of a place to write floats to, for calls by its address; ``keep`` it."""
+def cfunc(function: Callable[..., Any], numbers: int, keep: bool = False, places: int = 1) -> Any:
+    """Compile a function of so many floats and of so many places of floats, for calls by its address; ``keep`` it."""
     import numba
     from numba import types
 
     register_kernels()
-    signature = types.void(*[types.float64] * numbers, types.CPointer(types.float64))
+    signature = types.void(*[types.float64] * numbers, *[types.CPointer(types.float64)] * places)
     with _numba_cache():
         return numba.cfunc(signature, error_model="numpy", cache=keep)(function)

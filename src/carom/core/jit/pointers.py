@@ -66,6 +66,8 @@ def register_answers() -> None:
     from numba.core import cgutils
     from numba.extending import intrinsic, overload
 
+    from carom.core.jit.compile import plain_numbers
+
     @intrinsic  # type: ignore[untyped-decorator]
     def jump(_context: Any, address: Any, numbers: Any) -> Any:
         def build(context: Any, builder: Any, signature: Any, args: Any) -> Any:
@@ -82,6 +84,9 @@ def register_answers() -> None:
     # (Numba compares the annotations of the two signatures as well)
     @overload(answer_at)  # type: ignore[untyped-decorator]
     def _answer_at(address: Any, numbers: Any) -> Any:
+        if not plain_numbers(numbers):
+            return None
+
         def call(address: Any, numbers: Any) -> Any:
             return jump(address, numbers)
 

@@ -1,6 +1,7 @@
 """Dual numbers: a value and its derivatives with respect to p parameters, (p,); and the functions of ``math`` that kernels use.
 
 Comparisons look at the values: a kernel takes the branch that the run has taken, and what it returns is that branch's derivative.
+Compiled code has the same numbers, with the same bits (:mod:`carom.core.jit.dual`).
 (Clifford 1873; Griewank & Walther, Evaluating Derivatives, 2nd ed. 2008, chapter 3.)
 """
 
@@ -48,13 +49,13 @@ class Dual:
         """Quotient."""
         if isinstance(o, Dual):
             q = self.x / o.x
-            return Dual(q, (self.d - o.d * q) / o.x)
-        return Dual(self.x / o, self.d / o)
+            return Dual(q, (self.d - o.d * q) * (1 / o.x))
+        return Dual(self.x / o, self.d * (1 / o))
 
     def __rtruediv__(self, o: Any) -> Dual:
         """Quotient."""
         q = o / self.x
-        return Dual(q, self.d * (-q / self.x))
+        return Dual(q, -(self.d * q) * (1 / self.x))
 
     def __pow__(self, n: Any) -> Dual:
         """Power with a constant exponent."""
@@ -136,7 +137,7 @@ def _sqrt(x: Any) -> Any:
     root = math.sqrt(x.x)
     # (the size of a vector that is zero has no derivative; nothing that is returned depends on it then: a kernel multiplies it by
     # the vector, or compares it)
-    return Dual(root, x.d / (2 * root) if root > 0 else 0 * x.d)
+    return Dual(root, x.d * (1 / (2 * root) if root > 0 else 0.0))
 
 
 def _hypot(x: Any, y: Any) -> Any:
@@ -161,7 +162,8 @@ DUAL_MATH = SimpleNamespace(
     fabs=abs, sqrt=_sqrt, hypot=_hypot, atan2=_atan2,
     exp=_chain(math.exp, math.exp), log=_chain(math.log, lambda x: 1 / x), log1p=_chain(math.log1p, lambda x: 1 / (1 + x)),
     expm1=_chain(math.expm1, math.exp), sin=_chain(math.sin, math.cos), cos=_chain(math.cos, lambda x: -math.sin(x)),
-    tan=_chain(math.tan, lambda x: 1 + math.tan(x) ** 2), tanh=_chain(math.tanh, lambda x: 1 - math.tanh(x) ** 2),
+    tan=_chain(math.tan, lambda x: 1 + math.tan(x) * math.tan(x)),
+    tanh=_chain(math.tanh, lambda x: 1 - math.tanh(x) * math.tanh(x)),
     sinh=_chain(math.sinh, math.cosh), cosh=_chain(math.cosh, math.sinh),
     atan=_chain(math.atan, lambda x: 1 / (1 + x * x)), asin=_chain(math.asin, lambda x: 1 / math.sqrt(1 - x * x)),
     acos=_chain(math.acos, lambda x: -1 / math.sqrt(1 - x * x)), pow=lambda x, n: x**n,

@@ -7,11 +7,12 @@ from typing import Any
 
 from carom.core.geometry.circles import rim_gap
 from carom.core.geometry.features import LINE, OVER, POINT, RIM, contact_normal
-from carom.core.jit.kernel import Vec, dot, vector
+from carom.core.jit.kernel import Vec, dot, kernel, vector
 
 __all__ = ["feature_gap", "feature_way", "pair_gap"]
 
 
+@kernel
 def feature_gap(f: Any, a: float, x: Vec) -> float:
     """Return the gap between feature f, continued over its ends, and a ball of radius a at x; of a gate, of its centre."""
     p, d = vector(f.p), vector(f.d)
@@ -26,6 +27,7 @@ def feature_gap(f: Any, a: float, x: Vec) -> float:
     return f.side * (math.sqrt(dot(r, r)) - f.R) - (0.0 if f.kind == OVER else a)  # type: ignore[no-any-return]
 
 
+@kernel
 def feature_way(f: Any, x: Vec, v: Vec) -> float:
     """Return the rate at which that gap changes."""
     if f.kind == OVER and f.R > 0:
@@ -37,6 +39,7 @@ def feature_way(f: Any, x: Vec, v: Vec) -> float:
     return dot(contact_normal(f, x, v), v)
 
 
+@kernel
 def pair_gap(x: Vec, y: Vec, reach: float) -> float:
     """Return the gap between two balls whose radii add up to ``reach``."""
     r = (x[0] - y[0], x[1] - y[1], x[2] - y[2])

@@ -45,15 +45,15 @@ def _slope(z: list[float], d: Any, base: Any, together: bool) -> Any:
     while reach > SMALLEST:
         h, slope = reach / (4 * share), np.zeros(13)
         for k, c in CENTRAL:
-            for sign in (1, -1):
-                moved = [x + sign * k * h * float(dx) if dx else x for x, dx in zip(z, d, strict=True)]
-                found = _call(moved, together)
+            ends = []
+            for step in (k * h, -k * h):
+                found = _call([x + step * float(dx) if dx else x for x, dx in zip(z, d, strict=True)], together)
                 if found[5] != base[5]:
                     break
-                slope += sign * c / h * np.array(_flat(found[:5]))
-            else:
-                continue
-            break
+                ends.append(np.array(_flat(found[:5])))
+            if len(ends) < 2:
+                break
+            slope += c / h * (ends[0] - ends[1])
         else:
             return slope
         reach /= 4

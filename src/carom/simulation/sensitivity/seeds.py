@@ -98,7 +98,7 @@ def tangents_of(scene: Scene, wrt: Any, phases: Any, setup: SceneArrays) -> tupl
     CaromError for a number, or a whole vector, that cannot change.
     """
     columns = _columns_of(scene, wrt, phases)
-    slopes = [_differences(scene, one, setup) for one in columns]
+    slopes = [_of_itself(scene, one, setup) or _differences(scene, one, setup) for one in columns]
     for one, slope in zip(columns, slopes, strict=True):
         whole = [found for other, found in zip(columns, slopes, strict=True) if other.path == one.path]
         if slope is None and all(found is None for found in whole):
@@ -109,11 +109,37 @@ def tangents_of(scene: Scene, wrt: Any, phases: Any, setup: SceneArrays) -> tupl
     return [one for one, _slope in kept], [slope for _one, slope in kept]
 
 
+def _of_itself(scene: Scene, column: Column, setup: SceneArrays) -> Tangents | None:
+    """Return the derivatives where the arrays hold the parameter itself, and nothing else changes with it; else None.
+
+    (As :mod:`carom.sweeps` finds parameters. One scene is made for it, where differences make eight.)
+    """
+    if len(set(column.values)) > 1:
+        return None
+    x, h = column.value, _step_of(column)
+    try:
+        made = set_up(_shifted(scene, column, h), compiled=False)
+    except CaromError:
+        return None
+    found: Tangents = {}
+    for name in ("world", "features", "balls"):
+        old, new = getattr(setup, name), getattr(made, name)
+        if len(old) != len(new):
+            return None
+        found[name] = {}
+        for field in old.dtype.names:
+            changed = old[field] != new[field]
+            if old.dtype[field].base.kind == "f":
+                changed &= ~(np.isnan(old[field]) & np.isnan(new[field]))
+                found[name][field] = changed.astype(float)
+            if changed.any() and not ((old[field][changed] == x) & (new[field][changed] == x + h)).all():
+                return None
+    return found
+
+
 def _differences(scene: Scene, column: Column, setup: SceneArrays) -> Tangents | None:
     """Return the derivatives of the arrays' floating-point fields, by array and field; None where the scene fixes the number."""
-    scale = max((abs(x if column.component is None else x[column.component]) for x in column.values), default=0.0)
-    h = STEP * (2.0 ** round(math.log2(scale)) if scale > 0 else 1.0)
-
+    h = _step_of(column)
     for stencil in _stencils():
         try:
             made = [(c, set_up(_shifted(scene, column, k * h), compiled=False)) for k, c in stencil]
@@ -132,6 +158,12 @@ def _differences(scene: Scene, column: Column, setup: SceneArrays) -> Tangents |
         else:
             return found
     return None
+
+
+def _step_of(column: Column) -> float:
+    """Return the smallest step of the differences, a power of two."""
+    scale = max((abs(x if column.component is None else x[column.component]) for x in column.values), default=0.0)
+    return STEP * (2.0 ** round(math.log2(scale)) if scale > 0 else 1.0)
 
 
 def _stencils() -> Any:

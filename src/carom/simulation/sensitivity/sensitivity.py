@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.simulation.records import BALL, START
 from carom.simulation.sensitivity.dual import derivative, value
-from carom.simulation.sensitivity.replay import follow, state_of
-from carom.simulation.sensitivity.seeds import tangents_of
-from carom.simulation.setup import set_up
+from carom.simulation.sensitivity.follow import follow
+from carom.simulation.sensitivity.parameters import parameters_of
+from carom.simulation.sensitivity.passages import PLACES, Passages
 
 __all__ = ["EventSensitivity", "Margin", "Sensitivity", "StateSensitivity", "sensitivity"]
 
@@ -52,8 +52,8 @@ class Margin(NamedTuple):
 class Sensitivity:
     """Derivatives of a run; made by :meth:`carom.Trajectory.sensitivity`."""
 
-    def __init__(self, run: Any, columns: list[Any], world: Any, passages: list[Any]) -> None:
-        self._run, self._world, self._passages = run, world, passages
+    def __init__(self, run: Any, columns: list[Any], passages: Passages) -> None:
+        self._run, self._passages = run, passages
         self.columns: list[str] = [one.name for one in columns]
         """Names of the p parameters."""
         self.values = np.array([one.value for one in columns])
@@ -62,32 +62,20 @@ class Sensitivity:
     @property
     def events(self) -> list[EventSensitivity]:
         """Derivatives of each event, in the order of ``run.events``."""
-        p, first = len(self.columns), len(self._run.scene.balls)
-        return [
-            EventSensitivity(
-                derivative(one.time, p), *(_stack(getattr(one.ball, field), p) for field in ("x", "v", "w"))
-            )
-            for one in self._passages[first:]
-        ]
+        d = self._passages.derivatives[len(self._run.scene.balls) :]
+        time, *motion = (d[:, PLACES[name]] for name in ("time", "x", "v", "w"))
+        return [EventSensitivity(t[0], *rest) for t, *rest in zip(time, *motion, strict=True)]
 
     def at(self, t: float) -> StateSensitivity:
         """Return the derivatives of all states at a fixed time t, s."""
         t = float(t)
         self._run.at(t)  # (which refuses times before and after the run)
-        log, p = self._run.log, len(self.columns)
-        found = []
-        for i in range(len(self._run.scene.balls)):
-            own = np.flatnonzero(log["ball"] == i)
-            row = own[np.searchsorted(log["t"][own], t, side="right") - 1]
-            with np.errstate(all="ignore"):
-                ball = state_of(self._world, self._passages[row].ball, t)
-            found.append([_stack(getattr(ball, field), p) for field in ("x", "v", "w")])
-        return StateSensitivity(*(np.array([one[k] for one in found]) for k in range(3)))
+        return StateSensitivity(*self._passages.at(t))
 
     @property
     def final(self) -> StateSensitivity:
         """Derivatives of the final states, at the fixed time ``run.end``."""
-        return self.at(self._run.end)
+        return StateSensitivity(*self._passages.at(self._run.end))
 
     @property
     def margin(self) -> list[Margin]:
@@ -132,10 +120,6 @@ def _next_of_its_balls(log: Any, k: int) -> int | None:
     return int(rows[0]) if len(rows) else None
 
 
-def _stack(numbers: Any, p: int) -> Array:
-    return np.array([derivative(one, p) for one in numbers], dtype=float).reshape(3, p)
-
-
 def _margin(which: str, distance: Any, p: int) -> Margin:
     size, slope = abs(float(value(distance))), float(np.linalg.norm(derivative(distance, p)))
     return Margin(which, size, size / slope if slope > 0 else np.inf)
@@ -147,8 +131,5 @@ def sensitivity(run: Any, wrt: str | Iterable[str]) -> Sensitivity:
     first = log[: len(scene.balls)]
     if len(log) and (len(first) < len(scene.balls) or (first["kind"] != START).any()):
         raise CaromError("sensitivity: expected a run with a complete log")
-    setup = set_up(scene, compiled=False)
-    columns, slopes = tangents_of(scene, wrt, first["phase"].tolist(), setup)
-    with np.errstate(all="ignore"):
-        world, passages = follow(scene, setup, slopes, log)
-    return Sensitivity(run, columns, world, passages)
+    parameters = parameters_of(scene, wrt, first["phase"].tolist())
+    return Sensitivity(run, parameters.columns, follow(scene, parameters, log, run.end))

@@ -1,0 +1,317 @@
+"""The type of dual numbers: a value with LANES derivatives, held in vector registers, with + - * / and comparisons.
+
+So every kernel can be compiled with dual numbers in the place of floats (:func:`register_numbers` tells the compiler). Comparisons
+look at the values. Python has the same numbers, with the same bits (:mod:`carom.simulation.sensitivity.dual`): a quotient is a
+product with the reciprocal in both.
+"""
+
+from __future__ import annotations
+
+import functools
+import operator
+from collections.abc import Callable
+from typing import Any
+
+__all__ = [
+    "LANES", "as_dual", "declare", "depends", "dual_type", "lane_of", "lanes_type", "make_dual", "parts_of", "register_numbers",
+    "scaled", "value_of", "with_lane", "with_value",
+]  # fmt: skip
+
+# Derivatives in one number: one register of AVX-512, two of AVX2, four of NEON. More parameters are more passes.
+# Measured with 4: 29 us instead of 34 for one parameter, 57 instead of 33 for six, 83 instead of 67 for twelve.
+LANES = 8
+
+
+# --- what kernels call beside operators and math; Python has them for any number with a value x and derivatives d --------
+
+
+def value_of(x: Any) -> Any:
+    """Return the value of a dual number, or the number."""
+    return getattr(x, "x", x)
+
+
+def with_value(x: Any, value: float) -> Any:
+    """Return a dual number of a value with the derivatives of x."""
+    return type(x)(value, x.d) if hasattr(x, "d") else value
+
+
+def scaled(x: Any, value: float, slope: float) -> Any:
+    """Return a dual number of a value, with ``slope`` times the derivatives of x."""
+    return type(x)(value, x.d * slope) if hasattr(x, "d") else value
+
+
+def as_dual(value: Any) -> Any:
+    """Return a number as compiled code wants it where a dual number may stand: as one without derivatives."""
+    return value
+
+
+def depends(x: Any) -> bool:
+    """Return whether any derivative of x differs from zero."""
+    return bool(x.d.any()) if hasattr(x, "d") else False
+
+
+def lane_of(x: Any, k: int) -> Any:
+    """Return derivative k of a dual number; in compiled code."""
+    raise NotImplementedError
+
+
+def with_lane(x: Any, k: int, slope: float) -> Any:
+    """Return a dual number with another derivative k; in compiled code."""
+    raise NotImplementedError
+
+
+# --- types -------------------------------------------------------------------------------------------------------------
+
+
+def lanes_type() -> Any:
+    """Return LLVM's type of the derivatives."""
+    from llvmlite import ir
+
+    return ir.VectorType(ir.DoubleType(), LANES)
+
+
+@functools.cache
+def dual_type() -> Any:
+    """Return Numba's type of dual numbers."""
+    from numba import types
+    from numba.core import typeconv
+    from numba.extending import models, register_model
+
+    class Lanes(types.Type):  # type: ignore[misc]
+        """The derivatives."""
+
+    class DualType(types.Type):  # type: ignore[misc]
+        """A value and its derivatives."""
+
+        def unify(self, typingctx: Any, other: Any) -> Any:
+            """A float in one branch and a dual number in the other are a dual number."""
+            return self if isinstance(other, types.Number | types.Boolean) else None
+
+        def can_convert_from(self, typingctx: Any, other: Any) -> Any:
+            """Any number is a dual number without derivatives."""
+            return typeconv.Conversion.safe if isinstance(other, types.Number) else None
+
+    lanes = Lanes(f"Lanes({LANES})")
+    register_model(Lanes)(lambda manager, kind: models.PrimitiveModel(manager, kind, lanes_type()))
+    members = [("x", types.float64), ("d", lanes)]
+    register_model(DualType)(lambda manager, kind: models.StructModel(manager, kind, members))
+    return DualType(f"Dual({LANES})")
+
+
+# --- LLVM's code ---------------------------------------------------------------------------------------------------------
+
+
+def make_dual(context: Any, builder: Any, x: Any, d: Any) -> Any:
+    """Return the dual number of a value and derivatives, as LLVM's values."""
+    from numba.core import cgutils
+
+    made = cgutils.create_struct_proxy(dual_type())(context, builder)
+    made.x, made.d = x, d
+    return made._getvalue()
+
+
+def parts_of(context: Any, builder: Any, number: Any) -> tuple[Any, Any]:
+    """Return value and derivatives of a dual number, as LLVM's values."""
+    from numba.core import cgutils
+
+    one = cgutils.create_struct_proxy(dual_type())(context, builder, value=number)
+    return one.x, one.d
+
+
+def _splat(builder: Any, x: Any) -> Any:
+    """Return the derivatives that are all x."""
+    from llvmlite import ir
+
+    index, none = ir.IntType(32), ir.Constant(lanes_type(), ir.Undefined)
+    first = builder.insert_element(none, x, ir.Constant(index, 0))
+    return builder.shuffle_vector(first, none, ir.Constant(ir.VectorType(index, LANES), [0] * LANES))
+
+
+def _zeros() -> Any:
+    from llvmlite import ir
+
+    return ir.Constant(lanes_type(), [0.0] * LANES)
+
+
+# Each takes two values and their derivatives, None for a float's.
+
+
+def _sum(builder: Any, x: Any, dx: Any, y: Any, dy: Any) -> tuple[Any, Any]:
+    return builder.fadd(x, y), builder.fadd(dx, dy) if dx is not None and dy is not None else dx or dy
+
+
+def _difference(builder: Any, x: Any, dx: Any, y: Any, dy: Any) -> tuple[Any, Any]:
+    d = dx if dy is None else builder.fneg(dy) if dx is None else builder.fsub(dx, dy)
+    return builder.fsub(x, y), d
+
+
+def _product(builder: Any, x: Any, dx: Any, y: Any, dy: Any) -> tuple[Any, Any]:
+    one = None if dx is None else builder.fmul(dx, _splat(builder, y))
+    two = None if dy is None else builder.fmul(dy, _splat(builder, x))
+    return builder.fmul(x, y), builder.fadd(one, two) if one is not None and two is not None else one or two
+
+
+def _quotient(builder: Any, x: Any, dx: Any, y: Any, dy: Any) -> tuple[Any, Any]:
+    from llvmlite import ir
+
+    q = builder.fdiv(x, y)
+    over = _splat(builder, builder.fdiv(ir.Constant(ir.DoubleType(), 1.0), y))
+    if dy is None:
+        return q, builder.fmul(dx, over)
+    turned = builder.fmul(dy, _splat(builder, q))
+    return q, builder.fmul(builder.fneg(turned) if dx is None else builder.fsub(dx, turned), over)
+
+
+OPERATIONS = {"add": _sum, "sub": _difference, "mul": _product, "truediv": _quotient}
+COMPARISONS = {"lt": "<", "le": "<=", "gt": ">", "ge": ">=", "eq": "==", "ne": "!="}
+
+# --- what the compiler is told -----------------------------------------------------------------------------------------
+
+
+def declare(
+    function: Any, typing: Callable[[Any], Any], build: Callable[..., Any], kinds: tuple[tuple[Any, ...], ...] = ()
+) -> None:
+    """Have compiled code do ``build`` for a call of a function; ``typing`` returns its signature for types, or None.
+
+    ``kinds``: the classes of types of the arguments, for each combination; default: any.
+    """
+    from numba import types
+    from numba.core.typing.templates import AbstractTemplate, infer_global
+    from numba.extending import lower_builtin
+
+    class Call(AbstractTemplate):  # type: ignore[misc]
+        """How a call is typed."""
+
+        key = function
+
+        def generic(self, args: Any, kws: Any) -> Any:
+            """Return the signature of a call."""
+            return typing(args)
+
+    infer_global(function)(Call)
+    for one in kinds or ((types.VarArg(types.Any),),):
+        lower_builtin(function, *one)(build)
+
+
+@functools.cache
+def register_numbers() -> None:
+    """Tell the compiler what dual numbers are."""
+    from numba import types
+    from numba.extending import lower_cast
+
+    kind = type(dual_type())
+
+    def from_number(context: Any, builder: Any, fromty: Any, toty: Any, number: Any) -> Any:
+        return make_dual(context, builder, context.cast(builder, number, fromty, types.float64), _zeros())
+
+    for other in (types.Float, types.Integer, types.Boolean):
+        lower_cast(other, kind)(from_number)
+    for name, build in OPERATIONS.items():
+        _operation(getattr(operator, name), build)
+        _operation(getattr(operator, f"i{name}"), build)
+    for name, sign in COMPARISONS.items():
+        _comparison(getattr(operator, name), sign)
+    _negation()
+    _parts()
+
+
+def _of_two(returns: Any) -> Callable[[Any], Any]:
+    """Return the typing of an operation of two numbers, one of them dual at least."""
+    from numba import types
+    from numba.core.typing.templates import signature
+
+    kind = dual_type()
+
+    def typing(args: Any) -> Any:
+        known = all(one is kind or isinstance(one, types.Number | types.Boolean) for one in args)
+        if len(args) != 2 or kind not in args or not known:
+            return None
+        return signature(returns, *(kind if one is kind else types.float64 for one in args))
+
+    return typing
+
+
+def _pairs() -> Any:
+    from numba import types
+
+    kind = type(dual_type())
+    return (kind, kind), (kind, types.Float), (types.Float, kind)
+
+
+def _opened(context: Any, builder: Any, sig: Any, args: Any) -> list[tuple[Any, Any]]:
+    """Return values and derivatives of arguments, None for those of floats."""
+    kind = dual_type()
+    return [
+        parts_of(context, builder, one) if of is kind else (one, None) for of, one in zip(sig.args, args, strict=True)
+    ]
+
+
+def _operation(function: Any, build: Callable[..., tuple[Any, Any]]) -> None:
+    def lower(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        (x, dx), (y, dy) = _opened(context, builder, sig, args)
+        return make_dual(context, builder, *build(builder, x, dx, y, dy))
+
+    declare(function, _of_two(dual_type()), lower, _pairs())
+
+
+def _comparison(function: Any, sign: str) -> None:
+    from numba import types
+
+    def lower(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        (x, _dx), (y, _dy) = _opened(context, builder, sig, args)
+        # (unordered only for !=: nothing equals a NaN)
+        return (builder.fcmp_unordered if sign == "!=" else builder.fcmp_ordered)(sign, x, y)
+
+    declare(function, _of_two(types.boolean), lower, _pairs())
+
+
+def _negation() -> None:
+    from numba.core.typing.templates import signature
+
+    kind = dual_type()
+
+    def lower(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+        x, d = parts_of(context, builder, args[0])
+        return make_dual(context, builder, builder.fneg(x), builder.fneg(d))
+
+    declare(operator.neg, lambda args: signature(kind, kind) if args == (kind,) else None, lower, ((type(kind),),))
+
+
+def _parts() -> None:
+    """The functions at the top of this module."""
+    from llvmlite import ir
+    from numba import types
+    from numba.core.typing.templates import signature
+
+    kind, index = dual_type(), ir.IntType(32)
+
+    def function(one: Any, returns: Any, others: tuple[Any, ...], build: Callable[..., Any]) -> None:
+        def lower(context: Any, builder: Any, sig: Any, args: Any) -> Any:
+            x, d = parts_of(context, builder, args[0])
+            found = build(builder, x, d, *args[1:])
+            return make_dual(context, builder, *found) if isinstance(found, tuple) else found
+
+        declare(one, lambda _args: signature(returns, kind, *others), lower)
+
+    def differs(builder: Any, x: Any, d: Any) -> Any:
+        bits = builder.bitcast(builder.fcmp_unordered("!=", d, _zeros()), ir.IntType(LANES))
+        return builder.icmp_unsigned("!=", bits, ir.Constant(ir.IntType(LANES), 0))
+
+    function(value_of, types.float64, (), lambda builder, x, d: x)
+    function(with_value, kind, (types.float64,), lambda builder, x, d, value: (value, d))
+    function(as_dual, kind, (), lambda builder, x, d: (x, d))
+    function(depends, types.boolean, (), differs)
+    function(
+        scaled, kind, (types.float64,) * 2,
+        lambda builder, x, d, value, slope: (value, builder.fmul(d, _splat(builder, slope))),
+    )  # fmt: skip
+    function(
+        lane_of,
+        types.float64,
+        (types.int64,),
+        lambda builder, x, d, k: builder.extract_element(d, builder.trunc(k, index)),
+    )
+    function(
+        with_lane, kind, (types.int64, types.float64),
+        lambda builder, x, d, k, slope: (x, builder.insert_element(d, slope, builder.trunc(k, index))),
+    )  # fmt: skip

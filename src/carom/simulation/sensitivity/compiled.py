@@ -1,0 +1,162 @@
+"""The pass over a log, compiled: dual numbers in registers, LANES parameters at a time."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.core.geometry.features import FEATURES
+from carom.core.jit.compile import array_of, njit, signature
+from carom.core.jit.dual.calls import dual_address, read_duals, register_calls_of_duals, write_duals
+from carom.core.jit.dual.functions import register_functions
+from carom.core.jit.dual.numbers import LANES, as_dual, register_numbers
+from carom.core.jit.dual.records import dual_records, float_count, float_places, register_records
+from carom.core.jit.kernel import kernel
+from carom.core.motion.phases import HELD
+from carom.laws.callbacks import NUMBERS, WallKernel, register_calls
+from carom.simulation.compiled import compiled_engine
+from carom.simulation.loop import move_by
+from carom.simulation.records import BALLS, LOG, WORLD
+from carom.simulation.sensitivity.parameters import ARRAYS, Parameters, unpacked
+from carom.simulation.sensitivity.pass_kernels import PASSAGES, follow_log, state_at_time
+from carom.simulation.sensitivity.passages import Motion, Passages
+from carom.simulation.sensitivity.pressed_kernel import register_dual_joint_impact
+from carom.simulation.setup import SceneArrays
+
+__all__ = ["SLOPES", "compiled_follow", "dual_users", "follow_compiled", "pass_loop", "register_pass"]
+
+Array = NDArray[np.float64]
+
+
+# --- what is compiled ------------------------------------------------------------------------------------------------
+
+
+def pass_loop(
+    worlds: Any, world_d: Any, walls: Any, features_d: Any, start: Any, balls_d: Any, balls: Any, log: Any, users: Any,
+    end: float, out: Any, out_d: Any,
+) -> int:  # fmt: skip
+    """Follow a log once for each LANES parameters; return -1, or the row of a graze.
+
+    Derivatives (C, N, numbers, LANES) of the world, the features, the balls (at first; afterwards those at the time ``end``), and
+    of the passages ``out`` (M,), of which one row is enough if they are not wanted.
+    """
+    for c in range(balls_d.shape[0]):
+        for k in range(balls.shape[0]):
+            balls[k] = start[k]
+        world, features = dual_records(worlds, world_d, c)[0], dual_records(walls, features_d, c)
+        rows, passages = dual_records(balls, balls_d, c), dual_records(out, out_d, c)
+        graze = follow_log(world, features, walls, rows, balls, log, users, passages)
+        if graze >= 0:
+            return graze
+        for k in range(balls.shape[0]):
+            if balls[k].phase < HELD:
+                move_by(world, rows[k], as_dual(end) - rows[k].clock, as_dual(end))
+    return -1
+
+
+def _states(
+    worlds: Any, world_d: Any, start: Any, start_d: Any, log: Any, which: Any, out: Any, out_d: Any, t: float, balls: Any,
+    balls_d: Any,
+) -> None:  # fmt: skip
+    """Compute the balls at a time t, each from its row ``which`` (B,) of the log."""
+    for c in range(balls_d.shape[0]):
+        world, first = dual_records(worlds, world_d, c)[0], dual_records(start, start_d, c)
+        rows, passages = dual_records(balls, balls_d, c), dual_records(out, out_d, c)
+        for k in range(balls.shape[0]):
+            state_at_time(world, rows[k], first[k], passages[which[k]], log[which[k]].phase, t)
+
+
+@functools.cache
+def register_pass() -> None:
+    """Tell the compiler all that the pass calls."""
+    register_calls()
+    compiled_engine()  # (which has the impact of wall and floor at once)
+    register_numbers()
+    register_functions()
+    register_records()
+    register_calls_of_duals(NUMBERS)
+    register_dual_joint_impact()
+
+
+SLOPES = array_of(float, 4)
+
+
+@functools.cache
+def compiled_follow() -> Callable[..., int]:
+    """Return the compiled pass; from the second time on it is loaded from the cache."""
+    register_pass()
+    kind = signature(
+        int, array_of(WORLD), SLOPES, array_of(FEATURES), SLOPES, array_of(BALLS), SLOPES, array_of(BALLS), array_of(LOG),
+        array_of(int), float, array_of(PASSAGES), SLOPES,
+    )  # fmt: skip
+    return njit(pass_loop, signature=kind, _nrt=False)
+
+
+@functools.cache
+def compiled_states() -> Callable[..., None]:
+    """Return the states at a time, compiled."""
+    register_pass()
+    kind = signature(
+        None, array_of(WORLD), SLOPES, array_of(BALLS), SLOPES, array_of(LOG), array_of(int), array_of(PASSAGES), SLOPES, float,
+        array_of(BALLS), SLOPES,
+    )  # fmt: skip
+    return njit(_states, signature=kind, _nrt=False)
+
+
+@functools.cache
+def _user(law: WallKernel) -> int:
+    """Return the address of a law compiled with dual numbers."""
+    kernel(law)
+
+    def entry(given: Any, out: Any) -> None:
+        x = read_duals(given)
+        v, w = law((x[0], x[1], x[2]), (x[3], x[4], x[5]), (x[6], x[7], x[8]), x[9], x[10], x[11], x[12], x[13])
+        write_duals(out, v, w)
+
+    return dual_address(entry, keep=str(law.__module__).startswith("carom."))
+
+
+def dual_users(scene: Any) -> NDArray[np.int64]:
+    """Return the addresses of the laws that are not compiled in; raises whatever the compiler says of one that it refuses."""
+    register_pass()
+    return np.array([_user(law.kernel) for law in scene.called_laws if law.kernel is not None], dtype=np.int64)
+
+
+def follow_compiled(
+    scene: Any, setup: SceneArrays, parameters: Parameters, log: NDArray[np.void], end: float
+) -> tuple[Passages, int]:
+    """Follow a log; return its passages, and -1 or the row of a graze. Raises what the compiler says of a law that it refuses."""
+    world_d, features_d, start_d = (parameters.packed[name] for name in ARRAYS)
+    out = np.empty(len(log), PASSAGES)
+    out_d = np.empty((len(world_d), len(log), float_count(PASSAGES), LANES))
+    last, last_d, p, places = setup.balls.copy(), start_d.copy(), len(parameters), float_places(BALLS)
+    graze = compiled_follow()(
+        setup.world,
+        world_d,
+        setup.features,
+        features_d,
+        setup.balls,
+        last_d,
+        last,
+        log,
+        dual_users(scene),
+        end,
+        out,
+        out_d,
+    )
+
+    def at(t: float) -> list[Array]:
+        found = last_d
+        if t != end:
+            found = np.zeros_like(start_d)
+            which = [np.flatnonzero((log["ball"] == k) & (log["t"] <= t))[-1] for k in range(len(last))]
+            rows = np.array(which, dtype=np.int64)
+            compiled_states()(setup.world, world_d, setup.balls, start_d, log, rows, out, out_d, t, last.copy(), found)
+        all_of = unpacked(found, p)
+        return [all_of[:, places[name]] for name in Motion._fields]
+
+    return Passages(out, lambda: unpacked(out_d, p), at), int(graze)

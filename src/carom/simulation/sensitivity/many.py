@@ -1,0 +1,227 @@
+"""Derivatives of many runs of a scene, on all cores: each is run, and its log is followed, by the thread that has its arrays."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom.bodies import State
+from carom.core.geometry.features import FEATURES
+from carom.core.jit.compile import array_of, njit, parallel_range, signature, thread_count
+from carom.core.jit.dual.numbers import LANES
+from carom.core.jit.dual.records import float_count, float_places
+from carom.core.motion.phases import PHASES
+from carom.errors import CaromError, require_type
+from carom.scene.scene import Scene
+from carom.simulation.compiled import compiled_engine
+from carom.simulation.loop import ALL, FULL, LIMIT, QUIET, finish, run
+from carom.simulation.records import BALLS, LOG, WORLD
+from carom.simulation.resolve import DONE
+from carom.simulation.sensitivity.compiled import SLOPES, compiled_follow, dual_users, pass_loop
+from carom.simulation.sensitivity.parameters import ARRAYS, Parameters, parameters_of
+from carom.simulation.sensitivity.pass_kernels import PASSAGES
+from carom.simulation.sensitivity.sensitivity import StateSensitivity
+from carom.simulation.setup import set_up
+from carom.simulation.simulate import REFUSALS, run_limits, starts_of
+
+__all__ = ["ManySensitivities", "sensitivities"]
+
+Array = NDArray[np.float64]
+# Runs in one call of the compiled loop: Python sees Ctrl-C between two of them.
+BLOCK = 4096
+# Rows of a log at first; a run that needs more is run again.
+ROWS_AT_FIRST, MOST_ROWS = 512, 1 << 20
+NO_DERIVATIVE = "a graze, or nearly one: no derivative exists"
+MOTION = ("x", "v", "w")
+
+# The compiled functions, once there are any (a closure over them would not be cached).
+_run: Any = run
+_finish: Any = finish
+_follow: Any = pass_loop
+_prange: Any = range
+
+
+def _many(
+    worlds: Any, world_d: Any, features: Any, features_d: Any, starts: Any, starts_d: Any, which: Any, users: Any, laws: Any,
+    until: float, most: int, first: int, last: int, logs: Any, out: Any, out_d: Any, balls: Any, balls_d: Any,
+    finals: Any, finals_d: Any, ends: Any, ended: Any,
+) -> None:  # fmt: skip
+    """Run the starts (N, B) whose numbers are in ``which``, and follow each log.
+
+    Of each of T parts of the runs: ``logs`` (T, M), ``out`` (T, 1), ``out_d``, ``balls`` (T, B), ``balls_d`` (T, C, B, numbers,
+    LANES). ``finals`` (N, B) and ``finals_d`` (N, C, B, last - first, LANES): the final states, and the derivatives of their
+    numbers from ``first`` to ``last``; ``ends`` (N,): times; ``ended`` (N, 3): status, events, and -1 or the row of a graze.
+    """
+    parts = logs.shape[0]
+    for part in _prange(parts):
+        log, slopes = logs[part], balls_d[part]
+        for m in range(part, which.shape[0], parts):
+            n = which[m]
+            for k in range(starts.shape[1]):
+                finals[n, k] = starts[n, k]
+            status, events, rows, _ball, _slow, t = _run(
+                worlds, features, finals[n], log, -1.0, until, most, users, ALL
+            )
+            ended[n, 0], ended[n, 1], ended[n, 2] = status, events, -1
+            if status not in (DONE, QUIET, LIMIT):
+                continue
+            ends[n] = until if until < math.inf and status != LIMIT else t
+            _finish(worlds, finals[n], ends[n])
+            slopes[:] = starts_d
+            ended[n, 2] = _follow(
+                worlds,
+                world_d,
+                features,
+                features_d,
+                starts[n],
+                slopes,
+                balls[part],
+                log[:rows],
+                laws,
+                ends[n],
+                out[part],
+                out_d[part],
+            )
+            finals_d[n] = slopes[:, :, first:last]
+
+
+@functools.cache
+def compiled_many() -> Callable[..., None]:
+    """Return the compiled loop, which uses all cores."""
+    global _run, _finish, _follow, _prange
+    _run, _finish = compiled_engine()
+    _follow, _prange = compiled_follow(), parallel_range()
+    per_part = array_of(float, 5)
+    loop = signature(
+        None, array_of(WORLD), SLOPES, array_of(FEATURES), SLOPES, array_of(BALLS, 2), SLOPES, array_of(int), array_of(int),
+        array_of(int), float, int, int, int, array_of(LOG, 2), array_of(PASSAGES, 2), per_part, array_of(BALLS, 2), per_part,
+        array_of(BALLS, 2), per_part, array_of(float), array_of(int, 2),
+    )  # fmt: skip
+    return njit(_many, signature=loop, parallel=True)
+
+
+@dataclass(frozen=True, eq=False)
+class ManySensitivities:
+    """Final states of N runs of B balls, and their derivatives with respect to p parameters."""
+
+    columns: list[str]
+    """Names of the p parameters."""
+    final: State
+    """(N, B, 3)."""
+    derivatives: StateSensitivity
+    """Of the final states at the fixed time ``end``, each (N, B, 3, p); NaN where a run has none (``why``)."""
+    code: NDArray[np.int64]
+    """(N, B): final phases as numbers; ``phase`` has their names."""
+    end: Array
+    """(N,), s."""
+    count: NDArray[np.int64]
+    """(N,): number of events."""
+    why: NDArray[np.str_]
+    """(N,): empty, or why a run ended at an event for which a law has no answer, or has no derivative."""
+
+    @property
+    def phase(self) -> NDArray[np.str_]:
+        """(N, B): flight, sliding, rolling, pivoting, rest, bouncing, held, left, pocketed."""
+        return np.array(PHASES)[self.code]
+
+
+def sensitivities(
+    scene: Scene,
+    wrt: str | Iterable[str],
+    velocity: ArrayLike | None = None,
+    spin: ArrayLike | None = None,
+    position: ArrayLike | None = None,
+) -> ManySensitivities:
+    """Simulate a scene from many initial states, on all cores, with exact derivatives of the final states.
+
+    As :func:`carom.simulate_many`, with what ``run.sensitivity`` computes of each run. How an initial state depends on a parameter
+    (the spin of a ball with ``rolling`` on its velocity) is taken from the scene.
+
+    Parameters
+    ----------
+    scene : Scene
+    wrt : list of str
+        Paths such as ``balls.0.velocity`` and ``walls.*.friction``, as for ``run.sensitivity``.
+    velocity, spin, position : array (N, B, 3), or (N, 3) for a scene of one ball, optional
+        Initial velocities (m/s), spins (rad/s) and positions (m); default: the scene's. They broadcast.
+
+    Returns
+    -------
+    ManySensitivities
+        Bitwise identical whatever the number of cores.
+
+    Raises
+    ------
+    CaromError
+        For paths as ``run.sensitivity`` does, for initial states as ``simulate_many`` does, for runs of more than a million events,
+        and for a law that takes no dual numbers.
+
+    Examples
+    --------
+    >>> import carom
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.5, friction=0)
+    >>> ball = carom.SceneBall(radius=0.1, mass=0.2, position=(1.1, 0, 0), velocity=(-2, 1, 0))
+    >>> scene = carom.Scene(gravity=0, walls=[wall], balls=[ball], run=carom.Run(duration=1))
+    >>> many = carom.sensitivities(scene, "walls.0.restitution", velocity=[[-2, 1, 0], [-4, 1, 0]])
+    >>> many.derivatives.position[:, 0, 0, 0].round(6).tolist()
+    [1.0, 3.0]
+    """
+    require_type("sensitivities", "scene", scene, Scene)
+    starts = starts_of("sensitivities", scene, velocity, spin, position)
+    return _run_all(scene, parameters_of(scene, wrt, _phases(scene)), starts)
+
+
+def _phases(scene: Scene) -> list[int]:
+    """Return the phases in which the balls of a scene begin."""
+    from carom.scene.paths import replaced
+    from carom.simulation.simulate import simulate
+
+    run = simulate(replaced(scene, {"run.max_events": 1}))
+    return [int(phase) for phase in run.log["phase"][: len(scene.balls)]]
+
+
+def _run_all(scene: Scene, parameters: Parameters, starts: NDArray[np.void]) -> ManySensitivities:
+    setup, many, laws, p = set_up(scene), compiled_many(), dual_users(scene), len(parameters)
+    world_d, features_d, starts_d = (parameters.packed[name] for name in ARRAYS)
+    places = float_places(BALLS)
+    first, last = places["x"].start, places["w"].stop
+    total, chunks, count = len(starts), len(world_d), starts.shape[1]
+    finals, ends = np.empty_like(starts), np.zeros(total)
+    ended = np.zeros((total, 3), np.int64)
+    found = np.full((total, count, last - first, p), math.nan)
+    until, most = run_limits(scene)
+    for begin in range(0, total, BLOCK):
+        block = slice(begin, min(begin + BLOCK, total))
+        size = block.stop - begin
+        slopes_d = np.zeros((size, chunks, count, last - first, LANES))
+        which, rows = np.arange(size), ROWS_AT_FIRST
+        while len(which):
+            parts = min(thread_count(), len(which))
+            many(
+                setup.world, world_d, setup.features, features_d, starts[block], starts_d, which, setup.users, laws, until, most,
+                first, last, np.empty((parts, rows), LOG), np.empty((parts, 1), PASSAGES),
+                np.empty((parts, chunks, 1, float_count(PASSAGES), LANES)), np.empty((parts, count), BALLS),
+                np.empty((parts, *starts_d.shape)), finals[block], slopes_d, ends[block], ended[block],
+            )  # fmt: skip
+            which = np.flatnonzero(ended[block, 0] == FULL)
+            rows *= 8
+            if rows > MOST_ROWS and len(which):
+                raise CaromError(
+                    f"sensitivities: expected runs of at most {MOST_ROWS // 8:,} rows of the log, got a longer one at index"
+                    f" {begin + int(which[0])}; set run.duration or run.max_events"
+                )
+        good = np.isin(ended[block, 0], (DONE, QUIET, LIMIT)) & (ended[block, 2] < 0)
+        found[block][good] = np.moveaxis(slopes_d, 1, 3).reshape(size, count, last - first, -1)[good][..., :p]
+    why = np.array([REFUSALS.get(int(code), NO_DERIVATIVE if graze >= 0 else "") for code, _count, graze in ended])
+    return ManySensitivities(
+        [one.name for one in parameters.columns],
+        State.of(*(np.array(finals[name]) for name in ("v", "w", "x"))),
+        StateSensitivity(*(found[:, :, 3 * k : 3 * k + 3] for k in range(3))),
+        np.array(finals["phase"]), ends, ended[:, 1].copy(), why,
+    )  # fmt: skip

@@ -1,0 +1,288 @@
+"""Follow a recorded run again with dual numbers: flows, event times by the implicit function theorem, and the laws' derivatives.
+
+The log tells what happened; roots are not solved again, and not differentiated. At an event whose gap g closes at the rate g', the
+time changes by dt = -dg / g', dg the change of the gap at the time as recorded (Kong, Payne, Zhu & Johnson 2023, arXiv 2306.06862;
+Zhong et al. 2023, arXiv 2305.00092). The balls are moved to the changed time by the flow before the impact, the law acts, and they
+leave from there by the flow after it, with clocks that have derivatives: that is the saltation matrix.
+
+These are kernels: Python runs them on objects (:mod:`carom.simulation.sensitivity.interpreted`), and compiled code on records of
+dual numbers (:mod:`carom.simulation.sensitivity.compiled`), with the same bits. ``walls`` and ``plain`` are the features and the
+balls once more, but their numbers are the values: what happened is known, and looked up there.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from carom.core.geometry.features import FALLS, OVER, distance
+from carom.core.jit.dual.numbers import as_dual, depends, scaled, value_of, with_value
+from carom.core.jit.kernel import Vec, dot, kernel, vector
+from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, POCKETED, REST, SLIDING, grounded, next_phase
+from carom.simulation.loop import move_by
+from carom.simulation.predict import begin, put
+from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, NOTHING, PHASE, POCKETED_EVENT, SETTLED, WALL
+from carom.simulation.resolve import meet_ball, meet_floor, meet_wall
+from carom.simulation.resting_contact import stays_clear
+from carom.simulation.sensitivity.gaps import feature_gap, feature_way, pair_gap
+
+__all__ = ["PASSAGES", "follow_log", "state_at_time"]
+
+# One row of the log: its time, the ball, and what could switch there; NaN where nothing could.
+PASSAGES = np.dtype(
+    [
+        ("time", "f8"),
+        ("x", "f8", (3,)),
+        ("v", "f8", (3,)),
+        ("w", "f8", (3,)),
+        ("approach", "f8"),  # rate at which the gap closes, m/s
+        ("required", "f8"),  # friction
+        ("friction", "f8"),
+        ("slip", "f8", (2,)),  # of a ball that slides from here on, at the floor, m/s
+    ]
+)
+# As in replay: a graze; a contact.
+LEAST_APPROACH, IN_TOUCH = 1e-9, 1e-7
+
+
+@kernel
+def _revalued(row: Any, values: Vec) -> None:
+    """Give three numbers the values of the log, to the last bit; their derivatives stay."""
+    row[0] = with_value(row[0], values[0])
+    row[1] = with_value(row[1], values[1])
+    row[2] = with_value(row[2], values[2])
+
+
+@kernel
+def _pin(ball: Any, row: Any) -> None:
+    """Give a ball the values that the log has after an event."""
+    _revalued(ball.x, vector(row.x))
+    _revalued(ball.v, vector(row.v))
+    _revalued(ball.w, vector(row.w))
+    ball.phase = row.phase
+    ball.clock = with_value(ball.clock, row.t)
+
+
+@kernel
+def _pin_before(ball: Any, row: Any) -> None:
+    _revalued(ball.x, vector(row.x))
+    _revalued(ball.v, vector(row.v_before))
+    _revalued(ball.w, vector(row.w_before))
+
+
+@kernel
+def _note(out: Any, ball: Any) -> None:
+    """Write what the ball is now, and that nothing can switch."""
+    out.time = ball.clock
+    put(out.x, vector(ball.x))
+    put(out.v, vector(ball.v))
+    put(out.w, vector(ball.w))
+    out.approach = out.required = out.friction = math.nan
+    out.slip[0] = out.slip[1] = math.nan
+
+
+@kernel
+def _begin_all(world: Any, balls: Any, log: Any, out: Any, last: int) -> None:
+    for i in range(balls.shape[0]):
+        ball = balls[i]
+        ball.phase, ball.clock, ball.repeats, ball.energy = log[i].phase, 0.0, 0, math.nan
+        ball.next_kind, ball.next_at, ball.lasts = NOTHING, math.inf, math.inf
+        if SLIDING <= ball.phase <= REST:
+            ball.x[2] = ball.radius
+            _phase, v, w = grounded(vector(ball.v), vector(ball.w), ball.radius, ball.kappa, world.g, world.floor_mu)
+            put(ball.v, v)
+            put(ball.w, w)
+        _pin(ball, log[i])
+        begin(world, ball)
+        _note(out[min(i, last)], ball)
+
+
+@kernel
+def _feature(walls: Any, row: Any, a: float) -> int:
+    """Return the number of the feature that a ball has met: of the wall's or pocket's, the one in touch."""
+    kind, who = row.kind, row.other
+    x, v = vector(row.x), vector(row.v_before)
+    far, best, found = True, math.inf, -1
+    for k in range(walls.shape[0]):
+        f = walls[k]
+        gate = f.kind == OVER
+        if kind == WALL:
+            mine = f.wall == who and not gate and distance(f, a, x) < math.inf
+        elif kind == POCKETED_EVENT:
+            mine = gate and f.ends == FALLS and f.at == who
+        else:
+            mine = gate and f.wall == who and f.ends != FALLS
+        if mine:
+            # (in a corner two are in touch: the ball has met the one that it approaches fastest)
+            gap = abs(feature_gap(f, a, x))
+            apart = gap > IN_TOUCH * a
+            score = gap if apart else feature_way(f, x, v)
+            if (far and not apart) or (far == apart and score < best):
+                far, best, found = apart, score, k
+    return found
+
+
+@kernel
+def _shift(ball: Any, dt: Any) -> None:
+    """Move a ball by a time that is zero and has derivatives."""
+    x, v, w, acc, turn = ball.x, ball.v, ball.w, ball.acc, ball.turn
+    for k in range(3):
+        x[k] = x[k] + dt * value_of(v[k])
+        v[k] = v[k] + dt * value_of(acc[k])
+        if k < 2 or value_of(w[k]) != 0:  # (a spin about the vertical that has faded stays zero)
+            w[k] = w[k] + dt * value_of(turn[k])
+    ball.clock = ball.clock + dt
+
+
+@kernel
+def _come(world: Any, features: Any, walls: Any, balls: Any, plain: Any, row: Any, i: int, k: int, f: int) -> int:
+    """Move ball i, and k if it is another, to the event, at the time that changes with the parameters; False at a graze."""
+    ball, other = balls[i], balls[k]
+    t = row.t
+    move_by(world, ball, t - ball.clock, as_dual(t))
+    if k != i:
+        move_by(world, other, t - other.clock, as_dual(t))
+    x, v = vector(plain[i].x), vector(plain[i].v)
+    speed = math.sqrt(dot(v, v))
+    if k != i:
+        y, u = vector(plain[k].x), vector(plain[k].v)
+        gap = pair_gap(vector(ball.x), vector(other.x), ball.radius + other.radius)
+        r, v = (x[0] - y[0], x[1] - y[1], x[2] - y[2]), (v[0] - u[0], v[1] - u[1], v[2] - u[2])
+        rate, speed = dot(r, v) / math.sqrt(dot(r, r)), math.sqrt(dot(v, v))
+    elif f < 0:
+        gap, rate = ball.x[2] - ball.radius, v[2]
+    else:
+        gap, rate = feature_gap(features[f], ball.radius, vector(ball.x)), feature_way(walls[f], x, v)
+    if depends(gap):
+        if not abs(rate) > LEAST_APPROACH * speed:
+            return False
+        dt = scaled(gap, 0.0, -1 / rate)
+        _shift(ball, dt)
+        if k != i:
+            _shift(other, dt)
+    return True
+
+
+@kernel
+def _closing(ball: Any, other: Any) -> Any:
+    x, y, v, u = vector(ball.x), vector(other.x), vector(ball.v), vector(other.v)
+    r = (x[0] - y[0], x[1] - y[1], x[2] - y[2])
+    return -dot(r, (v[0] - u[0], v[1] - u[1], v[2] - u[2])) / math.sqrt(dot(r, r))
+
+
+@kernel
+def _act(world: Any, features: Any, balls: Any, users: Any, row: Any, i: int, k: int, f: int) -> tuple[Any, Any, Any]:
+    """Let what happens at an event happen; return speed of approach, required friction, and the friction there is."""
+    ball, kind = balls[i], row.kind
+    approach = required = friction = as_dual(math.nan)
+    if kind == BALL:
+        approach = _closing(ball, balls[k])
+        _j, required, _regime = meet_ball(world, ball, balls[k])
+        friction = world.pair_mu
+    elif kind == FLOOR:
+        approach = -ball.v[2]
+        _j, required, _regime = meet_floor(world, features, balls, i)
+        friction = world.floor_mu
+    elif kind == WALL:
+        approach = -feature_way(features[f], vector(ball.x), vector(ball.v))
+        _j, _jf, required, _regime, _refused = meet_wall(world, features[f], ball, users)
+        friction = features[f].mu
+    elif kind in (PHASE, SETTLED):
+        v, w = vector(ball.v), vector(ball.w)
+        if kind == PHASE:
+            ball.phase, v, w = next_phase(row.phase_before, v, w, ball.radius, ball.kappa)
+        else:
+            ball.phase, v, w = grounded(v, w, ball.radius, ball.kappa, world.g, world.floor_mu)
+        put(ball.v, v)
+        put(ball.w, w)
+    elif kind == POCKETED_EVENT:
+        ball.phase = POCKETED
+    elif kind == LEFT_EVENT and row.phase == LEFT:
+        ball.phase = LEFT
+    return approach, required, friction
+
+
+@kernel
+def _leave(world: Any, ball: Any, row: Any, out: Any, approach: Any, required: Any, friction: Any) -> None:
+    _pin(ball, row)
+    begin(world, ball)
+    _note(out, ball)
+    out.approach, out.required, out.friction = approach, required, friction
+
+
+@kernel
+def _note_slip(out: Any, ball: Any) -> None:
+    if ball.phase == SLIDING:
+        out.slip[0] = ball.v[0] - ball.radius * ball.w[1]
+        out.slip[1] = ball.v[1] + ball.radius * ball.w[0]
+
+
+@kernel
+def _release(world: Any, walls: Any, balls: Any, plain: Any, i: int, k: int, t: Any) -> None:
+    """Follow the bounces of a ball one by one from here on if something may reach it (carom.simulation.loop)."""
+    for m in range(balls.shape[0]):
+        ball = balls[m]
+        if ball.phase == BOUNCING and m not in (i, k) and not stays_clear(walls, plain, m, plain[m].lasts):
+            move_by(world, ball, t - ball.clock, t)
+            ball.phase = FLIGHT
+            begin(world, ball)
+
+
+@kernel
+def state_at_time(world: Any, ball: Any, first: Any, passage: Any, phase: int, t: float) -> None:
+    """Set a ball to what it is at the time t: ``first`` at the start, and with ``passage`` at its last event before."""
+    ball.radius, ball.mass, ball.kappa = first.radius, first.mass, first.kappa
+    put(ball.x, vector(passage.x))
+    put(ball.v, vector(passage.v))
+    put(ball.w, vector(passage.w))
+    ball.clock, ball.phase, ball.repeats, ball.lasts = passage.time, phase, 0, math.inf
+    if phase < HELD:
+        begin(world, ball)
+        move_by(world, ball, as_dual(t) - ball.clock, as_dual(t))
+
+
+@kernel
+def follow_log(world: Any, features: Any, walls: Any, balls: Any, plain: Any, log: Any, users: Any, out: Any) -> int:
+    """Follow a run again, from the START rows of its log on: ``out`` are its passages, ``balls`` are at their last events.
+
+    Returns -1, or the row of a graze, where no derivative exists.
+    """
+    count, rows, last = balls.shape[0], log.shape[0], out.shape[0] - 1
+    _begin_all(world, balls, log, out, last)
+    n = count
+    while n < rows:
+        row = log[n]
+        i, kind = row.ball, row.kind
+        k = log[n + 1].ball if kind == BALL else i
+        ball = balls[i]
+        if kind == HELD_EVENT:
+            ball.phase = HELD
+            _note(out[min(n, last)], ball)
+            n += 1
+            continue
+        f = -1
+        if kind in (PHASE, SETTLED):
+            t = with_value(ball.clock + ball.lasts, row.t)
+            move_by(world, ball, t - ball.clock, t)
+        else:
+            if kind not in (BALL, FLOOR):
+                f = _feature(walls, row, plain[i].radius)
+            if not _come(world, features, walls, balls, plain, row, i, k, f):
+                return int(n)
+        _pin_before(ball, row)
+        if k != i:
+            _pin_before(balls[k], log[n + 1])
+        approach, required, friction = _act(world, features, balls, users, row, i, k, f)
+        one = out[min(n, last)]  # (where passages are not wanted there is one row for all of them)
+        _leave(world, ball, row, one, approach, required, friction)
+        _note_slip(one, ball)
+        if k != i:
+            one = out[min(n + 1, last)]
+            _leave(world, balls[k], log[n + 1], one, approach, required, friction)
+            _note_slip(one, ball)
+        n += 1 if k == i else 2
+        if n < rows:
+            _release(world, walls, balls, plain, i, k, ball.clock)
+    return -1

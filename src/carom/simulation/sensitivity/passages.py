@@ -1,0 +1,81 @@
+"""The passages of a run: what a pass over its log leaves, row by row, with derivatives."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.core.jit.dual.records import float_places
+from carom.simulation.sensitivity.dual import Dual
+from carom.simulation.sensitivity.pass_kernels import PASSAGES
+
+__all__ = ["Motion", "Passage", "Passages"]
+
+Array = NDArray[np.float64]
+PLACES = float_places(PASSAGES)
+
+
+class Motion(NamedTuple):
+    """Position, velocity and spin, in dual numbers."""
+
+    x: list[Any]
+    v: list[Any]
+    w: list[Any]
+
+
+class Passage(NamedTuple):
+    """One row of the log: its time, and what could switch there."""
+
+    time: Any
+    ball: Motion
+    approach: Any
+    """Rate at which the gap closes (m/s); None where nothing is met."""
+    required: Any
+    friction: float | None
+    slip: Any
+
+
+class Passages:
+    """A sequence of passages, which are made when they are asked for."""
+
+    def __init__(
+        self, values: NDArray[np.void], derivatives: Callable[[], Array], at: Callable[[float], list[Array]]
+    ) -> None:
+        self.values = values
+        """(M,) of PASSAGES."""
+        self._derivatives = derivatives
+        self.at = at
+        """Derivatives of positions, velocities and spins at a time, each (B, 3, p)."""
+
+    @functools.cached_property
+    def derivatives(self) -> Array:
+        """(M, numbers of PASSAGES, p)."""
+        return self._derivatives()
+
+    def __len__(self) -> int:
+        """How many rows the log has."""
+        return len(self.values)
+
+    def __iter__(self) -> Iterator[Passage]:
+        """All passages."""
+        return (self[n] for n in range(len(self)))
+
+    def __getitem__(self, n: int) -> Passage:
+        """Return the passage of one row."""
+        row, d = self.values[n], self.derivatives[n]
+
+        def numbers(name: str) -> list[Any]:
+            return [Dual(float(x), g) for x, g in zip(np.atleast_1d(row[name]), d[PLACES[name]], strict=True)]
+
+        def number(name: str) -> Any:
+            return None if np.isnan(row[name]) else numbers(name)[0]
+
+        x, y = numbers("slip")
+        slip = None if np.isnan(x.x) else (x * x + y * y, x, y)
+        friction = None if np.isnan(row["friction"]) else float(row["friction"])
+        motion = Motion(*(numbers(name) for name in Motion._fields))
+        return Passage(number("time"), motion, number("approach"), number("required"), friction, slip)
