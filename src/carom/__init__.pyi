@@ -70,6 +70,9 @@ from .simulation.simulate import simulate_many as simulate_many
 from .simulation.trajectory import Event as Event
 from .simulation.trajectory import Events as Events
 from .simulation.trajectory import Trajectory as Trajectory
+from .sweeps.aiming import Aim as Aim
+from .sweeps.aiming import Aims as Aims
+from .sweeps.aiming import aim as aim
 from .sweeps.axes import polar as polar
 from .sweeps.space import Space as Space
 from .sweeps.sweep import Sweep as Sweep

@@ -21,8 +21,8 @@ app = typer.Typer(
 # Each module has a function `register(app)`, and imports heavy libraries inside its commands.
 # fmt: off
 MODULES: tuple[str, ...] = (
-    "compare", "catalog", "paper", "predict", "scene", "simulate", "explore", "gas", "orbit", "sweep", "tracks", "fit", "design",
-    "doctor", "warm",
+    "compare", "catalog", "paper", "predict", "scene", "simulate", "aim", "explore", "gas", "orbit", "sweep", "tracks", "fit",
+    "design", "doctor", "warm",
 )
 # fmt: on
 

@@ -1,3 +1,4 @@
+from .aims import plot_aims as plot_aims
 from .animation import animate as animate
 from .billiards import plot_boundary as plot_boundary
 from .billiards import plot_lyapunov as plot_lyapunov

@@ -1,0 +1,198 @@
+"""``carom aim``: starts of a ball that reach a target, the most robust one first."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import sys
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from carom.cli.common import attempt, require_outputs, wrote
+from carom.cli.options import OUTPUT, RUN, shared
+from carom.errors import CaromError
+
+if TYPE_CHECKING:
+    from carom.sweeps.aiming import Aims
+
+TARGET, START = "Target", "Start"
+
+
+def register(app: typer.Typer) -> None:
+    """Add the verb to the command."""
+    app.command()(aim)
+
+
+def aim(
+    scene: Annotated[Path, typer.Argument(metavar="SCENE.toml", help="A scene file; carom scene new FILE writes one.")],
+    ball: Annotated[
+        str,
+        typer.Option(
+            "--ball", metavar="BALL", help="Number or name of the ball that is to reach it.", rich_help_panel=TARGET
+        ),
+    ] = "0",
+    hit: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--hit", metavar="BALL", help="A ball to be touched; may be repeated, in any order.", rich_help_panel=TARGET
+        ),
+    ] = None,
+    cushions: Annotated[
+        int,
+        typer.Option(
+            "--cushions", min=0, metavar="N", help="Cushions before the last of them, at least.", rich_help_panel=TARGET
+        ),
+    ] = 0,
+    pocket: Annotated[
+        str | None,
+        typer.Option("--pocket", metavar="NAME|any", help="Pocket that it is to fall into.", rich_help_panel=TARGET),
+    ] = None,
+    point: Annotated[
+        str | None, typer.Option("--point", metavar="X,Y", help="Place where it is to end, m.", rich_help_panel=TARGET)
+    ] = None,
+    within: Annotated[
+        float | None,
+        typer.Option(
+            "--within",
+            metavar="M",
+            help="How far from there it may end, m.",
+            show_default="its radius",
+            rich_help_panel=TARGET,
+        ),
+    ] = None,
+    free: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--free",
+            metavar="PATH[=LOW:HIGH]",
+            help="What may be chosen: balls.0.velocity, balls.0.strike, balls.0.strike.offset, ...; may be repeated.",
+            show_default="balls.0.velocity",
+            rich_help_panel=START,
+        ),
+    ] = None,
+    error: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--error",
+            metavar="NAME=SIGMA",
+            help="The player's: speed (a share), angle, azimuth, elevation (degrees), side, top (radii).",
+            show_default="speed=0.03, angle=0.2",
+            rich_help_panel=START,
+        ),
+    ] = None,
+    solutions: Annotated[
+        int, typer.Option("--solutions", min=1, metavar="N", help="How many to show, at most.", rich_help_panel=OUTPUT)
+    ] = 5,
+    starts: Annotated[
+        int, typer.Option("--starts", min=1, metavar="N", help="Starts of the coarse sweep.", rich_help_panel=RUN)
+    ] = 1 << 14,
+    seed: Annotated[int, shared("seed")] = 0,
+    allow_own_laws: Annotated[bool, shared("allow_own_laws")] = False,
+    as_json: Annotated[bool, shared("json")] = False,
+    quiet: Annotated[bool, shared("quiet")] = False,
+    plot: Annotated[Path | None, shared("plot")] = None,
+) -> None:
+    """Find starts that reach a target: a ball hit after so many cushions, a pocket, a place; ranked by a player's errors."""
+    from carom.scene.toml import load_scene
+
+    found: list[str] = []
+    require_outputs(found, {"--plot": plot})
+    made = attempt(found, lambda: load_scene(scene, allow_own_laws=allow_own_laws))
+    target: dict[str, Any] = {"ball": ball}
+    if hit:
+        target |= {"hit": tuple(hit), "cushions": cushions}
+    elif cushions:
+        found.append("--cushions: expected --hit with it, got none")
+    if pocket is not None:
+        target["pocket"] = pocket
+    if point is not None:
+        target |= {"point": attempt(found, lambda: _numbers("--point", point, ",")), "within": within}
+    if sum(one is not None for one in (hit or None, pocket, point)) != 1:
+        found.append("aim: expected one of --hit, --pocket and --point")
+    ranges = attempt(found, lambda: _ranges(free or ["balls.0.velocity"]))
+    errors = attempt(found, lambda: dict(_error(text) for text in error or ()))
+    if found or made is None or ranges is None or errors is None:
+        raise CaromError(*found)
+    from carom.sweeps.aiming import aim as solve
+
+    with _status(quiet or as_json) as progress:
+        aims = solve(
+            made, ranges, target, errors=errors, solutions=solutions, starts=starts, seed=seed, progress=progress
+        )
+    if as_json:
+        plain = [
+            {**one.values, "success": one.chance, "spread_m": one.spread.tolist(), "sequence": list(one.sequence)}
+            for one in aims
+        ]
+        sys.stdout.write(json.dumps(plain, indent=2) + "\n")
+    elif not quiet:
+        _show(aims)
+    if plot is not None:
+        from carom.plot.aims import plot_aims
+
+        plot_aims(aims, plot)
+        wrote(plot)
+
+
+def _numbers(option: str, text: str, between: str) -> tuple[float, float]:
+    first, _sign, second = text.partition(between)
+    try:
+        return float(first), float(second)
+    except ValueError:
+        raise CaromError(f"{option}: expected two numbers, such as 1.2{between}0.4, got {text!r:.60}") from None
+
+
+def _ranges(free: list[str]) -> Any:
+    """Return paths, with their ranges where any is given."""
+    from carom.sweeps.unknowns import RANGES
+
+    pairs = [text.partition("=") for text in free]
+    if not any(sign for _path, sign, _range in pairs):
+        return [path for path, _sign, _range in pairs]
+    first = {"velocity": "speed", "strike": "speed", "offset": "side"}
+    found = {}
+    for path, sign, text in pairs:
+        last = path.rpartition(".")[2]
+        usual = RANGES.get(first.get(last, last), (0.0, 1.0))
+        found[path] = _numbers(f"--free {path}", text, ":") if sign else usual
+    return found
+
+
+def _error(text: str) -> tuple[str, float]:
+    name, _sign, number = text.partition("=")
+    try:
+        return name.strip(), float(number)
+    except ValueError:
+        raise CaromError(f"--error: expected NAME=SIGMA, such as angle=0.2, got {text!r:.60}") from None
+
+
+@contextlib.contextmanager
+def _status(quiet: bool) -> Iterator[Callable[[str], None] | None]:
+    """Show what is being done, if standard error is a terminal."""
+    from carom.cli.console import err
+
+    console = err()
+    if quiet or not console.is_terminal:
+        yield None
+        return
+    with console.status("aim") as status:
+        yield status.update
+
+
+def _show(aims: Aims) -> None:
+    from rich import box
+    from rich.table import Table
+    from rich.text import Text
+
+    from carom.cli.console import out
+
+    head, body = aims.rows()
+    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
+    for name in head:
+        table.add_column(name, justify="left" if name == "sequence" else "right")
+    for row in body:
+        table.add_row(*(Text(cell) for cell in row))
+    out().print(table)

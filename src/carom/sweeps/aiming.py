@@ -1,0 +1,379 @@
+"""Starts that reach a target: a coarse sweep for sequences of events that do, least squares with exact gradients within each."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.errors import CaromError, require_type
+from carom.files import import_optional
+from carom.formatting import format_number, html_table
+from carom.scene.paths import path_match, replaced
+from carom.scene.scene import Scene
+from carom.simulation.records import BALL, POCKETED_EVENT, WALL
+from carom.simulation.setup import SceneArrays, set_up
+from carom.simulation.simulate import simulate, simulate_many
+from carom.sweeps.starts import start_states
+from carom.sweeps.targets import EVENTS, TargetEvent, find, misses, residual, targets_of
+from carom.sweeps.unknowns import Unknown, columns_at, slopes_at, unknowns_of, values_at
+
+__all__ = ["Aim", "Aims", "aim"]
+
+Array = NDArray[np.float64]
+Signature = tuple[tuple[int, ...], ...]
+FOLLOWED = 40  # of walls, balls and pockets, that a run is followed for in the coarse sweep
+KINDS = ("wall", "ball", "pocketed")
+SEQUENCES, STARTS_EACH = 16, 2  # that are refined: sequences of events, and starts of each
+DRAWS = 200  # of the player's errors, for the share of shots that succeed
+STEPS = 12  # of least squares, at most
+APART = 4.0  # solutions nearer than this, in the player's errors, are one
+LOST = 10.0  # miss, in what is allowed, of a start with another sequence of events
+
+
+@dataclass(frozen=True, eq=False)
+class Aim:
+    """One solution: made by :func:`carom.aim`."""
+
+    values: dict[str, float]
+    """The unknowns: speed in m/s, angles in degrees, offsets in radii."""
+    chance: float
+    """Share of shots that reach the target under the player's errors, of 200 that were drawn and run."""
+    spread: Array
+    """(R,), m: standard deviation of the miss under the player's errors, by gradients: of an impact parameter, or along x, y."""
+    covariance: Array
+    """(R, R) of the miss, m^2."""
+    sequence: tuple[str, ...]
+    """What the targets' balls meet, in this order."""
+    time: float
+    """When the last target is reached, s."""
+    scene: Scene
+    """The scene with this start."""
+
+    @property
+    def run(self) -> Any:
+        """The run of this start."""
+        return simulate(self.scene)
+
+    def __repr__(self) -> str:
+        """Return one line."""
+        numbers = ", ".join(f"{name} {format_number(x, 5)}" for name, x in self.values.items())
+        return f"<Aim: {numbers}: {self.chance:.0%} under the player's errors>"
+
+
+class Aims(Sequence[Aim]):
+    """Solutions, the most robust one first."""
+
+    def __init__(self, solutions: list[Aim], unknowns: list[Unknown], targets: list[TargetEvent]) -> None:
+        self._solutions, self._unknowns = solutions, unknowns
+        self.targets = targets
+
+    def __len__(self) -> int:
+        """Return how many there are."""
+        return len(self._solutions)
+
+    def __getitem__(self, k: Any) -> Any:
+        """Return one, or several."""
+        return self._solutions[k]
+
+    def rows(self) -> tuple[list[str], list[list[str]]]:
+        """Return head and rows of a table."""
+        head = [
+            *(f"{name} {one.unit}" for name, one in zip(self._names(), self._unknowns, strict=True)),
+            "success",
+            "spread mm",
+        ]
+        body = []
+        for one in self._solutions:
+            spread = " x ".join(format_number(1e3 * s) for s in one.spread)
+            numbers = [format_number(x, 5) for x in one.values.values()]
+            body.append([*numbers, f"{one.chance:.0%}", spread, ", ".join(one.sequence)])
+        return [*head, "sequence"], body
+
+    def _names(self) -> list[str]:
+        return list(self._solutions[0].values) if self._solutions else []
+
+    def __repr__(self) -> str:
+        """Return a table as text."""
+        head, body = self.rows()
+        widths = [max(len(row[k]) for row in [head, *body]) for k in range(len(head))]
+        return "\n".join(
+            "  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in [head, *body]
+        )
+
+    def _repr_html_(self) -> str:
+        return html_table(*self.rows())
+
+
+class _Problem:
+    """A scene, its unknowns, and its targets."""
+
+    def __init__(self, scene: Scene, unknowns: list[Unknown], targets: list[TargetEvent]) -> None:
+        self.scene, self.unknowns, self.targets = scene, unknowns, targets
+        self.low = np.array([one.low for one in unknowns])
+        self.high = np.array([one.high for one in unknowns])
+        self.paths = list(values_at(unknowns, self.low))
+
+    def sigma(self, x: Array) -> Array:
+        """Return the player's errors (U,) at a start."""
+        return np.array([one.sigma(value) for one, value in zip(self.unknowns, x, strict=True)])
+
+    def wrapped(self, x: Array) -> Array:
+        """Return starts with angles that go round within their range."""
+        circular = np.array([one.circular for one in self.unknowns])
+        return np.where(circular, self.low + np.mod(x - self.low, 360.0), x)
+
+    # --- many runs ---------------------------------------------------------------------------------------------------
+
+    def run_many(self, x: Array) -> tuple[Array, NDArray[np.int64], NDArray[np.void]]:
+        """Return by what (N, T) starts (N, U) miss the targets, the rows (N, T) of their events, and the logs (N, FOLLOWED)."""
+        setup = set_up(self.scene)
+        arrays = SceneArrays(setup.world, setup.features, np.tile(setup.balls, (len(x), 1)), setup.users)
+        columns = {path_match(self.scene, path): column for path, column in columns_at(self.unknowns, x).items()}
+        doubtful = start_states(self.scene, columns, arrays)
+        many = simulate_many(self.scene, arrays.balls["v"], arrays.balls["w"], events=FOLLOWED, kinds=KINDS)
+        miss, rows = np.full((len(x), len(self.targets)), np.inf), np.full((len(x), len(self.targets)), -1)
+        for k, target in enumerate(self.targets):
+            reached, rows[:, k] = find(target, many.events)
+            found = misses(target, many.events, rows[:, k], np.asarray(many.final.position)[:, target.ball])
+            miss[:, k] = np.where(reached & ~doubtful & (many.why == ""), found, np.inf)
+        return miss, rows, many.events
+
+    # --- one run -----------------------------------------------------------------------------------------------------
+
+    def follow(self, x: Array) -> tuple[Any, Signature, list[int]]:
+        """Run a start; return the run, the sequence of its events up to the last target, and the rows of the targets."""
+        run = simulate(replaced(self.scene, values_at(self.unknowns, x)))
+        rows = run.log[np.isin(run.log["kind"], EVENTS)]
+        found = [int(find(target, rows[None, :])[1][0]) for target in self.targets]
+        return run, signature(rows, self.targets, found), found
+
+    def miss(self, run: Any, found: list[int], derivatives: Any, x: Array) -> tuple[Array, Array]:
+        """Return what a run misses the targets by, as shares of what is allowed (R,), and its derivatives (R, U)."""
+        parts = [residual(target, run, row, derivatives) for target, row in zip(self.targets, found, strict=True)]
+        slopes = slopes_at(self.unknowns, x, derivatives.columns)
+        return np.concatenate([r for r, _d in parts]), np.concatenate([d for _r, d in parts]) @ slopes
+
+
+def signature(rows: Any, targets: Sequence[TargetEvent], found: Sequence[int]) -> Signature:
+    """Return the events that the targets depend on: all of them for a place, those up to the target's else."""
+    last = len(rows) - 1 if any(target.kind == "point" for target in targets) else max(found, default=-1)
+    return tuple((int(row["kind"]), int(row["ball"]), int(row["other"])) for row in rows[: last + 1])
+
+
+def aim(
+    scene: Scene,
+    free: Sequence[str] | Mapping[str, tuple[float, float]],
+    reach: Any,
+    *,
+    errors: Mapping[str, float] | None = None,
+    solutions: int = 5,
+    starts: int = 1 << 14,
+    seed: int = 0,
+    progress: Callable[[str], None] | None = None,
+) -> Aims:
+    """Find starts of a ball that reach a target, the most robust one first.
+
+    Parameters
+    ----------
+    scene : Scene
+    free : paths, or a mapping of them to ranges (low, high)
+        What may be chosen: a ball's ``velocity`` on the floor (speed 0.5 to 6 m/s, or the range given, and all directions),
+        ``strike`` (speed and azimuth), ``strike.offset`` (side and top, up to half a radius), ``strike.elevation``, ``spin_z``.
+    reach : mapping, or several
+        ``{"ball": 2, "point": (1.2, 0.4)}``: where it ends, within its radius, or ``"within"`` m; ``{"ball": 1, "pocket": "any"}``;
+        ``{"ball": 0, "hit": ("yellow", "red"), "cushions": 3}``: it touches both, and at least three cushions before the last one.
+        Several must all be met: pot a ball and leave the cue ball at a place.
+    errors : mapping, optional
+        The player's, one standard deviation: "speed" (a share: 0.03), "angle" and "azimuth" (0.2 degrees), "elevation" (0.5
+        degrees), "side" and "top" (0.02 radii), "spin_z" (2 rad/s).
+    solutions : int
+        How many are returned, at most.
+    starts : int
+        Of the coarse sweep.
+    seed : int
+        Of the draws of the player's errors.
+    progress : function of a sentence, optional
+
+    Returns
+    -------
+    Aims
+        Distinct solutions, each centred within its sequence of events; ordered by the share of shots that succeed.
+
+    Raises CaromError: unknown paths, balls and pockets; no start that reaches the target.
+
+    Examples
+    --------
+    >>> import carom
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
+    >>> balls = [carom.SceneBall(radius=0.03, mass=0.2, position=(0.5, y), velocity=(0, 0), rolling=True) for y in (0, 0.6)]
+    >>> scene = carom.Scene(floor=carom.Floor(friction=0.2, rolling_resistance=0.01), walls=[wall], balls=balls)
+    >>> best = carom.aim(scene, ["balls.0.velocity"], {"hit": 1, "cushions": 1}, starts=512)
+    >>> best[0].sequence
+    ('plane 0', 'ball 1')
+    """
+    require_type("aim", "scene", scene, Scene)
+    faults: list[str] = []
+    unknowns: list[Unknown] = []
+    targets: list[TargetEvent] = []
+    try:
+        unknowns = unknowns_of(scene, free, errors or {})
+    except CaromError as error:
+        faults += error.faults
+    try:
+        targets = targets_of(scene, reach)
+    except CaromError as error:
+        faults += error.faults
+    for name, value in (("solutions", solutions), ("starts", starts)):
+        if isinstance(value, bool) or not isinstance(value, int) or value < 1:
+            faults.append(f"aim: {name}: expected a whole number > 0, got {value!r:.60}")
+    if faults:
+        raise CaromError(*faults)
+    problem = _Problem(scene, unknowns, targets)
+    say = progress or (lambda _text: None)
+    say(f"{starts:,} starts")
+    refined: list[tuple[Array, Array, Any]] = []
+    for x0, sequence in _candidates(problem, starts):
+        say(f"refining, {len(refined)} so far")
+        found = _refined(problem, x0, sequence)
+        if found is not None:
+            refined.append(found)
+    draws = np.random.default_rng(seed).normal(size=(DRAWS, len(unknowns)))
+    say("the player's errors")
+    made = _judged(problem, refined, draws)
+    if not made:
+        raise CaromError(
+            f"aim: reach: expected a target that some of {starts:,} starts come near, got none; free more numbers, widen their"
+            " ranges, or try more starts"
+        )
+    return Aims(made[:solutions], unknowns, targets)
+
+
+def _candidates(problem: _Problem, starts: int) -> Iterator[tuple[Array, Signature]]:
+    """Yield starts to be refined, with their sequences: of those that come nearest to the targets, some of each sequence."""
+    qmc = import_optional("scipy.stats.qmc", "aim")
+    points = qmc.Sobol(len(problem.unknowns), scramble=False).random(starts)
+    x = problem.low + points * (problem.high - problem.low)
+    miss, rows, logs = problem.run_many(x)
+    worst = miss.max(axis=1)
+    groups: dict[Signature, list[int]] = {}
+    for n in np.argsort(worst, kind="stable").tolist():
+        if not math.isfinite(worst[n]):
+            break
+        log = logs[n]
+        sequence = signature(log[np.isin(log["kind"], EVENTS)], problem.targets, rows[n].tolist())
+        groups.setdefault(sequence, []).append(n)
+    # (a sequence that many starts have is one that is easily kept; a place is mostly come near by a few)
+    reaches = {sequence: sum(worst[n] <= 1 for n in group) for sequence, group in groups.items()}
+    order = sorted(groups, key=lambda one: (-reaches[one], worst[groups[one][0]]))
+    for sequence in order[:SEQUENCES]:
+        chosen: list[int] = []
+        for n in groups[sequence]:
+            if all((np.abs(x[n] - x[k]) > APART * problem.sigma(x[n])).any() for k in chosen):
+                chosen.append(n)
+                yield x[n], sequence
+            if len(chosen) == STARTS_EACH:
+                break
+
+
+def _refined(problem: _Problem, x0: Array, sequence: Signature) -> tuple[Array, Array, Any] | None:
+    """Bring a start to the middle of its target, within its sequence; return it, its miss's derivatives (R, U), and its run."""
+    optimize = import_optional("scipy.optimize", "aim")
+    known: dict[bytes, tuple[Array, Array, Any]] = {}
+
+    def at(x: Array) -> tuple[Array, Array, Any]:
+        key = x.tobytes()
+        if key not in known:
+            size = sum(2 if target.kind == "point" else 1 for target in problem.targets)
+            lost = np.full(size, LOST), np.zeros((size, len(x))), None
+            known[key] = lost
+            run, its, found = problem.follow(x)
+            if its == sequence:
+                try:
+                    derivatives = run.sensitivity(problem.paths)
+                    known[key] = (*problem.miss(run, found, derivatives, x), run)
+                except CaromError:  # (a graze: no derivative exists)
+                    known[key] = lost
+        return known[key]
+
+    if at(x0)[2] is None:
+        return None
+    circular = np.array([one.circular for one in problem.unknowns])
+    bounds = np.where(circular, -np.inf, problem.low), np.where(circular, np.inf, problem.high)
+    try:
+        found = optimize.least_squares(
+            lambda x: at(x)[0], x0, jac=lambda x: at(x)[1], bounds=bounds, x_scale=problem.sigma(x0), max_nfev=STEPS
+        )
+    except ValueError:  # (a start on the border of its range)
+        return None
+    miss, slopes, run = at(found.x)
+    return None if run is None or np.abs(miss).max() > 1 else (found.x, slopes, run)
+
+
+def _judged(problem: _Problem, refined: list[tuple[Array, Array, Any]], draws: Array) -> list[Aim]:
+    """Return distinct solutions with the share of shots that succeed, in its order."""
+    found: list[tuple[float, Array, Aim]] = []
+    if not refined:
+        return []
+    tried = [x + draws * problem.sigma(x) for x, _slopes, _run in refined]
+    miss, _rows, _logs = problem.run_many(np.clip(np.concatenate(tried), *_wide(problem)))
+    success = (miss <= 1).all(axis=1).reshape(len(refined), len(draws)).mean(axis=1)
+    windows = np.concatenate([target.windows for target in problem.targets])
+    for (x, slopes, run), chance in zip(refined, success, strict=True):
+        scaled = slopes * problem.sigma(x) * windows[:, None]
+        covariance = scaled @ scaled.T
+        one = Aim(
+            dict(zip(_names(problem.unknowns), problem.wrapped(x).tolist(), strict=True)),
+            float(chance), np.sqrt(np.diag(covariance)), covariance, *_sequence(problem, run), run.scene,
+        )  # fmt: skip
+        found.append((float(chance), x, one))
+    found.sort(key=lambda item: (-item[0], float(item[2].spread.max())))
+    kept: list[tuple[Array, Aim]] = []
+    for _chance, x, one in found:
+        near = [(np.abs(_turn(problem, x - other)) <= APART * problem.sigma(x)).all() for other, _aim in kept]
+        if not any(near):
+            kept.append((x, one))
+    return [one for _x, one in kept]
+
+
+def _turn(problem: _Problem, x: Array) -> Array:
+    """Return differences of starts, of angles that go round the shorter one."""
+    circular = np.array([one.circular for one in problem.unknowns])
+    return np.where(circular, (x + 180.0) % 360.0 - 180.0, x)
+
+
+def _wide(problem: _Problem) -> tuple[Array, Array]:
+    """Return limits of starts that a player's errors may reach: speeds stay positive, and miscues are left to the scene."""
+    low = np.array([1e-3 if one.name == "speed" else -np.inf for one in problem.unknowns])
+    return low, np.full(len(low), np.inf)
+
+
+def _names(unknowns: Sequence[Unknown]) -> list[str]:
+    """Return names of the unknowns, with the ball's path where two have the same."""
+    names = [one.name for one in unknowns]
+    return [name if names.count(name) == 1 else f"{one.path}.{name}" for name, one in zip(names, unknowns, strict=True)]
+
+
+def _sequence(problem: _Problem, run: Any) -> tuple[tuple[str, ...], float]:
+    """Return what the balls of the targets meet, up to the last target, and the time of that."""
+    scene = problem.scene
+    rows = run.log[np.isin(run.log["kind"], EVENTS)]
+    found = [int(find(target, rows[None, :])[1][0]) for target in problem.targets]
+    to_the_end = any(target.kind == "point" for target in problem.targets)
+    last = len(rows) if to_the_end else max(found) + 1
+    balls = {target.ball for target in problem.targets}
+    names = {WALL: scene.wall_names, BALL: scene.ball_names, POCKETED_EVENT: scene.pocket_names}
+    met = [
+        (f"{scene.ball_names[int(row['ball'])]}: " if len(balls) > 1 else "")
+        + names[int(row["kind"])][int(row["other"])]
+        for row in rows[:last]
+        if int(row["ball"]) in balls
+    ]
+    counted = ((name, len(list(same))) for name, same in itertools.groupby(met))
+    told = tuple(name if count == 1 else f"{count} x {name}" for name, count in counted)
+    return told, float(run.end if to_the_end else rows["t"][last - 1])

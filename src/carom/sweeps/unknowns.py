@@ -1,0 +1,158 @@
+"""The unknowns of a shot that is to reach a target: speed and direction of a ball, or how it is struck."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.core.geometry.angles import direction
+from carom.errors import CaromError, shortened_list
+from carom.scene.paths import path_match
+from carom.scene.scene import Scene
+
+__all__ = ["ERRORS", "Unknown", "columns_at", "slopes_at", "unknowns_of", "values_at"]
+
+Array = NDArray[np.float64]
+# Range in which a start is looked for, and a player's error (one standard deviation; of speeds, a share of them).
+SPEED, ANGLE = (0.5, 6.0), (0.0, 360.0)
+RANGES = {"speed": SPEED, "angle": ANGLE, "azimuth": ANGLE, "elevation": (0.0, 30.0), "side": (-0.5, 0.5), "top": (-0.5, 0.5),
+          "spin_z": (-100.0, 100.0)}  # fmt: skip
+ERRORS = {"speed": 0.03, "angle": 0.2, "azimuth": 0.2, "elevation": 0.5, "side": 0.02, "top": 0.02, "spin_z": 2.0}
+UNITS = {
+    "speed": "m/s",
+    "angle": "°",
+    "azimuth": "°",
+    "elevation": "°",
+    "side": "radii",
+    "top": "radii",
+    "spin_z": "rad/s",
+}
+# What each kind of path has for unknowns.
+PARTS = {
+    "velocity": ("speed", "angle"),
+    "strike": ("speed", "azimuth"),
+    "offset": ("side", "top"),
+    **{name: (name,) for name in ("azimuth", "elevation", "spin_z")},
+}
+WHERE = "aim: free"
+
+
+class Unknown(NamedTuple):
+    """One number of the start."""
+
+    name: str
+    path: str
+    """Of the number in the scene, or of the vector that it is a part of."""
+    low: float
+    high: float
+    error: float
+    """The player's: one standard deviation; of a speed, as a share of it."""
+
+    @property
+    def circular(self) -> bool:
+        """Whether it is an angle that goes round."""
+        return self.name in ("angle", "azimuth") and self.high - self.low >= 360
+
+    @property
+    def unit(self) -> str:
+        """Its unit."""
+        return UNITS[self.name]
+
+    def sigma(self, x: Any) -> Any:
+        """Return the player's error at a value."""
+        return self.error * x if self.name == "speed" else self.error + 0 * x
+
+
+def unknowns_of(
+    scene: Scene, free: Sequence[str] | Mapping[str, tuple[float, float]], errors: Mapping[str, float]
+) -> list[Unknown]:
+    """Return the unknowns that paths stand for. CaromError for paths that are no part of a ball's start, all at once."""
+    ranges = dict(free) if isinstance(free, Mapping) else {}
+    found: list[Unknown] = []
+    known = shortened_list(list(ERRORS))
+    faults = [f"aim: errors: expected names of {known}, got {name!r:.60}" for name in sorted(set(errors) - set(ERRORS))]
+    for path in [free] if isinstance(free, str) else free:
+        try:
+            (keys, *others) = path_match(scene, path, WHERE).places
+        except CaromError as error:
+            faults += error.faults
+            continue
+        last = keys[-1]
+        whole = len(keys) == (4 if keys[2:3] == ("strike",) and last != "strike" else 3)
+        speed = keys[2:] == ("strike", "speed")
+        parts = ("speed",) if speed else PARTS.get(str(last), ()) if keys[0] == "balls" and whole and not others else ()
+        if last == "strike" and getattr(scene.balls[int(keys[1])], "strike", None) is None:
+            parts = ()
+        if not parts:
+            faults.append(
+                f"{WHERE}: expected one ball's velocity, spin_z, strike, or strike.offset, .azimuth, .elevation, .speed, such as"
+                f" 'balls.0.velocity', got {path!r:.60}"
+            )
+        if not scene.floor and "velocity" in keys:
+            faults.append(
+                f"{WHERE}: {path}: expected a scene with a floor, got one without; free the ball's strike there"
+            )
+        for part in parts:
+            low, high = ranges.get(path, RANGES[part]) if part not in ("angle", "azimuth") or len(parts) == 1 else ANGLE
+            own = path if last != "strike" else f"{path}.{part}"
+            if not (math.isfinite(low) and math.isfinite(high) and low < high) or (part == "speed" and low <= 0):
+                faults.append(f"{WHERE}: {path}: expected a range (low, high) of {part}, got ({low!r}, {high!r})")
+            found.append(Unknown(part, own, float(low), float(high), float(errors.get(part, ERRORS[part]))))
+    if not found and not faults:
+        faults.append(f"{WHERE}: expected paths such as ['balls.0.velocity'], got none")
+    if faults:
+        raise CaromError(*faults)
+    return found
+
+
+def _polar(unknowns: Sequence[Unknown]) -> list[tuple[int, int]]:
+    """Return where speed and angle of velocities stand."""
+    return [
+        (k, k + 1)
+        for k, one in enumerate(unknowns)
+        if one.name == "speed" and k + 1 < len(unknowns) and unknowns[k + 1].name == "angle"
+    ]
+
+
+def columns_at(unknowns: Sequence[Unknown], x: Array) -> dict[str, Array]:
+    """Return the columns (N,) or (N, k) of the paths, for unknowns (N, U)."""
+    found: dict[str, Array] = {}
+    for s, a in _polar(unknowns):
+        turned = np.array([direction(float(angle)) for angle in x[:, a]])
+        found[unknowns[s].path] = np.stack([x[:, s] * turned[:, 0], x[:, s] * turned[:, 1], 0 * x[:, s]], axis=1)
+    for k, one in enumerate(unknowns):
+        if one.path in found:
+            continue
+        if one.name == "side":
+            found[one.path] = x[:, k : k + 2]
+        else:
+            found[one.path] = x[:, k]
+    return found
+
+
+def values_at(unknowns: Sequence[Unknown], x: Array) -> dict[str, Any]:
+    """Return the scene's numbers by path, for one point (U,)."""
+    return {
+        path: tuple(column[0].tolist()) if column.ndim > 1 else float(column[0])
+        for path, column in columns_at(unknowns, x[None, :]).items()
+    }
+
+
+def slopes_at(unknowns: Sequence[Unknown], x: Array, columns: Sequence[str]) -> Array:
+    """Return the derivatives (p, U) of the parameters of a sensitivity, by their names, with respect to the unknowns."""
+    place = {name: i for i, name in enumerate(columns)}
+    found = np.zeros((len(columns), len(unknowns)))
+    for s, a in _polar(unknowns):
+        c, d = direction(float(x[a]))
+        path = unknowns[s].path
+        found[place[f"{path}.x"], [s, a]] = c, -x[s] * d * math.pi / 180
+        found[place[f"{path}.y"], [s, a]] = d, x[s] * c * math.pi / 180
+    for k, one in enumerate(unknowns):
+        name = {"side": f"{one.path}.x", "top": f"{one.path}.y"}.get(one.name, one.path)
+        if name in place:
+            found[place[name], k] = 1.0
+    return found

@@ -1,0 +1,165 @@
+"""Starts that reach a target: closed forms, gradients against differences, solutions that are run, and what is refused."""
+
+from __future__ import annotations
+
+import json
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+from reference.sweep_scenes import table_scene
+
+import carom
+from carom.simulation.records import BALL, WALL
+from carom.sweeps.aiming import _Problem
+from carom.sweeps.targets import targets_of
+from carom.sweeps.unknowns import unknowns_of
+
+GRAVITY = 9.80665
+
+
+def bank(law: str = "mirror", resistance: float = 0.0) -> carom.Scene:
+    """A rolling ball, another one, and a wall along y."""
+    wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), law=law)
+    places = {"white": (0.5, 0.0), "red": (0.8, 0.9)}
+    balls = [
+        carom.SceneBall(radius=0.03, mass=0.2, position=place, name=name, velocity=(0, 0), rolling=True)
+        for name, place in places.items()
+    ]
+    floor = carom.Floor(friction=0.2, rolling_resistance=resistance)
+    return carom.Scene(floor=floor, walls=[wall], balls=balls, run=carom.Run(duration=30, max_events=200))
+
+
+def test_a_bank_shot_under_a_law_that_reflects_is_that_of_the_mirrored_ball() -> None:
+    scene = bank("two-step-paper")
+    best = carom.aim(scene, {"balls.0.velocity": (1.0, 2.0)}, {"hit": "red", "cushions": 1}, starts=2048)
+    run = best[0].run
+    rows = run.log[np.isin(run.log["kind"], (WALL, BALL))]
+    assert rows["kind"][:2].tolist() == [WALL, BALL]
+    # full on the ball: the centres lie along the motion
+    r, u = rows["x"][2] - rows["x"][1], rows["v_before"][1] - rows["v_before"][2]
+    assert abs(r[0] * u[1] - r[1] * u[0]) / np.hypot(*u[:2]) < 1e-6
+    assert best[0].sequence == ("plane 0", "red")
+    assert best[0].chance > 0.5
+
+
+def test_a_ball_that_is_to_stop_at_a_place_has_the_speed_that_rolling_takes() -> None:
+    resistance, place = 0.02, (1.7, 0.35)
+    scene = bank(resistance=resistance)
+    best = carom.aim(scene, {"balls.0.velocity": (0.3, 1.5)}, {"ball": "white", "point": place}, starts=2048)
+    way = math.dist(place, (0.5, 0.0))
+    straight = next(one for one in best if one.sequence == ())
+    # rolling with a resistance c: the speed falls by c g
+    assert straight.values["speed"] == pytest.approx(math.sqrt(2 * resistance * GRAVITY * way), rel=1e-6)
+    assert straight.values["angle"] == pytest.approx(math.degrees(math.atan2(0.35, 1.2)), abs=1e-5)
+    # errors along the way: 2 sigma_v/v of its length; across it: sigma of the angle
+    along, across = 2 * 0.03 * way, math.radians(0.2) * way
+    found = np.sqrt(np.linalg.eigvalsh(straight.covariance))
+    assert found == pytest.approx([across, along], rel=1e-3)
+    assert straight.run.final.position[0, :2] == pytest.approx(place, abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("reach", "start"),
+    [
+        ({"hit": ("red", "yellow"), "cushions": 3}, (4.4947, 335.06)),
+        ({"ball": 1, "point": (1.0, 0.4)}, (1.26, 26.45)),
+    ],
+)
+def test_the_gradient_of_a_miss_is_that_of_differences(reach: object, start: tuple[float, float]) -> None:
+    scene = table_scene(duration=20.0)
+    problem = _Problem(scene, unknowns_of(scene, ["balls.0.velocity"], {}), targets_of(scene, reach))
+    x = np.array(start)
+
+    def miss(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, object]:
+        run, sequence, found = problem.follow(x)
+        return *problem.miss(run, found, run.sensitivity(problem.paths), x), sequence
+
+    # (a start that reaches the target's event, by way of whatever sequence)
+    if not isinstance(reach, dict) or "hit" in reach:
+        best = carom.aim(scene, ["balls.0.velocity"], reach, starts=2048, solutions=1)
+        x = np.array(list(best[0].values.values())) + 1e-3
+    _miss, slopes, sequence = miss(x)
+    for k in range(2):
+        h = 1e-4 * np.eye(2)[k]
+        (above, _d, s1), (below, _e, s2) = miss(x + h), miss(x - h)
+        assert s1 == s2 == sequence
+        assert slopes[:, k] == pytest.approx((above - below) / 2e-4, rel=1e-4, abs=1e-5 * np.abs(slopes).max())
+
+
+def test_three_cushions() -> None:
+    scene = table_scene(duration=20.0)
+    best = carom.aim(scene, ["balls.0.velocity"], {"hit": ("red", "yellow"), "cushions": 3}, starts=4096, solutions=3)
+    assert 1 <= len(best) <= 3
+    assert [one.chance for one in best] == sorted((one.chance for one in best), reverse=True)
+    for one in best:
+        rows = one.run.log
+        mine = rows[(rows["ball"] == 0) & np.isin(rows["kind"], (WALL, BALL))]
+        hits = [int(np.flatnonzero((mine["kind"] == BALL) & (mine["other"] == k))[0]) for k in (1, 2)]
+        assert (mine["kind"][: max(hits)] == WALL).sum() >= 3
+    again = carom.aim(scene, ["balls.0.velocity"], {"hit": ("red", "yellow"), "cushions": 3}, starts=4096, solutions=3)
+    assert [one.values for one in again] == [one.values for one in best]
+    assert "success" in repr(best)
+
+
+def test_a_pocket_and_a_struck_ball() -> None:
+    table = {"shape": "table", "preset": "pool-9ft"}
+    cue = carom.SceneBall(
+        radius=0.028575, mass=0.17, position=(-0.3, 0.1), strike={"speed": 2.0, "azimuth": 0.0}, name="cue"
+    )
+    one = carom.SceneBall(radius=0.028575, mass=0.17, position=(0.5, 0.3), name="one")
+    floor = carom.Floor(restitution=0.5, friction=0.2, rolling_resistance=0.01, spin_friction=0.044)
+    contact = carom.BallContact(restitution=0.95, friction=0.06)
+    scene = carom.Scene(floor=floor, walls=[table], balls=[cue, one], ball_contact=contact, run=carom.Run(duration=15))
+    best = carom.aim(scene, {"balls.cue.strike": (1.0, 3.0)}, {"ball": "one", "pocket": "any"}, starts=4096)
+    assert best[0].run.final_phase[1] == "pocketed"
+    assert set(best[0].values) == {"speed", "azimuth"}
+
+
+def test_bad_input_is_said_at_once() -> None:
+    scene = table_scene()
+    for free, reach, more, said in [
+        (["balls.0.mass"], {"hit": 1}, {}, "expected one ball's velocity"),
+        (["balls.*.velocity"], {"hit": 1}, {}, "expected one ball's velocity"),
+        (["balls.0.strike"], {"hit": 1}, {}, "aim: free"),
+        ({"balls.0.velocity": (2, 1)}, {"hit": 1}, {}, "expected a range"),
+        ([], {"hit": 1}, {}, "expected paths"),
+        (["balls.0.velocity"], {"hit": "blue"}, {}, "expected a ball of white, yellow, red"),
+        (["balls.0.velocity"], {"hit": 0}, {}, "expected other balls"),
+        (["balls.0.velocity"], {"pocket": "any"}, {}, "a table with pockets"),
+        (["balls.0.velocity"], {"hit": 1, "point": (1, 2)}, {}, "expected one of point, pocket and hit"),
+        (["balls.0.velocity"], {}, {}, "expected one of point, pocket and hit"),
+        (["balls.0.velocity"], {"hit": 1}, {"starts": 0}, "starts: expected a whole number"),
+        (["balls.0.velocity"], {"hit": 1}, {"errors": {"sped": 1}}, "expected names of speed"),
+    ]:  # fmt: skip
+        with pytest.raises(carom.CaromError) as error:
+            carom.aim(scene, free, reach, **more)
+        assert said in str(error.value)
+    with pytest.raises(carom.CaromError) as error:
+        carom.aim(scene, ["balls.0.mass"], {"hit": "blue"}, starts=0)
+    assert len(error.value.faults) == 3
+    with pytest.raises(carom.CaromError, match="free more numbers"):
+        carom.aim(scene, ["balls.0.velocity"], {"hit": (1, 2), "cushions": 30}, starts=64)
+
+
+def test_the_command_line(tmp_path: Path) -> None:
+    from typer.testing import CliRunner
+
+    from carom.cli import app
+
+    file = tmp_path / "scene.toml"
+    balls = "".join(
+        f'[[balls]]\nname = "{name}"\nradius = 0.03075\nmass = 0.21\nposition = [{x}, {y}]\n{more}'
+        for name, x, y, more in [("white", -0.7, -0.3, "velocity = [1, 0]\nrolling = true\n"), ("red", 0.7, 0.1, "")]
+    )
+    file.write_text(
+        f'[floor]\nfriction = 0.2\nrolling_resistance = 0.01\n[[walls]]\nshape = "table"\npreset = "carom"\n{balls}'
+    )
+    words = ["aim", str(file), "--hit", "red", "--cushions", "1", "--starts", "1024", "--solutions", "2"]
+    done = CliRunner().invoke(app, [*words, "--json", "--plot", str(tmp_path / "aim.svg")])
+    assert done.exit_code == 0, done.output
+    assert (tmp_path / "aim.svg").stat().st_size > 5000
+    rows = json.loads(done.stdout)
+    assert 1 <= len(rows) <= 2
+    assert {"speed", "angle", "success", "spread_m", "sequence"} <= set(rows[0])
