@@ -39,7 +39,7 @@ def test_a_bank_shot_under_a_law_that_reflects_is_that_of_the_mirrored_ball() ->
     assert rows["kind"][:2].tolist() == [WALL, BALL]
     # full on the ball: the centres lie along the motion
     r, u = rows["x"][2] - rows["x"][1], rows["v_before"][1] - rows["v_before"][2]
-    assert abs(r[0] * u[1] - r[1] * u[0]) / np.hypot(*u[:2]) < 1e-6
+    assert abs(r[0] * u[1] - r[1] * u[0]) / np.hypot(*u[:2]) < 1e-3 * 0.06  # a thousandth of what is allowed
     assert best[0].sequence == ("plane 0", "red")
     assert best[0].chance > 0.5
 

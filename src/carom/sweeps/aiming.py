@@ -27,11 +27,11 @@ __all__ = ["Aim", "Aims", "aim"]
 
 Array = NDArray[np.float64]
 Signature = tuple[tuple[int, ...], ...]
-FOLLOWED = 40  # of walls, balls and pockets, that a run is followed for in the coarse sweep
+FOLLOWED = 20  # of walls, balls and pockets, that a run is followed for in the coarse sweep
 KINDS = ("wall", "ball", "pocketed")
-SEQUENCES, STARTS_EACH = 16, 2  # that are refined: sequences of events, and starts of each
+SEQUENCES, STARTS_EACH = 10, 2  # that are refined: sequences of events, and starts of each
 DRAWS = 200  # of the player's errors, for the share of shots that succeed
-STEPS = 12  # of least squares, at most
+STEPS, ENOUGH = 8, 1e-3  # of least squares, at most; and a share of what is allowed that need not be improved on
 APART = 4.0  # solutions nearer than this, in the player's errors, are one
 LOST = 10.0  # miss, in what is allowed, of a start with another sequence of events
 
@@ -307,7 +307,15 @@ def _refined(problem: _Problem, x0: Array, sequence: Signature) -> tuple[Array, 
     bounds = np.where(circular, -np.inf, problem.low), np.where(circular, np.inf, problem.high)
     try:
         found = optimize.least_squares(
-            lambda x: at(x)[0], x0, jac=lambda x: at(x)[1], bounds=bounds, x_scale=problem.sigma(x0), max_nfev=STEPS
+            lambda x: at(x)[0],
+            x0,
+            jac=lambda x: at(x)[1],
+            bounds=bounds,
+            x_scale=problem.sigma(x0),
+            max_nfev=STEPS,
+            ftol=ENOUGH,
+            xtol=ENOUGH,
+            gtol=ENOUGH**2,
         )
     except ValueError:  # (a start on the border of its range)
         return None
