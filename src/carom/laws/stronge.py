@@ -22,7 +22,7 @@ import math
 import numpy as np
 
 from carom.core.contact import LEAST, slip_velocity, struck_along
-from carom.core.jit.kernel import Vec, dot, kernel
+from carom.core.jit.kernel import Vec, dot, kernel, root_of
 from carom.laws.compliance import COMPLIANT_READS, compliant_objections
 from carom.laws.law import Card, Condition, FitSpec, Meeting, approaches, wall_law
 
@@ -86,7 +86,10 @@ def _root(x: float, y: float, w: float, start: float, low: float, high: float, r
             high, f, g = phi, f / 2, h
         if h == 0:
             break
-    return high
+    p, q = _swing(x, y, w * (high - start))
+    side = 1 if p >= 0 else -1
+    rate = side * (1 - w * w) * p * math.sin(high) if rising else math.cos(high) - side * w * q
+    return root_of(high, _spare(x, y, w, start, high, rising), rate)
 
 
 @kernel

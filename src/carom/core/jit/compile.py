@@ -12,6 +12,7 @@ Numba::
 
 from __future__ import annotations
 
+import functools
 import inspect
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -20,7 +21,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from carom.core.jit.cache import cache_folder, source_hash
-from carom.core.jit.kernel import HOT, KERNELS
+from carom.core.jit.kernel import HOT, KERNELS, found_root, root_of
 from carom.core.jit.progress import listen
 from carom.core.jit.shared_cache import LOCATOR, compile_in_one_process
 
@@ -58,6 +59,7 @@ def register_kernels() -> None:
 
     from carom.core.jit.link import linked_only
 
+    _register_root()
     for function in KERNELS:
         if function not in _registered:
             # (a law of a user's own may do whatever Numba can)
@@ -65,6 +67,13 @@ def register_kernels() -> None:
             options = {**KERNEL_OPTIONS, **linked_only(cache_folder())} if own else {**KERNEL_OPTIONS, "_nrt": True}
             register_jitable(forceinline=function in HOT, **options)(function)
             _registered.add(function)
+
+
+@functools.cache
+def _register_root() -> None:
+    from numba.extending import overload
+
+    overload(root_of, strict=False)(lambda x, gap, rate: found_root if plain_numbers(x, gap, rate) else None)
 
 
 # --- types, without an import of Numba by those who need them -----------------------------------------------------------

@@ -12,10 +12,24 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-__all__ = ["HOT", "KERNELS", "ON_GPU", "Vec", "cross", "dot", "hot_kernel", "kernel", "prange", "vector"]
+__all__ = [
+    "HOT",
+    "KERNELS",
+    "ON_GPU",
+    "Vec",
+    "cross",
+    "dot",
+    "found_root",
+    "hot_kernel",
+    "kernel",
+    "prange",
+    "root_of",
+    "vector",
+]
 
 Vec = tuple[float, float, float]
 Function = TypeVar("Function", bound=Callable[..., Any])
+Number = TypeVar("Number")
 
 # A range whose steps do not depend on each other: in a loop that is compiled to run in parallel, it is Numba's.
 prange: Any = range
@@ -54,3 +68,22 @@ def cross(p: Vec, q: Vec) -> Vec:
 def vector(row: Any) -> Vec:
     """Return three numbers of an array as a 3-tuple."""
     return (row[0], row[1], row[2])
+
+
+def root_of(x: Number, gap: Any, rate: Any) -> Number:
+    """Return x, a root that was found by trial: of a function with the value ``gap`` and the derivative ``rate`` there.
+
+    Trial and error carry no derivatives. Of dual numbers the root has that of the implicit function theorem, x - gap / rate.
+    """
+    if not hasattr(gap, "d"):
+        return x
+    moved: Any = x - gap / getattr(rate, "x", rate)
+    return type(moved)(getattr(x, "x", x), moved.d)  # type: ignore[no-any-return]
+
+
+def found_root(x: Any, gap: Any, rate: Any) -> Any:
+    """Return x: :func:`root_of` plain numbers, as it is compiled."""
+    return x
+
+
+ON_GPU[root_of] = found_root

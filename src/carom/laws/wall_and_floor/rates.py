@@ -23,7 +23,7 @@ from __future__ import annotations
 import math
 
 from carom.core.contact import SLIDE, STICK
-from carom.core.jit.kernel import hot_kernel, kernel
+from carom.core.jit.kernel import hot_kernel, kernel, root_of
 
 __all__ = [
     "FLOOR_JUMP",
@@ -142,7 +142,11 @@ def _start_at_wall(q: Couplings, df: Pair) -> Pair:
             if x in (low, high):
                 break
             low = x
-    x = high
+    below, beside = muw * (b - gain) + high, muw * k + high
+    dt = rt / below
+    dy = (ry - muw * cross * dt) / beside
+    rate = -2 * (dt * dt / below + dy * (dy - muw * cross * dt / below) / beside)
+    x = root_of(high, dt * dt + dy * dy - 1, rate)
     dt = rt / (muw * (b - gain) + x)
     dy = (ry - muw * cross * dt) / (muw * k + x)
     length = size(dt, dy)

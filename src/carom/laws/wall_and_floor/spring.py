@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from carom.core.jit.kernel import kernel
+from carom.core.jit.kernel import kernel, root_of
 
 __all__ = ["gap_growth", "remaining", "touch_down"]
 
@@ -64,4 +64,6 @@ def touch_down(
             low = middle
         else:
             high = middle
-    return high
+    left = stored - un * high - high * high / 2
+    rate = (1 + 0 * e if compressing else e) * (vz + c * high) / math.sqrt(2 * left) if left > 0 else -1 + 0 * e
+    return root_of(high, gap + gap_growth(un, vz, c, stored, high, e, compressing), rate)

@@ -12,20 +12,21 @@ from numpy.typing import NDArray
 from carom.core.geometry.features import FEATURES
 from carom.core.jit.compile import array_of, njit, signature
 from carom.core.jit.dual.calls import dual_address, read_duals, register_calls_of_duals, write_duals
-from carom.core.jit.dual.functions import register_functions
+from carom.core.jit.dual.functions import overload_for_duals, register_functions
 from carom.core.jit.dual.numbers import LANES, as_dual, register_numbers
 from carom.core.jit.dual.records import dual_records, float_count, float_places, register_records
-from carom.core.jit.kernel import kernel
+from carom.core.jit.kernel import Vec, kernel
 from carom.core.motion.phases import HELD
 from carom.laws.callbacks import NUMBERS, WallKernel, register_calls
+from carom.laws.two_step import first_impact
 from carom.simulation.compiled import compiled_engine
 from carom.simulation.loop import move_by
 from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.sensitivity.parameters import ARRAYS, Parameters, unpacked
 from carom.simulation.sensitivity.pass_kernels import PASSAGES, follow_log, state_at_time
 from carom.simulation.sensitivity.passages import Motion, Passages
-from carom.simulation.sensitivity.pressed_kernel import register_dual_joint_impact
 from carom.simulation.setup import SceneArrays
+from carom.simulation.wall_and_floor import joint_impact
 
 __all__ = ["SLOPES", "compiled_follow", "dual_users", "follow_compiled", "pass_loop", "register_pass"]
 
@@ -70,6 +71,15 @@ def _states(
             state_at_time(world, rows[k], first[k], passages[which[k]], log[which[k]].phase, t)
 
 
+@kernel
+def _joint_impact(
+    v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float,
+    floor_e: float, floor_mu: float, floor_beta: float, together: bool,
+) -> Any:  # fmt: skip
+    """:func:`joint_impact` of dual numbers; that of floats is compiled by itself."""
+    return first_impact(v, w, n, a, kappa, e, mu, beta, floor_e, floor_mu, floor_beta, 0.0, together)
+
+
 @functools.cache
 def register_pass() -> None:
     """Tell the compiler all that the pass calls."""
@@ -79,7 +89,7 @@ def register_pass() -> None:
     register_functions()
     register_records()
     register_calls_of_duals(NUMBERS)
-    register_dual_joint_impact()
+    overload_for_duals(joint_impact, _joint_impact)
 
 
 SLOPES = array_of(float, 4)

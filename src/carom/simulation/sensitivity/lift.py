@@ -2,13 +2,12 @@
 
 A kernel is a function of numbers that names what it calls by the globals of its module. The derived one has the same code and other
 globals, in which ``math`` is :data:`carom.simulation.sensitivity.dual.DUAL_MATH` and every function is a derived one too. So each
-law, each phase and each shape has its exact derivative, without a line written by hand for it. The one exception is the integrator
-of wall and floor at once (:mod:`carom.simulation.sensitivity.pressed`).
+law, phase and shape has its exact derivative, without a line written by hand for it. What a kernel finds by trial and error
+says so (:func:`carom.core.jit.kernel.root_of`), and has that of the implicit function theorem.
 """
 
 from __future__ import annotations
 
-import functools
 import math
 import sys
 from collections.abc import Callable
@@ -16,7 +15,6 @@ from types import FunctionType
 from typing import Any
 
 from carom.simulation.sensitivity.dual import DUAL_MATH, Dual
-from carom.simulation.sensitivity.pressed import differenced_joint_impact
 
 __all__ = ["lifted"]
 
@@ -46,8 +44,6 @@ def _space(module: str, names: dict[str, Any]) -> dict[str, Any]:
             space[name] = DUAL_MATH
         elif name == "call_user":
             space[name] = _call_law
-        elif name == "joint_impact":
-            space[name] = functools.partial(differenced_joint_impact, lifted(one))
         elif isinstance(one, FunctionType) and _is_kernel(one, module):
             space[name] = lifted(one)
         elif callable(one) and not isinstance(one, type) and _BY_FUNCTION.get(one) is not None:

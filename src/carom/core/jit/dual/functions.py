@@ -12,7 +12,8 @@ import operator
 from collections.abc import Callable
 from typing import Any
 
-from carom.core.jit.dual.numbers import dual_type, scaled, value_of
+from carom.core.jit.dual.numbers import as_dual, dual_type, scaled, value_of, with_value
+from carom.core.jit.kernel import root_of
 
 __all__ = ["overload_for_duals", "register_functions"]
 
@@ -48,6 +49,8 @@ def register_functions() -> None:
     _instead(math.atan2, 2, _angle)
     _instead(math.copysign, 2, lambda x, y: abs(x) if math.copysign(1.0, value_of(y)) > 0 else -abs(x))
     _power()
+    kind = dual_type()
+    _overload(root_of, lambda x, gap, rate: _implicit if kind in (x, gap, rate) else None)
 
 
 def _overload(function: Any, typed: Any) -> None:
@@ -105,6 +108,10 @@ def _angle(y: Any, x: Any) -> Any:
     size = x0 * x0 + y0 * y0
     # (y - y0 and x - x0 are the derivatives alone)
     return math.atan2(y0, x0) + ((y - y0) * (x0 / size) - (x - x0) * (y0 / size))
+
+
+def _implicit(x: Any, gap: Any, rate: Any) -> Any:
+    return with_value(as_dual(x) - gap / value_of(rate), value_of(x))
 
 
 def _power() -> None:
