@@ -98,7 +98,10 @@ def tangents_of(scene: Scene, wrt: Any, phases: Any, setup: SceneArrays) -> tupl
     CaromError for a number, or a whole vector, that cannot change.
     """
     columns = _columns_of(scene, wrt, phases)
-    slopes = [_of_itself(scene, one, setup) or _differences(scene, one, setup) for one in columns]
+    slopes = [
+        _of_itself(scene, one, setup) or _linear(scene, one, setup) or _differences(scene, one, setup)
+        for one in columns
+    ]
     for one, slope in zip(columns, slopes, strict=True):
         whole = [found for other, found in zip(columns, slopes, strict=True) if other.path == one.path]
         if slope is None and all(found is None for found in whole):
@@ -134,6 +137,35 @@ def _of_itself(scene: Scene, column: Column, setup: SceneArrays) -> Tangents | N
                 found[name][field] = changed.astype(float)
             if changed.any() and not ((old[field][changed] == x) & (new[field][changed] == x + h)).all():
                 return None
+    return found
+
+
+def _linear(scene: Scene, column: Column, setup: SceneArrays) -> Tangents | None:
+    """Return the derivatives where the arrays are linear in the parameter: two differences agree to their rounding; else None."""
+    h = _step_of(column)
+    try:
+        far, back, near, behind = (set_up(_shifted(scene, column, k * h), compiled=False) for k in (4, -4, 1, -1))
+    except CaromError:
+        return None
+    found: Tangents = {}
+    for name in ("world", "features", "balls"):
+        ends = [getattr(one, name) for one in (setup, far, back, near, behind)]
+        if len({len(one) for one in ends}) > 1:
+            return None
+        found[name] = {}
+        for field in ends[0].dtype.names:
+            x, x4, y4, x1, y1 = (one[field] for one in ends)
+            if ends[0].dtype[field].base.kind != "f":
+                if not all((one == x).all() for one in (x4, y4, x1, y1)):
+                    return None
+                continue
+            with np.errstate(invalid="ignore"):
+                slope, bend = (x4 - y4) / (8 * h), (x4 - y4) / 4 - (x1 - y1)
+            # (infinite extents and frictions do not change)
+            rounding = 16 * np.finfo(float).eps * np.maximum(np.abs(x4), np.abs(y4))
+            if not (np.isinf(x) | (np.abs(bend) <= rounding)).all():
+                return None
+            found[name][field] = np.where(np.isinf(x), 0.0, slope)
     return found
 
 
