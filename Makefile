@@ -1,5 +1,5 @@
 # Thin wrappers; `make check` is what CI does.
-.PHONY: test doctest lint docs wasm page benchmarks campaigns mutants check
+.PHONY: test check-torch doctest lint docs wasm page benchmarks campaigns mutants check
 test:
 	pytest
 doctest:
@@ -17,6 +17,9 @@ page:
 # speed, also against other programs (those that are installed)
 benchmarks:
 	for file in benchmarks/*.py; do echo "== $$file"; python $$file || exit 1; done
+# derivatives through PyTorch, where it is installed (extra torch)
+check-torch:
+	pytest -n0 tests/interop/check_torch.py
 # what takes minutes to hours to count; results go to docs/campaigns.md
 campaigns:
 	python campaigns

@@ -45,6 +45,7 @@ OPTIONAL = {
     "h5netcdf": ("h5netcdf", "xarray"),
     "h5py": ("h5py", "xarray"),
     "imageio_ffmpeg": ("imageio-ffmpeg", "film"),
+    "jax": ("JAX", "jax"),
     "matplotlib": ("Matplotlib", "plot"),
     "msgpack": ("msgpack", "msgpack"),
     "pandas": ("pandas", "pandas"),
@@ -52,6 +53,7 @@ OPTIONAL = {
     "scipy": ("SciPy", "fit"),
     "distributed": ("Dask's distributed", "cluster"),
     "sympy": ("SymPy", "derive"),
+    "torch": ("PyTorch", "torch"),
     "xarray": ("xarray", "xarray"),
     "zarr": ("Zarr", "sweeps"),
 }

@@ -1,1 +1,3 @@
+from . import jax as jax
 from . import pooltool as pooltool
+from . import torch as torch

@@ -54,6 +54,7 @@ class Sensitivity:
 
     def __init__(self, run: Any, columns: list[Any], passages: Passages) -> None:
         self._run, self._passages = run, passages
+        self.parameters = columns
         self.columns: list[str] = [one.name for one in columns]
         """Names of the p parameters."""
         self.values = np.array([one.value for one in columns])

@@ -1,0 +1,81 @@
+"""Runs as functions of JAX: values and exact derivatives, forward and reverse, batched over all cores."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from typing import Any
+
+import numpy as np
+
+from carom.files import import_optional
+from carom.interop.run_function import RunFunction
+from carom.scene.scene import Scene
+
+__all__ = ["function"]
+
+
+def function(scene: Scene, wrt: str | Iterable[str], of: str = "final.position") -> Callable[[Any], Any]:
+    """Return the final state of a scene as a function of numbers of it, which JAX differentiates, batches and compiles around.
+
+    Parameters
+    ----------
+    scene : Scene
+    wrt : paths, as for ``run.sensitivity``
+        ``function.columns`` has the names of the p numbers, ``function.start`` their values in the scene.
+    of : "final.position", "final.velocity" or "final.spin"
+
+    Returns
+    -------
+    function of an array (p,)
+        Returns (B, 3). ``jax.jacfwd``, ``jax.grad`` and ``jax.vmap`` go through it (a batch is run at once, on all cores),
+        ``jax.jit`` goes round it: the run itself is a callback. It is computed in double precision and returned in JAX's default
+        one, which is single unless ``jax_enable_x64`` is set. Second derivatives are refused by JAX.
+
+    Raises CaromError for paths that are refused, or without JAX; in a call, JAX wraps it in an error of its own.
+
+    Examples
+    --------
+    >>> import carom, jax
+    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.5, friction=0)
+    >>> ball = carom.SceneBall(radius=0.1, mass=0.2, position=(1.1, 0, 0), velocity=(-2, 1, 0))
+    >>> scene = carom.Scene(gravity=0, walls=[wall], balls=[ball], run=carom.Run(duration=1))
+    >>> place = carom.interop.jax.function(scene, ["balls.0.velocity.x", "walls.0.restitution"])
+    >>> jax.jacfwd(place)(jax.numpy.array([-2.0, 0.5]))[0, 0].round(3).tolist()
+    [-0.5, 1.0]
+    """
+    jax = import_optional("jax", "interop.jax")
+    run = RunFunction(scene, wrt, of, "interop.jax.function")
+    numbers = jax.numpy
+
+    def value(x: Any) -> Any:
+        kind = numbers.result_type(x, float)
+        shape = jax.ShapeDtypeStruct(run.shape, kind)
+        return jax.pure_callback(
+            lambda x: run.evaluate(np.asarray(x)).astype(kind), shape, x, vmap_method="broadcast_all"
+        )
+
+    def both(x: Any) -> tuple[Any, Any]:
+        kind = numbers.result_type(x, float)
+        shapes = (jax.ShapeDtypeStruct(run.shape, kind), jax.ShapeDtypeStruct((*run.shape, len(run.columns)), kind))
+        return jax.pure_callback(  # type: ignore[no-any-return]
+            lambda x: tuple(one.astype(kind) for one in run.differentiate(np.asarray(x))),
+            shapes,
+            x,
+            vmap_method="broadcast_all",
+        )
+
+    @jax.custom_jvp  # type: ignore[untyped-decorator]
+    def final(x: Any) -> Any:
+        return value(x)
+
+    @final.defjvp  # type: ignore[untyped-decorator]
+    def final_jvp(primals: Any, tangents: Any) -> Any:
+        found, slopes = both(primals[0])
+        # (linear in the tangent: JAX transposes it for reverse mode)
+        return found, slopes @ tangents[0]
+
+    def call(x: Any) -> Any:
+        return final(numbers.asarray(x, dtype=numbers.result_type(numbers.asarray(x), float)))
+
+    call.columns, call.start = run.columns, run.start  # type: ignore[attr-defined]
+    return call

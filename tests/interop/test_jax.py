@@ -1,0 +1,81 @@
+"""Runs as functions of JAX: gradients forward and reverse, batches, and what is refused."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from reference.sweep_scenes import table_scene
+
+import carom
+
+jax = pytest.importorskip("jax")
+
+
+@pytest.fixture(autouse=True)
+def double_precision() -> object:
+    before = jax.config.jax_enable_x64
+    jax.config.update("jax_enable_x64", True)
+    yield
+    jax.config.update("jax_enable_x64", before)
+
+
+def shot() -> carom.Scene:
+    return table_scene(duration=1.5)
+
+
+def test_derivatives_are_those_of_the_run_forward_and_reverse() -> None:
+    scene, wrt = shot(), ["balls.0.velocity", "walls.*.friction"]
+    place = carom.interop.jax.function(scene, wrt)
+    run = carom.simulate(scene)
+    exact = run.sensitivity(wrt).final.position
+    x = jax.numpy.array(place.start)
+    assert place.columns == ["balls.0.velocity.x", "balls.0.velocity.y", "walls.*.friction"]
+    assert np.array_equal(place(x), run.final.position)
+    assert np.array_equal(jax.jacfwd(place)(x), exact)
+    assert np.asarray(jax.jacrev(place)(x)) == pytest.approx(exact, abs=1e-15)
+
+    def miss(x: object) -> object:
+        return ((place(x)[1, :2] - jax.numpy.array([1.0, 0.4])) ** 2).sum()
+
+    apart = run.final.position[1, :2] - np.array([1.0, 0.4])
+    assert np.asarray(jax.jit(jax.grad(miss))(x)) == pytest.approx(2 * apart @ exact[1, :2], rel=1e-12)
+
+
+def test_a_batch_is_that_of_its_points() -> None:
+    scene = shot()
+    speed = carom.interop.jax.function(scene, ["balls.0.velocity"], of="final.velocity")
+    points = jax.numpy.array(speed.start) + 0.05 * np.arange(4)[:, None]
+    batch, slopes = jax.vmap(speed)(points), jax.jit(jax.vmap(jax.jacrev(speed)))(points)
+    assert slopes.shape == (4, 3, 3, 2)
+    for k in range(4):
+        assert np.array_equal(batch[k], speed(points[k]))
+        assert np.asarray(slopes[k]) == pytest.approx(np.asarray(jax.jacfwd(speed)(points[k])), abs=1e-14)
+
+
+def test_descent_finds_the_speed_that_stops_at_a_place() -> None:
+    ball = carom.SceneBall(radius=0.03, mass=0.2, position=(0, 0), velocity=(0.5, 0), rolling=True)
+    scene = carom.Scene(floor=carom.Floor(friction=0.2, rolling_resistance=0.02), balls=[ball])
+    place = carom.interop.jax.function(scene, ["balls.0.velocity"])
+    miss = jax.value_and_grad(lambda x: (place(x)[0, 0] - 1.0) ** 2)
+    x = jax.numpy.array(place.start)
+    for _step in range(60):
+        _value, slope = miss(x)
+        x = x - 0.05 * slope
+    assert float(x[0]) == pytest.approx(np.sqrt(2 * 0.02 * 9.80665), rel=1e-6)
+
+
+def test_what_is_refused() -> None:
+    scene = shot()
+    with pytest.raises(carom.CaromError, match=r"did you mean 'balls\.0\.velocity'"):
+        carom.interop.jax.function(scene, ["balls.0.velocty"])
+    with pytest.raises(
+        carom.CaromError, match=r"of: expected final\.position, final\.velocity, final\.spin, got 'final'"
+    ):
+        carom.interop.jax.function(scene, ["balls.0.velocity"], of="final")
+    place = carom.interop.jax.function(scene, ["walls.*.friction"])
+    with pytest.raises(Exception, match=r"friction: expected"):
+        place(jax.numpy.array([-1.0]))
+    with pytest.raises(Exception, match=r"expected 1 numbers"):
+        place(jax.numpy.array([0.1, 0.2]))
+    with pytest.raises(ValueError, match="do not support JVP"):
+        jax.hessian(lambda x: place(x).sum())(jax.numpy.array(place.start))
