@@ -57,6 +57,15 @@ def simulate(
     ] = None,
     as_json: Annotated[bool, shared("json")] = False,
     quiet: Annotated[bool, shared("quiet")] = False,
+    sensitivity: Annotated[
+        str | None,
+        typer.Option(
+            metavar="PATHS",
+            help="Print what matters: how far each ball's final place moves per cent of these numbers, such as"
+            " balls.0.velocity,walls.*.friction.",
+            rich_help_panel=OUTPUT,
+        ),
+    ] = None,
     plot: Annotated[Path | None, shared("plot")] = None,
     animate: Annotated[
         Path | None,
@@ -87,8 +96,9 @@ def simulate(
             raise CaromError(*found)
         run = _run(given, quiet)
         _reached(run, times)
+        matters = None if sensitivity is None else run.sensitivity(sensitivity.replace(",", " ").split())
         written = _write(run, quiet, plot, animate, save, table)
-        _tell(run, times, most, as_json, quiet)
+        _tell(run, times, most, as_json, quiet, matters)
         wrote(*(() if quiet else written))
     except KeyboardInterrupt:
         sys.stderr.write("carom: interrupted; nothing was written\n")
@@ -266,10 +276,14 @@ def _animate(run: Trajectory, path: Path, quiet: bool) -> None:
         run.animate(path, progress=lambda done, total: bar.update(task, completed=done, total=total))
 
 
-def _tell(run: Trajectory, times: list[float], most: int | None, as_json: bool, quiet: bool) -> None:
+def _tell(
+    run: Trajectory, times: list[float], most: int | None, as_json: bool, quiet: bool, matters: Any = None
+) -> None:
     from carom.cli import trajectory_output as tables
 
     if as_json:
-        sys.stdout.write(tables.as_json(run, times))
+        sys.stdout.write(tables.as_json(run, times, matters))
     elif not quiet:
         tables.show(run, times, most)
+        if matters is not None:
+            tables.show_sensitivity(matters)

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from carom.bodies import State
     from carom.simulation.trajectory import Trajectory
 
-__all__ = ["MOST_ROWS", "as_json", "show"]
+__all__ = ["MOST_ROWS", "as_json", "show", "show_sensitivity"]
 
 MOST_ROWS = 40
 WIDE = 112  # least width at which the table has room for the spin
@@ -48,6 +48,19 @@ def show(run: Trajectory, times: list[float], most: int | None) -> None:
             console.print(Text(said, style="dim"), soft_wrap=True)
     _print(console, _states(run, times, console.width >= WIDE))
     console.print(Text(_energy(run)), soft_wrap=True)
+
+
+def show_sensitivity(found: Any) -> None:
+    """Print what matters: how far each ball's final place moves when a number changes by 1 %."""
+    head, rows = found.table()
+    table = _new(
+        [(name, k == 0) for k, name in enumerate(["changed by 1 %", "value", *(f"{name}, mm" for name in head[2:])])]
+    )
+    for row in rows:
+        table.add_row(*(Text(cell) for cell in row))
+    console = out()
+    console.print(Text("What matters: how far the final places move"), soft_wrap=True)
+    _print(console, table)
 
 
 def _print(console: Console, table: Table) -> None:
@@ -147,7 +160,7 @@ def _energy(run: Trajectory) -> str:
 # --- as JSON -------------------------------------------------------------------------------------------------------
 
 
-def as_json(run: Trajectory, times: list[float]) -> str:
+def as_json(run: Trajectory, times: list[float], matters: Any = None) -> str:
     """Return events and final states as JSON in full precision, one event per line; infinite and undefined numbers are null."""
     columns = {name: values.tolist() for name, values in event_columns(run, run.events.rows).items()}
     vectors = {
@@ -167,6 +180,10 @@ def as_json(run: Trajectory, times: list[float]) -> str:
     if times:
         asked = [{"t": t, "states": _balls(run, run.at(t), list(run.phase(t)))} for t in times]
         parts.append(f'"at": {_listed([_line(one) for one in asked])}')
+    if matters is not None:
+        moved = zip(matters.columns, matters.values.tolist(), (1e3 * matters.what_matters()).T.tolist(), strict=True)
+        rows = [{"parameter": name, "value": value, "mm_per_cent": by_ball} for name, value, by_ball in moved]
+        parts.append(f'"sensitivity": {_listed([_line(one) for one in rows])}')
     parts += [f'"end": {_line(run.end)}', f'"ended": {_line(run.ended)}']
     return "{\n" + ",\n".join(parts) + "\n}\n"
 

@@ -48,11 +48,12 @@ def contact(
     slip = math.sqrt(dot(ut, ut))
     hold = (1 + beta) * mt
     # One way out for all cases and no branch that a processor would have to guess: c is the tangential impulse per slip.
-    cap = mu * pn / slip if slip > 0 else math.inf
+    cap = mu * pn / slip if slip > 0 else mu
     # (29): inside the friction cone the contact holds (a bare product: mu may be infinite); (30) for beta = 0: the contact
     # point is left without slip. On the cone the impulse is mu P_n against the slip.
     holds = hold * slip <= mu * pn
-    c = -hold if holds else -cap
+    # (a smooth contact without slip: no impulse either way, but its derivative is that of no friction)
+    c = -hold if holds and mu > 0 else -cap
     regime = STICK if holds else SLIDE
     presses = -(1 + e) * un > LEAST * slip  # (velocities: balls of 1e-18 kg press too)
     if not presses:  # nothing approaches, or too slowly to count: no normal impulse and so no friction, whatever mu

@@ -385,8 +385,14 @@ class Trajectory:
         >>> s.final.position[0, 0].round(6).tolist()
         [-0.5, 0.0, 0.0, 1.0]
         """
-        module = importlib.import_module("carom.simulation.sensitivity.sensitivity")
-        return module.sensitivity(self, wrt)
+        return importlib.import_module("carom.simulation.sensitivity.sensitivity").sensitivity(self, wrt)
+
+    def lyapunov(self) -> Any:
+        """Compute how small displacements of the balls grow: ``t`` (N,), ``stretch`` (N,), ``exponent``, ``horizon(error, size)``.
+
+        They end before a graze, where no derivative exists. Raises CaromError for a law that has none.
+        """
+        return importlib.import_module("carom.simulation.sensitivity.lyapunov").lyapunov(self)
 
     # --- tables, files, pictures -------------------------------------------------------------------------------------
 

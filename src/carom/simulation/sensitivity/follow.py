@@ -19,7 +19,7 @@ from carom.simulation.sensitivity.parameters import Parameters
 from carom.simulation.sensitivity.passages import Passages
 from carom.simulation.setup import set_up
 
-__all__ = ["follow"]
+__all__ = ["follow", "follow_to_graze"]
 
 # What one row of a log takes Python, s.
 PER_ROW = 1e-3
@@ -44,6 +44,18 @@ def follow(scene: Any, parameters: Parameters, log: NDArray[np.void], end: float
 
     Raises CaromError at a graze, and for a law that takes no dual numbers.
     """
+    passages, graze = follow_to_graze(scene, parameters, log, end)
+    if graze >= 0:
+        row = log[graze]
+        raise CaromError(
+            f"sensitivity: events[{graze - len(scene.balls)}] ({row['t']:.9g} s, ball {int(row['ball'])}): expected an impact, got"
+            " a graze (or the last of ever lower bounces), where no derivative exists; move a start a little, or end the run before"
+        )
+    return passages
+
+
+def follow_to_graze(scene: Any, parameters: Parameters, log: NDArray[np.void], end: float) -> tuple[Passages, int]:
+    """Return the passages of a run, and the row of the first event without a derivative, up to which they hold, or -1."""
     global _spent  # noqa: PLW0603
     found = None
     if _worth_interpreting(scene, len(log)):
@@ -55,14 +67,7 @@ def follow(scene: Any, parameters: Parameters, log: NDArray[np.void], end: float
             found = follow_compiled(scene, set_up(scene), parameters, log, end)
         except compiling_failed():  # (a law of the user's: Python says what is wrong, or follows it)
             found = follow_interpreted(scene, set_up(scene, compiled=False), parameters, log)
-    passages, graze = found
-    if graze >= 0:
-        row = log[graze]
-        raise CaromError(
-            f"sensitivity: events[{graze - len(scene.balls)}] ({row['t']:.9g} s, ball {int(row['ball'])}): expected an impact, got"
-            " a graze (or the last of ever lower bounces), where no derivative exists; move a start a little, or end the run before"
-        )
-    return passages
+    return found
 
 
 def _interpreted(scene: Any, parameters: Any, log: Any) -> Any:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from carom.core.jit.dual.numbers import LANES
 from carom.core.jit.dual.records import float_count, float_places
 from carom.scene.scene import Scene
-from carom.simulation.sensitivity.seeds import tangents_of
+from carom.simulation.sensitivity.seeds import Column, Tangents, tangents_of
 from carom.simulation.setup import set_up
 
 __all__ = ["ARRAYS", "Parameters", "parameters_of", "unpacked"]
@@ -24,9 +24,9 @@ ARRAYS = ("world", "features", "balls")
 class Parameters:
     """Columns, and the derivatives of the arrays of a scene with respect to each."""
 
-    def __init__(self, scene: Scene, wrt: Any, phases: list[int]) -> None:
+    def __init__(self, scene: Scene, columns: list[Column], slopes: list[Tangents]) -> None:
         setup = set_up(scene, compiled=False)
-        self.columns, self.slopes = tangents_of(scene, wrt, phases, setup)
+        self.columns, self.slopes = columns, slopes
         self._dtypes = {name: getattr(setup, name).dtype for name in ARRAYS}
 
     def __len__(self) -> int:
@@ -67,11 +67,15 @@ def parameters_of(scene: Scene, wrt: Any, phases: list[int]) -> Parameters:
         _kept[key] = found
     paths = (wrt,) if isinstance(wrt, str) else tuple(wrt)
     if not all(isinstance(path, str) for path in paths):
-        return Parameters(scene, paths, phases)
+        return _made(scene, paths, phases)
     asked = paths, tuple(phases)
     if asked not in found[1]:
-        made = Parameters(scene, paths, phases)
+        made = _made(scene, paths, phases)
         while len(found[1]) >= MOST_KEPT:
             found[1].pop(next(iter(found[1])))
         found[1][asked] = made
     return found[1][asked]
+
+
+def _made(scene: Scene, wrt: Any, phases: list[int]) -> Parameters:
+    return Parameters(scene, *tangents_of(scene, wrt, phases, set_up(scene, compiled=False)))

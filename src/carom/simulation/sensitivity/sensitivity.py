@@ -9,13 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
+from carom.formatting import format_number, html_table
 from carom.simulation.records import BALL, START
 from carom.simulation.sensitivity.dual import derivative, value
 from carom.simulation.sensitivity.follow import follow
 from carom.simulation.sensitivity.parameters import parameters_of
 from carom.simulation.sensitivity.passages import PLACES, Passages
 
-__all__ = ["EventSensitivity", "Margin", "Sensitivity", "StateSensitivity", "sensitivity"]
+__all__ = ["EventSensitivity", "Margin", "Sensitivity", "SensitivityTable", "StateSensitivity", "sensitivity"]
 
 Array = NDArray[np.float64]
 
@@ -47,6 +48,24 @@ class Margin(NamedTuple):
     """In the switch's own measure: m/s of approach or slip, friction, s."""
     radius: float
     """Length of the shortest change of the parameters (in their units) that reaches it; infinite if none does."""
+
+
+class SensitivityTable(NamedTuple):
+    """A table of text: head and rows."""
+
+    head: list[str]
+    rows: list[list[str]]
+
+    def __repr__(self) -> str:
+        """Return it in columns."""
+        lines = [self.head, *self.rows]
+        widths = [max(len(line[k]) for line in lines) for k in range(len(self.head))]
+        return "\n".join(
+            "  ".join(f"{cell:<{width}}" for cell, width in zip(line, widths, strict=True)).rstrip() for line in lines
+        )
+
+    def _repr_html_(self) -> str:
+        return html_table(self.head, self.rows)
 
 
 class Sensitivity:
@@ -108,6 +127,15 @@ class Sensitivity:
     def what_matters(self) -> Array:
         """Return how far each ball's final place moves when a parameter changes by 1 %: (B, p), m."""
         return np.asarray(np.linalg.norm(self.final.position, axis=1) * np.abs(self.values) / 100)
+
+    def table(self) -> SensitivityTable:
+        """Return what matters: how far each ball's final place moves when a parameter changes by 1 %, mm, the largest first."""
+        moved = 1e3 * self.what_matters()
+        order = np.argsort(-moved.max(axis=0), kind="stable")
+        rows = [
+            [self.columns[c], format_number(self.values[c]), *map(format_number, moved[:, c])] for c in order.tolist()
+        ]
+        return SensitivityTable(["mm per cent", "value", *self._run.scene.ball_names], rows)
 
     def __repr__(self) -> str:
         """One line."""
