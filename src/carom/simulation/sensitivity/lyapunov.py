@@ -17,14 +17,14 @@ from carom.simulation.sensitivity.parameters import ARRAYS, Parameters
 from carom.simulation.sensitivity.seeds import Column
 from carom.simulation.setup import set_up
 
-__all__ = ["Lyapunov", "lyapunov"]
+__all__ = ["DisplacementGrowth", "lyapunov"]
 
 Array = NDArray[np.float64]
 TIMES = 401  # besides the instants after events
 
 
 @dataclass(frozen=True, eq=False)
-class Lyapunov:
+class DisplacementGrowth:
     """Growth of small displacements; made by :meth:`carom.Trajectory.lyapunov`."""
 
     t: Array
@@ -51,7 +51,7 @@ class Lyapunov:
     def __repr__(self) -> str:
         """One line."""
         grown, end = format_number(float(self.stretch[-1])), format_number(float(self.t[-1]))
-        return f"<Lyapunov: displacements grow {grown} times in {end} s, exponent {format_number(self.exponent)}/s>"
+        return f"<DisplacementGrowth: displacements grow {grown} times in {end} s, exponent {format_number(self.exponent)}/s>"
 
 
 class _Displacements(Parameters):
@@ -78,7 +78,7 @@ class _Displacements(Parameters):
         super().__init__(scene, columns, slopes)
 
 
-def lyapunov(run: Any) -> Lyapunov:
+def lyapunov(run: Any) -> DisplacementGrowth:
     """Compute the growth of small displacements of all balls along a run (:meth:`carom.Trajectory.lyapunov`).
 
     It ends before the first event at which no derivative exists, a graze, if there is one.
@@ -93,7 +93,7 @@ def lyapunov(run: Any) -> Lyapunov:
     events = np.unique(log["t"])
     t = np.unique(np.concatenate([np.linspace(0.0, end, TIMES), events[events <= end]]))
     stretch = np.array([float(np.linalg.norm(_matrix(passages.at(float(one))[0]), 2)) for one in t])
-    return Lyapunov(t, stretch)
+    return DisplacementGrowth(t, stretch)
 
 
 def _matrix(positions: Array) -> Array:
