@@ -170,8 +170,11 @@ class Copy:
             "MPLBACKEND": "Agg",
         } | more  # fmt: skip
         options = ["-n0", "-p", "no:cacheprovider", "-p", "mutation.watch", "--tb=no", *words]
+        # (a room may have more tests than a command line holds)
+        chosen = self.work / "tests.txt"
+        chosen.write_text("\n".join(files))
         with (self.work / "last.log").open("w") as log, subprocess.Popen(
-            [sys.executable, "-m", "pytest", *options, *files], cwd=self.tree, env=here, stdin=subprocess.DEVNULL,
+            [sys.executable, "-m", "pytest", *options, f"@{chosen.resolve()}"], cwd=self.tree, env=here, stdin=subprocess.DEVNULL,
             stdout=log, stderr=subprocess.STDOUT, start_new_session=True,
         ) as run:  # fmt: skip
             try:
