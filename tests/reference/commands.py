@@ -34,8 +34,9 @@ def fails(capsys: pytest.CaptureFixture[str], *words: str) -> list[str]:
 
 
 def script(name: str) -> ModuleType:
-    """A script that stands beside the pages of the docs."""
-    file = Path(__file__).parents[2] / "docs" / f"{name}.py"
+    """A script that stands beside the pages of the docs, or in docs/dev."""
+    docs = Path(__file__).parents[2] / "docs"
+    file = next(folder / f"{name}.py" for folder in (docs, docs / "dev") if (folder / f"{name}.py").exists())
     spec = importlib.util.spec_from_file_location(name, file)
     assert spec is not None
     assert spec.loader is not None

@@ -244,7 +244,7 @@ def test_the_papers_example() -> None:
     assert landed.after.position == pytest.approx(
         [A + v * time, wall.before.position[1] + 5 / 7 * v * time, A], abs=1e-14
     )
-    # (41), with 31/49 (docs/errata.md)
+    # (41), with 31/49 (docs/theory/errata.md)
     assert run.final.velocity[0] == pytest.approx([31 / 49 * v, 39 / 49 * v, 0], abs=1e-14)
     one = run.scene.balls[0].ball
     two = carom.two_step(one, carom.rolling(one, velocity=(-v, v)), gravity=G)

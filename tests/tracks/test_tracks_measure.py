@@ -457,7 +457,7 @@ def test_five_frames_do_not_tell_that_a_ball_rolls() -> None:
 
 @pytest.fixture(scope="module")
 def real_rebounds() -> ModuleType:
-    file = Path(__file__).parents[2] / "docs" / "real_rebounds.py"
+    file = Path(__file__).parents[2] / "docs" / "dev" / "real_rebounds.py"
     spec = importlib.util.spec_from_file_location("real_rebounds", file)
     assert spec is not None
     assert spec.loader is not None

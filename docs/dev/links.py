@@ -1,6 +1,6 @@
 """List the external links of the documentation and the sources of the cards, and check their form; nothing is fetched.
 
-    python docs/links.py
+    python docs/dev/links.py
 
 One line for each: how often it stands, and where first. The exit status is 1 if a link is malformed: not https, or with a DOI or an
 arXiv number of another form than theirs. It is no part of the tests: a link may be well formed and dead.
@@ -16,7 +16,7 @@ from urllib.parse import urlsplit
 
 import carom
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 LINK = re.compile(r"https?://[^\s<>\"'`\]}|]+")
 DOI = re.compile(r"10\.\d{4,9}/\S+")
 ARXIV = re.compile(r"(abs|pdf|html)/(\d{4}\.\d{4,5}|[a-z-]+/\d{7})(v\d+)?")

@@ -1,7 +1,7 @@
-"""The paper's question on real shots: where do rolling balls go after a cushion? For docs/howto/which_law.md.
+"""The paper's question on real shots: where do rolling balls go after a cushion? For docs/validation/which_law.md.
 
-    python docs/real_rebounds.py carom_tracks_50hz.csv --out rebounds.csv --stage rolling
-    python docs/real_angles.py rebounds.csv
+    python docs/dev/real_rebounds.py carom_tracks_50hz.csv --out rebounds.csv --stage rolling
+    python docs/dev/real_angles.py rebounds.csv
 
 The sidespin of these balls is unknown and is averaged over: normal, with a mean along the wall and a width that are fitted.
 """
@@ -24,7 +24,7 @@ from carom.fitting.model import predict_law
 from carom.fitting.parameters import INDEX
 from carom.fitting.result import with_error_bar
 
-IMAGES = Path(__file__).parent / "images"
+IMAGES = Path(__file__).parents[1] / "images"
 RADIUS, NOSE = 0.03075, 37 / 30.75
 SLOWEST = 0.3  # m/s toward the cushion
 

@@ -1,6 +1,6 @@
-"""Real three-cushion shots beside carom: a picture in docs/images and the tables that docs/howto/real_shots.md shows.
+"""Real three-cushion shots beside carom: a picture in docs/images and the tables that docs/validation/filmed_shots.md shows.
 
-    python docs/real_shots.py carom_tracks_50hz.csv billiards_parameters.csv
+    python docs/dev/real_shots.py carom_tracks_50hz.csv billiards_parameters.csv
 
 Both files are your own copies. The tracks have rows shot, ball, t_s, x_long_m, y_short_m: three balls from above, no spin.
 The start of a ball's run is taken from its track, the constants from the literature; one number a leg is fitted, the
@@ -23,7 +23,7 @@ import numpy as np
 import carom
 from carom.scene.shapes import Table
 
-IMAGES = Path(__file__).parent / "images"
+IMAGES = Path(__file__).parents[1] / "images"
 LENGTH, WIDTH = 2.84, 1.42
 RADIUS, MASS, GRAVITY = 0.03075, 0.21, 9.80665
 LOW = np.array([RADIUS, RADIUS])

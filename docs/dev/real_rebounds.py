@@ -1,6 +1,6 @@
 """Rebounds of real three-cushion shots: every cushion contact of every ball that can be measured, with error bars.
 
-    python docs/real_rebounds.py carom_tracks_50hz.csv --out rebounds.csv [--stage both] [--sliding]
+    python docs/dev/real_rebounds.py carom_tracks_50hz.csv --out rebounds.csv [--stage both] [--sliding]
 
 The tracks are your own copy: rows shot, ball, t_s, x_long_m, y_short_m, three balls from above, no spin. Prints how many
 contacts there are, how many are measured and why others are not, what the cloth does, how the rebounds scatter, and what a

@@ -1,6 +1,6 @@
 """Prediction beside measurement: two pictures in docs/images and the table that the README shows.
 
-    python docs/measured.py
+    python docs/dev/measured.py
 
 Nothing is fitted here: restitution and friction are the published ones. (The 0.4 of the second curve in the alumina's
 picture is only there to show that no one value serves at all angles.)
@@ -20,7 +20,7 @@ import numpy as np
 import carom
 from carom.data import datasets
 
-IMAGES = Path(__file__).parent / "images"
+IMAGES = Path(__file__).parents[1] / "images"
 STYLE = {
     "svg.hashsalt": "carom", "svg.fonttype": "path", "font.size": 10, "axes.spines.top": False,
     "axes.spines.right": False,

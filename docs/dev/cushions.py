@@ -1,7 +1,7 @@
 """The published laws of cushions against measured cushions: tables and the picture of docs/theory/cushions.md.
 
     carom tracks show carom_tracks_50hz.csv --view above --radius 0.03075 --stage rolling --out rebounds.csv
-    python docs/cushions.py [rebounds.csv]
+    python docs/dev/cushions.py [rebounds.csv]
 
 Without the rebounds of the filmed shots, which are not part of carom, only the two published sets are compared.
 """
@@ -28,7 +28,7 @@ from carom.laws.law import LIKE_SOLIDS, Meeting
 from carom.laws.registry import law_styles
 from carom.scene.restitution import Han2005
 
-IMAGES = Path(__file__).parent / "images"
+IMAGES = Path(__file__).parents[1] / "images"
 LAWS = ("han2005", "mathavan2010", "stronge-cushion")
 CLOTH = 0.212  # Mathavan et al.; of pool tables about the same
 SNOOKER, POOL, CAROM = 1.4, 1.28, 37 / 30.75  # height of the nose, in radii
@@ -189,7 +189,7 @@ def compare_banks(ax: Any) -> None:
 
 
 def compare_films(path: Path) -> None:
-    """The rebounds of docs/howto/which_law.md; sidespin unknown, scatter fitted."""
+    """The rebounds of docs/validation/which_law.md; sidespin unknown, scatter fitted."""
     table = read_rebounds(path)
     table = table.select((table.stage == "rolling") & (table["v_n_in"] > SLOWEST))
     # (the ball that met something else: see the page)

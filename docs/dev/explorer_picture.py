@@ -32,7 +32,7 @@ def main() -> None:
         browser.close()
     small = picture.resize((SIZE["width"], SIZE["height"]), Image.Resampling.LANCZOS)
     few = small.quantize(256, method=Image.Quantize.MAXCOVERAGE, kmeans=2, dither=Image.Dither.NONE)
-    few.save(Path(__file__).parent / "images/explorer.png", optimize=True)
+    few.save(Path(__file__).parents[1] / "images/explorer.png", optimize=True)
 
 
 if __name__ == "__main__":

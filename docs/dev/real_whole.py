@@ -1,6 +1,6 @@
 """Whole tracks of real three-cushion shots beside the laws: the picture and the tables of docs/howto/whole_tracks.md.
 
-    python docs/real_whole.py carom_tracks_50hz.csv [--cushions 1] [--laws NAME,NAME] [--picture FILE]
+    python docs/dev/real_whole.py carom_tracks_50hz.csv [--cushions 1] [--laws NAME,NAME] [--picture FILE]
 
 The file is your own copy. The same numbers come from ``carom fit FILE --whole --radius 0.03075 --contact-height 1.2033``.
 """
