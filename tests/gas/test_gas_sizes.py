@@ -36,6 +36,14 @@ def test_sides_beyond_double_precision_are_refused(side: tuple[float, ...], star
     assert all("container.size[" in fault and "expected at most 1e+09 radii" in fault for fault in found.value.faults)
 
 
+@pytest.mark.parametrize(("side", "count"), [((100.0, 100.0, 100.0), 500), ((300.0, 300.0), 400)])
+def test_a_dilute_gas_has_about_half_a_ball_in_a_cell(side: tuple[float, ...], count: int) -> None:
+    """With few cells every ball looks at many others, with many most of them are empty."""
+    gas = Gas([Species(Ball(0.5, 1.0) if len(side) == 3 else _disc(), count)], side, contacts=ELASTIC, seed=1)
+    cells = math.prod(gas.arrays.system[0]["cells"].tolist())
+    assert 0.3 <= count / cells <= 0.8
+
+
 @pytest.mark.parametrize(
     "side", [(4e8, 5.0, 5.0), (4e8, 4e8, 5.0), (4e8, 4e8, 4e8), (1e4, 3.1, 3.1), (1e8, 4.0), (3e8, 3e8)]
 )
