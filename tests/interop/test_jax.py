@@ -52,6 +52,18 @@ def test_a_batch_is_that_of_its_points() -> None:
         assert np.asarray(slopes[k]) == pytest.approx(np.asarray(jax.jacfwd(speed)(points[k])), abs=1e-14)
 
 
+def test_a_struck_ball_has_its_derivative_away_from_the_start() -> None:
+    def struck(azimuth: float) -> carom.Scene:
+        ball = carom.SceneBall(radius=0.03, mass=0.17, position=(0, 0), strike={"speed": 2.0, "azimuth": azimuth})
+        floor = carom.Floor(friction=0.2, rolling_resistance=0.02)
+        return carom.Scene(floor=floor, balls=[ball], run=carom.Run(duration=2))
+
+    wrt = ["balls.0.strike.azimuth"]
+    place = carom.interop.jax.function(struck(0.0), wrt)
+    exact = carom.simulate(struck(60.0)).sensitivity(wrt).final.position
+    assert np.asarray(jax.jacfwd(place)(jax.numpy.array([60.0]))) == pytest.approx(exact, abs=1e-12)
+
+
 def test_descent_finds_the_speed_that_stops_at_a_place() -> None:
     ball = carom.SceneBall(radius=0.03, mass=0.2, position=(0, 0), velocity=(0.5, 0), rolling=True)
     scene = carom.Scene(floor=carom.Floor(friction=0.2, rolling_resistance=0.02), balls=[ball])

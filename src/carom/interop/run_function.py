@@ -15,11 +15,12 @@ from carom.simulation.sensitivity.many import sensitivities
 from carom.simulation.sensitivity.seeds import Column
 from carom.simulation.setup import SceneArrays, set_up
 from carom.simulation.simulate import simulate, simulate_many
-from carom.sweeps.starts import START_FIELDS, start_states
+from carom.sweeps.starts import start_states
 
 __all__ = ["OUTCOMES", "RunFunction"]
 
 Array = NDArray[np.float64]
+LINEAR_FIELDS = ("position", "velocity", "spin", "spin_z")
 OUTCOMES = {"final.position": "position", "final.velocity": "velocity", "final.spin": "spin"}
 
 
@@ -50,9 +51,9 @@ class RunFunction:
         """Their values in the scene (p,)."""
         self.shape = (len(scene.balls), 3)
         self._columns: list[Column] = found.parameters
-        # (many runs from other starts need no other scene)
+        # (many runs from other starts need no other scene, where a start is linear in the numbers: that of a struck ball is not)
         self._starts = all(
-            keys[0] == "balls" and keys[2] in START_FIELDS and "cue" not in keys and len(match.places) == 1
+            keys[0] == "balls" and keys[2] in LINEAR_FIELDS and len(match.places) == 1
             for match in (path_match(scene, path) for path in self.wrt)
             for keys in match.places
         )
