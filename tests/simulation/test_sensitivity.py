@@ -141,3 +141,22 @@ def test_a_law_that_leaves_pythons_numbers_is_refused() -> None:
     law = carom.wall_law(carom.Card("arrays", "A test.", (), "", "", ""), _arrays)
     with pytest.raises(carom.CaromError, match="expected a wall's law made of"):
         _meets(law).sensitivity(["balls.0.velocity.x"])
+
+
+CELL = """
+GAIN = {gain}
+def own(v, w, n, a, kappa, e, mu, last):
+    c = -(1 + GAIN) * (v[0] * n[0] + v[1] * n[1] + v[2] * n[2])
+    return (v[0] + c * n[0], v[1] + c * n[1], v[2] + c * n[2]), w
+"""
+
+
+@pytest.mark.parametrize("interpreted", [True, False])
+def test_a_law_that_is_defined_again_has_its_own_derivative(interpreted: bool, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("carom.simulation.sensitivity.follow._worth_interpreting", lambda *_given: interpreted)
+    space: dict[str, Any] = {"__name__": "a_notebook"}
+    for gain in (0.5, 0.9):
+        exec(CELL.format(gain=gain), space)
+        law = carom.wall_law(carom.Card("own", "A test.", (), "", "", ""), space["own"])
+        found = _meets(law).sensitivity(["balls.0.velocity.x"]).final.velocity[0, 0]
+        assert found == pytest.approx([-gain], rel=1e-12)

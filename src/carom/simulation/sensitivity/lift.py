@@ -33,11 +33,11 @@ def _call_law(law: Any, *numbers: Any) -> Any:
     return lifted(law)(*numbers)
 
 
-def _space(module: str, names: dict[str, Any]) -> dict[str, Any]:
+def _space(names: dict[str, Any], module: str, spaces: dict[Any, dict[str, Any]], key: Any) -> dict[str, Any]:
     """Return the globals of a module with derived functions in the place of its own and of those that it has imported."""
-    if module in _spaces:
-        return _spaces[module]
-    space = _spaces[module] = dict(names)
+    if key in spaces:
+        return spaces[key]
+    space = spaces[key] = dict(names)
     space["float"] = _float
     for name, one in names.items():
         if one is math:
@@ -45,7 +45,7 @@ def _space(module: str, names: dict[str, Any]) -> dict[str, Any]:
         elif name == "call_user":
             space[name] = _call_law
         elif isinstance(one, FunctionType) and _is_kernel(one, module):
-            space[name] = lifted(one)
+            space[name] = lifted(one, None if spaces is _spaces else spaces)
         elif callable(one) and not isinstance(one, type) and _BY_FUNCTION.get(one) is not None:
             space[name] = _BY_FUNCTION[one]
     return space
@@ -55,12 +55,17 @@ def _is_kernel(one: FunctionType, module: str) -> bool:
     return one.__module__ == module or one.__module__.startswith("carom.")
 
 
-def lifted(function: Callable[..., Any]) -> Callable[..., Any]:
-    """Return a kernel that takes and returns dual numbers where the given one takes and returns floats."""
+def lifted(function: Callable[..., Any], own: dict[Any, dict[str, Any]] | None = None) -> Callable[..., Any]:
+    """Return a kernel that takes and returns dual numbers where the given one takes and returns floats.
+
+    Those of carom's modules are kept. A user's are made anew with every law (``own``: the globals made for this one): a notebook's
+    cell may be run again, and two modules may have one name.
+    """
     if not isinstance(function, FunctionType) or hasattr(function, "__wrapped__"):
         return function
-    module = function.__module__
-    names = function.__globals__ if module not in sys.modules else vars(sys.modules[module])
-    return FunctionType(
-        function.__code__, _space(module, names), function.__name__, function.__defaults__, function.__closure__
-    )
+    module, names = function.__module__, function.__globals__
+    if module.startswith("carom."):
+        space = _space(vars(sys.modules[module]) if module in sys.modules else names, module, _spaces, module)
+    else:
+        space = _space(names, module, {} if own is None else own, id(names))
+    return FunctionType(function.__code__, space, function.__name__, function.__defaults__, function.__closure__)
