@@ -7,7 +7,15 @@ import math
 import re
 from collections.abc import Iterable, Sequence
 
-__all__ = ["escape_controls", "format_bytes", "format_length", "format_number", "format_time", "html_table"]
+__all__ = [
+    "escape_controls",
+    "format_bytes",
+    "format_length",
+    "format_number",
+    "format_time",
+    "format_uncertain",
+    "html_table",
+]
 
 # What steers a terminal and is no text: C0 without tab and new line, C1, line separators, changes of the writing direction, and
 # the halves of characters that stand for bytes of a file's name.
@@ -38,6 +46,23 @@ def format_number(x: float | None, digits: int = 3) -> str:
     places = digits if x == 0 else max(0, digits - 1 - math.floor(math.log10(abs(x))))
     text = f"{x:.{places}f}"
     return text.rstrip("0").rstrip(".") if "." in text else text
+
+
+def format_uncertain(x: float, error: float) -> str:
+    """Return a number with its standard error in the last digits, two of them; without one if it is zero, or rounding.
+
+    >>> format_uncertain(1.22918, 0.00123), format_uncertain(1512.3, 123.0), format_uncertain(4.5e-30, 2e-31)
+    ('1.2292(12)', '1512(123)', '4.50(20)e-30')
+    >>> format_uncertain(20000.0, 0.0), format_uncertain(float("nan"), 1.0)
+    ('20,000', '–')
+    """
+    if not error > 1e-12 * abs(x) or math.isinf(error):
+        return f"{x:,.0f}" if x.is_integer() and abs(x) < 1e15 else format_number(x, 6)
+    size = max(abs(x), error)
+    power = 0 if 1e-3 <= size < 1e7 else math.floor(math.log10(size))
+    x, error = x / 10.0**power, error / 10.0**power
+    places = max(1 - math.floor(math.log10(error)), 0)
+    return f"{x:.{places}f}({error * 10**places:.0f})" + (f"e{power:+03d}" if power else "")
 
 
 def format_length(x: float, digits: int = 3) -> str:

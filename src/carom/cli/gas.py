@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.common import attempt, require_outputs, wrote
-from carom.cli.options import OUTPUT, shared
+from carom.cli.options import OUTPUT, RUN, shared
 from carom.cli.streams import note
 from carom.errors import CaromError
 
@@ -45,6 +45,14 @@ def gas(
     ] = None,
     duration: Annotated[str | None, shared("duration", default="the scene's", help="Duration to measure.")] = None,
     seed: Annotated[int | None, shared("seed", default="the scene's")] = None,
+    ensemble: Annotated[
+        int | None,
+        typer.Option(
+            metavar="N",
+            help="Simulate N independent gases, on all cores; report mean and standard error of every measure.",
+            rich_help_panel=RUN,
+        ),
+    ] = None,
     as_json: Annotated[bool, shared("json")] = False,
     quiet: Annotated[bool, shared("quiet")] = False,
     plot: Annotated[Path | None, shared("plot")] = None,
@@ -76,6 +84,7 @@ def gas(
     ] = None,
 ) -> None:
     """Simulate a gas of balls or discs, event by event, and report what was measured as tables, JSON or a plot."""
+    from carom.cli.gas_ensemble import require_no_files, run_ensemble
     from carom.cli.gas_output import Progress
 
     found: list[str] = []
@@ -84,6 +93,9 @@ def gas(
         "--resume": resume if checkpoint is None and resume and resume.exists() else None,
     }
     _check_files(found, plot, measures, snapshots, kept)
+    if ensemble is not None:
+        files = {"--snapshots": snapshots, "--every": every, "--checkpoint": checkpoint, "--resume": resume}
+        require_no_files(found, ensemble, files)
     if snapshots is not None and resume is None and not force and snapshots.is_file():
         found.append(f"--snapshots {snapshots}: expected a new file, got an existing one; --force overwrites it")
     interval = attempt(found, _interval, "--checkpoint-every", checkpoint_every)
@@ -97,6 +109,8 @@ def gas(
     if found:
         raise CaromError(*found)
     progress = Progress(quiet)
+    if ensemble is not None:
+        return run_ensemble(given, str(scene), ensemble, progress, plot, measures, as_json, quiet)
     with ExitStack() as stack:
         signals = stack.enter_context(_signals())
         session = _session(scene, given, resume, progress)

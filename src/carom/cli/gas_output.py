@@ -16,7 +16,7 @@ from carom.cli.console import err, out
 from carom.formatting import format_number
 from carom.gas.report import report
 
-__all__ = ["Progress", "as_json", "finite", "show"]
+__all__ = ["LINE_INTERVAL", "Progress", "as_json", "finite", "new_table", "print_tables", "show"]
 
 if TYPE_CHECKING:
     from carom.gas.session import Session
@@ -42,9 +42,16 @@ def finite(value: Any) -> Any:
 
 def show(session: Session) -> None:
     """Print the report of a session: the gas, its species, its contacts."""
-    found, console = report(session), out()
-    console.print(Text(f"Gas: {session.scene.describe()}"), soft_wrap=True)
-    tables = [_totals(session, found), _species(session, found), _contacts(found)]
+    found = report(session)
+    print_tables(
+        f"Gas: {session.scene.describe()}", [_totals(session, found), _species(session, found), _contacts(found)]
+    )
+
+
+def print_tables(title: str, tables: list[Table]) -> None:
+    """Print a title and tables, each as wide as it is."""
+    console = out()
+    console.print(Text(title), soft_wrap=True)
     width = console.width
     for table in tables:
         console.width = 1000
@@ -53,7 +60,8 @@ def show(session: Session) -> None:
     console.width = width
 
 
-def _table(heads: list[str], words: int = 1) -> Table:
+def new_table(heads: list[str], words: int = 1) -> Table:
+    """Return an empty table with these heads; the first ``words`` columns are text."""
     table = Table(box=box.SIMPLE_HEAD, padding=(0, 1), pad_edge=False, header_style="bold")
     for k, head in enumerate(heads):
         table.add_column(head, justify="left" if k < words else "right", no_wrap=True, vertical="bottom")
@@ -62,7 +70,7 @@ def _table(heads: list[str], words: int = 1) -> Table:
 
 def _totals(session: Session, found: dict[str, Any]) -> Table:
     """Return the table of the whole gas."""
-    table = _table(["gas", ""], 1)
+    table = new_table(["gas", ""], 1)
     events, cpu = found["events"], found["cpu_seconds"]
     rotational, translational = found["temperature_rotational"], found["temperature_translational"]
     ideal = translational * found["balls"] / session.scene.container.geometry.volume
@@ -118,7 +126,7 @@ def _species(session: Session, found: dict[str, Any]) -> Table:
         "a₂ of\nvelocity",
         "a₂ of\nspin",
     ]
-    table = _table(["species", "balls", *heads])
+    table = new_table(["species", "balls", *heads])
     for one in session.scene.species:
         row = found["species"][one.name]
         translational, rotational = row["temperature_translational"], row["temperature_rotational"]
@@ -143,7 +151,7 @@ def _contacts(found: dict[str, Any]) -> Table:
         "energy lost\n(tangential)",
         "energy\nto spin",
     ]
-    table = _table(["contact", "collisions", *heads])
+    table = new_table(["contact", "collisions", *heads])
     scale = abs(found["energy_start"]) + abs(found["energy_end"])
     for row in found["channels"]:
         # (rounding is shown as zero)

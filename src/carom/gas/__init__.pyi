@@ -6,6 +6,8 @@ from .containers import SHAPES as SHAPES
 from .containers import WALLS as WALLS
 from .containers import Container as Container
 from .containers import container as container
+from .ensembles import Ensemble as Ensemble
+from .ensembles import simulate_ensemble as simulate_ensemble
 from .gas import Gas as Gas
 from .gas import simulate_gas as simulate_gas
 from .initial import dense as dense

@@ -250,9 +250,9 @@ class Gas:
         most = 1 << 62 if collisions is None else int(collisions)
         before, done = self.collisions, 0
         while done < most:
-            begin = clocks.process_time()
+            begin = clocks.thread_time()
             engine.advance(self.arrays, until, min(chunk, most - done))
-            self.cpu_seconds += clocks.process_time() - begin
+            self.cpu_seconds += clocks.thread_time() - begin
             self._time = max(self._time, engine.time_of_last_event(self.arrays))
             done = self.collisions - before
             if progress is not None:

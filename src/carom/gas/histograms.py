@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from carom.core.jit.kernel import hot_kernel
 from carom.gas.sizes import cells_at_most
 
-__all__ = ["SUMS", "add_component_histograms", "add_pair_histograms", "species_sums"]
+__all__ = ["SUMS", "add_component_histograms", "add_pair_histograms", "compiled_loops", "species_sums"]
 
 Array = NDArray[np.float64]
 # Of each species: the number of balls, and the sums of v^2, v^4, w^2, w^4, and of the components of v.
@@ -27,16 +27,17 @@ class _CompiledCounts(NamedTuple):
 
 
 @functools.cache
-def _compiled() -> _CompiledCounts:
+def compiled_loops() -> _CompiledCounts:
+    """Return the compiled sums and histograms."""
     from carom.core.jit.compile import njit
 
-    return _CompiledCounts(njit(_sums), njit(_spread), njit(_pairs))
+    return _CompiledCounts(*(njit(loop, nogil=True) for loop in (_sums, _spread, _pairs)))
 
 
 def species_sums(motions: Any, bodies: Any, kinds: int) -> Array:
     """Return sums over the balls of each species, (species, 8), in the order of SUMS."""
     sums = np.zeros((kinds, len(SUMS)))
-    _compiled().sums(motions, bodies, sums)
+    compiled_loops().sums(motions, bodies, sums)
     return sums
 
 
@@ -45,7 +46,7 @@ def add_component_histograms(motions: Any, bodies: Any, axes: int, scale: Array,
 
     The bins have width 1; a species with scale zero is skipped. Discs have two components of velocity and one of spin.
     """
-    _compiled().spread(motions, bodies, axes, scale, velocities, spins)
+    compiled_loops().spread(motions, bodies, axes, scale, velocities, spins)
 
 
 def add_pair_histograms(
@@ -64,7 +65,7 @@ def add_pair_histograms(
     first = np.concatenate([[0], np.cumsum(np.bincount(cell, minlength=int(n.prod())))])
     # sorted by cell
     rows, kinds, here = np.ascontiguousarray(x[order].T), kind[order].astype(np.int64), np.argsort(order)[chosen]
-    _compiled().pairs(
+    compiled_loops().pairs(
         rows, kinds, here, place[chosen], radius, side, periodic, n, first, reach * reach, width, pairs
     )  # fmt: skip
 

@@ -24,7 +24,7 @@ from carom.gas.edmd.records import DONE, PLANE
 from carom.gas.sizes import cells_at_most, lattice_steps
 from carom.gas.species import Species, system_records
 
-__all__ = ["dense", "first_overlap", "lattice", "scattered", "thermal"]
+__all__ = ["compiled_loops", "dense", "first_overlap", "lattice", "scattered", "thermal"]
 
 Array = NDArray[np.float64]
 MAX_LATTICES = 200  # tried, each a twentieth finer
@@ -205,7 +205,7 @@ def scattered(
         free = container.clearance(0.0, batch)
         gap = free if thick else np.where(free >= 0, math.inf, -1.0)
         for some in row_slices(len(batch)):
-            placed = _compiled()(
+            placed = compiled_loops()(
                 x, radii[order], placed, batch[some], gap[some], size, around, cells, first, after, axes
             )
     found = np.zeros_like(x)
@@ -214,10 +214,11 @@ def scattered(
 
 
 @functools.cache
-def _compiled() -> Callable[..., int]:
+def compiled_loops() -> Callable[..., int]:
+    """Return the compiled random insertion."""
     from carom.core.jit.compile import njit
 
-    return njit(_scatter)
+    return njit(_scatter, nogil=True)
 
 
 def _scatter(

@@ -8,6 +8,7 @@ from .comparison import PathAfterWall as PathAfterWall
 from .comparison import compare as compare
 from .comparison import path_after_wall as path_after_wall
 from .gas import plot_gas as plot_gas
+from .gas_ensemble import plot_ensemble as plot_ensemble
 from .paper import collision as collision
 from .paper import figures as figures
 from .paper import incidence_and_reflection as incidence_and_reflection

@@ -38,8 +38,8 @@ from carom.gas.edmd.records import (
 )
 
 __all__ = [
-    "STATE", "GasArrays", "SystemRecords", "advance", "loop_is_cached", "make", "restore", "saved_state", "synchronized",
-    "time_of_last_event", "total_bytes",
+    "STATE", "GasArrays", "SystemRecords", "advance", "compiled_loops", "loop_is_cached", "make", "restore", "saved_state",
+    "synchronized", "time_of_last_event", "total_bytes",
 ]  # fmt: skip
 
 BINS_PER_BALL = 4  # of the calendar
@@ -92,13 +92,15 @@ class _CompiledLoop(NamedTuple):
 
 
 @functools.cache
-def _compiled() -> _CompiledLoop:
+def compiled_loops() -> _CompiledLoop:
+    """Return the compiled functions of the loop."""
     from carom.core.jit.compile import njit
     from carom.core.jit.prefetch import register_prefetch
 
     register_prefetch()
     # Without reference counts of arrays (_nrt): nothing is allocated in the loop, and counting took half of its time.
-    return _CompiledLoop(*(njit(getattr(loop, name), _nrt=False) for name in _CompiledLoop._fields))
+    # Without Python's lock (nogil): the gases of an ensemble run at once.
+    return _CompiledLoop(*(njit(getattr(loop, name), _nrt=False, nogil=True) for name in _CompiledLoop._fields))
 
 
 def loop_is_cached() -> bool:
@@ -199,7 +201,7 @@ def make(records: SystemRecords, kinds: Any, x: Any, v: Any, w: Any) -> GasArray
     memory["numbers"][:] = np.arange(count)
     state = {name: memory[name] for name in Balls._fields} | records._asdict()
     arrays = _assemble(state, memory)
-    _compiled().fill_cells(one, arrays.grid, arrays.balls, arrays.materials, arrays.cells)
+    compiled_loops().fill_cells(one, arrays.grid, arrays.balls, arrays.materials, arrays.cells)
     return arrays
 
 
@@ -211,7 +213,7 @@ def restore(state: dict[str, NDArray[Any]]) -> GasArrays:
         copies[name] = memory.get(name, np.empty_like(state[name]))
         copies[name][:] = state[name]
     arrays = _assemble(copies, memory)
-    _compiled().restore_lists(arrays.system[0], arrays.balls, arrays.calendar, arrays.cells)
+    compiled_loops().restore_lists(arrays.system[0], arrays.balls, arrays.calendar, arrays.cells)
     return arrays
 
 
@@ -240,7 +242,7 @@ def _features(arrays: GasArrays) -> Features | None:
 
 def advance(arrays: GasArrays, until: float, max_collisions: int) -> None:
     """Advance to a time, or by so many collisions; ``system["status"]`` says which came first."""
-    run, one, features = _compiled().run, arrays.system[0], _features(arrays)
+    run, one, features = compiled_loops().run, arrays.system[0], _features(arrays)
     last, pace = _collisions(one) + max_collisions, Pace(FIRST_STEPS)
     while True:
         steps = pace.begin()
@@ -269,7 +271,7 @@ def synchronized(arrays: GasArrays, time: float) -> tuple[NDArray[np.void], NDAr
     """Return copies of motions and bodies at a time not before the last event, and images, in the order of the balls' numbers."""
     system, motions = arrays.system.copy(), arrays.balls.motions.copy()
     system["now"] = max(system[0]["now"], (time - system[0]["base"]) - system[0]["rest"])
-    _compiled().synchronize(system[0], arrays.grid, motions)
+    compiled_loops().synchronize(system[0], arrays.grid, motions)
     numbers = arrays.balls.numbers
     place = np.empty_like(numbers)
     place[numbers] = np.arange(len(place))

@@ -1,0 +1,264 @@
+"""Ensembles: independent gases of one scene on all cores; mean and standard error of every measure.
+
+The members differ in their seeds, which follow from the scene's: each one can be run alone. A member is simulated by one thread,
+and the members are added up in the order of their seeds, so the results do not depend on the number of threads.
+"""
+
+from __future__ import annotations
+
+import math
+import threading
+from collections.abc import Callable, Sequence
+from concurrent.futures import FIRST_COMPLETED, Future, ThreadPoolExecutor, wait
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.core.jit.compile import thread_count
+from carom.errors import CaromError, FaultList, require_type
+from carom.gas import histograms, initial
+from carom.gas.edmd import driver
+from carom.gas.report import report
+from carom.gas.scene import GasScene
+from carom.gas.session import Session
+from carom.gas.snapshots import read_initial_state
+
+__all__ = ["Curve", "Ensemble", "member_scene", "simulate_ensemble"]
+
+Array = NDArray[np.float64]
+POLL_SECONDS = 0.1  # between two looks for members that are done, progress, and interrupts
+SEED_BITS = 53  # of a member's seed: JSON readers keep so many
+
+
+class Curve(NamedTuple):
+    """Mean and standard error of a curve over the members, (B,) each."""
+
+    x: Array
+    mean: Array
+    error: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Ensemble:
+    """What :func:`simulate_ensemble` found."""
+
+    scene: GasScene
+    seeds: tuple[int, ...]
+    """Of the members: ``carom gas SCENE.toml --seed`` runs one alone."""
+    members: tuple[dict[str, Any], ...]
+    """What ``carom gas --json`` prints of each."""
+    mean: dict[str, Any]
+    """The means of these, in the same form."""
+    error: dict[str, Any]
+    """Standard errors of the means: the standard deviation over the members, divided by the square root of their number."""
+    curves: dict[str, Curve]
+    """``temperature_translational`` and ``temperature_rotational`` over the time since the measurement began, ``velocity.NAME``
+    and ``spin.NAME``, ``pair_correlation.NAME.NAME``, and without walls ``displacement`` over the lag time."""
+
+
+def simulate_ensemble(
+    scene: GasScene,
+    members: int,
+    *,
+    where: str = "gas",
+    threads: int | None = None,
+    progress: Callable[[float, int], None] | None = None,
+) -> Ensemble:
+    """Simulate independent gases of one scene, on all cores.
+
+    Parameters
+    ----------
+    scene : GasScene
+        Its start must depend on the seed: random positions or velocities, a heated wall, or a thermostat.
+    members : int
+        Number of gases, at least 2. A larger ensemble begins with the members of a smaller one.
+    where : str
+        What errors name as their place.
+    threads : int, optional
+        Default: one per core. The results are bitwise identical for any number, except ``cpu_seconds``.
+    progress : callable, optional
+        Called some ten times per second with the fraction done, 0 to 1, and the number of collisions so far.
+
+    Returns
+    -------
+    Ensemble
+
+    Raises
+    ------
+    CaromError
+        For a scene whose members would all be the same, and as :class:`Session` does, with the member's seed.
+
+    Examples
+    --------
+    >>> from carom.gas import GasScene, simulate_ensemble
+    >>> contact = {"between": ("a", "a"), "restitution": 1, "friction": 0}
+    >>> scene = GasScene(
+    ...     container={"shape": "periodic", "size": (6, 6, 6)}, species=[{"count": 64, "radius": 0.5}], contacts=[contact],
+    ...     run={"equilibrate": 500, "max_events": 2000},
+    ... )
+    >>> found = simulate_ensemble(scene, 4)
+    >>> len(found.seeds), found.mean["pair_collisions"], found.error["pair_collisions"]
+    (4, 2000.0, 0.0)
+    >>> 0 < found.error["pressure"] < 0.1 * found.mean["pressure"]
+    True
+    """
+    _require(scene, where, members, threads)
+    seeds = np.random.SeedSequence(scene.run.seed).generate_state(members, np.uint64) >> np.uint64(64 - SEED_BITS)
+    work = _Work(scene, where, tuple(map(int, seeds)))
+    for room in (driver, histograms, initial):
+        room.compiled_loops()  # made once, before several threads ask for them
+    with ThreadPoolExecutor(threads or thread_count()) as pool:
+        runs = [pool.submit(work.run, k) for k in range(members)]
+        try:
+            _wait(runs, work, progress)
+        except BaseException:  # Ctrl-C as well: the members end between two pieces of their runs
+            work.stop.set()
+            pool.shutdown(cancel_futures=True)
+            raise
+        found = [run.result() for run in runs]
+    reports = tuple(one[0] for one in found)
+    mean, error = _statistics(reports)
+    curves = {name: _mean_curve([one[1][name] for one in found]) for name in found[0][1]}
+    return Ensemble(scene, work.seeds, reports, mean, error, curves)
+
+
+def member_scene(scene: GasScene, seed: int) -> GasScene:
+    """Return the scene of one member: the same with another seed."""
+    return scene.model_copy(update={"run": scene.run.model_copy(update={"seed": seed})})
+
+
+def _require(scene: Any, where: str, members: Any, threads: Any) -> None:
+    require_type("simulate_ensemble", "scene", scene, GasScene)
+    faults = FaultList("simulate_ensemble")
+    for name, count, least in (("members", members, 2), ("threads", 1 if threads is None else threads, 1)):
+        if isinstance(count, bool) or not isinstance(count, int | np.integer) or count < least:
+            faults.add(name, f"a whole number >= {least}", f"{count!r}")
+    faults.raise_if_any()
+    if not _depends_on_seed(scene):
+        raise CaromError(
+            f"{where}: run: expected a start that depends on the seed, got gases that would all be the same; give a"
+            " temperature > 0 or start = 'random', or run one gas"
+        )
+
+
+def _depends_on_seed(scene: GasScene) -> bool:
+    """Return whether two seeds give two different gases."""
+    if scene.run.start == "random" or scene.thermostat is not None:
+        return True
+    if any(one.temperature is not None for one in scene.drives):
+        return True
+    start = Path(scene.run.start)
+    has_velocity, has_spin = False, False
+    if start.suffix:
+        found = read_initial_state(start, scene.container.dimensions, scene.container.geometry.size)
+        has_velocity, has_spin = found.velocity is not None, found.spin is not None
+    warm = [(one.temperature, one.temperature_rotational) for one in scene.species]
+    return any(
+        (moves > 0 and not has_velocity) or ((moves if turns is None else turns) > 0 and not has_spin)
+        for moves, turns in warm
+    )
+
+
+# --- members -------------------------------------------------------------------------------------------------------
+
+
+class _Work:
+    """The members, what each has done so far, and whether they are to stop."""
+
+    def __init__(self, scene: GasScene, where: str, seeds: tuple[int, ...]) -> None:
+        self.scene, self.where, self.seeds, self.stop = scene, where, seeds, threading.Event()
+        self.shares, self.events = np.zeros(len(seeds)), np.zeros(len(seeds), np.int64)
+
+    def run(self, k: int) -> tuple[dict[str, Any], dict[str, tuple[Array, Array]]]:
+        """Simulate member k; return its report and its curves."""
+        try:
+            session = Session(member_scene(self.scene, self.seeds[k]), self.where, self._growing)
+            session.run(stop=self.stop.is_set, progress=lambda now: self._note(k, now))
+            return report(session), _curves(session)
+        except CaromError as error:
+            raise CaromError(*(f"{fault} (the gas with seed {self.seeds[k]})" for fault in error.faults)) from None
+
+    def _growing(self, _fraction: float) -> None:
+        if self.stop.is_set():
+            raise CaromError("simulate_ensemble: expected a run to its end, got an interrupt")
+
+    def _note(self, k: int, session: Session) -> None:
+        most = session.scene.run.max_events
+        self.events[k] = session.gas.collisions
+        if most is None or session.scene.run.duration is not None:  # (how many collisions there will be is not known)
+            self.shares[k] = (session.measuring + session.completed) / 2
+        else:
+            self.shares[k] = session.gas.collisions / (session.scene.equilibrate + most)
+
+
+def _wait(runs: Sequence[Future[Any]], work: _Work, progress: Callable[[float, int], None] | None) -> None:
+    """Wait until all members are done, and report the progress; raise what the first that fails raises."""
+    left = set(runs)
+    while left:
+        done, left = wait(left, timeout=POLL_SECONDS, return_when=FIRST_COMPLETED)
+        for one in done:
+            one.result()
+        if progress is not None:
+            progress(float(work.shares.mean()), int(work.events.sum()))
+
+
+# --- means ---------------------------------------------------------------------------------------------------------
+
+
+def _statistics(parts: Sequence[Any]) -> tuple[Any, Any]:
+    """Return mean and standard error of numbers, or of those in dicts and lists of the same form; texts stay as they are."""
+    first = parts[0]
+    if isinstance(first, dict):
+        pairs = {name: _statistics([part[name] for part in parts]) for name in first}
+        return {name: one for name, (one, _) in pairs.items()}, {name: two for name, (_, two) in pairs.items()}
+    if isinstance(first, list):
+        rows = [_statistics(column) for column in zip(*parts, strict=True)]
+        return [one for one, _ in rows], [two for _, two in rows]
+    if isinstance(first, str | tuple):
+        return first, first
+    mean, error = _mean_and_error(np.array(parts, dtype=float))
+    return float(mean), float(error)
+
+
+def _mean_and_error(rows: Array) -> tuple[Array, Array]:
+    """Return mean and standard error over the first axis; nan where a member has no number."""
+    with np.errstate(invalid="ignore"):
+        return rows.mean(axis=0), rows.std(axis=0, ddof=1) / math.sqrt(len(rows))
+
+
+def _curves(session: Session) -> dict[str, tuple[Array, Array]]:
+    """Return the curves of a member, as x and y."""
+    measures, mark = session.measures, session.mark
+    assert measures is not None
+    assert mark is not None
+    found: dict[str, tuple[Array, Array]] = {}
+    if measures.samples == 0:
+        return found
+    rows = measures.series
+    for name in ("translational", "rotational"):
+        found[f"temperature_{name}"] = (rows["time"] - mark.time, rows[name])
+    for i, name in enumerate(session.names):
+        for what, one in (("velocity", measures.velocity(name)), ("spin", measures.spin(name))):
+            found[f"{what}.{name}"] = (one.center, one.density)
+        for other in session.names[i:]:
+            pair = measures.pair_correlation(name, other)
+            found[f"pair_correlation.{name}.{other}"] = (pair.distance, pair.g)
+    if measures.has_diffusion and measures.is_stationary:
+        moved = measures.displacement()
+        found["displacement"] = (moved.lag, moved.square)
+    return found
+
+
+def _mean_curve(curves: Sequence[tuple[Array, Array]]) -> Curve:
+    """Return the mean over curves, interpolated where they were sampled at different places."""
+    x = curves[0][0]
+    if any(not np.array_equal(one[0], x) for one in curves):
+        # the k-th places of the members are near each other: their median, where all have values
+        count = min(len(one[0]) for one in curves)
+        x = np.median([one[0][:count] for one in curves], axis=0)
+        low, high = max(one[0][0] for one in curves), min(one[0][-1] for one in curves)
+        x = x[(x >= low) & (x <= high)]
+    return Curve(x, *_mean_and_error(np.array([np.interp(x, *one) for one in curves])))

@@ -1,0 +1,114 @@
+"""Figure of an ensemble of gases: means of its curves with bands of their standard errors, and what each member has."""
+
+from __future__ import annotations
+
+import os
+from typing import Any
+
+import numpy as np
+
+from carom.errors import CaromError
+from carom.gas.ensembles import Curve, Ensemble
+from carom.plot.gas import COLOURS, MAX_PAIRS
+from carom.plot.style import GREY, INK, new_figure, require_writable, save, style
+
+__all__ = ["plot_ensemble"]
+
+BAND = 0.3  # opacity
+
+
+def plot_ensemble(ensemble: Ensemble, file: str | os.PathLike[str] | None = None, *, title: str | None = None) -> Any:
+    """Plot what an ensemble measured.
+
+    Parameters
+    ----------
+    ensemble : Ensemble
+    file : path, optional
+        Of a file to write, .svg, .pdf or .png.
+    title : str, optional
+        Default: the scene in words; "" for none.
+
+    Returns
+    -------
+    matplotlib.figure.Figure
+        Means over the members, with bands of one standard error: the distributions of velocity and spin, temperatures over time,
+        g(r) for each pair of species, and without walls the mean square displacement; and the pressure of each member.
+
+    Raises
+    ------
+    CaromError
+        For a file that cannot be written, an ensemble without samples, or if Matplotlib is missing.
+
+    Examples
+    --------
+    >>> from carom.gas import GasScene, simulate_ensemble
+    >>> from carom.plot import plot_ensemble
+    >>> contact = {"between": ("a", "a"), "restitution": 1, "friction": 0}
+    >>> scene = GasScene(
+    ...     container={"shape": "periodic", "size": (8, 8, 8)}, species=[{"count": 64, "radius": 0.5}], contacts=[contact],
+    ...     run={"equilibrate": 100, "max_events": 2000},
+    ... )
+    >>> len(plot_ensemble(simulate_ensemble(scene, 3)).axes)
+    6
+    """
+    if file is not None:
+        require_writable(file)
+    if not ensemble.curves:
+        raise CaromError("plot_ensemble: expected an ensemble with samples, got one without; run it for longer")
+    with style():
+        figure = _draw(ensemble, title)
+    if file is not None:
+        save(figure, file)
+    return figure
+
+
+def _draw(ensemble: Ensemble, title: str | None) -> Any:
+    curves, names = ensemble.curves, [one.name for one in ensemble.scene.species]
+    moved = "displacement" in curves
+    figure = new_figure(7.4, 5.2)
+    axes = figure.subplots(2, 3).ravel()
+    figure.subplots_adjust(left=0.075, right=0.985, top=0.875, bottom=0.085, wspace=0.36, hspace=0.42)
+    pairs = [(f"{a} – {b}", f"pair_correlation.{a}.{b}") for i, a in enumerate(names) for b in names[i:]]
+    _panel(axes[0], "velocity", {name: curves[f"velocity.{name}"] for name in names}, "velocity / standard deviation")
+    _panel(axes[1], "spin", {name: curves[f"spin.{name}"] for name in names}, "spin / standard deviation")
+    for one in axes[:2]:
+        one.set_yscale("log")
+        one.set_xlim(-5, 5)
+        one.set_ylim(2e-6, 1)
+    warm = {name: curves[f"temperature_{name}"] for name in ("translational", "rotational")}
+    _panel(axes[2], "temperature", {name: one for name, one in warm.items() if one.mean.any()}, "time")
+    low, high = (f([one.mean for one in warm.values()]) for f in (np.min, np.max))
+    if 0 < 20 * low < high:
+        axes[2].set_yscale("log")
+    _panel(axes[3], "pair correlation", {name: curves[key] for name, key in pairs[:MAX_PAIRS]}, "distance of centres")
+    if moved:
+        _panel(axes[4], "mean square displacement", {"": curves["displacement"]}, "lag time")
+    else:
+        axes[4].set_axis_off()
+    _members(axes[5], ensemble)
+    words = f"{len(ensemble.seeds)} gases: {ensemble.scene.describe()}" if title is None else title
+    figure.text(0.0135, 0.975, words, ha="left", va="top", fontsize=8, color=GREY)
+    return figure
+
+
+def _panel(axes: Any, title: str, curves: dict[str, Curve], label: str) -> None:
+    """Draw curves with their bands."""
+    for k, (name, one) in enumerate(curves.items()):
+        colour = COLOURS[k % len(COLOURS)]
+        axes.plot(one.x, one.mean, color=colour, linewidth=0.9, label=name)
+        axes.fill_between(one.x, one.mean - one.error, one.mean + one.error, color=colour, alpha=BAND, linewidth=0)
+    axes.set_title(title, loc="left", fontsize=8.5, color=INK, pad=5)
+    axes.set_xlabel(label)
+    if len(curves) > 1:
+        axes.legend(frameon=False, fontsize=7, handlelength=1.0, borderaxespad=0.2)
+
+
+def _members(axes: Any, ensemble: Ensemble) -> None:
+    """Draw the pressure of each member, the mean, and its standard error."""
+    values = [one["pressure"] for one in ensemble.members]
+    mean, error = ensemble.mean["pressure"], ensemble.error["pressure"]
+    axes.plot(np.arange(1, len(values) + 1), values, "o", markersize=3, color=COLOURS[0])
+    axes.axhline(mean, color=GREY, linewidth=0.9)
+    axes.axhspan(mean - error, mean + error, color=GREY, alpha=BAND, linewidth=0)
+    axes.set_title("pressure of each gas", loc="left", fontsize=8.5, color=INK, pad=5)
+    axes.set_xlabel("gas")

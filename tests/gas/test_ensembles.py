@@ -1,0 +1,208 @@
+"""Ensembles of gases: the members are the gases of their seeds, means and errors are theirs, whatever the number of threads."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+from reference.gases import MIXED, ROUGH
+from typer.testing import CliRunner
+
+import carom
+from carom.cli import app, main
+from carom.gas import Session, load_gas, simulate_ensemble
+from carom.gas.ensembles import member_scene
+from carom.gas.report import report
+from carom.plot import plot_ensemble
+
+SHORT = ROUGH.replace("60_000", "6_000").replace("5_000", "1_000")
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch) -> Path:
+    for name, text in (("rough", SHORT), ("mixed", MIXED.replace("duration = 20.0", "duration = 3.0"))):
+        (tmp_path / f"{name}.toml").write_text(text)
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def plain(value):
+    """A report without the processor time, as text with all digits."""
+    return json.dumps({name: part for name, part in value.items() if name != "cpu_seconds"})
+
+
+def refusal(capsys, monkeypatch, *words: str) -> list[str]:
+    monkeypatch.setattr(sys, "argv", ["carom", "gas", *words])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    out, err = capsys.readouterr()
+    assert (ended.value.code, out) == (2, "")
+    return [line.removeprefix("carom: ") for line in err.splitlines()]
+
+
+@pytest.mark.parametrize("name", ["rough", "mixed"])
+def test_the_number_of_threads_changes_no_bit(folder, name):
+    scene = load_gas(folder / f"{name}.toml")
+    one, many = (simulate_ensemble(scene, 5, threads=threads) for threads in (1, 4))
+    for part in ("mean", "error"):
+        assert plain(getattr(one, part)) == plain(getattr(many, part))
+    assert list(map(plain, one.members)) == list(map(plain, many.members))
+    assert one.curves.keys() == many.curves.keys()
+    for key, curve in one.curves.items():
+        assert all(a.tobytes() == b.tobytes() for a, b in zip(curve, many.curves[key], strict=True)), key
+
+
+def test_members_are_the_gases_of_their_seeds(folder):
+    scene = load_gas(folder / "rough.toml")
+    small, large = (simulate_ensemble(scene, count) for count in (2, 5))
+    assert large.seeds[:2] == small.seeds
+    assert len(set(large.seeds)) == 5
+    assert simulate_ensemble(member_scene(scene, 2), 2).seeds != small.seeds
+    for seed, member in zip(small.seeds, small.members, strict=True):
+        alone = Session(member_scene(scene, seed))
+        alone.run()
+        assert plain(report(alone)) == plain(member)
+
+
+def test_means_and_errors_are_those_of_the_members(folder):
+    found = simulate_ensemble(load_gas(folder / "mixed.toml"), 4)
+    places = (
+        lambda one: one["pressure"],
+        lambda one: one["species"]["small"]["a2_rotational"],
+        lambda one: one["channels"][1]["rate"],
+        lambda one: one["wall_pressure"]["front"],
+    )
+    for place in places:
+        values = [place(one) for one in found.members]
+        assert place(found.mean) == pytest.approx(math.fsum(values) / 4, rel=1e-13)
+        square = math.fsum((x - place(found.mean)) ** 2 for x in values)
+        assert place(found.error) == pytest.approx(math.sqrt(square / 3) / 2, rel=1e-12)
+    assert math.isnan(found.mean["diffusion"])  # walls
+    assert found.mean["channels"][1]["between"] == ("big", "small")
+    assert "displacement" not in found.curves
+    warm = found.curves["temperature_translational"]
+    assert len(warm.x) > 30
+    assert (np.diff(warm.x) > 0).all()
+    assert warm.x[-1] <= 3.0 * (1 + 1e-12)
+    assert len(plot_ensemble(found).axes) == 6
+
+
+def test_the_mean_agrees_with_one_long_run_and_the_error_bar_is_honest(folder):
+    scene = load_gas(folder / "rough.toml")
+    found = simulate_ensemble(scene, 24)
+    long = Session(scene.model_copy(update={"run": scene.run.model_copy(update={"max_events": 24 * 6000})}))
+    long.run()
+    # both have the same number of collisions, so about the same error
+    assert abs(found.mean["pressure"] - long.result.pressure) < 4 * math.sqrt(2) * found.error["pressure"]
+    assert found.error["pressure"] < 0.01 * found.mean["pressure"]
+    # the errors of quarters of the ensemble follow from their scatter: chi^2 of 3 degrees of freedom, 0.1 % beyond 16.3
+    quarters = np.array([one["pressure"] for one in found.members]).reshape(4, 6).mean(axis=1)
+    chi2 = ((quarters - found.mean["pressure"]) ** 2).sum() / (4 * found.error["pressure"] ** 2)
+    assert 0.02 < chi2 < 16.3
+
+
+def test_gases_that_would_be_the_same_are_refused(folder, capsys, monkeypatch):
+    rng, cold = (
+        np.random.default_rng(1),
+        SHORT.replace("temperature = 1.0\ntemperature_rotational = 0.5", "temperature = 0"),
+    )
+    said = "expected a start that depends on the seed, got gases that would all be the same"
+    (folder / "cold.toml").write_text(cold.replace("max_events = 6_000", "duration = 1.0"))
+    (line,) = refusal(capsys, monkeypatch, "cold.toml", "--ensemble", "3")
+    assert line.startswith(f"cold.toml: run: {said}; give a temperature > 0")
+    gas = Session(load_gas(folder / "rough.toml")).gas.balls()
+    np.savez(folder / "start.npz", position=gas.position, velocity=rng.normal(size=(200, 3)))
+    (folder / "file.toml").write_text(SHORT + 'start = "start.npz"\n')
+    assert simulate_ensemble(load_gas(folder / "file.toml"), 2).error["pressure"] > 0  # spins are drawn
+    np.savez(folder / "start.npz", position=gas.position, velocity=gas.velocity, spin=gas.spin)
+    with pytest.raises(carom.CaromError, match=said):
+        simulate_ensemble(load_gas(folder / "file.toml"), 2)
+
+
+def test_bad_arguments_are_one_line(folder, capsys, monkeypatch):
+    scene = load_gas(folder / "rough.toml")
+    for members, threads, name in (
+        (1, None, "members"),
+        (2.5, None, "members"),
+        (True, None, "members"),
+        (2, 0, "threads"),
+    ):
+        with pytest.raises(carom.CaromError, match=f"^simulate_ensemble: {name}: expected a whole number >= "):
+            simulate_ensemble(scene, members, threads=threads)
+    with pytest.raises(carom.CaromError, match="scene: expected a GasScene, got int"):
+        simulate_ensemble(3, scene)
+    (line,) = refusal(capsys, monkeypatch, "rough.toml", "--ensemble", "1")
+    assert line == "--ensemble: expected a number of gases >= 2, got 1"
+    lines = refusal(
+        capsys,
+        monkeypatch,
+        "rough.toml",
+        "--ensemble",
+        "2",
+        "--checkpoint",
+        "c.npz",
+        "--snapshots",
+        "s.gsd",
+        "--resume",
+        "r.npz",
+    )
+    assert lines == [
+        f"{option}: expected none with --ensemble, got {file}; run one of its gases by its --seed, which --json prints"
+        for option, file in (("--snapshots", "s.gsd"), ("--checkpoint", "c.npz"), ("--resume", "r.npz"))
+    ]
+    assert sorted(path.name for path in folder.iterdir()) == ["mixed.toml", "rough.toml"]
+
+
+def test_a_member_that_fails_names_its_seed(folder):
+    text = MIXED.replace("contact_time = 1e-6\n", "").replace("restitution = 0.99", "restitution = 0.0")
+    text = text.replace("gravity = 0.2", "gravity = 5.0").replace("restitution = 1.0", "restitution = 0.0")
+    (folder / "dead.toml").write_text(text.replace("duration = 20.0", "duration = 1000.0"))
+    with pytest.raises(carom.CaromError, match=r"an inelastic collapse at t = .* \(the gas with seed \d+\)$") as found:
+        simulate_ensemble(load_gas(folder / "dead.toml"), 3)
+    assert len(found.value.faults) == 1
+
+
+def test_the_command_prints_what_the_library_finds(folder):
+    words = ["gas", "rough.toml", "--ensemble", "3", "--measures", "m.json", "--plot", "g.svg", "--json"]
+    done = CliRunner().invoke(app, words, catch_exceptions=False)
+    assert done.exit_code == 0
+    shown, ensemble = json.loads(done.stdout), simulate_ensemble(load_gas(folder / "rough.toml"), 3)
+    assert shown["seeds"] == list(ensemble.seeds)
+    for part in ("mean", "error"):
+        assert plain(shown[part]) == plain(getattr(ensemble, part))
+    written = json.loads((folder / "m.json").read_text())
+    assert len(written["members"]) == shown["ensemble"] == 3
+    g = written["curves"]["pair_correlation.a.a"]
+    assert g["mean"] == ensemble.curves["pair_correlation.a.a"].mean.tolist()
+    assert (folder / "g.svg").stat().st_size > 10_000
+    table = CliRunner().invoke(app, words[:4], catch_exceptions=False).stdout
+    assert "3 gases: 200 balls" in table
+    mean, error = (getattr(ensemble, part)["pressure"] for part in ("mean", "error"))
+    assert f"{mean:.4f}"[:5] in table
+    assert 0 < error < 0.1 * mean
+
+
+def test_an_interrupt_ends_all_members(folder):
+    (folder / "long.toml").write_text(ROUGH.replace("60_000", "900_000_000"))
+    running = subprocess.Popen(
+        [sys.executable, "-m", "carom", "gas", "long.toml", "--ensemble", "3"],
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
+        env={**os.environ, "PYTHONPATH": str(Path(carom.__file__).parents[1])},
+    )  # fmt: skip
+    assert running.stderr is not None
+    assert any("simulating 3 gases" in line for line in running.stderr)
+    time.sleep(1)
+    begin = time.monotonic()
+    running.send_signal(signal.SIGINT)
+    out, err = running.communicate(timeout=60)
+    assert (running.returncode, out) == (130, "")
+    assert time.monotonic() - begin < 10
+    assert err.splitlines()[-1] == "carom: interrupted; nothing was saved"
