@@ -19,7 +19,7 @@ from carom.bodies import Ball, State, Surface, kinetic_energy
 from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, checked_number, require_type, suggestion
 from carom.formatting import format_number, html_table
 from carom.laws.arrays import require_approach
-from carom.laws.law import LIKE_SOLIDS, Answer, Law, Meeting
+from carom.laws.law import LIKE_SOLIDS, Answer, Law, Meeting, holds_everywhere
 from carom.laws.registry import law_named
 from carom.laws.registry import laws as all_laws
 from carom.laws.remarks import remarks_on
@@ -348,7 +348,7 @@ def compare(meeting: Meeting | None = None, laws: Iterable[str | Law] | None = N
 
 
 def _verdict(law: Law, meeting: Meeting) -> Verdict:
-    missing = [expected for holds, expected, *_field in law.conditions(meeting) if not np.all(holds)]
+    missing = [expected for holds, expected, *_field in law.conditions(meeting) if not holds_everywhere(holds)]
     if missing:
         return _refusal(law, f"no prediction: it requires {'; and '.join(missing)}")
     try:

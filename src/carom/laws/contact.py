@@ -14,7 +14,7 @@ from carom.bodies import Ball, State, Surface
 from carom.core.contact import wall_contact
 from carom.core.jit.kernel import Vec, kernel, prange
 from carom.errors import require_type
-from carom.laws.arrays import answer_rows, loop_for, require_approach, rows_of, state_arrays, unit_normal
+from carom.laws.arrays import answer_rows, loop_for, require_approach, state_arrays, unit_normal
 from carom.laws.law import (
     CONTACT_WALL,
     ON_WALL,
@@ -29,7 +29,7 @@ from carom.laws.law import (
     respond,
     slips_on_floor,
 )
-from carom.laws.results import PAPER_WALL, Impact, as_column
+from carom.laws.results import PAPER_WALL, Impact, times_mass
 
 __all__ = ["CARD", "LAW", "impact", "impact_into"]
 
@@ -88,11 +88,9 @@ def impact(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), surfac
     require_type("impact", "surface", surface, Surface)
     n = unit_normal(normal)
     require_approach(ball, state, n)
-    rows = rows_of(
-        state, n, ball.radius, ball.kappa, surface.restitution, surface.friction, surface.tangential_restitution
-    )
-    v1, w1, j, required, code = answer_rows(wall_contact, contact_rows, rows, "vvvxc")
-    return Impact(ball, state, State.of(v1, w1, state.position), j * as_column(ball.mass), required, code)
+    parameters = (ball.radius, ball.kappa, surface.restitution, surface.friction, surface.tangential_restitution)
+    v1, w1, j, required, code = answer_rows(wall_contact, contact_rows, "vvvxc", state, n, parameters)
+    return Impact(ball, state, State.of(v1, w1, state.position), times_mass(j, ball.mass), required, code)
 
 
 def impact_into(

@@ -30,6 +30,7 @@ from carom.laws.law import (
     Law,
     Meeting,
     approaches,
+    holds_everywhere,
     respond,
     slips,
     slips_on_floor,
@@ -129,7 +130,7 @@ def conventional(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), 
     >>> carom.conventional(ball, carom.rolling(ball, (-1.0, 1.0))).velocity.round(4).tolist()
     [1.0, 0.5556, 0.0]
     """
-    if np.any(np.asarray(restitution) != 1):
+    if not holds_everywhere(restitution == 1 if type(restitution) is float else np.asarray(restitution) == 1):
         raise CaromError(
             f"conventional: restitution: expected 1 (hypothesis 3, the energy is conserved), got {restitution!r};"
             " carom.two_step takes any"

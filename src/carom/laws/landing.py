@@ -19,8 +19,8 @@ from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, prange
 from carom.core.motion.phases import ROUNDING
 from carom.core.motion.rolling import UP, rolls_at_last
 from carom.errors import FaultList, checked_number
-from carom.laws.arrays import answer_rows, rows_of, unit_normal
-from carom.laws.results import GRAVITY, PAPER_FLOOR, Flight, Impact, Settled, as_column
+from carom.laws.arrays import answer_rows, unit_normal
+from carom.laws.results import GRAVITY, PAPER_FLOOR, REASONS, WHY, Flight, Impact, Settled, times_mass
 
 __all__ = [
     "IN_FLIGHT", "LOST", "NO_GRAVITY", "NO_LAW", "REASONS", "ROLLS", "WHY", "fall", "fate", "landing_settings", "rolling_after",
@@ -29,21 +29,9 @@ __all__ = [
 
 Array = NDArray[np.float64]
 
-# Whether a ball that left the wall comes to roll, or why not; the texts are REASONS[code].
+# Whether a ball that left the wall comes to roll, or why not; the texts are WHY[code] of carom.laws.results.
 ROLLS, NO_GRAVITY, NO_FRICTION, BOUNCES, IN_FLIGHT = 0, 1, 2, 3, 4
 BEFORE_ROLLING, TOO_MANY, NO_LAW, LOST, ROLLS_BACK = 5, 6, 7, 8, 9
-WHY = (
-    "",
-    "without gravity the ball does not return to the floor",
-    "the floor has no friction, so the ball slides for ever",
-    "the floor has restitution 1, so the ball bounces for ever",
-    "the ball meets the wall again in flight, before it lands",
-    "the ball meets the wall again before it rolls, because its spin turns it round",
-    "undecided after a million bounces",
-    "no law with tangential restitution covers wall and floor at once",
-    "the ball is locked between wall and floor, and the integration stopped",
-    "its spin turns the ball round: it rolls back to the wall and meets it again",
-)
 
 MOST_BOUNCES = 1_000_000
 
@@ -218,9 +206,6 @@ def second_rows(
         w3[i, 0], w3[i, 1], w3[i, 2] = s
 
 
-REASONS = np.array([*WHY])
-
-
 def landing_settings(gravity: float, height: ArrayLike, floor_contact: str) -> tuple[float, Any, bool]:
     """Validate gravity, height and floor_contact; return the numbers, and whether wall and floor act at once."""
     faults = FaultList("two_step")
@@ -285,20 +270,23 @@ def settle(
 
 def settle_checked(ball: Ball, state: State, floor: Surface, n: Array, g: float, h: Any) -> Settled:
     """:func:`settle` with validated arguments."""
-    rows = rows_of(
-        state, n, ball.radius, ball.kappa, floor.restitution, floor.friction, floor.tangential_restitution, g, h
+    parameters = (ball.radius, ball.kappa, floor.restitution, floor.friction, floor.tangential_restitution, g, h)
+    t, rise, far, v2, w2, j, required, code, v3, w3, why = answer_rows(
+        second_impact, second_rows, "xxxvvvxcvvc", state, n, parameters
     )
-    t, rise, far, v2, w2, j, required, code, v3, w3, why = answer_rows(second_impact, second_rows, rows, "xxxvvvxcvvc")
     after = State.of(v2, w2)
     landing = state
-    if rows.shape != () or code:  # the state just before the landing: spin unchanged, vertical velocity from the flight
+    # the state just before the landing: spin unchanged, vertical velocity from the flight
+    if v2.ndim > 1:
         landing = State.of(v2 - j, np.broadcast_to(state.spin, v2.shape))
+    elif code:
+        landing = State.of(v2 - j, state.spin)
     return Settled(
         normal=n,
         flight=Flight(t, rise, far),
         after_floor=after,
-        floor=Impact(ball, landing, after, j * as_column(ball.mass), required, code),
+        floor=Impact(ball, landing, after, times_mass(j, ball.mass), required, code),
         rolling=State.of(v3, w3),
         rolls=why == ROLLS,
-        why=WHY[why] if rows.shape == () else REASONS[why],
+        why_code=why,
     )

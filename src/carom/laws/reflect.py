@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from carom.bodies import Ball, State, Surface
 from carom.errors import CaromError, first_bad_index
 from carom.laws.arrays import require_approach, unit_normal
-from carom.laws.law import Law, Meeting, respond
+from carom.laws.law import Law, Meeting, holds_everywhere, respond
 
 __all__ = ["reflect"]
 
@@ -20,7 +20,7 @@ def reflect(law: Law, ball: Ball, state: State, normal: ArrayLike, surface: Surf
     faults = [
         f"{law.name}: expected {expected}, got another state{first_bad_index(~np.asarray(holds))}"
         for holds, expected, *_field in law.conditions(meeting)
-        if not np.all(holds)
+        if not holds_everywhere(holds)
     ]
     if faults:
         raise CaromError(*faults)

@@ -14,8 +14,8 @@ from carom.core.contact import REGIMES
 from carom.formatting import format_length, format_number, format_time
 
 __all__ = [
-    "GRAVITY", "PAPER_FLOOR", "PAPER_WALL", "REGIME_NAMES", "Flight", "FloorContact", "Impact", "Settled", "TwoStep",
-    "angle_from", "as_column", "name_codes",
+    "GRAVITY", "PAPER_FLOOR", "PAPER_WALL", "REASONS", "REGIME_NAMES", "Flight", "FloorContact", "Impact", "Settled", "TwoStep",
+    "WHY", "angle_from", "as_column", "name_codes", "times_mass",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -28,6 +28,20 @@ PAPER_FLOOR = Surface(restitution=0.0, friction=math.inf)
 
 # Regimes of an impact by code; the last three occur only with wall and floor at once.
 REGIME_NAMES = np.array([*REGIMES, "jam", "stall", "undefined"])
+# Why a ball does not come to roll, by the codes of carom.laws.landing; empty where it rolls.
+WHY = (
+    "",
+    "without gravity the ball does not return to the floor",
+    "the floor has no friction, so the ball slides for ever",
+    "the floor has restitution 1, so the ball bounces for ever",
+    "the ball meets the wall again in flight, before it lands",
+    "the ball meets the wall again before it rolls, because its spin turns it round",
+    "undecided after a million bounces",
+    "no law with tangential restitution covers wall and floor at once",
+    "the ball is locked between wall and floor, and the integration stopped",
+    "its spin turns the ball round: it rolls back to the wall and meets it again",
+)
+REASONS = np.array([*WHY])
 
 
 def name_codes(code: Any, names: NDArray[np.str_]) -> Any:
@@ -38,7 +52,12 @@ def name_codes(code: Any, names: NDArray[np.str_]) -> Any:
 
 def as_column(x: Any) -> Any:
     """Return a number unchanged and an array (...) as (..., 1), to multiply vectors by it."""
-    return x if np.ndim(x) == 0 else np.asarray(x)[..., None]
+    return x if type(x) is float or np.ndim(x) == 0 else np.asarray(x)[..., None]
+
+
+def times_mass(impulse: Array, mass: Any) -> Array:
+    """Return impulses (..., 3) per unit of mass, times the mass: in place where it is a number, without new memory."""
+    return np.multiply(impulse, as_column(mass), out=impulse if type(mass) is float else None)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -126,8 +145,13 @@ class Settled:
     """The state once the ball rolls again; NaN where ``rolls`` is False."""
     rolls: Any
     """(...): whether the ball comes to roll before it meets the wall again."""
-    why: Any
-    """(...): why it does not; empty where it rolls."""
+    why_code: Any
+    """(...): why it does not, as an integer; 0 where it rolls."""
+
+    @property
+    def why(self) -> Any:
+        """Why the ball does not come to roll, a text or an array (...) of them; empty where it rolls."""
+        return name_codes(self.why_code, REASONS)
 
     @property
     def reflection_angle(self) -> Any:

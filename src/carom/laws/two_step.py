@@ -19,7 +19,7 @@ from carom.core.contact import slip_velocity, wall_contact
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, prange
 from carom.core.motion.rolling import rolls_at_last
 from carom.errors import CaromError, first_bad_index, require_type
-from carom.laws.arrays import answer_rows, require_approach, rows_of, unit_normal
+from carom.laws.arrays import answer_rows, require_approach, unit_normal
 from carom.laws.landing import LOST, NO_LAW, landing_settings, rolling_after, settle_checked
 from carom.laws.law import (
     ON_FLOOR,
@@ -37,7 +37,7 @@ from carom.laws.law import (
     required_friction,
     respond,
 )
-from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact, Impact, TwoStep, as_column
+from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact, Impact, TwoStep, times_mass
 from carom.laws.wall_and_floor.solver import LEAST_FIRM, STALL, pressed_down, wall_and_floor
 
 __all__ = [
@@ -237,20 +237,22 @@ def two_step(
         raise CaromError(
             "two_step: ball: expected a ball, got a disc in the plane, which has no floor; use carom.impact"
         )
-    rows = rows_of(
-        state, n, ball.radius, ball.kappa, wall.restitution, wall.friction, wall.tangential_restitution,
+    parameters = (
+        ball.radius, ball.kappa, wall.restitution, wall.friction, wall.tangential_restitution,
         floor.restitution, floor.friction, floor.tangential_restitution, h,
     )  # fmt: skip
-    v1, w1, j, jf, required, code = answer_rows(first_impact, first_rows, rows, "vvvvxc", together)
+    v1, w1, j, jf, required, code = answer_rows(first_impact, first_rows, "vvvvxc", state, n, parameters, together)
     require_defined(code == UNDEFINED)
-    after, mass = State.of(v1, w1, state.position), as_column(ball.mass)
-    hit = Impact(ball, state, after, j * mass, required, code)
+    after = State.of(v1, w1, state.position)
+    hit = Impact(ball, state, after, times_mass(j, ball.mass), required, code)
     then = settle_checked(ball, after, floor, n, g, h)
-    return TwoStep(**vars(then), after_wall=after, wall=hit, floor_impulse=jf * mass)
+    return TwoStep(**vars(then), after_wall=after, wall=hit, floor_impulse=times_mass(jf, ball.mass))
 
 
 def require_defined(undefined: Any) -> None:
     """Raise CaromError if a wall with tangential restitution presses a ball on the floor."""
+    if undefined is False:  # one state
+        return
     undefined = np.asarray(undefined)
     if undefined.any():
         raise CaromError(
