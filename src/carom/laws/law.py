@@ -30,8 +30,8 @@ from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact, S
 __all__ = [
     "CALLED_WALL", "CONTACT_WALL", "LIKE_SOLIDS", "MIRROR_WALL", "NO_SLIP_WALL", "ON_FLOOR", "ON_WALL", "ROLLING_WALL",
     "SURFACES", "TWO_STEP_WALL", "Answer", "Card", "Condition", "FitSpec", "Law", "Meeting", "approaches", "contact_kernel",
-    "drives_into_floor", "holds_everywhere", "impossible", "required_friction", "respond", "rubs", "slips", "slips_on_floor", "wall_law",
-    "wall_then_floor",
+    "drives_into_floor", "holds_everywhere", "impossible", "required_friction", "respond", "rubs", "slips", "slips_on_floor",
+    "wall_law", "wall_then_floor",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]

@@ -14,8 +14,8 @@ from carom.core.contact import REGIMES
 from carom.formatting import format_length, format_number, format_time
 
 __all__ = [
-    "GRAVITY", "PAPER_FLOOR", "PAPER_WALL", "REASONS", "REGIME_NAMES", "Flight", "FloorContact", "Impact", "Settled", "TwoStep",
-    "WHY", "angle_from", "as_column", "name_codes", "times_mass",
+    "GRAVITY", "PAPER_FLOOR", "PAPER_WALL", "REASONS", "REGIME_NAMES", "WHY", "Flight", "FloorContact", "Impact", "Settled",
+    "TwoStep", "angle_from", "as_column", "name_codes", "times_mass",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -57,7 +57,8 @@ def as_column(x: Any) -> Any:
 
 def times_mass(impulse: Array, mass: Any) -> Array:
     """Return impulses (..., 3) per unit of mass, times the mass: in place where it is a number, without new memory."""
-    return np.multiply(impulse, as_column(mass), out=impulse if type(mass) is float else None)
+    found: Array = np.multiply(impulse, as_column(mass), out=impulse if type(mass) is float else None)
+    return found
 
 
 @dataclass(frozen=True, eq=False, repr=False)
