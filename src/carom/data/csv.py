@@ -6,7 +6,7 @@ import csv
 import io
 import itertools
 from collections import deque
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, BinaryIO
@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.data.cells import parse_numbers
+from carom.data.csv_arrow import LARGE_FILE, arrow_installed, joined_rows, parsed_columns
 from carom.data.plan import TablePlan
 from carom.errors import CaromError
 from carom.files import text_encoding
@@ -23,6 +24,7 @@ __all__ = ["CHUNK_ROWS", "CsvTable", "TableChunk"]
 
 Array = NDArray[np.float64]
 CHUNK_ROWS = 1 << 14
+LARGE_CHUNK_ROWS = 1 << 16  # of a large file
 DELIMITERS = ",;\t|"
 
 
@@ -60,6 +62,15 @@ class NumberedLines:
         self.read.append(line)
         self.number += 1
         return line
+
+    def take(self, count: int) -> list[str]:
+        """Return up to so many lines at once: of those that were pushed back, if there are any, or of the file."""
+        if self.pushed:
+            taken = [self.pushed.popleft() for _ in range(min(count, len(self.pushed)))]
+        else:
+            taken = list(itertools.islice(self.file, count))
+        self.number += len(taken)
+        return taken
 
     def consumed(self) -> list[str]:
         """Return the lines read since the last call."""
@@ -111,6 +122,9 @@ class CsvTable:
             raise CaromError(f"{path}: line {self.lines.number}: expected a header line, got: {error}") from None
         self.head = self._text(self.lines.consumed())
         self.decimal = "."
+        # (with another delimiter than a comma the decimal sign may be one)
+        plain = self.encoding.codec == "utf-8" and self.delimiter == ","
+        self.large = plain and self.size >= LARGE_FILE and arrow_installed()
 
     def __enter__(self) -> CsvTable:
         """Return itself; the file is closed at the end of the with block."""
@@ -157,22 +171,36 @@ class CsvTable:
     def _batch(self, records: Iterator[tuple[int, str, list[str]]]) -> tuple[list[int], list[str], list[list[str]]]:
         """Return line numbers, texts and fields of the next rows: split at once if no cell is in quotes, else one by one."""
         lines = self.lines
-        if not lines.pushed:
-            first = lines.number + 1
-            taken = list(itertools.islice(lines.file, CHUNK_ROWS))
-            lines.number += len(taken)
-            if '"' not in "".join(taken):
-                # without quotes a line is a row
-                rows = [line.rstrip("\r\n").split(self.delimiter) for line in taken]
-                texts = [line.rstrip("\r\n") for line in taken]
-                numbers = list(range(first, first + len(taken)))
-                if "" in texts:
-                    full = [i for i, text in enumerate(texts) if text]
-                    return [numbers[i] for i in full], [texts[i] for i in full], [rows[i] for i in full]
-                return numbers, texts, rows
-            lines.push_back(taken)
+        first = lines.number + 1
+        taken = lines.take(CHUNK_ROWS)
+        if '"' not in "".join(taken):
+            # without quotes a line is a row
+            rows = [line.rstrip("\r\n").split(self.delimiter) for line in taken]
+            texts = [line.rstrip("\r\n") for line in taken]
+            numbers = list(range(first, first + len(taken)))
+            if "" in texts:
+                full = [i for i, text in enumerate(texts) if text]
+                return [numbers[i] for i in full], [texts[i] for i in full], [rows[i] for i in full]
+            return numbers, texts, rows
+        lines.push_back(taken)
         batch = list(itertools.islice(records, CHUNK_ROWS))
         return [row[0] for row in batch], [row[1] for row in batch], [row[2] for row in batch]
+
+    def _arrow_chunks(self, plan: TablePlan) -> Iterator[TableChunk]:
+        """Iterate over chunks of a large file that Arrow can read; the first that has to be read cell by cell is pushed back."""
+        lines = self.lines
+        width, indices = len(self.headers), [source.index for source in plan.sources.values()]
+        while self.large and not lines.pushed:
+            first = lines.number + 1
+            taken = lines.take(LARGE_CHUNK_ROWS)
+            text = "".join(taken)
+            columns = None if '"' in text else parsed_columns(text, self.delimiter, width, indices, len(taken))
+            if columns is None:
+                lines.push_back(taken)
+                return
+            texts = [line.rstrip("\r\n") for line in taken]
+            numbers = range(first, first + len(taken))
+            yield TableChunk(dict(zip(plan.sources, columns, strict=True)), {}, _line_label(numbers), texts)
 
     def chunks(self, plan: TablePlan) -> Iterator[TableChunk]:
         """Iterate over the rows in chunks."""
@@ -180,6 +208,7 @@ class CsvTable:
         records = self.records()
         first = True
         while True:
+            yield from self._arrow_chunks(plan)
             numbers, texts, rows = self._batch(records)
             if not rows:
                 if self._over():
@@ -246,6 +275,11 @@ class CsvTable:
         notes = [""] * len(chunk.rows)
         for i, note in chunk.notes.items():
             notes[i] = self.quoted(note)
+        if self.large:
+            data = joined_rows(chunk.rows, added, notes if chunk.notes else None, self.delimiter, self.end)
+            if data is not None:
+                file.write(data)
+                return
         columns = [self._cells(column) for column in added]
         lines = map(self.delimiter.join, zip(chunk.rows, *columns, notes, strict=True))
         file.write(self._bytes(self.end.join(lines) + self.end))
@@ -268,5 +302,5 @@ class CsvTable:
         return text.encode(self.encoding.codec, errors=self.on_error)
 
 
-def _line_label(numbers: list[int]) -> Callable[[int], str]:
+def _line_label(numbers: Sequence[int]) -> Callable[[int], str]:
     return lambda i: f"line {numbers[i]}"

@@ -92,7 +92,9 @@ class ParquetTable:
             pa.field(plan.note, pa.string()),
         ]
         self.out_schema = pa.schema(fields, metadata=self.schema.metadata)
-        self.writer = self.pq.ParquetWriter(file, self.out_schema)
+        # (a dictionary of numbers that are all different takes longer to make than the rest of the file, and is thrown away)
+        repeated = [field.name for field in self.out_schema if not pa.types.is_floating(field.type)]
+        self.writer = self.pq.ParquetWriter(file, self.out_schema, use_dictionary=repeated)
 
     def write(self, file: BinaryIO, chunk: TableChunk, added: list[Array]) -> None:
         """Write the rows of a chunk with the new columns; null for a row without an answer."""

@@ -1,0 +1,235 @@
+"""Every row of the table of benchmarks: carom's time over a peer's, in one run, with the spread over five repeats.
+
+    make benchmarks                                             # all scripts of this folder; build/benchmarks.json
+    python benchmarks/rows.py arrays orbits --page docs/benchmarks.md
+
+A script measures a row with :func:`compare` or :func:`alone` and hands it to :func:`report`, which prints it. Run by this file, the
+scripts' rows are also gathered: into one table, a JSON file, and with ``--page`` the page of the documentation. A script that
+reports no row is run as well, and prints what it measures. A peer that is not installed leaves its row out.
+"""
+
+from __future__ import annotations
+
+import argparse
+import datetime
+import json
+import math
+import os
+import platform
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from importlib import metadata
+from pathlib import Path
+
+HERE = Path(__file__).parent
+REPEATS = 5
+ROWS_FILE = "CAROM_BENCHMARK_ROWS"  # where a script appends its rows, one JSON object a line
+CARRIED = ("carom", "numpy", "numba", "llvmlite", "pyarrow")
+
+
+@dataclass(frozen=True)
+class Row:
+    """One row: a work, what it took, and against whom."""
+
+    work: str
+    nanoseconds: float
+    """Of one unit, the shortest of the repeats."""
+    unit: str
+    peer: str = ""
+    """Name and version; empty if the work has no peer."""
+    ratio: float = math.nan
+    """carom's shortest time over the peer's."""
+    low: float = math.nan
+    """The least of the five repeats' ratios (without a peer: of their times over the shortest)."""
+    high: float = math.nan
+    wanted: float = math.nan
+    """The largest ratio, or time in ns if there is no peer, that this project wants."""
+
+
+def seconds(work: Callable[[], object]) -> float:
+    """Return the seconds that a call takes."""
+    begin = time.perf_counter()
+    work()
+    return time.perf_counter() - begin
+
+
+def compare(
+    work: str,
+    ours: Callable[[], object],
+    theirs: Callable[[], object],
+    peer: str,
+    *,
+    count: float = 1,
+    unit: str = "ball",
+    calls: int = 1,
+    wanted: float = math.nan,
+    clock: Callable[[Callable[[], object]], float] = seconds,
+) -> Row:
+    """Measure both in turn, five times, the shortest of ``calls`` calls each; ``count`` units a call."""
+    clock(ours), clock(theirs)
+    pairs = [(min(clock(ours) for _ in range(calls)), min(clock(theirs) for _ in range(calls))) for _ in range(REPEATS)]
+    return paired(work, pairs, peer, count=count, unit=unit, wanted=wanted)
+
+
+def paired(
+    work: str, pairs: list[tuple[float, float]], peer: str, *, count: float, unit: str, wanted: float = math.nan
+) -> Row:
+    """Return the row of pairs of times in s, carom's and the peer's, one pair a repeat."""
+    ratios = [a / b for a, b in pairs]
+    ours, theirs = (min(times) for times in zip(*pairs, strict=True))
+    return Row(work, ours / count * 1e9, unit, peer, ours / theirs, min(ratios), max(ratios), wanted)
+
+
+def alone(
+    work: str,
+    ours: Callable[[], object],
+    *,
+    count: float = 1,
+    unit: str = "call",
+    calls: int = 1,
+    wanted: float = math.nan,
+) -> Row:
+    """Measure a work that has no peer, five times, the shortest of ``calls`` calls each."""
+    seconds(ours)
+    times = [min(seconds(ours) for _ in range(calls)) for _ in range(REPEATS)]
+    least = min(times)
+    return Row(work, least / count * 1e9, unit, low=1.0, high=max(times) / least, wanted=wanted)
+
+
+def report(row: Row) -> Row:
+    """Print a row, and hand it to the run that gathers rows; return it."""
+    print("  " + "  ".join(cells(row)))
+    gathered = os.environ.get(ROWS_FILE)
+    if gathered:
+        with Path(gathered).open("a") as file:
+            file.write(json.dumps(asdict(row)) + "\n")
+    return row
+
+
+def cells(row: Row) -> list[str]:
+    """Return a row as text: work, time, peer, ratio with its spread, what is wanted."""
+    took = f"{_time(row.nanoseconds)} a {row.unit}"
+    if not row.peer:
+        wanted = "" if math.isnan(row.wanted) else _time(row.wanted)
+        return [row.work, took, "", f"repeats up to {row.high:.2f} times as long", wanted]
+    wanted = "" if math.isnan(row.wanted) else _ratio(row.wanted)
+    return [row.work, took, row.peer, f"{_ratio(row.ratio)} ({_ratio(row.low)} to {_ratio(row.high)})", wanted]
+
+
+def _time(ns: float) -> str:
+    for size, unit in ((1e9, "s"), (1e6, "ms"), (1e3, "us")):
+        if ns >= size:
+            return f"{ns / size:.3g} {unit}"
+    return f"{ns:.3g} ns"
+
+
+def _ratio(x: float) -> str:
+    return f"1/{1 / x:.0f}" if x < 1 / 9.5 else f"{x:.2f}"
+
+
+# --- all scripts ---------------------------------------------------------------------------------------------------
+
+
+def gather(scripts: list[str]) -> tuple[list[Row], list[str]]:
+    """Run scripts; return their rows, and the names of those that failed."""
+    build = HERE.parent / "build"
+    build.mkdir(exist_ok=True)
+    collected = build / "benchmark_rows.jsonl"
+    collected.unlink(missing_ok=True)
+    failed = []
+    for name in scripts:
+        print(f"== {name}", flush=True)
+        done = subprocess.run(
+            [sys.executable, HERE / f"{name}.py"], env={**os.environ, ROWS_FILE: str(collected)}, check=False
+        )
+        failed += [name] if done.returncode else []
+    lines = collected.read_text().splitlines() if collected.exists() else []
+    return [Row(**json.loads(line)) for line in lines], failed
+
+
+def machine() -> str:
+    """Return the processor and how many cores there are."""
+    info = Path("/proc/cpuinfo")
+    lines = info.read_text().splitlines() if info.exists() else []
+    model = next(
+        (line.partition(":")[2].strip() for line in lines if line.startswith("model name")), platform.machine()
+    )
+    return f"{model}, {os.cpu_count()} cores, {platform.system()}"
+
+
+def versions() -> str:
+    """Return Python's version and those of the libraries that carom stands on."""
+    found = [f"Python {platform.python_version()}"]
+    for name in CARRIED:
+        try:
+            found.append(f"{name} {metadata.version(name)}")
+        except metadata.PackageNotFoundError:
+            continue
+    return ", ".join(found)
+
+
+HEAD = ["work", "carom takes", "peer", "carom's time over the peer's (spread)", "wanted"]
+
+
+HOW = """\
+Both sides of a row are timed in turn, five times in one run; the ratio is that of the shortest times, and in brackets
+are the least and the largest ratio of a repeat: a wide spread means that other work shared the machine. Below 1 carom
+is faster; 1/70 is seventy times faster."""
+PEERS = """\
+Peers: `np.copy` copies half as many bytes as a result reads and writes, into new memory; `np.copyto` those of a final
+state, into arrays that exist, on one thread where carom has two; C is a loop written by hand for one table
+(`benchmarks/orbits.py`), which follows the same orbit. Gases, with their peers, are on [the page on
+gases](theory/gas.md); whole shots, and what each figure is made of, in [Design](design.md)."""
+
+
+def page(rows: list[Row], when: str) -> str:
+    """Return the page of the documentation."""
+    table = ["| " + " | ".join(row) + " |" for row in [HEAD, ["---"] * len(HEAD), *map(cells, rows)]]
+    slower = sorted((row for row in rows if row.peer and row.ratio > 1 / 1.5), key=lambda row: -row.ratio)
+    missed = [row for row in rows if (row.ratio if row.peer else row.nanoseconds) > row.wanted]
+    parts = [
+        "# Benchmarks",
+        "<!-- made by: python benchmarks/rows.py SCRIPTS --page docs/benchmarks.md -->",
+        f"{when}, {machine()}; {versions()}.",
+        HOW,
+        "\n".join(table),
+        "## Where carom loses, or wins little",
+        "\n".join(f"- {row.work}: {_ratio(row.ratio)} against {row.peer}." for row in slower) or "Nowhere among these.",
+        "## Not yet what is wanted",
+        "\n".join(f"- {row.work}: {cells(row)[3 if row.peer else 1]}; wanted {cells(row)[4]}." for row in missed)
+        or "Nothing among these.",
+        PEERS,
+    ]
+    return "\n\n".join(parts) + "\n"
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    known = sorted(path.stem for path in HERE.glob("*.py") if path.stem not in ("rows", "peers"))
+    parser.add_argument("scripts", nargs="*", metavar="script", help=f"default: all of {', '.join(known)}")
+    parser.add_argument("--json", type=Path, default=HERE.parent / "build" / "benchmarks.json")
+    parser.add_argument("--page", type=Path, help="write the page of the documentation")
+    given = parser.parse_args()
+    unknown = sorted(set(given.scripts) - set(known))
+    if unknown:
+        parser.error(f"expected scripts out of {', '.join(known)}, got {', '.join(unknown)}")
+    rows, failed = gather(given.scripts or known)
+    when = datetime.datetime.now(datetime.UTC).date().isoformat()
+    figures = {"date": when, "machine": machine(), "versions": versions(), "rows": [asdict(row) for row in rows]}
+    given.json.write_text(json.dumps(figures, indent=1) + "\n")
+    table = [HEAD, *map(cells, rows)]
+    widths = [max(map(len, column)) for column in zip(*table, strict=True)]
+    for row in table:
+        print("  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True)).rstrip())
+    if given.page:
+        given.page.write_text(page(rows, when))
+    if failed:
+        print(f"failed: {', '.join(failed)}", file=sys.stderr)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
