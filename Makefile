@@ -14,9 +14,9 @@ wasm:
 # the explorer's page: types, lint, and the bundle of web/ with three.js (Node 20 or later)
 page:
 	cd web && npm install --no-package-lock --no-audit --no-fund && npm run check && npm run build
-# speed, also against other programs (those that are installed)
+# speed, also against other programs (those that are installed): one table, and build/benchmarks.json
 benchmarks:
-	for file in benchmarks/*.py; do echo "== $$file"; python $$file || exit 1; done
+	python benchmarks/rows.py
 # derivatives through PyTorch, where it is installed (extra torch)
 check-torch:
 	pytest -n0 tests/interop/check_torch.py

@@ -12,11 +12,11 @@ from __future__ import annotations
 import math
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 
 import numba
 import numpy as np
+from rows import REPEATS, alone, compare, paired, report, seconds
 
 import carom
 from carom.laws.arrays import loop_for
@@ -25,24 +25,17 @@ from carom.laws.law import LIKE_SOLIDS
 from carom.laws.maw import maw_contact
 from carom.laws.stronge import stronge_contact
 
-# pooltool's models and ours of the same physics
-SAME = {"Han": "one contact, mu = 0.2", "Mathavan": "pressed, rolling", "Stronge": "stronge"}
+NUMPY = f"NumPy {np.__version__}"
+# Half the bytes a ball that a full result reads and writes. An impact reads velocity and spin, and writes both, an
+# impulse and the required friction; the two-step law reads and writes so for the wall and for the floor, and the
+# flight and the rolling state besides.
+IMPACT_BYTES = (6 + 9 + 1) * 8 // 2
+TWO_STEP_BYTES = (6 + 12 + 1 + 6 + 3 + 12 + 1 + 6) * 8 // 2
 
 
 def best(function: Callable[[], object], times: int) -> float:
     """The shortest of several runs, s: the one that other work on the machine disturbed least."""
-    found = math.inf
-    for _ in range(times):
-        start = time.perf_counter()
-        function()
-        found = min(found, time.perf_counter() - start)
-    return found
-
-
-def alternating(first: Callable[[], object], second: Callable[[], object], times: int) -> tuple[float, float]:
-    """The shortest run of each, taken in turn so that both meet the same machine."""
-    pairs = [(best(first, 1), best(second, 1)) for _ in range(times)]
-    return min(a for a, _ in pairs), min(b for _, b in pairs)
+    return min(seconds(function) for _ in range(times))
 
 
 def process(*command: str) -> float:
@@ -77,14 +70,18 @@ def arrays(count: int) -> dict[str, float]:
         ("one contact, mu = 0.2", lambda: carom.impact_into(out, ball, state, surface=slide)),
         ("two-step, the paper's", lambda: carom.two_step_into(out, why, ball, state)),
         ("two-step, mu = 0.2, cloth", lambda: carom.two_step_into(out, why, ball, state, slide, cloth)),
-        ("one contact, full result", lambda: carom.impact(ball, state, surface=slide)),
-        ("two-step, full result", lambda: carom.two_step(ball, state, slide, cloth)),
     ]
     for name, job in jobs:
-        job()  # compile, or load what was compiled
-        a, b = alternating(job, copy, 3 if "full" in name else 9)
-        found[name] = a / count * 1e9
-        print(f"  {name:28s} {a / b:6.2f} x copyto   ({a / count * 1e9:6.2f} ns a ball; copy {b / count * 1e9:5.2f})")
+        row = compare(f"{name}, final state", job, copy, f"np.copyto, {NUMPY}", count=count, calls=3, wanted=1.1)
+        found[name] = report(row).nanoseconds
+    # a full result is in new memory, as a copy of half the bytes that it reads and writes
+    full: list[tuple[str, int, float, Callable[[], object]]] = [
+        ("one contact, full result", IMPACT_BYTES, 3, lambda: carom.impact(ball, state, surface=slide)),
+        ("two-step, full result", TWO_STEP_BYTES, 6, lambda: carom.two_step(ball, state, slide, cloth)),
+    ]
+    for name, size, wanted, job in full:
+        source = np.ones(count * size // 8)
+        report(compare(name, job, source.copy, f"np.copy, {NUMPY}", count=count, wanted=wanted))
     rolls = carom.State(v[:few], np.ascontiguousarray(w[:few]))
     for name, those in (("pressed", some), ("pressed, rolling", rolls)):
         job = lambda: carom.two_step_into(some_out, why, ball, those, carom.Surface(0.85, 0.14), cloth, cushion)  # noqa: B023, E731
@@ -114,8 +111,7 @@ def scalars() -> None:
         ("mirror", lambda: carom.mirror(ball, state)),
         ("no_slip", lambda: carom.no_slip(ball, state)),
     ):
-        job()
-        print(f"  {name:28s} {best(job, 3000) * 1e6:6.1f} us a call")
+        report(alone(f"one state as Python: {name}", job, calls=1000, wanted=25_000))
 
 
 def starts() -> None:
@@ -128,26 +124,53 @@ def starts() -> None:
     print(f"  carom compare                {process('-m', 'carom', 'compare'):6.3f} s")
 
 
-def pooltool(found: dict[str, float]) -> None:
-    """Print pooltool's cushion laws against ours, where it is installed."""
+def pooltool(few: int = 100_000) -> None:
+    """Measure pooltool's cushion laws against ours, where it is installed."""
     try:
         from peers import pooltool_resolves
 
-        measured = list(pooltool_resolves(best))
+        measured = list(pooltool_resolves())
     except ImportError as missing:
         print(f"  not measured: {missing}")
         return
-    for name, seconds in measured:
-        ours = next(key for word, key in SAME.items() if word in name)
-        print(f"  {name:40s} {seconds * 1e6:7.1f} us a resolve, {seconds * 1e9 / found[ours]:6.0f} x {ours}")
+    works = physics_of_pooltool(few)
+    for name, resolve in measured:
+        work, ours = next(works[word] for word in works if word in name)
+        ours(), resolve()
+        pairs = [(best(ours, 3) / few, best(resolve, 1000)) for _ in range(REPEATS)]
+        wanted = 0.01 if "Mathavan" in name else math.nan
+        report(paired(work, pairs, name, count=1, unit="ball", wanted=wanted))
+
+
+def physics_of_pooltool(few: int) -> dict[str, tuple[str, Callable[[], object]]]:
+    """Return, by a word of pooltool's name for it, our works of the same physics on ``few`` rolling balls."""
+    ball, rng = carom.Ball(), np.random.default_rng(1)
+    v = rng.normal(size=(few, 3))
+    v[:, 0], v[:, 2] = -np.abs(v[:, 0]) - 0.01, 0
+    w = np.stack([-v[:, 1] / ball.radius, v[:, 0] / ball.radius, rng.normal(size=few) / ball.radius], axis=-1)
+    state, out, why = carom.State(v, w), carom.State(np.ones_like(v), np.ones_like(w)), np.ones(few, dtype=np.int8)
+    wall, cloth, cushion = carom.Surface(0.85, 0.14), carom.Surface(0.5, 0.2), (math.sqrt(0.84), 0.0, -0.4)
+    loop, n, given = loop_for(law_rows(stronge_contact), few), np.array([[1.0, 0.0, 0.0]]), np.empty((1, 5))
+    given[0] = ball.radius, ball.kappa, 0.85, 0.2, LIKE_SOLIDS
+    return {
+        "Han": ("one contact, in arrays", lambda: carom.impact_into(out, ball, state, surface=wall)),
+        "Mathavan": (
+            "wall and floor at once, rolling, in arrays",
+            lambda: carom.two_step_into(out, why, ball, state, wall, cloth, cushion),
+        ),
+        "Stronge": (
+            "Stronge's two springs, in arrays",
+            lambda: loop(state.velocity, state.spin, n, given, out.velocity, out.spin),
+        ),
+    }
 
 
 if __name__ == "__main__":
     balls = int(float(sys.argv[1])) if len(sys.argv) > 1 else 10_000_000
-    numbers = arrays(balls)
+    arrays(balls)
     print("one state, as Python")
     scalars()
     print("starts")
     starts()
     print("pooltool's cushion laws")
-    pooltool(numbers)
+    pooltool()

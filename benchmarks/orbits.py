@@ -1,6 +1,6 @@
 """One no-slip orbit in a circle and in polygons, against a loop written by hand in C and compiled with cc -O3, in one run.
 
-    python benchmarks/billiards.py [--bounces 1000000] [--repeats 9] [--cc cc]
+    python benchmarks/orbits.py [--bounces 1000000] [--repeats 5] [--cc cc]
 
 Both follow the same orbit on one thread and write time, position, velocity, spin and the side met, bounce by bounce, into
 arrays that exist. Printed are the best CPU times and their ratio, and how far the two orbits part: they do the same
@@ -11,12 +11,14 @@ from __future__ import annotations
 
 import argparse
 import ctypes
+import os
 import subprocess
 import tempfile
 import time
 from pathlib import Path
 
 import numpy as np
+from rows import alone, paired, report
 
 import carom
 from carom import billiards
@@ -79,7 +81,7 @@ def pointer(array: np.ndarray) -> ctypes.c_void_p:
     return array.ctypes.data_as(ctypes.c_void_p)
 
 
-def measure(name: str, table: billiards.Table, library: ctypes.CDLL, bounces: int, repeats: int) -> float:
+def measure(name: str, table: billiards.Table, library: ctypes.CDLL, peer: str, bounces: int, repeats: int) -> float:
     kappa, a = 0.5, 1.0
     setup = orbit_setup(table, carom.Disc(a, 1.0, kappa), "no-slip", None, "end")
     start = np.array([0.1, 0.2, 0.7, 0.4, 0.9])
@@ -89,53 +91,61 @@ def measure(name: str, table: billiards.Table, library: ctypes.CDLL, bounces: in
     nx, ny, c = (np.ascontiguousarray(p) for p in (setup.pieces["n"][:, 0], setup.pieces["n"][:, 1], setup.pieces["c"]))
     follow, world = compiled_loops().follow, setup.world[0]
     number = ctypes.c_double
-    best = {"carom": np.inf, "C": np.inf}
+    pairs = []
     for _ in range(repeats):
         begin = time.process_time()
         follow(world, setup.pieces, x, v, w, bounces, bounces, ours, met, last, np.zeros(MEMORY))
-        best["carom"] = min(best["carom"], time.process_time() - begin)
+        own = time.process_time() - begin
         begin = time.process_time()
         rest = (number(kappa), number(a), pointer(theirs), pointer(side))
         if table.name == "circle":
             library.circle(ctypes.c_long(bounces), pointer(start), number(table.sizes["radius"]), *rest)
         else:
             library.polygon(ctypes.c_long(bounces), pointer(start), len(c), pointer(nx), pointer(ny), pointer(c), *rest)
-        best["C"] = min(best["C"], time.process_time() - begin)
+        pairs.append((own, time.process_time() - begin))
     parted = np.abs(ours[:, 1:] - theirs[:, 1:]).max(axis=1)
     assert parted[: min(1000, bounces)].max() < 1e-9, "the two do not follow the same orbit"
     assert (met[:1000] == side[:1000]).all()
-    ns = {key: value / bounces * 1e9 for key, value in best.items()}
+    row = paired(f"one no-slip orbit, {name}", pairs, peer, count=bounces, unit="bounce", wanted=1.2)
+    report(row)
     energy = [(r[-1, 3:5] ** 2).sum() + kappa * (a * r[-1, 5]) ** 2 for r in (ours, theirs)]
     true = 0.7**2 + 0.4**2 + kappa * 0.9**2
     print(
-        f"{name:12} carom {ns['carom']:6.1f} ns a bounce, C {ns['C']:6.1f}, ratio {ns['carom'] / ns['C']:.2f};"
+        f"{name:12} carom {row.nanoseconds:6.1f} ns a bounce, ratio {row.ratio:.2f};"
         f"  apart by {parted[9]:.0e} after 10, {parted[min(999, bounces - 1)]:.0e} after 1000 bounces;"
         f"  energy off by {abs(energy[0] / true - 1):.0e}, C {abs(energy[1] / true - 1):.0e}"
     )
-    return ns["carom"] / ns["C"]
+    return row.ratio
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--bounces", type=int, default=1_000_000)
-    parser.add_argument("--repeats", type=int, default=9)
+    parser.add_argument("--repeats", type=int, default=5)
     parser.add_argument("--cc", default="cc")
     given = parser.parse_args()
     tables = {"circle": billiards.circle(), "triangle": billiards.regular(3), "square": billiards.regular(4)}
     tables |= {"pentagon": billiards.regular(5), "dodecagon": billiards.regular(12)}
     with tempfile.TemporaryDirectory() as folder:
         library = by_hand(given.cc, Path(folder))
-        worst = max(measure(name, table, library, given.bounces, given.repeats) for name, table in tables.items())
+        version = subprocess.run(
+            [given.cc, "-dumpfullversion"], check=True, capture_output=True, text=True
+        ).stdout.strip()
+        peer = f"C, {given.cc} {version} -O3"
+        worst = max(measure(name, table, library, peer, given.bounces, given.repeats) for name, table in tables.items())
     print(f"worst ratio {worst:.2f} (at most 1.5 is wanted)")
     # many orbits, all cores
     table = billiards.circle()
     begin = billiards.starts(table, 20_000, 1)
     billiards.final(table, begin, 10)
-    clock = time.perf_counter()
-    billiards.final(table, begin, 1000)
-    seconds = time.perf_counter() - clock
-    print(
-        f"20,000 orbits of 1000 bounces in a circle on all cores: {seconds:.2f} s, {20 / seconds:.0f} million bounces a second"
+    report(
+        alone(
+            "many no-slip orbits, circle, one core",
+            lambda: billiards.final(table, begin, 1000),
+            count=20_000 * 1000 / (os.cpu_count() or 1),
+            unit="bounce and core",
+            wanted=12,
+        )
     )
 
 

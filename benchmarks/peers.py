@@ -16,8 +16,8 @@ POOLTOOL = (
 )
 
 
-def pooltool_resolves(best: Callable[[Callable[[], object], int], float]) -> Iterator[tuple[str, float]]:
-    """Name and seconds a resolve of pooltool's cushion models, ball and cushion copied as pooltool's own loop has them."""
+def pooltool_resolves() -> Iterator[tuple[str, Callable[[], object]]]:
+    """pooltool's cushion models: name, and one impact resolved, ball and cushion copied as pooltool's loop has them."""
     pooltool = importlib.import_module("pooltool")
     table = pooltool.Table.default()
     cushion = next(iter(table.cushion_segments.linear.values()))
@@ -44,5 +44,4 @@ def pooltool_resolves(best: Callable[[Callable[[], object], int], float]) -> Ite
             ball.state.rvw = rvw.copy()
             return model.resolve(ball, cushion, inplace=True)  # type: ignore[attr-defined]
 
-        resolve()
-        yield f"pooltool {pooltool.__version__} {name}", best(resolve, 2000)
+        yield f"pooltool {pooltool.__version__} {name}", resolve

@@ -57,7 +57,10 @@ def as_column(x: Any) -> Any:
 
 def times_mass(impulse: Array, mass: Any) -> Array:
     """Return impulses (..., 3) per unit of mass, times the mass: in place where it is a number, without new memory."""
-    found: Array = np.multiply(impulse, as_column(mass), out=impulse if type(mass) is float else None)
+    if type(mass) is float:
+        impulse *= mass
+        return impulse
+    found: Array = impulse * as_column(mass)
     return found
 
 
