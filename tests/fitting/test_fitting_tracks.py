@@ -14,12 +14,18 @@ from reference.synthetic_runs import RADIUS, TRUTH, film, write
 
 import carom
 from carom.cli import main
+from carom.core.jit.dual.numbers import LANES
+from carom.core.jit.dual.records import float_count
 from carom.errors import CaromError
+from carom.fitting.laws import FITTED
+from carom.fitting.parameters import FORMS
 from carom.fitting.tracks import TrackFit, TrackRanking, TrackSetting, fit_tracks
 from carom.fitting.tracks.model import track_models
+from carom.fitting.tracks.objective import SIDESPIN, SegmentArrays, shared_slope, spin_loss
 from carom.fitting.tracks.segments import find_segments
-from carom.fitting.tracks.simulate import positions_at
+from carom.fitting.tracks.simulate import START, positions_and_slopes, positions_at, start_slopes
 from carom.scene.shapes import Table
+from carom.simulation.setup import set_up
 from carom.tracks import Measured, Settings, measure
 
 NOISE = 3e-4
@@ -96,15 +102,84 @@ def test_places_are_those_of_simulate(nose: float | None) -> None:
         [rng.uniform(0.2, 2.5, n), rng.uniform(0.2, 1.2, n), rng.uniform(-3, 3, (n, 2)), rng.uniform(-1, 1, (n, 2)),
          rng.uniform(-50, 50, n)]
     )  # fmt: skip
-    which, count = np.arange(n) % 2, np.full(n, len(t))
+    count = np.full(n, len(t))
     count[3] = 40
-    places = positions_at([scene(0.85), scene(0.7)], which, start, np.tile(t, (n, 1)), count)
+    setup = set_up(scene(0.85))
+    places = positions_at(setup, start, np.tile(t, (n, 1)), count)
+    by_scene = {name: np.zeros((1, len(rows), float_count(rows.dtype), LANES)) for name, rows in setup._asdict().items()
+                if name in ("world", "features")}  # fmt: skip
+    by_start = np.zeros((n, 1, 1, float_count(setup.balls.dtype), LANES))
+    by_start[:, 0, 0, :, : len(START)] = start_slopes(RADIUS)
+    again, slopes = positions_and_slopes(setup, setup.users, start, np.tile(t, (n, 1)), count, by_scene, by_start)
+    assert np.array_equal(places, again, equal_nan=True)
     assert np.isnan(places[3, 40:]).all()
+    assert (slopes[3, 40:] == 0).all()
     for k, (x, y, vx, vy, ux, uy, spin) in enumerate(start.tolist()):
         spins = ((uy - vy) / RADIUS, (vx - ux) / RADIUS, spin)
-        run = carom.simulate(scene((0.85, 0.7)[which[k]], position=(x, y), velocity=(vx, vy), spin=spins))
+        run = carom.simulate(scene(0.85, position=(x, y), velocity=(vx, vy), spin=spins))
         seen = np.asarray(run.at(t).position)[: count[k], 0, :2]
         assert np.array_equal(places[k, : count[k]], seen)
+        # (with the slip held, the spin follows the velocity)
+        s = run.sensitivity(["balls.0.position", "balls.0.velocity", "balls.0.spin"])
+        kept = ("position.x", "position.y", "velocity.x", "velocity.y", "spin.x", "spin.y")
+        columns = [s.columns.index(f"balls.0.{name}") for name in kept]
+        for i in range(5, count[k], 17):
+            x_, y_, vx_, vy_, wx_, wy_ = (s.at(float(t[i])).position[0, :2, column] for column in columns)
+            expected = [x_, y_, vx_ + wy_ / RADIUS, vy_ - wx_ / RADIUS, -wy_ / RADIUS, wx_ / RADIUS]
+            assert slopes[k, i, :, :6] == pytest.approx(np.column_stack(expected), rel=1e-11, abs=1e-11)
+
+
+EVERY_FORM = [name for name in FORMS if name != "line"]
+
+
+@pytest.mark.parametrize("form", EVERY_FORM)
+def test_arrays_of_every_law_are_affine_in_its_parameters(form: str) -> None:
+    """All parameters moved at once: as the scene's own arrays, to rounding; and the shared derivatives as differences have them."""
+    seen = measured(4, 2)
+    setting = TrackSetting(radius=RADIUS, noise=NOISE, contact_height=1.2, restitution=form, fit=("spin_loss",))
+    rng = np.random.default_rng(1)
+    models = track_models([law.name for law in FITTED if law.kind == "table" and law.engine], setting, seen.walls, {})[
+        0
+    ]
+    assert len(models) > 6
+    for model in models:
+        numbers = {name: rng.uniform(0.9 * one.start + 0.1 * one.low, 0.9 * one.start + 0.1 * one.high)
+                   for name, one in model.free.items()}  # fmt: skip
+        made, expected = model.table(numbers).setup, set_up(model.scene(numbers))
+        for array in ("world", "features"):
+            for field in made.world.dtype.names if array == "world" else made.features.dtype.names:
+                one, two = getattr(made, array)[field], getattr(expected, array)[field]
+                assert one == pytest.approx(two, rel=1e-13, abs=1e-13, nan_ok=True), (model.law.name, field)
+
+
+@pytest.mark.parametrize("law", ["two-step", "contact", "maw"])
+def test_shared_derivatives_are_those_of_differences(law: str) -> None:
+    """Of the scenes themselves, with the starts held, to their rounding of a nanometre."""
+    seen = measured(4, 2)
+    frames = SegmentArrays.of(find_segments(seen, 2, 0.5)[0], NOISE)
+    setting = TrackSetting(radius=RADIUS, noise=NOISE, contact_height=1.2, fit=("spin_loss",))
+    model = track_models([law], setting, seen.walls, {})[0][0]
+    numbers = {name: one.start for name, one in model.free.items()}
+    q = np.zeros((len(frames.segments), len(START)))
+    for n, one in enumerate(frames.segments):
+        q[n, 2:4], q[n, :2] = np.polyfit(one.time[:6], one.position[:6], 1)
+    q[:, SIDESPIN] = 20.0
+
+    def gaps(name: str, by: float) -> np.ndarray:
+        setup = set_up(model.scene({**numbers, name: numbers[name] + by}))
+        start = q.copy()
+        start[:, SIDESPIN] += spin_loss(setup) * np.array([one.contacts[0] for one in frames.segments])
+        return frames.gap(positions_at(setup, start, frames.time, frames.count))
+
+    slopes = shared_slope(model, frames, q, numbers)
+    for p, name in enumerate(model.free):
+        width, off, scale = min(model.free[name].high - model.free[name].low, 1.0), math.inf, 1.0
+        for h in (1e-4 * width, 3e-5 * width, 1e-5 * width):  # (in some, a place jumps by half a nanometre)
+            one, two = ((gaps(name, k * h) - gaps(name, -k * h)) / (2 * k * h) for k in (1, 2))
+            scale = max(float(np.abs(one).max()), scale)
+            off = min(off, float(np.quantile(np.abs((4 * one - two) / 3 - slopes[:, :, p]), 0.95)))
+        assert off < 1e-6 * scale, name
+        assert scale > 1 or name != "restitution"
 
 
 def test_the_truth_comes_back(ranking: TrackRanking) -> None:

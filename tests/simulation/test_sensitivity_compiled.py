@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import Any
 
@@ -17,8 +18,8 @@ from carom.scene.paths import replaced
 from carom.simulation.sensitivity.compiled import follow_compiled
 from carom.simulation.sensitivity.interpreted import follow_interpreted
 from carom.simulation.sensitivity.parameters import parameters_of
-from carom.simulation.sensitivity.seeds import _columns_of, _differences
-from carom.simulation.setup import set_up
+from carom.simulation.sensitivity.seeds import Column, _columns_of, _differences, _shifted, _step_of
+from carom.simulation.setup import SceneArrays, set_up
 
 
 def both(run: carom.Trajectory, paths: Any) -> tuple[Any, Any]:
@@ -86,6 +87,10 @@ def test_wall_and_floor_at_once() -> None:
     assert same(plain.derivatives, compiled.derivatives)
 
 
+def _shifted_arrays(scene: carom.Scene, column: Column, by: float) -> SceneArrays:
+    return set_up(_shifted(scene, column, by), compiled=False)
+
+
 def test_parameters_that_the_arrays_hold_themselves_are_not_differenced() -> None:
     scene = shot()
     setup = set_up(scene, compiled=False)
@@ -98,7 +103,8 @@ def test_parameters_that_the_arrays_hold_themselves_are_not_differenced() -> Non
     ):
         found = parameters_of(scene, path, [1, 4])
         for column, slopes in zip(_columns_of(scene, path, [1, 4]), found.slopes, strict=True):
-            expected = _differences(scene, column, setup)
+            shifted = functools.partial(_shifted_arrays, scene, column)
+            expected = _differences(setup, shifted, _step_of(column))
             assert expected is not None
             for name, fields in expected.items():
                 for field, slope in fields.items():

@@ -21,6 +21,7 @@ __all__ = ["COMPILE_JOBS", "compile_all"]
 COMPILE_JOBS = (
     "carom.simulation.wall_and_floor:compiled_joint_impact",
     "carom.simulation.compiled:compiled_engine",
+    "carom.simulation.sensitivity.compiled:compiled_follow",
     f"{__name__}:measure_gas",
     f"{__name__}:answer_many_rows",
     "carom.billiards.tangent:compiled_tangent_loop",
@@ -30,7 +31,7 @@ COMPILE_JOBS = (
     f"{__name__}:load_called_laws",
     "carom.sweeps.shots_loop:compiled_follow",
     f"{__name__}:draw_shots",
-    "carom.fitting.tracks.simulate:_compiled",
+    f"{__name__}:follow_many_runs",
     "carom.tracks.table_motion:_compiled",
 )
 MANY = 500  # rows, enough for the compiled loop to be used
@@ -139,6 +140,15 @@ def draw_shots() -> None:
     found.at(times)
     found.orientation(times)
     carom.simulate_many(scene, velocity=np.array([[[-1.0, 0.0, 0.0]], [[-2.0, 0.0, 0.0]]]))
+
+
+def follow_many_runs() -> None:
+    """Compile the loops over short runs and those with derivatives: whole tracks, and many starts."""
+    from carom.fitting.tracks.simulate import compile_tracks
+    from carom.simulation.sensitivity.many import compiled_many
+
+    compile_tracks()
+    compiled_many()
 
 
 def measure_gas() -> None:

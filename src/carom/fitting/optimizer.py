@@ -20,7 +20,7 @@ Indices = NDArray[np.int64]
 Evaluate = Callable[[Indices, Array, bool], tuple[Array, Array, Array]]
 Best = TypeVar("Best")
 MAX_FAILURES = 12  # successive steps without a decrease
-NEARBY = (0.7, 0.82, 0.91, 0.96, 0.98, 1.02, 1.04, 1.1, 1.2, 1.4)  # multiples of a friction, to be held
+NEARBY = (0.7, 0.82, 0.9, 0.94, 0.96, 0.98, 1.02, 1.04, 1.06, 1.1, 1.2, 1.4)  # multiples of a friction, to be held
 EVERYWHERE = (0.07, 0.1, 0.14, 0.18, 0.23, 0.3, 0.4)  # frictions
 ROUNDS = 4
 

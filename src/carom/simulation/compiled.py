@@ -19,7 +19,16 @@ from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.resolve import DONE
 from carom.simulation.wall_and_floor import PART, register_joint_impact
 
-__all__ = ["Engine", "compiled_before", "compiled_engine", "compiled_many", "is_loaded", "loops_of", "plain_engine"]
+__all__ = [
+    "ENGINE_RUN",
+    "Engine",
+    "compiled_before",
+    "compiled_engine",
+    "compiled_many",
+    "is_loaded",
+    "loops_of",
+    "plain_engine",
+]
 
 
 class Engine(NamedTuple):
@@ -29,19 +38,24 @@ class Engine(NamedTuple):
     finish: Callable[..., Any]
 
 
+# What the loop and its end return, and what they take.
+ENGINE_END = (None, array_of(WORLD), array_of(BALLS), float)
+ENGINE_RUN = (
+    (int, int, int, int, float, float),
+    *(array_of(kind) for kind in (WORLD, FEATURES, BALLS, LOG)), float, float, int, array_of(int), int,
+)  # fmt: skip
+
+
 @functools.cache
 def compiled_engine() -> Engine:
     """Return the compiled event loop; from the second time on it is loaded from the cache."""
     register_calls()
     register_joint_impact()
-    worlds, features, balls, log = (array_of(kind) for kind in (WORLD, FEATURES, BALLS, LOG))
-    returns = (int, int, int, int, float, float)
-    loop = signature(returns, worlds, features, balls, log, float, float, int, array_of(int), int)
     with contextlib.nullcontext() if compiled_before() else compile_in_background(PART):
         # (nothing is made in the loop: no counting of who holds an array)
         return Engine(
-            njit(_one_run, signature=loop, _nrt=False),
-            njit(_one_end, signature=signature(None, worlds, balls, float), _nrt=False),
+            njit(_one_run, signature=signature(*ENGINE_RUN), _nrt=False),
+            njit(_one_end, signature=signature(*ENGINE_END), _nrt=False),
         )
 
 

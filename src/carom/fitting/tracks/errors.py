@@ -68,8 +68,8 @@ class _Subject:
     def rise(self, i: int, value: float) -> float:
         """Return the deviance above its minimum with one shared parameter changed and the starts fitted again."""
         fit = self.fit
-        scene = fit.model.scene({**fit.numbers, self.names[i]: value})
-        return float(settle(scene, fit.frames, fit.starts, fit.q, FOLLOWING_STEPS).cost.sum()) - fit.chi2
+        table = fit.model.table({**fit.numbers, self.names[i]: value})
+        return float(settle(table, fit.frames, fit.starts, fit.q, FOLLOWING_STEPS).cost.sum()) - fit.chi2
 
     def refit_rises(self, i: int, values: Array) -> tuple[Array, Array]:
         """Return the profile above its minimum, and the shared parameters there."""

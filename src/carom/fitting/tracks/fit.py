@@ -114,15 +114,15 @@ def _before_first_contact(
 ) -> tuple[Array, Starts]:
     """Fit starts to the frames before the first contact, and decide which balls slide there."""
     first, setting = frames.until(0), model.setting
-    q, scene = _straight_starts(frames), model.scene(numbers)
+    q, table = _straight_starts(frames), model.table(numbers)
     none = np.zeros(len(q), bool)
-    rolls = settle(scene, first, _starts(q, none, setting), q)
+    rolls = settle(table, first, _starts(q, none, setting), q)
     if model.rolling_only:
         return rolls.q, _starts(rolls.q, none, setting)
     begin, tries = rolls.q.copy(), []
     for share in SLIDE_SHARES:
         begin[:, SLIP] = share * rolls.q[:, VELOCITY]
-        tries.append(settle(scene, first, _starts(q, ~none, setting), begin))
+        tries.append(settle(table, first, _starts(q, ~none, setting), begin))
     slid = np.where((tries[0].cost < tries[1].cost)[:, None], tries[0].q, tries[1].q)
     cost = np.minimum(tries[0].cost, tries[1].cost)
     slides = np.array([one.slides for one in frames.segments]) | (rolls.cost - cost > SLIDE_GAIN)
@@ -164,7 +164,7 @@ def finish(
         if not deviance < least - max(1.0, 1e-4 * abs(least)):
             break
         least = deviance
-    return _evaluated(model, frames, starts, numbers, settle(model.scene(numbers), frames, starts, q), least_noise)
+    return _evaluated(model, frames, starts, numbers, settle(model.table(numbers), frames, starts, q), least_noise)
 
 
 def _with_scatter(
@@ -176,7 +176,7 @@ def _with_scatter(
     """
     if model.setting.noise is not None:
         return frames
-    gap = settle(model.scene(numbers), frames, starts, q, 1).gap * frames.sigma[:, None]
+    gap = settle(model.table(numbers), frames, starts, q, 1).gap * frames.sigma[:, None]
     scatter = np.sqrt((gap * gap).sum(axis=1) / np.maximum(2 * frames.count - q.shape[1], 1))
     return replace(frames, sigma=np.maximum(scatter, np.maximum(noise, np.median(scatter))))
 
@@ -189,12 +189,12 @@ def _restarted(
     Two contacts in one window (a corner, for example) can move a start far from that of the frames before them if the parameters
     are still inaccurate; and a sidespin fits only once the rest of the start has been adjusted to it.
     """
-    scene = model.scene(numbers)
-    so_far = settle(scene, frames, starts, q)
+    table = model.table(numbers)
+    so_far = settle(table, frames, starts, q)
     n, every = len(q), np.repeat(np.arange(len(q)), SIDESPINS)
     begin = first[every]
     begin[:, SIDESPIN] = _sidespins(first, model.setting).ravel()
-    tried = settle(scene, frames.pick(every), starts.pick(every), begin, FOLLOWING_STEPS)
+    tried = settle(table, frames.pick(every), starts.pick(every), begin, FOLLOWING_STEPS)
     best = np.arange(n) * SIDESPINS + np.argmin(tried.cost.reshape(n, SIDESPINS), axis=1)
     return np.where((tried.cost[best] < so_far.cost)[:, None], tried.q[best], so_far.q)
 
@@ -208,12 +208,12 @@ def with_best_sidespins(
     model: TrackModel, frames: SegmentArrays, starts: Starts, q: Array, numbers: Mapping[str, float]
 ) -> Array:
     """Return starts with the sidespin that fits these frames best: the current one, or another that lowers the deviance."""
-    scene = model.scene(numbers)
-    so_far = settle(scene, frames, starts, q)
+    table = model.table(numbers)
+    so_far = settle(table, frames, starts, q)
     tried = _sidespins(so_far.q, model.setting)
     other = so_far.q.copy()
-    other[:, SIDESPIN] = tried[np.arange(len(q)), np.argmin(scan(scene, frames, so_far.q, tried), axis=1)]
-    again = settle(scene, frames, starts, other)
+    other[:, SIDESPIN] = tried[np.arange(len(q)), np.argmin(scan(table, frames, so_far.q, tried), axis=1)]
+    again = settle(table, frames, starts, other)
     return np.where((again.cost < so_far.cost)[:, None], again.q, so_far.q)
 
 

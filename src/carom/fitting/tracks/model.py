@@ -12,11 +12,12 @@ from carom.errors import CaromError, float_or_nan
 from carom.fitting.data import table_faults
 from carom.fitting.laws import FittedLaw, track_laws_named
 from carom.fitting.parameters import FORMS, PARAMETERS, Parameter
+from carom.fitting.tracks.arrays import AffineArrays, Table
 from carom.laws.law import LIKE_SOLIDS
 from carom.scene.ball import SceneBall
 from carom.scene.restitution import Bounce, Constant, Exponential, Polynomial, Viscoelastic
 from carom.scene.scene import Floor, Run, Scene
-from carom.scene.shapes import Table
+from carom.scene.shapes import Table as Cushions
 from carom.tracks.events import WallLine
 
 __all__ = ["WALL_RANGE", "TrackModel", "TrackSetting", "side_of", "track_models"]
@@ -101,6 +102,8 @@ class TrackModel:
     free: dict[str, Parameter]
     held: dict[str, float]
     """Parameters that are not fitted."""
+    family: AffineArrays | None = None
+    """The arrays of :meth:`scene` by parameter, of those that are held later on as well."""
 
     @property
     def rolling_only(self) -> bool:
@@ -111,6 +114,11 @@ class TrackModel:
         """Return the model with one parameter held."""
         free = {other: one for other, one in self.free.items() if other != name}
         return replace(self, free=free, held=self.held | {name: value})
+
+    def table(self, numbers: Mapping[str, float]) -> Table:
+        """Return the arrays of the scene."""
+        assert self.family is not None
+        return self.family.at({**self.held, **numbers})
 
     def scene(self, numbers: Mapping[str, float], duration: float | None = None) -> Scene:
         """Return the table with one ball in its middle."""
@@ -123,7 +131,7 @@ class TrackModel:
         x0, x1 = sides.get("left", -FAR) - reach, sides.get("right", FAR) + reach
         y0, y1 = sides.get("bottom", -FAR) - reach, sides.get("top", FAR) + reach
         center, smooth = ((x0 + x1) / 2, (y0 + y1) / 2), self.law.frictionless
-        table = Table(
+        table = Cushions(
             length=x1 - x0, width=y1 - y0, center=center, nose_height=nose, stiffness_ratio=at["stiffness_ratio"],
             restitution=_form(given.restitution if "restitution" in self.law.free else "constant", at) if engine.surface else None,
             friction=None if not engine.surface else 0.0 if smooth else at["friction"],
@@ -212,4 +220,5 @@ def _model(law: FittedLaw, setting: TrackSetting, walls: Sequence[WallLine], sta
             low, high = max(low, law.chi_range[0] / share), min(high, law.chi_range[1] / share)
         inside = START_MARGIN * (high - low)
         free[name] = replace(parameter, low=low, high=high, start=float(np.clip(at, low + inside, high - inside)))
-    return TrackModel(law, setting, tuple(walls), free, held)
+    model = TrackModel(law, setting, tuple(walls), free, held)
+    return replace(model, family=AffineArrays(model.scene, free))

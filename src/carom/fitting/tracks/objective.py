@@ -1,9 +1,9 @@
 """Least-squares objective of whole tracks: parameters that all segments share, and a separate start for each segment.
 
 A start affects only its own segment, so for given shared parameters the starts are fitted separately, all segments in one call of
-the engine, and the shared parameters minimise the remainder: variable projection, after Golub & Pereyra, SIAM J. Numer. Anal.
-10, 413 (1973), with Kaufman's derivative, BIT 15, 49 (1975), whose normal matrix is the information on the shared parameters with
-all starts free. Both descents are :func:`carom.fitting.optimizer.minimize`.
+the engine with its exact derivatives, and the shared parameters minimise the remainder: variable projection, after Golub & Pereyra,
+SIAM J. Numer. Anal. 10, 413 (1973), with Kaufman's derivative, BIT 15, 49 (1975), whose normal matrix is the information on the
+shared parameters with all starts free. Both descents are :func:`carom.fitting.optimizer.minimize`.
 """
 
 from __future__ import annotations
@@ -14,11 +14,15 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.jit.dual.numbers import LANES
+from carom.core.jit.dual.records import float_count, float_places
 from carom.fitting.optimizer import minimize
+from carom.fitting.tracks.arrays import Table
 from carom.fitting.tracks.model import TrackModel
 from carom.fitting.tracks.segments import TrackSegment
-from carom.fitting.tracks.simulate import START, positions_at
-from carom.scene.scene import Scene
+from carom.fitting.tracks.simulate import START, Slopes, positions_and_slopes, positions_at, start_slopes
+from carom.simulation.records import BALLS
+from carom.simulation.setup import SceneArrays
 
 __all__ = [
     "SIDESPIN",
@@ -39,7 +43,6 @@ __all__ = [
 
 Array = NDArray[np.float64]
 Numbers = dict[str, float]
-STEP = 1e-6  # of the scales, for differences: the simulation is exact, so its rounding is 1e-9 of that
 UNDEFINED_DISTANCE = 0.5  # m between frame and ball where the law is undefined
 START_TOLERANCE, START_STEPS, NEXT_STEPS = 1e-3, 30, 9  # of chi^2; steps from anywhere, and from nearby parameters
 SHARED_TOLERANCE, ROUGH_TOLERANCE = 1e-2, 1e-3  # of chi^2; of its value
@@ -125,41 +128,50 @@ class BestStarts:
     """(N,) sum of squares, with the prior."""
 
 
-def _gaps(scenes: Sequence[Scene], which: NDArray[np.int64], frames: SegmentArrays, q: Array) -> Array:
-    """Return the gaps (N, 2 T) of runs from q (N, 7), whose sidespin is that at the first contact.
+def _on_table(setup: SceneArrays, frames: SegmentArrays, q: Array) -> Array:
+    """Return the starts (N, 7) of q (N, 7), whose sidespin is that at the first contact.
 
     The spin at the start is larger, by the loss on the cloth until then: a ball that had less than this loss arrives without
     sidespin, so within a range no residual depends on the spin at the start, and a search would not converge.
     """
-    loss = np.array([spin_loss(scene) for scene in scenes])[which]
-    first = np.array([one.contacts[0] for one in frames.segments])
     start = q.copy()
-    start[:, SIDESPIN] += np.sign(q[:, SIDESPIN]) * loss * first
-    return frames.gap(positions_at(scenes, which, start, frames.time, frames.count))
+    start[:, SIDESPIN] += np.sign(q[:, SIDESPIN]) * spin_loss(setup) * _first_contacts(frames)
+    return start
 
 
-def spin_loss(scene: Scene) -> float:
+def _first_contacts(frames: SegmentArrays) -> Array:
+    return np.array([one.contacts[0] for one in frames.segments])
+
+
+def spin_loss(setup: SceneArrays) -> float:
     """Return the rate at which the cloth reduces the spin about the vertical, rad/s^2."""
-    assert scene.floor is not None
-    ball = scene.balls[0]
-    return float(scene.floor.spin_friction * -scene.gravity[2] / (ball.ball.kappa * ball.radius))
+    world, ball = setup.world[0], setup.balls[0]
+    return float(world["spin_friction"] * world["g"] / (ball["kappa"] * ball["radius"]))
 
 
-def _many(scene: Scene, frames: SegmentArrays, tried: Array) -> Array:
+def _many(setup: SceneArrays, frames: SegmentArrays, tried: Array) -> Array:
     """Return the gaps (N, M, 2 T) of M starts (N, M, 7) for each segment."""
     n, m, _k = tried.shape
     spread = frames.pick(np.repeat(np.arange(n), m))
-    return _gaps([scene], np.zeros(n * m, np.int64), spread, tried.reshape(n * m, K)).reshape(n, m, -1)
+    start = _on_table(setup, spread, tried.reshape(n * m, K))
+    return spread.gap(positions_at(setup, start, spread.time, spread.count)).reshape(n, m, -1)
 
 
-def _slope(scene: Scene, frames: SegmentArrays, starts: Starts, q: Array, gap: Array) -> Array:
-    """Return the derivative (N, 2 T, 7) of the gaps in q / scale, by one step forward."""
-    columns = np.flatnonzero(starts.free.any(axis=0))
-    tried = np.repeat(q[:, None], len(columns), axis=1)
-    tried[:, np.arange(len(columns)), columns] += STEP * starts.scale[:, columns]
-    slope = np.zeros((*gap.shape, K))
-    slope[:, :, columns] = np.moveaxis(_many(scene, frames, tried) - gap[:, None], 1, 2) / STEP
-    return slope * starts.free[:, None, :]
+def _slope(table: Table, frames: SegmentArrays, q: Array, by_scene: Slopes, by_start: Array) -> Array:
+    """Return the derivatives (N, 2 T, C LANES) of the simulated positions."""
+    start = _on_table(table.setup, frames, q)
+    _places, slopes = positions_and_slopes(
+        table.setup, table.family.duals, start, frames.time, frames.count, by_scene, by_start
+    )
+    return slopes.reshape(len(q), -1, slopes.shape[-1])
+
+
+def _start_slope(table: Table, frames: SegmentArrays, starts: Starts, q: Array) -> Array:
+    """Return the derivative (N, 2 T, 7) of the gaps in q / scale."""
+    by_start = np.zeros((len(q), 1, 1, float_count(BALLS), LANES))
+    unit = starts.free * starts.scale / frames.sigma[:, None]
+    by_start[:, 0, 0, :, :K] = start_slopes(float(table.setup.balls["radius"][0])) * unit[:, None]
+    return _slope(table, frames, q, table.family.packed([]), by_start)[..., :K]
 
 
 def _information(slope: Array, starts: Starts) -> Array:
@@ -177,7 +189,7 @@ def _solved(matrix: Array, right: Array) -> Array:
     return np.asarray(size[:, :, None] * np.linalg.solve(scaled, size[:, :, None] * right))
 
 
-def settle(scene: Scene, frames: SegmentArrays, starts: Starts, q: Array, steps: int = START_STEPS) -> BestStarts:
+def settle(table: Table, frames: SegmentArrays, starts: Starts, q: Array, steps: int = START_STEPS) -> BestStarts:
     """Find the starts whose simulations are nearest to the frames, descending from q (N, 7). ``steps`` 1: evaluate only at q."""
     width = 2 * frames.time.shape[1]
     tried, gap, slope = np.zeros((len(q), width)), np.zeros((len(q), width)), np.zeros((len(q), width, K))
@@ -186,12 +198,12 @@ def settle(scene: Scene, frames: SegmentArrays, starts: Starts, q: Array, steps:
         some, part = frames.pick(which), starts.pick(which)
         here = at * part.scale
         if not derivatives:
-            tried[which] = _many(scene, some, here[:, None])[:, 0]
+            tried[which] = _many(table.setup, some, here[:, None])[:, 0]
         value = np.square(tried[which]).sum(axis=-1) + (part.weight * here * here).sum(axis=-1)
         if not derivatives:
             return value, at, at
         gap[which] = tried[which]
-        slope[which] = _slope(scene, some, part, here, gap[which])
+        slope[which] = _start_slope(table, some, part, here)
         score = -(np.einsum("ntk,nt->nk", slope[which], gap[which]) + part.weight * part.scale * here) * part.free
         return value, score, _information(slope[which], part)
 
@@ -202,30 +214,26 @@ def settle(scene: Scene, frames: SegmentArrays, starts: Starts, q: Array, steps:
     return BestStarts(found.p * starts.scale, gap, slope, found.value)
 
 
-def scan(scene: Scene, frames: SegmentArrays, q: Array, tried: Array) -> Array:
+def scan(table: Table, frames: SegmentArrays, q: Array, tried: Array) -> Array:
     """Return sums of squares (N, M) with M sidespins (N, M) instead of those of the starts."""
     starts = np.repeat(q[:, None], tried.shape[1], axis=1)
     starts[:, :, SIDESPIN] = tried
-    return np.asarray(np.square(_many(scene, frames, starts)).sum(axis=-1))
+    return np.asarray(np.square(_many(table.setup, frames, starts)).sum(axis=-1))
 
 
 def shared_slope(model: TrackModel, frames: SegmentArrays, q: Array, numbers: Mapping[str, float]) -> Array:
     """Return the derivative (N, 2 T, P) of the gaps in the shared parameters, with the starts held."""
     names = list(model.free)
-    n, p = len(q), len(names)
     if not names:
-        return np.zeros((n, 2 * frames.time.shape[1], 0))
-    scenes, steps = [model.scene(numbers)], []
-    for name in names:
-        parameter = model.free[name]
-        h = STEP * min(parameter.high - parameter.low, 1.0)
-        if numbers[name] + h > parameter.high:
-            h = -h
-        scenes.append(model.scene({**numbers, name: numbers[name] + h}))
-        steps.append(h)
-    rows = np.tile(np.arange(n), p + 1)
-    gaps = _gaps(scenes, np.repeat(np.arange(p + 1), n), frames.pick(rows), q[rows]).reshape(p + 1, n, -1)
-    return np.asarray(np.moveaxis((gaps[1:] - gaps[0]) / np.array(steps)[:, None, None], 0, 2))
+        return np.zeros((len(q), 2 * frames.time.shape[1], 0))
+    table = model.table(numbers)
+    by_scene = table.family.packed(names)
+    by_start = np.zeros((len(q), len(by_scene["world"]), 1, float_count(BALLS), LANES))
+    if "spin_loss" in names:
+        chunk, lane = divmod(names.index("spin_loss"), LANES)
+        turned = np.sign(q[:, SIDESPIN]) * _first_contacts(frames)
+        by_start[:, chunk, 0, float_places(BALLS)["w"].stop - 1, lane] = turned
+    return _slope(table, frames, q, by_scene, by_start)[..., : len(names)] / frames.sigma[:, None, None]
 
 
 def projected(settled: BestStarts, starts: Starts, by_shared: Array) -> tuple[Array, Array]:
@@ -254,7 +262,7 @@ def descend(
         here = dict(zip(names, at[0].tolist(), strict=True))
         if settled is None or not derivatives:
             steps = NEXT_STEPS if np.isfinite(least) else START_STEPS
-            settled = settle(model.scene(here), frames, starts, nearest, steps)
+            settled = settle(model.table(here), frames, starts, nearest, steps)
             tell()
         value = float(settled.cost.sum())
         if value < least:
@@ -268,7 +276,7 @@ def descend(
         return np.array([value]), score[None], information[None]
 
     if not names:
-        return {}, settle(model.scene(numbers), frames, starts, q)
+        return {}, settle(model.table(numbers), frames, starts, q)
     low, high = (np.array([getattr(one, end) for one in model.free.values()]) for end in ("low", "high"))
     dof = 2.0 * float(frames.count.sum())
     begin = np.clip([[numbers[name] for name in names]], low, high)
@@ -284,4 +292,4 @@ def descend(
         joint=False,
     )
     best = dict(zip(names, found.p[0].tolist(), strict=True))
-    return best, settle(model.scene(best), frames, starts, nearest)
+    return best, settle(model.table(best), frames, starts, nearest)

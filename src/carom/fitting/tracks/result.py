@@ -113,7 +113,7 @@ class TrackFit:
     def start(self, n: int) -> Array:
         """Return the start (7,) of a segment (carom.fitting.tracks.simulate.START)."""
         start: Array = self.q[n].copy()
-        loss = spin_loss(self.model.scene(self.numbers)) * self.frames.segments[n].contacts[0]
+        loss = spin_loss(self.model.table(self.numbers).setup) * self.frames.segments[n].contacts[0]
         start[SIDESPIN] += np.sign(start[SIDESPIN]) * loss
         return start
 

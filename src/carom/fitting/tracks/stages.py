@@ -27,7 +27,7 @@ def distances_through_contacts(fit: TrackFit) -> Array:
     Each start is fitted anew to the frames of its stage alone, with the shared parameters of the fit, so that no stage pays for a
     later one. Stages with fewer than LEAST_SEGMENTS segments are left out.
     """
-    scene, found = fit.model.scene(fit.numbers), []
+    table, found = fit.model.table(fit.numbers), []
     for contacts in range(1 + max(len(one.contacts) for one in fit.frames.segments)):
         which = np.array([n for n, one in enumerate(fit.frames.segments) if len(one.contacts) >= contacts])
         if len(which) < LEAST_SEGMENTS:
@@ -35,7 +35,7 @@ def distances_through_contacts(fit: TrackFit) -> Array:
         frames, starts, q = fit.frames.until(contacts).pick(which), fit.starts.pick(which), fit.q[which]
         if contacts:
             q = with_best_sidespins(fit.model, frames, starts, q, fit.numbers)
-        gap = settle(scene, frames, starts, q).gap * frames.sigma[:, None]
+        gap = settle(table, frames, starts, q).gap * frames.sigma[:, None]
         found.append(float(np.median(np.sqrt((gap * gap).sum(axis=1) / frames.count))))
     return np.array(found)
 

@@ -28,7 +28,10 @@ from carom.simulation.sensitivity.passages import Motion, Passages
 from carom.simulation.setup import SceneArrays
 from carom.simulation.wall_and_floor import joint_impact
 
-__all__ = ["SLOPES", "compiled_follow", "dual_users", "follow_compiled", "pass_loop", "register_pass"]
+__all__ = [
+    "FOLLOW", "SLOPES", "STATES", "compiled_follow", "compiled_states", "dual_users", "follow_compiled", "pass_loop",
+    "register_pass",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 
@@ -93,28 +96,29 @@ def register_pass() -> None:
 
 
 SLOPES = array_of(float, 4)
+# What the two functions return, and what they take.
+FOLLOW = (
+    int, array_of(WORLD), SLOPES, array_of(FEATURES), SLOPES, array_of(BALLS), SLOPES, array_of(BALLS), array_of(LOG),
+    array_of(int), float, array_of(PASSAGES), SLOPES,
+)  # fmt: skip
+STATES = (
+    None, array_of(WORLD), SLOPES, array_of(BALLS), SLOPES, array_of(LOG), array_of(int), array_of(PASSAGES), SLOPES, float,
+    array_of(BALLS), SLOPES,
+)  # fmt: skip
 
 
 @functools.cache
 def compiled_follow() -> Callable[..., int]:
     """Return the compiled pass; from the second time on it is loaded from the cache."""
     register_pass()
-    kind = signature(
-        int, array_of(WORLD), SLOPES, array_of(FEATURES), SLOPES, array_of(BALLS), SLOPES, array_of(BALLS), array_of(LOG),
-        array_of(int), float, array_of(PASSAGES), SLOPES,
-    )  # fmt: skip
-    return njit(pass_loop, signature=kind, _nrt=False)
+    return njit(pass_loop, signature=signature(*FOLLOW), _nrt=False)
 
 
 @functools.cache
 def compiled_states() -> Callable[..., None]:
     """Return the states at a time, compiled."""
     register_pass()
-    kind = signature(
-        None, array_of(WORLD), SLOPES, array_of(BALLS), SLOPES, array_of(LOG), array_of(int), array_of(PASSAGES), SLOPES, float,
-        array_of(BALLS), SLOPES,
-    )  # fmt: skip
-    return njit(_states, signature=kind, _nrt=False)
+    return njit(_states, signature=signature(*STATES), _nrt=False)
 
 
 @functools.cache

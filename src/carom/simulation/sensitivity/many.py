@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Callable, Iterable
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,17 +14,19 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import State
 from carom.core.geometry.features import FEATURES
-from carom.core.jit.compile import array_of, njit, parallel_range, signature, thread_count
+from carom.core.jit.compile import array_of, njit, signature, thread_count
 from carom.core.jit.dual.numbers import LANES
 from carom.core.jit.dual.records import float_count, float_places
+from carom.core.jit.kernel import kernel
+from carom.core.jit.pointers import caller_of, compiled_address
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, require_type
 from carom.scene.scene import Scene
-from carom.simulation.compiled import compiled_engine
-from carom.simulation.loop import ALL, FULL, LIMIT, QUIET, finish, run
+from carom.simulation.compiled import ENGINE_END, ENGINE_RUN, compiled_engine
+from carom.simulation.loop import ALL, FULL, LIMIT, QUIET
 from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.resolve import DONE
-from carom.simulation.sensitivity.compiled import SLOPES, compiled_follow, dual_users, pass_loop
+from carom.simulation.sensitivity.compiled import FOLLOW, SLOPES, compiled_follow, dual_users
 from carom.simulation.sensitivity.parameters import ARRAYS, Parameters, parameters_of
 from carom.simulation.sensitivity.pass_kernels import PASSAGES
 from carom.simulation.sensitivity.sensitivity import StateSensitivity
@@ -40,70 +43,71 @@ ROWS_AT_FIRST, MOST_ROWS = 512, 1 << 20
 NO_DERIVATIVE = "a graze, or nearly one: no derivative exists"
 MOTION = ("x", "v", "w")
 
-# The compiled functions, once there are any (a closure over them would not be cached).
-_run: Any = run
-_finish: Any = finish
-_follow: Any = pass_loop
-_prange: Any = range
+# The compiled functions, called through their addresses, once there are any.
+_call_run: Any = None
+_call_finish: Any = None
+_call_follow: Any = None
+
+
+@kernel
+def _copy(numbers: Any, into: Any, first: int) -> None:
+    """Copy the derivatives (C, B, numbers, LANES) of numbers from the first on. (Numba takes 3 s to compile a[:] = b.)"""
+    for c in range(into.shape[0]):
+        for k in range(into.shape[1]):
+            for number in range(into.shape[2]):
+                for lane in range(LANES):
+                    into[c, k, number, lane] = numbers[c, k, first + number, lane]
 
 
 def _many(
-    worlds: Any, world_d: Any, features: Any, features_d: Any, starts: Any, starts_d: Any, which: Any, users: Any, laws: Any,
-    until: float, most: int, first: int, last: int, logs: Any, out: Any, out_d: Any, balls: Any, balls_d: Any,
-    finals: Any, finals_d: Any, ends: Any, ended: Any,
+    functions: Any, worlds: Any, world_d: Any, features: Any, features_d: Any, starts: Any, starts_d: Any,
+    which: Any, users: Any, laws: Any, until: float, most: int, first: int, log: Any, out: Any, out_d: Any,
+    balls: Any, balls_d: Any, finals: Any, finals_d: Any, ends: Any, ended: Any,
 ) -> None:  # fmt: skip
     """Run the starts (N, B) whose numbers are in ``which``, and follow each log.
 
-    Of each of T parts of the runs: ``logs`` (T, M), ``out`` (T, 1), ``out_d``, ``balls`` (T, B), ``balls_d`` (T, C, B, numbers,
-    LANES). ``finals`` (N, B) and ``finals_d`` (N, C, B, last - first, LANES): the final states, and the derivatives of their
-    numbers from ``first`` to ``last``; ``ends`` (N,): times; ``ended`` (N, 3): status, events, and -1 or the row of a graze.
+    ``log`` (M,), ``out`` (1,), ``out_d``, ``balls`` (B,), ``balls_d`` (C, B, numbers, LANES) are for one run at a time. ``finals``
+    (N, B) and ``finals_d`` (N, C, B, M, LANES): the final states, and the derivatives of their numbers from ``first``
+    on; ``ends`` (N,): times; ``ended`` (N, 3): status, events, and -1 or the row of a graze. ``functions`` (3,): addresses of
+    what is called.
     """
-    parts = logs.shape[0]
-    for part in _prange(parts):
-        log, slopes = logs[part], balls_d[part]
-        for m in range(part, which.shape[0], parts):
-            n = which[m]
-            for k in range(starts.shape[1]):
-                finals[n, k] = starts[n, k]
-            status, events, rows, _ball, _slow, t = _run(
-                worlds, features, finals[n], log, -1.0, until, most, users, ALL
-            )
-            ended[n, 0], ended[n, 1], ended[n, 2] = status, events, -1
-            if status not in (DONE, QUIET, LIMIT):
-                continue
-            ends[n] = until if until < math.inf and status != LIMIT else t
-            _finish(worlds, finals[n], ends[n])
-            slopes[:] = starts_d
-            ended[n, 2] = _follow(
-                worlds,
-                world_d,
-                features,
-                features_d,
-                starts[n],
-                slopes,
-                balls[part],
-                log[:rows],
-                laws,
-                ends[n],
-                out[part],
-                out_d[part],
-            )
-            finals_d[n] = slopes[:, :, first:last]
+    for m in range(which.shape[0]):
+        n = which[m]
+        for k in range(starts.shape[1]):
+            finals[n, k] = starts[n, k]
+        status, events, rows, _ball, _slow, t = _call_run(
+            functions[0], (worlds, features, finals[n], log, -1.0, until, most, users, ALL)
+        )
+        ended[n, 0], ended[n, 1], ended[n, 2] = status, events, -1
+        if status not in (DONE, QUIET, LIMIT):
+            continue
+        ends[n] = until if until < math.inf and status != LIMIT else t
+        _call_finish(functions[1], (worlds, finals[n], ends[n]))
+        _copy(starts_d, balls_d, 0)
+        ended[n, 2] = _call_follow(
+            functions[2],
+            (worlds, world_d, features, features_d, starts[n], balls_d, balls, log[:rows], laws, ends[n], out, out_d),
+        )
+        _copy(balls_d, finals_d[n], first)
 
 
 @functools.cache
 def compiled_many() -> Callable[..., None]:
-    """Return the compiled loop, which uses all cores."""
-    global _run, _finish, _follow, _prange
-    _run, _finish = compiled_engine()
-    _follow, _prange = compiled_follow(), parallel_range()
-    per_part = array_of(float, 5)
+    """Return the compiled loop, for one thread."""
+    global _call_run, _call_finish, _call_follow
+    addresses = np.array([compiled_address(one) for one in (*compiled_engine(), compiled_follow())])
+    _call_run, _call_finish, _call_follow = caller_of(*ENGINE_RUN), caller_of(*ENGINE_END), caller_of(*FOLLOW)
     loop = signature(
-        None, array_of(WORLD), SLOPES, array_of(FEATURES), SLOPES, array_of(BALLS, 2), SLOPES, array_of(int), array_of(int),
-        array_of(int), float, int, int, int, array_of(LOG, 2), array_of(PASSAGES, 2), per_part, array_of(BALLS, 2), per_part,
-        array_of(BALLS, 2), per_part, array_of(float), array_of(int, 2),
+        None, array_of(int), array_of(WORLD), SLOPES, array_of(FEATURES), SLOPES, array_of(BALLS, 2), SLOPES, array_of(int),
+        array_of(int), array_of(int), float, int, int, array_of(LOG), array_of(PASSAGES), SLOPES, array_of(BALLS), SLOPES,
+        array_of(BALLS, 2), array_of(float, 5), array_of(float), array_of(int, 2),
     )  # fmt: skip
-    return njit(_many, signature=loop, parallel=True)
+    return functools.partial(njit(_many, signature=loop, nogil=True), addresses)
+
+
+@functools.cache
+def _pool() -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(thread_count(), thread_name_prefix="carom-sensitivities")
 
 
 @dataclass(frozen=True, eq=False)
@@ -202,13 +206,18 @@ def _run_all(scene: Scene, parameters: Parameters, starts: NDArray[np.void]) -> 
         slopes_d = np.zeros((size, chunks, count, last - first, LANES))
         which, rows = np.arange(size), ROWS_AT_FIRST
         while len(which):
-            parts = min(thread_count(), len(which))
-            many(
-                setup.world, world_d, setup.features, features_d, starts[block], starts_d, which, setup.users, laws, until, most,
-                first, last, np.empty((parts, rows), LOG), np.empty((parts, 1), PASSAGES),
-                np.empty((parts, chunks, 1, float_count(PASSAGES), LANES)), np.empty((parts, count), BALLS),
-                np.empty((parts, *starts_d.shape)), finals[block], slopes_d, ends[block], ended[block],
-            )  # fmt: skip
+
+            def part(
+                some: NDArray[np.int64], rows: int = rows, block: slice = block, slopes_d: Array = slopes_d
+            ) -> None:
+                many(
+                    setup.world, world_d, setup.features, features_d, starts[block], starts_d, some, setup.users, laws, until, most,
+                    first, np.empty(rows, LOG), np.empty(1, PASSAGES),
+                    np.empty((chunks, 1, float_count(PASSAGES), LANES)), np.empty(count, BALLS), np.empty(starts_d.shape),
+                    finals[block], slopes_d, ends[block], ended[block],
+                )  # fmt: skip
+
+            list(_pool().map(part, np.array_split(which, min(thread_count(), len(which)))))
             which = np.flatnonzero(ended[block, 0] == FULL)
             rows *= 8
             if rows > MOST_ROWS and len(which):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 import weakref
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from carom.scene.scene import Scene
 from carom.simulation.sensitivity.seeds import Column, Tangents, tangents_of
 from carom.simulation.setup import set_up
 
-__all__ = ["ARRAYS", "Parameters", "parameters_of", "unpacked"]
+__all__ = ["ARRAYS", "Parameters", "packed", "parameters_of", "unpacked"]
 
 Array = NDArray[np.float64]
 ARRAYS = ("world", "features", "balls")
@@ -36,16 +37,20 @@ class Parameters:
     @functools.cached_property
     def packed(self) -> dict[str, Array]:
         """By array, as compiled code takes them: (C, N, numbers, LANES)."""
-        found = {}
-        for name, dtype in self._dtypes.items():
-            first = next(iter(self.slopes[0][name].values()))
-            rows = len(first)
-            found[name] = np.zeros((-(-len(self) // LANES), rows, float_count(dtype), LANES))
-            for j, one in enumerate(self.slopes):
-                lanes = found[name][j // LANES, ..., j % LANES]
-                for field, place in float_places(dtype).items():
-                    lanes[:, place] = one[name][field].reshape(rows, place.stop - place.start)
-        return found
+        return packed(self.slopes, self._dtypes)
+
+
+def packed(slopes: Sequence[Tangents], dtypes: Mapping[str, Any]) -> dict[str, Array]:
+    """Return the derivatives of arrays of those types as compiled code takes them, by array: (C, N, numbers, LANES)."""
+    found = {}
+    for name, dtype in dtypes.items():
+        rows = len(next(iter(slopes[0][name].values())))
+        found[name] = np.zeros((-(-len(slopes) // LANES), rows, float_count(dtype), LANES))
+        for j, one in enumerate(slopes):
+            lanes = found[name][j // LANES, ..., j % LANES]
+            for field, place in float_places(dtype).items():
+                lanes[:, place] = one[name][field].reshape(rows, place.stop - place.start)
+    return found
 
 
 def unpacked(found: Array, p: int) -> Array:

@@ -7,6 +7,7 @@ large that a number on which they depend linearly (velocities, frictions, a wall
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -18,10 +19,11 @@ from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
 from carom.simulation.setup import SceneArrays, set_up
 
-__all__ = ["MOST_COLUMNS", "Column", "Tangents", "tangents_of"]
+__all__ = ["MOST_COLUMNS", "Column", "Tangents", "linear_slopes", "tangents_of"]
 
 Array = NDArray[np.float64]
 Tangents = dict[str, dict[str, Array]]
+Shifted = Callable[[float], SceneArrays]
 
 # More parameters than this are refused: each event costs a time, and each row of the log memory, in proportion.
 MOST_COLUMNS = 2000
@@ -98,10 +100,7 @@ def tangents_of(scene: Scene, wrt: Any, phases: Any, setup: SceneArrays) -> tupl
     CaromError for a number, or a whole vector, that cannot change.
     """
     columns = _columns_of(scene, wrt, phases)
-    slopes = [
-        _of_itself(scene, one, setup) or _linear(scene, one, setup) or _differences(scene, one, setup)
-        for one in columns
-    ]
+    slopes = [_slopes(scene, one, setup) for one in columns]
     for one, slope in zip(columns, slopes, strict=True):
         whole = [found for other, found in zip(columns, slopes, strict=True) if other.path == one.path]
         if slope is None and all(found is None for found in whole):
@@ -112,16 +111,30 @@ def tangents_of(scene: Scene, wrt: Any, phases: Any, setup: SceneArrays) -> tupl
     return [one for one, _slope in kept], [slope for _one, slope in kept]
 
 
-def _of_itself(scene: Scene, column: Column, setup: SceneArrays) -> Tangents | None:
+def _slopes(scene: Scene, column: Column, setup: SceneArrays) -> Tangents | None:
+    """Return the derivatives of the arrays with respect to one parameter; None where the scene fixes it."""
+    h = _step_of(column)
+
+    def shifted(by: float) -> SceneArrays:
+        return set_up(_shifted(scene, column, by), compiled=False)
+
+    # (of several places with different values the arrays hold no one number)
+    x = column.value if len(set(column.values)) == 1 else math.nan
+    return linear_slopes(setup, shifted, x, h) or _differences(setup, shifted, h)
+
+
+def linear_slopes(setup: SceneArrays, shifted: Shifted, x: float, h: float) -> Tangents | None:
+    """Return the derivatives of arrays that are linear in a parameter x, else None; ``shifted(dx)`` are those at x + dx."""
+    return _of_itself(setup, shifted, x, h) or _linear(setup, shifted, h)
+
+
+def _of_itself(setup: SceneArrays, shifted: Shifted, x: float, h: float) -> Tangents | None:
     """Return the derivatives where the arrays hold the parameter itself, and nothing else changes with it; else None.
 
     (As :mod:`carom.sweeps` finds parameters. One scene is made for it, where differences make eight.)
     """
-    if len(set(column.values)) > 1:
-        return None
-    x, h = column.value, _step_of(column)
     try:
-        made = set_up(_shifted(scene, column, h), compiled=False)
+        made = shifted(h)
     except CaromError:
         return None
     found: Tangents = {}
@@ -140,11 +153,10 @@ def _of_itself(scene: Scene, column: Column, setup: SceneArrays) -> Tangents | N
     return found
 
 
-def _linear(scene: Scene, column: Column, setup: SceneArrays) -> Tangents | None:
+def _linear(setup: SceneArrays, shifted: Shifted, h: float) -> Tangents | None:
     """Return the derivatives where the arrays are linear in the parameter: two differences agree to their rounding; else None."""
-    h = _step_of(column)
     try:
-        far, back, near, behind = (set_up(_shifted(scene, column, k * h), compiled=False) for k in (4, -4, 1, -1))
+        far, back, near, behind = (shifted(k * h) for k in (4, -4, 1, -1))
     except CaromError:
         return None
     found: Tangents = {}
@@ -162,19 +174,21 @@ def _linear(scene: Scene, column: Column, setup: SceneArrays) -> Tangents | None
             with np.errstate(invalid="ignore"):
                 slope, bend = (x4 - y4) / (8 * h), (x4 - y4) / 4 - (x1 - y1)
             # (infinite extents and frictions do not change)
-            rounding = 16 * np.finfo(float).eps * np.maximum(np.abs(x4), np.abs(y4))
+            # (a small number may be the difference of two large ones: the field's largest is the measure of rounding)
+            rounding = (
+                16 * np.finfo(float).eps * np.abs(x4, where=np.isfinite(x4), out=np.zeros_like(x4)).max(initial=0.0)
+            )
             if not (np.isinf(x) | (np.abs(bend) <= rounding)).all():
                 return None
             found[name][field] = np.where(np.isinf(x), 0.0, slope)
     return found
 
 
-def _differences(scene: Scene, column: Column, setup: SceneArrays) -> Tangents | None:
+def _differences(setup: SceneArrays, shifted: Shifted, h: float) -> Tangents | None:
     """Return the derivatives of the arrays' floating-point fields, by array and field; None where the scene fixes the number."""
-    h = _step_of(column)
     for stencil in _stencils():
         try:
-            made = [(c, set_up(_shifted(scene, column, k * h), compiled=False)) for k, c in stencil]
+            made = [(c, shifted(k * h)) for k, c in stencil]
         except CaromError:
             continue
         found: dict[str, dict[str, Array]] = {}
