@@ -192,8 +192,13 @@ def test_the_command_prints_what_the_library_finds(folder):
 
 def test_an_interrupt_ends_all_members(folder):
     (folder / "long.toml").write_text(ROUGH.replace("60_000", "900_000_000"))
+    # (a shell that runs the tests in the background has told them to ignore SIGINT, and they pass that on)
+    heeding = (
+        "import runpy, signal; signal.signal(signal.SIGINT, signal.default_int_handler);"
+        " runpy.run_module('carom', run_name='__main__')"
+    )
     running = subprocess.Popen(
-        [sys.executable, "-m", "carom", "gas", "long.toml", "--ensemble", "3"],
+        [sys.executable, "-c", heeding, "gas", "long.toml", "--ensemble", "3"],
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
         env={**os.environ, "PYTHONPATH": str(Path(carom.__file__).parents[1])},
     )  # fmt: skip
