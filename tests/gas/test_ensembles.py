@@ -202,12 +202,15 @@ def test_an_interrupt_ends_all_members(folder):
         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
         env={**os.environ, "PYTHONPATH": str(Path(carom.__file__).parents[1])},
     )  # fmt: skip
-    assert running.stderr is not None
-    assert any("simulating 3 gases" in line for line in running.stderr)
-    time.sleep(1)
-    begin = time.monotonic()
-    running.send_signal(signal.SIGINT)
-    out, err = running.communicate(timeout=60)
+    try:
+        assert running.stderr is not None
+        assert any("simulating 3 gases" in line for line in running.stderr)
+        time.sleep(1)
+        begin = time.monotonic()
+        running.send_signal(signal.SIGINT)
+        out, err = running.communicate(timeout=60)
+    finally:  # (it would go on for hours)
+        running.kill()
     assert (running.returncode, out) == (130, "")
     assert time.monotonic() - begin < 10
     assert err.splitlines()[-1] == "carom: interrupted; nothing was saved"

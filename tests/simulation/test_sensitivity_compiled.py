@@ -13,7 +13,7 @@ from reference.sensitivity_differences import paths_of
 
 import carom
 from carom.core.jit.compile import limit_threads, thread_count
-from carom.core.jit.dual.numbers import LANES
+from carom.core.jit.dual.numbers import LANES, lane_of
 from carom.scene.paths import replaced
 from carom.simulation.sensitivity.compiled import follow_compiled
 from carom.simulation.sensitivity.interpreted import follow_interpreted
@@ -198,3 +198,8 @@ def test_a_law_of_ones_own_is_compiled_too() -> None:
         moved = replaced(run.scene, {"balls.0.velocity": (v, 1, 0)})
         ends.append(carom.simulate(moved).final.velocity[0, 0])
     assert compiled.at(run.end)[1][0, 0, 0] == pytest.approx((ends[0] - ends[1]) / (2 * step), rel=1e-7)
+
+
+def test_what_only_compiled_code_has_says_so() -> None:
+    with pytest.raises(TypeError, match="lane_of: expected a call from compiled code"):
+        lane_of(1.0, 0)

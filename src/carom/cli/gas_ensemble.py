@@ -13,7 +13,7 @@ from rich.text import Text
 
 from carom.cli.common import attempt, wrote
 from carom.cli.console import out
-from carom.cli.gas_output import LINE_INTERVAL, Progress, finite, new_table, print_tables
+from carom.cli.gas_output import CONTACT_HEADS, LINE_INTERVAL, SPECIES_HEADS, Progress, finite, new_table, print_tables
 from carom.cli.streams import note
 from carom.errors import CaromError
 from carom.formatting import format_uncertain
@@ -152,19 +152,12 @@ def _tables(ensemble: Ensemble) -> list[Table]:
         for name, x in mean[what].items():
             if x != 0:
                 gas.add_row(label.format(name), cell(mean[what], error[what], name))
-    heads = ["translational\ntemperature", "rotational\ntemperature", "a₂ of\nvelocity", "a₂ of\nspin"]
-    kinds = new_table(["species", "balls", *heads])
+    kinds = new_table(SPECIES_HEADS)
     for one in ensemble.scene.species:
         place, deviation = mean["species"][one.name], error["species"][one.name]
         names = ("temperature_translational", "temperature_rotational", "a2_translational", "a2_rotational")
         kinds.add_row(one.name, f"{one.count:,}", *(cell(place, deviation, name) for name in names))
-    heads = [
-        "collisions per ball\nper unit time",
-        "energy lost\n(normal)",
-        "energy lost\n(tangential)",
-        "energy\nto spin",
-    ]
-    contacts = new_table(["contact", "collisions", *heads])
+    contacts = new_table(CONTACT_HEADS)
     scale = abs(mean["energy_start"]) + abs(mean["energy_end"])
     for place, deviation in zip(mean["channels"], error["channels"], strict=True):
         energies = (cell(place, deviation, name, scale) for name in ("lost_normal", "lost_tangential", "to_spin"))

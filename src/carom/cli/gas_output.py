@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import time
+from collections.abc import Sequence
 from types import TracebackType
 from typing import TYPE_CHECKING, Any
 
@@ -16,13 +17,30 @@ from carom.cli.console import err, out
 from carom.formatting import format_number
 from carom.gas.report import report
 
-__all__ = ["LINE_INTERVAL", "Progress", "as_json", "finite", "new_table", "print_tables", "show"]
+__all__ = [
+    "CONTACT_HEADS",
+    "LINE_INTERVAL",
+    "SPECIES_HEADS",
+    "Progress",
+    "as_json",
+    "finite",
+    "new_table",
+    "print_tables",
+    "show",
+]
 
 if TYPE_CHECKING:
     from carom.gas.session import Session
 
 
 CONSERVED = 1e-6  # a smaller relative change of the energy is rounding, not dissipation
+SPECIES_HEADS = (
+    "species", "balls", "translational\ntemperature", "rotational\ntemperature", "a₂ of\nvelocity", "a₂ of\nspin",
+)  # fmt: skip
+CONTACT_HEADS = (
+    "contact", "collisions", "collisions per ball\nper unit time", "energy lost\n(normal)", "energy lost\n(tangential)",
+    "energy\nto spin",
+)  # fmt: skip
 LINE_INTERVAL = 20.0  # s between lines of progress where there is no terminal
 
 
@@ -60,7 +78,7 @@ def print_tables(title: str, tables: list[Table]) -> None:
     console.width = width
 
 
-def new_table(heads: list[str], words: int = 1) -> Table:
+def new_table(heads: Sequence[str], words: int = 1) -> Table:
     """Return an empty table with these heads; the first ``words`` columns are text."""
     table = Table(box=box.SIMPLE_HEAD, padding=(0, 1), pad_edge=False, header_style="bold")
     for k, head in enumerate(heads):
@@ -119,14 +137,9 @@ def _energy(found: dict[str, Any]) -> list[tuple[str, str]]:
 
 def _species(session: Session, found: dict[str, Any]) -> Table:
     """Return the table of the species: temperatures, and fourth cumulants a₂ of velocity and spin."""
-    heads = [
-        "translational\ntemperature",
-        "rotational\ntemperature",
-        "rotational /\ntranslational",
-        "a₂ of\nvelocity",
-        "a₂ of\nspin",
-    ]
-    table = new_table(["species", "balls", *heads])
+    heads = list(SPECIES_HEADS)
+    heads.insert(4, "rotational /\ntranslational")
+    table = new_table(heads)
     for one in session.scene.species:
         row = found["species"][one.name]
         translational, rotational = row["temperature_translational"], row["temperature_rotational"]
@@ -145,13 +158,7 @@ def _signed(x: float) -> str:
 
 def _contacts(found: dict[str, Any]) -> Table:
     """Return the table of the contacts: rates (per ball of the first species), and energies in units of the scene's."""
-    heads = [
-        "collisions per ball\nper unit time",
-        "energy lost\n(normal)",
-        "energy lost\n(tangential)",
-        "energy\nto spin",
-    ]
-    table = new_table(["contact", "collisions", *heads])
+    table = new_table(CONTACT_HEADS)
     scale = abs(found["energy_start"]) + abs(found["energy_end"])
     for row in found["channels"]:
         # (rounding is shown as zero)

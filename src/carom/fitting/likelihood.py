@@ -8,15 +8,15 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.jit.compile import array_of, function_type, named_tuple_type, njit, signature, thread_count
+from carom.core.jit.compile import array_of, function_type, named_tuple_type, njit, signature
 from carom.core.jit.kernel import kernel
+from carom.core.jit.threads import call_in_threads
 from carom.fitting.deviance import RELATIVE_STEP, RowData, Trial, Workspace, known_row
 from carom.fitting.parameters import LAW_NUMBERS, NUMBERS
 from carom.fitting.spin_marginal import unmeasured_row
@@ -210,11 +210,6 @@ def compile_likelihood() -> None:
     _law("table")
 
 
-@functools.cache
-def _pool() -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(thread_count(), thread_name_prefix="carom-fit")
-
-
 def make_trial(free: NDArray[np.int64], moved: Array) -> Trial:
     """Return the trial point of one thread; its records share their memory with the arrays."""
     values, stepped = np.zeros(NUMBERS + len(moved)), np.zeros((len(moved), NUMBERS))
@@ -283,10 +278,7 @@ def evaluate(model: LikelihoodModel, p: Array, weights: Array | None = None) -> 
         )  # fmt: skip
 
     tasks = [(slice(blocks[i], blocks[i + 1]), m) for i in range(sets) for m in range(parts)]
-    if len(tasks) == 1:
-        part(*tasks[0])
-    else:
-        list(_pool().map(lambda task: part(*task), tasks))
+    call_in_threads(lambda task: part(*task), tasks)
     return Evaluation(deviance, chi2, u.sum(axis=0), h.sum(axis=0))
 
 
@@ -299,7 +291,7 @@ def predict_in_parts(kind: Kind, rows: RowData, x: Array, p: Array) -> Array:
         some = slice(edges[m], edges[m + 1])
         _predicting()(_law(kind), rows._replace(stages=rows.stages[some]), x[some], numbers, out[some])
 
-    list(_pool().map(part, range(PARTS)))
+    call_in_threads(part, range(PARTS))
     return out
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from carom.errors import CaromError
 from carom.formatting import format_number
 from carom.plot.scene_view import View, colour, view, walls_in, way
-from carom.plot.style import INK, new_figure, require_writable, save, style
+from carom.plot.style import INK, drawn, new_figure
 from carom.plot.trajectory import CUSHION, FILLS
 from carom.sweeps.unknowns import UNITS
 
@@ -52,8 +52,6 @@ def plot_aims(aims: Aims, file: str | os.PathLike[str] | None = None, *, solutio
     >>> len(carom.plot.plot_aims(best).axes) == min(len(best), 4)
     True
     """
-    if file is not None:
-        require_writable(file)
     shown = list(aims)[:solutions]
     if not shown:
         raise CaromError("plot_aims: aims: expected at least one solution, got none")
@@ -63,7 +61,8 @@ def plot_aims(aims: Aims, file: str | os.PathLike[str] | None = None, *, solutio
     seen = view(runs[0], np.concatenate(points))
     columns = min(COLUMNS, len(shown))
     rows = math.ceil(len(shown) / columns)
-    with style():
+
+    def draw() -> Any:
         panel = WIDTH * seen.size[1] / seen.size[0] + 0.45
         figure = new_figure(WIDTH * columns, panel * rows)
         for k, one in enumerate(shown):
@@ -72,9 +71,9 @@ def plot_aims(aims: Aims, file: str | os.PathLike[str] | None = None, *, solutio
         figure.subplots_adjust(
             left=0.01, right=0.99, bottom=0.01, top=1 - 0.32 / (panel * rows), wspace=0.04, hspace=0.16
         )
-    if file is not None:
-        save(figure, file)
-    return figure
+        return figure
+
+    return drawn(draw, file)
 
 
 def _panel(axes: Any, aims: Aims, one: Aim, run: Any, ways: list[Any], seen: View) -> None:

@@ -14,9 +14,9 @@ from carom.gas.containers import Container
 from carom.gas.edmd.records import PLANE
 from carom.gas.measures import Distribution, Measures
 from carom.gas.session import Session
-from carom.plot.style import GREY, INK, PALE, new_figure, require_writable, save, style
+from carom.plot.style import GREY, INK, PALE, drawn, new_figure
 
-__all__ = ["plot_gas"]
+__all__ = ["COLOURS", "MAX_PAIRS", "heading", "panel_title", "plot_gas"]
 
 Array = NDArray[np.float64]
 # Okabe & Ito's colours, for species and pairs of species.
@@ -65,15 +65,10 @@ def plot_gas(session: Session, file: str | os.PathLike[str] | None = None, *, ti
     >>> len(plot_gas(session).axes)
     6
     """
-    if file is not None:
-        require_writable(file)
     if session.measures is None or session.measures.samples == 0:
         raise CaromError("plot_gas: expected a session with samples, got one without; run it further")
-    with style():
-        figure = _draw(session, session.measures, title)
-    if file is not None:
-        save(figure, file)
-    return figure
+    measures = session.measures
+    return drawn(lambda: _draw(session, measures, title), file)
 
 
 def _draw(session: Session, measures: Measures, title: str | None) -> Any:
@@ -90,11 +85,16 @@ def _draw(session: Session, measures: Measures, title: str | None) -> Any:
         place = grid[k // 3, k % 3].get_position(figure)
         figure.text(place.x0 - 0.062, place.y1 + 0.012, letter, fontweight="bold", va="bottom", color=INK)
     words = session.scene.describe() if title is None else title
-    figure.text(0.0135, 0.975, words, ha="left", va="top", fontsize=8, color=GREY)
+    heading(figure, words)
     return figure
 
 
-def _panel_title(axes: Any, text: str) -> None:
+def heading(figure: Any, words: str) -> None:
+    """Write what a figure of a gas is about."""
+    figure.text(0.0135, 0.975, words, ha="left", va="top", fontsize=8, color=GREY)
+
+
+def panel_title(axes: Any, text: str) -> None:
     """Set the title of a panel."""
     axes.set_title(text, loc="left", fontsize=8.5, color=INK, pad=5)
 
@@ -221,7 +221,7 @@ def _distributions(axes: Any, measures: Measures, what: str) -> None:
     axes.set_xlim(-5, 5)
     axes.set_ylim(2e-6, 1)
     axes.set_xlabel(f"{what} / standard deviation")
-    _panel_title(axes, what)
+    panel_title(axes, what)
     if shown == 0:
         axes.text(0.5, 0.5, "no spin", transform=axes.transAxes, ha="center", va="center", color=GREY)
     for k, line in enumerate(said[:4]):
@@ -253,7 +253,7 @@ def _temperatures(axes: Any, measures: Measures) -> None:
     else:
         axes.set_ylim(0, 1.25 * values.max() if values.max() > 0 else 1)
     axes.set_xlabel("time")
-    _panel_title(axes, "temperature")
+    panel_title(axes, "temperature")
     axes.legend(
         frameon=False, fontsize=7, loc="lower right", bbox_to_anchor=(1.05, 0.97), ncols=2, handlelength=0.8, handletextpad=0.3,
         columnspacing=0.7, borderaxespad=0.2,
@@ -261,7 +261,7 @@ def _temperatures(axes: Any, measures: Measures) -> None:
 
 
 def _pair_correlation(axes: Any, measures: Measures) -> None:
-    _panel_title(axes, "pair correlation")
+    panel_title(axes, "pair correlation")
     axes.set_xlabel("distance of centres")
     many = len(measures.names) > 1
     pairs = [(a, b) for i, a in enumerate(measures.names) for b in measures.names[i:]]
@@ -293,7 +293,7 @@ def _pair_correlation(axes: Any, measures: Measures) -> None:
 
 
 def _displacement(axes: Any, session: Session, measures: Measures) -> None:
-    _panel_title(axes, "mean square displacement")
+    panel_title(axes, "mean square displacement")
     if not measures.is_stationary:
         collisions, square = measures.displacement_by_collisions()
         axes.plot(2 * collisions / session.scene.count, square, ".", markersize=3.5, color=COLOURS[0])
@@ -350,6 +350,6 @@ def _profile(axes: Any, session: Session, measures: Measures) -> None:
     axes.set_xlim(0, side)
     axes.set_ylim(bottom=0)
     axes.set_xlabel("xyz"[axis])
-    _panel_title(axes, "number density at the end")
+    panel_title(axes, "number density at the end")
     if len(session.names) > 1:
         axes.legend(frameon=False, fontsize=7.5, handlelength=1.2, borderaxespad=0.2)

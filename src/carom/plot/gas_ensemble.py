@@ -9,8 +9,8 @@ import numpy as np
 
 from carom.errors import CaromError
 from carom.gas.ensembles import Curve, Ensemble
-from carom.plot.gas import COLOURS, MAX_PAIRS
-from carom.plot.style import GREY, INK, new_figure, require_writable, save, style
+from carom.plot.gas import COLOURS, MAX_PAIRS, heading, panel_title
+from carom.plot.style import GREY, drawn, new_figure
 
 __all__ = ["plot_ensemble"]
 
@@ -51,15 +51,9 @@ def plot_ensemble(ensemble: Ensemble, file: str | os.PathLike[str] | None = None
     >>> len(plot_ensemble(simulate_ensemble(scene, 3)).axes)
     6
     """
-    if file is not None:
-        require_writable(file)
     if not ensemble.curves:
         raise CaromError("plot_ensemble: expected an ensemble with samples, got one without; run it for longer")
-    with style():
-        figure = _draw(ensemble, title)
-    if file is not None:
-        save(figure, file)
-    return figure
+    return drawn(lambda: _draw(ensemble, title), file)
 
 
 def _draw(ensemble: Ensemble, title: str | None) -> Any:
@@ -87,7 +81,7 @@ def _draw(ensemble: Ensemble, title: str | None) -> Any:
         axes[4].set_axis_off()
     _members(axes[5], ensemble)
     words = f"{len(ensemble.seeds)} gases: {ensemble.scene.describe()}" if title is None else title
-    figure.text(0.0135, 0.975, words, ha="left", va="top", fontsize=8, color=GREY)
+    heading(figure, words)
     return figure
 
 
@@ -97,7 +91,7 @@ def _panel(axes: Any, title: str, curves: dict[str, Curve], label: str) -> None:
         colour = COLOURS[k % len(COLOURS)]
         axes.plot(one.x, one.mean, color=colour, linewidth=0.9, label=name)
         axes.fill_between(one.x, one.mean - one.error, one.mean + one.error, color=colour, alpha=BAND, linewidth=0)
-    axes.set_title(title, loc="left", fontsize=8.5, color=INK, pad=5)
+    panel_title(axes, title)
     axes.set_xlabel(label)
     if len(curves) > 1:
         axes.legend(frameon=False, fontsize=7, handlelength=1.0, borderaxespad=0.2)
@@ -110,5 +104,5 @@ def _members(axes: Any, ensemble: Ensemble) -> None:
     axes.plot(np.arange(1, len(values) + 1), values, "o", markersize=3, color=COLOURS[0])
     axes.axhline(mean, color=GREY, linewidth=0.9)
     axes.axhspan(mean - error, mean + error, color=GREY, alpha=BAND, linewidth=0)
-    axes.set_title("pressure of each gas", loc="left", fontsize=8.5, color=INK, pad=5)
+    panel_title(axes, "pressure of each gas")
     axes.set_xlabel("gas")

@@ -8,7 +8,7 @@ from __future__ import annotations
 import io
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -84,6 +84,17 @@ def style() -> Any:
     import matplotlib.style
 
     return matplotlib.style.context(["default", str(Path(__file__).with_name("carom.mplstyle"))])
+
+
+def drawn(draw: Callable[[], Any], file: str | os.PathLike[str] | None) -> Any:
+    """Return the figure that ``draw`` makes, in carom's style; written if a file is named, which is checked first."""
+    if file is not None:
+        require_writable(file)
+    with style():
+        figure = draw()
+    if file is not None:
+        save(figure, file)
+    return figure
 
 
 def save(figure: Any, path: str | os.PathLike[str]) -> None:

@@ -14,7 +14,7 @@ from carom.core.motion.phases import BOUNCING, FLIGHT, REST, ROLLING, SLIDING
 from carom.errors import CaromError, suggestion
 from carom.formatting import format_time
 from carom.plot.scene_view import SEEN, View, colour, last_time, steps, view, walls_in, way
-from carom.plot.style import GREY, INK, PALE, new_figure, require_writable, save, spread_apart, style
+from carom.plot.style import GREY, INK, PALE, drawn, new_figure, spread_apart
 from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, POCKETED_EVENT, WALL
 from carom.simulation.trajectory import Trajectory
 
@@ -69,14 +69,8 @@ def plot_trajectory(
     >>> figure.axes[0].get_xlabel()
     'x, m'
     """
-    if file is not None:
-        require_writable(file)
     balls = _chosen(run, ball)
-    with style():
-        figure = _draw(run, balls, title)
-    if file is not None:
-        save(figure, file)
-    return figure
+    return drawn(lambda: _draw(run, balls, title), file)
 
 
 def _chosen(run: Trajectory, ball: Any) -> list[int]:

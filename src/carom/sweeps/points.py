@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from typing import Any
 
@@ -21,7 +22,7 @@ Array = NDArray[Any]
 REFUSED = FAILURES.index("refused")
 
 
-class PointByPoint:
+class PointByPoint(ABC):
     """A sweep's subject that computes one point at a time; a kind of it says what a point is."""
 
     kind = ""
@@ -47,13 +48,13 @@ class PointByPoint:
         """Raise CaromError for paths that lead nowhere or overlap, and for values that the model refuses."""
         check_paths(self.model, parameters)
 
+    @abstractmethod
     def outcomes(self, names: tuple[str, ...]) -> list[Outcome]:
         """Return the outcomes of some names. CaromError with the nearest name."""
-        raise NotImplementedError
 
+    @abstractmethod
     def compute(self, model: Any, seed: int, index: int) -> Mapping[str, Any]:
         """Return the outcomes of the point with this index."""
-        raise NotImplementedError
 
     def evaluate(
         self, columns: dict[str, Array], outcomes: list[Outcome], first: int, seed: int, tick: Any = None

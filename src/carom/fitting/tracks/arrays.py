@@ -44,12 +44,12 @@ class AffineArrays:
         self.start = {name: one.start for name, one in free.items()}
         self.setup = set_up(scene(self.start))
         self.slopes: dict[str, Tangents] = {}
+        here = set_up(scene(self.start), compiled=False)
         for name, one in free.items():
 
             def shifted(by: float, name: str = name) -> SceneArrays:
                 return set_up(scene({**self.start, name: self.start[name] + by}), compiled=False)
 
-            here = set_up(scene(self.start), compiled=False)
             slopes = linear_slopes(here, shifted, one.start, STEP * min(one.high - one.low, 1.0))
             assert slopes is not None, f"{name}: the arrays of a scene are not linear in it"
             self.slopes[name] = slopes

@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
 from itertools import pairwise
 from typing import Any
 
@@ -21,6 +20,7 @@ from carom.core.jit.dual.numbers import LANES
 from carom.core.jit.dual.records import float_count, float_places
 from carom.core.jit.kernel import vector
 from carom.core.jit.pointers import caller_of, compiled_address
+from carom.core.jit.threads import call_in_threads
 from carom.core.motion.phases import HELD
 from carom.simulation.compiled import ENGINE_RUN, compiled_engine
 from carom.simulation.loop import ALL, QUIET, move_by
@@ -145,11 +145,6 @@ def compile_tracks() -> None:
     _compiled_with_slopes()
 
 
-@functools.cache
-def _pool() -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(thread_count(), thread_name_prefix="carom-tracks")
-
-
 def _balls(arrays: SceneArrays, start: Array) -> NDArray[np.void]:
     """Return the balls (N, 1) of starts (N, 7)."""
     n = len(start)
@@ -215,5 +210,5 @@ def positions_and_slopes(
 
     edges = np.linspace(0, n, min(1 + n // RUNS_A_THREAD, thread_count()) + 1).astype(int)
     parts = [slice(*pair) for pair in pairwise(edges.tolist())]
-    list(map(part, parts) if len(parts) == 1 else _pool().map(part, parts))
+    call_in_threads(part, parts)
     return places, slopes

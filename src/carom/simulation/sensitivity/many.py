@@ -5,7 +5,6 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Callable, Iterable
-from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,6 +18,7 @@ from carom.core.jit.dual.numbers import LANES
 from carom.core.jit.dual.records import float_count, float_places
 from carom.core.jit.kernel import kernel
 from carom.core.jit.pointers import caller_of, compiled_address
+from carom.core.jit.threads import call_in_threads
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, require_type
 from carom.scene.scene import Scene
@@ -41,7 +41,6 @@ BLOCK = 4096
 # Rows of a log at first; a run that needs more is run again.
 ROWS_AT_FIRST, MOST_ROWS = 512, 1 << 20
 NO_DERIVATIVE = "a graze, or nearly one: no derivative exists"
-MOTION = ("x", "v", "w")
 
 # The compiled functions, called through their addresses, once there are any.
 _call_run: Any = None
@@ -103,11 +102,6 @@ def compiled_many() -> Callable[..., None]:
         array_of(BALLS, 2), array_of(float, 5), array_of(float), array_of(int, 2),
     )  # fmt: skip
     return functools.partial(njit(_many, signature=loop, nogil=True), addresses)
-
-
-@functools.cache
-def _pool() -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(thread_count(), thread_name_prefix="carom-sensitivities")
 
 
 @dataclass(frozen=True, eq=False)
@@ -217,7 +211,7 @@ def _run_all(scene: Scene, parameters: Parameters, starts: NDArray[np.void]) -> 
                     finals[block], slopes_d, ends[block], ended[block],
                 )  # fmt: skip
 
-            list(_pool().map(part, np.array_split(which, min(thread_count(), len(which)))))
+            call_in_threads(part, np.array_split(which, min(thread_count(), len(which))))
             which = np.flatnonzero(ended[block, 0] == FULL)
             rows *= 8
             if rows > MOST_ROWS and len(which):

@@ -6,7 +6,7 @@ import functools
 from collections.abc import Callable
 from typing import Any
 
-from carom.core.jit.dual.numbers import LANES, declare, dual_type
+from carom.core.jit.dual.numbers import LANES, compiled_only, declare, dual_type
 from carom.core.jit.dual.records import load_dual, store_dual
 from carom.core.jit.pointers import SIZE, answer_at
 
@@ -15,14 +15,14 @@ __all__ = ["dual_address", "read_duals", "register_calls_of_duals", "write_duals
 _alive: list[Any] = []
 
 
+@compiled_only
 def read_duals(given: Any) -> Any:
-    """Return the dual numbers at a place, as many as are registered; in compiled code."""
-    raise NotImplementedError
+    """Return the dual numbers at a place, as many as are registered."""
 
 
+@compiled_only
 def write_duals(out: Any, first: Any, second: Any) -> None:
-    """Write two vectors of dual numbers to a place; in compiled code."""
-    raise NotImplementedError
+    """Write two vectors of dual numbers to a place."""
 
 
 def dual_address(entry: Callable[..., None], keep: bool = False) -> int:

@@ -50,14 +50,24 @@ def depends(x: Any) -> bool:
     return bool(x.d.any()) if hasattr(x, "d") else False
 
 
+def compiled_only(described: Callable[..., Any]) -> Callable[..., Any]:
+    """Make a function a name for what :func:`declare` has compiled code do: Python has no such memory, and no body for it."""
+
+    @functools.wraps(described)
+    def refuse(*_given: Any) -> Any:
+        raise TypeError(f"{described.__name__}: expected a call from compiled code, got one from Python")
+
+    return refuse
+
+
+@compiled_only
 def lane_of(x: Any, k: int) -> Any:
-    """Return derivative k of a dual number; in compiled code."""
-    raise NotImplementedError
+    """Return derivative k of a dual number."""
 
 
+@compiled_only
 def with_lane(x: Any, k: int, slope: float) -> Any:
-    """Return a dual number with another derivative k; in compiled code."""
-    raise NotImplementedError
+    """Return a dual number with another derivative k."""
 
 
 # --- types -------------------------------------------------------------------------------------------------------------

@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 
-from carom.core.jit.dual.numbers import LANES, declare, dual_type, lanes_type, make_dual, parts_of
+from carom.core.jit.dual.numbers import LANES, compiled_only, declare, dual_type, lanes_type, make_dual, parts_of
 
 __all__ = ["dual_records", "float_count", "float_places", "load_dual", "register_records", "store_dual"]
 
@@ -36,9 +36,9 @@ def float_count(dtype: Any) -> int:
     return max((place.stop for place in float_places(dtype).values()), default=0)
 
 
+@compiled_only
 def dual_records(records: Any, derivatives: Any, c: int) -> Any:
-    """Return records (N,) with the derivatives number c of (C, N, float_count, LANES); in compiled code."""
-    raise NotImplementedError
+    """Return records (N,) with the derivatives number c of (C, N, float_count, LANES)."""
 
 
 # --- LLVM's code: a number is a place of its value, and one of its derivatives -----------------------------------------
