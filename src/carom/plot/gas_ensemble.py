@@ -89,8 +89,10 @@ def _panel(axes: Any, title: str, curves: dict[str, Curve], label: str) -> None:
     """Draw curves with their bands."""
     for k, (name, one) in enumerate(curves.items()):
         colour = COLOURS[k % len(COLOURS)]
-        axes.plot(one.x, one.mean, color=colour, linewidth=0.9, label=name)
-        axes.fill_between(one.x, one.mean - one.error, one.mean + one.error, color=colour, alpha=BAND, linewidth=0)
+        # (a bin that no ball of any member was in has no place on a logarithmic axis)
+        mean = np.where(one.mean == 0, np.nan, one.mean)
+        axes.plot(one.x, mean, color=colour, linewidth=0.9, label=name)
+        axes.fill_between(one.x, mean - one.error, mean + one.error, color=colour, alpha=BAND, linewidth=0)
     panel_title(axes, title)
     axes.set_xlabel(label)
     if len(curves) > 1:
