@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 
 from carom.core.jit.compile import thread_count
 from carom.errors import CaromError, FaultList, require_type
-from carom.gas import histograms, initial
+from carom.gas import histograms, initial, overlaps
 from carom.gas.edmd import driver
 from carom.gas.report import report
 from carom.gas.scene import GasScene
@@ -108,7 +108,7 @@ def simulate_ensemble(
     _require(scene, where, members, threads)
     seeds = np.random.SeedSequence(scene.run.seed).generate_state(members, np.uint64) >> np.uint64(64 - SEED_BITS)
     work = _Work(scene, where, tuple(map(int, seeds)))
-    for room in (driver, histograms, initial):
+    for room in (driver, histograms, initial, overlaps):
         room.compiled_loops()  # made once, before several threads ask for them
     with ThreadPoolExecutor(threads or thread_count()) as pool:
         runs = [pool.submit(work.run, k) for k in range(members)]

@@ -4,26 +4,25 @@ from __future__ import annotations
 
 import math
 import time as clocks
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.errors import CaromError, FaultList, float_or_nan
+from carom.errors import FaultList, float_or_nan
 from carom.gas.containers import Container, as_container
 from carom.gas.edmd import driver as engine
-from carom.gas.edmd.driver import GasArrays, SystemRecords
+from carom.gas.edmd.driver import GasArrays
 from carom.gas.edmd.records import COLLAPSED, DONE, UNDERFLOW
-from carom.gas.initial import dense, first_overlap, lattice, thermal
 from carom.gas.results import GasBalls, GasRun, Mark
 from carom.gas.species import Contacts, Drive, Species, Thermostat, system_records
+from carom.gas.starts import TOUCH, draw_thermal, require_no_overlap, start_positions, vectors
 
 __all__ = ["Gas", "raise_at_rest", "simulate_gas"]
 
 Array = NDArray[np.float64]
 CHUNK = 200_000  # collisions between two checks for progress and interrupts: some tenths of a second
-TOUCH = 1e-9  # of a radius: balls that overlap by less count as touching
 
 
 class Gas:
@@ -92,35 +91,29 @@ class Gas:
         container = as_container(side, periodic)
         records = system_records(species, container, contacts, gravity, contact_time, drives or {}, thermostat, seed)
         kinds, axes = records.species, len(container.size)
-        which = np.repeat(np.arange(len(species)), [one.count for one in species])
+        which = np.repeat(np.arange(len(species), dtype=np.uint32), [one.count for one in species])
         faults = FaultList("Gas")
         rng = np.random.default_rng(seed)
         if position is None:
             which = rng.permutation(which)
-            x = _start_positions(container, records, kinds["radius"][which], seed)
+            x = start_positions(container, records, kinds["radius"][which], seed)
         else:
-            x = _vectors(faults, "position", position, len(which), axes)
-        mass, moment = kinds["mass"][which], (kinds["kappa"] * kinds["mass"] * kinds["radius"] ** 2)[which]
-        v = _vectors(faults, "velocity", velocity, len(which), axes)
-        w = _vectors(faults, "spin", spin, len(which), 3 if axes == 3 else 1)
+            x = vectors(faults, "position", position, len(which), axes)
+        v = None if velocity is None else vectors(faults, "velocity", velocity, len(which), axes)
+        w = None if spin is None else vectors(faults, "spin", spin, len(which), 3 if axes == 3 else 1)
         faults.raise_if_any()
-        for k, one in enumerate(species):
-            those = which == k
-            rotational = one.temperature if one.temperature_rotational is None else one.temperature_rotational
-            if velocity is None:
-                v[those] = thermal(mass[those], tuple(range(axes)), one.temperature, rng)
-            if spin is None:
-                about = (0, 1, 2) if axes == 3 else (2,)
-                w[those] = thermal(moment[those], about, rotational, rng)
-        _require_no_overlap(container, records, kinds["radius"][which], x, touch)
+        require_no_overlap(container, records, kinds["radius"][which], x, touch)
+        memory = engine.put_in_place(records, which, x)
+        del x
+        draw_thermal(memory, species, kinds, which, axes, rng, velocity is None, spin is None)
         self._names = tuple(face.name for face in container.faces)
-        self._begin(engine.make(records, which, x, v, w))
+        self._begin(engine.make(records, memory, v, w))
 
     @classmethod
-    def restore(cls, state: dict[str, NDArray[Any]]) -> Gas:
+    def restore(cls, state: Mapping[str, NDArray[Any]]) -> Gas:
         """Return the gas with a :meth:`state`; it continues with the same bits."""
         gas = object.__new__(cls)
-        gas._begin(engine.restore({name: state[name] for name in engine.STATE}))
+        gas._begin(engine.restore(state))
         gas._names = tuple(str(name) for name in state["names"])
         gas._time = max(gas._time, float(state["time"][0]))
         return gas
@@ -161,34 +154,42 @@ class Gas:
 
     def balls(self) -> GasBalls:
         """Return all balls at the current time."""
-        motions, bodies, images = engine.synchronized(self.arrays, self._time)
-        x, v = (np.stack([motions[name] for name in names], axis=1) for names in (("x", "y", "z"), ("vx", "vy", "vz")))
+        count = len(self.arrays.balls.motions)
+        position, velocity, spin = (np.empty((count, 3)) for _ in range(3))
+        species, images = np.empty(count, np.uint32), np.empty((count, 3), np.int32)
+        for rows, part in self.blocks():
+            position[rows], velocity[rows], spin[rows] = part.position, part.velocity, part.spin
+            species[rows], images[rows] = part.species, part.images
+        return GasBalls(self._time, position, velocity, spin, species, images)
+
+    def blocks(self) -> Iterator[tuple[slice, GasBalls]]:
+        """Yield the balls at the current time block by block: which, and these. Of large gases no second copy is in memory."""
         one = self.arrays.system[0]
-        if one["frame"].any():
-            x, v = x + one["frame"] * self._time, v + one["frame"]
-            turns = np.floor(x / one["side"])
-            x = np.where(one["free"] == 1, np.mod(x, one["side"]), x)
-            # (modulo 2^32, as they are counted)
-            images = images + np.where(one["free"] == 1, np.mod(turns, 2**32), 0).astype(np.uint32).view(np.int32)
-        return GasBalls(
-            time=self._time,
-            position=x,
-            velocity=v,
-            spin=np.stack([bodies[name] for name in ("wx", "wy", "wz")], axis=1),
-            species=motions["species"].copy(),
-            images=images,
-        )
+        for rows, motions, bodies, images in engine.synchronized_blocks(self.arrays, self._time):
+            x, v = (
+                np.stack([motions[name] for name in names], axis=1) for names in (("x", "y", "z"), ("vx", "vy", "vz"))
+            )
+            if one["frame"].any():
+                x, v = x + one["frame"] * self._time, v + one["frame"]
+                turns = np.floor(x / one["side"])
+                x = np.where(one["free"] == 1, np.mod(x, one["side"]), x)
+                # (modulo 2^32, as they are counted)
+                images += np.where(one["free"] == 1, np.mod(turns, 2**32), 0).astype(np.uint32).view(np.int32)
+            spin = np.stack([bodies[name] for name in ("wx", "wy", "wz")], axis=1)
+            yield rows, GasBalls(self._time, x, v, spin, motions["species"].copy(), images)
 
     def energy(self) -> tuple[float, float, float]:
         """Return the translational, rotational and potential energy at the current time (J)."""
-        balls = self.balls()
-        kinds, one = self.arrays.materials.species[balls.species], self.arrays.system[0]
-        moment = kinds["kappa"] * kinds["mass"] * kinds["radius"] ** 2
-        return (
-            float((kinds["mass"] * (balls.velocity**2).sum(axis=1)).sum() / 2),
-            float((moment * (balls.spin**2).sum(axis=1)).sum() / 2),
-            -float((kinds["mass"] * ((balls.position + balls.images * one["side"]) @ one["gravity"])).sum()),
-        )
+        one, found = self.arrays.system[0], np.zeros(3)
+        for _, balls in self.blocks():
+            kinds = self.arrays.materials.species[balls.species]
+            moment = kinds["kappa"] * kinds["mass"] * kinds["radius"] ** 2
+            found += (
+                (kinds["mass"] * (balls.velocity**2).sum(axis=1)).sum() / 2,
+                (moment * (balls.spin**2).sum(axis=1)).sum() / 2,
+                -(kinds["mass"] * ((balls.position + balls.images * one["side"]) @ one["gravity"])).sum(),
+            )
+        return float(found[0]), float(found[1]), float(found[2])
 
     @property
     def bytes_per_ball(self) -> float:
@@ -316,51 +317,6 @@ class Gas:
             max_overlap=max(float(one["overlap"]), 0.0),
             crossings=int(one["crossings"] - before["crossings"]),
         )
-
-
-def _vectors(faults: FaultList, name: str, given: Any, count: int, axes: int) -> Array:
-    """Return what was given as (count, 3): two components are along x and y, one is about z. Zeros if nothing was given."""
-    rows = np.zeros((count, 3))
-    if given is None:
-        return rows
-    array = np.array(given, dtype=float)
-    if axes == 1 and array.shape == (count,):
-        array = np.column_stack((np.zeros((count, 2)), array))
-    if array.shape not in {(count, 3), (count, axes)} or not np.isfinite(array).all():
-        faults.add(name, f"finite numbers of shape ({count}, {axes})", f"shape {array.shape}")
-        return rows
-    rows[:, : array.shape[1]] = array
-    if (axes == 2 and rows[:, 2].any()) or (axes == 1 and rows[:, :2].any()):
-        faults.add(name, "vectors in the plane of the discs (spins: normal to it)", "other components")
-    return rows
-
-
-def _start_positions(container: Container, records: SystemRecords, radius: Array, seed: int) -> Array:
-    """Return positions on a lattice if the balls fit, else a dense random packing."""
-    try:
-        x = lattice(len(radius), container, float(radius.max()))
-    except CaromError:
-        return dense(radius, container, seed=seed)
-    # (the margin of a box may be more than it has)
-    bad = (container.clearance(radius, x) < 0).any() or first_overlap(records.system[0], radius, x, TOUCH) is not None
-    return dense(radius, container, seed=seed) if bad else x
-
-
-def _require_no_overlap(container: Container, records: SystemRecords, radius: Array, x: Array, touch: float) -> None:
-    """Raise CaromError where balls overlap each other, or a wall, by more than rounding."""
-    faults = FaultList("Gas")
-    out = container.clearance(radius, x) < -touch * radius
-    if out.any():
-        i = int(np.argmax(out))
-        faults.add(
-            "position", "balls inside the container", f"ball {i} at {x[i]} overlaps a wall ({out.sum()} of {len(x)} do)"
-        )
-    faults.raise_if_any()
-    pair = first_overlap(records.system[0], radius, x, touch)
-    if pair is not None:
-        i, j = pair
-        faults.add("position", "balls that do not overlap", f"balls {i} and {j}, at {x[i]} and {x[j]}")
-    faults.raise_if_any()
 
 
 def simulate_gas(

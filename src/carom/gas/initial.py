@@ -1,4 +1,4 @@
-"""Initial states of a gas: lattices, random and dense random positions, thermal velocities; and which balls overlap.
+"""Initial states of a gas: lattices, random and dense random positions, thermal velocities.
 
 Dense random positions follow Lubachevsky & Stillinger, J. Stat. Phys. 60, 561 (1990), doi:10.1007/BF01025983: small balls are put
 in at random, move, collide and grow until they are as large as asked. Radii grow linearly in time, with their final ratios, and a
@@ -19,14 +19,15 @@ from carom.bodies import Ball, Surface
 from carom.core.jit.slices import row_slices
 from carom.errors import CaromError, FaultList
 from carom.gas.containers import Container, as_container
-from carom.gas.edmd.driver import advance, make, synchronized, time_of_last_event
+from carom.gas.edmd.driver import advance, make, put_in_place, synchronized, time_of_last_event
 from carom.gas.edmd.records import DONE, PLANE
 from carom.gas.sizes import cells_at_most, lattice_steps
 from carom.gas.species import Species, system_records
 
-__all__ = ["compiled_loops", "dense", "first_overlap", "lattice", "scattered", "thermal"]
+__all__ = ["compiled_loops", "dense", "lattice", "scattered", "thermal"]
 
 Array = NDArray[np.float64]
+BLOCK = 1 << 16  # balls that are handled at once
 MAX_LATTICES = 200  # tried, each a twentieth finer
 MAX_PROPOSALS = 300  # per ball, after which a density counts as out of reach of random insertion
 DENSEST = {
@@ -102,11 +103,14 @@ def _stretched(count: int, side: Sequence[float], margins: Sequence[float]) -> A
     steps = np.maximum(np.round(lattice_steps(inner.tolist(), count, len(basis))), 1).astype(int)
     while steps.prod() * len(basis) < count:
         steps[np.argmax(inner / steps)] += 1
-    corners = np.stack(np.meshgrid(*(np.arange(n) for n in steps), indexing="ij"), axis=-1).reshape(-1, 1, len(inner))
-    sites = ((corners + (np.array(basis) + 0.5) / 2) / steps).reshape(-1, len(inner))
-    taken = sites[(np.arange(count) * len(sites)) // count]
+    shifts, sites = (np.array(basis) + 0.5) / 2, int(steps.prod()) * len(basis)
     centres = np.zeros((count, 3))
-    centres[:, : len(inner)] = np.array(margins) + taken * inner
+    for first in range(0, count, BLOCK):  # so that nothing but the result is as long as the gas
+        taken = np.arange(first, min(first + BLOCK, count)) * sites // count
+        corners = np.stack(np.unravel_index(taken // len(basis), steps), axis=-1)
+        centres[first : first + BLOCK, : len(inner)] = (
+            np.array(margins) + ((corners + shifts[taken % len(basis)]) / steps) * inner
+        )
     return centres
 
 
@@ -139,13 +143,21 @@ def thermal(mass: Array, axes: tuple[int, ...], temperature: float, rng: np.rand
     >>> v.shape, round(float((v**2).sum()) / 300, 12), bool(abs(v.sum(axis=0)).max() < 1e-12)
     ((100, 3), 2.0, True)
     """
-    found = np.zeros((len(mass), 3))
     if temperature == 0 or len(mass) == 0:
-        return found
-    v = rng.normal(size=(len(mass), len(axes))) / np.sqrt(mass)[:, None]
+        return np.zeros((len(mass), 3))
+    # (in place: of many balls an array of vectors is large)
+    v = rng.normal(size=(len(mass), len(axes)))
+    v /= np.sqrt(mass)[:, None]
+    product = mass[:, None] * v
     if len(mass) > 1:
-        v -= (mass[:, None] * v).sum(axis=0) / mass.sum()
-    found[:, axes] = v * math.sqrt(temperature * len(mass) * len(axes) / (mass[:, None] * v * v).sum())
+        v -= product.sum(axis=0) / mass.sum()
+        np.multiply(mass[:, None], v, out=product)
+    product *= v
+    v *= math.sqrt(temperature * len(mass) * len(axes) / product.sum())
+    if axes == (0, 1, 2):
+        return v
+    found = np.zeros((len(mass), 3))
+    found[:, axes] = v
     return found
 
 
@@ -326,7 +338,7 @@ def dense(
         records = system_records(species, container, Surface(1.0, 0.0, -1.0), (0.0,) * axes, 0.0, {}, None, seed)
         one = records.system[0]
         one["scale"], one["growth"] = scale, rate
-        arrays = make(records, which, x, v, np.zeros_like(x))
+        arrays = make(records, put_in_place(records, which, x), v, np.zeros_like(x))
         advance(arrays, (1 - scale) / rate, STAGE * len(x))
         one = arrays.system[0]
         done = one["status"] == DONE
@@ -368,37 +380,3 @@ def _packing_fraction(container: Container, radii: Array) -> float:
         faults.add("radius", f"a packing fraction of {bound}", f"{fraction:.4f}")
     faults.raise_if_any()
     return fraction
-
-
-def first_overlap(one: Any, radius: Array, x: Array, touch: float) -> tuple[int, int] | None:
-    """Return the first pair (i < j) of balls that overlap by more than ``touch`` of the smaller radius, or None.
-
-    Done with cells in NumPy, so that a million balls take a second and nothing has to be compiled.
-    """
-    n, side, periodic = one["cells"], one["side"], one["periodic"] == 1
-    place = np.clip((np.where(periodic, x % side, x) / one["cell_size"]).astype(np.int64), 0, n - 1)
-    key = place @ np.array([1, n[0], n[0] * n[1]])
-    order = np.argsort(key, kind="stable")
-    keys = key[order]
-    worst: tuple[int, int] | None = None
-    steps = [
-        (a, b, c) for a in (-1, 0, 1) for b in (-1, 0, 1) for c in ((-1, 0, 1) if one["dimensions"] == 3 else (0,))
-    ]
-    for step in steps:
-        there = place + step
-        inside = (periodic | ((there >= 0) & (there < n))).all(axis=1)
-        rows = np.flatnonzero(inside)
-        wanted = (there[rows] % n) @ np.array([1, n[0], n[0] * n[1]])
-        first, last = np.searchsorted(keys, wanted), np.searchsorted(keys, wanted, side="right")
-        for k in range(int((last - first).max(initial=0))):
-            here = first + k < last
-            i, j = rows[here], order[(first + k)[here]]
-            r = x[i] - x[j]
-            r -= np.where(periodic, side * np.round(r / side), 0)
-            reach = radius[i] + radius[j] - touch * np.minimum(radius[i], radius[j])
-            bad = (i < j) & ((r * r).sum(axis=1) < reach * reach)
-            if bad.any():
-                at = np.flatnonzero(bad)
-                found = min(zip(i[at].tolist(), j[at].tolist(), strict=True))
-                worst = found if worst is None else min(worst, found)
-    return worst

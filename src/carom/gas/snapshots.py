@@ -4,13 +4,15 @@ GSD files follow HOOMD's schema, which the field's viewers open (OVITO, freud, H
 = 0 and 2 dimensions), positions and velocities are in single precision, ``step`` is the number of collisions, ``image`` counts
 the periods crossed. The spin w is in ``angmom``, the quaternion 2 q (0, S), with the orientation q and the angular momentum S = I
 w about the body's axes. A gas does not track orientations, so q is 1. The time is the logged ``carom/time``.
+The chunks are written one by one with GSD's file layer: its writer of frames keeps several copies of all balls.
 """
 
 from __future__ import annotations
 
 import csv
+import hashlib
 import io
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -22,6 +24,7 @@ from carom.data.cells import parse_numbers
 from carom.errors import CaromError, suggestion
 from carom.files import atomic_path, cannot_write, import_optional, read_text
 from carom.gas.gas import Gas
+from carom.gas.results import GasBalls
 
 __all__ = ["InitialState", "Snapshots", "read_initial_state", "spins_of"]
 
@@ -31,7 +34,7 @@ VECTORS = {"position": ("x", "y", "z"), "velocity": ("vx", "vy", "vz"), "spin": 
 
 
 def _gsd(path: Path) -> Any:
-    return import_optional("gsd.hoomd", path.name)
+    return import_optional("gsd.fl", path.name)
 
 
 class Snapshots:
@@ -64,34 +67,61 @@ class Snapshots:
 
     def __init__(self, path: Path, names: tuple[str, ...], keep: int | None = None) -> None:
         self.path, self.names, gsd = path, names, _gsd(path)
+        self._first: dict[str, str] = {}  # digests of the chunks of the first frame
         try:
-            if keep is None:
-                self._file = gsd.open(str(path), "w")
-                return
-            self._truncate(gsd, keep)
-            self._file = gsd.open(str(path), "r+")
+            if keep is not None:
+                self._truncate(gsd, keep)
+            self._file = _opened(gsd, path, "w" if keep is None else "r+")
+            if keep:
+                names_there = self._file.find_matching_chunk_names("")
+                self._first = {
+                    name: _digest(self._file.read_chunk(0, name))
+                    for name in names_there
+                    if self._file.chunk_exists(0, name)
+                }
         except CaromError:
             raise
         except Exception as error:  # OSError, RuntimeError and others
+            if keep is None:
+                raise
             raise CaromError(f"{path}: expected a GSD file to write to, got: {error}") from None
 
     def _truncate(self, gsd: Any, keep: int) -> None:
         """Remove the frames written after the checkpoint from which the run continues."""
-        with gsd.open(str(self.path), "r") as old:
-            if len(old) < keep:
+        with _opened(gsd, self.path, "r") as old:
+            if old.nframes < keep:
                 raise CaromError(
-                    f"{self.path}: expected at least {keep} frames, as many as the checkpoint says, got {len(old)}"
+                    f"{self.path}: expected at least {keep} frames, as many as the checkpoint says, got {old.nframes}"
                 )
-            if len(old) == keep:
+            if old.nframes == keep:
                 return
-            with atomic_path(self.path) as part, gsd.open(str(part), "w") as new:
+            with atomic_path(self.path) as part, _opened(gsd, part, "w") as new:
                 for k in range(keep):
-                    new.append(old[k])
+                    for name in old.find_matching_chunk_names(""):
+                        if old.chunk_exists(k, name):
+                            new.write_chunk(name, old.read_chunk(k, name))
+                    new.end_frame()
 
     def write(self, gas: Gas) -> None:
-        """Append the gas as it is now."""
+        """Append the gas as it is now: one quantity after the other, so that no copy of the whole gas is in memory."""
         with self._writing():
-            self._file.append(self._frame(gas))
+            starts = self._file.nframes == 0
+            for name, make, default in _chunks(gas, self.names):
+                data = make()
+                digest = _digest(data)
+                # what is not written is as in the first frame or, where that has none, as HOOMD's schema says
+                if name in self._first:
+                    written = digest != self._first[name]
+                else:
+                    written = default is None or not np.array_equiv(data, np.asarray(default, data.dtype))
+                if written:
+                    self._file.write_chunk(name, data)
+                    if starts:
+                        self._first[name] = digest
+                del data
+            self._file.end_frame()
+            if starts:
+                self._file.flush()
 
     def flush(self) -> None:
         """Write all frames to disk."""
@@ -112,31 +142,55 @@ class Snapshots:
         except RuntimeError as error:  # GSD's own
             raise CaromError(f"{self.path}: expected a file to write frames to, got: {error}") from None
 
-    def _frame(self, gas: Gas) -> Any:
-        balls, one = gas.balls(), gas.arrays.system[0]
-        kinds = gas.arrays.materials.species[balls.species]
-        axes, count = int(one["dimensions"]), len(balls.species)
-        frame = _gsd(self.path).Frame()
-        side = np.zeros(3)
-        side[:axes] = one["side"][:axes]
-        frame.configuration.step = gas.collisions
-        frame.configuration.dimensions = axes
-        frame.configuration.box = [*side.tolist(), 0.0, 0.0, 0.0]
-        particles = frame.particles
-        particles.N = count
-        particles.types = list(self.names)
-        particles.typeid = balls.species
-        particles.position = balls.position - side / 2
-        particles.velocity = balls.velocity
-        particles.image = balls.images
-        particles.mass = kinds["mass"]
-        particles.diameter = 2 * kinds["radius"]
-        moment = kinds["kappa"] * kinds["mass"] * kinds["radius"] ** 2
-        # without moments about x and y HOOMD lets discs turn about z only
-        particles.moment_inertia = moment[:, None] * np.array([0, 0, 1] if axes == 2 else [1, 1, 1])
-        particles.angmom = np.concatenate([np.zeros((count, 1)), 2 * moment[:, None] * balls.spin], axis=1)
-        frame.log = {"carom/time": np.array([gas.time])}
-        return frame
+
+def _opened(gsd: Any, path: Path, mode: str) -> Any:
+    return gsd.open(name=str(path), mode=mode, application="carom", schema="hoomd", schema_version=(1, 4))
+
+
+def _digest(data: NDArray[Any]) -> str:
+    return hashlib.blake2b(np.ascontiguousarray(data).data, digest_size=16).hexdigest()
+
+
+Chunk = tuple[str, Callable[[], NDArray[Any]], Any]
+
+
+def _chunks(gas: Gas, names: tuple[str, ...]) -> Iterator[Chunk]:
+    """Yield the quantities of a frame: name, a function that makes the array, and the value that HOOMD's schema has for none."""
+    one, species, count = gas.arrays.system[0], gas.arrays.materials.species, len(gas.arrays.balls.motions)
+    axes, side = int(one["dimensions"]), np.zeros(3)
+    side[:axes] = one["side"][:axes]
+    moment = species["kappa"] * species["mass"] * species["radius"] ** 2
+    # without moments about x and y HOOMD lets discs turn about z only
+    turns = np.array([0, 0, 1] if axes == 2 else [1, 1, 1])
+    width = max(len(name.encode()) for name in names) + 1
+    types = np.array([name.encode() for name in names], dtype=(bytes, width)).view(np.int8).reshape(len(names), width)
+
+    def of_all(kind: str, columns: int, of: Callable[[GasBalls], Any]) -> Callable[[], NDArray[Any]]:
+        def make() -> NDArray[Any]:
+            found = np.zeros((count, columns) if columns > 1 else count, kind)
+            for rows, balls in gas.blocks():
+                found[rows] = of(balls)
+            return found
+
+        return make
+
+    def angmom(balls: GasBalls) -> Any:
+        return np.concatenate([np.zeros((len(balls.spin), 1)), 2 * moment[balls.species, None] * balls.spin], axis=1)
+
+    yield "configuration/step", lambda: np.array([gas.collisions], np.uint64), 0
+    yield "configuration/dimensions", lambda: np.array([axes], np.uint8), 3
+    yield "configuration/box", lambda: np.array([*side, 0, 0, 0], np.float32), (1, 1, 1, 0, 0, 0)
+    yield "particles/N", lambda: np.array([count], np.uint32), 0
+    yield "particles/types", lambda: types, None if names != ("A",) else types
+    yield "particles/typeid", of_all("u4", 1, lambda balls: balls.species), 0
+    yield "particles/mass", of_all("f4", 1, lambda balls: species["mass"][balls.species]), 1
+    yield "particles/diameter", of_all("f4", 1, lambda balls: 2 * species["radius"][balls.species]), 1
+    yield "particles/moment_inertia", of_all("f4", 3, lambda balls: moment[balls.species, None] * turns), 0
+    yield "particles/position", of_all("f4", 3, lambda balls: balls.position - side / 2), 0
+    yield "particles/velocity", of_all("f4", 3, lambda balls: balls.velocity), 0
+    yield "particles/angmom", of_all("f4", 4, angmom), 0
+    yield "particles/image", of_all("i4", 3, lambda balls: balls.images), 0
+    yield "log/carom/time", lambda: np.array([gas.time]), None
 
 
 def spins_of(particles: Any) -> NDArray[np.float64] | None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -38,13 +38,14 @@ from carom.gas.edmd.records import (
 )
 
 __all__ = [
-    "STATE", "GasArrays", "SystemRecords", "advance", "compiled_loops", "loop_is_cached", "make", "restore", "saved_state",
-    "synchronized", "time_of_last_event", "total_bytes",
+    "STATE", "GasArrays", "SystemRecords", "advance", "compiled_loops", "loop_is_cached", "make", "put_in_place", "restore",
+    "saved_blocks", "saved_state", "synchronized", "synchronized_blocks", "time_of_last_event", "total_bytes",
 ]  # fmt: skip
 
 BINS_PER_BALL = 4  # of the calendar
 FIRST_STEPS = 1 << 16  # of the first call of the compiled loop
 CACHE_LINE = 64  # bytes
+BLOCK = 1 << 16  # balls that are copied at once: of ten million, a copy of all takes as much memory as the gas
 
 # The arrays from which all others follow: the state of a gas, as it is saved, and the type of each one's elements.
 STATE = {
@@ -180,38 +181,54 @@ def _free_axes(one: Any, faces: Any, contacts: Any) -> NDArray[np.int64]:
     return np.asarray(free & isolated, np.int64)
 
 
-def make(records: SystemRecords, kinds: Any, x: Any, v: Any, w: Any) -> GasArrays:
-    """Return the arrays of a gas at its start; positions are wrapped into a periodic box.
+def put_in_place(records: SystemRecords, kinds: Any, x: Any) -> dict[str, NDArray[Any]]:
+    """Allocate the memory of a gas, and put the balls there: species (N,) and positions (N, 3), wrapped into a periodic box.
 
-    ``kinds`` (N,) are the balls' species; ``x``, ``v``, ``w`` (N, 3) their positions, velocities and spins.
+    Position by position, so that no more than the gas itself is in memory: nor need ``x`` be there any more after this.
     """
-    system, species, _pairs, contacts, faces = records
-    one, count = system[0], len(x)
-    one["free"] = _free_axes(one, faces, contacts)
-    one["balls"], one["species"], one["bins"] = count, len(species), BINS_PER_BALL * count
-    memory = _allocate(one, species)
-    motions, plans, bodies = (memory[name] for name in ("motions", "plans", "bodies"))
-    turns = np.where(one["periodic"] == 1, np.floor(x / one["side"]), 0)
-    x = x - turns * one["side"]
-    for k, axis in enumerate("xyz"):
-        motions[axis], motions["v" + axis], bodies["w" + axis] = x[:, k], v[:, k], w[:, k]
+    one, count = records.system[0], len(x)
+    one["free"] = _free_axes(one, records.faces, records.contacts)
+    one["balls"], one["species"], one["bins"] = count, len(records.species), BINS_PER_BALL * count
+    memory = _allocate(one, records.species)
+    motions = memory["motions"]
+    for first in range(0, count, BLOCK):
+        rows = slice(first, min(first + BLOCK, count))
+        turns = np.where(one["periodic"] == 1, np.floor(x[rows] / one["side"]), 0)
+        for k, axis in enumerate("xyz"):
+            motions[axis][rows] = x[rows, k] - turns[:, k] * one["side"][k]
+        if turns.any():
+            memory["plans"]["image"][rows] = turns
     motions["species"] = kinds
-    bodies["last_contact"], plans["image"][:count] = -math.inf, turns
-    plans[count]["event_time"], plans[count]["collision_time"] = math.inf, -math.inf
-    memory["numbers"][:] = np.arange(count)
+    memory["numbers"][:] = np.arange(count, dtype=np.uint32)
+    return memory
+
+
+def make(records: SystemRecords, memory: dict[str, NDArray[Any]], v: Any = None, w: Any = None) -> GasArrays:
+    """Return the arrays of a gas at its start, whose balls are in place; velocities and spins (N, 3), if not there yet."""
+    one = records.system[0]
+    plans, bodies = memory["plans"], memory["bodies"]
+    for k, axis in enumerate("xyz"):
+        if v is not None:
+            memory["motions"]["v" + axis] = v[:, k]
+        if w is not None:
+            bodies["w" + axis] = w[:, k]
+    bodies["last_contact"] = -math.inf
+    plans[-1]["event_time"], plans[-1]["collision_time"] = math.inf, -math.inf
     state = {name: memory[name] for name in Balls._fields} | records._asdict()
     arrays = _assemble(state, memory)
     compiled_loops().fill_cells(one, arrays.grid, arrays.balls, arrays.materials, arrays.cells)
     return arrays
 
 
-def restore(state: dict[str, NDArray[Any]]) -> GasArrays:
+def restore(state: Mapping[str, NDArray[Any]]) -> GasArrays:
     """Return the arrays of a gas from its saved state, from which it continues with the same bits."""
     memory = _allocate(state["system"][0], state["species"])
     copies = {}
     for name in STATE:
-        copies[name] = memory.get(name, np.empty_like(state[name]))
-        copies[name][:] = state[name]
+        given = state[name]
+        copies[name] = memory[name] if name in memory else np.empty_like(given)
+        copies[name][:] = given
+        del given  # (a state read from a file has one array in memory at a time)
     arrays = _assemble(copies, memory)
     compiled_loops().restore_lists(arrays.system[0], arrays.balls, arrays.calendar, arrays.cells)
     return arrays
@@ -219,11 +236,17 @@ def restore(state: dict[str, NDArray[Any]]) -> GasArrays:
 
 def saved_state(arrays: GasArrays) -> dict[str, NDArray[Any]]:
     """Return a copy of the state, without the places in the calendar, which another run would fill in another order."""
+    return {name: np.concatenate(list(saved_blocks(arrays, name))) for name in STATE}
+
+
+def saved_blocks(arrays: GasArrays, name: str) -> Iterator[NDArray[Any]]:
+    """Yield copies of an array of the state, block by block."""
     found = arrays.balls._asdict() | arrays.materials._asdict() | arrays.walls._asdict() | {"system": arrays.system}
-    state = {name: found[name].copy() for name in STATE}
-    for name in ("bin", "next", "previous"):
-        state["plans"][name] = 0
-    return state
+    for first in range(0, max(len(found[name]), 1), BLOCK):
+        block = found[name][first : first + BLOCK].copy()
+        for field in ("bin", "next", "previous") if name == "plans" else ():
+            block[field] = 0
+        yield block
 
 
 def _features(arrays: GasArrays) -> Features | None:
@@ -267,12 +290,25 @@ def time_of_last_event(arrays: GasArrays) -> float:
     return float(one["base"] + (one["rest"] + one["now"]))
 
 
-def synchronized(arrays: GasArrays, time: float) -> tuple[NDArray[np.void], NDArray[np.void], NDArray[np.int32]]:
-    """Return copies of motions and bodies at a time not before the last event, and images, in the order of the balls' numbers."""
-    system, motions = arrays.system.copy(), arrays.balls.motions.copy()
+def synchronized_blocks(
+    arrays: GasArrays, time: float
+) -> Iterator[tuple[slice, NDArray[np.void], NDArray[np.void], NDArray[np.int32]]]:
+    """Yield copies of motions, bodies and images at a time not before the last event, block by block in the order of numbers."""
+    system, balls = arrays.system.copy(), arrays.balls
     system["now"] = max(system[0]["now"], (time - system[0]["base"]) - system[0]["rest"])
-    compiled_loops().synchronize(system[0], arrays.grid, motions)
-    numbers = arrays.balls.numbers
-    place = np.empty_like(numbers)
-    place[numbers] = np.arange(len(place))
-    return motions[place], arrays.balls.bodies[place], arrays.balls.plans["image"][place]
+    place = np.empty_like(balls.numbers)
+    place[balls.numbers] = np.arange(len(place), dtype=place.dtype)
+    for first in range(0, len(place), BLOCK):
+        rows = slice(first, min(first + BLOCK, len(place)))
+        motions = balls.motions[place[rows]]
+        compiled_loops().synchronize(system[0], arrays.grid, motions)
+        yield rows, motions, balls.bodies[place[rows]], balls.plans["image"][place[rows]]
+
+
+def synchronized(arrays: GasArrays, time: float) -> tuple[NDArray[np.void], NDArray[np.void], NDArray[np.int32]]:
+    """Return what :func:`synchronized_blocks` yields, in one piece."""
+    count = len(arrays.balls.motions)
+    motions, bodies, images = np.empty(count, MOTION), np.empty(count, BODY), np.empty((count, 3), np.int32)
+    for rows, *parts in synchronized_blocks(arrays, time):
+        motions[rows], bodies[rows], images[rows] = parts
+    return motions, bodies, images

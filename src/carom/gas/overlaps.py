@@ -1,0 +1,95 @@
+"""Which balls of a start overlap: a list of the balls in each cell, and a compiled loop over pairs in neighbouring cells."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.core.jit.slices import row_slices
+
+__all__ = ["compiled_loops", "first_overlap"]
+
+Array = NDArray[np.float64]
+NONE = 0xFFFFFFFF  # end of a chain
+
+
+def first_overlap(one: Any, radius: Array, x: Array, touch: float) -> tuple[int, int] | None:
+    """Return the first pair (i < j) of balls that overlap by more than ``touch`` of the smaller radius, or None.
+
+    ``one`` is the record of the system; its cells are at least as wide as the largest diameter.
+    """
+    n, side, periodic = one["cells"], one["side"], one["periodic"] == 1
+    first, after = np.full(int(n.prod()), NONE, np.uint32), np.empty(len(x), np.uint32)
+    for rows in row_slices(len(x)):
+        _, enter = compiled_loops()
+        enter(x, rows.start, rows.stop, n, side, periodic, first, after)
+    for rows in row_slices(len(x)):
+        search, _ = compiled_loops()
+        # (the first ball has the pair that is asked for: its partner is the least)
+        i, j = search(x, radius, rows.start, rows.stop, n, side, periodic, first, after, touch)
+        if i >= 0:
+            return int(i), int(j)
+    return None
+
+
+@functools.cache
+def compiled_loops() -> tuple[Callable[..., Any], Callable[..., Any]]:
+    """Return the compiled search, and what fills its cells."""
+    from carom.core.jit.compile import njit
+
+    return njit(_search, nogil=True), njit(_enter, nogil=True)
+
+
+def _enter(x: Any, start: int, stop: int, n: Any, side: Any, periodic: Any, first: Any, after: Any) -> None:
+    """Put balls ``start`` to ``stop`` at the heads of their cells' chains."""
+    place = np.zeros(3, np.int64)
+    for i in range(start, stop):
+        for axis in range(3):
+            r = x[i, axis] % side[axis] if periodic[axis] else x[i, axis]
+            place[axis] = min(max(int(r / side[axis] * n[axis]), 0), n[axis] - 1)
+        cell = (place[2] * n[1] + place[1]) * n[0] + place[0]
+        after[i] = first[cell]
+        first[cell] = i
+
+
+def _search(
+    x: Any, radius: Any, start: int, stop: int, n: Any, side: Any, periodic: Any, first: Any, after: Any, touch: float
+) -> tuple[int, int]:
+    """Return the first of the balls ``start`` to ``stop`` that overlaps a later one, and the first of those; or (-1, -1)."""
+    place, there = np.zeros(3, np.int64), np.zeros(3, np.int64)
+    for i in range(start, stop):
+        for axis in range(3):
+            r = x[i, axis] % side[axis] if periodic[axis] else x[i, axis]
+            place[axis] = min(max(int(r / side[axis] * n[axis]), 0), n[axis] - 1)
+        least: Any = -1
+        for step in range(27):
+            rest, inside = step, True
+            for axis in range(3):
+                there[axis] = place[axis] + rest % 3 - 1
+                rest //= 3
+                if periodic[axis]:
+                    there[axis] %= n[axis]
+                elif there[axis] < 0 or there[axis] >= n[axis]:
+                    inside = False
+            if not inside:
+                continue
+            j: Any = np.int64(first[(there[2] * n[1] + there[1]) * n[0] + there[0]])
+            while j != NONE:
+                if i < j and (least < 0 or j < least):
+                    square = 0.0
+                    for axis in range(3):
+                        r = x[i, axis] - x[j, axis]
+                        if periodic[axis]:
+                            r -= side[axis] * np.round(r / side[axis])
+                        square += r * r
+                    reach = radius[i] + radius[j] - touch * min(radius[i], radius[j])
+                    if square < reach * reach:
+                        least = j
+                j = np.int64(after[j])
+        if least >= 0:
+            return i, least
+    return -1, -1
