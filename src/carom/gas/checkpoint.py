@@ -1,6 +1,7 @@
 """Checkpoints: the state of a session in one file, from which it continues with the same bits.
 
-An NPZ file: NumPy's arrays, bit by bit, in a ZIP archive, whose checksums reveal every change. It is written under a temporary
+An NPZ file: NumPy's arrays, bit by bit, in a ZIP archive, whose checksums reveal every change. Arrays of all balls are written
+block by block and read one at a time, so that a large gas is never in memory twice. The file is written under a temporary
 name, synchronised to disk, and then replaces the previous one; so a full disk, or a run killed while it writes, leaves the
 previous one as it is.
 """
@@ -10,15 +11,18 @@ from __future__ import annotations
 import json
 import os
 import zipfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
 from importlib.metadata import version
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import numpy as np
+from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.files import as_path, atomic_file
+from carom.gas.edmd.driver import STATE, saved_blocks
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
 from carom.scene.schema import from_file
@@ -71,9 +75,29 @@ def save_checkpoint(session: Session, path: str | Path) -> None:
     path = as_path("save_checkpoint", path)
     about = {"format": FORMAT, "carom": version("carom"), "scene": session.scene.model_dump(mode="json")}
     with atomic_file(path) as file:
-        np.savez(file, allow_pickle=False, carom_checkpoint=np.array(json.dumps(about)), **session.state())
+        with zipfile.ZipFile(file, "w", allowZip64=True) as archive:
+            _write_array(archive, "carom_checkpoint", np.array(json.dumps(about)))
+            for name, array in session.own_state().items():
+                _write_array(archive, name, array)
+            for name in STATE:
+                _write_blocks(archive, f"gas.{name}", *saved_blocks(session.gas.arrays, name))
         file.flush()
         os.fsync(file.fileno())
+
+
+def _write_array(archive: zipfile.ZipFile, name: str, array: NDArray[Any]) -> None:
+    with archive.open(f"{name}.npy", "w", force_zip64=True) as part:
+        np.lib.format.write_array(part, array, allow_pickle=False)
+
+
+def _write_blocks(archive: zipfile.ZipFile, name: str, length: int, blocks: Iterator[NDArray[Any]]) -> None:
+    """Write an array that is made block by block: no copy of the whole is in memory."""
+    with archive.open(f"{name}.npy", "w", force_zip64=True) as part:
+        for k, block in enumerate(blocks):
+            if k == 0:
+                head = {"descr": np.lib.format.dtype_to_descr(block.dtype), "fortran_order": False, "shape": (length,)}
+                np.lib.format.write_array_header_1_0(part, head)
+            part.write(block.tobytes())
 
 
 def require_checkpoint(path: Path) -> None:
@@ -121,53 +145,78 @@ def load_checkpoint(
     carom.errors.CaromError: missing.npz: expected a checkpoint, got: No such file or directory
     """
     path = as_path("load_checkpoint", path)
-    about, state = _read(path)
-    if about["format"] != FORMAT:
-        raise CaromError(
-            f"{path}: expected a checkpoint of format {FORMAT}, got format {about['format']} of carom {about['carom']};"
-            " continue with that version"
-        )
-    own = from_file(f"{path}: scene", GasScene, about["scene"])
-    if scene is not None and (other := _difference(_fixed(own), _fixed(scene))) is not None:
-        field, was, now = other
-        raise CaromError(
-            f"{path}: expected a checkpoint of this scene, got one of another scene: its {field} is {was}, not {now};"
-            " only run.max_events and run.duration may change"
-        )
-    try:
-        return Session.restore(own if scene is None else scene, state, compiling)
-    except (KeyError, ValueError, IndexError, TypeError) as error:
-        raise CaromError(
-            f"{path}: expected a checkpoint that this carom can continue, got one of carom {about['carom']} with other"
-            f" contents ({error}); start anew, or continue with that version"
-        ) from None
-
-
-def _read(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
-    """Return the description and the arrays of a checkpoint file."""
     try:
         raw = path.open("rb")
     except OSError as error:
         raise CaromError(f"{path}: expected a checkpoint, got: {error.strerror}") from None
-    try:
-        with raw:
+    with raw:
+        state = _Arrays(path, raw)
+        about = state.about
+        if about["format"] != FORMAT:
+            raise CaromError(
+                f"{path}: expected a checkpoint of format {FORMAT}, got format {about['format']} of carom {about['carom']};"
+                " continue with that version"
+            )
+        own = from_file(f"{path}: scene", GasScene, about["scene"])
+        if scene is not None and (other := _difference(_fixed(own), _fixed(scene))) is not None:
+            field, was, now = other
+            raise CaromError(
+                f"{path}: expected a checkpoint of this scene, got one of another scene: its {field} is {was}, not {now};"
+                " only run.max_events and run.duration may change"
+            )
+        try:
+            return Session.restore(own if scene is None else scene, state, compiling)
+        except CaromError:
+            raise
+        except (KeyError, ValueError, IndexError, TypeError) as error:
+            raise CaromError(
+                f"{path}: expected a checkpoint that this carom can continue, got one of carom {about['carom']} with other"
+                f" contents ({error}); start anew, or continue with that version"
+            ) from None
+
+
+class _Arrays(Mapping[str, NDArray[Any]]):
+    """The arrays of a checkpoint, each read from the file, and its checksum compared, whenever it is asked for."""
+
+    def __init__(self, path: Path, raw: BinaryIO) -> None:
+        self.path = path
+        with self._reading():
             file = np.load(raw, allow_pickle=False)
             if not isinstance(file, np.lib.npyio.NpzFile) or "carom_checkpoint" not in file:
                 raise CaromError(f"{path}: expected a checkpoint of carom gas, got another file")
-            arrays = dict(file)
-        about = json.loads(str(arrays.pop("carom_checkpoint")))
-        if not isinstance(about["format"], int):
-            raise ValueError("no format")
-    except CaromError:
-        raise
-    except Exception as error:  # damage shows in exceptions of zipfile, zlib, NumPy and JSON
-        said = str(error).splitlines()[0] if str(error) else type(error).__name__
-        if "pickle" in said:  # NumPy's message for a file of another kind, with an unsafe remedy
-            said = "not a file of NumPy"
-        raise CaromError(
-            f"{path}: expected an intact checkpoint of carom gas, got a file that cannot be read ({said})"
-        ) from None
-    return about, arrays
+            self._file = file
+            self.about: dict[str, Any] = json.loads(str(file["carom_checkpoint"]))
+            if not isinstance(self.about["format"], int):
+                raise ValueError("no format")
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        if name not in self._file:
+            raise KeyError(name)
+        with self._reading():
+            return self._file[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return (name for name in self._file if name != "carom_checkpoint")
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._file
+
+    def __len__(self) -> int:
+        return len(self._file) - 1
+
+    @contextmanager
+    def _reading(self) -> Iterator[None]:
+        try:
+            yield
+        except CaromError:
+            raise
+        except Exception as error:  # damage shows in exceptions of zipfile, zlib, NumPy and JSON
+            said = str(error).splitlines()[0] if str(error) else type(error).__name__
+            if "pickle" in said:  # NumPy's message for a file of another kind, with an unsafe remedy
+                said = "not a file of NumPy"
+            raise CaromError(
+                f"{self.path}: expected an intact checkpoint of carom gas, got a file that cannot be read ({said})"
+            ) from None
 
 
 def _fixed(scene: GasScene) -> dict[str, Any]:

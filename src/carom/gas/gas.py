@@ -120,7 +120,11 @@ class Gas:
 
     def state(self) -> dict[str, NDArray[Any]]:
         """Return all that a later run needs to continue with the same bits, as copies of a few arrays."""
-        return engine.saved_state(self.arrays) | {
+        return engine.saved_state(self.arrays) | self.own_state()
+
+    def own_state(self) -> dict[str, NDArray[Any]]:
+        """Return the part of the :meth:`state` that the engine does not have."""
+        return {
             "time": np.array([self._time]),
             "names": np.array(self._names, dtype="U32"),
         }
@@ -165,7 +169,8 @@ class Gas:
     def blocks(self) -> Iterator[tuple[slice, GasBalls]]:
         """Yield the balls at the current time block by block: which, and these. Of large gases no second copy is in memory."""
         one = self.arrays.system[0]
-        for rows, motions, bodies, images in engine.synchronized_blocks(self.arrays, self._time):
+        for rows, motions, bodies, turned in engine.synchronized_blocks(self.arrays, self._time):
+            images = turned
             x, v = (
                 np.stack([motions[name] for name in names], axis=1) for names in (("x", "y", "z"), ("vx", "vy", "vz"))
             )
@@ -174,7 +179,7 @@ class Gas:
                 turns = np.floor(x / one["side"])
                 x = np.where(one["free"] == 1, np.mod(x, one["side"]), x)
                 # (modulo 2^32, as they are counted)
-                images += np.where(one["free"] == 1, np.mod(turns, 2**32), 0).astype(np.uint32).view(np.int32)
+                images = turned + np.where(one["free"] == 1, np.mod(turns, 2**32), 0).astype(np.uint32).view(np.int32)
             spin = np.stack([bodies[name] for name in ("wx", "wy", "wz")], axis=1)
             yield rows, GasBalls(self._time, x, v, spin, motions["species"].copy(), images)
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator, Mapping
 from typing import Any
 
 import numpy as np
@@ -223,7 +223,11 @@ class Session:
 
     def state(self) -> State:
         """Return all that a later session needs to continue with the same bits."""
-        found: State = {f"gas.{name}": array for name, array in self.gas.state().items()}
+        return {f"gas.{name}": array for name, array in self.gas.state().items()} | self.own_state()
+
+    def own_state(self) -> State:
+        """Return the :meth:`state` without the large arrays of the gas."""
+        found: State = {f"gas.{name}": array for name, array in self.gas.own_state().items()}
         found["session"] = np.array(
             [
                 self.first_collision,
@@ -246,13 +250,15 @@ class Session:
         return found
 
     @classmethod
-    def restore(cls, scene: GasScene, state: State, compiling: Callable[[], None] | None = None) -> Session:
+    def restore(
+        cls, scene: GasScene, state: Mapping[str, NDArray[Any]], compiling: Callable[[], None] | None = None
+    ) -> Session:
         """Return the session with a :meth:`state`. ``compiling`` is called when the state is known to be complete."""
         require_state(scene, state)
         if compiling is not None:
             compiling()
         found = object.__new__(cls)
-        found._set(scene, Gas.restore(_part(state, "gas.")))
+        found._set(scene, Gas.restore(_GasPart(state)))
         found.first_collision, found.last_sample_collisions, found.sample_interval, found.snapshots_taken, timed = map(
             int, state["session"]
         )
@@ -290,6 +296,22 @@ def _max_wait(scene: GasScene, gas: Gas) -> float:
     return 30 * side / speed if speed > 0 and collides else math.inf
 
 
-def _part(state: State, prefix: str) -> State:
+def _part(state: Mapping[str, NDArray[Any]], prefix: str) -> State:
     """Return the arrays whose names have a prefix, by the rest of the name."""
-    return {name.removeprefix(prefix): array for name, array in state.items() if name.startswith(prefix)}
+    return {name.removeprefix(prefix): state[name] for name in state if name.startswith(prefix)}
+
+
+class _GasPart(Mapping[str, NDArray[Any]]):
+    """The arrays of the gas by their own names, none of them read before it is asked for."""
+
+    def __init__(self, state: Mapping[str, NDArray[Any]]) -> None:
+        self._state = state
+
+    def __getitem__(self, name: str) -> NDArray[Any]:
+        return self._state[f"gas.{name}"]
+
+    def __iter__(self) -> Iterator[str]:
+        return (name.removeprefix("gas.") for name in self._state if name.startswith("gas."))
+
+    def __len__(self) -> int:
+        return sum(1 for _ in self)

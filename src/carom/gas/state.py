@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -15,7 +16,7 @@ from carom.gas.sizes import cells_at_most
 
 __all__ = ["require_same_form", "require_state"]
 
-State = dict[str, NDArray[Any]]
+State = Mapping[str, NDArray[Any]]
 # Of the gas when the measurement began: the arrays that have the form of the gas's own.
 MARKED = ("system", "pairs", "contacts", "faces")
 
@@ -26,12 +27,15 @@ def require_state(scene: GasScene, state: State) -> None:
     if any(name.startswith("mark.") for name in state):
         forms |= {f"mark.{name}": forms[f"gas.{name}"] for name in MARKED}
         forms["mark.numbers"] = (np.dtype("f8"), (5,))
-    for name, (kind, shape) in forms.items():
+    for name in forms:
         if name not in state:
             raise KeyError(name)
-        require_same_form(name, state[name], kind, shape)
-    for name, array in state.items():
+    for name in state:  # (read from a file one at a time)
+        array = state[name]
+        if name in forms:
+            require_same_form(name, array, *forms[name])
         _require_no_nan(name, array)
+        del array
     _require_contents(scene, state)
 
 

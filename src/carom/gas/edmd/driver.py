@@ -236,17 +236,22 @@ def restore(state: Mapping[str, NDArray[Any]]) -> GasArrays:
 
 def saved_state(arrays: GasArrays) -> dict[str, NDArray[Any]]:
     """Return a copy of the state, without the places in the calendar, which another run would fill in another order."""
-    return {name: np.concatenate(list(saved_blocks(arrays, name))) for name in STATE}
+    return {name: np.concatenate(list(saved_blocks(arrays, name)[1])) for name in STATE}
 
 
-def saved_blocks(arrays: GasArrays, name: str) -> Iterator[NDArray[Any]]:
-    """Yield copies of an array of the state, block by block."""
+def saved_blocks(arrays: GasArrays, name: str) -> tuple[int, Iterator[NDArray[Any]]]:
+    """Return the length of an array of the state, and copies of it block by block (one block at least)."""
     found = arrays.balls._asdict() | arrays.materials._asdict() | arrays.walls._asdict() | {"system": arrays.system}
-    for first in range(0, max(len(found[name]), 1), BLOCK):
-        block = found[name][first : first + BLOCK].copy()
-        for field in ("bin", "next", "previous") if name == "plans" else ():
-            block[field] = 0
-        yield block
+    array: NDArray[Any] = found[name]
+
+    def blocks() -> Iterator[NDArray[Any]]:
+        for first in range(0, max(len(array), 1), BLOCK):
+            block = array[first : first + BLOCK].copy()
+            for field in ("bin", "next", "previous") if name == "plans" else ():
+                block[field] = 0
+            yield block
+
+    return len(array), blocks()
 
 
 def _features(arrays: GasArrays) -> Features | None:
