@@ -166,13 +166,17 @@ def load_checkpoint(
             )
         try:
             return Session.restore(own if scene is None else scene, state, compiling)
-        except CaromError:
+        except _DamagedFileError:
             raise
         except (KeyError, ValueError, IndexError, TypeError) as error:
             raise CaromError(
                 f"{path}: expected a checkpoint that this carom can continue, got one of carom {about['carom']} with other"
                 f" contents ({error}); start anew, or continue with that version"
             ) from None
+
+
+class _DamagedFileError(CaromError):
+    """A file that cannot be read as a checkpoint."""
 
 
 class _Arrays(Mapping[str, NDArray[Any]]):
@@ -214,7 +218,7 @@ class _Arrays(Mapping[str, NDArray[Any]]):
             said = str(error).splitlines()[0] if str(error) else type(error).__name__
             if "pickle" in said:  # NumPy's message for a file of another kind, with an unsafe remedy
                 said = "not a file of NumPy"
-            raise CaromError(
+            raise _DamagedFileError(
                 f"{self.path}: expected an intact checkpoint of carom gas, got a file that cannot be read ({said})"
             ) from None
 

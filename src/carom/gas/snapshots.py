@@ -82,8 +82,6 @@ class Snapshots:
         except CaromError:
             raise
         except Exception as error:  # OSError, RuntimeError and others
-            if keep is None:
-                raise
             raise CaromError(f"{path}: expected a GSD file to write to, got: {error}") from None
 
     def _truncate(self, gsd: Any, keep: int) -> None:
