@@ -14,15 +14,14 @@ from carom.data.energy import energy_remarks
 from carom.data.rebounds import COLUMNS, STAGES, Rebounds
 from carom.errors import CaromError, float_or_nan, require_type
 from carom.fitting.parameters import FORMS, PARAMETERS
+from carom.fitting.shared_errors import SHARED, Shared, film_says, numbers_of, shared_errors, shared_in_words
 from carom.fitting.spin_quadrature import SpinGrid, sigma_grid
 
-__all__ = ["Problem", "Setting", "Shared", "make_problem", "prior_in_words", "require_settings", "table_faults"]
+__all__ = ["Problem", "Setting", "make_problem", "prior_in_words", "require_settings", "table_faults"]
 
 Array = NDArray[np.float64]
 MAX_SHARED_VARIANCE = 0.95  # of a variance: the rest is a row's own
 MAX_CORRELATION = 0.95  # of errors before and after: a row with fully correlated errors would carry no information
-# Quantities that a film measures once for all its rows: prefix of the columns, and name
-SHARED = {"cloth": "cloth friction", "rolling": "rolling resistance", "blind": "blind time"}
 CLOTH_FRICTION = 0.2  # of a billiard table, by default
 SCATTERS = ("share", "absolute")
 MAX_SPIN = 5.0  # mean or width of spins before the wall, in v/a
@@ -124,17 +123,6 @@ def require_settings(setting: Setting) -> None:
 
 
 @dataclass(frozen=True)
-class Shared:
-    """An error common to all rows, because a film measures the quantity once: a standard normal variable z."""
-
-    name: str
-    rows: Array
-    """(N, 6) change of the measurements before and after the wall for z = 1."""
-    floor: float = 0.0
-    """Change of the floor's friction for z = 1, if that is from the same film."""
-
-
-@dataclass(frozen=True)
 class Problem:
     """N rebounds as arrays, with variances and the assumptions of the fit; made by :func:`make_problem`.
 
@@ -166,7 +154,7 @@ class Problem:
     estimated: NDArray[np.bool_]
     """(3,) whether an output has no error bars, so that its scatter is estimated."""
     shared: tuple[Shared, ...] = ()
-    """Errors common to all rows."""
+    """Errors common to the rows of a film."""
 
     @property
     def count(self) -> int:
@@ -268,13 +256,12 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
     stages = None if rebounds.stage is None else np.array([STAGES.index(str(s)) for s in rebounds.stage])
     setting, floor, error = _with_floor(rebounds, setting)
     notes += floor
-    shared = () if estimated.any() else _shared(rebounds, names, error)
+    shared = () if estimated.any() else shared_errors(rebounds, names, error)
     if shared:  # each row keeps the rest of its variance
         square = np.sum([np.square(one.rows) for one in shared], axis=0)
         vx, vy = (v - np.minimum(s, MAX_SHARED_VARIANCE * v) for v, s in ((vx, square[:, :3]), (vy, square[:, 3:])))
         covariance = covariance - np.sum([one.rows[:, :2] * one.rows[:, 3:5] for one in shared], axis=0)
-        words = " and its ".join(one.name for one in shared)
-        notes.append(f"all velocities share the error of the film's {words}, which is fitted with every law")
+        notes.append(shared_in_words(shared))
     most = np.where(estimated[:2], 0.0, MAX_CORRELATION * np.sqrt(vx[:, :2] * vy[:, :2]))
     problem = Problem(
         rebounds, setting, x, vx, np.clip(covariance, -most, most), y, vy, stages, None, estimated, shared
@@ -303,7 +290,7 @@ def _covariances(rebounds: Rebounds, most: Array) -> tuple[Array, list[str]]:
     """
     found, faults = np.zeros((len(rebounds), 2)), []
     for o, name in enumerate(("v_n", "v_t")):
-        found[:, o] = np.nan_to_num(_numbers(rebounds, f"covariance_{name}"))
+        found[:, o] = np.nan_to_num(numbers_of(rebounds, f"covariance_{name}"))
         wrong = np.flatnonzero(~(np.abs(found[:, o]) <= most[:, o] * (1 + 1e-6)))
         if len(wrong):
             label = rebounds.rows[wrong[0]] if rebounds.rows else f"row {wrong[0] + 1}"
@@ -312,18 +299,6 @@ def _covariances(rebounds: Rebounds, most: Array) -> tuple[Array, list[str]]:
                 f" {most[wrong[0], o]:.3g} m^2/s^2, got {found[wrong[0], o]:.3g}; omit the column if error bars were changed"
             )
     return found, faults
-
-
-def _shared(rebounds: Rebounds, names: tuple[str, ...], floor: float) -> tuple[Shared, ...]:
-    """Return the shared errors in the columns cloth_ and rolling_ of a table that carom made from a film; ``floor``: error bar of
-    the floor's friction, if that is the cloth's."""
-    found = []
-    for prefix, name in SHARED.items():
-        columns = [_numbers(rebounds, f"{prefix}_{column}") for column in names]
-        rows = np.nan_to_num(np.stack(columns, axis=-1))
-        if rows.any():
-            found.append(Shared(name, rows, floor if prefix == "cloth" else 0.0))
-    return tuple(found)
 
 
 def _no_numbers(rebounds: Rebounds) -> list[str]:
@@ -339,15 +314,6 @@ def _no_numbers(rebounds: Rebounds) -> list[str]:
                 label = rebounds.rows[i] if rebounds.rows else f"row {i + 1}"
                 faults.append(f"{rebounds.source}: {label}: {name}: expected a number, or an empty cell, got {cell!r}")
     return faults
-
-
-def _numbers(rebounds: Rebounds, name: str) -> Array:
-    """Return an extra column; NaN where a cell is empty, or the column missing."""
-    column = rebounds.extra.get(name)
-    try:
-        return np.full(len(rebounds), np.nan) if column is None else np.where(column == "", "nan", column).astype(float)
-    except ValueError:
-        return np.full(len(rebounds), np.nan)
 
 
 def _with_floor(rebounds: Rebounds, setting: Setting) -> tuple[Setting, list[str], float]:
@@ -366,22 +332,6 @@ def _with_floor(rebounds: Rebounds, setting: Setting) -> tuple[Setting, list[str
     of = "from the film" if films == 1 else f"mean of {films} films"
     said = f"floor_friction: {value:.4g}{bar}, {of} (column cloth_friction); --floor-friction overrides it"
     return replace(setting, floor_friction=value), [] if fitted else [said], 0.0 if fitted else error
-
-
-def film_says(rebounds: Rebounds, name: str) -> tuple[float, float, int] | None:
-    """Return a quantity that films measured once: value, error (0: unknown) and number of films; None if there is none.
-
-    A table that carom makes from a film has it in a column, the same in all rows; several films in one table are weighted by their
-    errors.
-    """
-    value, error = _numbers(rebounds, name), _numbers(rebounds, f"sigma_{name}")
-    films = np.unique(np.stack([value, np.nan_to_num(error)], axis=-1)[np.isfinite(value) & (value >= 0)], axis=0)
-    if not len(films):
-        return None
-    if len(films) == 1 or not (films[:, 1] > 0).all():
-        return float(films[:, 0].mean()), float(films[:, 1].max()), len(films)
-    weights = films[:, 1] ** -2
-    return float((weights * films[:, 0]).sum() / weights.sum()), float(weights.sum() ** -0.5), len(films)
 
 
 def prior_in_words(setting: Setting) -> str:
