@@ -413,14 +413,14 @@ def test_one_row_beyond_the_edge_moves_the_friction_and_robust_fits_do_not_follo
 def test_any_number_of_threads_gives_the_same_bits(monkeypatch):
     from concurrent.futures import ThreadPoolExecutor
 
-    from carom.fitting import likelihood
+    from carom.core.jit import threads
 
     problem, _ = make_problem(bounces(2, 200), SETTING)
     rows = model_of(law("sliding"), problem).likelihood()
     p = numbers(restitution=0.8, friction=0.2, spin_mean=0.4, spin_width=0.35)[None]
     found = []
-    for threads in (1, 3):
-        monkeypatch.setattr(likelihood, "_pool", lambda threads=threads: ThreadPoolExecutor(threads))
+    for count in (1, 3):
+        monkeypatch.setattr(threads, "_pool", lambda count=count: ThreadPoolExecutor(count))
         seen = evaluate(rows, p)
         found.append((seen.deviance, seen.scores, seen.information))
     for one, other in zip(*found, strict=True):
