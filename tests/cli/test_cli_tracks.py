@@ -231,6 +231,22 @@ def test_many_films_make_one_table(
     assert [Path(film["file"]).name for film in json.loads(told)["films"]] == ["film2.csv", "film5.csv", "straight.csv"]
 
 
+def test_a_note_of_many_films_stands_once(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    first, second, straight = map(str, films(tmp_path))
+    overridden = "the file's times say 120 frames per second; --rate 60 overrides them (leave it out if they are right)"
+    _code, _told, notes = run(capsys, monkeypatch, first, "--rate", "60")
+    assert notes.splitlines()[0] == overridden
+    _code, _told, notes = run(capsys, monkeypatch, first, second, "--rate", "60")
+    assert notes.splitlines()[0] == f"all 2 films: {overridden}"
+    _code, _told, notes = run(capsys, monkeypatch, first, second, straight, "--rate", "60")
+    assert notes.count(overridden) == 1
+    assert f"film2, film5: {overridden}" in notes.splitlines()
+    assert notes.count("straight: no unit in") == 1
+    assert all(note.split(":")[0] in ("film2, film5", "film2", "film5", "straight") for note in notes.splitlines())
+
+
 def test_faults_of_many_films(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

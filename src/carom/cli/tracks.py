@@ -17,7 +17,7 @@ from carom.cli.console import err
 from carom.cli.console import out as stdout
 from carom.cli.options import FLOOR, parse_inertia, parse_length, shared
 from carom.cli.tracks_output import counted, facts, tell, tell_contacts
-from carom.errors import CaromError
+from carom.errors import CaromError, shortened_list
 
 if TYPE_CHECKING:
     from carom.data.rebounds import Rebounds
@@ -174,9 +174,16 @@ def _notes(
     measured: Sequence[Measured],
     table: Rebounds | None,
 ) -> None:
-    """Print the notes of all films, and of their rebounds what the contacts alone do not show."""
-    notes = [f"{name}: {note}" if name else note for name, film, one in zip(names, found, measured, strict=True)
-             for note in (*film.notes, *one.notes)]  # fmt: skip
+    """Print the notes of all films, each once, and of their rebounds what the contacts alone do not show."""
+    films: dict[str, list[str]] = {}
+    for name, film, one in zip(names, found, measured, strict=True):
+        for note in dict.fromkeys((*film.notes, *one.notes)):
+            films.setdefault(note, []).append(name)
+    notes = [
+        f"all {len(names)} films: {note}" if len(of) == len(names) > 1
+        else ": ".join(filter(None, (shortened_list(of), note)))
+        for note, of in films.items()
+    ]  # fmt: skip
     notes += [] if table is None else [note for note in table.notes if note.startswith("energy:")]
     for note in notes:
         console.print(note, style="dim", soft_wrap=True)
