@@ -14,7 +14,7 @@ from carom.scene.paths import path_match, replaced
 EVENTS = 50
 LEVELS = 6
 # m/s: an impact slower than this belongs to low bounces along a wall, which multiply the rounding of the runs by its inverse.
-LOW = 1e-2
+LOW = 4e-3
 
 
 class Case(NamedTuple):

@@ -18,7 +18,7 @@ from carom.scene.paths import replaced
 from carom.simulation.sensitivity.compiled import follow_compiled
 from carom.simulation.sensitivity.interpreted import follow_interpreted
 from carom.simulation.sensitivity.parameters import parameters_of
-from carom.simulation.sensitivity.seeds import Column, _columns_of, _differences, _shifted, _step_of
+from carom.simulation.sensitivity.seeds import Column, _columns_of, _differences, _step_of, shifted_scene
 from carom.simulation.setup import SceneArrays, set_up
 
 
@@ -88,7 +88,7 @@ def test_wall_and_floor_at_once() -> None:
 
 
 def _shifted_arrays(scene: carom.Scene, column: Column, by: float) -> SceneArrays:
-    return set_up(_shifted(scene, column, by), compiled=False)
+    return set_up(shifted_scene(scene, column, by), compiled=False)
 
 
 def test_parameters_that_the_arrays_hold_themselves_are_not_differenced() -> None:

@@ -65,6 +65,7 @@ def test_a_ball_that_is_to_stop_at_a_place_has_the_speed_that_rolling_takes() ->
     [
         ({"hit": ("red", "yellow"), "cushions": 3}, (4.4947, 335.06)),
         ({"ball": 1, "point": (1.0, 0.4)}, (1.26, 26.45)),
+        ({"hit": "red", "speed": 1.0, "speed_within": 4.0}, (3.0, 12.0)),
     ],
 )
 def test_the_gradient_of_a_miss_is_that_of_differences(reach: object, start: tuple[float, float]) -> None:
@@ -115,6 +116,17 @@ def test_a_pocket_and_a_struck_ball() -> None:
     best = carom.aim(scene, {"balls.cue.strike": (1.0, 3.0)}, {"ball": "one", "pocket": "any"}, starts=4096)
     assert best[0].run.final_phase[1] == "pocketed"
     assert set(best[0].values) == {"speed", "azimuth"}
+
+
+def test_a_ball_that_is_to_come_with_a_speed() -> None:
+    scene = bank("two-step-paper", resistance=0.02)
+    reach = {"hit": "red", "cushions": 1, "speed": 0.8}
+    best = carom.aim(scene, {"balls.0.velocity": (0.5, 3.0)}, reach, starts=2048)
+    run = best[0].run
+    row = run.log[run.log["kind"] == BALL][0]
+    assert np.hypot(*row["v_before"][:2]) == pytest.approx(0.8, abs=2e-3 * 0.08)  # of what is allowed
+    assert best[0].spread.shape == (2,)
+    assert " m/s" in best.rows()[1][0][3]
 
 
 def test_bad_input_is_said_at_once() -> None:

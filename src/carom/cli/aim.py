@@ -63,6 +63,16 @@ def aim(
             rich_help_panel=TARGET,
         ),
     ] = None,
+    speed: Annotated[
+        float | None,
+        typer.Option(
+            "--speed",
+            metavar="M/S",
+            help="Speed with which it comes to the ball or the pocket, m/s, within a tenth.",
+            show_default="any",
+            rich_help_panel=TARGET,
+        ),
+    ] = None,
     free: Annotated[
         list[str] | None,
         typer.Option(
@@ -112,6 +122,8 @@ def aim(
         target |= {"point": attempt(found, lambda: _numbers("--point", point, ",")), "within": within}
     if sum(one is not None for one in (hit or None, pocket, point)) != 1:
         found.append("aim: expected one of --hit, --pocket and --point")
+    if speed is not None:
+        target["speed"] = speed
     ranges = attempt(found, lambda: _ranges(free or ["balls.0.velocity"]))
     errors = attempt(found, lambda: dict(_error(text) for text in error or ()))
     if found or made is None or ranges is None or errors is None:

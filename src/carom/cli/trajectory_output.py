@@ -61,6 +61,10 @@ def show_sensitivity(found: Any) -> None:
     console = out()
     console.print(Text("What matters: how far the final places move"), soft_wrap=True)
     _print(console, table)
+    misses = [one for one in found.near_misses[:1] if one.radius < np.inf]
+    for one in misses:
+        said = f"Nearest miss: at {one.time:.4g} s {one.ball} passes {one.other}, {1e3 * one.distance:.3g} mm away."
+        console.print(Text(said), soft_wrap=True)
 
 
 def _print(console: Console, table: Table) -> None:

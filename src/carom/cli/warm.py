@@ -30,6 +30,7 @@ COMPILE_JOBS = (
     f"{__name__}:fit_bounces",
     f"{__name__}:load_called_laws",
     "carom.sweeps.shots_loop:compiled_follow",
+    "carom.simulation.sensitivity.near_misses:compiled_least_gaps",
     f"{__name__}:draw_shots",
     f"{__name__}:follow_many_runs",
     "carom.tracks.table_motion:_compiled",

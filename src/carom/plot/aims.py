@@ -94,16 +94,15 @@ def _panel(axes: Any, aims: Aims, one: Aim, run: Any, ways: list[Any], seen: Vie
             axes.add_patch(Circle(at.position[i, :2], ball.radius, fc="none", ec=ink, lw=1.0, zorder=5))
     first = 0
     for target in aims.targets:
-        size = 2 if target.kind == "point" else 1
-        place = slice(first, first + size)
-        first += size
+        place = slice(first, first + len(target.windows))
+        first += len(target.windows)
         if target.kind == "point":
             axes.add_patch(Circle(target.point, target.windows[0], fc="none", ec=INK, lw=0.8, ls=(0, (2, 2)), zorder=6))
             axes.plot(*_ellipse(target.point, one.covariance[place, place]), color=INK, lw=1.0, zorder=6)
         else:
             before = run.at(math.nextafter(one.time, 0.0))
             v = before.velocity[target.ball, :2]
-            across = np.array([-v[1], v[0]]) / (np.hypot(*v) or 1.0) * 2 * float(one.spread[first - 1])
+            across = np.array([-v[1], v[0]]) / (np.hypot(*v) or 1.0) * 2 * float(one.spread[place.start])
             center = before.position[target.ball, :2]
             axes.plot(*np.array([center - across, center + across]).T, color=INK, lw=1.4, zorder=6, marker="|", ms=4)
     numbers = ", ".join(

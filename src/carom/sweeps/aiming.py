@@ -45,9 +45,10 @@ class Aim:
     chance: float
     """Share of shots that reach the target under the player's errors, of 200 that were drawn and run."""
     spread: Array
-    """(R,), m: standard deviation of the miss under the player's errors, by gradients: of an impact parameter, or along x, y."""
+    """(R,), m: standard deviation of the miss under the player's errors, by gradients: of an impact parameter, or along x, y;
+    m/s of the speed where that is asked for."""
     covariance: Array
-    """(R, R) of the miss, m^2."""
+    """(R, R) of the miss."""
     sequence: tuple[str, ...]
     """What the targets' balls meet, in this order."""
     time: float
@@ -90,7 +91,12 @@ class Aims(Sequence[Aim]):
         ]
         body = []
         for one in self._solutions:
-            spread = " x ".join(format_number(1e3 * s) for s in one.spread)
+            units = [unit for target in self.targets for unit in target.units]
+            told = [
+                format_number(1e3 * s) if unit == "m" else f"{format_number(s)} m/s"
+                for s, unit in zip(one.spread, units, strict=True)
+            ]
+            spread = " x ".join(told)
             numbers = [format_number(x, 5) for x in one.values.values()]
             body.append([*numbers, f"{one.chance:.0%}", spread, ", ".join(one.sequence)])
         return [*head, "sequence"], body
@@ -188,6 +194,7 @@ def aim(
     reach : mapping, or several
         ``{"ball": 2, "point": (1.2, 0.4)}``: where it ends, within its radius, or ``"within"`` m; ``{"ball": 1, "pocket": "any"}``;
         ``{"ball": 0, "hit": ("yellow", "red"), "cushions": 3}``: it touches both, and at least three cushions before the last one.
+        ``"speed": 0.8``: and comes there with this speed (m/s), within a tenth, or ``"speed_within"`` m/s.
         Several must all be met: pot a ball and leave the cue ball at a place.
     errors : mapping, optional
         The player's, one standard deviation: "speed" (a share: 0.03), "angle" and "azimuth" (0.2 degrees), "elevation" (0.5
@@ -289,7 +296,7 @@ def _refined(problem: _Problem, x0: Array, sequence: Signature) -> tuple[Array, 
     def at(x: Array) -> tuple[Array, Array, Any]:
         key = x.tobytes()
         if key not in known:
-            size = sum(2 if target.kind == "point" else 1 for target in problem.targets)
+            size = sum(len(target.windows) for target in problem.targets)
             lost = np.full(size, LOST), np.zeros((size, len(x))), None
             known[key] = lost
             run, its, found = problem.follow(x)

@@ -2,7 +2,7 @@
 
 What a shot misses by is a number that varies smoothly with its start while the sequence of events stays: for a ball that is to be
 hit, the impact parameter (offset of the balls' centres across their relative motion); for a pocket, that of the ball and the
-pocket's centre; for a place, the distance along x and y.
+pocket's centre; for a place, the distance along x and y. The speed with which a ball comes there may be a second one.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import model_validator
+from pydantic import Field, model_validator
 
 from carom.errors import CaromError
 from carom.scene.scene import Scene
@@ -39,6 +39,8 @@ class Target(Model):
     pocket : name of a pocket, or "any"
     hit : number or name of a ball that it is to touch, or several of them, in any order
     cushions : number of cushions that it touches before the last of them, at least; default: 0
+    speed : m/s, with which it comes to the ball or the pocket; default: any
+    speed_within : m/s: by how much the speed may be another; default: a tenth of it
     """
 
     ball: int | str = 0
@@ -47,6 +49,8 @@ class Target(Model):
     pocket: str | None = None
     hit: int | str | tuple[int | str, ...] | None = None
     cushions: int = 0
+    speed: float | None = Field(default=None, gt=0, allow_inf_nan=False)
+    speed_within: float | None = Field(default=None, gt=0, allow_inf_nan=False)
 
     @model_validator(mode="after")
     def _one_aim(self) -> Target:
@@ -54,6 +58,10 @@ class Target(Model):
             raise ValueError("expected one of point, pocket and hit")
         if self.cushions and self.hit is None:
             raise ValueError("expected cushions with hit only")
+        if self.speed is not None and self.point is not None:
+            raise ValueError("expected speed with hit or pocket: at its place the ball ends at rest")
+        if self.speed_within is not None and self.speed is None:
+            raise ValueError("expected speed_within with speed only")
         return self
 
 
@@ -70,6 +78,13 @@ class TargetEvent(NamedTuple):
     """What each number of the residual may be, at most."""
     centers: Array
     """Of all pockets, (P, 2)."""
+    speed: float | None = None
+    """With which the ball comes there, m/s."""
+
+    @property
+    def units(self) -> tuple[str, ...]:
+        """Of each number of the residual."""
+        return ("m", "m") if self.kind == "point" else ("m", "m/s")[: len(self.windows)]
 
 
 def targets_of(scene: Scene, reach: Any) -> list[TargetEvent]:
@@ -107,7 +122,8 @@ def _event_of(scene: Scene, target: Target, where: str) -> TargetEvent:
     radius = scene.balls[ball].radius
     pockets = [pocket for wall in scene.walls for pocket in wall.pockets]
     centers = np.array([pocket.center for pocket in pockets]).reshape(-1, 2)
-    point, none = target.point or (0.0, 0.0), np.zeros((0, 2))
+    point, none, speed = target.point or (0.0, 0.0), np.zeros((0, 2)), target.speed
+    more = () if speed is None else (target.speed_within or speed / 10,)
     if target.point is not None:
         return TargetEvent("point", ball, (), 0, point, (target.within or radius,) * 2, none)
     if target.pocket is not None:
@@ -116,14 +132,14 @@ def _event_of(scene: Scene, target: Target, where: str) -> TargetEvent:
             names = ", ".join(["any", *(pocket.name for pocket in pockets)]) if pockets else "a table with pockets"
             raise CaromError(f"{where}: pocket: expected {names}, got {target.pocket!r:.60}")
         width = min(pockets[k].radius for k in wanted)
-        return TargetEvent("pocket", ball, tuple(wanted), 0, point, (width,), centers)
+        return TargetEvent("pocket", ball, tuple(wanted), 0, point, (width, *more), centers, speed)
     assert target.hit is not None
     hits = target.hit if isinstance(target.hit, tuple) else (target.hit,)
     others = tuple(_ball(scene, one, f"{where}: hit") for one in hits)
     if ball in others:
         raise CaromError(f"{where}: hit: expected other balls than {target.ball!r}, got it")
     width = radius + min(scene.balls[k].radius for k in others)
-    return TargetEvent("hit", ball, others, target.cushions, point, (width,), none)
+    return TargetEvent("hit", ball, others, target.cushions, point, (width, *more), none, speed)
 
 
 # --- in logs ----------------------------------------------------------------------------------------------------------
@@ -173,6 +189,9 @@ def misses(target: TargetEvent, log: NDArray[np.void], rows: NDArray[np.int64], 
         met = log[n, other]
         r, u = (met["x"] - own["x"])[:, :2], (own["v_before"] - met["v_before"])[:, :2]
     found[n] = np.abs(r[:, 0] * u[:, 1] - r[:, 1] * u[:, 0]) / np.hypot(u[:, 0], u[:, 1]) / target.windows[0]
+    if target.speed is not None:
+        off = np.abs(np.hypot(own["v_before"][:, 0], own["v_before"][:, 1]) - target.speed)
+        found[n] = np.maximum(found[n], off / target.windows[1])
     return found
 
 
@@ -203,18 +222,15 @@ def residual(target: TargetEvent, run: Any, row: int, derivatives: Any) -> tuple
     b = (r[0] * u[1] - r[1] * u[0]) / size
     cross = dr[0] * u[1] - dr[1] * u[0] + r[0] * du[1] - r[1] * du[0]
     db = cross / size - b * (u[0] * du[0] + u[1] * du[1]) / size**2
-    return np.array([b]) / target.windows[0], db[None, :] / target.windows[0]
+    miss, slopes = [b], [db]
+    if target.speed is not None:
+        speed = math.hypot(*v)
+        miss, slopes = [b, speed - target.speed], [db, (v[0] * dv[0] + v[1] * dv[1]) / speed]
+    windows = np.array(target.windows)
+    return np.array(miss) / windows, np.stack(slopes) / windows[:, None]
 
 
 def _arrival(run: Any, k: int, derivatives: Any) -> tuple[Array, Array, Array, Array]:
     """Return place and velocity (2,) with which the ball of a row comes to its event, and their derivatives (2, p) there."""
     row, event = run.log[k], derivatives.events[k - len(run.scene.balls)]
-    ball, t = int(row["ball"]), float(row["t"])
-    before = math.nextafter(t, 0.0)
-    # the acceleration of a phase is constant
-    own = run.log["t"][(run.log["ball"] == ball) & (run.log["t"] < t)]
-    middle = (float(own[-1]) + t) / 2
-    v = row["v_before"][:2]
-    slowing = (v - run.at(middle).velocity[ball, :2]) / (t - middle)
-    dv = derivatives.at(before).velocity[ball, :2] + np.outer(slowing, event.time)
-    return row["x"][:2], event.position[:2], v, dv
+    return row["x"][:2], event.position[:2], row["v_before"][:2], event.velocity_before[:2]

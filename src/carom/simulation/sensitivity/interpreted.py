@@ -17,7 +17,7 @@ from carom.simulation.sensitivity.pass_kernels import PASSAGES, follow_log, stat
 from carom.simulation.sensitivity.passages import Motion, Passages
 from carom.simulation.setup import SceneArrays
 
-__all__ = ["follow_interpreted"]
+__all__ = ["follow_interpreted", "seeded"]
 
 Array = NDArray[np.float64]
 
@@ -34,7 +34,7 @@ class _Values:
         return [value(x) for x in one] if isinstance(one, list) else value(one)
 
 
-def _seeded(records: NDArray[np.void], slopes: list[dict[str, Any]]) -> Any:
+def seeded(records: NDArray[np.void], slopes: list[dict[str, Any]]) -> Any:
     """Return objects for records, whose numbers have their derivatives: one dict of fields for each parameter."""
     objects = as_objects(np.array(records))
     for field in slopes[0]:
@@ -72,8 +72,8 @@ def follow_interpreted(
     Raises CaromError for a law that calls what takes no dual numbers.
     """
     p, slopes = len(parameters), parameters.slopes
-    world, features, balls = (_seeded(getattr(setup, name), [one[name] for one in slopes]) for name in ARRAYS)
-    first = _seeded(setup.balls, [one["balls"] for one in slopes])
+    world, features, balls = (seeded(getattr(setup, name), [one[name] for one in slopes]) for name in ARRAYS)
+    first = seeded(setup.balls, [one["balls"] for one in slopes])
     walls, plain, rows = as_objects(setup.features), ObjectArray(map(_Values, balls)), as_objects(log)
     out = as_objects(np.full(len(log), np.nan, PASSAGES))
     users = [law.kernel for law in scene.called_laws]

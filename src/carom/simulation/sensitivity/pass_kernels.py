@@ -28,7 +28,7 @@ from carom.simulation.resolve import meet_ball, meet_floor, meet_wall
 from carom.simulation.resting_contact import stays_clear
 from carom.simulation.sensitivity.gaps import feature_gap, feature_way, pair_gap
 
-__all__ = ["PASSAGES", "follow_log", "state_at_time"]
+__all__ = ["PASSAGES", "follow_log", "met_feature", "state_at_time"]
 
 # One row of the log: its time, the ball, and what could switch there; NaN where nothing could.
 PASSAGES = np.dtype(
@@ -37,6 +37,8 @@ PASSAGES = np.dtype(
         ("x", "f8", (3,)),
         ("v", "f8", (3,)),
         ("w", "f8", (3,)),
+        ("v_before", "f8", (3,)),  # as it comes to the event
+        ("w_before", "f8", (3,)),
         ("approach", "f8"),  # rate at which the gap closes, m/s
         ("required", "f8"),  # friction
         ("friction", "f8"),
@@ -84,6 +86,12 @@ def _note(out: Any, ball: Any) -> None:
 
 
 @kernel
+def _note_before(out: Any, ball: Any) -> None:
+    put(out.v_before, vector(ball.v))
+    put(out.w_before, vector(ball.w))
+
+
+@kernel
 def _begin_all(world: Any, balls: Any, log: Any, out: Any, last: int) -> None:
     for i in range(balls.shape[0]):
         ball = balls[i]
@@ -96,11 +104,12 @@ def _begin_all(world: Any, balls: Any, log: Any, out: Any, last: int) -> None:
             put(ball.w, w)
         _pin(ball, log[i])
         begin(world, ball)
+        _note_before(out[min(i, last)], ball)
         _note(out[min(i, last)], ball)
 
 
 @kernel
-def _feature(walls: Any, row: Any, a: float) -> int:
+def met_feature(walls: Any, row: Any, a: float) -> int:
     """Return the number of the feature that a ball has met: of the wall's or pocket's, the one in touch."""
     kind, who = row.kind, row.other
     x, v = vector(row.x), vector(row.v_before)
@@ -259,6 +268,7 @@ def follow_log(world: Any, features: Any, walls: Any, balls: Any, plain: Any, lo
         ball = balls[i]
         if kind == HELD_EVENT:
             ball.phase = HELD
+            _note_before(out[min(n, last)], ball)
             _note(out[min(n, last)], ball)
             n += 1
             continue
@@ -268,20 +278,22 @@ def follow_log(world: Any, features: Any, walls: Any, balls: Any, plain: Any, lo
             move_by(world, ball, t - ball.clock, t)
         else:
             if kind not in (BALL, FLOOR):
-                f = _feature(walls, row, plain[i].radius)
+                f = met_feature(walls, row, plain[i].radius)
             if not _come(world, features, walls, balls, plain, row, i, k, f):
                 return int(n)
+        one = out[min(n, last)]  # (where passages are not wanted there is one row for all of them)
         _pin_before(ball, row)
+        _note_before(one, ball)
         if k != i:
             _pin_before(balls[k], log[n + 1])
+            _note_before(out[min(n + 1, last)], balls[k])
         approach, required, friction = _act(world, features, balls, users, row, i, k, f)
-        one = out[min(n, last)]  # (where passages are not wanted there is one row for all of them)
         _leave(world, ball, row, one, approach, required, friction)
         _note_slip(one, ball)
         if k != i:
             one = out[min(n + 1, last)]
             _leave(world, balls[k], log[n + 1], one, approach, required, friction)
-            _note_slip(one, ball)
+            _note_slip(one, balls[k])
         n += 1 if k == i else 2
         if n < rows:
             _release(world, walls, balls, plain, i, k, ball.clock)

@@ -32,6 +32,8 @@ class Passage(NamedTuple):
 
     time: Any
     ball: Motion
+    before: Motion
+    """As it comes to the event."""
     approach: Any
     """Rate at which the gap closes (m/s); None where nothing is met."""
     required: Any
@@ -74,8 +76,8 @@ class Passages:
         def number(name: str) -> Any:
             return None if np.isnan(row[name]) else numbers(name)[0]
 
-        x, y = numbers("slip")
-        slip = None if np.isnan(x.x) else (x * x + y * y, x, y)
+        slip = None if np.isnan(row["slip"][0]) else numbers("slip")
         friction = None if np.isnan(row["friction"]) else float(row["friction"])
         motion = Motion(*(numbers(name) for name in Motion._fields))
-        return Passage(number("time"), motion, number("approach"), number("required"), friction, slip)
+        before = Motion(motion.x, numbers("v_before"), numbers("w_before"))
+        return Passage(number("time"), motion, before, number("approach"), number("required"), friction, slip)

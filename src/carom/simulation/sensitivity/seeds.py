@@ -19,7 +19,7 @@ from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
 from carom.simulation.setup import SceneArrays, set_up
 
-__all__ = ["MOST_COLUMNS", "Column", "Tangents", "linear_slopes", "tangents_of"]
+__all__ = ["MOST_COLUMNS", "Column", "Tangents", "linear_slopes", "shifted_scene", "tangents_of"]
 
 Array = NDArray[np.float64]
 Tangents = dict[str, dict[str, Array]]
@@ -116,7 +116,7 @@ def _slopes(scene: Scene, column: Column, setup: SceneArrays) -> Tangents | None
     h = _step_of(column)
 
     def shifted(by: float) -> SceneArrays:
-        return set_up(_shifted(scene, column, by), compiled=False)
+        return set_up(shifted_scene(scene, column, by), compiled=False)
 
     # (of several places with different values the arrays hold no one number)
     x = column.value if len(set(column.values)) == 1 else math.nan
@@ -218,7 +218,7 @@ def _stencils() -> Any:
         yield [(sign * k, sign * c) for k, c in ONE_SIDED]
 
 
-def _shifted(scene: Scene, column: Column, by: float) -> Scene:
+def shifted_scene(scene: Scene, column: Column, by: float) -> Scene:
     """Return the scene with the parameter changed by ``by`` at every place."""
     changes: dict[str, Any] = {}
     for place, x in zip(path_match(scene, column.path).places, column.values, strict=True):

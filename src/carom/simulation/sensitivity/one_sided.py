@@ -1,0 +1,99 @@
+"""One-sided derivatives: at a switch of behaviour those for a smaller and for a greater value of a parameter differ."""
+
+from __future__ import annotations
+
+import itertools
+import warnings
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.errors import CaromError
+from carom.simulation.records import BALL, WALL
+from carom.simulation.sensitivity.follow import follow
+from carom.simulation.sensitivity.parameters import parameters_of
+from carom.simulation.sensitivity.passages import Passages
+from carom.simulation.sensitivity.seeds import Column, shifted_scene
+from carom.simulation.simulate import simulate
+
+__all__ = ["OneSided", "StateSensitivity", "one_sided", "warn_of_switches"]
+
+Array = NDArray[np.float64]
+STEP = 1e-9  # of a parameter: so far from the switch a run is differentiated, and a sixteenth of it
+GROWS = 1e-3  # change of the derivatives between these two steps that is too large for them to have a limit
+EXACT = 1e-12  # share of the friction, or of the time, that counts as none
+
+
+class StateSensitivity(NamedTuple):
+    """Derivatives of the states of all balls at a fixed time, each (B, 3, p)."""
+
+    position: Array
+    """m per unit of the parameter."""
+    velocity: Array
+    spin: Array
+
+
+class OneSided(NamedTuple):
+    """Derivatives of the final states for values of each parameter below, and above, that of the scene."""
+
+    below: StateSensitivity
+    above: StateSensitivity
+
+
+def one_sided(run: Any, columns: list[Column]) -> OneSided:
+    """Return the derivatives of a run's final states on both sides of each parameter's value.
+
+    The run is repeated a little on each side, with the other parameters as they are, and its derivatives there are extrapolated
+    to the value. CaromError where they grow without bound, as those of a ball that just touches do.
+    """
+    sides = [np.stack([_limit(run, one, sign) for one in columns], axis=-1) for sign in (-1, 1)]
+    return OneSided(*(StateSensitivity(*one) for one in sides))
+
+
+def _limit(run: Any, column: Column, sign: int) -> Array:
+    """Return the derivatives (3, B, 3) of final positions, velocities and spins on one side."""
+    step = sign * STEP * (abs(column.value) or 1.0)
+    far, near = (_beside(run, column, by) for by in (step, step / 16))
+    size = np.abs(near).max(axis=(1, 2), keepdims=True)
+    if not (np.abs(far - near) <= GROWS * size).all():
+        raise CaromError(
+            f"sensitivity: {column.name}: expected derivatives with a limit at {column.value:.9g}, got some that grow without"
+            f" bound for {'smaller' if sign < 0 else 'greater'} values, as at a graze; move a start a little"
+        )
+    return np.asarray((16 * near - far) / 15)
+
+
+def _beside(run: Any, column: Column, by: float) -> Array:
+    scene = shifted_scene(run.scene, column, by)
+    there = simulate(scene)
+    # (of a run that ends because nothing more happens, the states at rest)
+    end = there.end if run.ended == there.ended == "nothing more happens" else min(run.end, there.end)
+    first = there.log[: len(scene.balls)]
+    parameters = parameters_of(scene, column.path, first["phase"].tolist())
+    passages = follow(scene, parameters, there.log, there.end)
+    c = [one.name for one in parameters.columns].index(column.name)
+    return np.stack([part[..., c] for part in passages.at(end)])
+
+
+def warn_of_switches(run: Any, passages: Passages) -> None:
+    """Warn of events that are exactly at a switch, where derivatives are those of one side."""
+    log, first, values = run.log, len(run.scene.balls), passages.values
+    with np.errstate(invalid="ignore"):
+        border = np.abs(values["required"] - values["friction"]) <= EXACT * values["friction"]
+    border &= (values["friction"] > 0) & np.isfinite(values["friction"]) & ~np.any(log["floor_impulse"], axis=1)
+    found = {int(k): "at the border of sticking and slipping" for k in np.flatnonzero(border)}
+    hits = np.flatnonzero(np.isin(log["kind"], (WALL, BALL)))
+    for ball in range(first):
+        own = hits[log["ball"][hits] == ball]
+        for one, two in itertools.pairwise(own):
+            if log["t"][two] - log["t"][one] <= EXACT * log["t"][two] and log["other"][one] != log["other"][two]:
+                found[int(two)] = "at the same time as another impact of this ball"
+    if found:
+        k = min(found)
+        more = f" (and {len(found) - 1} more)" if len(found) > 1 else ""
+        warnings.warn(
+            f"sensitivity: events[{k - first}] ({log['t'][k]:.9g} s, ball {int(log['ball'][k])}): {found[k]}{more}: derivatives are"
+            " those of one side; one_sided() has both",
+            stacklevel=4,
+        )

@@ -1,0 +1,169 @@
+"""How far derivatives hold: margins and near misses against the first change of the sequence of events; one-sided derivatives."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from reference.sensitivity_differences import sequence
+
+import carom
+from carom.scene.paths import replaced
+from carom.simulation.records import FLOOR, SETTLED
+
+RADIUS = 0.1
+PATH = "balls.0.velocity.x"
+
+
+def table_shot(seed: int) -> carom.Scene:
+    """Four balls on a table, one of which rolls."""
+    rng = np.random.default_rng(seed)
+    places: list[Any] = []
+    while len(places) < 4:
+        place = rng.uniform([-1.2, -0.6], [1.2, 0.6])
+        if all(np.hypot(*(place - other)) > 0.1 for other in places):
+            places.append(place)
+    angle, speed = rng.uniform(0, 2 * np.pi), rng.uniform(0.8, 2.0)
+    rolls = {"velocity": (speed * np.cos(angle), speed * np.sin(angle)), "rolling": True}
+    balls = [
+        carom.SceneBall(radius=0.03075, mass=0.21, position=tuple(place), **(rolls if k == 0 else {}))
+        for k, place in enumerate(places)
+    ]
+    return carom.Scene(
+        floor=carom.Floor(restitution=0.5, friction=0.2, rolling_resistance=0.01, spin_friction=0.0127),
+        walls=[{"shape": "table", "preset": "carom" if seed % 2 else "pool-9ft"}],
+        balls=balls,
+        ball_contact=carom.BallContact(restitution=0.95, friction=0.06),
+        run=carom.Run(duration=20),
+    )
+
+
+def of_each_ball(run: carom.Trajectory) -> list[list[tuple[int, ...]]]:
+    """The events of each ball; those of two balls in no order. Low bounces on the floor are left out."""
+    rows = [row for row in sequence(run, run.end) if row[0] not in (FLOOR, SETTLED)]
+    return [[row for row in rows if row[1] == k] for k in range(len(run.scene.balls))]
+
+
+def first_change(scene: carom.Scene) -> float:
+    """The smallest change of a velocity that changes what happens, found by running."""
+    x = scene.balls[0].state.velocity[0]
+    expected, ends = of_each_ball(carom.simulate(scene)), []
+
+    def same(by: float) -> bool:
+        return of_each_ball(carom.simulate(replaced(scene, {PATH: float(x + by)}))) == expected
+
+    for sign in (1, -1):
+        low, high = 0.0, 1e-6
+        while high < 0.1 and same(sign * high):
+            low, high = high, 1.5 * high
+        for _ in range(12):
+            middle = (low + high) / 2
+            low, high = (middle, high) if same(sign * middle) else (low, middle)
+        ends.append(high)
+    return min(ends)
+
+
+@pytest.mark.parametrize(
+    ("seed", "what"),
+    [
+        (0, "stick/slip"), (1, "stick/slip"), (2, "table 0"), (4, "ball 3"), (5, "stick/slip"), (9, "table 0"), (13, "roll/slide"),
+        (17, "stick/slip"), (18, "graze"), (19, "graze"),
+    ],
+)  # fmt: skip
+def test_the_radius_is_where_the_sequence_of_events_changes_first(seed: int, what: str) -> None:
+    scene = table_shot(seed)
+    found = carom.simulate(scene).sensitivity(PATH)
+    nearest = min(found.margin, key=lambda one: one.radius)
+    miss = found.near_misses[0]
+    assert (nearest.which if nearest.radius < miss.radius else miss.other) == what
+    assert found.radius == min(nearest.radius, miss.radius)
+    assert found.radius == pytest.approx(first_change(scene), rel=0.03)
+
+
+def pair(offset: float, v: float = 1.0) -> carom.Trajectory:
+    """One ball that flies past another, whose centres come as near as 2 a (1 + offset)."""
+    y = 2 * RADIUS * (1 + offset)
+    balls = [
+        carom.SceneBall(radius=RADIUS, mass=1.0, position=(-1, y, 0), velocity=(v, 0, 0)),
+        carom.SceneBall(radius=RADIUS, mass=1.0, position=(0, 0, 0)),
+    ]
+    contact = carom.BallContact(restitution=1.0, friction=0.0)
+    return carom.simulate(carom.Scene(gravity=0, balls=balls, ball_contact=contact, run=carom.Run(duration=2)))
+
+
+def test_a_ball_that_flies_past_another() -> None:
+    found = pair(0.01).sensitivity(["balls.0.position.y", "balls.0.velocity.x", "balls.1.radius"])
+    (miss,) = found.near_misses
+    assert (miss.ball, miss.other) == ("ball 0", "ball 1")
+    assert miss.time == pytest.approx(1.0, abs=1e-7)
+    assert miss.distance == pytest.approx(0.002, rel=1e-12)
+    # d gap = dy - dr
+    assert miss.radius == pytest.approx(0.002 / math.sqrt(2), rel=1e-9)
+    assert found.margin == []
+
+
+def test_a_ball_that_stops_before_a_wall() -> None:
+    v, c, g = 0.5, 0.02, 9.80665
+    wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
+    way = v**2 / (2 * c * g)
+    ball = carom.SceneBall(radius=0.03, mass=0.2, position=(0.031 + way, 0), velocity=(-v, 0), rolling=True)
+    floor = carom.Floor(friction=0.2, rolling_resistance=c)
+    scene = carom.Scene(gravity=g, floor=floor, walls=[wall], balls=[ball], run=carom.Run(duration=20))
+    (miss,) = carom.simulate(scene).sensitivity("balls.0.velocity").near_misses
+    assert miss.other == "plane 0"
+    assert miss.time == pytest.approx(v / (c * g), rel=1e-9)
+    assert miss.distance == pytest.approx(0.001, rel=1e-9)
+    assert miss.radius == pytest.approx(0.001 / (v / (c * g)), rel=1e-6)  # d way / d v = v / (c g)
+
+
+def test_two_balls_hit_at_the_same_time_have_one_sided_derivatives() -> None:
+    d = 2 * RADIUS * math.cos(math.pi / 6)
+    places = [(-1.0, 0.0), (d, RADIUS), (d, -RADIUS)]
+    balls = [
+        carom.SceneBall(radius=RADIUS, mass=1.0, position=(x, y, 0), velocity=(1.0 if k == 0 else 0.0, 0, 0))
+        for k, (x, y) in enumerate(places)
+    ]
+    contact = carom.BallContact(restitution=1.0, friction=0.0)
+    run = carom.simulate(carom.Scene(gravity=0, balls=balls, ball_contact=contact, run=carom.Run(duration=2)))
+    with pytest.warns(UserWarning, match="at the same time as another impact of this ball"):
+        found = run.sensitivity("balls.0.position.y")
+    assert found.radius == 0
+    below, above = found.one_sided()
+    # mirrored: below hits the lower ball first
+    assert below.position[1, 0, 0] == pytest.approx(-above.position[2, 0, 0], rel=1e-6)
+    assert below.position[1, 1, 0] == pytest.approx(above.position[2, 1, 0], rel=1e-6)
+    assert abs(below.position[1, 1, 0] - above.position[1, 1, 0]) > 1
+    assert any(np.allclose(found.final.position, side.position, rtol=1e-6) for side in (below, above))
+
+
+def test_away_from_a_switch_both_sides_are_the_derivative() -> None:
+    found = carom.simulate(table_shot(3)).sensitivity("balls.0.velocity")
+    for side in found.one_sided():
+        for name in ("position", "velocity", "spin"):
+            expected = getattr(found.final, name)
+            assert getattr(side, name) == pytest.approx(expected, abs=1e-5 * np.abs(expected).max() + 1e-9)
+
+
+def test_a_ball_that_just_touches_has_no_derivative_on_the_side_that_touches() -> None:
+    found = pair(1e-13).sensitivity("balls.0.position.y")
+    assert found.radius == pytest.approx(2e-14, rel=0.1)
+    with pytest.raises(carom.CaromError, match="grow without bound for smaller values"):
+        found.one_sided()
+
+
+def test_the_border_of_sticking_warns() -> None:
+    # a ball that flies to a wall with a slip u sticks from mu = kappa u / ((1 + kappa) (1 + e) v_n) on
+    e, kappa, v_n, u = 0.5, 0.4, 2.0, 1.0
+    mu = kappa / (1 + kappa) * u / ((1 + e) * v_n)
+    wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=e, friction=mu)
+    ball = carom.SceneBall(radius=RADIUS, mass=1.0, position=(1.1, 0, 0), velocity=(-v_n, u, 0))
+    run = carom.simulate(carom.Scene(gravity=0, walls=[wall], balls=[ball], run=carom.Run(duration=1)))
+    assert run.log["required"][1] == pytest.approx(mu, rel=1e-15)
+    with pytest.warns(UserWarning, match="at the border of sticking and slipping"):
+        found = run.sensitivity("walls.0.friction")
+    below, above = found.one_sided()
+    # v_t' = v_t - mu (1 + e) v_n while it slides; once it sticks friction has no effect
+    assert below.velocity[0, 1, 0] == pytest.approx(-(1 + e) * v_n, rel=1e-6)
+    assert above.velocity[0, 1, 0] == pytest.approx(0.0, abs=1e-9)
