@@ -13,10 +13,14 @@ import math
 import subprocess
 import time
 
+from rows import paired, report
+
 import carom
 from carom.gas import Gas, Species
 
 DENSITY = 0.5
+FEW, MANY = 1_000, 100_000  # of the rows: what a collision costs among many balls, over that among few
+GROWTH = 1.4  # wanted
 SURFACES = {"smooth": carom.Surface(1, 0, -1), "rough": carom.Surface(1, math.inf, 1)}
 
 
@@ -30,6 +34,16 @@ def beside(command: str, balls: int) -> float:
     return float(said.split()[-1])
 
 
+def growth(name: str, surface: carom.Surface, repeats: int = 5) -> None:
+    """Report what a collision of MANY balls costs over one of FEW, measured in turn."""
+    few, many = gas(FEW, surface), gas(MANY, surface)
+    for one in (few, many):
+        one.run(20 * len(one.balls().species))
+    pairs = [(many.run(3 * MANY).cpu_seconds, few.run(3 * MANY).cpu_seconds) for _ in range(repeats)]
+    peer = f"the same gas of {FEW:,}"
+    report(paired(f"a gas of {MANY:,} {name} spheres", pairs, peer, count=3 * MANY, unit="collision", wanted=GROWTH))
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--balls", default="1000,10000,100000,1000000")
@@ -39,6 +53,8 @@ def main() -> None:
     begin = time.process_time()
     gas(100, SURFACES["rough"]).run(10)
     print(f"compiled, or loaded, in {time.process_time() - begin:.1f} s of CPU time")
+    for name, surface in SURFACES.items():
+        growth(name, surface)
     first: dict[str, float] = {}
     for balls in map(int, given.balls.split(",")):
         found = dict.fromkeys(SURFACES, 0.0)

@@ -12,6 +12,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+from rows import compare, report
 
 import carom
 from carom.core.jit.compile import limit_threads, thread_count
@@ -25,6 +26,7 @@ WRT = {
          "floor.restitution", "ball_contact.restitution", "ball_contact.friction"],
 }  # fmt: skip
 STARTS = 4000
+COSTS = 3.0  # plain runs: wanted of a run with six derivatives
 
 
 def best(work: Callable[[], object], repeats: int) -> float:
@@ -62,6 +64,12 @@ def main() -> None:
     carom.simulate_many(scene, v[:2], w[:2])
     plain = best(lambda: carom.simulate(scene), 300)
     print(f"plain run {1e6 * plain:.0f} us\n")
+    report(
+        compare(
+            "derivatives of a run of three balls, p = 6", lambda: run.sensitivity(WRT[6]).final, lambda: carom.simulate(scene),
+            "the run", unit="run", calls=50, wanted=COSTS,
+        )
+    )  # fmt: skip
     print("  p   sensitivity   in plain runs   central differences   another scene's first")
     for p, wrt in WRT.items():
         found = best(lambda wrt=wrt: run.sensitivity(wrt).final, 100)  # type: ignore[misc]

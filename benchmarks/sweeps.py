@@ -16,12 +16,13 @@ import time
 from pathlib import Path
 
 import numpy as np
+from rows import paired, report
 
 import carom
 from carom.core.jit.compile import thread_count
 
 SHOTS = int(sys.argv[1]) if len(sys.argv) > 1 else 1_000_000
-REPEATS = 3
+REPEATS = 5
 KEEP = ["final.position", "final.phase", "events.wall.count"]
 
 
@@ -44,7 +45,7 @@ def main() -> None:
     w = np.stack([-v[:, 1], v[:, 0], np.zeros(len(v))], axis=1) / scene.balls[0].radius
     carom.simulate_many(scene, velocity=v[:100], spin=w[:100])
     carom.sweep(carom.Space(scene, {"balls.0.velocity": carom.polar(1.0, [10.0])}), KEEP).run()
-    ratios, rates = [], []
+    pairs, rates = [], []
     with tempfile.TemporaryDirectory() as folder:
         store = Path(folder) / "s.zarr"
         for _repeat in range(REPEATS):
@@ -55,10 +56,20 @@ def main() -> None:
             begin = time.perf_counter()
             found = carom.sweep(space, KEEP, store=store).run()
             swept = time.perf_counter() - begin
-            ratios.append(swept / plain)
+            pairs.append((swept, plain))
             rates.append(space.size / swept)
         assert np.array_equal(found["final.position"].values.reshape(-1, 1, 3), many.final.position)
         size = sum(path.stat().st_size for path in store.rglob("*") if path.is_file())
+    ratios = [swept / plain for swept, plain in pairs]
+    report(
+        paired(
+            f"a sweep of {space.size:,} shots, stored",
+            pairs,
+            "simulate_many, kept in memory",
+            count=space.size,
+            unit="shot",
+        )
+    )
     print(f"{space.size:,} shots on {thread_count()} threads, the same bits as simulate_many")
     print(
         f"  sweep with storage, over simulate_many   {statistics.median(ratios):.2f}  [{min(ratios):.2f}, {max(ratios):.2f}]"

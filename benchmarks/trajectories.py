@@ -16,11 +16,13 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
+from rows import paired, report
 
 import carom
 from carom.scene.shapes import Plane, Table
 from carom.simulation.compiled import compiled_engine
 
+REPEATS = 5
 RADIUS, MASS, GRAVITY = 0.03075, 0.21, 9.81
 LENGTH, WIDTH = 2.84, 1.42
 ONE = [((0.4, 0.6), (1.0, 5.5, 0.0), 20.0)]
@@ -134,14 +136,19 @@ def pooltool_shots(single: dict[str, float], many: dict[str, float]) -> None:
                     resolver, ball_linear_cushion=getattr(cushions, cushion)(), ball_ball=getattr(balls, contact)()
                 )
             )
-            shots = [system(starts) for _ in range(12)]
-            seconds = math.inf
-            for shot in shots:
-                begin = time.perf_counter()
-                pt.simulate(shot, engine=engine, inplace=True)
-                seconds = min(seconds, time.perf_counter() - begin)
-            rate = len(shot.events) / seconds
             label = f"{name}, {law}"
+            table = scene(starts, law.partition(",")[0], 0.037 if "nose" in law else None)
+            pairs = []
+            for _ in range(REPEATS):
+                times = []
+                for shot in [system(starts) for _ in range(3)]:
+                    begin = time.perf_counter()
+                    pt.simulate(shot, engine=engine, inplace=True)
+                    times.append(time.perf_counter() - begin)
+                pairs.append((best(lambda table=table: carom.simulate(table)), min(times)))
+            seconds = min(theirs for _ours, theirs in pairs)
+            rate = len(shot.events) / seconds
+            report(paired(f"a shot, {label}", pairs, f"pooltool {pt.__version__} {cushion}", count=1, unit="shot"))
             print(
                 f"  {label:38} {len(shot.events):4} events {seconds * 1e6:8.0f} us {rate:12,.0f} events/s; carom",
                 end=" ",

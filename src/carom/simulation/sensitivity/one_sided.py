@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import warnings
 from typing import Any, NamedTuple
 
@@ -78,17 +77,11 @@ def _beside(run: Any, column: Column, by: float) -> Array:
 
 def warn_of_switches(run: Any, passages: Passages) -> None:
     """Warn of events that are exactly at a switch, where derivatives are those of one side."""
-    log, first, values = run.log, len(run.scene.balls), passages.values
-    with np.errstate(invalid="ignore"):
-        border = np.abs(values["required"] - values["friction"]) <= EXACT * values["friction"]
-    border &= (values["friction"] > 0) & np.isfinite(values["friction"]) & ~np.any(log["floor_impulse"], axis=1)
-    found = {int(k): "at the border of sticking and slipping" for k in np.flatnonzero(border)}
-    hits = np.flatnonzero(np.isin(log["kind"], (WALL, BALL)))
-    for ball in range(first):
-        own = hits[log["ball"][hits] == ball]
-        for one, two in itertools.pairwise(own):
-            if log["t"][two] - log["t"][one] <= EXACT * log["t"][two] and log["other"][one] != log["other"][two]:
-                found[int(two)] = "at the same time as another impact of this ball"
+    log, first = run.log, len(run.scene.balls)
+    required, friction = passages.values["required"], passages.values["friction"]
+    border = np.flatnonzero((required >= (1 - EXACT) * friction) & (required <= (1 + EXACT) * friction))
+    found = {k: "at the border of sticking and slipping" for k in border.tolist() if _sticks_just(log[k], friction[k])}
+    found |= dict.fromkeys(_ties(log), "at the same time as another impact of this ball")
     if found:
         k = min(found)
         more = f" (and {len(found) - 1} more)" if len(found) > 1 else ""
@@ -97,3 +90,24 @@ def warn_of_switches(run: Any, passages: Passages) -> None:
             " those of one side; one_sided() has both",
             stacklevel=4,
         )
+
+
+def _sticks_just(row: Any, friction: float) -> bool:
+    """Return whether the required friction is that of the border (a pressed ball that slides requires all there is)."""
+    return bool(0 < friction < np.inf and not np.any(row["floor_impulse"]))
+
+
+def _ties(log: Any) -> list[int]:
+    """Return the rows of impacts at the same time as another impact of their ball."""
+    t, kind = log["t"], log["kind"]
+    hits = (kind == WALL) | (kind == BALL)
+    soon = np.flatnonzero(hits[1:] & hits[:-1] & (t[1:] - t[:-1] <= EXACT * t[1:]))
+    # (of most there is nothing to look at: the two rows of one meeting of two balls)
+    ball, other, found = log["ball"], log["other"], []
+    for k in soon.tolist():
+        if kind[k] == kind[k + 1] == BALL and (other[k], ball[k]) == (ball[k + 1], other[k + 1]):
+            continue
+        here = np.flatnonzero(hits & (np.abs(t - t[k]) <= EXACT * t[k]))
+        its = [n for n in here.tolist() if n <= k and ball[n] == ball[k + 1]]
+        found += [k + 1] if any(other[n] != other[k + 1] for n in its) else []
+    return found
