@@ -87,6 +87,15 @@ def _without_types_of_flags(command: Any) -> Any:
     for option in command.params:
         if getattr(option, "is_flag", False) and option.metavar is None:
             option.metavar = ""
+    help_option = command.get_help_option
+
+    def flag(context: Any) -> Any:
+        option = help_option(context)
+        if option is not None:
+            option.metavar = ""
+        return option
+
+    command.get_help_option = flag
     for inner in getattr(command, "commands", {}).values():
         _without_types_of_flags(inner)
     return command

@@ -60,7 +60,7 @@ def compare(
     restitution: Annotated[float, shared("restitution")] = 1.0,
     friction: Annotated[float, shared("friction")] = math.inf,
     tangential_restitution: Annotated[float, shared("tangential_restitution")] = 0.0,
-    stiffness_ratio: Annotated[float, shared("stiffness_ratio")] = 14 / 17,
+    stiffness_ratio: Annotated[float, shared("stiffness_ratio", default="14/17: same material")] = 14 / 17,
     cushion_height: Annotated[float | None, shared("contact_height", default="1")] = None,
     floor_restitution: Annotated[float, shared("floor_restitution")] = 0.0,
     floor_friction: Annotated[float, shared("floor_friction")] = math.inf,
