@@ -176,3 +176,41 @@ def test_labels_keep_apart_and_in_order() -> None:
     assert spread_apart([0.98, 0.99, 1.5], 0.1, -1, 1) == pytest.approx([0.8, 0.9, 1.0])
     crowded = spread_apart([0.0] * 5, 1.0, 0.0, 1.0)
     assert crowded == pytest.approx([0, 0.25, 0.5, 0.75, 1.0])
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        {},
+        {"angle": 60.0, "friction": 0.15, "restitution": 0.85, "floor_friction": 0.2},
+        {"angle": 0.0, "spin_z": -80.0, "friction": 0.3},
+        {"angle": 20.0, "spin_z": 60.0, "friction": 0.2, "floor_friction": 0.2},
+    ],
+)
+def test_labels_of_the_laws_do_not_overlap_and_their_lines_do_not_cross(given: dict[str, float]) -> None:
+    """Lines to labels crossed one another, and ran through the view across other laws' paths."""
+    figure = plot.compare(**given)
+    above = figure.axes[0]
+    leaders = [np.array(line.get_xydata()) for line in above.lines if line.get_label() == "_leader"]
+    assert len(leaders) >= 5
+
+    def left_of(p: Any, q: Any, o: Any) -> float:
+        return float((q[0] - p[0]) * (o[1] - p[1]) - (q[1] - p[1]) * (o[0] - p[0]))
+
+    for i, (a, b) in enumerate(leaders):
+        for c, d in leaders[:i]:
+            assert left_of(a, b, c) * left_of(a, b, d) >= 0 or left_of(c, d, a) * left_of(c, d, b) >= 0
+        # from a path that leaves the view the line goes outwards
+        top, right = above.get_ylim()[1], above.get_xlim()[1]
+        if abs(a[1]) > 0.999 * top:
+            assert abs(b[1]) > top
+        elif a[0] > 0.999 * right:
+            assert b[0] > right
+    figure.canvas.draw()
+    boxes = [text.get_window_extent() for axes in figure.axes for text in axes.texts] + [
+        text.get_window_extent() for text in figure.texts
+    ]
+    for i, one in enumerate(boxes):
+        assert figure.bbox.x0 <= one.x0 <= one.x1 <= figure.bbox.x1
+        for other in boxes[:i]:
+            assert one.y1 <= other.y0 + 1 or other.y1 <= one.y0 + 1 or one.x1 <= other.x0 or other.x1 <= one.x0

@@ -24,6 +24,7 @@ from carom.plot.style import GREY, INK, PALE, arrow, law_styles, new_figure, spr
 __all__ = ["PathAfterWall", "compare", "path_after_wall"]
 
 HALF_HEIGHT_OVER_WIDTH = 0.72  # of the view from above
+FLAG = 0.19  # height of a line of labels above or below that view, inches
 
 Array = NDArray[np.float64]
 
@@ -86,15 +87,20 @@ def _draw(
     width, left, right = 6.4, 0.55, 1.45
     scale = (width - left - right) / (1.12 * r)  # inches per mm, the same in both views
     heights = (2 * HALF_HEIGHT_OVER_WIDTH * r * scale, (up + 0.12 * r) * scale)
-    total = sum(heights) + 0.2 + 0.45 + 0.3
+    start = np.array([a * float(m.normal[0]), 0.0])
+    lines = [_line_above(paths[v.law], v, start, r) for v in shown]
+    # room above and below the view for the labels of paths that leave it there
+    over, under = (sum(_edge(line[-1], r) == side for line, _marks in lines) * FLAG for side in (1, -1))
+    top = 0.3 + over
+    total = sum(heights) + top + under + 0.2 + 0.45
     figure = new_figure(width, total)
     boxes = [
-        (left / width, (total - 0.3 - heights[0]) / total, 1.12 * r * scale / width, heights[0] / total),
+        (left / width, (total - top - heights[0]) / total, 1.12 * r * scale / width, heights[0] / total),
         (left / width, 0.45 / total, 1.12 * r * scale / width, heights[1] / total),
     ]
     above, side = (figure.add_axes(box) for box in boxes)
     styles = law_styles([v.law for v in comparison.verdicts])
-    _above(above, comparison, shown, paths, styles, a, r)
+    _above(above, comparison, shown, lines, styles, a, r, FLAG / scale)
     _side(side, comparison, shown, paths, styles, a, r, up)
     _notes(figure, comparison, left / width)
     return figure
@@ -113,8 +119,8 @@ def _notes(figure: Any, comparison: laws_compared.Comparison, x: float) -> None:
 
 
 def _above(
-    axes: Any, comparison: laws_compared.Comparison, shown: list[laws_compared.Verdict], paths: dict[str, PathAfterWall],
-    styles: dict[str, tuple[str, Any]], a: float, r: float,
+    axes: Any, comparison: laws_compared.Comparison, shown: list[laws_compared.Verdict],
+    lines: list[tuple[Array, Array | None]], styles: dict[str, tuple[str, Any]], a: float, r: float, flag: float,
 ) -> None:  # fmt: skip
     m = comparison.meeting
     _frame(axes, (-0.12 * r, r), (-HALF_HEIGHT_OVER_WIDTH * r, HALF_HEIGHT_OVER_WIDTH * r))
@@ -133,9 +139,8 @@ def _above(
     _circle(axes, start, a, INK, 1.0, face="white")
     axes.plot(*start, "o", ms=2.6, color=INK, zorder=8)
     ends, words = [], []
-    for verdict in shown:
+    for verdict, (line, curved) in zip(shown, lines, strict=True):
         ink, dashes = styles[verdict.law]
-        line, curved = _line_above(paths[verdict.law], verdict, start, r)
         axes.plot(
             *line.T, color=ink, ls=dashes, lw=1.8 if verdict.admissible else 1.3, zorder=5 if verdict.admissible else 4
         )
@@ -153,7 +158,7 @@ def _above(
             1.06 * r, 0.98 * bottom, text, ha="left", va="bottom", size=8, color=GREY, linespacing=1.4, clip_on=False
         )
         bottom += 0.06 * r * (len(missing) + 1)
-    _labels(axes, ends, words, [styles[v.law][0] for v in shown], r, bottom)
+    _labels(axes, ends, words, [styles[v.law][0] for v in shown], r, bottom, flag)
     axes.set_ylabel("along the wall, mm")
     axes.set_xticklabels([])
     axes.text(
@@ -192,8 +197,12 @@ def _line_above(
     if np.hypot(*velocity) > 0 and (verdict.final is not None or velocity[0] > 0):
         points = np.concatenate([points, [_leave(points[-1], velocity / np.hypot(*velocity), r)]])
     inside = (np.abs(points[:, 1]) <= 1.0001 * HALF_HEIGHT_OVER_WIDTH * r) & (points[:, 0] <= 1.0001 * r)
-    last = len(points) if inside.all() else max(int(np.argmin(inside)), 1)
-    return points[:last], marks
+    if inside.all():
+        return points, marks
+    last = max(int(np.argmin(inside)), 1)
+    beyond = points[last] - points[last - 1]
+    edge = _leave(points[last - 1], beyond / np.hypot(*beyond), r)
+    return np.concatenate([points[:last], [edge]]), marks
 
 
 def _leave(point: Array, direction: Array, r: float) -> Array:
@@ -208,14 +217,54 @@ def _leave(point: Array, direction: Array, r: float) -> Array:
     return np.asarray(point + direction * max(min(t), 0.0))
 
 
-def _labels(axes: Any, ends: list[Array], words: list[str], colours: list[str], r: float, bottom: float) -> None:
-    """Write each law's name at the right edge, level with the end of its path and joined to it by a thin line."""
-    # those that leave through the top or the bottom follow those at the right edge, the farther the nearer to the wall
-    order = [float(end[1]) + math.copysign(max(r - float(end[0]), 0.0), float(end[1])) for end in ends]
-    places = spread_apart(order, 0.09 * r, bottom + 0.03 * r, HALF_HEIGHT_OVER_WIDTH * r - 0.03 * r)
-    for end, place, word, colour in zip(ends, places, words, colours, strict=True):
-        axes.plot([end[0], 1.045 * r], [end[1], place], color=colour, lw=0.5, clip_on=False, zorder=2)
-        axes.text(1.06 * r, place, word, color=colour, ha="left", va="center", size=9, clip_on=False)
+def _edge(end: Array, r: float) -> int:
+    """Return 1 for a path that ends at the upper edge of the view from above, -1 at the lower, 0 elsewhere."""
+    return int(math.copysign(1, end[1])) if abs(end[1]) > 0.999 * HALF_HEIGHT_OVER_WIDTH * r else 0
+
+
+def _labels(
+    axes: Any, ends: list[Array], words: list[str], colours: list[str], r: float, bottom: float, flag: float
+) -> None:
+    """Write each law's name, joined to the end of its path by a thin line; no two of these lines cross.
+
+    Of paths that leave through the upper or the lower edge, the names stand beyond it one above the other, the nearer the wall the
+    farther out. All others stand in a column at the right.
+    """
+    places: dict[int, tuple[float, float]] = {}
+    for side in (1, -1):
+        leaving = sorted((i for i in range(len(ends)) if _edge(ends[i], r) == side), key=lambda i: -float(ends[i][0]))
+        for level, i in enumerate(leaving):
+            places[i] = float(ends[i][0]), side * (HALF_HEIGHT_OVER_WIDTH * r + (level + 0.6) * flag)
+    rest = [i for i in range(len(ends)) if i not in places]
+    heights = spread_apart(
+        [float(ends[i][1]) for i in rest], 0.07 * r, bottom + 0.03 * r, HALF_HEIGHT_OVER_WIDTH * r - 0.03 * r
+    )
+    places |= dict(zip(rest, _uncrossed([ends[i] for i in rest], [(1.045 * r, y) for y in heights]), strict=True))
+    for i, (x, y) in places.items():
+        axes.plot([ends[i][0], x], [ends[i][1], y], color=colours[i], lw=0.5, clip_on=False, zorder=2, label="_leader")
+        axes.text(x + 0.015 * r, y, words[i], color=colours[i], ha="left", va="center", size=9, clip_on=False)
+
+
+def _uncrossed(ends: list[Array], places: list[tuple[float, float]]) -> list[tuple[float, float]]:
+    """Return the places in an order in which the lines from the ends to them do not cross.
+
+    Exchanging two lines that cross makes them shorter together, so this ends.
+    """
+    places = list(places)
+    pairs = [(i, j) for i in range(len(ends)) for j in range(i)]
+    while crossed := [(i, j) for i, j in pairs if _cross(ends[i], places[i], ends[j], places[j])]:
+        i, j = crossed[0]
+        places[i], places[j] = places[j], places[i]
+    return places
+
+
+def _cross(a: Any, b: Any, c: Any, d: Any) -> bool:
+    """Return whether the segments a-b and c-d have an inner point in common."""
+
+    def side(p: Any, q: Any, o: Any) -> float:
+        return float((q[0] - p[0]) * (o[1] - p[1]) - (q[1] - p[1]) * (o[0] - p[0]))
+
+    return side(a, b, c) * side(a, b, d) < 0 and side(c, d, a) * side(c, d, b) < 0
 
 
 def _side(
