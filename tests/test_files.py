@@ -2,6 +2,7 @@
 
 import errno
 import os
+import signal
 import subprocess
 import sys
 from pathlib import Path
@@ -25,6 +26,22 @@ def test_a_file_that_fails_leaves_the_one_before(tmp_path):
     with pytest.raises(RuntimeError):
         fail_half_way(target, RuntimeError())
     assert [(path.name, path.read_text()) for path in tmp_path.iterdir()] == [("a.txt", "before")]
+
+
+def test_what_a_killed_process_left_is_removed(tmp_path):
+    code = (
+        "import os, sys, signal\nfrom pathlib import Path\nfrom carom.files import atomic_path\n"
+        "with atomic_path(Path(sys.argv[1])) as part:\n    part.write_text('half')\n    os.kill(os.getpid(), signal.SIGKILL)\n"
+    )
+    target = tmp_path / "a.txt"
+    done = subprocess.run([sys.executable, "-c", code, str(target)], check=False)
+    assert done.returncode == -signal.SIGKILL
+    (left,) = tmp_path.iterdir()
+    alive = tmp_path / left.name.replace(left.name.split("-")[-2], str(os.getpid()))
+    alive.mkdir()
+    write_text(target, "whole")
+    assert sorted(tmp_path.iterdir()) == sorted([target, alive])
+    assert target.read_text() == "whole"
 
 
 def test_a_link_is_followed_and_modes_are_those_of_new_files(tmp_path):

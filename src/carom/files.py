@@ -9,9 +9,12 @@ from __future__ import annotations
 import codecs
 import contextlib
 import errno
+import functools
+import glob
 import importlib
 import importlib.util
 import os
+import platform
 import shutil
 import sys
 import tempfile
@@ -171,6 +174,27 @@ def cannot_write(where: Path | str, error: OSError) -> CaromError:
 # --- files that are complete or not there --------------------------------------------------------------------------
 
 
+def _temporary(process: int | str = "") -> str:
+    """Return how the names of temporary folders begin: by machine and process."""
+    return f".carom-{platform.node()}-{process or os.getpid()}-"
+
+
+@functools.cache
+def _remove_abandoned(folder: Path) -> None:
+    """Remove temporary folders of this machine's processes that were killed while they wrote here; looked for once."""
+    if os.name != "posix":  # (where there is no question without a signal)
+        return
+    begin = _temporary("*").partition("*")[0]
+    for path in folder.glob(f"{glob.escape(begin)}*"):
+        process = path.name.removeprefix(begin).partition("-")[0]
+        try:
+            os.kill(int(process), 0)
+        except ProcessLookupError:
+            shutil.rmtree(path, ignore_errors=True)
+        except (ValueError, OverflowError, OSError):  # (of another user: it is there)
+            continue
+
+
 @contextmanager
 def atomic_path(target: Path | None, *, source: Path | None = None) -> Iterator[Path]:
     """Yield a path to write to; what is there when the block ends without an error becomes the target.
@@ -200,7 +224,9 @@ def atomic_path(target: Path | None, *, source: Path | None = None) -> Iterator[
     in_place = target is not None and not _is_device(target)
     try:
         place = Path("output") if target is None else target.resolve()
-        folder = tempfile.mkdtemp(prefix=".carom-", dir=place.parent if in_place else None)
+        if in_place:
+            _remove_abandoned(place.parent)
+        folder = tempfile.mkdtemp(prefix=_temporary(), dir=place.parent if in_place else None)
     except OSError as error:
         raise cannot_write(where, error) from None
     try:
