@@ -15,6 +15,7 @@ from carom.data import read_rebounds
 from carom.data.datasets.carom_tracks import BEGIN, FILE, HEADER, write_carom_tracks
 from carom.errors import CaromError
 from carom.fitting import Setting, fit_laws
+from carom.fitting.parameters import INDEX
 
 ROOT = Path(__file__).parents[2]
 
@@ -166,8 +167,11 @@ def test_the_statement_of_readme_and_page_follows_from_the_table_of_rebounds() -
         rebounds, setting, ["two-step", "two-step-paper", "conventional"], profiles=False, bootstrap=0
     ).ranked
     assert [one.fit.law.name for one in fits] == ["two-step", "two-step-paper", "conventional"]
-    assert fits[0].fit.estimates["restitution"].value == pytest.approx(0.840, abs=0.002)
-    assert fits[0].fit.estimates["friction"].value == pytest.approx(0.221, abs=0.002)
+    numbers = fits[
+        0
+    ].fit.numbers  # (the minimum is at a kink: whether an error bar can be given may depend on the last digits)
+    assert numbers[INDEX["restitution"]] == pytest.approx(0.840, abs=0.003)
+    assert numbers[INDEX["friction"]] == pytest.approx(0.221, abs=0.003)
     above = [one.fit.aicc - fits[0].fit.aicc for one in fits]
     assert above[1:] == pytest.approx([267, 594], abs=1)
     for page in ("README.md", "docs/validation/which_law.md"):
