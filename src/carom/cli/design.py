@@ -111,7 +111,7 @@ def design(
     with working("planning"):
         plan = plan_shots(
             kind or "planar",  # type: ignore[arg-type]
-            setting, (pair[0], pair[1]), shots, true or None, odds=odds, filmed=filmed,
+            setting, (pair[0], pair[1]), shots, true or None, odds=odds, filmed=filmed, fine=plot is not None,
         )  # fmt: skip
     if plot is not None:
         from carom.plot.fit import plot_design
@@ -161,8 +161,10 @@ def _show(plan: Any) -> None:
     )
     if plan.shots and plan.count:
         table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
-        for head in ("angle, degrees", "speed, m/s", "spin, rad/s", "repeats", "2 log odds each"):
-            table.add_column(head, justify="right")
+        heads = ["angle\ndegrees", "speed\nm/s", "spin\nrad/s", "repeats", "2 log odds\neach"]
+        compared = all(shot.without is not None for shot in plan.shots)
+        for head in [*heads, *(["2 log odds\nwithout one"] if compared else [])]:
+            table.add_column(head, justify="right", vertical="bottom")
         for shot in plan.shots:
             table.add_row(
                 f"{shot.angle_deg:.4g}",
@@ -170,6 +172,7 @@ def _show(plan: Any) -> None:
                 "unknown" if shot.spin is None else f"{shot.spin:.4g}",
                 str(shot.repeat),
                 f"{shot.gain:.3g}",
+                *([f"{shot.without:.3g}" if shot.without >= 5e-3 else "0"] if compared else []),
             )
         console.print(table)
     console.print(Text(plan.sentence, style="bold green" if plan.count else "bold yellow"), soft_wrap=True)

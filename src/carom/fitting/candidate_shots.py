@@ -57,7 +57,10 @@ class Shot:
     """None: not measured."""
     repeat: int
     gain: float
-    """Expected increase of 2 log odds by each such shot."""
+    """Expected increase of 2 log odds by one more such shot: misfit of the other law there, once it is fitted to the whole plan."""
+    without: float | None = None
+    """Expected 2 log odds of the plan with one such shot less, None if not computed. A shot with little gain can be indispensable:
+    it determines parameters of the other law, which then cannot follow the other shots."""
 
 
 @dataclass(frozen=True, eq=False)

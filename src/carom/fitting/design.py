@@ -26,18 +26,12 @@ from carom.fitting.fit import fit_law
 from carom.fitting.laws import FittedLaw, laws_named, unknown_laws
 from carom.fitting.model import free_parameters
 from carom.fitting.parameters import FORMS, NUMBERS, PARAMETERS
-from carom.fitting.result import Fit, refit, rows_of_fit
+from carom.fitting.shot_search import LEAST_GAIN, ShotSearch, deviances, gains
 
 __all__ = ["Plan", "Shot", "Shots", "design", "require_plan"]
 
 Array = NDArray[np.float64]
-MAX_SHOTS = 400
-REVIEW_EVERY, SHORT_LIST = (
-    8,
-    20,
-)  # of shots with many rows only the best so far are evaluated, and all of them occasionally
-LEAST_GAIN = 1e-3  # of 2 log odds: with a smaller gain a shot does not discriminate
-LEAST_MARGINAL_GAIN = 0.02  # the same for a shot whose spin is not measured: the precision of its gain
+FINER = 4  # steps of the picture's map per step of the grid of shots
 
 
 @dataclass(frozen=True, eq=False)
@@ -65,6 +59,10 @@ class Plan:
     """Notes on the table."""
     filmed: float | None = None
     """2 log odds of the shots filmed."""
+    fine_axes: tuple[Array, Array, Array] | None = None
+    """Axes of a finer map, for a picture; None unless it was asked for."""
+    fine_gain: Array | None = None
+    """The same gain there."""
 
     def as_dict(self) -> dict[str, object]:
         """Return the plan for JSON."""
@@ -97,11 +95,12 @@ def design(
     *,
     odds: float = 20.0,
     filmed: Rebounds | None = None,
+    fine: bool = False,
 ) -> Plan:
     """Plan shots that discriminate between two laws, the first assumed to be true with the parameters ``truth``.
 
-    ``filmed``: rebounds already measured; their evidence counts, and without ``truth`` the first law is fitted to them. Raises
-    CaromError for empty ranges and unknown laws.
+    ``filmed``: rebounds already measured; their evidence counts, and without ``truth`` the first law is fitted to them. ``fine``:
+    compute the gain on a finer grid, too, for a picture. Raises CaromError for empty ranges and unknown laws.
     """
     require_plan(setting, laws, shots, truth, odds)
     chosen, _notes = laws_named(list(laws), kind, setting.contact_height == 1.0)
@@ -126,23 +125,35 @@ def design(
             )
 
     known = fitted.numbers if fitted is not None else None
-    rows = candidates(kind, setting, shots, true, (truth or {}) if known is None else lambda _problem: known, already)
+
+    def grid(shots: Shots) -> Candidates:
+        return candidates(
+            kind, setting, shots, true, (truth or {}) if known is None else lambda _problem: known, already
+        )
+
+    rows = grid(shots)
     problem, p, have = rows.problem, rows.truth, rows.have
     # (for laws that are fitted to filmed shots, Akaike's penalty)
     price = (len(free_parameters(other, problem)[0]) - len(free_parameters(true, problem)[0])) * (2 if have else 1)
     target = 2 * math.log(odds) - price
     fit = fit_law(other, rows.some if already is None else already)
-    # deviance of each row under the true law: zero, unless a row was measured or its spin is unknown
-    plain = rows_of_fit(replace(fit, law=true), problem, p)[0]
-    order, best, gain, so_far, total, over = _search(fit, rows, plain, float(np.square(p[NUMBERS:]).sum()), target)
+    truly = replace(fit, law=true)
+    done = ShotSearch(fit, rows, deviances(truly, rows), float(np.square(p[NUMBERS:]).sum()), target)
+    order, total, so_far, gain = done.order, done.total, done.so_far, done.gain()
     count = len(order) if total >= target else None
-    if count is None and not over and total - so_far > LEAST_GAIN * len(order):
+    if count is None and not done.over and total - so_far > LEAST_GAIN * len(order):
         count = math.ceil(len(order) * (target - so_far) / (total - so_far))
-    planned = [rows.shot(cell, order.count(cell), float(gain[cell])) for cell in sorted(set(order), key=order.index)]
+    planned = [
+        replace(
+            rows.shot(cell, order.count(cell), float(gain[cell])),
+            without=done.fewer[cell] + price if done.fewer else None,
+        )
+        for cell in sorted(set(order), key=order.index)
+    ]
     plan = Plan(
         (true.name, other.name),
         _named(true, problem, p),
-        _named(other, problem, best[0]),
+        _named(other, problem, done.best[0]),
         tuple(sorted(planned, key=lambda shot: -shot.gain * shot.repeat)),
         count,
         odds,
@@ -153,55 +164,15 @@ def design(
         tuple(note for note in remarks if note.startswith(("floor_friction", "rows: only", f"{true.name}: "))),
         so_far + price if have else None,
     )
+    if fine:
+        # (a shot whose spin is not measured has many rows)
+        steps = FINER if rows.each == 1 else FINER // 2
+        angles, speeds, spins = shots.counts
+        counts = tuple((count - 1) * steps + 1 for count in (angles, speeds, spins))
+        finer = grid(replace(shots, counts=counts))  # type: ignore[arg-type]
+        gain = gains(fit, finer, deviances(truly, finer), finer.cells, done.best)
+        plan = replace(plan, fine_axes=finer.axes, fine_gain=gain.reshape([len(x) for x in finer.axes]))
     return replace(plan, sentence=_sentence(plan, true, other))
-
-
-def _search(
-    fit: Fit, rows: Candidates, plain: Array, owed: float, target: float
-) -> tuple[list[int], Array, Array, float, float, bool]:
-    """Return shots in the order in which they are added; the other law's parameters at the end, the gain of one more of each shot,
-    2 log odds of the filmed shots and of all, and whether no shot has a gain.
-
-    ``plain``, ``owed``: deviance under the true law of each row, and of shared errors.
-    """
-    problem, start = rows.problem, fit.numbers[None]
-    weights = np.zeros(len(problem.x))
-    weights[: rows.have] = 1
-
-    def lost(best: Array) -> tuple[Array, float]:
-        """Fit the other law to the shots so far; return its parameters, and its deviance above that of the true law."""
-        some = np.flatnonzero(weights)
-        # from the last minimum and from the first starting point: there may be two minima
-        found, deviances = refit(
-            fit, problem.select(some), np.tile(weights[some], (2, 1)), np.concatenate([best, start])
-        )
-        return found[[int(np.argmin(deviances))]], float(deviances.min() - (weights * plain).sum() - owed)
-
-    def worth(cells: NDArray[np.int64], best: Array) -> Array:
-        """Return the expected gain of one more of these shots."""
-        some = rows.of(cells)
-        left = rows_of_fit(fit, problem.select(some.ravel()), best[0])[0] - plain[some.ravel()]
-        return left.reshape(some.shape).mean(axis=1)  # type: ignore[no-any-return]
-
-    best, so_far = lost(start) if rows.have else (start, 0.0)
-    order: list[int] = []
-    total, cells, least = so_far, rows.cells, LEAST_GAIN if rows.each == 1 else LEAST_MARGINAL_GAIN
-    while total < (target if rows.have else max(target, 1e-9)) and len(order) < MAX_SHOTS:
-        if rows.each == 1 or len(order) % REVIEW_EVERY == 0:
-            cells = rows.cells
-        gain = worth(cells, best)
-        if gain.max() < least and len(cells) < len(rows.cells):
-            cells, gain = rows.cells, worth(rows.cells, best)
-        new = int(np.argmax(gain))
-        if gain[new] < least:
-            return order, best, worth(rows.cells, best), so_far, total, True
-        order.append(int(cells[new]))
-        weights[rows.of(cells[[new]])] += 1 / rows.each
-        best, total = lost(best)
-        if len(order) > 60 and total - so_far < len(order) * (target - so_far) / MAX_SHOTS:
-            break
-        cells = cells[np.argsort(-gain, kind="stable")[:SHORT_LIST]]
-    return order, best, worth(rows.cells, best), so_far, total, False
 
 
 def require_plan(
