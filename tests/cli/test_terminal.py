@@ -68,6 +68,57 @@ max_events = 100
 """
 
 
+@pytest.mark.parametrize("width", [20, 40, 47, 60, 200])
+def test_tables_keep_their_numbers_whole(width: int) -> None:
+    table = Table(pad_edge=False)
+    table.add_column("law")
+    for head in ("angle after the wall, degrees", "speed"):
+        table.add_column(head, justify="right")
+    table.add_column("parameters")
+    table.add_row("contact", "123.456789", "-0.0976", "restitution 0.742 ± 0.012, friction 0.2")
+    file = io.StringIO()
+    console = TextConsole(file=file, width=width)
+    console.print(table)
+    text = file.getvalue()
+    words = text.replace("│", " ").replace("┃", " ").split()
+    for number in ("123.456789", "-0.0976", "0.742", "0.012,", "0.2"):
+        assert number in words
+    assert "…" not in text
+    assert console.width == width
+    assert max(map(len, text.splitlines())) <= max(width, 60)
+
+
+@pytest.mark.parametrize(
+    "words", ["design --laws contact,maw", "orbit sinai --radius 0.3 --bounces 300 --lyapunov --seed 1", "datasets"]
+)
+def test_narrow_output_has_the_same_words(
+    words: str, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    numbers = []
+    for width in ("200", "40"):
+        monkeypatch.setenv("COLUMNS", width)
+        code, out, _err = command(capsys, *words.split())
+        assert code == 0
+        numbers.append(sorted(re.findall(r"-?\d+\.\d+", out)))
+    assert numbers[0] == numbers[1]
+    assert numbers[0]
+
+
+def test_sentences_wrap_where_the_width_is_known(monkeypatch: pytest.MonkeyPatch) -> None:
+    text = "words " * 30
+    shown = {}
+    for columns in ("40", None):
+        monkeypatch.delenv("COLUMNS", raising=False)
+        if columns:
+            monkeypatch.setenv("COLUMNS", columns)
+        file = io.StringIO()
+        TextConsole(file=file).print(text, soft_wrap=True)
+        shown[columns] = file.getvalue().splitlines()
+    assert len(shown["40"]) > 4
+    assert max(map(len, shown["40"])) <= 40
+    assert len(shown[None]) == 1
+
+
 def clean(text: str) -> str:
     assert not STEERS.search(text), ascii(text)
     return text

@@ -6,7 +6,7 @@ import importlib
 import os
 import signal
 import sys
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
@@ -64,8 +64,10 @@ def main() -> None:
 
 
 def _run() -> int:
+    from carom.cli.help import prepare_help
+
     try:
-        return int(_without_types_of_flags(typer.main.get_command(app))(standalone_mode=False) or 0)
+        return int(prepare_help(typer.main.get_command(app))(standalone_mode=False) or 0)
     except CaromError as error:
         return _report(error)
     except KeyboardInterrupt:
@@ -80,25 +82,6 @@ def _run() -> int:
         else:
             _print_errors(f"{error.format_message()} (carom --help)")
     return 2
-
-
-def _without_types_of_flags(command: Any) -> Any:
-    """Return a command in whose help flags have no type."""
-    for option in command.params:
-        if getattr(option, "is_flag", False) and option.metavar is None:
-            option.metavar = ""
-    help_option = command.get_help_option
-
-    def flag(context: Any) -> Any:
-        option = help_option(context)
-        if option is not None:
-            option.metavar = ""
-        return option
-
-    command.get_help_option = flag
-    for inner in getattr(command, "commands", {}).values():
-        _without_types_of_flags(inner)
-    return command
 
 
 def _interrupted() -> int:

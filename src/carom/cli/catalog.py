@@ -28,7 +28,7 @@ def register(app: typer.Typer) -> None:
 
 
 def laws(
-    name: Annotated[str | None, typer.Argument(metavar="[NAME]", help="Name of a law, to print its full card.")] = None,
+    name: Annotated[str | None, typer.Argument(metavar="NAME", help="Name of a law, to print its full card.")] = None,
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
     """List the laws, or print one law's card: assumptions, range of validity, source."""

@@ -122,16 +122,11 @@ def show(comparison: Comparison) -> None:
     """Print the incoming ball, the table, and one sentence per law: why it may not apply, or what happens."""
     console = out()
     console.print(Text(_incoming(comparison)))
-    table = _table(comparison, console)
-    width = console.width
-    console.width = 1000
-    console.width = max(width, console.measure(table).maximum)  # numbers are never cut off, even if lines get too long
-    console.print(table)
-    console.width = width
+    console.print(_table(comparison, console))
     for verdict in comparison.verdicts:
         good = verdict.admissible
         head = f"{tick(console, good)} {verdict.law}:"
-        lines = textwrap.wrap(f"{head} {_sentence(verdict)}", max(width, 40), subsequent_indent="  ")
+        lines = textwrap.wrap(f"{head} {_sentence(verdict)}", max(console.width, 40), subsequent_indent="  ")
         text = Text("\n".join(lines))
         text.stylize("bold green" if good else "bold red", 0, len(head))
         console.print(text)

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
+import os
 import sys
 from collections.abc import Iterable
 from typing import Any
 
+from rich.cells import cell_len
 from rich.console import Console
 from rich.segment import Segment
+from rich.table import Column, Table
 
 from carom.formatting import escape_controls
 
 __all__ = ["TextConsole", "err", "out"]
+
+LONGEST_WORD = 12  # columns of the screen; a longer word, such as a path, is folded where a table has to be narrow
+WIDEST = 1000
 
 
 class TextConsole(Console):
@@ -20,6 +26,44 @@ class TextConsole(Console):
     def __init__(self, **settings: Any) -> None:
         super().__init__(highlight=False, markup=False, emoji=False, **settings)
 
+    def print(self, *objects: Any, soft_wrap: bool | None = None, **settings: Any) -> None:
+        """Print so that no number is cut: a table is as wide as its numbers, even if that is wider than the terminal.
+
+        Lines with ``soft_wrap`` are wrapped at words where the width is known (a terminal, or COLUMNS), else left whole for
+        programs that read them.
+        """
+        if soft_wrap and (self.is_terminal or "COLUMNS" in os.environ):
+            soft_wrap = False
+            settings.setdefault("overflow", "fold")
+        width = self.width
+        self.width = max([width, *(self._fit(table) for table in objects if isinstance(table, Table))])
+        try:
+            super().print(*objects, soft_wrap=soft_wrap, **settings)
+        finally:
+            self.width = width
+
+    def _fit(self, table: Table) -> int:
+        """Set the widths of a table's columns, and return its own: that of the terminal if its numbers have room there.
+
+        (Rich narrows all columns in proportion, and cuts numbers then.)
+        """
+        widest = self.options.update(width=WIDEST)
+        natural_width = self.measure(table, options=widest).maximum
+        if natural_width <= self.width or all(column.no_wrap for column in table.columns):
+            return natural_width
+        natural = [max(_least_width(column, WIDEST), column.min_width or 0) for column in table.columns]
+        least = [_least_width(column, LONGEST_WORD) for column in table.columns]
+        for column, width in zip(table.columns, least, strict=True):
+            column.overflow, column.width = "fold", width
+        spare = self.width - self.measure(table, options=widest).maximum
+        while spare > 0 and natural != least:  # the column that lacks most is widened
+            k = max(range(len(least)), key=lambda k: natural[k] - least[k])
+            least[k] += 1
+            spare -= 1
+        for column, width in zip(table.columns, least, strict=True):
+            column.width = width
+        return self.measure(table, options=widest).maximum
+
     def render(self, *args: Any, **options: Any) -> Iterable[Segment]:
         """Yield the pieces of what is printed, with all that is not Rich's own escaped."""
         for piece in super().render(*args, **options):
@@ -27,6 +71,18 @@ class TextConsole(Console):
                 yield piece
             else:
                 yield piece._replace(text=escape_controls(piece.text))
+
+
+def _least_width(column: Column, longest: int) -> int:
+    """Return the width that keeps the cells of a column whole if they are numbers (aligned right), else words up to ``longest``.
+
+    With ``WIDEST`` it is the width at which no cell is wrapped.
+    """
+    cells = [line for cell in column.cells for line in str(cell).splitlines()]
+    heads = str(column.header).split("\n" if column.no_wrap or longest == WIDEST else None)
+    if column.no_wrap or column.justify == "right" or longest == WIDEST:
+        return max(map(cell_len, [*heads, *cells]), default=0)
+    return min(max((cell_len(word) for text in (*heads, *cells) for word in text.split()), default=0), longest)
 
 
 def out() -> TextConsole:

@@ -19,7 +19,7 @@ def register(app: typer.Typer) -> None:
 
 def explore(
     scene: Annotated[
-        Path | None, typer.Argument(metavar="[SCENE.toml]", help="A scene file. Default: the paper's example.")
+        Path | None, typer.Argument(metavar="SCENE.toml", help="A scene file. Default: the paper's example.")
     ] = None,
     laws: Annotated[
         str | None,

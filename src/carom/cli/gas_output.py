@@ -70,12 +70,8 @@ def print_tables(title: str, tables: list[Table]) -> None:
     """Print a title and tables, each as wide as it is."""
     console = out()
     console.print(Text(title), soft_wrap=True)
-    width = console.width
     for table in tables:
-        console.width = 1000
-        console.width = max(width, console.measure(table).maximum)
         console.print(table)
-    console.width = width
 
 
 def new_table(heads: Sequence[str], words: int = 1) -> Table:

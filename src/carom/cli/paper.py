@@ -35,7 +35,7 @@ def register(app: typer.Typer) -> None:
 def derive(
     destination: Annotated[
         Path | None,
-        typer.Argument(metavar="[FILE]", help="With --json or --tex: the file to write. Default: standard output."),
+        typer.Argument(metavar="FILE", help="With --json or --tex: the file to write. Default: standard output."),
     ] = None,
     equation: Annotated[
         str | None,

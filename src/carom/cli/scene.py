@@ -22,7 +22,7 @@ def register(app: typer.Typer) -> None:
 
 def new(
     file: Annotated[
-        Path | None, typer.Argument(metavar="[FILE]", help="File to write. Default: standard output.")
+        Path | None, typer.Argument(metavar="FILE", help="File to write. Default: standard output.")
     ] = None,
     gas: Annotated[bool, typer.Option("--gas", help="A gas of balls, for carom gas.")] = False,
     table: Annotated[

@@ -42,7 +42,7 @@ def register(app: typer.Typer) -> None:
 
 def new(
     file: Annotated[
-        Path | None, typer.Argument(metavar="[FILE]", help="File to write. Default: standard output.")
+        Path | None, typer.Argument(metavar="FILE", help="File to write. Default: standard output.")
     ] = None,
     force: Annotated[bool, shared("force")] = False,
 ) -> None:

@@ -167,13 +167,7 @@ def tell_contacts(console: Console, films: Sequence[tuple[str, Measured]], stage
                 flag = "restitution above 1" if impossible(one) else ""
                 table.add_row(label, one.wall.name, f"{one.time:.4f}", *cells, _label("" if one.planar else name, flag))
     if shown:
-        width = console.width
-        console.width = 1000
-        console.width = max(
-            width, console.measure(table).maximum
-        )  # no number is cut off, even where lines get too long
         console.print(table)
-        console.width = width
         console.print(
             "Parentheses give the uncertainty in the last digits: 1.2292(12) is 1.2292 ± 0.0012",
             style="dim",

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from rich import box
-from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
@@ -41,12 +40,12 @@ def show(run: Trajectory, times: list[float], most: int | None) -> None:
         text = textwrap.fill(paragraph[0].upper() + paragraph[1:], max(min(console.width, 110), 40))
         console.print(Text(f"\n{text}"), soft_wrap=True)
     if most != 0 and len(run.events):
-        _print(console, _events(run, most, console.width >= WIDE))
+        console.print(_events(run, most, console.width >= WIDE))
         hidden = 0 if most is None else len(run.events) - most
         if hidden > 0:
             said = f"{with_count(hidden, 'event')} not shown: --events all shows all, --table FILE.csv writes them."
             console.print(Text(said, style="dim"), soft_wrap=True)
-    _print(console, _states(run, times, console.width >= WIDE))
+    console.print(_states(run, times, console.width >= WIDE))
     console.print(Text(_energy(run)), soft_wrap=True)
 
 
@@ -60,20 +59,11 @@ def show_sensitivity(found: Any) -> None:
         table.add_row(*(Text(cell) for cell in row))
     console = out()
     console.print(Text("What matters: how far the final places move"), soft_wrap=True)
-    _print(console, table)
+    console.print(table)
     misses = [one for one in found.near_misses[:1] if one.radius < np.inf]
     for one in misses:
         said = f"Nearest miss: at {one.time:.4g} s {one.ball} passes {one.other}, {1e3 * one.distance:.3g} mm away."
         console.print(Text(said), soft_wrap=True)
-
-
-def _print(console: Console, table: Table) -> None:
-    """Print a table without truncating numbers, even if its lines get too long."""
-    width = console.width
-    console.width = 1000
-    console.width = max(width, console.measure(table).maximum)
-    console.print(table)
-    console.width = width
 
 
 def _new(heads: list[tuple[str, bool]]) -> Table:
