@@ -17,6 +17,7 @@ import carom
 from carom import billiards
 from carom.cli import app, main
 from carom.plot import plot_boundary, plot_lyapunov, plot_orbit, plot_portrait, save
+from carom.plot.portrait import on_curves
 
 runner = CliRunner()
 START = ["--position", "0.2,0.1", "--velocity", "0.8,0.3", "--spin", "0.5"]
@@ -179,6 +180,50 @@ def test_exponents_drawn(tmp_path: Path) -> None:
     table = billiards.stadium()
     save(plot_lyapunov(billiards.lyapunov(table, billiards.starts(table, 3, 1), 500)), tmp_path / "l.png")
     assert (tmp_path / "l.png").stat().st_size > 2000
+
+
+def test_exponents_are_drawn_from_the_command_line(tmp_path: Path) -> None:
+    file = tmp_path / "l.svg"
+    done = run("stadium", "--orbits", "3", "--bounces", "300", "--lyapunov-plot", str(file), "--json")
+    spectrum = json.loads(done.stdout)["lyapunov"]["per_bounce"]
+    assert spectrum[0] > 0.1 > abs(sum(spectrum))
+    first = file.read_bytes()
+    run("stadium", "--orbits", "3", "--bounces", "300", "--lyapunov-plot", str(file))
+    assert file.read_bytes() == first
+    table = billiards.stadium()
+    (axes,) = plot_lyapunov(billiards.lyapunov(table, billiards.starts(table, 3, 1), 300)).axes
+    assert "3 orbits" in axes.get_title()
+    assert [text.get_text()[:13] for text in axes.get_legend().texts] == [rf"$\lambda_{{{k}}}$" for k in (1, 2, 3, 4)]
+
+
+def test_portraits_have_a_title_a_legend_and_one_ink_for_chaotic_orbits() -> None:
+    """Every orbit had a colour of twenty, chaotic ones too, and neither table nor kappa was named."""
+    table = billiards.stadium()
+    found = billiards.orbit(table, billiards.starts(table, 60, 0), 1500)
+    for figure in (plot_portrait(found), plot_boundary(found)):
+        (axes,) = figure.axes
+        assert axes.get_title() == (
+            "stadium, straight 2, radius 1; bounds the centre\nno-slip, $\\kappa$ = 0.5; 60 orbits of 1,500 bounces"
+        )
+        (sea,) = [one for one in axes.collections if one.get_label() == "_sea"]
+        islands = [one for one in axes.collections if one.get_label() == "_island"]
+        assert len(np.unique(sea.get_facecolors(), axis=0)) == 1
+        assert 3 < len(islands) < 20
+        assert len(sea.get_offsets()) == (60 - len(islands)) * 1500
+        texts = [text.get_text() for text in axes.get_legend().texts]
+        assert texts[1].endswith(f"({len(islands)})")
+        figure.canvas.draw()
+        words = [axes.title, axes.xaxis.label, axes.get_legend()]
+        boxes = [word.get_window_extent() for word in words]
+        assert all(box.x0 >= 0 and box.x1 <= figure.bbox.x1 and box.y0 >= 0 for box in boxes)
+        assert not any(one.overlaps(other) for i, one in enumerate(boxes) for other in boxes[:i])
+    # a mirror circle: every orbit keeps its angle, on a line of the portrait; a mirror stadium is chaotic throughout
+    circle = billiards.orbit(
+        billiards.circle(), billiards.starts(billiards.circle(), 10, 1, law="mirror"), 300, law="mirror"
+    )
+    assert on_curves(circle).all()
+    mirror = billiards.orbit(table, billiards.starts(table, 10, 1, law="mirror"), 1500, law="mirror")
+    assert not on_curves(mirror).any()
 
 
 BAD = [

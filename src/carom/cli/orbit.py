@@ -98,6 +98,9 @@ def orbit(
     lyapunov: Annotated[
         bool, typer.Option("--lyapunov", help="Compute the Lyapunov spectrum.", rich_help_panel=OUTPUT)
     ] = False,
+    lyapunov_plot: Annotated[
+        Path | None, shared("plot", help="Draw how the Lyapunov exponents converge; computes them.")
+    ] = None,
     reverse: Annotated[
         bool,
         typer.Option("--reverse", help="Run the orbits backwards, too, and print the error.", rich_help_panel=OUTPUT),
@@ -113,7 +116,9 @@ def orbit(
     from carom.billiards.setup import law_of, orbit_setup, start_rows
 
     faults: list[str] = []
-    require_outputs(faults, {"--plot": plot, "--portrait": portrait, "--boundary": boundary})
+    require_outputs(
+        faults, {"--plot": plot, "--portrait": portrait, "--boundary": boundary, "--lyapunov-plot": lyapunov_plot}
+    )
     given = {
         "radius": radius, "major": major, "minor": minor, "straight": straight, "sides": sides, "vertices": vertices,
         "width": width, "height": height, "depth": depth, "angle": angle, "side": side, "period": period,
@@ -142,13 +147,20 @@ def orbit(
         begin = _sampled(made, orbits, seed, ball, law)
     with working("orbits") as report:
         found = library.orbit(made, begin, bounces, corners=corners, progress=report, **options)
-        facts = orbit_facts(found, made, begin, options, lyapunov=lyapunov, back=reverse)
+        wanted = lyapunov or lyapunov_plot is not None
+        spectrum = library.lyapunov(made, begin, found.t.shape[-1], **options) if wanted else None
+        facts = orbit_facts(found, made, spectrum=spectrum, back=reverse)
     if json_:
         facts["bounces"] = every_bounce(found)
         print(json.dumps(facts, indent=2, allow_nan=False))  # noqa: T201
     else:
         print_orbit(facts, found)
     _draw(found, plot, portrait, boundary)
+    if lyapunov_plot is not None:
+        from carom.plot import plot_lyapunov, save
+
+        save(plot_lyapunov(spectrum), lyapunov_plot)
+        wrote(lyapunov_plot)
 
 
 def _table(name: str, given: dict[str, Any], bounds: str) -> Table:
@@ -267,8 +279,7 @@ def _sampled(table: Table, count: int, seed: int, ball: Any, law: str) -> Any:
 def _draw(found: Orbit, plot: Path | None, portrait: Path | None, boundary: Path | None) -> None:
     if plot is None and portrait is None and boundary is None:
         return
-    from carom.plot import save
-    from carom.plot.billiards import plot_boundary, plot_orbit, plot_portrait
+    from carom.plot import plot_boundary, plot_orbit, plot_portrait, save
 
     for path, make in ((plot, plot_orbit), (portrait, plot_portrait), (boundary, plot_boundary)):
         if path is not None:

@@ -6,7 +6,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from carom.billiards import Orbit, Table
+    from carom.billiards import Lyapunov, Orbit, Table
 
 __all__ = ["every_bounce", "orbit_facts", "print_orbit"]
 
@@ -20,9 +20,7 @@ REASONS = {
 }
 
 
-def orbit_facts(
-    found: Orbit, table: Table, begin: Any, options: dict[str, Any], *, lyapunov: bool, back: bool
-) -> dict[str, Any]:
+def orbit_facts(found: Orbit, table: Table, *, spectrum: Lyapunov | None, back: bool) -> dict[str, Any]:
     """Return the results of the orbits as plain numbers; None for quantities that are undefined."""
     import numpy as np
 
@@ -67,8 +65,7 @@ def orbit_facts(
     if back:
         _orbit, error = billiards.reverse(found)
         facts["reversal_error"] = float(np.max(error))
-    if lyapunov:
-        spectrum = billiards.lyapunov(table, begin, found.t.shape[-1], **options)
+    if spectrum is not None:
         mean = spectrum.per_bounce.reshape(-1, spectrum.per_bounce.shape[-1])
         # an orbit that ended early has no exponents
         lasted = np.isfinite(mean).all(axis=-1)

@@ -1,9 +1,7 @@
 from .aims import plot_aims as plot_aims
 from .animation import animate as animate
-from .billiards import plot_boundary as plot_boundary
 from .billiards import plot_lyapunov as plot_lyapunov
 from .billiards import plot_orbit as plot_orbit
-from .billiards import plot_portrait as plot_portrait
 from .comparison import PathAfterWall as PathAfterWall
 from .comparison import compare as compare
 from .comparison import path_after_wall as path_after_wall
@@ -13,6 +11,8 @@ from .paper import collision as collision
 from .paper import figures as figures
 from .paper import incidence_and_reflection as incidence_and_reflection
 from .paper import setting as setting
+from .portrait import plot_boundary as plot_boundary
+from .portrait import plot_portrait as plot_portrait
 from .style import require_matplotlib as require_matplotlib
 from .style import require_writable as require_writable
 from .style import save as save

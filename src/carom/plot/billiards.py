@@ -1,4 +1,4 @@
-"""Plot orbits of single-particle billiards: paths, velocity phase portraits, boundary maps, Lyapunov exponents."""
+"""Plot orbits of single-particle billiards: paths in the table, and the convergence of Lyapunov exponents."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 from carom.billiards import Lyapunov, Orbit
 from carom.billiards.boundary import Boundary
 from carom.errors import CaromError
+from carom.formatting import format_number
 from carom.plot.style import GREY, INK, new_figure, style
 
-__all__ = ["plot_boundary", "plot_lyapunov", "plot_orbit", "plot_portrait"]
+__all__ = ["plot_lyapunov", "plot_orbit"]
 
 Array = NDArray[np.float64]
 WALL = "#b9b4a6"
 MAX_FLIGHTS = 5_000  # with more flights the figure is illegible
-COLOUR_MAP = "tab20"
 
 
 def plot_orbit(found: Orbit, which: Any = None) -> Any:
@@ -232,114 +232,6 @@ def _outline(shape: Boundary, low: Array, high: Array) -> list[Array]:
     return lines
 
 
-def _colours(count: int) -> Array:
-    """Return one colour per orbit, of neighbours far apart."""
-    import matplotlib
-
-    return np.asarray(matplotlib.colormaps[COLOUR_MAP]((np.arange(count) * 7 % 20 + 0.5) / 20))
-
-
-def _dots(count: int) -> float:
-    """Return the size of a dot, smaller the more there are."""
-    return float(np.clip(4e4 / max(count, 1), 0.02, 6.0))
-
-
-def plot_portrait(found: Orbit) -> Any:
-    """Draw the velocity phase portrait (after Cox & Feres): every bounce is a point of the unit disc, every orbit a colour.
-
-    Horizontal: the spin, sqrt(kappa) a omega; vertical: the velocity along the wall; both divided by sqrt(2 energy/m). The
-    invariant measure is uniform in the disc, so areas are to scale.
-
-    Parameters
-    ----------
-    found : Orbit
-        One orbit or many.
-
-    Returns
-    -------
-    Figure
-        A Matplotlib figure.
-
-    Examples
-    --------
-    >>> from carom import billiards, plot
-    >>> found = billiards.orbit(billiards.circle(), ((0.2, 0.1), (0.8, 0.3), 0.5), bounces=20)
-    >>> len(plot.plot_portrait(found).axes)
-    1
-    """
-    phase = found.phase.reshape(-1, found.t.shape[-1], 2)
-    with style():
-        figure = new_figure(4.6, 4.6)
-        axes = figure.add_subplot()
-        u = np.linspace(0, math.tau, 721)
-        axes.plot(np.cos(u), np.sin(u), color=INK, lw=0.8)
-        _scatter(axes, phase[..., 0], phase[..., 1])
-        axes.set_aspect("equal")
-        axes.set_xlim(-1.04, 1.04)
-        axes.set_ylim(-1.04, 1.04)
-        axes.set_xticks([-1, -0.5, 0, 0.5, 1])
-        axes.set_yticks([-1, -0.5, 0, 0.5, 1])
-        axes.set_xlabel(r"spin  $\sqrt{\kappa}\,a\,\omega\,/\,\sqrt{2E/m}$")
-        roll = r"\sqrt{1+\kappa}\," if found.setup.rolls else ""
-        axes.set_ylabel(rf"velocity along the wall  ${roll}v_t\,/\,\sqrt{{2E/m}}$")
-        figure.tight_layout()
-    return figure
-
-
-def plot_boundary(found: Orbit) -> Any:
-    """Draw the boundary map: arc length s, and the velocity along the wall over that in the plane (the sine of the angle).
-
-    Parameters
-    ----------
-    found : Orbit
-        One orbit or many, in a table in the plane or a cylinder over one.
-
-    Returns
-    -------
-    Figure
-        A Matplotlib figure.
-
-    Raises
-    ------
-    CaromError
-        For an orbit in a sphere.
-
-    Examples
-    --------
-    >>> from carom import billiards, plot
-    >>> found = billiards.orbit(billiards.circle(), ((0.2, 0.1), (0.8, 0.3), 0.5), bounces=20)
-    >>> len(plot.plot_boundary(found).axes)
-    1
-    """
-    shape = found.setup.shape
-    if shape.sphere is not None:
-        raise CaromError("plot: boundary map: expected a table in the plane, or a cylinder over one, got a sphere")
-    speed = np.hypot(found.velocity[..., 0], found.velocity[..., 1])
-    s, sine = found.arc.reshape(-1, found.t.shape[-1]), (found.along / speed).reshape(-1, found.t.shape[-1])
-    lengths = shape.lengths
-    with style():
-        figure = new_figure(6.6, 3.4)
-        axes = figure.add_subplot()
-        _scatter(axes, s, sine)
-        if np.isfinite(lengths).all():
-            axes.set_xlim(0, lengths.sum())
-            if 1 < len(lengths) <= 12:
-                for start in shape.starts[shape.starts > 0]:
-                    axes.axvline(start, color=GREY, lw=0.5, ls=(0, (1, 2)), zorder=1)
-        axes.set_ylim(-1, 1)
-        axes.set_xlabel(r"arc length  $s$ (m)")
-        axes.set_ylabel(r"$\sin\theta = v_t/|v|$")
-        figure.tight_layout()
-    return figure
-
-
-def _scatter(axes: Any, x: Array, y: Array) -> None:
-    """Draw points of many orbits (N, B), one colour each; rasterised where there are many, to keep vector files small."""
-    count, bounces = x.shape
-    colours = np.repeat(_colours(count), bounces, axis=0) if count > 1 else "#0072B2"
-    axes.scatter(x.ravel(), y.ravel(), s=_dots(x.size), c=colours, lw=0, rasterized=x.size > 20_000, zorder=3)
-
-
 def plot_lyapunov(found: Lyapunov) -> Any:
     """Draw the convergence of Lyapunov exponents with the number of bounces.
 
@@ -367,7 +259,8 @@ def plot_lyapunov(found: Lyapunov) -> Any:
         axes = figure.add_subplot()
         for k in range(history.shape[-1]):
             mean = np.nanmean(history[..., k], axis=1)
-            (line,) = axes.plot(bounces, mean, lw=1.2)
+            words = rf"$\lambda_{{{k + 1}}}$ = {format_number(float(mean[-1]))}"
+            (line,) = axes.plot(bounces, mean, lw=1.2, label=words)
             if history.shape[1] > 1:
                 spread = np.nanstd(history[..., k], axis=1)
                 axes.fill_between(bounces, mean - spread, mean + spread, color=line.get_color(), alpha=0.15, lw=0)
@@ -375,5 +268,8 @@ def plot_lyapunov(found: Lyapunov) -> Any:
         axes.set_xlabel("bounces")
         axes.set_ylabel(r"exponents $\lambda_i$ (per bounce)")
         axes.set_xlim(0, found.bounces)
+        count = history.shape[1]
+        axes.set_title("Lyapunov spectrum" + (f", mean and spread of {count:,} orbits" if count > 1 else ""))
+        axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), frameon=False, fontsize=8)
         figure.tight_layout()
     return figure
