@@ -10,6 +10,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 import carom
 from carom.plot.comparison import path_after_wall
@@ -206,7 +207,7 @@ def test_labels_of_the_laws_do_not_overlap_and_their_lines_do_not_cross(given: d
             assert abs(b[1]) > top
         elif a[0] > 0.999 * right:
             assert b[0] > right
-    figure.canvas.draw()
+    FigureCanvasAgg(figure).draw()
     boxes = [text.get_window_extent() for axes in figure.axes for text in axes.texts] + [
         text.get_window_extent() for text in figure.texts
     ]

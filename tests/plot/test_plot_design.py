@@ -6,6 +6,7 @@ import json
 
 import numpy as np
 import pytest
+from matplotlib.backends.backend_agg import FigureCanvasAgg
 
 from carom.fitting import Setting
 from carom.fitting.design import Plan, Shots, design
@@ -55,7 +56,7 @@ def test_the_odds_of_a_plan_hold_in_every_minimum() -> None:
 def test_circles_are_whole_and_the_map_is_fine(plan: Plan) -> None:
     figure = plot_design(plan)
     axes = figure.axes[0]
-    figure.canvas.draw()
+    FigureCanvasAgg(figure).draw()
     circles = [line for line in axes.lines if line.get_label() == "_shot"]
     assert len(circles) == len(plan.shots)
     frame = axes.get_window_extent()

@@ -156,7 +156,7 @@ def orbit(
     else:
         print_orbit(facts, found)
     _draw(found, plot, portrait, boundary)
-    if lyapunov_plot is not None:
+    if lyapunov_plot is not None and spectrum is not None:
         from carom.plot import plot_lyapunov, save
 
         save(plot_lyapunov(spectrum), lyapunov_plot)

@@ -29,7 +29,7 @@ def on_curves(found: Orbit) -> NDArray[np.bool_]:
     From a point on a curve the 24th neighbour is 6 times as far as the 4th, in an area only the root of 6, and among scattered
     clusters much farther. On curves, seven points in ten have a ratio within a quarter of 6, on a logarithmic scale; or the same of
     the 40th and the 8th. Orbits of fewer than 50 bounces count as others. The others are chaotic as a rule; the largest Lyapunov
-    exponent decides.
+    exponent decides. Under the mirror law the boundary map takes the portrait's place.
 
     Examples
     --------
@@ -39,7 +39,13 @@ def on_curves(found: Orbit) -> NDArray[np.bool_]:
     >>> on_curves(billiards.orbit(billiards.stadium(), start, bounces=300, law="mirror")).tolist()
     [False]
     """
-    phase = found.phase.reshape(-1, found.t.shape[-1], 2)
+    phase = found.phase
+    shape = found.setup.shape
+    if found.setup.law == "mirror" and shape.sphere is None and np.isfinite(shape.lengths).all():
+        # spins never change: each orbit is on one line of the portrait; the boundary map shows what it is
+        speed = np.hypot(found.velocity[..., 0], found.velocity[..., 1])
+        phase = np.stack([found.arc / shape.lengths.sum(), found.along / speed], axis=-1)
+    phase = phase.reshape(-1, found.t.shape[-1], 2)
     return np.array([_is_curve(points) for points in phase], dtype=bool)
 
 
