@@ -118,6 +118,15 @@ def measure(name: str, table: billiards.Table, library: ctypes.CDLL, peer: str, 
     return row.ratio
 
 
+def many(name: str, table: billiards.Table) -> None:
+    """Report many orbits at once, on all cores."""
+    begin = billiards.starts(table, 20_000, 1)
+    billiards.final(table, begin, 10)
+    count = 20_000 * 1000 / (os.cpu_count() or 1)
+    work = f"many no-slip orbits, {name}"
+    report(alone(work, lambda: billiards.final(table, begin, 1000), count=count, unit="bounce and core", wanted=12))
+
+
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--bounces", type=int, default=1_000_000)
@@ -134,19 +143,8 @@ def main() -> None:
         peer = f"C, {given.cc} {version} -O3"
         worst = max(measure(name, table, library, peer, given.bounces, given.repeats) for name, table in tables.items())
     print(f"worst ratio {worst:.2f} (at most 1.5 is wanted)")
-    # many orbits, all cores
-    table = billiards.circle()
-    begin = billiards.starts(table, 20_000, 1)
-    billiards.final(table, begin, 10)
-    report(
-        alone(
-            "many no-slip orbits, circle, one core",
-            lambda: billiards.final(table, begin, 1000),
-            count=20_000 * 1000 / (os.cpu_count() or 1),
-            unit="bounce and core",
-            wanted=12,
-        )
-    )
+    for name, table in tables.items():
+        many(name, table)
 
 
 if __name__ == "__main__":

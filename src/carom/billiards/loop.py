@@ -13,6 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from carom.billiards.intersections import next_hit, wall_normal
+from carom.billiards.lanes import CHUNK, LANES, STATE, T, U, V, W, X, Y, chunk_in_step, goes_in_step
 from carom.billiards.records import (
     CORNER,
     DONE,
@@ -168,7 +169,7 @@ def follow(  # noqa: PLR0915  (one loop, from the first bounce to the last)
                 row[3], row[4], row[5], row[6], row[7], row[8], row[9] = x[2], v[0], v[1], v[2], w[0], w[1], w[2]
             met[k] = i
         k += 1
-        if k & 63 == 0 and world.conservative:
+        if k % CHUNK == 0 and world.conservative:
             v, w = energy_restored(v, w, energy + twice_work(world, x, ax, ay), twice_kinetic_energy(v, w, a, kappa))
     last[0], last[1], last[2], last[3] = t, x[0] + ax, x[1] + ay, x[2]
     last[4], last[5], last[6] = v[0], v[1], v[2]
@@ -179,9 +180,60 @@ def follow(  # noqa: PLR0915  (one loop, from the first bounce to the last)
     return ended, k
 
 
+@kernel
+def _in_step(world: Any, pieces: Any, memory: Any, until: int, s: Any) -> int:
+    """Follow LANES orbits in step from their memories on, up to a doubt; return how many bounces each has made then."""
+    a, kappa = world.a, world.kappa
+    count = int(memory[0, 3])
+    while count + CHUNK <= until:
+        for k in range(LANES):
+            m = memory[k]
+            s[X + k], s[Y + k], s[U + k], s[V + k], s[W + k], s[T + k] = m[5], m[6], m[8], m[9], m[13], m[0]
+        if not chunk_in_step(world, pieces, s):
+            break
+        count += CHUNK
+        for k in range(LANES):
+            m = memory[k]
+            v, w = (s[U + k], s[V + k], m[10]), (m[11], m[12], s[W + k])
+            x = (s[X + k], s[Y + k], m[7])
+            v, w = energy_restored(v, w, m[4] + twice_work(world, x, m[1], m[2]), twice_kinetic_energy(v, w, a, kappa))
+            m[0], m[3], m[5], m[6] = s[T + k], count, x[0], x[1]
+            m[8], m[9], m[13] = v[0], v[1], w[2]
+    return count
+
+
 # What ``follow_many`` calls: replaced by the compiled function (a closure over it would not be cached).
 _follow: Any = follow
 _prange: Any = range
+
+
+@kernel
+def _go_on(
+    world: Any, pieces: Any, s: Any, bounces: int, share: int, rows: Any, met: Any, last: Any, end: Any, memory: Any
+) -> None:
+    """Follow one row of the starts further."""
+    end.reason, end.bounces = _follow(
+        world,
+        pieces,
+        (s[0], s[1], s[2]),
+        (s[3], s[4], s[5]),
+        (s[6], s[7], s[8]),
+        bounces,
+        share,
+        rows,
+        met,
+        last,
+        memory,
+    )
+
+
+@kernel
+def _all_at(ends: Any, count: int) -> bool:
+    """Return whether all orbits go on, and have made so many bounces."""
+    others = 0
+    for k in range(ends.shape[0]):
+        others += 0 if ends[k].reason == DONE and ends[k].bounces == count else 1
+    return others == 0
 
 
 def follow_many(
@@ -198,17 +250,30 @@ def follow_many(
 ) -> None:
     """Follow every row of ``starts`` (N, 9) independently, if it has not ended, for at most ``share`` more bounces.
 
-    The one WORLD is in an array: a parallel loop takes no record.
+    LANES of them in step where that is possible and no bounces are kept (:mod:`carom.billiards.lanes`). The one WORLD is in an
+    array: a parallel loop takes no record.
     """
-    for m in _prange(len(starts)):
-        if ends[m].reason != DONE or ends[m].bounces >= bounces:
-            continue
-        s = starts[m]
-        ended, count = _follow(
-            worlds[0], pieces, (s[0], s[1], s[2]), (s[3], s[4], s[5]), (s[6], s[7], s[8]), bounces, share,
-            rows[m], met[m], last[m], memory[m],
-        )  # fmt: skip
-        ends[m].reason, ends[m].bounces = ended, count
+    in_step = rows.shape[1] == 0 and goes_in_step(worlds[0], pieces)
+    blocks = (len(starts) + LANES - 1) // LANES
+    work = np.empty((blocks, STATE))
+    for block in _prange(blocks):
+        these = slice(block * LANES, min((block + 1) * LANES, len(starts)))
+        first, own = these.start, ends[these]
+        begin = own[0].bounces
+        # a first part one by one: until the balls are on the wall, and a multiple of CHUNK, where the energy has just been restored
+        few = CHUNK if begin == 0 else -begin % CHUNK
+        together = in_step and len(own) == LANES and _all_at(own, begin) and few + CHUNK <= min(share, bounces - begin)
+        if together:
+            for m in range(first, first + LANES):
+                _go_on(worlds[0], pieces, starts[m], bounces, few, rows[m], met[m], last[m], ends[m], memory[m])
+            if _all_at(own, begin + few):
+                count = _in_step(worlds[0], pieces, memory[these], min(bounces, begin + share), work[block])
+                for k in range(LANES):
+                    own[k].bounces = count
+        for m in range(first, first + len(own)):
+            if ends[m].reason == DONE and (together or ends[m].bounces < bounces):
+                rest = begin + share - ends[m].bounces if together else share
+                _go_on(worlds[0], pieces, starts[m], bounces, rest, rows[m], met[m], last[m], ends[m], memory[m])
 
 
 class OrbitLoops(NamedTuple):
