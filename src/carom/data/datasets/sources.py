@@ -22,8 +22,8 @@ SOURCES = {
     "mathavan2009": Source(
         file="mathavan2009_rolling_cushion.csv",
         title="30 snooker balls that roll square into a cushion: normal speed before and after",
-        citation="S. Mathavan, M. R. Jackson & R. M. Parkin, A theoretical analysis of billiard ball dynamics under"
-        " cushion impacts, Am. J. Phys. 77(9), 788-794 (2009), Fig. 9.",
+        citation="S. Mathavan, M. R. Jackson & R. M. Parkin, Application of high-speed imaging to determine the dynamics"
+        " of billiards, Am. J. Phys. 77(9), 788-794 (2009), Fig. 9.",
         doi="10.1119/1.3157159",
         notes="Ball 52.4 to 52.5 mm across, 0.1406 kg, rolling without sidespin; cushion of a Riley Renaissance"
         " table, which touches at 7/5 of the radius. Digitised: 30 of the 31 shots of the figure; u_... is the"

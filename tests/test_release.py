@@ -1,0 +1,49 @@
+"""What stands in several files of the repository says the same: the version, the bounds of libraries, the sources of the paper."""
+
+from __future__ import annotations
+
+import re
+import tomllib
+from pathlib import Path
+
+import pytest
+
+import carom
+
+ROOT = Path(__file__).parents[1]
+
+
+def text(name: str) -> str:
+    return (ROOT / name).read_text(encoding="utf-8")
+
+
+def test_version_is_that_of_the_package_everywhere() -> None:
+    project = tomllib.loads(text("pyproject.toml"))
+    assert project["project"]["dynamic"] == ["version"]
+    assert project["tool"]["hatch"]["version"]["path"] == "src/carom/__init__.py"
+    for name in ("CITATION.cff", "recipe/recipe.yaml"):
+        found = re.findall(r'^\s*version: "?(\d[\d.]*)"?$', text(name), re.MULTILINE)
+        assert found == [carom.__version__], name
+
+
+def test_recipe_needs_what_the_package_needs() -> None:
+    needed = tomllib.loads(text("pyproject.toml"))["project"]["dependencies"]
+    run = text("recipe/recipe.yaml").split("  run:\n", 1)[1].split("\ntests:", 1)[0]
+    found = [line.strip(" -").replace(" ", "") for line in run.splitlines() if "python" not in line and line.strip()]
+    assert sorted(found) == sorted(needed)
+
+
+@pytest.mark.parametrize("missing", ["doi", "year"])
+def test_sources_of_the_paper(missing: str) -> None:
+    entries = dict(re.findall(r"@\w+\{(\w+),(.*?)\n\}", text("paper.bib"), re.DOTALL))
+    cited = set(re.findall(r"@([a-z]+\d{4}|paper)\b", text("paper.md")))
+    assert cited == set(entries)
+    without = {key for key, entry in entries.items() if f"{missing} =" not in entry}
+    # (the paper that began carom bears none; Siconos' report has no DOI)
+    assert without == ({"paper", "acary2019"} if missing == "doi" else {"paper"})
+
+
+def test_pictures_of_the_paper_are_there() -> None:
+    pictures = re.findall(r"\]\((docs/\S+)\)", text("paper.md"))
+    assert len(pictures) == 2
+    assert all((ROOT / name).is_file() for name in pictures)
