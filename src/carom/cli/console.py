@@ -16,7 +16,7 @@ from carom.formatting import escape_controls
 
 __all__ = ["TextConsole", "err", "out"]
 
-LONGEST_WORD = 12  # columns of the screen; a longer word, such as a path, is folded where a table has to be narrow
+LONGEST_WORD = 16  # columns of the screen; a longer word, such as a path, is folded where a table has to be narrow
 WIDEST = 1000
 
 
