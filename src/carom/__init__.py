@@ -11,4 +11,4 @@ The public names stand in ``__init__.pyi``; each is imported when it is first us
 from carom.public.names import attach_public as _attach_public
 
 __getattr__, __dir__, __all__ = _attach_public(__name__, __file__)
-__version__ = "0.1.0"
+__version__ = "0.2.0"
