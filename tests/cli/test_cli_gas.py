@@ -326,3 +326,25 @@ def test_progress_goes_to_standard_error(folder):
     assert set(KEYS) < set(json.loads(out))
     assert "equilibrating: 200 balls" in err
     assert "measuring: 200 balls" in err
+
+
+def test_tables_of_gases_have_units(folder: Path) -> None:
+    """Times, pressures, temperatures and energies had none."""
+    out = runner.invoke(app, ["gas", "rough.toml"], catch_exceptions=False, env={"COLUMNS": "120"}).stdout
+    for label in (
+        "simulated time, s",
+        "mean free time, s",
+        "pressure, Pa",
+        "translational temperature, J",
+        "rotational temperature, J",
+    ):
+        assert any(line.strip().startswith(label) for line in out.splitlines()), label
+    heads = " ".join(out.split())
+    assert "temperature, J temperature, J" in heads
+    assert "1/s (normal), J (tangential), J to spin, J" in heads
+    assert "SI where the scene's numbers are in SI units" in heads
+    out = runner.invoke(
+        app, ["gas", "rough.toml", "--ensemble", "2"], catch_exceptions=False, env={"COLUMNS": "120"}
+    ).stdout
+    assert "pressure, Pa" in out
+    assert "energy at the start, J" in out

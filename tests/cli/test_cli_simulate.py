@@ -18,6 +18,7 @@ from typer.testing import CliRunner
 
 import carom
 from carom.cli import app, main
+from carom.formatting import format_number
 from carom.simulation.budget import budget
 from carom.simulation.compiled import compiled_engine
 from carom.simulation.narrate import FIRST, LAST, describe_run
@@ -230,6 +231,35 @@ def test_the_table_is_abridged_and_says_so(scenes: Path) -> None:
     assert "1 event not shown" in out
     out, _err = command("box.toml", "--max-events", "50", "--events", "0")
     assert out.count("wall box 0") == 0
+
+
+def test_bounces_on_the_floor_are_one_row_and_complete_in_files(scenes: Path) -> None:
+    """The hops after one contact took eleven rows; `--events all`, JSON and CSV have every event."""
+    out, _err = command("design.toml")
+    (line,) = [line for line in out.splitlines() if " lands, " in line]
+    run = carom.simulate(carom.load_scene("design.toml"))
+    lands = run.events.of("floor")
+    rising = sum(event.phase in ("flight", "bouncing") for event in lands)
+    assert rising > 5
+    assert f"lands, {rising} bounces" in line
+    assert line.split()[0] == f"{lands[0].t:.4f}"
+    assert format_number(sum(event.energy_lost for event in lands)) in line.split()
+    assert "not shown" not in out
+    every, _err = command("design.toml", "--events", "all")
+    assert "lands," not in every
+    assert sum(" floor " in line for line in every.splitlines()) == len(lands)
+    out, _err = command("design.toml", "--json", "--table", "events.csv")
+    assert len(json.loads(out)["events"]) == len(run.events)
+    assert len(Path("events.csv").read_text().splitlines()) == len(run.events) + 1
+    # hops of two balls at the same time are not mixed
+    text = PAIR.replace("position = [0, 0]", "position = [0, 0, 0.2]").replace("rolling = true", "")
+    text = text.replace("position = [0, 1]", "position = [0, 1, 0.3]").replace(
+        "friction = 0.2", "friction = 0.2\nrestitution = 0.5", 1
+    )
+    (scenes / "two.toml").write_text(text)
+    out, _err = command("two.toml", "--duration", "1")
+    rows = [line.split() for line in out.splitlines() if " lands, " in line]
+    assert [row[1] for row in rows[:2]] == ["white", "ball"]  # (ball 2)
 
 
 def test_states_at_times(scenes: Path) -> None:

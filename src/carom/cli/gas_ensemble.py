@@ -13,7 +13,16 @@ from rich.text import Text
 
 from carom.cli.common import attempt, wrote
 from carom.cli.console import out
-from carom.cli.gas_output import CONTACT_HEADS, LINE_INTERVAL, SPECIES_HEADS, Progress, finite, new_table, print_tables
+from carom.cli.gas_output import (
+    CONTACT_HEADS,
+    LINE_INTERVAL,
+    SPECIES_HEADS,
+    Progress,
+    finite,
+    new_table,
+    pressure_unit,
+    print_tables,
+)
 from carom.cli.streams import note
 from carom.errors import CaromError
 from carom.formatting import format_uncertain
@@ -137,18 +146,20 @@ def _tables(ensemble: Ensemble) -> list[Table]:
         return format_uncertain(place[name], deviation[name])
 
     gas = new_table(["gas", "mean"], 1)
+    pressure = pressure_unit(ensemble.scene)
     rows = {
-        "pair collisions": "pair_collisions", "wall collisions": "wall_collisions", "simulated time": "simulated_time",
-        "mean free time": "mean_free_time", "pressure": "pressure", "translational temperature": "temperature_translational",
-        "rotational temperature": "temperature_rotational", "diffusion coefficient": "diffusion",
-        "energy at the start": "energy_start", "energy at the end": "energy_end",
-        "energy from the thermostat": "energy_from_thermostat",
+        "pair collisions": "pair_collisions", "wall collisions": "wall_collisions", "simulated time, s": "simulated_time",
+        "mean free time, s": "mean_free_time", f"pressure, {pressure}": "pressure",
+        "translational temperature, J": "temperature_translational",
+        "rotational temperature, J": "temperature_rotational", "diffusion coefficient, m²/s": "diffusion",
+        "energy at the start, J": "energy_start", "energy at the end, J": "energy_end",
+        "energy from the thermostat, J": "energy_from_thermostat",
     }  # fmt: skip
     for label, name in rows.items():
         always = name not in {"wall_collisions", "energy_from_thermostat", "diffusion"}
         if always or (mean[name] != 0 and not math.isnan(mean[name])):
             gas.add_row(label, cell(mean, error, name))
-    for what, label in (("wall_pressure", "pressure on {}"), ("energy_from_walls", "energy from {}")):
+    for what, label in (("wall_pressure", f"pressure on {{}}, {pressure}"), ("energy_from_walls", "energy from {}, J")):
         for name, x in mean[what].items():
             if x != 0:
                 gas.add_row(label.format(name), cell(mean[what], error[what], name))

@@ -25,21 +25,25 @@ __all__ = [
     "as_json",
     "finite",
     "new_table",
+    "pressure_unit",
     "print_tables",
     "show",
 ]
 
 if TYPE_CHECKING:
+    from carom.gas.scene import GasScene
     from carom.gas.session import Session
 
 
+# A scene's numbers are in SI units, or in any consistent others; the tables name the SI units.
+UNITS_NOTE = "Units: SI where the scene's numbers are in SI units, else the scene's own. Temperatures are energies."
 CONSERVED = 1e-6  # a smaller relative change of the energy is rounding, not dissipation
 SPECIES_HEADS = (
-    "species", "balls", "translational\ntemperature", "rotational\ntemperature", "a₂ of\nvelocity", "a₂ of\nspin",
+    "species", "balls", "translational\ntemperature, J", "rotational\ntemperature, J", "a₂ of\nvelocity", "a₂ of\nspin",
 )  # fmt: skip
 CONTACT_HEADS = (
-    "contact", "collisions", "collisions per ball\nper unit time", "energy lost\n(normal)", "energy lost\n(tangential)",
-    "energy\nto spin",
+    "contact", "collisions", "collisions per ball\n1/s", "energy lost\n(normal), J", "energy lost\n(tangential), J",
+    "energy\nto spin, J",
 )  # fmt: skip
 LINE_INTERVAL = 20.0  # s between lines of progress where there is no terminal
 
@@ -66,12 +70,18 @@ def show(session: Session) -> None:
     )
 
 
+def pressure_unit(scene: GasScene) -> str:
+    """Return the SI unit of pressure in the container: that of a force per area, in the plane per length."""
+    return "N/m" if scene.container.dimensions == 2 else "Pa"
+
+
 def print_tables(title: str, tables: list[Table]) -> None:
     """Print a title and tables, each as wide as it is."""
     console = out()
     console.print(Text(title), soft_wrap=True)
     for table in tables:
         console.print(table)
+    console.print(Text(UNITS_NOTE, style="dim"), soft_wrap=True)
 
 
 def new_table(heads: Sequence[str], words: int = 1) -> Table:
@@ -92,16 +102,16 @@ def _totals(session: Session, found: dict[str, Any]) -> Table:
     if found["wall_collisions"]:
         rows.append(("wall collisions", f"{found['wall_collisions']:,}"))
     rows += [
-        ("simulated time", format_number(found["simulated_time"], 6)),
-        ("mean free time", format_number(found["mean_free_time"], 6)),
-        ("pressure", format_number(found["pressure"], 6)),
+        ("simulated time, s", format_number(found["simulated_time"], 6)),
+        ("mean free time, s", format_number(found["mean_free_time"], 6)),
+        (f"pressure, {pressure_unit(session.scene)}", format_number(found["pressure"], 6)),
         ("  relative to an ideal gas", format_number(found["pressure"] / ideal, 5) if ideal > 0 else "–"),
-        ("translational temperature", format_number(translational, 6)),
-        ("rotational temperature", format_number(rotational, 6)),
+        ("translational temperature, J", format_number(translational, 6)),
+        ("rotational temperature, J", format_number(rotational, 6)),
         ("  rotational / translational", format_number(rotational / translational, 5) if translational > 0 else "–"),
     ]
     if session.measures is not None and session.measures.has_diffusion:
-        rows.append(("diffusion coefficient", format_number(found["diffusion"], 4)))
+        rows.append(("diffusion coefficient, m²/s", format_number(found["diffusion"], 4)))
     rows += _energy(found)
     rows += [
         ("largest overlap / contact distance", f"{found['max_overlap']:.1e}"),
@@ -121,13 +131,13 @@ def _energy(found: dict[str, Any]) -> list[tuple[str, str]]:
         "given by the thermostat": found["energy_from_thermostat"],
     }
     scale = abs(start) + abs(end)
-    moved = [(f"  {name}", format_number(x, 5)) for name, x in given.items() if x != 0]
-    moved += [("  lost in collisions", format_number(lost, 5))] if abs(lost) > CONSERVED * scale else []
+    moved = [(f"  {name}, J", format_number(x, 5)) for name, x in given.items() if x != 0]
+    moved += [("  lost in collisions, J", format_number(lost, 5))] if abs(lost) > CONSERVED * scale else []
     if not moved:
         return [("relative energy drift", f"{found['energy_drift']:.1e}")]
     left = end - start - sum(given.values()) + lost
     scale += abs(lost)
-    rows = [("energy at start and end", f"{format_number(start, 5)}, {format_number(end, 5)}"), *moved]
+    rows = [("energy at start and end, J", f"{format_number(start, 5)}, {format_number(end, 5)}"), *moved]
     return [*rows, ("  relative imbalance", f"{left / scale if scale > 0 else 0.0:.1e}")]
 
 

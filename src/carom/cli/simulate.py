@@ -53,7 +53,11 @@ def simulate(
     ] = None,
     events: Annotated[
         str | None,
-        typer.Option(metavar="all|N", help="Rows of the table of events. Default: 40.", rich_help_panel=OUTPUT),
+        typer.Option(
+            metavar="all|N",
+            help="Rows of the table of events, bounces folded; all: every event. Default: 40.",
+            rich_help_panel=OUTPUT,
+        ),
     ] = None,
     as_json: Annotated[bool, shared("json")] = False,
     quiet: Annotated[bool, shared("quiet")] = False,

@@ -16,6 +16,7 @@ from carom.cli.console import out
 from carom.formatting import format_number
 from carom.simulation.budget import budget
 from carom.simulation.narrate import describe_run, with_count
+from carom.simulation.records import kind_names
 from carom.simulation.tables import event_columns
 
 if TYPE_CHECKING:
@@ -27,6 +28,7 @@ __all__ = ["MOST_ROWS", "as_json", "show", "show_sensitivity"]
 MOST_ROWS = 40
 WIDE = 112  # least width at which the table has room for the spin
 ROUNDING = 1e-12
+RISES = ("flight", "bouncing")  # phases after a contact with the floor that is a bounce
 
 
 # --- on the screen -------------------------------------------------------------------------------------------------
@@ -40,8 +42,8 @@ def show(run: Trajectory, times: list[float], most: int | None) -> None:
         text = textwrap.fill(paragraph[0].upper() + paragraph[1:], max(min(console.width, 110), 40))
         console.print(Text(f"\n{text}"), soft_wrap=True)
     if most != 0 and len(run.events):
-        console.print(_events(run, most, console.width >= WIDE))
-        hidden = 0 if most is None else len(run.events) - most
+        table, hidden = _events(run, most, console.width >= WIDE)
+        console.print(table)
         if hidden > 0:
             said = f"{with_count(hidden, 'event')} not shown: --events all shows all, --table FILE.csv writes them."
             console.print(Text(said, style="dim"), soft_wrap=True)
@@ -90,33 +92,58 @@ def _axes(run: Trajectory) -> int:
     return 2 if run.scene.floor is not None and not z.any() and not run.log["v"][:, 2].any() else 3
 
 
-def _events(run: Trajectory, most: int | None, wide: bool) -> Table:
+def _folded(run: Trajectory) -> list[list[int]]:
+    """Return the indices of the events of each row: a ball's contacts with the floor, one after the other, are one row."""
+    rows: list[list[int]] = []
+    last: dict[int, list[int] | None] = {}  # of each ball the row that its next contact with the floor belongs to
+    for k, (kind, ball) in enumerate(zip(kind_names(run.events.rows), run.events.rows["ball"].tolist(), strict=True)):
+        row = last.get(ball) if kind == "floor" else None
+        if row is None:
+            row = []
+            rows.append(row)
+        row.append(k)
+        last[ball] = row if kind == "floor" else None
+    return rows
+
+
+def _events(run: Trajectory, most: int | None, wide: bool) -> tuple[Table, int]:
+    """Return the table of events, and how many are not shown; ``most``: rows, hops folded; None: every event in its own row."""
     several, axes = len(run.scene.balls) > 1, _axes(run)
     names = ", ".join("xyz"[:axes])
     heads = [("t, s", False), *([("ball", True)] if several else []), ("event", True), (f"position\n{names}, m", False)]
     heads += [(f"velocity after\n{names}, m/s", False)]
     heads += [("spin after\nx, y, z, rad/s", False)] if wide else []
     table = _new([*heads, ("energy lost\nJ", False), ("next phase", True)])
-    count = len(run.events)
-    parts = [run.events]
-    if most is not None and count > most:
-        parts = [run.events[: (most + 1) // 2], run.events[count - most // 2 :]]
+    rows = [[k] for k in range(len(run.events))] if most is None else _folded(run)
+    parts = [rows]
+    if most is not None and len(rows) > most:
+        parts = [rows[: (most + 1) // 2], rows[len(rows) - most // 2 :]]
     for k, part in enumerate(parts):
         if k > 0:
             table.add_row("...")
-        for event in part:
-            name = f" {event.name}" if event.name else ""
-            row = [_time(event.t), *([run.scene.ball_names[event.ball]] if several else []), f"{event.kind}{name}"]
-            row += [_triple(event.after.position, axes), _triple(event.after.velocity, axes)]
-            row += [_triple(event.after.spin)] if wide else []
-            # energy is lost instantaneously only in contacts
-            lost = event.energy_lost if event.kind in ("wall", "floor", "ball") else math.nan
-            row += [
-                format_number(0.0 if abs(lost) < ROUNDING else lost),
-                "" if event.phase == event.kind else event.phase,
-            ]
-            table.add_row(*row)
-    return table
+        for row in part:
+            table.add_row(*_event_row(run, row, several, axes, wide))
+    return table, len(run.events) - sum(len(row) for part in parts for row in part)
+
+
+def _event_row(run: Trajectory, folded: list[int], several: bool, axes: int, wide: bool) -> list[str]:
+    """Return the cells of one event; of hops the time of the first, the state after the last, and the energy lost in all."""
+    events = [run.events[k] for k in folded]
+    first, event = events[0], events[-1]
+    what = f"{event.kind}{f' {event.name}' if event.name else ''}"
+    if len(events) > 1:
+        bounces = sum(one.phase in RISES for one in events)
+        what = f"lands, {with_count(bounces, 'bounce')}"
+    row = [_time(first.t), *([run.scene.ball_names[event.ball]] if several else []), what]
+    row += [_triple(event.after.position, axes), _triple(event.after.velocity, axes)]
+    row += [_triple(event.after.spin)] if wide else []
+    # energy is lost instantaneously only in contacts
+    lost = sum(one.energy_lost for one in events) if event.kind in ("wall", "floor", "ball") else math.nan
+    return [
+        *row,
+        format_number(0.0 if abs(lost) < ROUNDING else lost),
+        "" if event.phase == event.kind else event.phase,
+    ]
 
 
 def _states(run: Trajectory, times: list[float], wide: bool) -> Table:
