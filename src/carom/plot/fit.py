@@ -5,6 +5,7 @@ from __future__ import annotations
 import html
 import io
 import math
+from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -14,10 +15,10 @@ from carom.fitting.result import with_error_bar
 from carom.formatting import format_number
 from carom.plot.style import GREY, INK, law_styles, new_figure, style
 
-__all__ = ["plot_design", "plot_fit", "plot_residuals", "write_report"]
+__all__ = ["plot_design", "plot_fit", "plot_laws", "plot_residuals", "write_report"]
 
 if TYPE_CHECKING:
-    from carom.fitting import Fit, Ranking
+    from carom.fitting import Fit, Ranked, Ranking
 
 
 SHOWN = 4  # laws in one picture
@@ -32,8 +33,33 @@ def plot_fit(ranking: Ranking) -> Any:
         left, middle, right = figure.subplots(1, 3, gridspec_kw={"width_ratios": [0.8, 1, 1.35]})
         _weights(left, ranking)
         _normal(middle, ranking)
-        _along(right, ranking)
+        _along(right, ranking, ranking.ranked[:SHOWN])
+        right.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=7, frameon=False, markerscale=2)
         figure.tight_layout(w_pad=2.0)
+    return figure
+
+
+def plot_laws(ranking: Ranking) -> Any:
+    """Plot the motion along the wall, measured and predicted, in one panel per law, best first. Returns a Matplotlib Figure."""
+    count = len(ranking.ranked)
+    columns = min(count, 3)
+    rows = math.ceil(count / columns)
+    with style():
+        figure = new_figure(9.6, 2.7 * rows + 0.3)
+        panels = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
+        best = ranking.ranked[0].fit.aicc
+        for k, (axes, one) in enumerate(zip(panels.ravel(), ranking.ranked, strict=False)):
+            _along(axes, ranking, [one])
+            behind = one.fit.aicc - best
+            said = "best" if k == 0 else f"AICc +{format_number(behind, 4)}" if math.isfinite(behind) else "AICc –"
+            axes.set_title(f"{one.fit.law.name}: {said}", color=_look(ranking)[one.fit.law.name][0])
+            axes.label_outer()
+        for axes in panels.ravel()[count:]:
+            axes.set_visible(False)
+        for axes in panels[-2][count % columns :] if rows > 1 and count % columns else ():
+            axes.tick_params(labelbottom=True)
+            axes.set_xlabel(panels[-1, 0].get_xlabel())
+        figure.tight_layout(w_pad=1.5)
     return figure
 
 
@@ -90,8 +116,8 @@ def _normal(axes: Any, ranking: Ranking) -> None:
     axes.legend(loc="upper left", fontsize=7, frameon=False)
 
 
-def _along(axes: Any, ranking: Ranking) -> None:
-    """Plot slip over normal speed for planar bounces, or the angles of balls on a table."""
+def _along(axes: Any, ranking: Ranking, shown: Sequence[Ranked]) -> None:
+    """Plot slip over normal speed for planar bounces, or the angles of balls on a table, measured and predicted by some laws."""
     best = ranking.best
     planar = best.law.kind == "planar"
     rebounds, a = best.problem.rebounds, best.problem.setting.radius
@@ -134,7 +160,7 @@ def _along(axes: Any, ranking: Ranking) -> None:
     _outliers(axes, ranking, x * sign, place(measured) * sign)
     order = np.argsort(x * sign)
     unknown = bool(best.problem.unknown.any())
-    for one in ranking.ranked[:SHOWN]:
+    for one in shown:
         ink, _dash = look[one.fit.law.name]
         name = f"{one.fit.law.name} (mean sidespin)" if unknown else one.fit.law.name
         axes.plot(
@@ -149,7 +175,6 @@ def _along(axes: Any, ranking: Ranking) -> None:
     else:
         axes.axhline(0, color=GREY, lw=0.6, ls=":")
     axes.set(xlabel=words[0], ylabel=words[1], title=words[2])
-    axes.legend(loc="center left", bbox_to_anchor=(1.0, 0.5), fontsize=7, frameon=False, markerscale=2)
 
 
 def _angle_error(fit: Fit, side: str) -> Any:
@@ -275,7 +300,7 @@ def write_report(ranking: Ranking, path: str | Path) -> Path:
         f"<p>{len(best.problem.x)} rebounds ({best.law.kind}), {best.problem.count} measurements after the wall. Ball of"
         f" radius {setting.radius * 1e3:.4g} mm, moment of inertia {setting.kappa:.4g} m a²{_table(best)}.</p>",
         svg(plot_fit(ranking)), "<h2>The laws, best first</h2>", _laws(ranking),
-        "<h2>Residuals</h2>", svg(plot_residuals(ranking)),
+        "<h2>Measured and predicted, law by law</h2>", svg(plot_laws(ranking)), "<h2>Residuals</h2>", svg(plot_residuals(ranking)),
         listed("Unconstrained parameters", ranking.degenerate),
         listed("Outliers under the best law", [f"{o.row}: chi² {o.chi2:.1f}; {o.why}" for o in ranking.outliers]),
         listed("Notes", list(ranking.notes)),
