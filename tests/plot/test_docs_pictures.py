@@ -1,0 +1,35 @@
+"""Pictures of the documentation on a dark page: the style sheet inverts them, which needs pictures that are drawn on white."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from matplotlib import rcParams
+
+from carom import plot
+from carom.plot.style import style
+
+DOCS = Path(__file__).parents[2] / "docs"
+
+
+def test_pictures_are_inverted_on_dark_pages_and_screenshots_are_not() -> None:
+    """White boxes stood on the dark page."""
+    sheet = (DOCS / "_static" / "carom.css").read_text(encoding="utf-8")
+    rules = [line for line in sheet.splitlines() if "invert(1) hue-rotate(180deg)" in line]
+    assert len(rules) == 2
+    assert 'body[data-theme="dark"]' in rules[0]
+    assert 'body:not([data-theme="light"])' in rules[1]  # where the system chooses
+    for rule in rules:
+        assert "mix-blend-mode: screen" in rule  # what was white lets the page through
+        assert ':not([src*="explorer"])' in rule
+
+
+def test_figures_are_drawn_on_white_in_one_font() -> None:
+    with style():
+        assert rcParams["figure.facecolor"] == "white"
+        assert rcParams["axes.facecolor"] == "white"
+        assert rcParams["font.family"] == ["STIXGeneral"]
+        assert rcParams["mathtext.fontset"] == "stix"
+    figure = plot.compare()
+    texts = [text for axes in figure.axes for text in [*axes.texts, axes.xaxis.label, axes.yaxis.label]]
+    assert {text.get_fontfamily()[0] for text in texts} == {"STIXGeneral"}
