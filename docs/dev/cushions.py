@@ -221,7 +221,8 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
     parser.add_argument("rebounds", type=Path, nargs="?")
     given = parser.parse_args()
-    style = {"svg.hashsalt": "carom", "svg.fonttype": "path", "axes.spines.top": False, "axes.spines.right": False,
+    style = {"svg.hashsalt": "carom", "font.family": "STIXGeneral", "mathtext.fontset": "stix",
+    "svg.fonttype": "path", "axes.spines.top": False, "axes.spines.right": False,
              "axes.titlesize": 10, "axes.titlelocation": "left", "legend.frameon": False}  # fmt: skip
     with plt.rc_context(style):
         figure, (left, right) = plt.subplots(1, 2, figsize=(9.5, 4.0), layout="constrained")

@@ -22,7 +22,8 @@ from carom.data import datasets
 
 IMAGES = Path(__file__).parents[1] / "images"
 STYLE = {
-    "svg.hashsalt": "carom", "svg.fonttype": "path", "font.size": 10, "axes.spines.top": False,
+    "svg.hashsalt": "carom", "font.family": "STIXGeneral", "mathtext.fontset": "stix",
+    "svg.fonttype": "path", "font.size": 10, "axes.spines.top": False,
     "axes.spines.right": False,
     "axes.titlesize": 10, "axes.titlelocation": "left", "legend.frameon": False, "figure.figsize": (9.0, 3.9),
 }  # fmt: skip
