@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 import pytest
+from reference.commands import fails
 
 import carom
 
@@ -294,3 +295,18 @@ def test_settings_of_fits_that_are_no_numbers(value):
     refused(lambda: require_settings(value), "fit: setting: expected a Setting")
     given = dict.fromkeys(("kappa", "noise", "cushions", "spin_width"), value)
     assert len(refused(TrackSetting(radius=value, **given).check, "cushions: ").splitlines()) == 5
+
+
+@pytest.mark.parametrize(
+    ("words", "line"),
+    [
+        (("compare", "--angle", "x"), "carom: --angle: expected a valid number, got 'x' (carom --help)"),
+        (("compare", "--angle=x"), "carom: --angle: expected a valid number, got 'x' (carom --help)"),
+        (
+            ("simulate", "a.toml", "--max-events", "1.5"),
+            "carom: --max-events: expected a valid integer, got '1.5' (carom --help)",
+        ),
+    ],
+)
+def test_an_option_that_is_no_number(capsys, words, line):
+    assert fails(capsys, *words) == [line]

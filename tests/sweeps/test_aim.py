@@ -175,3 +175,8 @@ def test_the_command_line(tmp_path: Path) -> None:
     rows = json.loads(done.stdout)
     assert 1 <= len(rows) <= 2
     assert {"speed", "angle", "success", "spread_m", "sequence"} <= set(rows[0])
+
+
+def test_a_speed_below_zero_is_one_clear_line() -> None:
+    with pytest.raises(carom.CaromError, match=r"aim: reach: speed: expected a number > 0, got -1"):
+        carom.aim(bank(), ["balls.0.velocity"], {"hit": 1, "speed": -1})

@@ -6,7 +6,7 @@ import importlib
 import os
 import signal
 import sys
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -80,8 +80,19 @@ def _run() -> int:
         if type(error).__name__ == "NoArgsIsHelpError":
             sys.stderr.write(f"{error}\n")
         else:
-            _print_errors(f"{error.format_message()} (carom --help)")
+            _print_errors(f"{_usage(error)} (carom --help)")
     return 2
+
+
+def _usage(error: Any) -> str:
+    """Return what was expected of an option, and what it was given; Typer's own sentence where it is another fault."""
+    names = getattr(getattr(error, "param", None), "opts", [])
+    said = str(getattr(error, "message", "")).partition(", ")[0].removeprefix("Input should be ")
+    for k, word in enumerate(sys.argv):
+        name, _, value = word.partition("=")
+        if name in names and said != error.message and (value or k + 1 < len(sys.argv)):
+            return f"{name}: expected {said}, got {value or sys.argv[k + 1]!r:.60}"
+    return str(error.format_message())
 
 
 def _interrupted() -> int:

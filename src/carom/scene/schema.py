@@ -59,6 +59,10 @@ EXPECTED = {
     "model_attributes_type": "a table of fields",
     "string_type": "text",
     "bool_type": "true or false",
+    "greater_than": "a number > {gt:g}",
+    "greater_than_equal": "a number >= {ge:g}",
+    "less_than": "a number < {lt:g}",
+    "less_than_equal": "a number <= {le:g}",
 }
 
 
@@ -154,7 +158,7 @@ def _line(where: str, error: Any, model: type[Model]) -> str:
         return _choice(at, value, inside)
     if kind == "missing":
         return f"{at}: expected {_expectation(owner, field)}, got nothing"
-    expected = EXPECTED.get(kind) or context.get("expected") or error["msg"]
+    expected = EXPECTED.get(kind, "").format(**context) or context.get("expected") or error["msg"]
     brackets = f"; write [[{path}]], with double brackets" if kind == "tuple_type" and isinstance(value, dict) else ""
     return f"{at}: expected {expected}, got {_shown(value)}{brackets}"
 

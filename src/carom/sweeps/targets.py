@@ -98,7 +98,7 @@ def targets_of(scene: Scene, reach: Any) -> list[TargetEvent]:
             target = one if isinstance(one, Target) else Target(**dict(one))
             found.append(_event_of(scene, target, where))
         except CaromError as error:
-            faults += error.faults
+            faults += [fault.replace("Target:", f"{where}:", 1) for fault in error.faults]
     if not given:
         faults.append(f"{WHERE}: expected a target such as {{'ball': 0, 'hit': 1}}, got none")
     if faults:
