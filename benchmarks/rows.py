@@ -27,7 +27,7 @@ from pathlib import Path
 HERE = Path(__file__).parent
 REPEATS = 5
 ROWS_FILE = "CAROM_BENCHMARK_ROWS"  # where a script appends its rows, one JSON object a line
-CARRIED = ("carom", "numpy", "numba", "llvmlite", "pyarrow")
+CARRIED = ("numpy", "numba", "llvmlite", "pyarrow")
 
 
 @dataclass(frozen=True)
@@ -162,7 +162,9 @@ def machine() -> str:
 
 def versions() -> str:
     """Return Python's version and those of the libraries that carom stands on."""
-    found = [f"Python {platform.python_version()}"]
+    import carom
+
+    found = [f"Python {platform.python_version()}, carom {carom.__version__}"]
     for name in CARRIED:
         try:
             found.append(f"{name} {metadata.version(name)}")
