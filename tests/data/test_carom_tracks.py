@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from reference.commands import command
 
-from carom.cli import main
 from carom.data import read_rebounds
 from carom.data.datasets.carom_tracks import BEGIN, FILE, HEADER, write_carom_tracks
 from carom.errors import CaromError
@@ -128,30 +128,22 @@ def test_another_file_is_refused_and_nothing_is_written(content: bytes, expected
     assert not out.exists()
 
 
-def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, *words: str) -> tuple[int, str, str]:
-    monkeypatch.setattr("sys.argv", ["carom", "datasets", *words])
-    with pytest.raises(SystemExit) as end:
-        main()
-    told = capsys.readouterr()
-    return int(end.value.code or 0), told.out, told.err
-
-
-def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_command(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     path, out = source(tmp_path), tmp_path / "tracks.csv"
-    code, told, notes = run(capsys, monkeypatch, "carom-tracks", "--from", str(path), "--out", str(out))
+    code, told, notes = command(capsys, "datasets", "carom-tracks", "--from", str(path), "--out", str(out))
     assert (code, told) == (0, "")
     assert "erdo100/pooltool" in notes
     assert "630 rows; the table behind the validation pages has 17187" in notes
     assert notes.splitlines()[-1] == f"written: {out}"
-    code, told, _notes = run(capsys, monkeypatch, "carom-tracks", "--from", str(path), "--out", str(out), "--json")
+    code, told, _notes = command(capsys, "datasets", "carom-tracks", "--from", str(path), "--out", str(out), "--json")
     assert (code, json.loads(told)["rows"]) == (0, 630)
-    code, told, notes = run(capsys, monkeypatch, "carom-tracks")
+    code, told, notes = command(capsys, "datasets", "carom-tracks")
     assert (code, told, len(notes.splitlines())) == (2, "", 1)
     assert f"--from {FILE} --out TABLE.csv" in notes
-    code, _told, notes = run(capsys, monkeypatch, "kharaz2001", "--from", str(path))
+    code, _told, notes = command(capsys, "datasets", "kharaz2001", "--from", str(path))
     assert (code, len(notes.splitlines())) == (2, 1)
     assert "expected carom-tracks before it, got kharaz2001" in notes
-    code, told, _notes = run(capsys, monkeypatch)
+    code, told, _notes = command(capsys, "datasets")
     assert "30 filmed three-cushion shots" in told
 
 

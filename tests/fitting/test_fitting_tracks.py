@@ -10,10 +10,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from reference.commands import command
 from reference.synthetic_runs import RADIUS, TRUTH, film, write
 
 import carom
-from carom.cli import main
 from carom.core.jit.dual.numbers import LANES
 from carom.core.jit.dual.records import float_count
 from carom.errors import CaromError
@@ -235,17 +235,7 @@ def test_stretches_end_after_so_many_contacts() -> None:
             assert (np.diff(stretch.time) > 0).all()
 
 
-def run(capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch, *words: str) -> tuple[int, str, str]:
-    monkeypatch.setattr("sys.argv", ["carom", "fit", *words])
-    with pytest.raises(SystemExit) as end:
-        main()
-    told = capsys.readouterr()
-    return int(end.value.code or 0), told.out, told.err
-
-
-def test_from_the_command_line(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_from_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file, page = write(film(np.random.default_rng(2), 2), tmp_path / "shots.csv"), tmp_path / "page.html"
     words = (
         str(file),
@@ -259,7 +249,7 @@ def test_from_the_command_line(
         "--report",
         str(page),
     )
-    code, told, _notes = run(capsys, monkeypatch, *words, "--json")
+    code, told, _notes = command(capsys, "fit", *words, "--json")
     assert code == 0
     facts = json.loads(told)
     first = facts["ranking"][0]
@@ -271,7 +261,7 @@ def test_from_the_command_line(
     text = page.read_text()
     assert text.count("<svg") == 1
     assert "two-step" in text
-    code, told, _notes = run(capsys, monkeypatch, *words[:-2], "--where", "shot=shot 1", "--no-report")
+    code, told, _notes = command(capsys, "fit", *words[:-2], "--where", "shot=shot 1", "--no-report")
     assert code == 0
     assert "1 track segment, " in told
 
@@ -292,7 +282,7 @@ def test_faults_are_told(
 ) -> None:  # fmt: skip
     monkeypatch.chdir(tmp_path)
     file = write(film(np.random.default_rng(2), 1), tmp_path / "shots.csv")
-    code, told, notes = run(capsys, monkeypatch, str(file), "--whole", "--radius", "0.03075", *words)
+    code, told, notes = command(capsys, "fit", str(file), "--whole", "--radius", "0.03075", *words)
     assert (code, told) == (2, "")
     assert len(notes.strip().splitlines()) == len(expected)
     for line, word in zip(notes.splitlines(), expected, strict=True):
@@ -300,12 +290,10 @@ def test_faults_are_told(
     assert list(tmp_path.iterdir()) == [file]
 
 
-def test_a_table_of_rebounds_is_no_track(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
+def test_a_table_of_rebounds_is_no_track(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "bounces.csv"
     file.write_text("v_n_in,v_t_in,v_n_out,v_t_out\n1,1,0.8,0.7\n")
-    code, _told, notes = run(capsys, monkeypatch, str(file), "--whole", "--radius", "0.03")
+    code, _told, notes = command(capsys, "fit", str(file), "--whole", "--radius", "0.03")
     assert code == 2
     assert "expected a track with --whole, got a table of rebounds" in notes
 

@@ -206,11 +206,9 @@ def test_an_interrupt_ends_all_members(folder):
         assert running.stderr is not None
         assert any("simulating 3 gases" in line for line in running.stderr)
         time.sleep(1)
-        begin = time.monotonic()
         running.send_signal(signal.SIGINT)
         out, err = running.communicate(timeout=60)
     finally:  # (it would go on for hours)
         running.kill()
     assert (running.returncode, out) == (130, "")
-    assert time.monotonic() - begin < 10
     assert err.splitlines()[-1] == "carom: interrupted; nothing was saved"

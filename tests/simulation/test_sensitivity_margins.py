@@ -11,7 +11,7 @@ from reference.sensitivity_differences import sequence
 
 import carom
 from carom.scene.paths import replaced
-from carom.simulation.records import FLOOR, SETTLED
+from carom.simulation.records import BALL, FLOOR, SETTLED, WALL
 
 RADIUS = 0.1
 PATH = "balls.0.velocity.x"
@@ -136,6 +136,25 @@ def test_two_balls_hit_at_the_same_time_have_one_sided_derivatives() -> None:
     assert below.position[1, 1, 0] == pytest.approx(above.position[2, 1, 0], rel=1e-6)
     assert abs(below.position[1, 1, 0] - above.position[1, 1, 0]) > 1
     assert any(np.allclose(found.final.position, side.position, rtol=1e-6) for side in (below, above))
+
+
+def test_a_wall_and_a_ball_of_the_same_number_at_once() -> None:
+    balls = [
+        carom.SceneBall(radius=0.1, mass=1, position=(0, 0, 1), velocity=(1, 1, 0)),
+        carom.SceneBall(radius=0.1, mass=1, position=(0.5 + math.sqrt(0.03), 0.4, 1)),
+    ]
+    walls = [
+        carom.scene.Plane(point=(0, y, 0), normal=(0, n, 0), restitution=1, friction=0) for y, n in ((-5, 1), (0.6, -1))
+    ]
+    scene = carom.Scene(
+        gravity=0, balls=balls, walls=walls, ball_contact=carom.BallContact(restitution=1.0), run=carom.Run(duration=1)
+    )
+    run = carom.simulate(scene)
+    at_once = run.log[(run.log["ball"] == 0) & (np.abs(run.log["t"] - 0.5) < 1e-12)]
+    assert {(row["kind"], row["other"]) for row in at_once} == {(WALL, 1), (BALL, 1)}
+    with pytest.warns(UserWarning, match="at the same time as another impact of this ball"):
+        found = run.sensitivity("balls.0.position.x")
+    assert found.radius < 1e-12
 
 
 def test_away_from_a_switch_both_sides_are_the_derivative() -> None:

@@ -12,6 +12,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from carom.billiards.intersections import circle_exit
 from carom.core.jit.kernel import kernel
 from carom.laws.law import NO_SLIP_WALL
 from carom.laws.no_slip import no_slip_bounce
@@ -85,18 +86,13 @@ def _nearest_face(world: Any, pieces: Any, s: Any) -> int:
 
 @kernel
 def _circle(p: Any, s: Any) -> int:
-    """Fly to the circle (:func:`carom.billiards.intersections.circle_exit`); return for how many balls that is not plain."""
+    """Fly to the circle; return how many balls do not come from it."""
     r, cx, cy, inverse = p.r, p.n[0], p.n[1], p.c
     doubtful = 0
     for k in range(LANES):
         x, y, u, v = s[X + k] - cx, s[Y + k] - cy, s[U + k], s[V + k]
-        b, speed, across = x * u + y * v, u * u + v * v, x * v - y * u
-        inside, depth = speed * (r * r) - across * across, r * r - (x * x + y * y)
-        root = math.sqrt(inside if inside > 0.0 else 0.0)
-        tangent = (b * b < 1e-8 * speed * (r * r)) & (abs(depth) < 1e-14 * (r * r))
-        outside = (depth < -1e-12 * r * r) & (inside <= 0.0)
-        t = (root - b) / speed
-        good = (b < 0.0) & (t < math.inf) & (not tangent) & (not outside)
+        t = circle_exit(x, y, u, v, r)
+        good = (x * u + y * v < 0.0) & (t < math.inf)  # (past the chord's middle the other form of the root is at work)
         t = t if t > 0.0 else 0.0
         x, y = s[X + k] + u * t + 0.0, s[Y + k] + v * t + 0.0
         s[X + k], s[Y + k] = x, y

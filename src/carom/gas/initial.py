@@ -16,11 +16,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Ball, Surface
-from carom.core.jit.slices import row_slices
+from carom.core.jit.slices import block_slices, row_slices
 from carom.errors import CaromError, FaultList
 from carom.gas.containers import Container, as_container
 from carom.gas.edmd.driver import advance, make, put_in_place, synchronized, time_of_last_event
 from carom.gas.edmd.records import DONE, PLANE
+from carom.gas.overlaps import neighbour_cell
 from carom.gas.sizes import cells_at_most, lattice_steps
 from carom.gas.species import Species, system_records
 
@@ -105,12 +106,10 @@ def _stretched(count: int, side: Sequence[float], margins: Sequence[float]) -> A
         steps[np.argmax(inner / steps)] += 1
     shifts, sites = (np.array(basis) + 0.5) / 2, int(steps.prod()) * len(basis)
     centres = np.zeros((count, 3))
-    for first in range(0, count, BLOCK):  # so that nothing but the result is as long as the gas
-        taken = np.arange(first, min(first + BLOCK, count)) * sites // count
+    for rows in block_slices(count, BLOCK):  # so that nothing but the result is as long as the gas
+        taken = np.arange(rows.start, rows.stop) * sites // count
         corners = np.stack(np.unravel_index(taken // len(basis), steps), axis=-1)
-        centres[first : first + BLOCK, : len(inner)] = (
-            np.array(margins) + ((corners + shifts[taken % len(basis)]) / steps) * inner
-        )
+        centres[rows, : len(inner)] = np.array(margins) + ((corners + shifts[taken % len(basis)]) / steps) * inner
     return centres
 
 
@@ -238,7 +237,7 @@ def _scatter(
     axes: int,
 ) -> int:  # fmt: skip
     """Place as many balls as possible at a batch of positions with these distances from the walls; return how many are placed."""
-    place, there = np.zeros(3, np.int64), np.zeros(3, np.int64)
+    place = np.zeros(3, np.int64)
     for k in range(batch.shape[0]):
         if placed == x.shape[0]:
             break
@@ -250,17 +249,8 @@ def _scatter(
             place[axis] = min(int(x[placed, axis] / size[axis] * cells[axis]), cells[axis] - 1)
         free = True
         for step in range(27 if axes == 3 else 9):
-            rest, inside = step, True
-            for axis in range(3):
-                there[axis] = place[axis] + (rest % 3 - 1 if axis < axes else 0)
-                rest //= 3
-                if around[axis]:
-                    there[axis] %= cells[axis]
-                elif there[axis] < 0 or there[axis] >= cells[axis]:
-                    inside = False
-            if not inside:
-                continue
-            other = first[(there[2] * cells[1] + there[1]) * cells[0] + there[0]]
+            neighbour = neighbour_cell(place, step, cells, around, axes)
+            other = first[neighbour] if neighbour >= 0 else -1
             while other >= 0:
                 square = 0.0
                 for axis in range(axes):

@@ -9,9 +9,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.jit.kernel import kernel
 from carom.core.jit.slices import row_slices
 
-__all__ = ["compiled_loops", "first_overlap"]
+__all__ = ["compiled_loops", "first_overlap", "neighbour_cell"]
 
 Array = NDArray[np.float64]
 NONE = 0xFFFFFFFF  # end of a chain
@@ -44,6 +45,22 @@ def compiled_loops() -> tuple[Callable[..., Any], Callable[..., Any]]:
     return njit(_search, nogil=True), njit(_enter, nogil=True)
 
 
+@kernel
+def neighbour_cell(place: Any, step: int, n: Any, periodic: Any, axes: int) -> int:
+    """Return the number of a cell's neighbour ``step`` (0 to 3^axes - 1, itself among them), or -1 beyond a side of the box."""
+    cell, stride = 0, 1
+    for axis in range(3):
+        there = place[axis] + (step % 3 - 1 if axis < axes else 0)
+        step //= 3
+        if periodic[axis]:
+            there %= n[axis]
+        elif there < 0 or there >= n[axis]:
+            return -1
+        cell += stride * there
+        stride *= n[axis]
+    return cell
+
+
 def _enter(x: Any, start: int, stop: int, n: Any, side: Any, periodic: Any, first: Any, after: Any) -> None:
     """Put balls ``start`` to ``stop`` at the heads of their cells' chains."""
     place = np.zeros(3, np.int64)
@@ -60,24 +77,15 @@ def _search(
     x: Any, radius: Any, start: int, stop: int, n: Any, side: Any, periodic: Any, first: Any, after: Any, touch: float
 ) -> tuple[int, int]:
     """Return the first of the balls ``start`` to ``stop`` that overlaps a later one, and the first of those; or (-1, -1)."""
-    place, there = np.zeros(3, np.int64), np.zeros(3, np.int64)
+    place = np.zeros(3, np.int64)
     for i in range(start, stop):
         for axis in range(3):
             r = x[i, axis] % side[axis] if periodic[axis] else x[i, axis]
             place[axis] = min(max(int(r / side[axis] * n[axis]), 0), n[axis] - 1)
         least: Any = -1
         for step in range(27):
-            rest, inside = step, True
-            for axis in range(3):
-                there[axis] = place[axis] + rest % 3 - 1
-                rest //= 3
-                if periodic[axis]:
-                    there[axis] %= n[axis]
-                elif there[axis] < 0 or there[axis] >= n[axis]:
-                    inside = False
-            if not inside:
-                continue
-            j: Any = np.int64(first[(there[2] * n[1] + there[1]) * n[0] + there[0]])
+            cell = neighbour_cell(place, step, n, periodic, 3)
+            j: Any = np.int64(first[cell]) if cell >= 0 else np.int64(NONE)
             while j != NONE:
                 if i < j and (least < 0 or j < least):
                     square = 0.0

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import State, vectors
-from carom.core.jit.slices import Pace
+from carom.core.jit.slices import Pace, block_slices
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, FaultList, require_type
 from carom.scene.scene import Scene
@@ -301,8 +301,7 @@ def _run_many(
     ended[:, 0] = LIMIT
     kept = np.zeros((total, events), LOG)
     room = events + ROWS - 1 if events else 0
-    for first in range(0, total, BLOCK):
-        block = slice(first, min(first + BLOCK, total))
+    for block in block_slices(total, BLOCK):
         logs = np.zeros((block.stop - block.start, room), LOG)
         pace, goes_on = Pace(FIRST_EVENTS), True
         while goes_on:  # (a few events of every run at a time)

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["Pace", "row_slices", "sliced"]
+__all__ = ["Pace", "block_slices", "row_slices", "sliced"]
 
 SLICE_SECONDS = 0.2  # what a slice is to take
 GROWTH = 8  # a slice is at most so many times as long as the one before
@@ -37,6 +37,12 @@ class Pace:
         took = time.perf_counter() - self._begin
         share = GROWTH if took * GROWTH <= SLICE_SECONDS else SLICE_SECONDS / took
         self.amount = max(int(amount * share), 1)
+
+
+def block_slices(count: int, length: int) -> Iterator[slice]:
+    """Yield slices of ``length`` rows, the last one shorter, that cover ``count`` rows."""
+    for start in range(0, count, length):
+        yield slice(start, min(start + length, count))
 
 
 def row_slices(count: int, first: int = 1 << 12) -> Iterator[slice]:

@@ -20,6 +20,7 @@ from carom.core.jit.dual.numbers import LANES
 from carom.core.jit.dual.records import float_count, float_places
 from carom.core.jit.kernel import vector
 from carom.core.jit.pointers import caller_of, compiled_address
+from carom.core.jit.slices import block_slices
 from carom.core.jit.threads import call_in_threads
 from carom.core.motion.phases import HELD
 from carom.simulation.compiled import ENGINE_RUN, compiled_engine
@@ -178,10 +179,9 @@ def positions_at(arrays: SceneArrays, start: Array, time: Array, count: NDArray[
     balls, n = _balls(arrays, start), len(start)
     places = np.full((n, time.shape[1], 2), np.nan)
     logs = np.empty((min(n, BLOCK), LOG_ROWS), LOG)
-    for low in range(0, n, BLOCK):
-        some = slice(low, min(low + BLOCK, n))
+    for some in block_slices(n, BLOCK):
         _compiled()(
-            arrays.world, arrays.features, balls[some], logs[: some.stop - low], arrays.users, time[some], count[some],
+            arrays.world, arrays.features, balls[some], logs[: some.stop - some.start], arrays.users, time[some], count[some],
             places[some],
         )  # fmt: skip
     return places

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.jit.slices import Pace
+from carom.core.jit.slices import Pace, block_slices
 from carom.gas.edmd import loop
 from carom.gas.edmd.calendar import calendar_sizes
 from carom.gas.edmd.cells import SLOTS, morton_offsets, neighbour_tables, walls_of_cells
@@ -191,8 +191,7 @@ def put_in_place(records: SystemRecords, kinds: Any, x: Any) -> dict[str, NDArra
     one["balls"], one["species"], one["bins"] = count, len(records.species), BINS_PER_BALL * count
     memory = _allocate(one, records.species)
     motions = memory["motions"]
-    for first in range(0, count, BLOCK):
-        rows = slice(first, min(first + BLOCK, count))
+    for rows in block_slices(count, BLOCK):
         turns = np.where(one["periodic"] == 1, np.floor(x[rows] / one["side"]), 0)
         for k, axis in enumerate("xyz"):
             motions[axis][rows] = x[rows, k] - turns[:, k] * one["side"][k]
@@ -245,8 +244,8 @@ def saved_blocks(arrays: GasArrays, name: str) -> tuple[int, Iterator[NDArray[An
     array: NDArray[Any] = found[name]
 
     def blocks() -> Iterator[NDArray[Any]]:
-        for first in range(0, max(len(array), 1), BLOCK):
-            block = array[first : first + BLOCK].copy()
+        for rows in block_slices(max(len(array), 1), BLOCK):
+            block = array[rows].copy()
             for field in ("bin", "next", "previous") if name == "plans" else ():
                 block[field] = 0
             yield block
@@ -303,8 +302,7 @@ def synchronized_blocks(
     system["now"] = max(system[0]["now"], (time - system[0]["base"]) - system[0]["rest"])
     place = np.empty_like(balls.numbers)
     place[balls.numbers] = np.arange(len(place), dtype=place.dtype)
-    for first in range(0, len(place), BLOCK):
-        rows = slice(first, min(first + BLOCK, len(place)))
+    for rows in block_slices(len(place), BLOCK):
         motions = balls.motions[place[rows]]
         compiled_loops().synchronize(system[0], arrays.grid, motions)
         yield rows, motions, balls.bodies[place[rows]], balls.plans["image"][place[rows]]

@@ -18,6 +18,7 @@ from carom.core.jit.dual.numbers import LANES
 from carom.core.jit.dual.records import float_count, float_places
 from carom.core.jit.kernel import kernel
 from carom.core.jit.pointers import caller_of, compiled_address
+from carom.core.jit.slices import block_slices
 from carom.core.jit.threads import call_in_threads
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, require_type
@@ -29,7 +30,7 @@ from carom.simulation.resolve import DONE
 from carom.simulation.sensitivity.compiled import FOLLOW, SLOPES, compiled_follow, dual_users
 from carom.simulation.sensitivity.parameters import ARRAYS, Parameters, parameters_of
 from carom.simulation.sensitivity.pass_kernels import PASSAGES
-from carom.simulation.sensitivity.sensitivity import StateSensitivity
+from carom.simulation.sensitivity.passages import StateSensitivity
 from carom.simulation.setup import set_up
 from carom.simulation.simulate import REFUSALS, run_limits, starts_of
 
@@ -194,9 +195,8 @@ def _run_all(scene: Scene, parameters: Parameters, starts: NDArray[np.void]) -> 
     ended = np.zeros((total, 3), np.int64)
     found = np.full((total, count, last - first, p), math.nan)
     until, most = run_limits(scene)
-    for begin in range(0, total, BLOCK):
-        block = slice(begin, min(begin + BLOCK, total))
-        size = block.stop - begin
+    for block in block_slices(total, BLOCK):
+        size = block.stop - block.start
         slopes_d = np.zeros((size, chunks, count, last - first, LANES))
         which, rows = np.arange(size), ROWS_AT_FIRST
         while len(which):
@@ -217,7 +217,7 @@ def _run_all(scene: Scene, parameters: Parameters, starts: NDArray[np.void]) -> 
             if rows > MOST_ROWS and len(which):
                 raise CaromError(
                     f"sensitivities: expected runs of at most {MOST_ROWS // 8:,} rows of the log, got a longer one at index"
-                    f" {begin + int(which[0])}; set run.duration or run.max_events"
+                    f" {block.start + int(which[0])}; set run.duration or run.max_events"
                 )
         good = np.isin(ended[block, 0], (DONE, QUIET, LIMIT)) & (ended[block, 2] < 0)
         found[block][good] = np.moveaxis(slopes_d, 1, 3).reshape(size, count, last - first, -1)[good][..., :p]

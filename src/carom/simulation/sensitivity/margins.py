@@ -8,7 +8,7 @@ shows how near the next sequence is: the impact is computed again for states alo
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -30,12 +30,13 @@ from carom.simulation.sensitivity.passages import Passage, Passages
 from carom.simulation.setup import set_up
 from carom.simulation.wall_and_floor import compiled_joint_impact, joint_impact
 
-__all__ = ["Margin", "margins"]
+__all__ = ["EXACT", "Margin", "impacts_at_once", "margins"]
 
 Array = NDArray[np.float64]
 SPAN = 0.5  # of the numbers of an impact: so far the next sequence of a joint impact is looked for
 HALVINGS = 30  # from there on down
 BISECTIONS = 40
+EXACT = 1e-12  # share of the friction, or of the time, that counts as none
 
 
 class Margin(NamedTuple):
@@ -99,12 +100,18 @@ def _slip_before(run: Any, row: Any, one: Passage) -> Any:
 def _next_of_its_balls(log: Any, k: int) -> int | None:
     """Return the row of the next event of the balls that row k is about; events of other balls may change places with it."""
     its = [int(log["ball"][k]), *([int(log["other"][k])] if log["kind"][k] == BALL else [])]
-    later = log["t"] > log["t"][k]
-    # (an impact with something else at the same time)
-    tie = (np.arange(len(log)) > k) & (log["t"] == log["t"][k]) & np.isin(log["kind"], (WALL, BALL))
-    tie &= (log["other"] != log["other"][k]) & ~((log["kind"] == BALL) & np.isin(log["other"], its))
-    rows = np.flatnonzero((later | tie) & np.isin(log["ball"], its))
+    later = (log["t"] > log["t"][k]) & np.isin(log["ball"], its)
+    at_once = impacts_at_once(log, k, its) & (np.arange(len(log)) > k)
+    rows = np.flatnonzero(later | at_once)
     return int(rows[0]) if len(rows) else None
+
+
+def impacts_at_once(log: Any, k: int, balls: Sequence[int]) -> NDArray[np.bool_]:
+    """Mark the rows in which one of these balls, of row k, meets something else at the time of row k."""
+    t, kind, other = log["t"], log["kind"], log["other"]
+    found = np.isin(kind, (WALL, BALL)) & (np.abs(t - t[k]) <= EXACT * t[k]) & np.isin(log["ball"], balls)
+    found &= (other != other[k]) | (kind != kind[k])
+    return np.asarray(found & ~((kind == BALL) & np.isin(other, balls)))  # (the other row of one meeting of two balls)
 
 
 # --- impacts at wall and floor at once -------------------------------------------------------------------------------

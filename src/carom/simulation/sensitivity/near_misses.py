@@ -19,6 +19,7 @@ from numpy.typing import NDArray
 from carom.core.geometry.features import BEHIND, FALLS, FEATURES, OVER, SEAM, distance
 from carom.core.jit.compile import array_of, njit, signature
 from carom.core.jit.kernel import Vec, kernel
+from carom.core.jit.slices import block_slices
 from carom.core.motion.phases import BOUNCING, HELD, REST
 from carom.simulation.sensitivity.dual import Dual, derivative, value
 from carom.simulation.sensitivity.gaps import feature_gap, pair_gap
@@ -204,9 +205,8 @@ def _places(run: Any, features: Any, times: Array, paths: Array, moves: NDArray[
     spans = np.diff(times)
     # gaps that still close where a stretch ends, and their features
     still_closing, features_then = np.full((len(radius), targets), math.inf), np.zeros((len(radius), targets), np.int64)
-    for first in range(0, len(spans), BLOCK):
-        rows = slice(first, min(first + BLOCK, len(spans)))
-        least = np.zeros((rows.stop - first, len(radius), targets), LEAST_GAPS)
+    for rows in block_slices(len(spans), BLOCK):
+        least = np.zeros((rows.stop - rows.start, len(radius), targets), LEAST_GAPS)
         least["gap"], least["end_gap"] = math.inf, math.inf
         compiled_least_gaps()(features, radius, paths[rows], moves[rows], spans[rows], len(scene.walls), least)
         # contacts are no misses: a gap that closes to nothing where an event is, or that is none from the begin on
@@ -214,8 +214,8 @@ def _places(run: Any, features: Any, times: Array, paths: Array, moves: NDArray[
         least["end_gap"][least["end_gap"] <= touching] = math.inf
         least["gap"][least["begin_gap"] <= touching] = math.inf
         for j, here in enumerate(least):
-            begin, last = float(times[first + j]), first + j == len(spans) - 1
-            turned = (still_closing < math.inf) & ((here["opens"] > 0) | _still(moves[first + j], targets))
+            begin, last = float(times[rows.start + j]), rows.start + j == len(spans) - 1
+            turned = (still_closing < math.inf) & ((here["opens"] > 0) | _still(moves[rows.start + j], targets))
             for i, target in np.argwhere(turned).tolist():
                 yield _Place(i, target, int(features_then[i, target]), begin, True)
             for i, target, k in np.argwhere(here["gap"] < math.inf).tolist():

@@ -11,26 +11,17 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.simulation.records import BALL, WALL
 from carom.simulation.sensitivity.follow import follow
+from carom.simulation.sensitivity.margins import EXACT, impacts_at_once
 from carom.simulation.sensitivity.parameters import parameters_of
-from carom.simulation.sensitivity.passages import Passages
+from carom.simulation.sensitivity.passages import Passages, StateSensitivity
 from carom.simulation.sensitivity.seeds import Column, shifted_scene
 from carom.simulation.simulate import simulate
 
-__all__ = ["OneSided", "StateSensitivity", "one_sided", "warn_of_switches"]
+__all__ = ["OneSided", "one_sided", "warn_of_switches"]
 
 Array = NDArray[np.float64]
 STEP = 1e-9  # of a parameter: so far from the switch a run is differentiated, and a sixteenth of it
 GROWS = 1e-3  # change of the derivatives between these two steps that is too large for them to have a limit
-EXACT = 1e-12  # share of the friction, or of the time, that counts as none
-
-
-class StateSensitivity(NamedTuple):
-    """Derivatives of the states of all balls at a fixed time, each (B, 3, p)."""
-
-    position: Array
-    """m per unit of the parameter."""
-    velocity: Array
-    spin: Array
 
 
 class OneSided(NamedTuple):
@@ -103,11 +94,6 @@ def _ties(log: Any) -> list[int]:
     hits = (kind == WALL) | (kind == BALL)
     soon = np.flatnonzero(hits[1:] & hits[:-1] & (t[1:] - t[:-1] <= EXACT * t[1:]))
     # (of most there is nothing to look at: the two rows of one meeting of two balls)
-    ball, other, found = log["ball"], log["other"], []
-    for k in soon.tolist():
-        if kind[k] == kind[k + 1] == BALL and (other[k], ball[k]) == (ball[k + 1], other[k + 1]):
-            continue
-        here = np.flatnonzero(hits & (np.abs(t - t[k]) <= EXACT * t[k]))
-        its = [n for n in here.tolist() if n <= k and ball[n] == ball[k + 1]]
-        found += [k + 1] if any(other[n] != other[k + 1] for n in its) else []
-    return found
+    ball, other = log["ball"], log["other"]
+    met = (kind[soon + 1] == BALL) & (other[soon] == ball[soon + 1]) & (ball[soon] == other[soon + 1])
+    return [k for k in (soon[~met] + 1).tolist() if impacts_at_once(log, k, [ball[k]])[:k].any()]

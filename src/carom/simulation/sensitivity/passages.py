@@ -13,7 +13,7 @@ from carom.core.jit.dual.records import float_places
 from carom.simulation.sensitivity.dual import Dual
 from carom.simulation.sensitivity.pass_kernels import PASSAGES
 
-__all__ = ["Motion", "Passage", "Passages"]
+__all__ = ["Motion", "Passage", "Passages", "StateSensitivity"]
 
 Array = NDArray[np.float64]
 PLACES = float_places(PASSAGES)
@@ -41,6 +41,15 @@ class Passage(NamedTuple):
     slip: Any
 
 
+class StateSensitivity(NamedTuple):
+    """Derivatives of the states of all balls at a fixed time, each (B, 3, p)."""
+
+    position: Array
+    """m per unit of the parameter."""
+    velocity: Array
+    spin: Array
+
+
 class Passages:
     """A sequence of passages, which are made when they are asked for."""
 
@@ -50,13 +59,16 @@ class Passages:
         self.values = values
         """(M,) of PASSAGES."""
         self._derivatives = derivatives
-        self.at = at
-        """Derivatives of positions, velocities and spins at a time, each (B, 3, p)."""
+        self._at = at
 
     @functools.cached_property
     def derivatives(self) -> Array:
         """(M, numbers of PASSAGES, p)."""
         return self._derivatives()
+
+    def at(self, t: float) -> StateSensitivity:
+        """Return the derivatives of all states at a time, s."""
+        return StateSensitivity(*self._at(t))
 
     def __len__(self) -> int:
         """How many rows the log has."""

@@ -15,9 +15,9 @@ from carom.simulation.records import START
 from carom.simulation.sensitivity.follow import follow
 from carom.simulation.sensitivity.margins import Margin, margins
 from carom.simulation.sensitivity.near_misses import NearMiss, near_misses
-from carom.simulation.sensitivity.one_sided import OneSided, StateSensitivity, one_sided, warn_of_switches
+from carom.simulation.sensitivity.one_sided import OneSided, one_sided, warn_of_switches
 from carom.simulation.sensitivity.parameters import Parameters, parameters_of
-from carom.simulation.sensitivity.passages import PLACES, Passages
+from carom.simulation.sensitivity.passages import PLACES, Passages, StateSensitivity
 
 __all__ = ["EventSensitivity", "Margin", "Sensitivity", "SensitivityTable", "StateSensitivity", "sensitivity"]
 
@@ -75,12 +75,12 @@ class Sensitivity:
         """Return the derivatives of all states at a fixed time t, s."""
         t = float(t)
         self._run.at(t)  # (which refuses times before and after the run)
-        return StateSensitivity(*self._passages.at(t))
+        return self._passages.at(t)
 
     @property
     def final(self) -> StateSensitivity:
         """Derivatives of the final states, at the fixed time ``run.end``."""
-        return StateSensitivity(*self._passages.at(self._run.end))
+        return self._passages.at(self._run.end)
 
     @functools.cached_property
     def margin(self) -> list[Margin]:
