@@ -61,8 +61,8 @@ def _nearest_face(world: Any, pieces: Any, s: Any) -> int:
     for i in range(world.faces):
         n0, n1, c, number = pieces[i].n[0], pieces[i].n[1], pieces[i].c, float(i)
         for k in range(LANES):
-            u = n0 * s[U + k] + n1 * s[V + k] + 0.0
-            d = n0 * s[X + k] + n1 * s[Y + k] + 0.0 - c
+            u = n0 * s[U + k] + n1 * s[V + k]
+            d = n0 * s[X + k] + n1 * s[Y + k] - c
             t, best, which = -d / u, s[DT + k], s[PIECE + k]
             nearer = (u < 0.0) & (t < best)
             s[DT + k] = t if nearer else best
@@ -75,7 +75,7 @@ def _nearest_face(world: Any, pieces: Any, s: Any) -> int:
     for k in range(LANES):
         t = s[DT + k]
         t = t if t > 0.0 else 0.0
-        x, y = s[X + k] + s[U + k] * t + 0.0, s[Y + k] + s[V + k] * t + 0.0
+        x, y = s[X + k] + s[U + k] * t, s[Y + k] + s[V + k] * t
         s[X + k], s[Y + k] = x, y
         s[T + k] += t
         along = s[N1 + k] * x - s[N0 + k] * y
@@ -94,7 +94,7 @@ def _circle(p: Any, s: Any) -> int:
         t = circle_exit(x, y, u, v, r)
         good = (x * u + y * v < 0.0) & (t < math.inf)  # (past the chord's middle the other form of the root is at work)
         t = t if t > 0.0 else 0.0
-        x, y = s[X + k] + u * t + 0.0, s[Y + k] + v * t + 0.0
+        x, y = s[X + k] + u * t, s[Y + k] + v * t
         s[X + k], s[Y + k] = x, y
         s[T + k] += t
         s[N0 + k], s[N1 + k] = -(x - cx) * inverse, -(y - cy) * inverse
@@ -108,7 +108,7 @@ def _bounce(a: float, kappa: float, s: Any) -> int:
     doubtful = 0
     for k in range(LANES):
         n0, n1 = s[N0 + k], s[N1 + k]
-        v, w = no_slip_bounce((s[U + k] + 0.0, s[V + k] + 0.0, 0.0), (0.0, 0.0, s[W + k]), (n0, n1, 0.0), a, kappa)
+        v, w = no_slip_bounce((s[U + k], s[V + k], 0.0), (0.0, 0.0, s[W + k]), (n0, n1, 0.0), a, kappa)
         s[U + k], s[V + k], s[W + k] = v[0], v[1], w[2]
         doubtful += 0 if v[0] * n0 + v[1] * n1 > 0.0 else 1
     return doubtful
