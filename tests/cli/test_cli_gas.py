@@ -340,7 +340,7 @@ def test_tables_of_gases_have_units(folder: Path) -> None:
     ):
         assert any(line.strip().startswith(label) for line in out.splitlines()), label
     heads = " ".join(out.split())
-    assert "temperature, J temperature, J" in heads
+    assert "species balls velocity spin" in heads  # (one species' temperatures are those of the gas)
     assert "1/s (normal), J (tangential), J to spin, J" in heads
     assert "SI where the scene's numbers are in SI units" in heads
     out = runner.invoke(
@@ -348,3 +348,5 @@ def test_tables_of_gases_have_units(folder: Path) -> None:
     ).stdout
     assert "pressure, Pa" in out
     assert "energy at the start, J" in out
+    out = runner.invoke(app, ["gas", "mixed.toml"], catch_exceptions=False, env={"COLUMNS": "120"}).stdout
+    assert "temperature, J temperature, J translational" in " ".join(out.split())

@@ -18,6 +18,7 @@ from typer.testing import CliRunner
 
 import carom
 from carom.cli import app, main
+from carom.formatting import format_uncertain
 from carom.gas import Session, load_gas, simulate_ensemble
 from carom.gas.ensembles import member_scene
 from carom.gas.report import report
@@ -93,6 +94,20 @@ def test_means_and_errors_are_those_of_the_members(folder):
     assert (np.diff(warm.x) > 0).all()
     assert warm.x[-1] <= 3.0 * (1 + 1e-12)
     assert len(plot_ensemble(found).axes) == 6
+
+
+def test_the_ratio_of_the_temperatures_is_a_mean_over_the_gases(folder):
+    found = simulate_ensemble(load_gas(folder / "mixed.toml"), 4)
+    for place in (lambda one: one, lambda one: one["species"]["big"]):
+        ratios = [
+            place(one)["temperature_rotational"] / place(one)["temperature_translational"] for one in found.members
+        ]
+        assert place(found.mean)["temperature_ratio"] == pytest.approx(np.mean(ratios), rel=1e-12)
+        error = np.std(ratios, ddof=1) / 2
+        assert place(found.error)["temperature_ratio"] == pytest.approx(error, rel=1e-9)
+    shown = CliRunner().invoke(app, ["gas", "mixed.toml", "--ensemble", "4"], catch_exceptions=False).stdout
+    whole = format_uncertain(found.mean["temperature_ratio"], found.error["temperature_ratio"])
+    assert f"rotational / translational {whole}" in " ".join(shown.split())
 
 
 def test_the_mean_agrees_with_one_long_run_and_the_error_bar_is_honest(folder):

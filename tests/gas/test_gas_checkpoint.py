@@ -178,7 +178,7 @@ def test_checkpoints_of_a_later_carom(tmp_path, kept):
     about = json.loads(str(arrays.pop("carom_checkpoint")))
     later = tmp_path / "later.npz"
     np.savez(later, carom_checkpoint=np.array(json.dumps(about | {"format": 99, "carom": "9.9"})), **arrays)
-    assert "expected a checkpoint of format 5, got format 99 of carom 9.9; continue with that version" in refused(later)
+    assert "expected a checkpoint of format 6, got format 99 of carom 9.9; continue with that version" in refused(later)
     np.savez(later, carom_checkpoint=np.array(json.dumps(about)), **arrays)
     told = []
     load_checkpoint(later, compiling=lambda: told.append("now"))

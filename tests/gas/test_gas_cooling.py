@@ -9,6 +9,7 @@ import pytest
 
 from carom import Ball, CaromError, Surface
 from carom.gas import Gas, Measures, Session, Species, load_gas
+from carom.gas.report import report
 
 INELASTIC, ROUGH = Surface(0.6, math.inf, 1), Surface(1, math.inf, 1)
 SCENE = """
@@ -185,3 +186,32 @@ def test_a_session_whose_balls_come_to_rest(tmp_path, end):
 def test_numbers_that_end():
     with pytest.raises(CaromError, match="expected speeds above 1e-140, got slower balls at t = "):
         cooling(1e-130 * np.random.default_rng(0).normal(size=(50, 3)), np.zeros((50, 3))).run(100_000)
+
+
+TWO = SCENE.replace("max_events = 100_000", "max_events = 3_000").replace("equilibrate = 500", "equilibrate = 0")
+TWO = TWO.replace(
+    'name = "a"\ncount = 50', 'name = "b"\ncount = 20\nradius = 0.4\nmass = 0.3\n[[species]]\nname = "a"\ncount = 30'
+)
+TWO += "".join(
+    f'[[contacts]]\nbetween = ["{one}", "b"]\nrestitution = 0.8\nfriction = 0.2\ntangential_restitution = 0.3\n'
+    for one in "ab"
+)
+
+
+@pytest.mark.parametrize("text", [SCENE.replace("100_000", "3_000").replace("500", "0"), TWO])
+def test_temperatures_of_gas_and_species_are_the_same_mean(tmp_path, text):
+    # those of the species were means over samples at equal numbers of collisions: 0.0735 beside 0.0043 of the gas
+    (tmp_path / "cool.toml").write_text(text)
+    session = Session(load_gas(tmp_path / "cool.toml"))
+    session.run()
+    found, measures = report(session), session.measures
+    count = {one.name: one.count for one in session.scene.species}
+    for name in ("temperature_translational", "temperature_rotational"):
+        mean = sum(count[kind] * one[name] for kind, one in found["species"].items()) / 50
+        assert mean == pytest.approx(found[name], rel=1e-12)
+    # the samples' own integral over time agrees: it lacks the time before the first one
+    t = measures.series["time"]
+    between = np.trapezoid(measures.series["translational"], t) / (t[-1] - t[0])
+    own = sum(count[kind] * measures.temperature(kind)[0] for kind in count) / 50
+    assert own == pytest.approx(between, rel=1e-12)
+    assert own < measures.series["translational"].mean() / 3

@@ -16,12 +16,12 @@ from carom.cli.console import out
 from carom.cli.gas_output import (
     CONTACT_HEADS,
     LINE_INTERVAL,
-    SPECIES_HEADS,
     Progress,
     finite,
     new_table,
     pressure_unit,
     print_tables,
+    species_columns,
 )
 from carom.cli.streams import note
 from carom.errors import CaromError
@@ -78,7 +78,7 @@ def run_ensemble(
     if as_json:
         sys.stdout.write(json.dumps(finite(_numbers(ensemble)), allow_nan=False, indent=1) + "\n")
     elif not quiet:
-        print_tables(f"{members} gases: {scene.describe()}", _tables(ensemble))
+        print_tables(scene, f"{members} gases: {scene.describe()}", _tables(ensemble), ensemble.mean["looks"])
         out().print(Text("In brackets: standard error of the mean, in units of the last digits."), soft_wrap=True)
     wrote(*(() if quiet else written))
     if found:
@@ -151,7 +151,8 @@ def _tables(ensemble: Ensemble) -> list[Table]:
         "pair collisions": "pair_collisions", "wall collisions": "wall_collisions", "simulated time, s": "simulated_time",
         "mean free time, s": "mean_free_time", f"pressure, {pressure}": "pressure",
         "translational temperature, J": "temperature_translational",
-        "rotational temperature, J": "temperature_rotational", "diffusion coefficient, m²/s": "diffusion",
+        "rotational temperature, J": "temperature_rotational", "  rotational / translational": "temperature_ratio",
+        "diffusion coefficient, m²/s": "diffusion",
         "energy at the start, J": "energy_start", "energy at the end, J": "energy_end",
         "energy from the thermostat, J": "energy_from_thermostat",
     }  # fmt: skip
@@ -163,11 +164,11 @@ def _tables(ensemble: Ensemble) -> list[Table]:
         for name, x in mean[what].items():
             if x != 0:
                 gas.add_row(label.format(name), cell(mean[what], error[what], name))
-    kinds = new_table(SPECIES_HEADS)
+    columns = species_columns(ensemble.scene)
+    kinds = new_table(["species", "balls", *columns])
     for one in ensemble.scene.species:
         place, deviation = mean["species"][one.name], error["species"][one.name]
-        names = ("temperature_translational", "temperature_rotational", "a2_translational", "a2_rotational")
-        kinds.add_row(one.name, f"{one.count:,}", *(cell(place, deviation, name) for name in names))
+        kinds.add_row(one.name, f"{one.count:,}", *(cell(place, deviation, name) for name in columns.values()))
     contacts = new_table(CONTACT_HEADS)
     scale = abs(mean["energy_start"]) + abs(mean["energy_end"])
     for place, deviation in zip(mean["channels"], error["channels"], strict=True):

@@ -20,7 +20,6 @@ from carom.gas.report import report
 __all__ = [
     "CONTACT_HEADS",
     "LINE_INTERVAL",
-    "SPECIES_HEADS",
     "Progress",
     "as_json",
     "finite",
@@ -28,6 +27,7 @@ __all__ = [
     "pressure_unit",
     "print_tables",
     "show",
+    "species_columns",
 ]
 
 if TYPE_CHECKING:
@@ -37,10 +37,16 @@ if TYPE_CHECKING:
 
 # A scene's numbers are in SI units, or in any consistent others; the tables name the SI units.
 UNITS_NOTE = "Units: SI where the scene's numbers are in SI units, else the scene's own. Temperatures are energies."
+MEANS_NOTE = (
+    "Temperatures, pressures and rates are means over the time measured; a₂ over {:.0f} samples, at about equal {}."
+)
 CONSERVED = 1e-6  # a smaller relative change of the energy is rounding, not dissipation
-SPECIES_HEADS = (
-    "species", "balls", "translational\ntemperature, J", "rotational\ntemperature, J", "a₂ of\nvelocity", "a₂ of\nspin",
-)  # fmt: skip
+# Of a species: head and name in the report. The temperatures of the only species are those of the gas.
+SPECIES_TEMPERATURES = {
+    "translational\ntemperature, J": "temperature_translational", "rotational\ntemperature, J": "temperature_rotational",
+    "rotational /\ntranslational": "temperature_ratio",
+}  # fmt: skip
+SPECIES_CUMULANTS = {"a₂ of\nvelocity": "a2_translational", "a₂ of\nspin": "a2_rotational"}
 CONTACT_HEADS = (
     "contact", "collisions", "collisions per ball\n1/s", "energy lost\n(normal), J", "energy lost\n(tangential), J",
     "energy\nto spin, J",
@@ -65,9 +71,8 @@ def finite(value: Any) -> Any:
 def show(session: Session) -> None:
     """Print the report of a session: the gas, its species, its contacts."""
     found = report(session)
-    print_tables(
-        f"Gas: {session.scene.describe()}", [_totals(session, found), _species(session, found), _contacts(found)]
-    )
+    tables = [_totals(session, found), _species(session, found), _contacts(found)]
+    print_tables(session.scene, f"Gas: {session.scene.describe()}", tables, found["looks"])
 
 
 def pressure_unit(scene: GasScene) -> str:
@@ -75,13 +80,15 @@ def pressure_unit(scene: GasScene) -> str:
     return "N/m" if scene.container.dimensions == 2 else "Pa"
 
 
-def print_tables(title: str, tables: list[Table]) -> None:
-    """Print a title and tables, each as wide as it is."""
+def print_tables(scene: GasScene, title: str, tables: list[Table], samples: float) -> None:
+    """Print a title and tables, each as wide as it is, and of what they are means."""
     console = out()
     console.print(Text(title), soft_wrap=True)
     for table in tables:
         console.print(table)
     console.print(Text(UNITS_NOTE, style="dim"), soft_wrap=True)
+    between = "intervals of time" if scene.run.max_events is None else "numbers of collisions"
+    console.print(Text(MEANS_NOTE.format(samples, between), style="dim"), soft_wrap=True)
 
 
 def new_table(heads: Sequence[str], words: int = 1) -> Table:
@@ -97,6 +104,7 @@ def _totals(session: Session, found: dict[str, Any]) -> Table:
     table = new_table(["gas", ""], 1)
     events, cpu = found["events"], found["cpu_seconds"]
     rotational, translational = found["temperature_rotational"], found["temperature_translational"]
+    ratio = found["temperature_ratio"]
     ideal = translational * found["balls"] / session.scene.container.geometry.volume
     rows = [("pair collisions", f"{found['pair_collisions']:,}")]
     if found["wall_collisions"]:
@@ -108,7 +116,7 @@ def _totals(session: Session, found: dict[str, Any]) -> Table:
         ("  relative to an ideal gas", format_number(found["pressure"] / ideal, 5) if ideal > 0 else "–"),
         ("translational temperature, J", format_number(translational, 6)),
         ("rotational temperature, J", format_number(rotational, 6)),
-        ("  rotational / translational", format_number(rotational / translational, 5) if translational > 0 else "–"),
+        ("  rotational / translational", "–" if math.isnan(ratio) else format_number(ratio, 5)),
     ]
     if session.measures is not None and session.measures.has_diffusion:
         rows.append(("diffusion coefficient, m²/s", format_number(found["diffusion"], 4)))
@@ -143,18 +151,21 @@ def _energy(found: dict[str, Any]) -> list[tuple[str, str]]:
 
 def _species(session: Session, found: dict[str, Any]) -> Table:
     """Return the table of the species: temperatures, and fourth cumulants a₂ of velocity and spin."""
-    heads = list(SPECIES_HEADS)
-    heads.insert(4, "rotational /\ntranslational")
-    table = new_table(heads)
+    columns = species_columns(session.scene)
+    table = new_table(["species", "balls", *columns])
     for one in session.scene.species:
         row = found["species"][one.name]
-        translational, rotational = row["temperature_translational"], row["temperature_rotational"]
-        ratio = rotational / translational if translational > 0 else math.nan
-        cells = [format_number(translational, 5), format_number(rotational, 5), format_number(ratio, 4)]
-        table.add_row(
-            one.name, f"{one.count:,}", *cells, _signed(row["a2_translational"]), _signed(row["a2_rotational"])
-        )
+        cells = [
+            _signed(row[name]) if name in SPECIES_CUMULANTS.values() else format_number(row[name], 5)
+            for name in columns.values()
+        ]
+        table.add_row(one.name, f"{one.count:,}", *cells)
     return table
+
+
+def species_columns(scene: GasScene) -> dict[str, str]:
+    """Return head and name of what is reported of each species."""
+    return SPECIES_CUMULANTS if len(scene.species) == 1 else SPECIES_TEMPERATURES | SPECIES_CUMULANTS
 
 
 def _signed(x: float) -> str:

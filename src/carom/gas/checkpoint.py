@@ -29,7 +29,7 @@ from carom.scene.schema import from_file
 
 __all__ = ["FORMAT", "load_checkpoint", "require_checkpoint", "save_checkpoint"]
 
-FORMAT = 5
+FORMAT = 6
 # Fields of [run] that may change: the run then continues for longer.
 CHANGEABLE = ("max_events", "duration")
 

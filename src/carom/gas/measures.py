@@ -135,8 +135,9 @@ class Measures:
         self._set_constants(gas, names, container)
         kinds = len(self.names)
         self.velocity_counts, self.spin_counts = np.zeros((kinds, BINS), np.int64), np.zeros((kinds, BINS), np.int64)
-        # sums over the samples of d <c^4> / ((d + 2) <c^2>^2), and of the temperatures; of velocities and of spins
-        self.fourth_moments, self.temperatures = np.zeros((kinds, 2)), np.zeros((kinds, 2))
+        # sums over the samples of d <c^4> / ((d + 2) <c^2>^2), of velocities and of spins
+        self.fourth_moments = np.zeros((kinds, 2))
+        self.temperatures: list[Array] = []  # of each species, translational and rotational, at each sample
         self.pair_counts = np.zeros((kinds, kinds, self.bins), np.int64)
         self.expected_pairs = np.zeros((kinds, kinds))  # sums of central balls times the density of the others
         self.samples = self.pair_samples = 0
@@ -149,6 +150,8 @@ class Measures:
         self.names = names or tuple(chr(ord("a") + k) for k in range(len(kinds)))
         self.dimensions, self.spin_components = (3, 3) if int(one["dimensions"]) == 3 else (2, 1)
         self.mass, self.radius = kinds["mass"].copy(), kinds["radius"].copy()
+        count = np.bincount(gas.arrays.balls.motions["species"], minlength=len(kinds))
+        self.fractions = count / count.sum()  # of the balls
         self.moment = kinds["kappa"] * kinds["mass"] * kinds["radius"] ** 2
         self.side, self.periodic = one["side"].copy(), one["periodic"] == 1
         self.periodic[self.dimensions :] = False
@@ -181,7 +184,7 @@ class Measures:
         add_component_histograms(motions, bodies, self.dimensions, scale, self.velocity_counts, self.spin_counts)
         heat = square * units**2 * np.stack([self.mass, self.moment], axis=1)
         self.fourth_moments += fourth
-        self.temperatures += heat
+        self.temperatures.append(heat)
         mass, number = self.mass[motions["species"]], len(motions)
         x = _positions(motions)
         height = -float((mass @ x) @ gas.arrays.system[0]["gravity"])
@@ -244,9 +247,31 @@ class Measures:
         return Distribution(center, density, error, float(a2))
 
     def temperature(self, name: str) -> tuple[float, float]:
-        """Return the mean translational and rotational temperature of a species (J)."""
-        translational, rotational = self.temperatures[self._kind(name)] / max(self.samples, 1)
+        """Return the translational and rotational temperature of a species (J), means over the time between the samples."""
+        translational, rotational = self._temperatures_over(math.inf)[self._kind(name)]
         return float(translational), float(rotational)
+
+    def temperature_shares(self, since: float) -> Array:
+        """Return the temperatures of each species relative to the whole gas's, means over the time since then, (species, 2)."""
+        means = self._temperatures_over(since)
+        whole = self.fractions @ means
+        shares: Array = np.divide(means, whole, out=np.zeros_like(means), where=whole > 0)
+        return shares
+
+    def _temperatures_over(self, since: float) -> Array:
+        """Return the mean temperatures (species, 2) over the time from the first sample, or from an earlier time, to the last.
+
+        Where a gas cools, samples at equal numbers of collisions are ever farther apart: so each one stands for its time. The time
+        before the first sample counts as the first sample.
+        """
+        if self.samples == 0:
+            return np.full((len(self.names), 2), math.nan)
+        found: Array = np.array(self.temperatures)
+        t = self.series["time"]
+        if since < t[0]:
+            found, t = np.concatenate([found[:1], found]), np.concatenate([[since], t])
+        mean: Array = found[-1] if t[-1] == t[0] else np.trapezoid(found, t, axis=0) / (t[-1] - t[0])
+        return mean
 
     def pair_correlation(self, one: str, two: str) -> PairCorrelation:
         """Return g(r) of two species, or of one with itself."""
@@ -318,20 +343,22 @@ class Measures:
     ) -> Measures:
         """Return the measures with a :meth:`state`, to continue."""
         found = cls(gas, names, container)
-        free = {"rows": (len(state["rows"]), len(SERIES)), "followed": state["followed"].shape}
-        if len(state["rows"]) == 0:
-            free["rows"] = (0,)
+        samples = len(state["rows"])
+        free = {"rows": (samples, len(SERIES)), "temperatures": (samples, len(found.names), 2)}
+        if samples == 0:
+            free = dict.fromkeys(free, (0,))
+        free["followed"] = state["followed"].shape
         for name in STATE:
             fresh = np.array(getattr(found, name))
             require_same_form(name, state[name], fresh.dtype, free.get(name, fresh.shape))
-        moved = (len(state["rows"]), min(len(gas.arrays.balls.motions), MAX_FOLLOWED), found.dimensions)
-        if state["followed"].shape != (moved if found.has_diffusion and len(state["rows"]) else (0,)):
+        moved = (samples, min(len(gas.arrays.balls.motions), MAX_FOLLOWED), found.dimensions)
+        if state["followed"].shape != (moved if found.has_diffusion and samples else (0,)):
             raise ValueError(f"'followed' of shape {state['followed'].shape}, not {moved}")
         for name in STATE:
             setattr(found, name, state[name].copy())
         found.samples, found.pair_samples = int(state["samples"]), int(state["pair_samples"])
         found.rows = [tuple(row) for row in state["rows"].reshape(-1, len(SERIES)).tolist()]
-        found.followed = list(state["followed"])
+        found.followed, found.temperatures = list(state["followed"]), list(state["temperatures"])
         return found
 
 

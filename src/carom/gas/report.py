@@ -84,7 +84,10 @@ def channels(gas: Gas, since: Mark, names: tuple[str, ...]) -> list[Channel]:
 
 
 def report(session: Session) -> dict[str, Any]:
-    """Return the results after equilibration: the totals of the run, then each species, each kind of contact, and diffusion."""
+    """Return the results after equilibration: the totals of the run, then each species, each kind of contact, and diffusion.
+
+    All temperatures are means over the time of the measurement: of the whole gas exactly, a species' share of it by the samples.
+    """
     mark, measures, run = session.mark, session.measures, session.result
     assert mark is not None
     assert measures is not None
@@ -97,6 +100,7 @@ def report(session: Session) -> dict[str, Any]:
         "packing_fraction": session.scene.packing_fraction,
         "energy_start": sum(mark.energy),
         "energy_end": sum(energy),
+        "temperature_ratio": _ratio(run.temperature_rotational, run.temperature_translational),
         "looks": measures.samples,
         "diffusion": measures.displacement().diffusion
         if measures.has_diffusion and measures.is_stationary
@@ -104,16 +108,24 @@ def report(session: Session) -> dict[str, Any]:
         "species": {},
         "channels": [asdict(one) for one in channels(session.gas, mark, session.names)],
     }
-    for name in session.names:
-        translational, rotational = measures.temperature(name)
-        sampled = measures.samples > 0
+    sampled, whole = measures.samples > 0, (run.temperature_translational, run.temperature_rotational)
+    for name, shares in zip(session.names, measures.temperature_shares(mark.time), strict=True):
+        translational, rotational = (
+            float(share * one) if sampled else math.nan for share, one in zip(shares, whole, strict=True)
+        )
         found["species"][name] = {
-            "temperature_translational": translational if sampled else math.nan,
-            "temperature_rotational": rotational if sampled else math.nan,
+            "temperature_translational": translational,
+            "temperature_rotational": rotational,
+            "temperature_ratio": _ratio(rotational, translational),
             "a2_translational": measures.velocity(name).a2 if sampled else math.nan,
             "a2_rotational": measures.spin(name).a2 if sampled else math.nan,
         }
     return found
+
+
+def _ratio(rotational: float, translational: float) -> float:
+    """Return the rotational temperature over the translational one; nan for a gas at rest."""
+    return rotational / translational if translational > 0 else math.nan
 
 
 def series(session: Session) -> dict[str, Any]:

@@ -17,10 +17,16 @@ __all__ = ["Gases"]
 WORD = 0xFFFFFFFF
 TOTALS = (
     "pair_collisions", "wall_collisions", "simulated_time", "mean_free_time", "pressure", "energy_from_thermostat",
-    "energy_drift", "temperature_translational", "temperature_rotational", "max_overlap", "events", "time", "packing_fraction",
-    "energy_start", "energy_end", "diffusion",
+    "energy_drift", "temperature_translational", "temperature_rotational", "temperature_ratio", "max_overlap", "events", "time",
+    "packing_fraction", "energy_start", "energy_end", "diffusion",
 )  # fmt: skip
-OF_SPECIES = ("temperature_translational", "temperature_rotational", "a2_translational", "a2_rotational")
+OF_SPECIES = (
+    "temperature_translational",
+    "temperature_rotational",
+    "temperature_ratio",
+    "a2_translational",
+    "a2_rotational",
+)
 
 
 class Gases(PointByPoint):
