@@ -13,10 +13,12 @@ import carom
 from carom.data import make_rebounds, published_rebounds, read_rebounds
 from carom.data.datasets import load
 from carom.fitting import Setting, fit_law, fit_laws, make_problem
+from carom.fitting.data import require_settings
 from carom.fitting.design import Shots, design
 from carom.fitting.laws import laws_named
 from carom.fitting.model import free_parameters
 from carom.fitting.result import refit, rows_of_fit
+from carom.fitting.tracks import TrackSetting
 from carom.fitting.uncertainty import with_bootstrap, with_profiles
 from carom.laws import maw
 
@@ -434,6 +436,14 @@ def test_unknown_laws_and_settings_are_refused():
     with pytest.raises(carom.CaromError) as error:
         fit_laws(good, replace(SETTING, fixed={"friction": -3.0, "restitution": np.nan}, floor_friction=-1.0))
     assert [fault.split(":")[0] for fault in error.value.faults] == ["floor_friction", "fix", "fix"]
+    inverted = {"restitution": (1.0, 0.5), "friction": (0.1,)}
+    of_rebounds, of_tracks = replace(SETTING, bounds=inverted), TrackSetting(0.03, bounds=inverted)
+    for check in (lambda: require_settings(of_rebounds), of_tracks.check):
+        with pytest.raises(carom.CaromError) as error:
+            check()
+        assert [fault.split(", got")[0] for fault in error.value.faults] == [
+            f"bounds: {name}: expected two numbers, the lower first" for name in inverted
+        ]
     for draws in (-5, 1):
         with pytest.raises(carom.CaromError, match="bootstrap: expected 0"):
             fit_laws(good, SETTING, ["sliding"], bootstrap=draws)

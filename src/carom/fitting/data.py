@@ -17,7 +17,7 @@ from carom.fitting.parameters import FORMS, PARAMETERS
 from carom.fitting.shared_errors import SHARED, Shared, film_says, numbers_of, shared_errors, shared_in_words
 from carom.fitting.spin_quadrature import SpinGrid, sigma_grid
 
-__all__ = ["Problem", "Setting", "make_problem", "prior_in_words", "require_settings", "table_faults"]
+__all__ = ["Problem", "Setting", "common_faults", "make_problem", "prior_in_words", "require_settings"]
 
 Array = NDArray[np.float64]
 MAX_SHARED_VARIANCE = 0.95  # of a variance: the rest is a row's own
@@ -70,22 +70,30 @@ class Setting:
     none."""
 
 
-def table_faults(radius: float, contact_height: float, floor_restitution: float) -> list[str]:
-    """Return one line per problem of the ball and table, which rebounds and whole tracks both need."""
+def common_faults(setting: Any) -> list[str]:
+    """Return one line per problem of the ball, the table and the bounds, which rebounds and whole tracks both need."""
     faults = []
-    if not 0 < float_or_nan(radius) < 10:
-        faults.append(f"radius: expected the ball's radius in m, above 0, got {radius!r}")
-    if not 1 <= float_or_nan(contact_height) < 2:
-        faults.append(f"contact_height: expected 1 (level with the centre) to 2, in radii, got {contact_height!r}")
-    if not 0 <= float_or_nan(floor_restitution) <= 1:
-        faults.append(f"floor_restitution: expected 0 to 1, got {floor_restitution!r}")
+    if not 0 < float_or_nan(setting.radius) < 10:
+        faults.append(f"radius: expected the ball's radius in m, above 0, got {setting.radius!r}")
+    if not 1 <= float_or_nan(setting.contact_height) < 2:
+        faults.append(
+            f"contact_height: expected 1 (level with the centre) to 2, in radii, got {setting.contact_height!r}"
+        )
+    if not 0 <= float_or_nan(setting.floor_restitution) <= 1:
+        faults.append(f"floor_restitution: expected 0 to 1, got {setting.floor_restitution!r}")
+    if not isinstance(setting.bounds, Mapping):
+        return [*faults, f"bounds: expected a mapping of names, got {setting.bounds!r:.60}"]
+    for name, pair in setting.bounds.items():
+        ends = [float_or_nan(end) for end in pair] if isinstance(pair, tuple | list) else []
+        if len(ends) != 2 or not ends[0] < ends[1]:
+            faults.append(f"bounds: {name}: expected two numbers, the lower first, got {pair!r:.60}")
     return faults
 
 
 def require_settings(setting: Setting) -> None:
     """Raise CaromError for an invalid setting, one line per problem."""
     require_type("fit", "setting", setting, Setting)
-    faults = table_faults(setting.radius, setting.contact_height, setting.floor_restitution)
+    faults = common_faults(setting)
     if not 0 < float_or_nan(setting.kappa) <= 1:
         faults.append(f"inertia: expected solid, hollow or kappa = I/(m a^2) above 0, up to 1, got {setting.kappa!r}")
     if str(setting.restitution) not in FORMS:
@@ -94,7 +102,7 @@ def require_settings(setting: Setting) -> None:
         if value is not None and not 0 <= float_or_nan(value) < math.inf:
             faults.append(f"{name}: expected a number of at least 0, got {value!r}")
     limits = {p.name: p for p in (*PARAMETERS, *(p for form in FORMS.values() for p in form.parameters))}
-    kinds = {"fit": tuple | list, "fixed": Mapping, "bounds": Mapping}
+    kinds = {"fit": tuple | list, "fixed": Mapping}
     wrong = [name for name, kind in kinds.items() if not isinstance(getattr(setting, name), kind)]
     for name in wrong:
         words = "a tuple of names" if name == "fit" else "a mapping of names"

@@ -129,7 +129,11 @@ def _event_of(scene: Scene, target: Target, where: str) -> TargetEvent:
     if target.pocket is not None:
         wanted = [k for k, pocket in enumerate(pockets) if target.pocket in ("any", pocket.name)]
         if not wanted:
-            names = ", ".join(["any", *(pocket.name for pocket in pockets)]) if pockets else "a table with pockets"
+            if not pockets:
+                raise CaromError(
+                    f"{where}: pocket: expected a table with pockets, got a scene without; aim at a ball or a place"
+                )
+            names = ", ".join(["any", *(pocket.name for pocket in pockets)])
             raise CaromError(f"{where}: pocket: expected {names}, got {target.pocket!r:.60}")
         width = min(pockets[k].radius for k in wanted)
         return TargetEvent("pocket", ball, tuple(wanted), 0, point, (width, *more), centers, speed)
@@ -137,7 +141,9 @@ def _event_of(scene: Scene, target: Target, where: str) -> TargetEvent:
     hits = target.hit if isinstance(target.hit, tuple) else (target.hit,)
     others = tuple(_ball(scene, one, f"{where}: hit") for one in hits)
     if ball in others:
-        raise CaromError(f"{where}: hit: expected other balls than {target.ball!r}, got it")
+        raise CaromError(
+            f"{where}: hit: expected balls other than the one that hits them, got {scene.ball_names[ball]} itself"
+        )
     width = radius + min(scene.balls[k].radius for k in others)
     return TargetEvent("hit", ball, others, target.cushions, point, (width, *more), none, speed)
 

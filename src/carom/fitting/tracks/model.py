@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from carom.errors import CaromError, float_or_nan
-from carom.fitting.data import table_faults
+from carom.fitting.data import common_faults
 from carom.fitting.laws import FittedLaw, track_laws_named
 from carom.fitting.parameters import FORMS, PARAMETERS, Parameter
 from carom.fitting.tracks.arrays import AffineArrays, Table
@@ -73,7 +73,7 @@ class TrackSetting:
 
     def check(self) -> None:
         """Raise CaromError with one line per problem."""
-        faults = table_faults(self.radius, self.contact_height, self.floor_restitution)
+        faults = common_faults(self)
         if not 0 < float_or_nan(self.kappa) <= 2 / 3 * (1 + 1e-12):
             faults.append(f"inertia: expected solid, hollow or kappa in (0, 2/3], got {self.kappa!r}")
         if self.noise is not None and not 0 < float_or_nan(self.noise) < 1:
