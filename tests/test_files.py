@@ -9,9 +9,10 @@ from pathlib import Path
 
 import pytest
 
+from carom import files
 from carom.cli import main
 from carom.errors import CaromError, MissingLibraryError
-from carom.files import OPTIONAL, atomic_path, require_library, require_writable, write_text
+from carom.files import OPTIONAL, atomic_path, install_command, require_library, require_writable, write_text
 
 
 def fail_half_way(target, error):
@@ -97,8 +98,44 @@ def test_a_missing_library_names_the_extra(name, monkeypatch):
     prose, extra = OPTIONAL[name]
     with pytest.raises(MissingLibraryError) as caught:
         require_library(name, "here")
-    assert str(caught.value) == f"here: needs {prose}, which is not installed; run: pip install 'carom[{extra}]'"
+    assert str(caught.value) == f"here: needs {prose}, which is not installed; run: {install_command(extra)}"
     assert isinstance(caught.value, ImportError)
+
+
+@pytest.mark.parametrize(
+    ("origin", "requirement"),
+    [
+        ('{"dir_info": {}, "url": "file://FOLDER"}', "'FOLDER[plot]'"),
+        ('{"dir_info": {}, "url": "file:///nowhere/carom"}', "'.[plot]'  # in a clone of carom"),
+        (
+            '{"vcs_info": {"vcs": "git", "commit_id": "a1"}, "url": "https://host/carom.git"}',
+            "'carom[plot] @ git+https://host/carom.git@a1'",
+        ),
+        ("", "'carom[plot]'"),  # from an index
+    ],
+)
+@pytest.mark.skipif(os.name == "nt", reason="a shell of Windows has other quotes")
+def test_an_extra_is_installed_from_where_carom_came_from(origin, requirement, tmp_path, monkeypatch):
+    record = {"direct_url.json": origin.replace("FOLDER", str(tmp_path)), "INSTALLER": "pip\n"}
+    monkeypatch.setattr(files, "__file__", str(tmp_path / "lib" / "site-packages" / "carom" / "files.py"))
+    monkeypatch.setattr(files, "_metadata", record.get)
+    monkeypatch.setattr(files, "_is_installed", {"pip": True}.get)
+    monkeypatch.setattr(sys, "executable", "/opt/my python")
+    found = requirement.replace("FOLDER", str(tmp_path))
+    assert install_command("plot") == f"'/opt/my python' -m pip install {found}"
+    # an environment made by `python -m venv --without-pip`, or by uv
+    monkeypatch.setattr(files, "_is_installed", {"pip": False}.get)
+    monkeypatch.setattr(sys, "prefix", "/home/me/.venv")
+    monkeypatch.setattr(sys, "_base_executable", "/base/python3", raising=False)
+    assert install_command("plot") == f"/base/python3 -m pip --python /home/me/.venv install {found}"
+    record["INSTALLER"] = "uv"
+    assert install_command("plot") == f"uv pip install --python /home/me/.venv {found}"
+
+
+def test_an_extra_is_installed_from_the_clone_that_carom_runs_from():
+    if not (clone := Path(files.__file__).parents[2]).joinpath("pyproject.toml").is_file():
+        pytest.skip("carom is installed")
+    assert f"{clone}[plot]" in install_command("plot")
 
 
 def test_fit_without_scipy_is_one_line(monkeypatch, capsys):
@@ -108,7 +145,7 @@ def test_fit_without_scipy_is_one_line(monkeypatch, capsys):
         main()
     lines = [line for line in capsys.readouterr().err.splitlines() if not line.startswith("note: ")]
     assert ended.value.code == 2
-    assert lines == ["carom: fit: needs SciPy, which is not installed; run: pip install 'carom[fit]'"]
+    assert lines == [f"carom: fit: needs SciPy, which is not installed; run: {install_command('fit')}"]
 
 
 BASE = """
@@ -121,6 +158,7 @@ class Base:
             raise ModuleNotFoundError(f"No module named {name!r}", name=name)
 
 sys.meta_path.insert(0, Base())
+from carom import files
 from carom.cli import main
 main()
 """
@@ -129,14 +167,14 @@ main()
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["fit", "kharaz2001"], "carom: fit: needs SciPy, which is not installed; run: pip install 'carom[fit]'"),
+        (["fit", "kharaz2001"], f"carom: fit: needs SciPy, which is not installed; run: {install_command('fit')}"),
         (
             ["compare", "--plot", "a.svg"],
-            "carom: --plot: needs Matplotlib, which is not installed; run: pip install 'carom[plot]'",
+            f"carom: --plot: needs Matplotlib, which is not installed; run: {install_command('plot')}",
         ),
         (
             ["orbit", "circle", "--plot", "a.svg"],
-            "carom: --plot: needs Matplotlib, which is not installed; run: pip install 'carom[plot]'",
+            f"carom: --plot: needs Matplotlib, which is not installed; run: {install_command('plot')}",
         ),
     ],
 )

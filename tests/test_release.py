@@ -26,6 +26,20 @@ def test_version_is_that_of_the_package_everywhere() -> None:
         assert found == [carom.__version__], name
 
 
+def test_readme_names_every_extra_and_those_outside_all() -> None:
+    extras = tomllib.loads(text("pyproject.toml"))["project"]["optional-dependencies"]
+    table = text("README.md").split("| extra | for |", 1)[1].split("\n\n", 1)[0]
+    rows = {
+        name: use
+        for names, use in re.findall(r"^\| (`.*?) \| (.*) \|$", table, re.MULTILINE)
+        for name in re.findall(r"`(\w+)`", names)
+    }
+    assert set(rows) == set(extras) - {"wasm"}  # (builds the explorer's engine: contributing.md)
+    (everything,) = extras["all"]
+    in_all = set(re.findall(r"\w+", everything)) - {"carom"}
+    assert {name for name, use in rows.items() if "not in `all`" in use} == set(rows) - in_all - {"all", "docs", "dev"}
+
+
 def test_recipe_needs_what_the_package_needs() -> None:
     needed = tomllib.loads(text("pyproject.toml"))["project"]["dependencies"]
     run = text("recipe/recipe.yaml").split("  run:\n", 1)[1].split("\ntests:", 1)[0]

@@ -15,6 +15,7 @@ import importlib
 import importlib.util
 import os
 import platform
+import shlex
 import shutil
 import sys
 import tempfile
@@ -32,6 +33,7 @@ __all__ = [
     "atomic_path",
     "cannot_write",
     "import_optional",
+    "install_command",
     "read_text",
     "require_library",
     "require_writable",
@@ -85,9 +87,73 @@ def require_library(name: str, needed_by: str) -> None:
     """Raise MissingLibraryError where an optional library is not installed; it is looked for, not imported."""
     if sys.modules.get(name) is None and not _is_installed(name):
         prose, extra = OPTIONAL[name]
-        raise MissingLibraryError(
-            f"{needed_by}: needs {prose}, which is not installed; run: pip install 'carom[{extra}]'"
-        )
+        raise MissingLibraryError(f"{needed_by}: needs {prose}, which is not installed; run: {install_command(extra)}")
+
+
+def install_command(extra: str) -> str:
+    """Return the command that installs an extra of carom here, to be copied to a shell.
+
+    It names this interpreter, since a shell's own may be another one, and installs from where carom was installed from:
+    a folder, an archive, a repository, or the package index.
+
+    Examples
+    --------
+    >>> install_command("plot")  # doctest: +SKIP
+    "python -m pip install 'carom[plot]'"
+    """
+    return f"{_installer()} {_requirement(extra)}"
+
+
+def _installer() -> str:
+    """Return the command's first words: pip of this interpreter, else of the one that made the environment, or uv."""
+    if _is_installed("pip"):
+        return f"{_program(sys.executable)} -m pip install"
+    prefix = _quoted(sys.prefix)
+    if _metadata("INSTALLER").strip() == "uv":
+        return f"uv pip install --python {prefix}"
+    return f"{_program(getattr(sys, '_base_executable', sys.executable))} -m pip --python {prefix} install"
+
+
+def _program(executable: str) -> str:
+    """Return how a shell calls an interpreter: by its bare name where that finds the same one, else by its path."""
+    for name in ("python", "python3"):
+        found = shutil.which(name)
+        if found is not None and os.path.abspath(found) == os.path.abspath(executable):
+            return name
+    return _quoted(executable)
+
+
+def _requirement(extra: str) -> str:
+    """Return what pip is to install: carom with an extra, from where it was installed from (PEP 610)."""
+    import json
+    from urllib.parse import urlsplit
+    from urllib.request import url2pathname
+
+    clone = Path(__file__).parents[2]
+    if (clone / "pyproject.toml").is_file() and (clone / "src" / "carom").is_dir():  # run from a clone
+        return _quoted(f"{clone}[{extra}]")
+    about = json.loads(_metadata("direct_url.json") or "{}")
+    url = str(about.get("url", ""))
+    if "vcs_info" in about:
+        return _quoted(f"carom[{extra}] @ {about['vcs_info']['vcs']}+{url}@{about['vcs_info']['commit_id']}")
+    if url.startswith("file:"):
+        path = Path(url2pathname(urlsplit(url).path))
+        return _quoted(f"{path}[{extra}]") if path.exists() else f"{_quoted(f'.[{extra}]')}  # in a clone of carom"
+    return _quoted(f"carom[{extra}] @ {url}" if url else f"carom[{extra}]")
+
+
+def _metadata(name: str) -> str:
+    """Return a file of carom's installation record; empty if there is none."""
+    from importlib import metadata
+
+    try:
+        return metadata.distribution("carom").read_text(name) or ""
+    except metadata.PackageNotFoundError:
+        return ""
+
+
+def _quoted(word: str) -> str:
+    return f'"{word}"' if os.name == "nt" else shlex.quote(word)
 
 
 def _is_installed(name: str) -> bool:

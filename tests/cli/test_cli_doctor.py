@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 import carom
+from carom.files import install_command
 
 
 def carom_command(*words: str, **environment: str) -> subprocess.CompletedProcess[str]:
@@ -35,6 +36,8 @@ def test_doctor_says_what_is_there() -> None:
     table = carom_command("doctor", COLUMNS="60")
     assert table.returncode == 0
     assert "numba" in table.stdout
+    missing = any(about["version"] is None for about in found["optional"].values())
+    assert (install_command("plot") in table.stdout) == missing  # whole, to be copied, however narrow the terminal
 
 
 def test_version() -> None:

@@ -574,7 +574,7 @@ def test_parquet_faults(tmp_path, carom_run, monkeypatch):
     torn = write(tmp_path / "torn.parquet", source.read_bytes()[:-20])
     assert "torn.parquet: expected a Parquet file" in carom_run("predict", torn, "--out", out).err
     monkeypatch.setitem(sys.modules, "pyarrow", None)
-    assert "pip install 'carom[parquet]'" in carom_run("predict", source, "--out", out).err
+    assert "[parquet]" in carom_run("predict", source, "--out", out).err
     assert not out.exists()
 
 

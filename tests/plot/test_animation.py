@@ -26,7 +26,7 @@ def test_a_page_needs_no_matplotlib(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     run = carom.simulate(hop())
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     run.animate(tmp_path / "run.html")
-    with pytest.raises(carom.CaromError, match=r"animate: needs Matplotlib, .*pip install 'carom\[plot\]'"):
+    with pytest.raises(carom.CaromError, match=r"animate: needs Matplotlib, .*install .*\[plot\]"):
         run.animate(tmp_path / "run.gif")
 
 
@@ -101,7 +101,7 @@ def test_without_ffmpeg_it_says_what_to_install(tmp_path: Path, monkeypatch: pyt
     pytest.importorskip("matplotlib")
     monkeypatch.setattr(shutil, "which", lambda _name: None)
     monkeypatch.setitem(sys.modules, "imageio_ffmpeg", None)
-    with pytest.raises(carom.CaromError, match=r"pip install 'carom\[film\]'"):
+    with pytest.raises(carom.CaromError, match=r"install .*\[film\]"):
         carom.simulate(hop()).animate(tmp_path / "run.mp4")
     assert list(tmp_path.iterdir()) == []
 

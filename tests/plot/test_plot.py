@@ -160,7 +160,7 @@ def test_nothing_is_half_written(tmp_path: Path) -> None:
 
 def test_a_missing_matplotlib_is_one_line(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "matplotlib", None)
-    with pytest.raises(carom.CaromError, match=r"plot: needs Matplotlib, .*pip install 'carom\[plot\]'") as caught:
+    with pytest.raises(carom.CaromError, match=r"plot: needs Matplotlib, .*install .*\[plot\]") as caught:
         plot.compare()
     assert len(caught.value.faults) == 1
 

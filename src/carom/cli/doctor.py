@@ -33,6 +33,7 @@ def doctor(as_json: Annotated[bool, shared("json")] = False) -> None:
     from rich.table import Table
 
     from carom.cli.console import out
+    from carom.files import install_command
 
     console = out()
     table = Table(box=box.SIMPLE, show_header=False, pad_edge=False)
@@ -41,7 +42,7 @@ def doctor(as_json: Annotated[bool, shared("json")] = False) -> None:
     for name, version in found["libraries"].items():
         table.add_row(name, version)
     for name, about in found["optional"].items():
-        table.add_row(name, about["version"] or f"not installed: pip install 'carom[{about['extra']}]'")
+        table.add_row(name, about["version"] or f"not installed (extra {about['extra']})")
     cache = found["cache"]
     ready = "ready" if cache["engine_ready"] else "the event loop is compiled when it is first needed"
     state = f"{cache['megabytes']:.1f} MB, {ready}"
@@ -49,6 +50,8 @@ def doctor(as_json: Annotated[bool, shared("json")] = False) -> None:
     table.add_row("cores", f"{found['cores']}, of which compiled loops use {found['threads']} at once")
     table.add_row("GPU", found["gpu"])
     console.print(table)
+    if any(about["version"] is None for about in found["optional"].values()):
+        console.print(f"An extra, here plot, is installed by\n{install_command('plot')}", soft_wrap=True, markup=False)
 
 
 def report() -> dict[str, Any]:

@@ -15,7 +15,7 @@ import numpy as np
 
 from carom.errors import CaromError, FaultList
 from carom.explorer.player import player_page
-from carom.files import atomic_path, import_optional, require_library, require_writable, write_text
+from carom.files import atomic_path, import_optional, install_command, require_library, require_writable, write_text
 from carom.plot.scene_view import last_time
 from carom.plot.style import style
 from carom.plot.video import Film
@@ -141,7 +141,8 @@ def _ffmpeg() -> str:
             found = str(import_optional("imageio_ffmpeg", "ffmpeg").get_ffmpeg_exe())
         except (ImportError, RuntimeError):
             raise CaromError(
-                "animate: .mp4: expected the program ffmpeg, found none; run: pip install 'carom[film]', or write .gif or .html"
+                "animate: .mp4: expected the program ffmpeg, found none; write .gif or .html, or run:"
+                f" {install_command('film')}"
             ) from None
     return found
 

@@ -8,6 +8,7 @@ import numpy as np
 
 from carom.core.jit.cuda import why_no_gpu
 from carom.errors import CaromError, shortened_list
+from carom.files import install_command
 from carom.scene.paths import replaced
 from carom.scene.scene import Scene
 from carom.sweeps.axes import Values
@@ -34,7 +35,10 @@ def require_gpu(space: Space) -> None:
         )
     reason = why_no_gpu()
     if reason:
-        found.append(f"sweep: run: on='cuda': expected a GPU of NVIDIA's and its driver, {reason}; or use on='cores'")
+        remedy = f"; run: {install_command('cuda')}" if "numba-cuda" in reason else ""
+        found.append(
+            f"sweep: run: on='cuda': expected a GPU of NVIDIA's and its driver, {reason}; or use on='cores'{remedy}"
+        )
     if found:
         raise CaromError(*found)
 

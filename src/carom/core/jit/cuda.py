@@ -59,7 +59,7 @@ def why_no_gpu() -> str:
     except ImportError:
         from_package = False
     if not from_package:  # (Numba has a module of that name, which is no longer kept)
-        return "got no numba-cuda; pip install 'carom[cuda]'"
+        return "got no numba-cuda (carom's extra cuda)"
     cuda = found
     if _simulated() or cuda.is_available():
         return ""

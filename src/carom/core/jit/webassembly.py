@@ -228,11 +228,11 @@ def _zig(*arguments: str) -> None:
 def _math_folder() -> Path:
     found = find_spec("ziglang")
     if found is None or found.origin is None:
-        raise WebAssemblyError("make wasm: expected ziglang, got none; pip install 'carom[wasm]'")
+        raise WebAssemblyError("make wasm: expected ziglang, got none; install carom's extra wasm")
     folder = Path(found.origin).parent / "lib" / "libc" / "musl" / "src" / "math"
     if not (folder / "exp.c").is_file():
         raise WebAssemblyError(
-            "make wasm: expected a ziglang with musl's libm (0.13), got another; pip install 'carom[wasm]'"
+            "make wasm: expected a ziglang with musl's libm (0.13), got another; install carom's extra wasm"
         )
     return folder
 
