@@ -755,3 +755,19 @@ def test_a_motion_whose_square_is_no_float_is_refused(tmp_path: Path) -> None:
         match="velocity: expected a ball at rest, or a component of velocity or spin of at least 1e-100",
     ):
         load(tmp_path, text.replace("1e-320", "0.21"))
+
+
+def test_laws_of_a_scene_are_listed_in_one_place():
+    """The template and the page name the command that lists them, and no list of their own."""
+    root = Path(carom.__file__).parent
+    places = {
+        root / "scene" / "new.toml": 'law = "two-step"',
+        root.parents[1] / "docs/howto/scene.md": '| `law` | `"two-step"` |',
+    }
+    for path, begin in places.items():
+        if not path.exists():  # (installed without the docs)
+            continue
+        (line,) = (line for line in path.read_text(encoding="utf-8").splitlines() if line.startswith(begin))
+        assert "carom laws" in line
+        assert not [name for name in carom.LAWS if name in line.removeprefix(begin)]
+    assert all(carom.Run(law=name).law == name for name in carom.LAWS)

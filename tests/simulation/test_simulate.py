@@ -104,6 +104,24 @@ def test_laws_of_a_users_own():
     assert first.regime == ""  # such a law does not say
 
 
+def test_a_run_under_another_law_than_the_scenes():
+    own = Plane(point=(3, 0, 0), normal=(-1, 0, 0), restitution=0.9, friction=0.1, law="no-slip")
+    others = [Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.9, friction=0.1), own]
+    scene = carom.Scene(gravity=0, walls=others, balls=[ball((1, 0, 0), (-1, 0.5, 0))], run=carom.Run(duration=4))
+    again = carom.Scene(gravity=0, walls=others, balls=scene.balls, run=carom.Run(duration=4, law="maw"))
+    run = carom.simulate(scene, law="maw")
+    assert run.scene == again
+    assert np.array_equal(run.final.velocity, carom.simulate(again).final.velocity)
+    assert not np.array_equal(run.final.velocity, carom.simulate(scene).final.velocity)
+    assert np.array_equal(carom.simulate(scene, law=carom.LAWS["maw"]).final.velocity, run.final.velocity)
+    assert scene.run.law == "two-step"
+    for wrong in ("mow", 3, carom.Ball):
+        with pytest.raises(carom.CaromError, match=r"^simulate: law: expected one of mirror, .*got"):
+            carom.simulate(scene, law=wrong)
+    with pytest.raises(carom.CaromError, match="for the law conventional"):
+        carom.simulate(scene, law="conventional")
+
+
 def test_many_runs_are_single_runs():
     """Bit by bit; kept events are the single run's; a refused run says why."""
     scene = carom.Scene(

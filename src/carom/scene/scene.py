@@ -115,7 +115,7 @@ class Run(Model):
 
     Parameters
     ----------
-    law : law of the walls: "two-step", "conventional", "no-slip", "mirror", "maw", "stronge", "file.py:name", or a carom.Law
+    law : law of the walls: a name of carom.LAWS, "file.py:name", or a carom.Law; default: "two-step"
     duration : s; default: no limit
     max_events : whole number; default: no limit
     floor_contact : "with" (default): wall and floor act at once on a ball that the wall presses on the floor; "after": one after

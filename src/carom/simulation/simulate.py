@@ -15,7 +15,9 @@ from carom.bodies import State, vectors
 from carom.core.jit.slices import Pace, block_slices
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, FaultList, require_type
-from carom.scene.scene import Scene
+from carom.laws.law import Law
+from carom.scene.paths import replaced
+from carom.scene.scene import Run, Scene
 from carom.scene.toml import load_scene
 from carom.simulation.compiled import compiled_engine, compiled_many
 from carom.simulation.interpreted import run_interpreted, worth_interpreting
@@ -59,7 +61,12 @@ def run_limits(scene: Scene) -> tuple[float, int]:
     return math.inf if run.duration is None else run.duration, most
 
 
-def simulate(scene: Scene | str | Path, progress: Callable[[int, float], None] | None = None) -> Trajectory:
+def simulate(
+    scene: Scene | str | Path,
+    progress: Callable[[int, float], None] | None = None,
+    *,
+    law: str | Law | None = None,
+) -> Trajectory:
     """Simulate a scene event by event.
 
     Parameters
@@ -69,13 +76,15 @@ def simulate(scene: Scene | str | Path, progress: Callable[[int, float], None] |
         after 100,000 events at most.
     progress : function of (events so far, simulated time in s), optional
         Called from time to time on long runs.
+    law : str or carom.Law, optional
+        Law of all walls that name none of their own; default: the scene's, ``scene.run.law``.
 
     Returns
     -------
     Trajectory
         The same bits on every run, interpreted or compiled.
 
-    Raises CaromError for an event for which a law has no answer.
+    Raises CaromError for an event for which a law has no answer, and for a law that the scene cannot have.
 
     Examples
     --------
@@ -88,10 +97,18 @@ def simulate(scene: Scene | str | Path, progress: Callable[[int, float], None] |
     ['wall', 'floor', 'rolling']
     >>> run.final.velocity.round(3)
     array([[1.051, 0.796, 0.   ]])
+    >>> carom.simulate(scene, law="maw").final.velocity.round(3)
+    array([[1.116, 0.764, 0.   ]])
     """
     if isinstance(scene, str | Path):
         scene = load_scene(scene)
     require_type("simulate", "scene", scene, Scene)
+    if law is not None:
+        try:
+            chosen = Run(law=law).law
+        except CaromError as error:
+            raise CaromError(*(fault.replace("Run:", "simulate:", 1) for fault in error.faults)) from None
+        scene = replaced(scene, {"run.law": chosen})
     until, most = run_limits(scene)
     interpreted = worth_interpreting(scene)
     world, features, balls, users = set_up(scene, compiled=not interpreted)
