@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -77,3 +78,9 @@ def test_results_in_one_line(file: Path) -> None:
     run = carom.simulate(file)
     assert run._repr_html_().count("<tr>") == 1 + min(len(run.events), 20)
     assert len(repr(run)) < 120
+
+
+@pytest.mark.parametrize("make", [lambda: carom.Table("pool-9ft"), lambda: carom.Floor(0.5, 0.2)])
+def test_a_part_of_a_scene_takes_fields_by_name(make: Callable[[], object]) -> None:
+    with pytest.raises(carom.CaromError, match=r"^(Table|Floor): expected fields by name, of restitution, friction"):
+        make()

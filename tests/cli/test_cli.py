@@ -213,6 +213,7 @@ def test_laws() -> None:
     table = carom_command("laws", COLUMNS="80").stdout
     assert max(map(len, table.splitlines())) <= 80
     assert all(name in table for name in carom.CARDS)
+    assert len(table.splitlines()) < 6 * len(carom.CARDS)  # no column is squeezed so that a law takes a screen
 
 
 @pytest.mark.parametrize("name", list(carom.CARDS))

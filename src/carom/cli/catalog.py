@@ -59,12 +59,16 @@ def _table(cards: list[Card]) -> None:
     table.add_column("model", overflow="fold")
     table.add_column("valid for", overflow="fold")
     for i, card in enumerate(cards):
-        table.add_row(card.name, Text(card.summary), Text(card.valid), end_section=i == len(cards) - 1)
+        table.add_row(card.name, Text(card.summary), Text(_first_sentence(card.valid)), end_section=i == len(cards) - 1)
         if i < len(cards) - 1:
             table.add_row()
     console = out()
     console.print(table)
-    console.print(Text("Assumptions and source of one law: carom laws NAME"))
+    console.print(Text("Assumptions, range of validity and source of one law: carom laws NAME"))
+
+
+def _first_sentence(text: str) -> str:
+    return text.split(". ", maxsplit=1)[0].removesuffix(".") + "."
 
 
 def _card(card: Card) -> None:

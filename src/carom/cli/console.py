@@ -56,8 +56,8 @@ class TextConsole(Console):
         for column, width in zip(table.columns, least, strict=True):
             column.overflow, column.width = "fold", width
         spare = self.width - self.measure(table, options=widest).maximum
-        while spare > 0 and natural != least:  # the column that lacks most is widened
-            k = max(range(len(least)), key=lambda k: natural[k] - least[k])
+        while spare > 0 and natural != least:  # the column whose cells take most lines is widened
+            k = max(range(len(least)), key=lambda k: natural[k] / max(least[k], 1))
             least[k] += 1
             spare -= 1
         for column, width in zip(table.columns, least, strict=True):

@@ -104,7 +104,12 @@ class Model(BaseModel):
     tag: ClassVar[str] = ""
     """The field that tells which of several models one is: shape, form."""
 
-    def __init__(self, **fields: Any) -> None:
+    def __init__(self, *unnamed: Any, **fields: Any) -> None:
+        if unnamed:
+            own, names = type(self).__name__, list(type(self).model_fields)
+            raise CaromError(
+                f"{own}: expected fields by name, of {', '.join(names)}, got {unnamed[0]!r:.60} without one"
+            )
         # (in Python a law is named by who writes the program; a file that is opened has to be allowed to, `from_file`)
         try:
             self.__pydantic_validator__.validate_python(fields, self_instance=self, context=OWN_LAWS)
