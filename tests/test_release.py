@@ -61,3 +61,10 @@ def test_pictures_of_the_paper_are_there() -> None:
     pictures = re.findall(r"\]\((docs/\S+)\)", text("paper.md"))
     assert len(pictures) == 2
     assert all((ROOT / name).is_file() for name in pictures)
+
+
+def test_the_comparison_counts_the_laws() -> None:
+    (found,) = re.findall(
+        r"a law of impact out of (\d+), or your own \(`carom laws` has (\d+) cards", text("docs/comparison.md")
+    )
+    assert tuple(map(int, found)) == (len(carom.LAWS), len(carom.CARDS))

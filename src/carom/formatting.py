@@ -32,16 +32,17 @@ def escape_controls(text: str) -> str:
 
 
 def format_number(x: float | None, digits: int = 3) -> str:
-    """Return ``digits`` significant digits without trailing zeros; a dash for None or NaN, the sign of infinity for infinity.
+    """Return ``digits`` significant digits without trailing zeros, one less with an exponent, and all before the decimal point; a
+    dash for None or NaN, the sign of infinity for infinity.
 
-    >>> format_number(0.28571), format_number(2.0), format_number(1.5e-7), format_number(None)
-    ('0.286', '2', '1.5e-07', '–')
+    >>> format_number(0.28571), format_number(-14999.8508), format_number(1.5e-7), format_number(None)
+    ('0.286', '-15000', '1.5e-07', '–')
     """
     if x is None or math.isnan(x):
         return "–"
     if math.isinf(x):
         return "∞" if x > 0 else "−∞"
-    if x != 0 and not 1e-3 <= abs(x) < 1e4:
+    if x != 0 and not 1e-3 <= abs(x) < 1e7:  # (as with an error)
         return f"{x:.{digits - 1}g}"
     places = digits if x == 0 else max(0, digits - 1 - math.floor(math.log10(abs(x))))
     text = f"{x:.{places}f}"

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from reference.synthetic_bounces import measured_bounces as bounces
 
+import carom
 from carom import cli
 from carom.data.datasets import load
 
@@ -102,6 +103,12 @@ def test_the_table_has_a_sentence(here, monkeypatch, capsys):
     assert code == 0
     assert "The data" in out
     assert "±" in out
+    rows = [line.split() for line in out.splitlines() if line.startswith(" ") and line.strip()]
+    assert rows[0][:2] == ["law", "ΔAICc"]
+    behind = {row[0]: float(row[1]) for row in rows if row[0] in carom.LAWS}
+    least = out.split(f"ΔAICc: AICc above that of {next(iter(behind))}, ")[1].split()[0]
+    assert abs(float(least.rstrip("."))) > 100  # once, in full
+    assert next(iter(behind.values())) == 0.0 < min(list(behind.values())[1:])
     assert "the scatter is estimated" in err
     assert "written" not in err
     assert [file.name for file in here.iterdir()] == ["tt.csv"]  # no page that nobody asked for

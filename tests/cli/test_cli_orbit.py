@@ -77,6 +77,11 @@ def test_every_table(words: list[str], bounds: str) -> None:
     assert len(found["bounces"]) == found["count"] == 30
 
 
+def test_an_orbit_without_a_period_says_how_far_it_was_sought() -> None:
+    words = " ".join(run("sinai", "--bounces", "60").stdout.split())
+    assert "period none up to 30 bounces" in words
+
+
 def test_open_tables_and_their_drift() -> None:
     words = ["strip", "--acceleration", "0.5", *START[:2], "--velocity", "0.3,0.9", "--bounces", "500"]
     assert "bounded" in run(*words).stdout

@@ -110,6 +110,8 @@ def test_the_scene_of_the_design_word_for_word(scenes: Path) -> None:
     words = " ".join(out.split())
     assert words.startswith("Scene: a floor, a plane")
     assert "Ball 0 rolls at 2.24 m/s, 153° from the x axis." in words
+    assert "it rolls at" in words
+    assert "−" not in words.split("At the end")[1].split("from the x axis")[0]  # directions are 0 to 359°
     assert "At 0.49 s it meets plane 0, 27° from its normal, sticks, and leaves at" in words
     assert "it is lifted 15.9 mm, flies 206 mm, bounces" in words
     assert "the last time in infinitely many bounces within" in words

@@ -33,7 +33,7 @@ def test_each_law_has_a_panel(ranking: Ranking) -> None:
     panels = [axes for axes in figure.axes if axes.get_visible()]
     assert [axes.get_title().split(":")[0] for axes in panels] == [one.fit.law.name for one in ranking.ranked]
     assert panels[0].get_title() == "sliding: best"
-    assert all("AICc +" in axes.get_title() for axes in panels[1:])
+    assert all(": ΔAICc " in axes.get_title() for axes in panels[1:])
     for axes, one in zip(panels, ranking.ranked, strict=True):
         (line,) = [line for line in axes.lines if line.get_label() == one.fit.law.name]
         expected = np.degrees(np.arctan2(*one.fit.predicted()[:, [1, 0]].T))

@@ -10,6 +10,7 @@ import pytest
 from reference.sensitivity_differences import sequence
 
 import carom
+from carom.cli.trajectory_output import show_sensitivity
 from carom.scene.paths import replaced
 from carom.simulation.records import BALL, FLOOR, SETTLED, WALL
 
@@ -99,19 +100,25 @@ def test_a_ball_that_flies_past_another() -> None:
     assert (miss.ball, miss.other) == ("ball 0", "ball 1")
     assert miss.time == pytest.approx(1.0, abs=1e-7)
     assert miss.distance == pytest.approx(0.002, rel=1e-12)
+    assert not miss.at_rest
     # d gap = dy - dr
     assert miss.radius == pytest.approx(0.002 / math.sqrt(2), rel=1e-9)
     assert found.margin == []
 
 
-def test_a_ball_that_stops_before_a_wall() -> None:
+def test_a_ball_that_stops_before_a_wall(capsys: pytest.CaptureFixture[str]) -> None:
     v, c, g = 0.5, 0.02, 9.80665
     wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
     way = v**2 / (2 * c * g)
     ball = carom.SceneBall(radius=0.03, mass=0.2, position=(0.031 + way, 0), velocity=(-v, 0), rolling=True)
     floor = carom.Floor(friction=0.2, rolling_resistance=c)
     scene = carom.Scene(gravity=g, floor=floor, walls=[wall], balls=[ball], run=carom.Run(duration=20))
-    (miss,) = carom.simulate(scene).sensitivity("balls.0.velocity").near_misses
+    found = carom.simulate(scene).sensitivity("balls.0.velocity")
+    (miss,) = found.near_misses
+    show_sensitivity(found)  # (the command said that it "passes")
+    said = f"Nearest miss: from {miss.time:.4g} s on ball 0 is at rest 1 mm from plane 0."
+    assert said in " ".join(capsys.readouterr().out.split())
+    assert miss.at_rest
     assert miss.other == "plane 0"
     assert miss.time == pytest.approx(v / (c * g), rel=1e-9)
     assert miss.distance == pytest.approx(0.001, rel=1e-9)

@@ -129,7 +129,7 @@ def _show(ranking: TrackRanking) -> None:
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
     for head, side in (
         ("law", "left"),
-        ("AICc", "right"),
+        ("ΔAICc", "right"),
         ("chi²/dof", "right"),
         ("RMS, mm", "right"),
         ("parameters", "left"),
@@ -143,7 +143,7 @@ def _show(ranking: TrackRanking) -> None:
         )
         table.add_row(
             fit.law.name,
-            f"{fit.aicc:.1f}" if fit is best else f"+{fit.aicc - best.aicc:.1f}",
+            f"{fit.aicc - best.aicc:.1f}",
             f"{fit.chi2:.4g}/{fit.dof:.0f}" if fit.known else "–",
             f"{1e3 * fit.median_rms:.3g}",
             numbers,
@@ -151,6 +151,7 @@ def _show(ranking: TrackRanking) -> None:
         )
     console.print(table)
     console.print(
+        f"ΔAICc: AICc above that of {best.law.name}, {best.aicc:.1f}.\n"
         f"RMS: median of the segments; {best.law.name} over all {1e3 * best.rms():.3g} mm. Wall positions: --json, --report",
         style="dim",
     )

@@ -142,7 +142,7 @@ def print_orbit(facts: dict[str, Any], found: Orbit) -> None:
         shown = ", ".join(p if facts["orbits"] == 1 else f"{p} ({c})" for p, c in facts["periods"].items())
         grid.add_row("period", shown)
     elif "periods" in facts:
-        grid.add_row("period", "no period detected")
+        grid.add_row("period", f"none up to {found.t.shape[-1] // 2:,} bounces")
     if facts.get("caustics"):
         grid.add_row("caustics", " and ".join(f"{r:.9g}" for r in facts["caustics"]) + " m")
     if facts.get("drift"):

@@ -27,7 +27,7 @@ def show(ranking: Ranking) -> None:
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
     for head, side in (
         ("law", "left"),
-        ("AICc", "right"),
+        ("ΔAICc", "right"),
         ("weight", "right"),
         ("chi²/dof", "right"),
         ("CV score", "right"),
@@ -42,7 +42,7 @@ def show(ranking: Ranking) -> None:
         numbers = ", ".join(part for part in (numbers, fit.scatter_in_words) if part) or "none"
         table.add_row(
             fit.law.name,
-            f"{fit.aicc:.1f}" if one is ranking.ranked[0] else f"+{fit.aicc - least:.1f}",
+            f"{fit.aicc - least:.1f}",
             f"{one.weight:.3g}" if one.weight >= 1e-4 else "0",
             goodness,
             "–" if math.isnan(one.score) else f"{one.score:.3g}",
@@ -50,6 +50,7 @@ def show(ranking: Ranking) -> None:
             style="bold" if one is ranking.ranked[0] else None,
         )
     console.print(table)
+    console.print(Text(f"ΔAICc: AICc above that of {ranking.best.law.name}, {least:.1f}.", style="dim"), soft_wrap=True)
     console.print(Text(ranking.verdict, style="bold green" if ranking.decisive else "bold yellow"), soft_wrap=True)
     show_unidentified(ranking.degenerate)
     for outlier in ranking.outliers[:MAX_OUTLIERS]:

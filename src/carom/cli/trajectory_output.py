@@ -64,7 +64,11 @@ def show_sensitivity(found: Any) -> None:
     console.print(table)
     misses = [one for one in found.near_misses[:1] if one.radius < np.inf]
     for one in misses:
-        said = f"Nearest miss: at {one.time:.4g} s {one.ball} passes {one.other}, {1e3 * one.distance:.3g} mm away."
+        away = f"{1e3 * one.distance:.3g} mm"
+        if not one.at_rest:
+            said = f"Nearest miss: at {one.time:.4g} s {one.ball} passes {one.other}, {away} away."
+        else:  # (it would have come nearer if it had gone on)
+            said = f"Nearest miss: from {one.time:.4g} s on {one.ball} is at rest {away} from {one.other}."
         console.print(Text(said), soft_wrap=True)
 
 

@@ -51,7 +51,7 @@ def plot_laws(ranking: Ranking) -> Any:
         for k, (axes, one) in enumerate(zip(panels.ravel(), ranking.ranked, strict=False)):
             _along(axes, ranking, [one])
             behind = one.fit.aicc - best
-            said = "best" if k == 0 else f"AICc +{format_number(behind, 4)}" if math.isfinite(behind) else "AICc –"
+            said = "best" if k == 0 else f"ΔAICc {format_number(behind, 4)}"
             axes.set_title(f"{one.fit.law.name}: {said}", color=_look(ranking)[one.fit.law.name][0])
             axes.label_outer()
         for axes in panels.ravel()[count:]:
@@ -258,6 +258,7 @@ def tabled(heads: list[str], rows: list[str]) -> str:
 
 def _laws(ranking: Ranking) -> str:
     rows = []
+    least, least_bic = ranking.best.aicc, min(one.fit.bic for one in ranking.ranked)
     for i, one in enumerate(ranking.ranked):
         fit = one.fit
         numbers = "<br>".join(f"{html.escape(n)} {_estimate(e)}" for n, e in fit.estimates.items()) or "none"
@@ -266,11 +267,17 @@ def _laws(ranking: Ranking) -> str:
         elif fit.scatter:
             numbers += "<br>scatter: " + ", ".join(f"{n} {s:.3g}" for n, s in fit.scatter.items())
         goodness = "–" if fit.scatter or fit.dof <= 0 else f"{fit.chi2:.1f} / {fit.dof}"
-        cells = _cell(f"<b>{fit.law.name}</b><br>{html.escape(fit.law.words)}", False) + _cell(f"{fit.aicc:.1f}")
-        cells += _cell(f"{fit.bic:.1f}") + _cell(f"{one.weight:.3g}" if one.weight >= 1e-6 else "0") + _cell(goodness)
+        cells = _cell(f"<b>{fit.law.name}</b><br>{html.escape(fit.law.words)}", False) + _cell(
+            f"{fit.aicc - least:.1f}"
+        )
+        cells += (
+            _cell(f"{fit.bic - least_bic:.1f}")
+            + _cell(f"{one.weight:.3g}" if one.weight >= 1e-6 else "0")
+            + _cell(goodness)
+        )
         cells += _cell("–" if math.isnan(one.score) else f"{one.score:.3f}") + _cell(numbers, False)
         rows.append(f'<tr class="{"best" if i == 0 else ""}">{cells}</tr>')
-    return tabled(["law", "AICc", "BIC", "weight", "chi² / dof", "CV log score", "parameters"], rows)
+    return tabled(["law", "ΔAICc", "ΔBIC", "weight", "chi² / dof", "CV log score", "parameters"], rows)
 
 
 def listed(title: str, lines: list[str]) -> str:
@@ -304,8 +311,10 @@ def write_report(ranking: Ranking, path: str | Path) -> Path:
         listed("Unconstrained parameters", ranking.degenerate),
         listed("Outliers under the best law", [f"{o.row}: chi² {o.chi2:.1f}; {o.why}" for o in ranking.outliers]),
         listed("Notes", list(ranking.notes)),
-        f"<footer>carom {__version__}. AICc ({'Hurvich and Tsai' if best.scatter else 'chi² + 2 k, error bars given'}): lower"
-        " is better; weight and CV log score (cross-validation, per row left out): higher is better.</footer>",
+        f"<footer>carom {__version__}. ΔAICc: how much higher the law's AICc"
+        f" ({'Hurvich and Tsai' if best.scatter else 'chi² + 2 k, error bars given'}) is than the lowest, {best.aicc:.1f}; ΔBIC:"
+        f" the same of BIC, {min(one.fit.bic for one in ranking.ranked):.1f}. Lower is better; weight and CV log score"
+        " (cross-validation, per row left out): higher is better.</footer>",
     ]  # fmt: skip
     text = PAGE.format(
         title=f"carom fit: {html.escape(source)}",

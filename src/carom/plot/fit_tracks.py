@@ -135,7 +135,7 @@ def _laws(ranking: TrackRanking) -> str:
             f'<td class="n">{1e3 * fit.median_rms:.3g}</td><td class="n">{1e3 * fit.rms():.3g}</td><td>{numbers}</td>'
         )
         rows.append(f'<tr class="{"best" if i == 0 else ""}">{cells}</tr>')
-    return tabled(["law", "AICc above the best", "chi² / dof", "median RMS, mm", "RMS, mm", "parameters"], rows)
+    return tabled(["law", "ΔAICc", "chi² / dof", "median RMS, mm", "RMS, mm", "parameters"], rows)
 
 
 def write_track_report(ranking: TrackRanking, source: str, path: str | Path) -> Path:
@@ -156,7 +156,8 @@ def write_track_report(ranking: TrackRanking, source: str, path: str | Path) -> 
         svg(plot_tracks(ranking)), "<h2>The laws, best first</h2>", _laws(ranking),
         listed("Unconstrained parameters", [s for fit in ranking.fits for s in fit.degenerate]),
         listed("Notes", list(ranking.notes)),
-        f"<footer>carom {__version__}. wall_left, ...: position at which the ball's centre is reflected, m.</footer>",
+        f"<footer>carom {__version__}. ΔAICc: AICc above that of {best.law.name}, {best.aicc:.1f}. wall_left, ...: position at"
+        " which the ball's centre is reflected, m.</footer>",
     ]  # fmt: skip
     text = PAGE.format(
         title=f"carom fit: {name}", colour="#009E73" if ranking.decisive else "#E69F00", body="\n".join(body)

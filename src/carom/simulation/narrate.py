@@ -172,8 +172,8 @@ def _direction(v: Any) -> str:
     flat = math.hypot(float(v[0]), float(v[1]))
     if flat == 0:
         return ", straight up" if v[2] > 0 else ", straight down"
-    degrees = math.degrees(math.atan2(float(v[1]), float(v[0])))
-    words = f", {degrees:.0f}° from the x axis".replace("-", "−") if abs(degrees) >= 0.5 else ", along the x axis"
+    degrees = round(math.degrees(math.atan2(float(v[1]), float(v[0])))) % 360  # (0 to 359, as in aim and of cues)
+    words = f", {degrees}° from the x axis" if degrees else ", along the x axis"
     steep = math.degrees(math.atan2(float(v[2]), flat))
     return words + (f", {abs(steep):.0f}° {'upwards' if steep > 0 else 'downwards'}" if abs(steep) >= 0.5 else "")
 

@@ -51,7 +51,7 @@ LEAST_GAPS = np.dtype(
 
 
 class NearMiss(NamedTuple):
-    """A ball passes by something without touching it."""
+    """A ball passes by something without touching it, or comes to rest near it."""
 
     time: float
     """s: when it is nearest."""
@@ -62,6 +62,8 @@ class NearMiss(NamedTuple):
     """m: gap between the surfaces; for a pocket, from its edge to the ball's centre."""
     radius: float
     """Length of the shortest change of the parameters (in their units) that makes them touch, to first order."""
+    at_rest: bool
+    """Whether both are at rest then: the ball did not pass, it stopped on its way."""
 
 
 # --- the least gaps ---------------------------------------------------------------------------------------------------
@@ -265,5 +267,7 @@ def near_misses(run: Any, parameters: Parameters, passages: Passages) -> list[Ne
                 gap = lifted(feature_gap)(features[one.feature], balls[one.ball].radius, place(one.ball))
         size, slope = abs(float(value(gap))), float(np.linalg.norm(derivative(gap, p)))
         radius = size / slope if slope > 0 else math.inf
-        found.append(NearMiss(one.time, names[one.ball], names[one.target], size, radius))
+        both = [k for k in (one.ball, one.target) if k < len(scene.balls)]
+        at_rest = not np.any(here.velocity[both])
+        found.append(NearMiss(one.time, names[one.ball], names[one.target], size, radius, at_rest))
     return sorted(found, key=lambda miss: (miss.radius, miss.time))
