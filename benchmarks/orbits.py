@@ -22,7 +22,7 @@ from rows import alone, paired, report
 
 import carom
 from carom import billiards
-from carom.billiards.loop import MEMORY, compiled_loops
+from carom.billiards.loop import MEMORY, compiled_follow
 from carom.billiards.setup import orbit_setup
 
 BY_HAND = r"""
@@ -89,7 +89,7 @@ def measure(name: str, table: billiards.Table, library: ctypes.CDLL, peer: str, 
     ours, theirs = np.zeros((bounces, 6)), np.zeros((bounces, 6))
     met, side, last = np.zeros(bounces, np.int32), np.zeros(bounces, np.int32), np.zeros(10)
     nx, ny, c = (np.ascontiguousarray(p) for p in (setup.pieces["n"][:, 0], setup.pieces["n"][:, 1], setup.pieces["c"]))
-    follow, world = compiled_loops().follow, setup.world[0]
+    follow, world = compiled_follow(), setup.world[0]
     number = ctypes.c_double
     pairs = []
     for _ in range(repeats):

@@ -8,7 +8,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Callable
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 
@@ -33,7 +33,9 @@ from carom.laws.conventional import conventional_reflection
 from carom.laws.law import CONTACT_WALL, NO_SLIP_WALL, ROLLING_WALL
 from carom.laws.no_slip import no_slip_bounce
 
-__all__ = ["MEMORY", "OrbitLoops", "at_corner", "bounce", "compiled_loops", "fly", "follow", "follow_many"]
+__all__ = [
+    "MEMORY", "at_corner", "bounce", "compiled_follow", "compiled_many", "fly", "follow", "follow_many", "follow_one",
+]  # fmt: skip
 
 # What an orbit goes on from: time, displacement of its periodic cell (2), bounces, energy, position in the cell, velocity, spin.
 MEMORY = 14
@@ -281,34 +283,51 @@ def follow_many(
                 _go_on(worlds[0], pieces, starts[m], bounces, rest, rows[m], met[m], last[m], ends[m], memory[m])
 
 
-class OrbitLoops(NamedTuple):
-    """The compiled loops: one ball, and many balls on all cores."""
-
-    follow: Callable[..., Any]
-    many: Callable[..., Any]
+@functools.cache
+def compiled_follow() -> Callable[..., Any]:
+    """Return :func:`follow`, compiled or loaded from the cache."""
+    register_calls()
+    pieces, table, vec, row = array_of(PIECES), array_of(float, 2), (float, float, float), array_of(float)
+    one = signature((int, int), WORLD, pieces, vec, vec, vec, int, int, table, array_of(np.dtype("i4")), row, row)
+    return njit(follow, signature=one, _nrt=False)
 
 
 @functools.cache
-def compiled_loops() -> OrbitLoops:
-    """Compile the loops, or load them from the cache."""
-    global _follow, _prange  # noqa: PLW0603
-    register_calls()
-    pieces, table, vec = array_of(PIECES), array_of(float, 2), (float, float, float)
-    row = array_of(float)
-    one = signature((int, int), WORLD, pieces, vec, vec, vec, int, int, table, array_of(np.dtype("i4")), row, row)
-    _follow = njit(follow, signature=one, _nrt=False)
-    _prange = parallel_range()
+def compiled_many() -> Callable[..., Any]:
+    """Return :func:`follow_many` on all cores, compiled or loaded from the cache."""
+    global _follow, _prange
+    _follow, _prange = compiled_follow(), parallel_range()
+    pieces, table, met = array_of(PIECES), array_of(float, 2), array_of(np.dtype("i4"), 2)
     many = signature(
-        None,
-        array_of(WORLD),
-        pieces,
-        table,
-        int,
-        int,
-        array_of(float, 3),
-        array_of(np.dtype("i4"), 2),
-        table,
-        array_of(ENDING),
-        table,
+        None, array_of(WORLD), pieces, table, int, int, array_of(float, 3), met, table, array_of(ENDING), table
     )
-    return OrbitLoops(_follow, njit(follow_many, signature=many, parallel=True))
+    return njit(follow_many, signature=many, parallel=True)
+
+
+def follow_one(
+    worlds: Any,
+    pieces: Any,
+    starts: Any,
+    bounces: int,
+    share: int,
+    rows: Any,
+    met: Any,
+    last: Any,
+    ends: Any,
+    memory: Any,
+) -> None:
+    """Do what :func:`follow_many` does, for one row of starts: its loop, which takes as long to compile, is not needed."""
+    s = starts[0].tolist()
+    ends["reason"][0], ends["bounces"][0] = compiled_follow()(
+        worlds[0],
+        pieces,
+        tuple(s[:3]),
+        tuple(s[3:6]),
+        tuple(s[6:]),
+        bounces,
+        share,
+        rows[0],
+        met[0],
+        last[0],
+        memory[0],
+    )

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.billiards.loop import MEMORY, compiled_loops
+from carom.billiards.loop import MEMORY, compiled_many, follow_one
 from carom.billiards.records import DONE, ENDING, ENDS, POSITION, TIME
 from carom.billiards.setup import OrbitSetup, Start, orbit_setup, start_rows
 from carom.billiards.tables import Table
@@ -317,13 +317,13 @@ def _loop(
     shift = rows[:, :3] - setup.shape.folded(rows[:, :3])
     rows = rows - np.concatenate([shift, np.zeros((len(rows), 6))], axis=1)
     last, ends, memory = np.empty((len(rows), 10)), np.zeros(len(rows), ENDING), np.zeros((len(rows), MEMORY))
-    pace = Pace(FIRST_BOUNCES)
+    pace, advance = Pace(FIRST_BOUNCES), compiled_many() if len(rows) > 1 else follow_one
     share = max(1, len(rows) if progress is None else min(len(rows), BOUNCES_PER_REPORT // bounces))
     for k in range(0, len(rows), share):
         here = slice(k, k + share)
         while ((ends[here]["reason"] == DONE) & (ends[here]["bounces"] < bounces)).any():
             more = pace.begin()
-            compiled_loops().many(
+            advance(
                 setup.world, setup.pieces, rows[here], bounces, max(more // len(rows[here]), 1), kept[here], piece[here],
                 last[here], ends[here], memory[here],
             )  # fmt: skip

@@ -26,7 +26,7 @@ COMPILE_JOBS = (
     f"{__name__}:answer_many_rows",
     "carom.billiards.tangent:compiled_tangent_loop",
     f"{__name__}:settle_many_rows",
-    "carom.billiards.loop:compiled_loops",
+    "carom.billiards.loop:compiled_many",
     f"{__name__}:fit_bounces",
     f"{__name__}:load_called_laws",
     "carom.sweeps.shots_loop:compiled_follow",
