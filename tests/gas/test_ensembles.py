@@ -22,7 +22,7 @@ from carom.formatting import format_uncertain
 from carom.gas import Session, load_gas, simulate_ensemble
 from carom.gas.ensembles import member_scene
 from carom.gas.report import report
-from carom.plot import plot_ensemble
+from carom.plot import plot_ensemble, plot_gas
 
 SHORT = ROUGH.replace("60_000", "6_000").replace("5_000", "1_000")
 
@@ -71,6 +71,10 @@ def test_members_are_the_gases_of_their_seeds(folder):
         alone = Session(member_scene(scene, seed))
         alone.run()
         assert plain(report(alone)) == plain(member)
+    axes = plot_gas(alone).axes  # of the last one: every axis with its unit
+    assert [one.get_xlabel() for one in axes[3:]] == ["time, s", "distance of centres, m", "lag time, s"]
+    titles = [one.get_title(loc="left") for one in axes[3:]]
+    assert titles == ["temperature, J", "pair correlation", "mean square displacement, m²"]
 
 
 def test_means_and_errors_are_those_of_the_members(folder):
@@ -93,7 +97,12 @@ def test_means_and_errors_are_those_of_the_members(folder):
     assert len(warm.x) > 30
     assert (np.diff(warm.x) > 0).all()
     assert warm.x[-1] <= 3.0 * (1 + 1e-12)
-    assert len(plot_ensemble(found).axes) == 6
+    figure = plot_ensemble(found)
+    assert len(figure.axes) == 6
+    assert figure.axes[2].get_title(loc="left") == "temperature, J"
+    assert [axes.get_xlabel() for axes in figure.axes[2:4]] == ["time, s", "distance of centres, m"]
+    assert figure.axes[5].get_title(loc="left") == "pressure of each gas, N/m"
+    assert "Units: SI where the scene's numbers are in SI units" in figure.texts[1].get_text()
 
 
 def test_the_ratio_of_the_temperatures_is_a_mean_over_the_gases(folder):

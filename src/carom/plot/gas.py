@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 MAX_DRAWN = 4000  # balls; of more only a part of the box is drawn
 MAX_PAIRS = 6  # of species
+UNITS_NOTE = "Units: SI where the scene's numbers are in SI units, else the scene's own."
 OUTLINE_POINTS = 400  # along each side of the grid on which walls are found
 
 
@@ -90,8 +91,9 @@ def _draw(session: Session, measures: Measures, title: str | None) -> Any:
 
 
 def heading(figure: Any, words: str) -> None:
-    """Write what a figure of a gas is about."""
-    figure.text(0.0135, 0.975, words, ha="left", va="top", fontsize=8, color=GREY)
+    """Write what a figure of a gas is about, and its units."""
+    figure.text(0.0135, 0.985, words, ha="left", va="top", fontsize=8, color=GREY)
+    figure.text(0.0135, 0.955, UNITS_NOTE, ha="left", va="top", fontsize=7, color=GREY)
 
 
 def panel_title(axes: Any, text: str) -> None:
@@ -252,17 +254,17 @@ def _temperatures(axes: Any, measures: Measures) -> None:
             axes.set_xscale("log")
     else:
         axes.set_ylim(0, 1.25 * values.max() if values.max() > 0 else 1)
-    axes.set_xlabel("time")
-    panel_title(axes, "temperature")
+    axes.set_xlabel("time, s")
+    panel_title(axes, "temperature, J")
     axes.legend(
-        frameon=False, fontsize=7, loc="lower right", bbox_to_anchor=(1.05, 0.97), ncols=2, handlelength=0.8, handletextpad=0.3,
+        frameon=False, fontsize=6.5, loc="lower right", bbox_to_anchor=(1.07, 0.97), ncols=2, handlelength=0.8, handletextpad=0.3,
         columnspacing=0.7, borderaxespad=0.2,
     )  # fmt: skip
 
 
 def _pair_correlation(axes: Any, measures: Measures) -> None:
     panel_title(axes, "pair correlation")
-    axes.set_xlabel("distance of centres")
+    axes.set_xlabel("distance of centres, m")
     many = len(measures.names) > 1
     pairs = [(a, b) for i, a in enumerate(measures.names) for b in measures.names[i:]]
     top, drawn = 1.0, 0
@@ -293,7 +295,7 @@ def _pair_correlation(axes: Any, measures: Measures) -> None:
 
 
 def _displacement(axes: Any, session: Session, measures: Measures) -> None:
-    panel_title(axes, "mean square displacement")
+    panel_title(axes, "mean square displacement, m²")
     if not measures.is_stationary:
         collisions, square = measures.displacement_by_collisions()
         axes.plot(2 * collisions / session.scene.count, square, ".", markersize=3.5, color=COLOURS[0])
@@ -302,7 +304,7 @@ def _displacement(axes: Any, session: Session, measures: Measures) -> None:
         axes.set_xlabel("collisions per ball")
         return
     moved = measures.displacement()
-    axes.set_xlabel("time")
+    axes.set_xlabel("lag time, s")
     axes.plot(moved.lag, moved.square, ".", markersize=3.5, color=COLOURS[0])
     d = moved.diffusion
     if not math.isnan(d):
@@ -310,7 +312,7 @@ def _displacement(axes: Any, session: Session, measures: Measures) -> None:
         shift = float((moved.square - 2 * measures.dimensions * d * moved.lag)[late].mean())
         t = np.array([0.0, moved.lag.max()])
         axes.plot(t, 2 * measures.dimensions * d * t + shift, color=GREY, linewidth=0.9, dashes=(4, 2), zorder=1)
-        text = f"$D$ = {d:.4g}"
+        text = f"$D$ = {d:.4g} m²/s"
         axes.text(0.05, 0.93, text, transform=axes.transAxes, va="top", fontsize=7.5, color=INK)
     axes.set_xlim(left=0)
     axes.set_ylim(bottom=0)
@@ -349,7 +351,7 @@ def _profile(axes: Any, session: Session, measures: Measures) -> None:
         axes.stairs(density, edges, baseline=None, color=COLOURS[k % len(COLOURS)], linewidth=1.0, label=name)
     axes.set_xlim(0, side)
     axes.set_ylim(bottom=0)
-    axes.set_xlabel("xyz"[axis])
-    panel_title(axes, "number density at the end")
+    axes.set_xlabel("xyz"[axis] + ", m")
+    panel_title(axes, f"number density at the end, 1/m{'²' if scene.container.dimensions == 2 else '³'}")
     if len(session.names) > 1:
         axes.legend(frameon=False, fontsize=7.5, handlelength=1.2, borderaxespad=0.2)

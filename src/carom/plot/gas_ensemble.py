@@ -70,13 +70,15 @@ def _draw(ensemble: Ensemble, title: str | None) -> Any:
         one.set_xlim(-5, 5)
         one.set_ylim(2e-6, 1)
     warm = {name: curves[f"temperature_{name}"] for name in ("translational", "rotational")}
-    _panel(axes[2], "temperature", {name: one for name, one in warm.items() if one.mean.any()}, "time")
+    _panel(axes[2], "temperature, J", {name: one for name, one in warm.items() if one.mean.any()}, "time, s")
     low, high = (f([one.mean for one in warm.values()]) for f in (np.min, np.max))
     if 0 < 20 * low < high:
         axes[2].set_yscale("log")
-    _panel(axes[3], "pair correlation", {name: curves[key] for name, key in pairs[:MAX_PAIRS]}, "distance of centres")
+    _panel(
+        axes[3], "pair correlation", {name: curves[key] for name, key in pairs[:MAX_PAIRS]}, "distance of centres, m"
+    )
     if moved:
-        _panel(axes[4], "mean square displacement", {"": curves["displacement"]}, "lag time")
+        _panel(axes[4], "mean square displacement, m²", {"": curves["displacement"]}, "lag time, s")
     else:
         axes[4].set_axis_off()
     _members(axes[5], ensemble)
@@ -101,10 +103,13 @@ def _panel(axes: Any, title: str, curves: dict[str, Curve], label: str) -> None:
 
 def _members(axes: Any, ensemble: Ensemble) -> None:
     """Draw the pressure of each member, the mean, and its standard error."""
+    from matplotlib.ticker import MaxNLocator
+
     values = [one["pressure"] for one in ensemble.members]
     mean, error = ensemble.mean["pressure"], ensemble.error["pressure"]
     axes.plot(np.arange(1, len(values) + 1), values, "o", markersize=3, color=COLOURS[0])
     axes.axhline(mean, color=GREY, linewidth=0.9)
     axes.axhspan(mean - error, mean + error, color=GREY, alpha=BAND, linewidth=0)
-    panel_title(axes, "pressure of each gas")
+    panel_title(axes, f"pressure of each gas, {'N/m' if ensemble.scene.container.dimensions == 2 else 'Pa'}")
     axes.set_xlabel("gas")
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
