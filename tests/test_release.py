@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+import os
 import re
+import subprocess
+import sys
 import tomllib
 from pathlib import Path
 
@@ -68,3 +71,41 @@ def test_the_comparison_counts_the_laws() -> None:
         r"a law of impact out of (\d+), or your own \(`carom laws` has (\d+) cards", text("docs/comparison.md")
     )
     assert tuple(map(int, found)) == (len(carom.LAWS), len(carom.CARDS))
+
+
+def readme_lines(*begin: str) -> list[str]:
+    """The commands of the README that begin so, as words of a shell."""
+    lines = re.findall(r"^\.venv/bin/(carom .*)$", text("README.md"), re.MULTILINE)
+    return [line for line in lines if line.startswith(begin)]
+
+
+def test_commands_of_the_readme_on_films_and_aiming_run(tmp_path: Path) -> None:
+    pytest.importorskip("scipy")
+    (tmp_path / "docs").symlink_to(ROOT / "docs")
+    lines = readme_lines(
+        "carom tracks", "carom fit rebounds.csv", "carom aim", "carom simulate docs/scenes/carom_table.toml --sens"
+    )
+    assert len(lines) == 6
+    path = os.pathsep.join([str(ROOT / "src"), os.environ.get("PYTHONPATH", "")])
+    for line in lines:
+        fewer = " --starts 256" if line.startswith("carom aim") else ""
+        command = line.partition("  #")[0].replace("carom", f"{sys.executable} -m carom", 1) + fewer
+        done = subprocess.run(
+            ["bash", "-c", command],
+            cwd=tmp_path,
+            capture_output=True,
+            text=True,
+            check=False,
+            env={**os.environ, "PYTHONPATH": path},
+        )
+        assert done.returncode == 0, (line, done.stderr)
+    assert {"films", "film.svg", "rebounds.csv", "shots.svg"} < {path.name for path in tmp_path.iterdir()}
+
+
+def test_python_of_the_readme_runs(monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]) -> None:
+    monkeypatch.chdir(ROOT)
+    names: dict[str, object] = {}
+    for block in re.findall(r"^```python\n(.*?)^```", text("README.md"), re.MULTILINE | re.DOTALL):
+        exec(block, names)
+    assert capsys.readouterr().out.startswith("1.0121")
+    assert names["derivatives"].final.position.shape[0] == 3  # type: ignore[attr-defined]

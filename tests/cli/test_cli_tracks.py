@@ -338,3 +338,22 @@ def test_carom_fit_reads_many_films(
         with pytest.raises(SystemExit):
             main()
         assert expected in capsys.readouterr().err
+
+
+def test_example_films_are_there_to_try(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "films"
+    for code, said in (
+        (0, f"written: {folder}/shot01.txt to shot16.txt"),
+        (2, "expected no file of that name, got one"),
+    ):
+        monkeypatch.setattr("sys.argv", ["carom", "tracks", "example", str(folder)])
+        with pytest.raises(SystemExit) as end:
+            main()
+        assert (end.value.code or 0) == code
+        assert said in capsys.readouterr().err
+    assert len(list(folder.iterdir())) == 16
+    shown = run(capsys, monkeypatch, str(folder / "shot12.txt"), "--radius", "28.6mm", "--json")
+    (contact,) = json.loads(shown[1])["contacts"]
+    assert contact["t"] == pytest.approx(0.2956, abs=1e-3)

@@ -1,4 +1,7 @@
-"""``carom tracks show``: summary of a track file, and velocities before and after each contact with a wall."""
+"""``carom tracks show``: summary of a track file, and velocities before and after each contact with a wall.
+
+``carom tracks example``: films to try it with.
+"""
 
 from __future__ import annotations
 
@@ -33,6 +36,7 @@ tracks = typer.Typer(help="Tracks of filmed balls: summarise a file, and measure
 def register(app: typer.Typer) -> None:
     """Add the verb."""
     tracks.command()(show)
+    tracks.command()(example)
     app.add_typer(tracks, name="tracks")
 
 
@@ -165,6 +169,21 @@ def show(
         wrote(written[0])
     if plot is not None:
         wrote(plot)
+
+
+def example(
+    folder: Annotated[Path, typer.Argument(metavar="FOLDER", help="Folder for the files; made if it is not there.")],
+) -> None:
+    """Write sixteen synthetic films of a ball at a cushion, as Tracker exports them, to try the commands with.
+
+    carom tracks example films && carom tracks show films/*.txt --radius 28.6mm --out rebounds.csv
+
+    The ball has radius 28.6 mm, the cushion's nose a height of 36 mm; one shot per film, 60 frames per second.
+    """
+    from carom.fitting.example_films import write_example_films
+
+    paths = write_example_films(folder)
+    err().print(f"written: {paths[0]} to {paths[-1].name}", soft_wrap=True, markup=False, highlight=False)
 
 
 def _notes(
