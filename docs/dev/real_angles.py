@@ -83,7 +83,8 @@ def prior(fit: Fit) -> tuple[float, float]:
 
 def draw(rebounds: Rebounds, first: np.ndarray, fits: dict[str, Fit]) -> None:
     style = {
-        "svg.hashsalt": "carom", "svg.fonttype": "path", "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
+        "svg.hashsalt": "carom", "font.family": "STIXGeneral", "mathtext.fontset": "stix",
+        "svg.fonttype": "path", "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
         "axes.titlesize": 9, "axes.titlelocation": "left", "legend.frameon": False,
     }  # fmt: skip
     with plt.rc_context(style):

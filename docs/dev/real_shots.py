@@ -541,7 +541,8 @@ def by_cushions(fits: Sequence[Fit]) -> list[list[str]]:
 
 
 STYLE = {
-    "svg.hashsalt": "carom", "svg.fonttype": "path", "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
+    "svg.hashsalt": "carom", "font.family": "STIXGeneral", "mathtext.fontset": "stix",
+    "svg.fonttype": "path", "font.size": 9, "axes.spines.top": False, "axes.spines.right": False,
     "axes.titlesize": 9, "axes.titlelocation": "left", "legend.frameon": False,
 }  # fmt: skip
 BALLS = {"1": "#1f5fa8", "2": "#c0392b", "3": "#2e8b57"}

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
+import dark_pictures
 from matplotlib import rcParams
 
 from carom import plot
@@ -33,3 +35,16 @@ def test_figures_are_drawn_on_white_in_one_font() -> None:
     figure = plot.compare()
     texts = [text for axes in figure.axes for text in [*axes.texts, axes.xaxis.label, axes.yaxis.label]]
     assert {text.get_fontfamily()[0] for text in texts} == {"STIXGeneral"}
+
+
+def test_the_readme_has_dark_copies_of_its_drawings() -> None:
+    """On a dark page of GitHub they were white boxes; `python docs/dark_pictures.py` writes the copies."""
+    readme = (DOCS.parent / "README.md").read_text(encoding="utf-8")
+    assert not re.findall(r"!\[[^\]]*\]\(docs/images/\w+\.svg\)", readme)
+    assert len(dark_pictures.pictures()) == 6
+    for picture in dark_pictures.pictures():
+        assert f'srcset="docs/images/dark/{picture.name}"' in readme
+        copy = (DOCS / "images" / "dark" / picture.name).read_text(encoding="utf-8")
+        assert copy == dark_pictures.dark(picture.read_text(encoding="utf-8"))
+        figure = copy.split('<g id="patch_1">', 1)[1].split("</g>", 1)[0]
+        assert "fill: none" in figure  # the page shows through
