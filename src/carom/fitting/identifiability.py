@@ -35,6 +35,7 @@ SLIP_RETURN = ("tangential_restitution", "stiffness_ratio")
 NEARER = 0.4  # of a step: 2 error bars where the step is 5
 ALONG = np.array([-8.0, -4.0, -2.0, 2.0, 4.0, 8.0])  # steps along a valley
 BISECTIONS = 20
+CONFIRMING = 2.0 ** -np.arange(8)  # of a weak direction's step: where the profile is evaluated before it is believed
 
 
 class Subject(Protocol):
@@ -88,6 +89,7 @@ def identify(subject: Subject) -> Identified:
         sentences.append(_sentence(subject, [names[i] for i in np.flatnonzero(which)]))
 
     if k:
+        subject.information = _confirmed(subject, ranges)
         strength, direction, inner = _directions(subject.information, ranges)
         bars = np.sqrt(np.diag(inner)) / ranges
         for column in direction[:, ~(strength > 1 / UNIDENTIFIED_STDERR**2)].T:
@@ -130,6 +132,40 @@ def identify(subject: Subject) -> Identified:
     return Identified(covariance, estimates, tuple(dict.fromkeys(sentences)), untold)
 
 
+def _confirmed(subject: Subject, ranges: Array) -> Array:
+    """Return the information, with that of the profile along directions where the curvature is weak and the profile steep.
+
+    At a kink, where a contact changes between sticking and sliding, the curvature says nothing about the slopes to both sides.
+    Whether they are steep is tested with all else held, which costs little, and only then with all else fitted.
+    """
+    information = subject.information.copy()
+    strength, direction, _inner = _directions(information, ranges)
+    for column in direction[:, ~(strength > 1 / UNIDENTIFIED_STDERR**2)].T:
+        i = int(np.argmax(np.abs(column)))
+        best, parameter, step = float(subject.values[i]), subject.parameters[i], UNIDENTIFIED_STDERR * ranges[i]
+        ends = np.clip(best + step * np.array([-1, 1]), parameter.low, parameter.high).tolist()
+        if any(abs(end - best) < step / 4 or subject.rise(i, end) < FLAT_RISE for end in ends):
+            continue
+        far = np.array([best + (end - best) * CONFIRMING for end in ends])
+        rises = subject.refit_rises(i, far.ravel())[0].reshape(far.shape)
+        if (rises[:, 0] < FLAT_RISE).any():
+            continue
+        # where the profile has risen by 1 on the wider side, from the outermost point that is below
+        width = max(map(_width, np.abs(far - best), rises))
+        along = column / ranges / (np.abs(column[i]) / ranges[i])
+        information += np.outer(along, along) / width**2
+    return information
+
+
+def _width(distance: Array, rises: Array) -> float:
+    """Return the distance at which a rise, given from afar to near, is 1: its square root is nearly linear."""
+    below = int(np.argmax(rises < 1)) if (rises < 1).any() else len(rises)
+    outer, inner = below - 1, below
+    near, low = (float(distance[inner]), max(float(rises[inner]), 0.0) ** 0.5) if below < len(rises) else (0.0, 0.0)
+    share = (1 - low) / (float(rises[outer]) ** 0.5 - low)
+    return float(near + share * (float(distance[outer]) - near))
+
+
 def _directions(information: Array, ranges: Array) -> tuple[Array, Array, Array]:
     """Return the information along its principal directions, in units of the ranges, the directions, and the covariance of those
     that are identified."""
@@ -166,9 +202,9 @@ def _trade_offs(subject: Subject, ranges: Array, inside: NDArray[np.int64]) -> I
 
 def _compensating(subject: Subject, i: int, step: float, bar: float, bars: Array) -> Mask:
     """Return (k,) parameter i and those that move by more than their error bars when it is held a step away and all else is fitted;
-    none if the deviance rises by a quarter of what its own error bar implies, or by the 99 % level if it has none."""
+    none if the deviance rises by a quarter of what its own error bar implies, or by the 99 % level if it has none, at both ends."""
     best, parameter = float(subject.values[i]), subject.parameters[i]
-    # (a near point as well: the far one may lie beyond the other end of a short, flat valley)
+    # (a near point alone does not count: at a kink the deviance may be level for two error bars, and steep beyond)
     shares = np.array([-1, 1]) if bar == np.inf else np.array([-1, -NEARER, NEARER, 1])
     values = np.clip(best + step * shares, parameter.low, parameter.high)
     far = np.abs(values - best)
@@ -177,7 +213,7 @@ def _compensating(subject: Subject, i: int, step: float, bar: float, bars: Array
         return np.zeros(len(bars), bool)
     rises, found = subject.refit_rises(i, values[some])
     short = rises - (np.square(far[some] / bar) / 4 if bar < np.inf else FLAT_RISE)
-    if not (short < 0).any():
+    if not (short < 0)[np.abs(shares[some]) == 1].any():
         return np.zeros(len(bars), bool)
     # along the whole valley: close by, a parameter with a wide error bar may hardly have moved yet
     rises_along, along = subject.refit_rises(i, np.clip(best + step * ALONG, parameter.low, parameter.high))
