@@ -244,6 +244,7 @@ def test_a_note_of_many_films_stands_once(
     assert notes.count(overridden) == 1
     assert f"film2, film5: {overridden}" in notes.splitlines()
     assert notes.count("straight: no unit in") == 1
+    assert "straight: no contact measured" in notes.splitlines()
     assert all(note.split(":")[0] in ("film2, film5", "film2", "film5", "straight") for note in notes.splitlines())
 
 

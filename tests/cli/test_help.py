@@ -35,6 +35,13 @@ def test_there_are_all_commands() -> None:
     assert ("sweep", "run") in ALL
 
 
+def test_a_verb_that_is_left_out(capsys: pytest.CaptureFixture[str]) -> None:
+    assert command(capsys, "tracks", "film.csv") == (
+        2, "", "carom: tracks: expected show or example first, as in carom tracks show film.csv (carom --help)\n",
+    )  # fmt: skip
+    assert "Did you mean 'show'?" in command(capsys, "tracks", "shw", "film.csv")[2]
+
+
 @pytest.mark.parametrize("width", [40, 80, 120])
 @pytest.mark.parametrize("words", ALL, ids=lambda words: " ".join(words) or "carom")
 def test_help(
@@ -45,7 +52,7 @@ def test_help(
     assert code == 0
     assert [line for line in text.splitlines() if len(line.rstrip()) > width] == []
     assert "…" not in text  # (no name is cut)
-    assert not re.search("bool", text, re.IGNORECASE)
+    assert not re.search(r"bool|list\[", text, re.IGNORECASE)
     for option in find(words).params:
         if option.param_type_name == "option" and not option.hidden:
             assert [name for name in option.opts if not re.search(rf"{name}\b", text)] == []

@@ -206,7 +206,10 @@ def test_angle_and_spin(tmp_path: Path) -> None:
         ("t,x,y\n0,1 mm,2\n", "got '1 mm' at line 2; write units in the header"),
         ("t,x,y\n0,0,0\n0.2,1,1\n0.1,2,2\n", "expected increasing times, got 0.1 s after 0.2 s, at its row 3"),
         ("t,x,y\n,,\n", "expected positions of a ball, got none"),
-        ("x,y\n0,0\n", "expected a column t"),
+        (
+            "x,y\n0,0\n",
+            "expected a column t (as in 't [s]') or frame, got columns x, y; --rate 60 counts the rows as frames",
+        ),
     ],
 )
 def test_faults(tmp_path: Path, text: str, expected: str) -> None:
@@ -227,6 +230,20 @@ def test_odd_units_and_doubled_times_are_said(tmp_path: Path) -> None:
     assert "one frame every 8 s" in said
     assert "the first is used" in said
     assert found.tracks[0].position[1].tolist() == [1200, 3]
+
+
+def test_rows_without_times_are_the_frames_of_a_camera(tmp_path: Path) -> None:
+    track = read_tracks(put(tmp_path, "x,y\n0,0\n1,2\n2,4\n"), calibration=Calibration(rate=120)).tracks[0]
+    np.testing.assert_array_equal(track.time, np.arange(3) / 120)
+    with pytest.raises(CaromError, match="expected a column t"):  # (of several balls: which row is which frame?)
+        read_tracks(put(tmp_path, "ball,x,y\na,0,0\nb,1,2\n"), calibration=Calibration(rate=120))
+
+
+def test_a_film_in_centimetres_is_asked_about(tmp_path: Path) -> None:
+    rows = "".join(f"{k / 60},{200 * k / 60},{100}\n" for k in range(20))
+    for scale, asked in ((None, True), (0.01, False)):
+        said = " ".join(read_tracks(put(tmp_path, f"t,x,y\n{rows}"), calibration=Calibration(scale=scale)).notes)
+        assert ("the ball moves at 200 m/s: is the unit right? --scale 1mm (or 1cm" in said) is asked
 
 
 def test_not_a_file(tmp_path: Path) -> None:

@@ -21,10 +21,37 @@ from carom.tracks.contact_models import slide_would_show
 from carom.tracks.events import _bends
 from carom.tracks.floor import pool_floor, shared_fraction
 from carom.tracks.least_squares import ContactFit, Prior
-from carom.tracks.preprocess import camera_clock, position_noise, rounding_step
+from carom.tracks.preprocess import camera_clock, position_noise, rounding_step, without_outliers
 from carom.tracks.table_motion import slide_then_roll, slide_then_roll_derivatives
 
 ABOVE = Settings(view="above")
+
+
+def test_a_position_that_is_not_the_balls_is_omitted() -> None:
+    rng = np.random.default_rng(43)
+    track = seen(shot(rng), Camera(60, 4e-4), rng)
+    clean = measure([track], ABOVE)
+    assert len(clean.tracks[0]) == len(track)
+    wrong = replace(track, position=track.position.copy())
+    wrong.position[40] += (0.04, 0.0)
+    found = measure([wrong], ABOVE)
+    assert len(found.tracks[0]) == len(track) - 1
+    assert any("1 position lies 4" in note and "not the ball, and omitted" in note for note in found.notes)
+    assert len(found.measured) == len(clean.measured) == 2
+    for one, other in zip(found.measured, clean.measured, strict=True):
+        assert one.fit["vn_out"] == pytest.approx(other.fit["vn_out"], abs=one.fit.error("vn_out"))
+
+
+@pytest.mark.parametrize("kind", ["table", "flight"])
+@pytest.mark.parametrize("rate", [30, 60, 240])
+def test_no_frame_of_a_clean_film_is_omitted(kind: str, rate: float) -> None:
+    for number in range(20):
+        rng = np.random.default_rng(number)
+        run = bounce(rng) if kind == "flight" else shot(rng)
+        track = seen(run, Camera(rate, 4e-4), rng, (0, 2) if kind == "flight" else (0, 1))
+        notes: list[str] = []
+        assert without_outliers([track], 1 / rate, 9.8, notes)[0] is track
+        assert notes == []
 
 
 def pulls(kind: str, camera: Camera, numbers: range) -> dict[str, np.ndarray]:

@@ -86,13 +86,19 @@ def _run() -> int:
 
 def _usage(error: Any) -> str:
     """Return what was expected of an option, and what it was given; Typer's own sentence where it is another fault."""
+    context: Any = getattr(error, "ctx", None)
+    message = str(error.format_message())
+    if message.startswith("No such command") and "Did you mean" not in message and context.parent:
+        verbs, group = list(context.command.commands), context.info_name
+        rest = " ".join(sys.argv[2:])
+        return f"{group}: expected {' or '.join(verbs)} first, as in carom {group} {verbs[0]} {rest:.60}"
     names = getattr(getattr(error, "param", None), "opts", [])
     said = str(getattr(error, "message", "")).partition(", ")[0].removeprefix("Input should be ")
     for k, word in enumerate(sys.argv):
         name, _, value = word.partition("=")
         if name in names and said != error.message and (value or k + 1 < len(sys.argv)):
             return f"{name}: expected {said}, got {value or sys.argv[k + 1]!r:.60}"
-    return str(error.format_message())
+    return message
 
 
 def _interrupted() -> int:

@@ -6,6 +6,7 @@ import contextlib
 import functools
 import inspect
 import io
+import re
 import shutil
 import textwrap
 from typing import Any
@@ -20,10 +21,18 @@ def prepare_help(command: Any) -> Any:
     for option in command.get_params(command.context_class(command)):
         if getattr(option, "is_flag", False) and option.metavar is None:
             option.metavar = ""
+        if hasattr(option, "display_type_rich"):
+            option.display_type_rich = functools.partial(_of_one, option.display_type_rich)
     command.format_help = functools.partial(_format_help, command, command.format_help)
     for inner in getattr(command, "commands", {}).values():
         prepare_help(inner)
     return command
+
+
+def _of_one(display_type: Any, **context: Any) -> str | None:
+    """Return the type of one value where an option may be repeated: <str>, not <list[str]>."""
+    text = display_type(**context)
+    return text and re.sub(r"<list\[(\w+)\]>", lambda found: f"<{found[1].lower()}>", text)
 
 
 def _format_help(command: Any, in_panels: Any, context: Any, formatter: Any) -> None:

@@ -147,6 +147,7 @@ def show(
     table = attempt(lacking, _table, dict(zip(names, measured, strict=True)), stage, sliding)
     if out is not None:
         if table is None:
+            _notes(console, names, found, measured, None)
             raise CaromError(*lacking)
         written = (table.save(out), len(table))
     if plot is not None:
@@ -158,11 +159,7 @@ def show(
         each = [facts(film, one, stage, sliding) for film, one in zip(found, measured, strict=True)]
         print(json.dumps(each[0] if len(each) == 1 else {"films": each}, indent=2, allow_nan=False))  # noqa: T201
     else:
-        for name, film, one in zip(names, found, measured, strict=True):
-            if name:
-                stdout().print(f"{name}: {film.path}", style="bold", soft_wrap=True)
-            tell(stdout(), film, one)
-        tell_contacts(stdout(), list(zip(names, measured, strict=True)), stage, sliding)
+        _tell(names, found, measured, stage, sliding)
     _notes(console, names, found, measured, table)
     if written:
         console.print(f"{counted(written[1], 'rebound')} in the table")
@@ -186,6 +183,17 @@ def example(
     err().print(f"written: {paths[0]} to {paths[-1].name}", soft_wrap=True, markup=False, highlight=False)
 
 
+def _tell(
+    names: Sequence[str], found: Sequence[TrackFile], measured: Sequence[Measured], stage: str, sliding: bool
+) -> None:
+    """Print a table of each film, and one of all contacts."""
+    for name, film, one in zip(names, found, measured, strict=True):
+        if name:
+            stdout().print(f"{name}: {film.path}", style="bold", soft_wrap=True)
+        tell(stdout(), film, one)
+    tell_contacts(stdout(), list(zip(names, measured, strict=True)), stage, sliding)
+
+
 def _notes(
     console: Console,
     names: Sequence[str],
@@ -203,6 +211,9 @@ def _notes(
         else ": ".join(filter(None, (shortened_list(of), note)))
         for note, of in films.items()
     ]  # fmt: skip
+    bare = [name for name, one in zip(names, measured, strict=True) if not one.measured]
+    if bare and len(names) > 1:
+        notes.append(f"{shortened_list(bare)}: no contact measured")
     notes += [] if table is None else [note for note in table.notes if note.startswith("energy:")]
     for note in notes:
         console.print(note, style="dim", soft_wrap=True)

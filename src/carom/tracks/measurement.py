@@ -16,7 +16,7 @@ from carom.tracks.contact_fits import ContactFitter, Progress
 from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
 from carom.tracks.floor import WithError
 from carom.tracks.plausibility import MIN_JUDGED, restitution_note, why_implausible
-from carom.tracks.preprocess import guess_view, initial_noise, on_camera_clock, rounding_step
+from carom.tracks.preprocess import guess_view, initial_noise, on_camera_clock, rounding_step, without_outliers
 from carom.tracks.track import Track
 
 __all__ = ["Measured", "Settings", "TrackContact", "measure"]
@@ -123,6 +123,7 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, progress:
         raise CaromError(f"measure: tracks: expected one or more carom.tracks.Track, got {tracks!r:.60}")
     notes: list[str] = []
     seen, interval = on_camera_clock(tracks, notes)
+    seen = without_outliers(seen, interval, settings.gravity, notes)
     step = (rounding_step([t.position[:, 0] for t in seen]), rounding_step([t.position[:, 1] for t in seen]))
     noise = settings.noise if settings.noise is not None else initial_noise(seen, interval, step)
     groups: dict[str, list[Track]] = {}

@@ -21,6 +21,7 @@ __all__ = [
     "on_camera_clock",
     "position_noise",
     "rounding_step",
+    "without_outliers",
 ]
 
 Array = NDArray[np.float64]
@@ -29,6 +30,10 @@ MIN_INTERVAL_S = 1e-9  # between two frames: no camera is faster
 MIN_AGREEING_SHARE = 0.1
 # Pieces of a track that fall alike, if it was filmed from the side: most others hold a contact.
 MIN_FALLING_SHARE, MIN_ALIKE_SHARE, MIN_PIECES = 0.4, 0.6, 5
+# A position is wrong that lies so many times farther from a parabola through its six neighbours than any of them. Beside a contact
+# between these frames it lies 5.3 times as far at most, beside two contacts 11 times.
+OUTLYING = 12.0
+AROUND = np.array([-3.0, -2.0, -1.0, 1.0, 2.0, 3.0])  # frames
 
 
 @dataclass(frozen=True, eq=False)
@@ -227,6 +232,42 @@ def on_camera_clock(tracks: Sequence[Track], notes: list[str]) -> tuple[list[Tra
 def _on_clock(track: Track, times: Array, clock: CameraClock) -> Track:
     rows = np.searchsorted(times, track.time)
     return replace(track, time=clock.time[rows]).select(clock.frame[rows])
+
+
+def without_outliers(tracks: Sequence[Track], interval: float, gravity: float, notes: list[str]) -> list[Track]:
+    """Return the tracks without single positions that are not the ball's: they fit no motion, nor a contact."""
+    found: list[Track] = []
+    off: list[tuple[float, str]] = []
+    for track in tracks:
+        away = _distance_from_neighbours(track, interval, gravity)
+        off += [(float(away[k]), f"track {track.name!r} at t = {track.time[k]:.4g} s") for k in np.flatnonzero(away)]
+        found.append(track.select(away == 0) if away.any() else track)
+    if off:
+        most, where = max(off)
+        count = "1 position lies" if len(off) == 1 else f"{len(off)} positions lie up to"
+        notes.append(
+            f"{count} {1e3 * most:.3g} mm off the path through the frames around ({where}): not the ball, and omitted"
+        )
+    return found
+
+
+def _distance_from_neighbours(track: Track, interval: float, gravity: float) -> Array:
+    """Return how far each position (n,) lies from the path through its neighbours, m, if that is a wrong position; else 0."""
+    away = np.zeros(len(track))
+    if len(track) < 7 or not np.isfinite(interval):
+        return away
+    powers = np.stack([AROUND**0, AROUND, AROUND**2], axis=1)
+    windows = np.lib.stride_tricks.sliding_window_view(track.position, 7, axis=0)  # (n - 6, 2, 7)
+    beside, here = windows[..., [0, 1, 2, 4, 5, 6]], windows[..., 3]
+    parabola = beside @ np.linalg.pinv(powers).T
+    misfit = np.abs(beside - parabola @ powers.T).max(axis=(1, 2))
+    distance = np.linalg.norm(here - parabola[..., 0], axis=1)
+    noise = position_noise(track.time, track.position, interval)
+    # (a ball that hops between two frames is as far from them as it falls in that time)
+    least = np.maximum(OUTLYING * np.maximum(misfit, noise), gravity * interval**2)
+    in_a_row = track.time[6:] - track.time[:-6] < 6.5 * interval
+    away[3:-3] = np.where(in_a_row & (distance > least), distance, 0.0)
+    return away
 
 
 def initial_noise(tracks: Sequence[Track], interval: float, step: tuple[float, float]) -> float:

@@ -32,6 +32,9 @@ __all__ = ["FORMATS", "Format", "TrackFile", "read_tracks"]
 MIN_POSITIONS = 9  # fewer cannot hold a contact
 # Beyond these a number is damaged, or its unit wrong.
 MAX_POSITION_M, MAX_TIME_S = 1e9, 1e9
+# Of films without a word on their unit: larger, smaller or faster than those that are taken of balls, in m and m/s.
+SMALLEST_FILM_M, LARGEST_FILM_M, FASTEST_BALL = 5e-3, 20.0, 80.0
+USUAL_SHARE = 0.9  # of the steps from frame to frame: the fastest may be errors
 JUMP_STEPS = 30.0  # times the usual step: no ball moves so far between two frames
 
 
@@ -206,13 +209,26 @@ def _label(track: Track) -> str:
     return " ".join(filter(None, (track.group, track.name)))
 
 
+def _speeds(track: Track) -> NDArray[np.float64]:
+    """Return the speeds from frame to frame, m/s."""
+    steps = np.diff(track.time[track.seen])
+    ways = np.linalg.norm(np.diff(track.position[track.seen], axis=0), axis=1)
+    return np.asarray(np.divide(ways, steps, out=np.zeros_like(ways), where=steps > 0))
+
+
 def _plausibility_notes(tracks: list[Track], notes: list[str]) -> None:
     """Add notes on signs of a wrong unit, several units in one file, or a ball that was lost and found elsewhere."""
     size = max(float(np.ptp(track.position[track.seen], axis=0).max()) for track in tracks)
+    speed = max(
+        (float(np.quantile(_speeds(track), USUAL_SHARE)) for track in tracks if track.seen.sum() > 2), default=0.0
+    )
     if size == 0:
         notes.append("the ball does not move: all its positions are the same")
-    elif not 5e-3 < size < 100:
-        notes.append(f"the tracks span {size:.3g} m: is the unit right? --scale sets it, in m per unit of the file")
+    elif not SMALLEST_FILM_M < size < LARGEST_FILM_M or speed > FASTEST_BALL:
+        notes.append(
+            f"the tracks span {size:.3g} m, and the ball moves at {speed:.3g} m/s: is the unit right? --scale 1mm (or 1cm, 0.42mm a"
+            " pixel) tells it"
+        )
         spans = np.array([np.ptp(track.position[track.seen], axis=0) for track in tracks]).max(axis=0)
         if spans.max() > 100 * spans.min() > 0:
             notes.append(

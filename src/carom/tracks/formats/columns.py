@@ -73,8 +73,11 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
             table.faults.append(
                 f"{name}: expected a column {axis} (with its unit, as in '{axis} [mm]'), got none; {near}"
             )
-    if "time" not in found and "frame" not in found:
-        table.faults.append(f"{name}: expected a column t (as in 't [s]') or frame, got none")
+    counted = "time" not in found and "frame" not in found  # by the rows of a single ball
+    if counted and (calibration.rate is None or who):
+        columns = ", ".join(cell.strip() for cell in header)
+        hint = "" if who else "; --rate 60 counts the rows as frames"
+        table.faults.append(f"{name}: expected a column t (as in 't [s]') or frame, got columns {columns:.80}{hint}")
     table.raise_faults()
     pixels = found["x"][1] is None or found["y"][1] is None
     require_calibration(
@@ -86,11 +89,11 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     down = calibration.down if calibration.down is not None else pixels
     if down:
         place[:, 1] *= -1
-    time = (
-        _units(table, found["time"], calibration)
-        if "time" in found
-        else _units(table, found["frame"], calibration) / (calibration.rate or 1.0)
-    )
+    if "time" in found:
+        time = _units(table, found["time"], calibration)
+    else:
+        frames = np.arange(float(len(place))) if counted else _units(table, found["frame"], calibration)
+        time = frames / (calibration.rate or 1.0)
     more: dict[str, NDArray[np.float64]] = {
         key: _units(table, found[key], calibration) for key in ("angle", "spin", "frame") if key in found
     }
