@@ -9,6 +9,7 @@ from pathlib import Path
 
 import pytest
 
+from carom.core.jit.compile import is_cached
 from carom.core.jit.shared_cache import Locator, _locked
 
 # A module of carom's, at a path of its own; it prints how often its loop was compiled, and how often it was loaded.
@@ -58,3 +59,13 @@ def test_a_lock_that_cannot_be_had_is_done_without(tmp_path: Path, monkeypatch: 
         pass
     with _locked(tmp_path / "lock"), _locked(tmp_path / "lock"):  # held for longer than anybody waits
         pass
+
+
+def test_a_folder_that_vanishes_while_it_is_searched_holds_nothing(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Another process removed the folders of an older version at that moment: simulations ended with FileNotFoundError."""
+
+    def gone(*_given: object) -> object:
+        raise FileNotFoundError("locks")
+
+    monkeypatch.setattr(Path, "glob", gone)
+    assert not is_cached(gone)

@@ -48,3 +48,9 @@ def test_the_readme_has_dark_copies_of_its_drawings() -> None:
         assert copy == dark_pictures.dark(picture.read_text(encoding="utf-8"))
         figure = copy.split('<g id="patch_1">', 1)[1].split("</g>", 1)[0]
         assert "fill: none" in figure  # the page shows through
+
+
+def test_all_drawings_are_in_the_one_font() -> None:
+    for picture in (DOCS / "images").glob("*.svg"):
+        fonts = set(re.findall(r'id="([A-Za-z]+)-[A-Za-z-]*[0-9a-f]+"', picture.read_text(encoding="utf-8")))
+        assert not {font for font in fonts if font.startswith("DejaVu")}, picture.name

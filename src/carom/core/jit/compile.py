@@ -185,7 +185,10 @@ def plain_numbers(*kinds: Any) -> bool:
 def is_cached(function: Callable[..., Any]) -> bool:
     """Return whether the compiled code of a loop lies in the cache, for some signature."""
     name = f"{function.__module__.rpartition('.')[2]}.{function.__qualname__}"
-    return any(cache_folder().glob(f"*/{name}-*.nbi"))
+    try:
+        return any(cache_folder().glob(f"*/{name}-*.nbi"))
+    except OSError:  # another process removes folders of old versions at this moment
+        return False
 
 
 def compiling_failed() -> type[Exception]:
