@@ -300,8 +300,14 @@ def test_settings_of_fits_that_are_no_numbers(value):
 @pytest.mark.parametrize(
     ("words", "line"),
     [
-        (("compare", "--angle", "x"), "carom: --angle: expected a valid number, got 'x' (carom --help)"),
-        (("compare", "--angle=x"), "carom: --angle: expected a valid number, got 'x' (carom --help)"),
+        (
+            ("compare", "--angle", "x"),
+            "carom: --angle: expected an angle, such as 45 (degrees) or 0.79rad, got 'x' (carom --help)",
+        ),
+        (
+            ("compare", "--angle=x"),
+            "carom: --angle: expected an angle, such as 45 (degrees) or 0.79rad, got 'x' (carom --help)",
+        ),
         (
             ("simulate", "a.toml", "--max-events", "1.5"),
             "carom: --max-events: expected a valid integer, got '1.5' (carom --help)",

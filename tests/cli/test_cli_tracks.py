@@ -358,3 +358,24 @@ def test_example_films_are_there_to_try(
     shown = run(capsys, monkeypatch, str(folder / "shot12.txt"), "--radius", "28.6mm", "--json")
     (contact,) = json.loads(shown[1])["contacts"]
     assert contact["t"] == pytest.approx(0.2956, abs=1e-3)
+
+
+def test_a_length_may_have_a_unit_on_every_command(
+    shot_file: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    for words in (
+        ("compare", "--law", "maw,no-slip", "--speed", "150cm/s", "--spin-z", "60rpm"),
+        ("tracks", "show", str(shot_file)),
+        ("orbit", "circle", "--bounces", "3"),
+    ):
+        said = []
+        for radius in ("28.6mm", "0.0286"):
+            monkeypatch.setattr("sys.argv", ["carom", *words, "--radius", radius])
+            with pytest.raises(SystemExit):
+                main()
+            said.append(capsys.readouterr())
+        assert said[0] == said[1]
+        monkeypatch.setattr("sys.argv", ["carom", *words, "--radius", "28.6kg"])
+        with pytest.raises(SystemExit):
+            main()
+        assert "--radius: expected a length, such as 0.0005 (m) or 0.5mm, got '28.6kg'" in capsys.readouterr().err

@@ -6,7 +6,7 @@ import importlib.util
 import sys
 from dataclasses import replace
 from pathlib import Path
-from types import ModuleType
+from types import ModuleType, SimpleNamespace
 
 import numpy as np
 import pytest
@@ -17,6 +17,7 @@ from carom.data import read_rebounds
 from carom.errors import CaromError
 from carom.scene.shapes import Plane
 from carom.tracks import Measured, Settings, Track, WallLine, measure, to_rebounds, usable_stages
+from carom.tracks.contact import _not_rolling
 from carom.tracks.contact_models import slide_would_show
 from carom.tracks.events import _bends
 from carom.tracks.floor import pool_floor, shared_fraction
@@ -591,3 +592,14 @@ def test_bends_are_judged_by_the_speeds_beside_them() -> None:
     t = np.arange(6.0)
     along = np.array([0.0, 10.0, 11.0, 12.0, 11.0, 10.0])
     assert _bends(np.stack([along, 0 * along], axis=1), t).tolist() == [1, 1, 1, 1, 0]
+
+
+def test_a_ball_that_rolls_back_into_the_wall_is_no_row_with_a_negative_speed() -> None:
+    """Else a table of it was refused, with the advice to change signs that the user never wrote."""
+
+    class Fit(dict[str, float]):
+        def error(self, _name: str) -> float:
+            return 0.01
+
+    one = SimpleNamespace(interval=0.01, last=9.0)
+    assert "a frame near the wall is mistracked" in _not_rolling(one, Fit(vn_roll=-0.2))

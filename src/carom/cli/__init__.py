@@ -94,6 +94,8 @@ def _usage(error: Any) -> str:
         return f"{group}: expected {' or '.join(verbs)} first, as in carom {group} {verbs[0]} {rest:.60}"
     names = getattr(getattr(error, "param", None), "opts", [])
     said = str(getattr(error, "message", "")).partition(", ")[0].removeprefix("Input should be ")
+    if said == "Value error":  # raised by the parser of an option, which says all
+        return str(error.message).partition(", ")[2]
     for k, word in enumerate(sys.argv):
         name, _, value = word.partition("=")
         if name in names and said != error.message and (value or k + 1 < len(sys.argv)):

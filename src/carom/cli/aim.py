@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.common import attempt, require_outputs, wrote
-from carom.cli.options import OUTPUT, RUN, shared
+from carom.cli.options import OUTPUT, RUN, quantity, shared
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -57,7 +57,7 @@ def aim(
         float | None,
         typer.Option(
             "--within",
-            metavar="M",
+            **quantity("--within", "m"),
             help="How far from there it may end, m.",
             show_default="its radius",
             rich_help_panel=TARGET,
@@ -67,7 +67,7 @@ def aim(
         float | None,
         typer.Option(
             "--speed",
-            metavar="M/S",
+            **quantity("--speed", "m/s"),
             help="Speed with which it comes to the ball or the pocket, m/s, within a tenth.",
             show_default="any",
             rich_help_panel=TARGET,

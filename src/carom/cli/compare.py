@@ -17,7 +17,7 @@ from rich.text import Text
 
 from carom.cli.common import attempt, require_outputs, tick, wrote
 from carom.cli.console import out
-from carom.cli.options import BALL, OUTPUT, shared
+from carom.cli.options import BALL, OUTPUT, comma_separated, quantity, shared
 from carom.errors import CaromError
 from carom.formatting import format_length, format_number
 
@@ -35,16 +35,32 @@ def register(app: typer.Typer) -> None:
 
 
 def compare(
-    speed: Annotated[float, typer.Option(help="Speed along the floor, m/s.", rich_help_panel=BALL)] = 1.0,
+    speed: Annotated[
+        float, typer.Option(help="Speed along the floor, m/s.", rich_help_panel=BALL, **quantity("--speed", "m/s"))
+    ] = 1.0,
     angle: Annotated[
-        float, typer.Option(help="Angle of incidence, from the wall's normal, degrees.", rich_help_panel=BALL)
+        float,
+        typer.Option(
+            help="Angle of incidence, from the wall's normal, degrees.",
+            rich_help_panel=BALL,
+            **quantity("--angle", "degree"),
+        ),
     ] = 45.0,
-    spin_z: Annotated[float, typer.Option(help="Spin about the vertical, rad/s.", rich_help_panel=BALL)] = 0.0,
+    spin_z: Annotated[
+        float,
+        typer.Option(help="Spin about the vertical, rad/s.", rich_help_panel=BALL, **quantity("--spin-z", "rad/s")),
+    ] = 0.0,
     spin_x: Annotated[
-        float | None, typer.Option(help="Spin about x, rad/s.", show_default="rolling", rich_help_panel=BALL)
+        float | None,
+        typer.Option(
+            help="Spin about x, rad/s.", show_default="rolling", rich_help_panel=BALL, **quantity("--spin-x", "rad/s")
+        ),
     ] = None,
     spin_y: Annotated[
-        float | None, typer.Option(help="Spin about y, rad/s.", show_default="rolling", rich_help_panel=BALL)
+        float | None,
+        typer.Option(
+            help="Spin about y, rad/s.", show_default="rolling", rich_help_panel=BALL, **quantity("--spin-y", "rad/s")
+        ),
     ] = None,
     sliding: Annotated[
         bool,
@@ -52,7 +68,12 @@ def compare(
             "--sliding", help="The ball slides: --spin-x and --spin-y are 0 by default.", rich_help_panel=BALL
         ),
     ] = False,
-    vertical_speed: Annotated[float, typer.Option(help="Upward speed at the wall, m/s.", rich_help_panel=BALL)] = 0.0,
+    vertical_speed: Annotated[
+        float,
+        typer.Option(
+            help="Upward speed at the wall, m/s.", rich_help_panel=BALL, **quantity("--vertical-speed", "m/s")
+        ),
+    ] = 0.0,
     height: Annotated[float, shared("height")] = 0.0,
     inertia: Annotated[str, shared("inertia")] = "solid",
     radius: Annotated[float, shared("radius")] = 0.02625,
@@ -69,8 +90,8 @@ def compare(
     law: Annotated[
         list[str] | None,
         typer.Option(
-            metavar="NAME",
-            help="Compare only this law, or a custom one, my_law.py:law; may be repeated.",
+            metavar="NAME,NAME",
+            help="Compare only these laws, or custom ones, my_law.py:law; may be repeated.",
             rich_help_panel=OUTPUT,
         ),
     ] = None,
@@ -95,7 +116,10 @@ def compare(
     # all errors at once, before anything is written
     found: list[str] = []
     require_outputs(found, {"--plot": plot})
-    laws = [attempt(found, find_law, name) for name in law] if law else None
+    names = [name for text in law or [] for name in comma_separated(text)]
+    if law and not names:
+        found.append("--law: expected names of laws, NAME,NAME, got none; omit the option to compare all laws")
+    laws = [attempt(found, find_law, name) for name in names] or None
     meeting = attempt(found, lambda: library.incoming(**settings))
     if found:
         raise CaromError(*found)

@@ -45,7 +45,7 @@ def fit(
     files: Annotated[
         list[Path],
         typer.Argument(
-            metavar="FILE...",
+            metavar="FILE",
             help="A table of rebounds (CSV, Parquet), one or more tracks, or a set of carom datasets.",
         ),
     ],

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator
 from typing import Any
@@ -25,6 +26,8 @@ __all__ = [
     "parse_length",
     "parse_number",
     "parse_spin",
+    "parse_with_unit",
+    "quantity",
     "shared",
     "unused_options",
 ]
@@ -33,12 +36,24 @@ __all__ = [
 BALL, WALL, FLOOR, RUN, OUTPUT = "Ball", "Wall", "Floor", "Run", "Output"
 TRACK, REBOUNDS = "Track", "Table of rebounds"
 
-# Each shared option by its parameter's name: heading, help, and further arguments of typer.Option.
+# What an option with this unit expects, and examples.
+_QUANTITIES = {
+    "m": ("a length", "0.0005 (m) or 0.5mm"),
+    "kg": ("a mass", "0.17 (kg) or 170g"),
+    "m/s": ("a speed", "1.5 (m/s) or 150cm/s"),
+    "m/s^2": ("an acceleration", "9.81 (m/s^2) or 981cm/s^2"),
+    "rad/s": ("a spin", "10 (rad/s) or 95rpm"),
+    "degree": ("an angle", "45 (degrees) or 0.79rad"),
+    "s": ("a time", "0.02 (s) or 20ms"),
+}
+
+# Each shared option by its parameter's name: heading, help, and further arguments of typer.Option; ``unit`` is the SI unit of a
+# value that may be given with another.
 _SHARED: dict[str, tuple[str, str, dict[str, Any]]] = {
-    "radius": (BALL, "Radius, m.", {}),
-    "mass": (BALL, "Mass, kg.", {}),
+    "radius": (BALL, "Radius, m.", {"unit": "m"}),
+    "mass": (BALL, "Mass, kg.", {"unit": "kg"}),
     "inertia": (BALL, "solid, hollow, or kappa = I/(m a^2).", {"metavar": "solid|hollow|KAPPA"}),
-    "height": (BALL, "Height of the ball above the floor when it meets the wall, m.", {}),
+    "height": (BALL, "Height of the ball above the floor when it meets the wall, m.", {"unit": "m"}),
     "restitution": (WALL, "Coefficient of restitution, 0 to 1.", {}),
     "friction": (WALL, "Friction coefficient; inf: never slips.", {}),
     "tangential_restitution": (WALL, "Tangential restitution, -1 to 1: 0 stops the slip, 1 reverses it.", {}),
@@ -56,7 +71,7 @@ _SHARED: dict[str, tuple[str, str, dict[str, Any]]] = {
         "Whether a ball that the wall presses down meets the floor with the wall or after it.",
         {"metavar": "with|after"},
     ),
-    "gravity": (FLOOR, "Gravity, m/s^2.", {}),
+    "gravity": (FLOOR, "Gravity, m/s^2.", {"unit": "m/s^2"}),
     "duration": (RUN, "Duration; overrides the scene's.", {"metavar": "T"}),
     "max_events": (RUN, "Largest number of events; overrides the scene's.", {"metavar": "N"}),
     "seed": (RUN, "Seed of the random numbers.", {"metavar": "N"}),
@@ -65,8 +80,8 @@ _SHARED: dict[str, tuple[str, str, dict[str, Any]]] = {
     "view": (TRACK, "above (balls on a table) or side (balls in flight).", {"metavar": "above|side"}),
     "noise": (TRACK, "Error of one coordinate in one frame: 0.0003 (m), or 0.3mm.", {}),
     "kind": (REBOUNDS, "planar (ball in flight) or table (ball on a table).", {"metavar": "planar|table"}),
-    "sigma_v": (REBOUNDS, "Standard error of speeds, m/s.", {}),
-    "sigma_spin": (REBOUNDS, "Standard error of spins, rad/s.", {}),
+    "sigma_v": (REBOUNDS, "Standard error of speeds, m/s.", {"unit": "m/s"}),
+    "sigma_spin": (REBOUNDS, "Standard error of spins, rad/s.", {"unit": "rad/s"}),
     "allow_own_laws": (RUN, "Execute the Python files that the scene names as laws.", {"flags": ("--allow-own-laws",)}),
     "json": (OUTPUT, "Print JSON on standard output, and nothing else.", {"flags": ("--json",)}),
     "quiet": (OUTPUT, "Print nothing but errors.", {"flags": ("--quiet",)}),
@@ -83,6 +98,8 @@ def shared(name: str, default: str | None = None, **changes: Any) -> Any:
     """
     panel, text, more = _SHARED[name]
     settings = {"help": text, "rich_help_panel": panel, **more, **changes}
+    if unit := settings.pop("unit", None):
+        settings |= quantity(f"--{name.replace('_', '-')}", unit)
     if default is not None:
         settings["show_default"] = default
     return typer.Option(*settings.pop("flags", ()), **settings)
@@ -108,20 +125,37 @@ def parse_inertia(text: str) -> float:
 
 def parse_length(name: str, text: str | None) -> float | None:
     """Return a length in m from a text with or without a unit."""
-    from carom.core.units import parse_quantity
-
     if text is None:
         return None
-    try:
-        value = float(text)
-    except ValueError:
-        try:
-            value = parse_quantity(text, "m")
-        except ValueError:
-            value = math.nan
+    value = parse_with_unit(f"--{name}", "m", text)
     if not math.isfinite(value):
-        raise CaromError(f"--{name}: expected a length, such as 0.0005 (m) or 0.5mm, got {text!r}")
+        raise CaromError(_no_quantity(f"--{name}", "m", text))
     return value
+
+
+def parse_with_unit(option: str, unit: str, text: str | float) -> float:
+    """Return the value of an option in an SI unit, from a text with or without a unit; the library checks its range."""
+    from carom.core.units import parse_quantity
+
+    try:
+        return float(text)
+    except ValueError:
+        pass
+    try:
+        return parse_quantity(str(text), unit)
+    except ValueError:
+        raise CaromError(_no_quantity(option, unit, text)) from None
+
+
+def _no_quantity(option: str, unit: str, text: str | float) -> str:
+    what, such = _QUANTITIES[unit]
+    return f"{option}: expected {what}, such as {such}, got {str(text)!r}"
+
+
+def quantity(option: str, unit: str) -> dict[str, Any]:
+    """Return the arguments of typer.Option for a value that may have a unit: ``--radius 0.0286`` or ``--radius 28.6mm``."""
+    what = _QUANTITIES[unit][0].partition(" ")[2]
+    return {"parser": functools.partial(parse_with_unit, option, unit), "metavar": what.replace(" ", "_").upper()}
 
 
 def parse_spin(text: str | None, whole: bool = False) -> tuple[float | None, dict[str, Any]]:

@@ -10,7 +10,7 @@ import typer
 
 from carom.billiards.named import SIZES, named_table
 from carom.cli.common import attempt, require_outputs, working, wrote
-from carom.cli.options import BALL, OUTPUT, shared
+from carom.cli.options import BALL, OUTPUT, quantity, shared
 from carom.cli.orbit_output import every_bounce, orbit_facts, print_orbit
 from carom.errors import CaromError
 
@@ -27,7 +27,8 @@ def register(app: typer.Typer) -> None:
     app.command()(orbit)
 
 
-def _size(text: str, **more: Any) -> Any:
+def _size(text: str, option: str = "", unit: str = "m") -> Any:
+    more = quantity(option, unit) if option else {}
     return typer.Option(help=text, rich_help_panel=TABLE, show_default=False, **more)
 
 
@@ -40,22 +41,24 @@ def orbit(
         str, typer.Option(help="What the table bounds: the ball's centre or its surface.", rich_help_panel=TABLE)
     ] = "centre",
     radius: Annotated[
-        float | None, _size("Of a circle, a sphere, a stadium's ends, an obstacle; circumradius of a polygon; m.")
+        float | None,
+        _size("Of a circle, a sphere, a stadium's ends, an obstacle; circumradius of a polygon; m.", "--radius"),
     ] = None,
-    major: Annotated[float | None, _size("Half axis of an ellipse in x, m.")] = None,
-    minor: Annotated[float | None, _size("Half axis of an ellipse in y, m.")] = None,
-    straight: Annotated[float | None, _size("Length of a stadium's straight sides, m.")] = None,
+    major: Annotated[float | None, _size("Half axis of an ellipse in x, m.", "--major")] = None,
+    minor: Annotated[float | None, _size("Half axis of an ellipse in y, m.", "--minor")] = None,
+    straight: Annotated[float | None, _size("Length of a stadium's straight sides, m.", "--straight")] = None,
     sides: Annotated[int | None, _size("Number of sides of a regular polygon.")] = None,
     vertices: Annotated[str | None, _size("Of any polygon: 'x,y x,y x,y ...', m.")] = None,
-    width: Annotated[float | None, _size("Of a rectangle, a strip, a box, m.")] = None,
+    width: Annotated[float | None, _size("Of a rectangle, a strip, a box, m.", "--width")] = None,
     height: Annotated[
-        float | None, _size("Of a rectangle, a box; distance of the lids of a cylinder (except over a rectangle), m.")
+        float | None,
+        _size("Of a rectangle, a box; distance of the lids of a cylinder (except over a rectangle), m.", "--height"),
     ] = None,
-    depth: Annotated[float | None, _size("Of a box, in z, m.")] = None,
-    angle: Annotated[float | None, _size("Of a wedge, degrees.")] = None,
-    side: Annotated[float | None, _size("Of Sinai's square cell, m.")] = None,
-    period: Annotated[float | None, _size("Of a periodic strip, m.")] = None,
-    distance: Annotated[float | None, _size("Between plates, m.")] = None,
+    depth: Annotated[float | None, _size("Of a box, in z, m.", "--depth")] = None,
+    angle: Annotated[float | None, _size("Of a wedge, degrees.", "--angle", "degree")] = None,
+    side: Annotated[float | None, _size("Of Sinai's square cell, m.", "--side")] = None,
+    period: Annotated[float | None, _size("Of a periodic strip, m.", "--period")] = None,
+    distance: Annotated[float | None, _size("Between plates, m.", "--distance")] = None,
     acceleration: Annotated[
         str | None,
         _size("Constant acceleration, m/s^2: x,y or x,y,z; or a number: along a strip (x), plates or a cylinder (z)."),
@@ -65,7 +68,13 @@ def orbit(
         typer.Option(help="Moment of inertia, I/(m a^2).", show_default="0.5; in space 0.4", rich_help_panel=BALL),
     ] = None,
     ball_radius: Annotated[
-        float | None, typer.Option(help="Radius, m.", show_default="1; 0.1 with --bounds surface", rich_help_panel=BALL)
+        float | None,
+        typer.Option(
+            help="Radius, m.",
+            show_default="1; 0.1 with --bounds surface",
+            rich_help_panel=BALL,
+            **quantity("--ball-radius", "m"),
+        ),
     ] = None,
     law: Annotated[
         str,

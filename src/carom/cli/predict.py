@@ -12,7 +12,7 @@ from rich.text import Text
 
 from carom.cli.common import attempt, require_outputs, working, wrote
 from carom.cli.console import err
-from carom.cli.options import WALL, parse_inertia, shared
+from carom.cli.options import WALL, parse_inertia, quantity, shared
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -45,7 +45,11 @@ def predict(
     suffix: Annotated[str | None, typer.Option(help="Suffix of the names of added columns.")] = None,
     speed: Annotated[
         float | None,
-        typer.Option(help="Speed of every row, m/s, for tables with incidence_deg.", rich_help_panel=TABLE),
+        typer.Option(
+            help="Speed of every row, m/s, for tables with incidence_deg.",
+            rich_help_panel=TABLE,
+            **quantity("--speed", "m/s"),
+        ),
     ] = None,
     radius: Annotated[float | None, shared("radius", default="0.02625")] = None,
     mass: Annotated[float | None, shared("mass", default="0.1406")] = None,

@@ -18,7 +18,7 @@ from rich.console import Console
 from carom.cli.common import attempt, require_outputs, wrote
 from carom.cli.console import err
 from carom.cli.console import out as stdout
-from carom.cli.options import FLOOR, parse_inertia, parse_length, shared
+from carom.cli.options import FLOOR, parse_inertia, parse_length, quantity, shared
 from carom.cli.tracks_output import counted, facts, tell, tell_contacts
 from carom.errors import CaromError, shortened_list
 
@@ -44,7 +44,7 @@ def show(
     files: Annotated[
         list[Path],
         typer.Argument(
-            metavar="FILE...",
+            metavar="FILE",
             help="Files from Tracker, Kinovea, trackpy, DeepLabCut ..., or columns t, x, y; several films make one table.",
         ),
     ],
@@ -66,7 +66,7 @@ def show(
     ] = None,
     view: Annotated[str | None, shared("view", default="by the motion", rich_help_panel=FILE)] = None,
     radius: Annotated[
-        str | None, shared("radius", help="Radius, 0.03075 (m) or 30.75mm; needed where balls may meet.")
+        float | None, shared("radius", help="Radius, 0.03075 (m) or 30.75mm; needed where balls may meet.")
     ] = None,
     inertia: Annotated[str, shared("inertia")] = "solid",
     wall: Annotated[
@@ -89,12 +89,17 @@ def show(
     gravity: Annotated[float, shared("gravity")] = 9.80665,
     noise: Annotated[str | None, shared("noise", default="estimated", rich_help_panel=FIT)] = None,
     window: Annotated[
-        float, typer.Option(help="Time fitted before and after a contact, s.", rich_help_panel=FIT)
+        float,
+        typer.Option(
+            help="Time fitted before and after a contact, s.", rich_help_panel=FIT, **quantity("--window", "s")
+        ),
     ] = 0.5,
     blind: Annotated[
         float | None,
         typer.Option(
-            help="Time excluded before and after a contact, s. Default: from the frames.", rich_help_panel=FIT
+            help="Time excluded before and after a contact, s. Default: from the frames.",
+            rich_help_panel=FIT,
+            **quantity("--blind", "s"),
         ),
     ] = None,
 ) -> None:
@@ -108,10 +113,7 @@ def show(
     from carom.tracks.read import read_tracks
 
     faults: list[str] = []
-    lengths = {
-        name: attempt(faults, parse_length, name, text)
-        for name, text in (("scale", scale), ("radius", radius), ("noise", noise))
-    }
+    lengths = {name: attempt(faults, parse_length, name, text) for name, text in (("scale", scale), ("noise", noise))}
     kappa = attempt(faults, parse_inertia, inertia)
     for name, value, known in (
         ("stage", stage, ("best", "after_wall", "rolling", "both")),
@@ -130,7 +132,7 @@ def show(
     if faults:
         raise CaromError(*faults)
     settings = Settings(
-        radius=lengths["radius"], kappa=kappa, view=view, noise=lengths["noise"],  # type: ignore[arg-type]
+        radius=radius, kappa=kappa, view=view, noise=lengths["noise"],  # type: ignore[arg-type]
         cloth=cloth, rolling=rolling, gravity=gravity, window=window, blind=blind, hard=hard,
     )  # fmt: skip
     console = err()

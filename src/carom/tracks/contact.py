@@ -156,6 +156,8 @@ def _why_not(one: TrackContact, stage: str) -> str:
 
 
 def _not_rolling(one: TrackContact, fit: ContactFit) -> str:
+    if fit["vn_roll"] < -3 * fit.error("vn_roll"):
+        return "it comes back to the wall before it rolls, or a frame near the wall is mistracked"
     # long enough to distinguish rolling from sliding
     least = 3 * one.interval + np.sqrt(10 * fit.noise / fit["mu_g"])
     if one.last - fit["t"] - fit["slides"] < least:
