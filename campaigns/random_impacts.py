@@ -226,9 +226,8 @@ def pair_loop(rng: Any, count: int, worst: Any, case: Any, errors: Any) -> int:
             one_of(rng, -1.0, 1.0, rng.uniform(-1.0, 1.0)),
         )
         x1, y1, x2, y2, j, _required, _regime = pair_contact(v1, w1, v2, w2, n, a1, m1, k1, a2, m2, k2, e, mu, beta)
-        scale = (
-            math.sqrt(dot(v1, v1)) + math.sqrt(dot(v2, v2)) + a1 * math.sqrt(dot(w1, w1)) + a2 * math.sqrt(dot(w2, w2))
-        )
+        scale = AT_REST + math.sqrt(dot(v1, v1)) + math.sqrt(dot(v2, v2))
+        scale += a1 * math.sqrt(dot(w1, w1)) + a2 * math.sqrt(dot(w2, w2))
         unit, heavy = EPSILON * scale * (1 + 1 / k1 + 1 / k2), m1 + m2
         gone = m1 * (energy(v1, w1, a1, k1) - energy(x1, y1, a1, k1)) + m2 * (
             energy(v2, w2, a2, k2) - energy(x2, y2, a2, k2)

@@ -37,7 +37,7 @@ def test_there_are_all_commands() -> None:
 
 def test_a_verb_that_is_left_out(capsys: pytest.CaptureFixture[str]) -> None:
     assert command(capsys, "tracks", "film.csv") == (
-        2, "", "carom: tracks: expected show or example first, as in carom tracks show film.csv (carom --help)\n",
+        2, "", "carom: tracks: expected show or example before 'film.csv' (carom --help)\n",
     )  # fmt: skip
     assert "Did you mean 'show'?" in command(capsys, "tracks", "shw", "film.csv")[2]
 

@@ -11,6 +11,7 @@ import pytest
 from reference.synthetic_tracks import Camera, bounce, seen, shot
 
 from carom.cli import main
+from carom.errors import CaromError
 from carom.tracks import Measured, Settings, Track, measure, to_rebounds
 from carom.tracks.preprocess import guess_view
 
@@ -145,3 +146,10 @@ def test_energy_that_grows_is_noted(
     with pytest.raises(SystemExit):
         main()
     assert expected in capsys.readouterr().err
+
+
+def test_a_radius_in_millimetres_is_refused() -> None:
+    with pytest.raises(
+        CaromError, match=r"radius: expected a ball.s radius in m .a billiard ball.s: 0.0286, or 28.6mm., got 28.6"):
+    ):
+        Settings(radius=28.6).check()

@@ -91,7 +91,7 @@ def _usage(error: Any) -> str:
     if message.startswith("No such command") and "Did you mean" not in message and context.parent:
         verbs, group = list(context.command.commands), context.info_name
         rest = " ".join(sys.argv[2:])
-        return f"{group}: expected {' or '.join(verbs)} first, as in carom {group} {verbs[0]} {rest:.60}"
+        return f"{group}: expected {' or '.join(verbs)} before {rest!r:.60}"
     names = getattr(getattr(error, "param", None), "opts", [])
     said = str(getattr(error, "message", "")).partition(", ")[0].removeprefix("Input should be ")
     if said == "Value error":  # raised by the parser of an option, which says all

@@ -73,8 +73,10 @@ class Setting:
 def common_faults(setting: Any) -> list[str]:
     """Return one line per problem of the ball, the table and the bounds, which rebounds and whole tracks both need."""
     faults = []
-    if not 0 < float_or_nan(setting.radius) < 10:
-        faults.append(f"radius: expected the ball's radius in m, above 0, got {setting.radius!r}")
+    if not 0 < float_or_nan(setting.radius) <= 1:
+        faults.append(
+            f"radius: expected the ball's radius in m (a billiard ball's: 0.0286, or 28.6mm), got {setting.radius!r}"
+        )
     if not 1 <= float_or_nan(setting.contact_height) < 2:
         faults.append(
             f"contact_height: expected 1 (level with the centre) to 2, in radii, got {setting.contact_height!r}"

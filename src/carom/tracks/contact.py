@@ -66,6 +66,8 @@ class Settings:
             value = getattr(self, name)
             if value is not None and not (isinstance(value, NUMBERS) and 0 <= value < np.inf):
                 faults.add(name, "a number of at least 0", repr(value))
+        if isinstance(self.radius, NUMBERS) and 1 < self.radius < np.inf:
+            faults.add("radius", "a ball's radius in m (a billiard ball's: 0.0286, or 28.6mm)", repr(self.radius))
         if self.view not in (None, "above", "side"):
             faults.add("view", "'above' or 'side'", repr(self.view))
         faults.raise_if_any()
