@@ -149,7 +149,6 @@ def test_energy_that_grows_is_noted(
 
 
 def test_a_radius_in_millimetres_is_refused() -> None:
-    with pytest.raises(
-        CaromError, match=r"radius: expected a ball.s radius in m .a billiard ball.s: 0.0286, or 28.6mm., got 28.6"):
-    ):
+    expected = r"radius: expected a ball's radius in m \(a billiard ball's: 0.0286, or 28.6mm\), got 28.6"
+    with pytest.raises(CaromError, match=expected):
         Settings(radius=28.6).check()
