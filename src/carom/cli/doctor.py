@@ -51,7 +51,9 @@ def doctor(as_json: Annotated[bool, shared("json")] = False) -> None:
     table.add_row("GPU", found["gpu"])
     console.print(table)
     if any(about["version"] is None for about in found["optional"].values()):
-        console.print(f"An extra, here plot, is installed by\n{install_command('plot')}", soft_wrap=True, markup=False)
+        console.print("An extra, here plot, is installed by", soft_wrap=True)
+        # (whole, to be copied, however narrow the terminal)
+        console.print(install_command("plot"), no_wrap=True, overflow="ignore", crop=False)
 
 
 def report() -> dict[str, Any]:

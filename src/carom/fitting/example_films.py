@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -45,8 +46,8 @@ def write_example_films(folder: str | Path) -> list[Path]:
         ball = {"radius": RADIUS, "mass": 0.17, "position": (0.45, 0.25), "velocity": velocity, "rolling": True}
         table = {"shape": "table", "length": 2.54, "width": 1.27, "center": (1.27, 0.635), "nose_height": NOSE, **TRUTH}
         floor = {"friction": 0.2, "rolling_resistance": 0.01, "spin_friction": 0.02}
-        scene = {"floor": floor, "walls": [table], "balls": [ball], "run": {"duration": 1.2}}
-        run = simulate(Scene.model_validate(scene))
+        scene: dict[str, Any] = {"floor": floor, "walls": [table], "balls": [ball], "run": {"duration": 1.2}}
+        run = simulate(Scene(**scene))
         meets = [event.t for event in run.events.of("wall")]
         time = np.arange(0, min([run.end, *(t - 0.02 for t in meets[1:])]), 1 / 60)  # until it meets another cushion
         place = np.asarray(run.at(time).position)[:, 0, :2] + rng.normal(0, 4e-4, (len(time), 2))
