@@ -286,17 +286,20 @@ def follow_many(
 @functools.cache
 def compiled_follow() -> Callable[..., Any]:
     """Return :func:`follow`, compiled or loaded from the cache."""
+    global _follow  # noqa: PLW0603
     register_calls()
     pieces, table, vec, row = array_of(PIECES), array_of(float, 2), (float, float, float), array_of(float)
     one = signature((int, int), WORLD, pieces, vec, vec, vec, int, int, table, array_of(np.dtype("i4")), row, row)
-    return njit(follow, signature=one, _nrt=False)
+    _follow = njit(follow, signature=one, _nrt=False)
+    return _follow  # type: ignore[no-any-return]
 
 
 @functools.cache
 def compiled_many() -> Callable[..., Any]:
     """Return :func:`follow_many` on all cores, compiled or loaded from the cache."""
-    global _follow, _prange
-    _follow, _prange = compiled_follow(), parallel_range()
+    global _prange  # noqa: PLW0603
+    compiled_follow()
+    _prange = parallel_range()
     pieces, table, met = array_of(PIECES), array_of(float, 2), array_of(np.dtype("i4"), 2)
     many = signature(
         None, array_of(WORLD), pieces, table, int, int, array_of(float, 3), met, table, array_of(ENDING), table
@@ -304,30 +307,8 @@ def compiled_many() -> Callable[..., Any]:
     return njit(follow_many, signature=many, parallel=True)
 
 
-def follow_one(
-    worlds: Any,
-    pieces: Any,
-    starts: Any,
-    bounces: int,
-    share: int,
-    rows: Any,
-    met: Any,
-    last: Any,
-    ends: Any,
-    memory: Any,
-) -> None:
+def follow_one(worlds: Any, pieces: Any, starts: Any, bounces: int, share: int, *of_each: Any) -> None:
     """Do what :func:`follow_many` does, for one row of starts: its loop, which takes as long to compile, is not needed."""
-    s = starts[0].tolist()
-    ends["reason"][0], ends["bounces"][0] = compiled_follow()(
-        worlds[0],
-        pieces,
-        tuple(s[:3]),
-        tuple(s[3:6]),
-        tuple(s[6:]),
-        bounces,
-        share,
-        rows[0],
-        met[0],
-        last[0],
-        memory[0],
-    )
+    compiled_follow()
+    rows, met, last, ends, memory = of_each
+    _go_on(worlds[0], pieces, starts[0], bounces, share, rows[0], met[0], last[0], ends.view(np.recarray)[0], memory[0])

@@ -118,6 +118,7 @@ def _show(ranking: TrackRanking) -> None:
 
     from carom.cli.console import out
     from carom.cli.ranking_output import counted, show_unidentified
+    from carom.fitting.evidence import aicc_note
     from carom.fitting.result import with_error_bar
 
     console, best = out(), ranking.best
@@ -151,7 +152,7 @@ def _show(ranking: TrackRanking) -> None:
         )
     console.print(table)
     console.print(
-        f"ΔAICc: AICc above that of {best.law.name}, {best.aicc:.1f}.\n"
+        f"{aicc_note(best)}\n"
         f"RMS: median of the segments; {best.law.name} over all {1e3 * best.rms():.3g} mm. Wall positions: --json, --report",
         style="dim",
     )

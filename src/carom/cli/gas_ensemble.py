@@ -19,13 +19,13 @@ from carom.cli.gas_output import (
     Progress,
     finite,
     new_table,
-    pressure_unit,
     print_tables,
     species_columns,
 )
 from carom.cli.streams import note
 from carom.errors import CaromError
 from carom.formatting import format_uncertain
+from carom.gas.report import pressure_unit
 
 if TYPE_CHECKING:
     from rich.table import Table

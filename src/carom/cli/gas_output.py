@@ -15,7 +15,7 @@ from rich.text import Text
 
 from carom.cli.console import err, out
 from carom.formatting import format_number
-from carom.gas.report import report
+from carom.gas.report import UNITS_NOTE, pressure_unit, report
 
 __all__ = [
     "CONTACT_HEADS",
@@ -24,7 +24,6 @@ __all__ = [
     "as_json",
     "finite",
     "new_table",
-    "pressure_unit",
     "print_tables",
     "show",
     "species_columns",
@@ -35,8 +34,7 @@ if TYPE_CHECKING:
     from carom.gas.session import Session
 
 
-# A scene's numbers are in SI units, or in any consistent others; the tables name the SI units.
-UNITS_NOTE = "Units: SI where the scene's numbers are in SI units, else the scene's own. Temperatures are energies."
+TEMPERATURES_NOTE = "Temperatures are energies."
 MEANS_NOTE = (
     "Temperatures, pressures and rates are means over the time measured; a₂ over {:.0f} samples, at about equal {}."
 )
@@ -75,18 +73,13 @@ def show(session: Session) -> None:
     print_tables(session.scene, f"Gas: {session.scene.describe()}", tables, found["looks"])
 
 
-def pressure_unit(scene: GasScene) -> str:
-    """Return the SI unit of pressure in the container: that of a force per area, in the plane per length."""
-    return "N/m" if scene.container.dimensions == 2 else "Pa"
-
-
 def print_tables(scene: GasScene, title: str, tables: list[Table], samples: float) -> None:
     """Print a title and tables, each as wide as it is, and of what they are means."""
     console = out()
     console.print(Text(title), soft_wrap=True)
     for table in tables:
         console.print(table)
-    console.print(Text(UNITS_NOTE, style="dim"), soft_wrap=True)
+    console.print(Text(f"{UNITS_NOTE} {TEMPERATURES_NOTE}", style="dim"), soft_wrap=True)
     between = "intervals of time" if scene.run.max_events is None else "numbers of collisions"
     console.print(Text(MEANS_NOTE.format(samples, between), style="dim"), soft_wrap=True)
 

@@ -182,7 +182,7 @@ def example(
     from carom.fitting.example_films import write_example_films
 
     paths = write_example_films(folder)
-    err().print(f"written: {paths[0]} to {paths[-1].name}", soft_wrap=True, markup=False, highlight=False)
+    err().print(f"written: {paths[0]} to {paths[-1].name}", soft_wrap=True)
 
 
 def _tell(

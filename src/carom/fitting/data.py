@@ -16,6 +16,7 @@ from carom.errors import CaromError, float_or_nan, require_type
 from carom.fitting.parameters import FORMS, PARAMETERS
 from carom.fitting.shared_errors import SHARED, Shared, film_says, numbers_of, shared_errors, shared_in_words
 from carom.fitting.spin_quadrature import SpinGrid, sigma_grid
+from carom.tracks.contact import BALL_RADIUS, MAX_RADIUS_M
 
 __all__ = ["Problem", "Setting", "common_faults", "make_problem", "prior_in_words", "require_settings"]
 
@@ -73,10 +74,8 @@ class Setting:
 def common_faults(setting: Any) -> list[str]:
     """Return one line per problem of the ball, the table and the bounds, which rebounds and whole tracks both need."""
     faults = []
-    if not 0 < float_or_nan(setting.radius) <= 1:
-        faults.append(
-            f"radius: expected the ball's radius in m (a billiard ball's: 0.0286, or 28.6mm), got {setting.radius!r}"
-        )
+    if not 0 < float_or_nan(setting.radius) <= MAX_RADIUS_M:
+        faults.append(f"radius: expected {BALL_RADIUS}, got {setting.radius!r}")
     if not 1 <= float_or_nan(setting.contact_height) < 2:
         faults.append(
             f"contact_height: expected 1 (level with the centre) to 2, in radii, got {setting.contact_height!r}"

@@ -17,7 +17,17 @@ from numpy.typing import NDArray
 
 from carom.fitting.laws import FittedLaw
 
-__all__ = ["DECIDED", "LEANS", "UNLIKELY", "Evidence", "decisive", "odds_in_words", "verdict_words", "weigh"]
+__all__ = [
+    "DECIDED",
+    "LEANS",
+    "UNLIKELY",
+    "Evidence",
+    "aicc_note",
+    "decisive",
+    "odds_in_words",
+    "verdict_words",
+    "weigh",
+]
 
 DECIDED, LEANS = 20.0, 3.0  # odds
 UNLIKELY = 1e-3  # probability of a chi^2 below which a law does not fit
@@ -33,6 +43,11 @@ class FittedModel(Protocol):
     def aicc(self) -> float: ...
     @property
     def deviance(self) -> float: ...
+
+
+def aicc_note(best: FittedModel) -> str:
+    """Return what the differences of AICc in tables and reports are to."""
+    return f"ΔAICc: AICc above that of {best.law.name}, {best.aicc:.1f}."
 
 
 @dataclass(frozen=True, eq=False)

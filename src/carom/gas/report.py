@@ -8,9 +8,18 @@ from typing import Any
 
 from carom.gas.gas import Gas
 from carom.gas.results import Mark
+from carom.gas.scene import GasScene
 from carom.gas.session import Session
 
-__all__ = ["Channel", "channels", "report", "series"]
+__all__ = ["UNITS_NOTE", "Channel", "channels", "pressure_unit", "report", "series"]
+
+# A scene's numbers are in SI units, or in any consistent others; tables and pictures name the SI units.
+UNITS_NOTE = "Units: SI where the scene's numbers are in SI units, else the scene's own."
+
+
+def pressure_unit(scene: GasScene) -> str:
+    """Return the SI unit of a pressure: in two dimensions it is a force per length."""
+    return "N/m" if scene.container.dimensions == 2 else "Pa"
 
 
 @dataclass(frozen=True)

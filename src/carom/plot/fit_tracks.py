@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from carom.fitting.evidence import aicc_note
 from carom.fitting.result import with_error_bar
 from carom.plot.fit import PAGE, SHOWN, listed, svg, tabled
 from carom.plot.style import GREY, INK, law_styles, new_figure, style
@@ -156,8 +157,8 @@ def write_track_report(ranking: TrackRanking, source: str, path: str | Path) -> 
         svg(plot_tracks(ranking)), "<h2>The laws, best first</h2>", _laws(ranking),
         listed("Unconstrained parameters", [s for fit in ranking.fits for s in fit.degenerate]),
         listed("Notes", list(ranking.notes)),
-        f"<footer>carom {__version__}. ΔAICc: AICc above that of {best.law.name}, {best.aicc:.1f}. wall_left, ...: position at"
-        " which the ball's centre is reflected, m.</footer>",
+        f"<footer>carom {__version__}. {aicc_note(best)} wall_left, ...: position at which"
+        " the ball's centre is reflected, m.</footer>",
     ]  # fmt: skip
     text = PAGE.format(
         title=f"carom fit: {name}", colour="#009E73" if ranking.decisive else "#E69F00", body="\n".join(body)

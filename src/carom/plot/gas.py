@@ -13,6 +13,7 @@ from carom.errors import CaromError
 from carom.gas.containers import Container
 from carom.gas.edmd.records import PLANE
 from carom.gas.measures import Distribution, Measures
+from carom.gas.report import UNITS_NOTE
 from carom.gas.session import Session
 from carom.plot.style import GREY, INK, PALE, drawn, new_figure
 
@@ -23,7 +24,6 @@ Array = NDArray[np.float64]
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 MAX_DRAWN = 4000  # balls; of more only a part of the box is drawn
 MAX_PAIRS = 6  # of species
-UNITS_NOTE = "Units: SI where the scene's numbers are in SI units, else the scene's own."
 OUTLINE_POINTS = 400  # along each side of the grid on which walls are found
 
 

@@ -9,6 +9,7 @@ import numpy as np
 
 from carom.errors import CaromError
 from carom.gas.ensembles import Curve, Ensemble
+from carom.gas.report import pressure_unit
 from carom.plot.gas import COLOURS, MAX_PAIRS, heading, panel_title
 from carom.plot.style import GREY, drawn, new_figure
 
@@ -110,6 +111,6 @@ def _members(axes: Any, ensemble: Ensemble) -> None:
     axes.plot(np.arange(1, len(values) + 1), values, "o", markersize=3, color=COLOURS[0])
     axes.axhline(mean, color=GREY, linewidth=0.9)
     axes.axhspan(mean - error, mean + error, color=GREY, alpha=BAND, linewidth=0)
-    panel_title(axes, f"pressure of each gas, {'N/m' if ensemble.scene.container.dimensions == 2 else 'Pa'}")
+    panel_title(axes, f"pressure of each gas, {pressure_unit(ensemble.scene)}")
     axes.set_xlabel("gas")
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))

@@ -13,10 +13,12 @@ from carom.tracks.contact_models import slide_would_show
 from carom.tracks.events import WallLine
 from carom.tracks.least_squares import ContactFit, Prior
 
-__all__ = ["Settings", "TrackContact", "TrackedSpin", "View", "motion_before_resolved"]
+__all__ = ["BALL_RADIUS", "MAX_RADIUS_M", "Settings", "TrackContact", "TrackedSpin", "View", "motion_before_resolved"]
 
 View = Literal["above", "side"]
 NUMBERS = (int, float, np.integer, np.floating)
+# A ball's radius, and what is expected of one: millimetres are easily given without their unit.
+MAX_RADIUS_M, BALL_RADIUS = 1.0, "a ball's radius in m (a billiard ball's: 0.0286, or 28.6mm)"
 
 
 @dataclass(frozen=True)
@@ -66,8 +68,8 @@ class Settings:
             value = getattr(self, name)
             if value is not None and not (isinstance(value, NUMBERS) and 0 <= value < np.inf):
                 faults.add(name, "a number of at least 0", repr(value))
-        if isinstance(self.radius, NUMBERS) and 1 < self.radius < np.inf:
-            faults.add("radius", "a ball's radius in m (a billiard ball's: 0.0286, or 28.6mm)", repr(self.radius))
+        if isinstance(self.radius, NUMBERS) and MAX_RADIUS_M < self.radius < np.inf:
+            faults.add("radius", BALL_RADIUS, repr(self.radius))
         if self.view not in (None, "above", "side"):
             faults.add("view", "'above' or 'side'", repr(self.view))
         faults.raise_if_any()
