@@ -273,7 +273,7 @@ def test_from_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str
          ["--noise: expected a length", "restitution: expected one of constant", "cushions: expected", "--view: expected above"]),
         (("--where", "shot=9"), ["--where shot: expected one of shot 0"]),
         (("--laws", "mav"), ["did you mean 'maw'"]),
-        (("--radius", "-1"), ["radius: expected the ball's radius"]),
+        (("--radius", "-1"), ["radius: expected a ball's radius in m"]),
     ],
 )  # fmt: skip
 def test_faults_are_told(
