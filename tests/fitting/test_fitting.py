@@ -244,7 +244,6 @@ def test_an_outlier_is_named_and_robust_fits_shrug_it_off():
     columns["v_t_out"][17] += 1.0
     plain = fit_laws(table(columns), SETTING, ["contact"], profiles=False, bootstrap=0)
     assert plain.outliers[0].row == "row 18"
-    from dataclasses import replace
 
     robust = fitted("contact", columns, replace(SETTING, robust=True))
     clean = fitted("contact", bounces(9, 60))
@@ -469,6 +468,14 @@ def test_one_angle_and_few_rows_are_said():
     ranking = fit_laws(table(columns), SETTING, ["sliding"])
     assert any("same angle" in note for note in ranking.notes)
     assert any("only 10 rebounds" in note for note in ranking.notes)
+
+
+@pytest.mark.parametrize(("fastest", "said"), [(1.25, True), (1.4, False)])
+def test_speeds_that_differ_too_little_for_a_restitution_of_speed_are_said(fastest, said):
+    columns = bounces(0, 12)
+    columns["v_n_in"] = np.linspace(1.0, fastest, 12)
+    ranking = fit_laws(table(columns), replace(SETTING, restitution="line"), ["sliding"])
+    assert any("too few for a restitution that depends on it" in note for note in ranking.notes) is said
 
 
 @pytest.mark.parametrize("n", [3, 6])
