@@ -165,16 +165,17 @@ class Copy:
         more: dict[str, str],
     ) -> int | None:
         paths = [str(self.tree / "src"), str(self.tree / "campaigns")]
+        # (files, as a room may have more tests than a variable or a command line holds)
+        asked, chosen = (self.work / "task.json").resolve(), (self.work / "tests.txt").resolve()
+        asked.write_text(json.dumps(task), encoding="utf-8")
+        chosen.write_text("\n".join(files))
         here = os.environ | {
-            "CAROM_MUTATION": json.dumps(task), "PYTHONPATH": os.pathsep.join(paths), "CAROM_CACHE": str(cache),
+            "CAROM_MUTATION": str(asked), "PYTHONPATH": os.pathsep.join(paths), "CAROM_CACHE": str(cache),
             "MPLBACKEND": "Agg",
         } | more  # fmt: skip
         options = ["-n0", "-p", "no:cacheprovider", "-p", "mutation.watch", "--tb=no", *words]
-        # (a room may have more tests than a command line holds)
-        chosen = self.work / "tests.txt"
-        chosen.write_text("\n".join(files))
         with (self.work / "last.log").open("w") as log, subprocess.Popen(
-            [sys.executable, "-m", "pytest", *options, f"@{chosen.resolve()}"], cwd=self.tree, env=here, stdin=subprocess.DEVNULL,
+            [sys.executable, "-m", "pytest", *options, f"@{chosen}"], cwd=self.tree, env=here, stdin=subprocess.DEVNULL,
             stdout=log, stderr=subprocess.STDOUT, start_new_session=True,
         ) as run:  # fmt: skip
             try:

@@ -1,6 +1,6 @@
 """A plugin of pytest: which tests a mutant is shown to, in which order, with which compiled code; and what each test reaches.
 
-What it is to do stands in the environment, as JSON (:class:`Task`). Kernels run as plain Python, or compiled; then a loop that
+What it is to do stands in a file, as JSON (:class:`Task`), which the environment names. Kernels run as plain Python, or compiled; then a loop that
 the mutant does not touch is taken from a warm cache.
 """
 
@@ -52,7 +52,7 @@ class Task(NamedTuple):
     """Seconds for a test that ``tests`` has no time for."""
 
 
-TASK = Task(**json.loads(os.environ[VARIABLE]))
+TASK = Task(**json.loads(Path(os.environ[VARIABLE]).read_text(encoding="utf-8")))
 PACKAGE = ""
 reached: set[str] = set()
 rows: dict[str, dict[str, Any]] = {}

@@ -83,6 +83,19 @@ def test_normal_and_way_in_are_the_slopes_of_the_gap() -> None:
         assert np.dot(rim_normal(p, d, 0.7, x, v), v) == pytest.approx(rate)
 
 
+@pytest.mark.parametrize("height", [0.003, 0.3, 30.0])
+@pytest.mark.parametrize("along", [-3.0, 1e-3, 3.0])
+@pytest.mark.parametrize("across", [1e-3, 1.0])
+def test_on_the_axis_the_normal_comes_from_the_point_that_the_ball_moves_towards(
+    height: float, along: float, across: float
+) -> None:
+    radius, v = 0.7, (0.0, across, along)
+    rate = (height * along - radius * across) / np.hypot(radius, height)
+    n = rim_normal((0.0, 0.0, 0.0), (0.0, 0.0, 1.0), radius, (0.0, 0.0, height), v)
+    assert np.linalg.norm(n) == pytest.approx(1)
+    assert np.dot(n, v) == pytest.approx(rate, rel=1e-12)
+
+
 def test_no_event_is_missed() -> None:
     met = 0
     for k in range(250):
