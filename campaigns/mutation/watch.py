@@ -1,7 +1,7 @@
 """A plugin of pytest: which tests a mutant is shown to, in which order, with which compiled code; and what each test reaches.
 
-What it is to do stands in a file, as JSON (:class:`Task`), which the environment names. Kernels run as plain Python, or compiled; then a loop that
-the mutant does not touch is taken from a warm cache.
+What it is to do stands in a file, as JSON (:class:`Task`), which the environment names. Kernels run as plain Python, or
+compiled; then a loop that the mutant does not touch is taken from a warm cache.
 """
 
 from __future__ import annotations
