@@ -23,6 +23,7 @@ sys.path.insert(0, str(Path(__file__).parent))
 extensions = [
     "explorer_frame",
     "picture_count",
+    "shell_cells",
     "myst_nb",
     "sphinx.ext.autodoc",
     "sphinx.ext.mathjax",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import posixpath
+import shutil
 from pathlib import Path
 
 from docutils import nodes
@@ -28,7 +29,8 @@ class Explorer(Directive):
         docname = self.state.document.settings.env.docname
         up = posixpath.relpath(".", posixpath.dirname(docname) or ".")
         title = f"The explorer: {known[name]}"
-        picture = f'<img src="{up}/_static/explorer.png" alt="{title}">'
+        dark = f'<source media="(prefers-color-scheme: dark)" srcset="{up}/_static/explorer-dark.png">'
+        picture = f'<picture>{dark}<img src="{up}/_static/explorer.png" alt="{title}"></picture>'
         frame = f'<iframe class="explorer" loading="lazy" src="{up}/{PAGE}#preset={name}" title="{title}"></iframe>'
         # (without scripts the frame would be empty)
         text = f"{frame}<noscript><style>iframe.explorer {{ display: none }}</style>{picture}</noscript>"
@@ -39,7 +41,9 @@ def _write_page(app: Sphinx, error: Exception | None) -> None:
     if error is None and app.builder.format == "html":
         static = Path(app.outdir) / "_static"
         carom.explore().save(static / "explorer.html")
-        (static / "explorer.png").write_bytes((Path(__file__).parent / "images" / "explorer.png").read_bytes())
+        images = Path(__file__).parent / "images"
+        shutil.copy(images / "explorer.png", static)
+        shutil.copy(images / "dark" / "explorer.png", static / "explorer-dark.png")
 
 
 def setup(app: Sphinx) -> dict[str, bool]:

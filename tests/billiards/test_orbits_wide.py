@@ -7,7 +7,7 @@ import pytest
 
 import carom
 from carom import billiards
-from carom.billiards.elliptic_boundary import EllipticArc, arc_along, arc_length, arc_place
+from carom.billiards.elliptic_boundary import EllipticArc, arc_along, arc_length, arc_normals, arc_place
 from carom.core.geometry.polygon import ellipse_depth
 from carom.gas import Gas, Species, container
 
@@ -152,3 +152,21 @@ def test_places_along_an_ellipse_that_is_as_sharp_as_the_ball(share: float) -> N
     assert steps.max() < 1.001 * length / 2000
     np.testing.assert_allclose(arc_along(p, q, a, arc, x), s, atol=1e-8)
     np.testing.assert_allclose(((x - a * n) / (p, q)) ** 2 @ (1, 1), 1, atol=1e-12)
+
+
+@pytest.mark.parametrize(("p", "q"), [(1.7, 0.9), (0.9, 1.7)])
+def test_places_on_a_whole_ellipse_and_back(p: float, q: float) -> None:
+    arc, a = EllipticArc(0.0, 0.0, math.tau, 0.0, (0.0, 0.0)), 0.1
+    s = np.linspace(0, arc_length(p, q, a, arc), 50)[1:-1]
+    x, n = arc_place(p, q, a, arc, s)
+    np.testing.assert_allclose(arc_normals(p, q, arc, x), n, atol=1e-9)
+    np.testing.assert_allclose(arc_along(p, q, a, arc, x), s, atol=1e-8)
+
+
+def test_both_lids_get_as_many_starts() -> None:
+    start = billiards.starts(billiards.cylinder(billiards.circle(), 0.2), 4000, 3)
+    top, bottom = (
+        (np.sign(start.position[:, 2]) == side) & (np.abs(start.position[:, 2]) > 0.0999) for side in (1, -1)
+    )
+    assert top.sum() + bottom.sum() > 2000
+    assert abs(int(top.sum()) - int(bottom.sum())) < 5 * math.sqrt(top.sum() + bottom.sum())

@@ -105,6 +105,12 @@ def test_open_tables_and_their_drift() -> None:
     assert wedge["ended"] == {"escaped": 1}
 
 
+def test_plates_have_no_force_unless_one_is_given() -> None:
+    words = ["plates", "--law", "mirror", "--position", "0,0,0", "--velocity", "0.2,1,0", "--bounces", "40", "--json"]
+    found = json.loads(run(*words).stdout)
+    assert {tuple(np.round(v[::2], 12)) for v in (one["velocity"] for one in found["bounces"])} == {(0.2, 0.0)}
+
+
 def test_the_force_is_along_the_cylinder() -> None:
     """Over a strip, which could have a force of its own, along z as well, as the option says."""
     start = ("--position", "0,0.1,0", "--velocity", "0,0.9,0", "--bounces", "20", "--law", "mirror", "--json")

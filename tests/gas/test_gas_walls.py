@@ -1,6 +1,7 @@
 """Gases in rooms of all forms, against walls known by their distances, and what must be conserved there."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -8,6 +9,8 @@ from reference.brute_force_gas import Room, follow
 
 from carom import Ball, CaromError, Disc, Surface
 from carom.gas import Drive, Gas, Species, Thermostat, container
+from carom.gas.edmd.records import ELLIPSE
+from carom.gas.edmd.walls import _is_present, _release_speed
 
 ROUGH, SMOOTH = Surface(1, math.inf, 1), Surface(1, 0, -1)
 
@@ -616,3 +619,19 @@ def test_a_profile_divides_by_the_room_in_each_slice(room):
         assert space.sum() == pytest.approx(room.volume, rel=5e-3)
     if room.shape == "wedge":  # a sector about (3, 0)
         assert space[0] < 0.1 * space[12]
+
+
+def test_a_bounded_face_is_there_where_a_falling_ball_arrives() -> None:
+    """With v t + g t^2/2 the ball is between the face's bounds, with any other share of g not."""
+    face = SimpleNamespace(ax=0.0, ay=1.0, az=0.0, low=-1.11, high=-1.09)
+    ball, gravity = SimpleNamespace(x=0.0, y=0.0, z=0.0, vx=1.0, vy=0.5, vz=0.0), (0.0, -3.2, 0.0)
+    assert _is_present(face, gravity, ball, 1.0)
+    assert not _is_present(face, gravity, ball, 0.9)
+
+
+def test_a_ball_pressed_on_an_ellipse_returns_after_the_contact_time() -> None:
+    """A circle of radius 1 as an ellipse: v^2 / 0.9 and gravity press, and half of that times the contact time returns."""
+    face, features = SimpleNamespace(form=ELLIPSE, nx=1.0, ny=1.0, mx=0.0, my=0.0), SimpleNamespace(ellipse=True)
+    ball, gravity = SimpleNamespace(x=0.9, y=0.0, z=0.0, vx=0.0, vy=2.0, vz=0.0), (3.0, 0.0, 0.0)
+    speed = _release_speed(features, face, None, gravity, ball, (-1.0, 0.0, 0.0), 0.01)
+    assert speed == pytest.approx((4 / 0.9 + 3.0) * 0.01 / 2)

@@ -11,6 +11,7 @@ import pytest
 
 import carom
 from carom.laws.arrays import FEW
+from carom.laws.two_step import two_step_plain
 from carom.laws.two_step_batch import LANES
 
 BALL = carom.Ball(1.0, 1.0, "solid")
@@ -111,3 +112,16 @@ def test_a_ball_through_a_slip_that_dies() -> None:
         assert (why == 0).all()
         np.testing.assert_allclose(v3, one.rolling.velocity, atol=1e-7)
         np.testing.assert_allclose(w3, one.rolling.spin, atol=1e-7)
+
+
+def test_a_ball_that_leaves_the_wall_is_plain_whatever_the_direction_of_the_wall() -> None:
+    """Else it would be computed in full: the same result, later."""
+    rng = np.random.default_rng(5)
+    for _ in range(300):
+        turn = rng.uniform(0, 2 * math.pi)
+        n = (math.cos(turn), math.sin(turn), 0.0)
+        along, v = (-n[1], n[0]), rng.uniform(-1, 1)
+        velocity = (-n[0] + v * along[0], -n[1] + v * along[1], 0.0)
+        rolls = (-velocity[1], velocity[0], 0.0)
+        _v, _w, plain = two_step_plain(velocity, rolls, n, 1.0, 0.4, 0.9, 0.2, 0.0, 0.0, 0.2, 0.0, 9.81, False)
+        assert plain

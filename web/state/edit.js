@@ -203,7 +203,7 @@ export const CONTROLS = [
     },
   },
   {
-    key: "massespin", group: "Ball", label: "Spin about the way", unit: "rad/s", scale: 1, least: -200, most: 200, step: 0.1,
+    key: "massespin", group: "Ball", label: "Massé spin", unit: "rad/s", scale: 1, least: -200, most: 200, step: 0.1,
     help: "about the direction of motion, as after a massé; moving it ends rolling",
     read: (scene, i) => spinAbout(scene.balls[i], "way"),
     write: (scene, i, _wall, value) => withSpinAbout(scene, i, "way", value),

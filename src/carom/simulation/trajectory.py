@@ -368,7 +368,7 @@ class Trajectory:
         Sensitivity
             ``columns`` (p names), ``final`` and ``at(t)`` with ``position``, ``velocity``, ``spin`` (B, 3, p) at a fixed time,
             ``events[i]`` with ``time`` (p,) and ``position``, ``velocity``, ``spin`` (3, p), ``margin`` (distance of each event to
-            the next switch of behaviour), ``near_misses``, ``radius``, ``one_sided()``.
+            the next change of regime), ``near_misses``, ``radius``, ``one_sided()``.
 
         Raises CaromError for an unknown path, for a path to what is no finite real number, for the motion of a ball at rest, at an
         exact graze, and for a law of one's own that calls more than Python's ``math``.

@@ -1,4 +1,4 @@
-"""How far each event of a run is from the nearest switch of behaviour, to first order, as a change of the parameters.
+"""How far each event of a run is from the nearest change of regime, to first order, as a change of the parameters.
 
 A graze: the speed of approach goes to zero as the square root of what is left, so that its square is what varies linearly.
 Where a wall presses a ball on the floor, slip may stop and begin again at both contacts while they act, and no number of the result
@@ -40,7 +40,7 @@ EXACT = 1e-12  # share of the friction, or of the time, that counts as none
 
 
 class Margin(NamedTuple):
-    """How far an event is from the nearest switch of behaviour, to first order."""
+    """How far an event is from the nearest change of regime, to first order."""
 
     which: str
     """ "graze", "stick/slip", "order", "roll/slide"; empty where nothing can switch."""

@@ -1,4 +1,4 @@
-"""One-sided derivatives: at a switch of behaviour those for a smaller and for a greater value of a parameter differ."""
+"""One-sided derivatives: at a change of regime those for a smaller and for a greater value of a parameter differ."""
 
 from __future__ import annotations
 
