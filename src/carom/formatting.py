@@ -8,6 +8,7 @@ import re
 from collections.abc import Iterable, Sequence
 
 __all__ = [
+    "counted",
     "escape_controls",
     "format_bytes",
     "format_length",
@@ -29,6 +30,15 @@ def escape_controls(text: str) -> str:
     \x1b[31mred
     """
     return _CONTROLS.sub(lambda found: ascii(found[0])[1:-1], text)
+
+
+def counted(number: int, noun: str) -> str:
+    """Return a number with its noun, in the plural unless it is 1.
+
+    >>> counted(1, "frame"), counted(4200, "frame")
+    ('1 frame', '4,200 frames')
+    """
+    return f"{number:,} {noun}{'' if number == 1 else 's'}"
 
 
 def format_number(x: float | None, digits: int = 3) -> str:

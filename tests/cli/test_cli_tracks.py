@@ -379,3 +379,24 @@ def test_a_length_may_have_a_unit_on_every_command(
         with pytest.raises(SystemExit):
             main()
         assert "--radius: expected a length, such as 0.0005 (m) or 0.5mm, got '28.6kg'" in capsys.readouterr().err
+
+
+def test_what_is_said_of_a_film_in_centimetres_that_ends_early(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One frame after the second bounce."""
+    g, t = 981.0, np.arange(140) / 120
+    first = np.sqrt(2 * 80 / g)
+    second = first + 2 * 300 / g
+    y = np.select(
+        [t < first, t < second],
+        [80 - g / 2 * t**2, 300 * (t - first) - g / 2 * (t - first) ** 2],
+        240 * (t - second) - g / 2 * (t - second) ** 2,
+    )
+    t, y = t[: np.searchsorted(t, second) + 2], 2 + y
+    rows = [f"{a:.6f},{10 + 30 * a:.4f},{b:.4f}" for a, b in zip(t, y, strict=False)]
+    (tmp_path / "film.csv").write_text("\n".join(["t,x,y", *rows]), encoding="utf-8")
+    code, told, notes = run(capsys, monkeypatch, str(tmp_path / "film.csv"), "--scale", "1cm", "--radius", "2cm")
+    assert code == 0
+    assert "1 frame between the wall and the end of the track" in told
+    assert "no unit in 't': assumed to be s\n" in notes

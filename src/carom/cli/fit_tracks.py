@@ -117,9 +117,10 @@ def _show(ranking: TrackRanking) -> None:
     from rich.text import Text
 
     from carom.cli.console import out
-    from carom.cli.ranking_output import counted, show_unidentified
+    from carom.cli.ranking_output import show_unidentified
     from carom.fitting.evidence import aicc_note
     from carom.fitting.result import with_error_bar
+    from carom.formatting import counted
 
     console, best = out(), ranking.best
     tracks = best.frames.segments

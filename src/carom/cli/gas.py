@@ -16,6 +16,7 @@ from carom.cli.common import attempt, require_outputs, wrote
 from carom.cli.options import OUTPUT, RUN, shared
 from carom.cli.streams import note
 from carom.errors import CaromError
+from carom.formatting import counted
 
 if TYPE_CHECKING:
     from carom.cli.gas_output import Progress
@@ -335,16 +336,11 @@ def _print_faults(faults: list[str]) -> None:
         note(f"carom: {fault}")
 
 
-def _counted(events: int) -> str:
-    """Return a number of events in words."""
-    return f"{events:,} event{'' if events == 1 else 's'}"
-
-
 def _stopped(session: Session, scene: Path | None, checkpoint: Path | None, which: int) -> None:
     """Print where the run was stopped and how to resume it, and exit."""
     command = " ".join(str(part) for part in ("carom gas", scene, "--resume", checkpoint) if part is not None)
     note(
-        f"carom: stopped after {_counted(session.done)} of the {'run' if session.measuring else 'equilibration'},"
+        f"carom: stopped after {counted(session.done, 'event')} of the {'run' if session.measuring else 'equilibration'},"
         f" t = {session.gas.time:.6g}; resume with: {command}"
     )
     raise typer.Exit(128 + which)

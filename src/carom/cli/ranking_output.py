@@ -6,10 +6,12 @@ import math
 from collections.abc import Iterable
 from typing import TYPE_CHECKING
 
+from carom.formatting import counted
+
 if TYPE_CHECKING:
     from carom.fitting import Ranking
 
-__all__ = ["counted", "show", "show_unidentified"]
+__all__ = ["show", "show_unidentified"]
 
 MAX_OUTLIERS = 10
 
@@ -71,8 +73,3 @@ def show_unidentified(sentences: Iterable[str]) -> None:
         out().print("Unconstrained parameters:")
     for line in lines:
         out().print(Text(f"  {line}"), soft_wrap=True)
-
-
-def counted(n: int, noun: str) -> str:
-    """Return a number and a noun, singular where there is one."""
-    return f"{n:,} {noun}{'' if n == 1 else 's'}"

@@ -19,8 +19,9 @@ from carom.cli.common import attempt, require_outputs, wrote
 from carom.cli.console import err
 from carom.cli.console import out as stdout
 from carom.cli.options import FLOOR, parse_inertia, parse_length, quantity, shared
-from carom.cli.tracks_output import counted, facts, tell, tell_contacts
+from carom.cli.tracks_output import facts, tell, tell_contacts
 from carom.errors import CaromError, shortened_list
+from carom.formatting import counted
 
 if TYPE_CHECKING:
     from carom.data.rebounds import Rebounds

@@ -11,12 +11,14 @@ from typing import TYPE_CHECKING, Any
 from rich.console import Console
 from rich.text import Text
 
+from carom.formatting import counted, format_length, format_number
+
 if TYPE_CHECKING:
     from carom.tracks.contact import TrackContact
     from carom.tracks.measurement import Measured
     from carom.tracks.read import TrackFile
 
-__all__ = ["counted", "facts", "grouped_reasons", "tell", "tell_contacts"]
+__all__ = ["facts", "grouped_reasons", "tell", "tell_contacts"]
 
 MAX_TRACKS, MAX_ROWS = 12, 30
 MAX_DECIMALS = 6  # a micrometre per second
@@ -77,7 +79,6 @@ def tell(console: Console, found: TrackFile, measured: Measured) -> None:
     """Print the summary of a file."""
     from rich.table import Table
 
-    from carom.formatting import format_length, format_number
     from carom.tracks.read import FORMATS
 
     rows = Table(box=None, show_header=False, padding=(0, 2, 0, 0))
@@ -114,8 +115,6 @@ def tell(console: Console, found: TrackFile, measured: Measured) -> None:
 
 def _track_line(track: Any) -> str:
     import numpy as np
-
-    from carom.formatting import format_length
 
     seen = track.select(track.seen)
     gaps = int((~track.seen).sum())
@@ -214,11 +213,6 @@ def _with_ranges(pattern: str, rows: Sequence[Sequence[str]]) -> str:
         low, high = min(column, key=float), max(column, key=float)
         text = text.replace("\0", low if low == high else f"{low} to {high}", 1)
     return text
-
-
-def counted(number: int, noun: str) -> str:
-    """Return a number with its noun, in the plural unless it is 1."""
-    return f"{number:,} {noun}{'' if number == 1 else 's'}"
 
 
 def _with_error(one: TrackContact, name: str, sign: int) -> str:

@@ -11,7 +11,7 @@ from pydantic import BeforeValidator, model_validator
 
 from carom.bodies import Surface
 from carom.errors import suggestion
-from carom.formatting import format_number
+from carom.formatting import counted, format_number
 from carom.gas.containers import JOINT_OVERLAP, WALLS
 from carom.gas.edmd.records import ELLIPSE, MAX_BALLS
 from carom.gas.initial import DENSEST
@@ -28,11 +28,6 @@ _GRAVITY = Number("an acceleration downwards, or one number per axis", "m/s^2")
 def _gravity(value: Any) -> Any:
     several = isinstance(value, (list, tuple)) or (isinstance(value, np.ndarray) and value.ndim > 0)
     return tuple(map(_GRAVITY, Components(_GRAVITY.what, (2, 3))(value))) if several else _GRAVITY(value)
-
-
-def _counted(count: int, noun: str) -> str:
-    """Return a number with its noun, in the singular where it is one."""
-    return f"{count:,} {noun}{'' if count == 1 else 's'}"
 
 
 class GasScene(Model):
@@ -112,12 +107,12 @@ class GasScene(Model):
     def describe(self) -> str:
         """Return one line: balls, container, packing fraction, length of the run."""
         kind = "disc" if self.container.dimensions == 2 else "ball"
-        what = _counted(self.count, kind)
+        what = counted(self.count, kind)
         what += f" of {len(self.species)} species" if len(self.species) > 1 else ""
         density = f"packing fraction {self.packing_fraction:.4g}"
-        run = [] if self.run.max_events is None else [_counted(self.run.max_events, "event")]
+        run = [] if self.run.max_events is None else [counted(self.run.max_events, "event")]
         run += [] if self.run.duration is None else [f"a duration of {format_number(self.run.duration)}"]
-        before = f"after {_counted(self.equilibrate, 'event')} of equilibration"
+        before = f"after {counted(self.equilibrate, 'event')} of equilibration"
         return f"{what}, {self.container.describe()}, {density}, {' or '.join(run)} {before}"
 
 

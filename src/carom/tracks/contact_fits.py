@@ -8,6 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.formatting import counted
 from carom.tracks.blind import BlindTime, estimate_blind_time
 from carom.tracks.contact import Settings, TrackContact, TrackedSpin, View, motion_before_resolved
 from carom.tracks.contact_models import fit_flight, fit_table
@@ -219,9 +220,15 @@ class ContactFitter:
         first, second = rows[use & (t < 0)], rows[use & (t >= 0)]
         rows = np.concatenate([first[-MAX_FRAMES:], second[:MAX_FRAMES]])
         if len(first) < MIN_FRAMES_BEFORE:
-            return rows, f"{len(first)} frames between {said[0]} and the wall, expected {MIN_FRAMES_BEFORE} or more"
+            return (
+                rows,
+                f"{counted(len(first), 'frame')} between {said[0]} and the wall, expected {MIN_FRAMES_BEFORE} or more",
+            )
         if len(second) < MIN_FRAMES_AFTER:
-            return rows, f"{len(second)} frames between the wall and {said[1]}, expected {MIN_FRAMES_AFTER} or more"
+            return (
+                rows,
+                f"{counted(len(second), 'frame')} between the wall and {said[1]}, expected {MIN_FRAMES_AFTER} or more",
+            )
         return rows, ""
 
     def _checked(self, one: TrackContact) -> TrackContact:

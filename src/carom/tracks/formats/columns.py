@@ -132,7 +132,8 @@ def _notes(
         if said:
             notes.append(f"--scale overrides the unit in {', '.join(map(repr, said))}")
     if bare:
-        notes.append(f"no unit in {', '.join(map(repr, bare))}: assumed to be m and s")
+        units = "s" if calibration.scale is not None else "m and s"
+        notes.append(f"no unit in {', '.join(map(repr, bare))}: assumed to be {units}")
     return tuple(notes)
 
 
