@@ -30,8 +30,11 @@ def test_numbers_for_compare() -> None:
         carom.compare(carom.incoming(angle=30, friction=0.2))["two-step"].reflection_angle
     )
     assert [one.law for one in carom.compare(laws=["mirror"], angle=30).verdicts] == ["mirror"]
+    assert [one.law for one in carom.compare(laws="mirror", angle=30).verdicts] == ["mirror"]
     with pytest.raises(carom.CaromError, match="did you mean 'angle'"):
         carom.compare(angel=30)
+    with pytest.raises(carom.CaromError, match="did you mean 'laws'"):
+        carom.compare(law="mirror")
     with pytest.raises(carom.CaromError, match="got both \\(angle\\)"):
         carom.compare(carom.incoming(), angle=30)
 
@@ -43,6 +46,12 @@ def test_units() -> None:
     for bad in ("26 kg", "wide", "26"):
         with pytest.raises(carom.CaromError, match="Ball: radius: expected a length in m, > 0, got"):
             carom.Ball(bad)
+
+
+def test_the_time_of_a_state_is_a_number(file: Path) -> None:
+    run = carom.simulate(file)
+    with pytest.raises(carom.CaromError, match=r"Trajectory: t: expected times in s, got '0.5 s'"):
+        run.at("0.5 s")
 
 
 def test_tables_without_times(file: Path) -> None:

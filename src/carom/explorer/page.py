@@ -69,7 +69,7 @@ class ExplorerPage:
 
 def explore(
     scene: Scene | str | os.PathLike[str] | None = None,
-    laws: Iterable[str] | None = None,
+    laws: str | Iterable[str] | None = None,
     data: Rebounds | str | os.PathLike[str] | None = None,
 ) -> ExplorerPage:
     """Return a page in which a scene can be changed by hand and is run under several laws at once, by carom's own engine.
@@ -148,12 +148,14 @@ def not_shown(scene: Scene, where: str) -> list[str]:
     return faults
 
 
-def _laws(laws: Iterable[str] | None, faults: list[str]) -> list[str]:
+def _laws(laws: str | Iterable[str] | None, faults: list[str]) -> list[str]:
     """Return the names of laws, each once."""
     if laws is None:
         return []
-    if isinstance(laws, str) or not isinstance(laws, Iterable):
-        faults.append(f"explore: laws: expected a sequence of names, got {laws!r:.60}; put them in a list")
+    if isinstance(laws, str):
+        laws = [laws]
+    if not isinstance(laws, Iterable):
+        faults.append(f"explore: laws: expected names of laws, got {laws!r:.60}")
         return []
     found: dict[str, None] = {}
     for name in laws:

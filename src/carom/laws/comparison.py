@@ -286,7 +286,9 @@ class Comparison:
         }
 
 
-def compare(meeting: Meeting | None = None, laws: Iterable[str | Law] | None = None, **numbers: Any) -> Comparison:
+def compare(
+    meeting: Meeting | None = None, laws: str | Law | Iterable[str | Law] | None = None, **numbers: Any
+) -> Comparison:
     """Compare the predictions of several laws for one ball, and find which laws are admissible.
 
     Parameters
@@ -294,7 +296,7 @@ def compare(meeting: Meeting | None = None, laws: Iterable[str | Law] | None = N
     meeting : Meeting
         One ball, one wall. Default: made from ``numbers``, the arguments of :func:`incoming`, such as ``angle=30``; without any,
         the paper's example.
-    laws : names or Laws
+    laws : a name or a Law, or several
         Default: those of ``carom.LAWS``, in their order, without special cases of others (:attr:`Law.variant_of`); laws
         that ignore the floor (contact) are included only for a ball above it, and published laws of cushions only for a
         ball on the floor and a wall that touches it above the centre.
@@ -319,7 +321,7 @@ def compare(meeting: Meeting | None = None, laws: Iterable[str | Law] | None = N
     known = list(inspect.signature(incoming).parameters)
     if strange := [name for name in numbers if name not in known]:
         faults = [
-            f"compare: {name}: expected an argument of incoming, got {name!r}; {suggestion(name, known)}"
+            f"compare: {name}: expected an argument of incoming, got {name!r}; {suggestion(name, [*known, 'laws'])}"
             for name in strange
         ]
         raise CaromError(*faults)
@@ -339,8 +341,10 @@ def compare(meeting: Meeting | None = None, laws: Iterable[str | Law] | None = N
             for law in all_laws().values()
             if not law.variant_of and (aloft or not law.ignores_floor) and (cushion or not law.on_table)
         ]
-    if isinstance(laws, str) or not isinstance(laws, Iterable):
-        raise CaromError(f"compare: laws: expected a sequence of names, got {laws!r:.60}; put them in a list")
+    if isinstance(laws, (str, Law)):
+        laws = [laws]
+    if not isinstance(laws, Iterable):
+        raise CaromError(f"compare: laws: expected names of laws, got {laws!r:.60}")
     asked = [law if isinstance(law, Law) else law_named(law) for law in laws]
     angle = math.degrees(angle_from(m.normal, m.state, incoming=True))
     once = {law.name: law for law in asked}  # a law named twice is evaluated once

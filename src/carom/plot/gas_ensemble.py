@@ -75,6 +75,8 @@ def _draw(ensemble: Ensemble, title: str | None) -> Any:
     low, high = (f([one.mean for one in warm.values()]) for f in (np.min, np.max))
     if 0 < 20 * low < high:
         axes[2].set_yscale("log")
+    elif high > 0:
+        axes[2].set_ylim(0, 1.25 * high)
     _panel(
         axes[3], "pair correlation", {name: curves[key] for name, key in pairs[:MAX_PAIRS]}, "distance of centres, m"
     )

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import State
 from carom.core.motion.phases import PHASES
-from carom.errors import CaromError
+from carom.errors import CaromError, float_array
 from carom.files import as_path
 from carom.formatting import html_table
 from carom.laws.results import REGIME_NAMES as NAMES
@@ -236,7 +236,10 @@ class Trajectory:
 
     def _find(self, t: ArrayLike) -> tuple[Array, Array, NDArray[np.int64]]:
         """Times (T,), and for each time and ball (T, B) the row of the log that it follows and by how much."""
-        times = np.asarray(t, dtype=float)
+        try:
+            times = float_array(t)
+        except (TypeError, ValueError):
+            raise CaromError(f"Trajectory: t: expected times in s, got {t!r:.60}") from None
         flat = np.atleast_1d(times).ravel()
         late = self.ended != "nothing more happens"
         bad = ~((flat >= 0) & ((flat <= self.end) if late else np.isfinite(flat)))
