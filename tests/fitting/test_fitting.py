@@ -591,7 +591,7 @@ def test_what_fit_laws_cannot_take_is_one_line():
     for call, said in (
         (lambda: fit_laws(None, setting), "rebounds: expected a Rebounds, got NoneType"),
         (lambda: fit_laws(rows, {"radius": 0.02}), "setting: expected a Setting, got dict"),
-        (lambda: fit_laws(rows, setting, "maw"), "laws: expected a sequence of names, got 'maw'"),
+        (lambda: fit_laws(rows, setting, "mawe"), "law: expected one of .* got 'mawe'; did you mean 'maw'"),
         (lambda: fit_laws(rows, setting, ["maw"], seed=-1), "seed: expected a whole number >= 0, got -1"),
     ):
         with pytest.raises(carom.CaromError, match=said):

@@ -147,7 +147,7 @@ class Ranking:
 def fit_laws(
     rebounds: Rebounds,
     setting: Setting,
-    laws: Sequence[str] | None = None,
+    laws: str | Sequence[str] | None = None,
     *,
     profiles: bool | None = None,
     bootstrap: int | None = None,
@@ -162,7 +162,7 @@ def fit_laws(
         Measured before and after a wall (:func:`carom.data.rebounds.read_rebounds`).
     setting : Setting
         The ball, the wall's height, what to fit.
-    laws : sequence of str, optional
+    laws : str or sequence of str, optional
         Names. Default: all laws for this kind of rebound.
     profiles : bool, optional
         Whether to compute intervals by profile likelihood. Default: if this is fast.
@@ -198,7 +198,7 @@ def fit_laws(
     require_type("fit_laws", "rebounds", rebounds, Rebounds)
     require_type("fit_laws", "setting", setting, Setting)
     if isinstance(laws, str):
-        raise CaromError(f"fit_laws: laws: expected a sequence of names, got {laws!r}; write [{laws!r}]")
+        laws = [laws]
     if seed < 0:
         raise CaromError(f"fit_laws: seed: expected a whole number >= 0, got {seed}")
     require_settings(setting)

@@ -94,7 +94,7 @@ class TrackRanking:
 
 
 def fit_tracks(
-    measured: Measured, setting: TrackSetting, laws: Sequence[str] | None = None, *, say: Say | None = None
+    measured: Measured, setting: TrackSetting, laws: str | Sequence[str] | None = None, *, say: Say | None = None
 ) -> TrackRanking:
     """Fit laws to whole tracks by simulating every ball, and rank them.
 
@@ -104,7 +104,7 @@ def fit_tracks(
         Tracks with their walls and contacts (:func:`carom.tracks.measurement.measure`).
     setting : TrackSetting
         The ball, the noise, and the extent of the simulation.
-    laws : sequence of str, optional
+    laws : str or sequence of str, optional
         Names. Default: all laws for balls on a table.
     say : callable, optional
         Called with a description of the current step and the fraction done, 0 to 1.
@@ -135,6 +135,8 @@ def fit_tracks(
     >>> round(ranking.best.estimates["restitution"].value, 3)
     0.8
     """
+    if isinstance(laws, str):
+        laws = [laws]
     require_library("scipy", "fit")
     if measured.view != "above":
         raise CaromError("tracks: expected balls on a table, seen from above, got balls in flight; leave out --whole")
