@@ -196,7 +196,8 @@ def run_as_python() -> None:
                     return function(*as_python)
             finally:
                 for objects, records in written:
-                    write_back(objects, records)
+                    if objects:  # (a scene may have none of them)
+                        write_back(objects, records)
 
         return loop
 
