@@ -38,9 +38,9 @@ EQUIVALENT = Path(__file__).with_name("equivalent_mutants.txt")
 
 
 def judged_equivalent() -> set[str]:
-    """Return the mutants that mean the same, as "path: before -> after"."""
+    """Return the mutants that mean the same, as "path | line of code | before -> after"."""
     lines = EQUIVALENT.read_text(encoding="utf-8").splitlines()
-    return {line.split(" | ")[0] for line in lines if line and not line.startswith("#")}
+    return {line.rsplit(" | ", 1)[0] for line in lines if line and not line.startswith("#")}
 
 
 def main(words: Sequence[str] | None = None) -> None:
@@ -78,7 +78,7 @@ def try_all(run: Campaign, rooms: Sequence[str], copied: Copy) -> None:
         copied.control(mutant, tests)
         fate = copied.try_mutant(mutant, tests)
         print(f"{room} {number}: {mutant.about}: {fate}", file=sys.stderr, flush=True)
-        return {"mutant": mutant.about, "fate": fate}
+        return {"mutant": mutant.about, "text": mutant.text, "fate": fate}
 
     def to_do(room: str, number: int) -> bool:
         row = run.rows.known.get((room, number))
@@ -94,16 +94,19 @@ def try_all(run: Campaign, rooms: Sequence[str], copied: Copy) -> None:
 def report(run: Campaign, room: str) -> None:
     """A line for a room, and one for each survivor."""
     known, rows = judged_equivalent(), [run.rows.known[room, number] for number in range(run.count)]
-    left = [row["mutant"] for row in rows if row["fate"] == "survived"]
-    same = [about for about in left if about.replace(f":{about.split(':')[1]}:", ":", 1) in known]
-    killed = len(rows) - len(left)
-    share = 100 * killed / max(len(rows) - len(same), 1)
-    run.say(
-        f"{room:12} {len(rows)} mutants: {killed} killed, {len(same)} equivalent, {len(left) - len(same)} survived ({share:.0f} %)"
-    )
+    survived = [row for row in rows if row["fate"] == "survived"]
+    left = [row["mutant"] for row in survived if identity(row) not in known]
+    killed, same = len(rows) - len(survived), len(survived) - len(left)
+    share = 100 * killed / max(len(rows) - same, 1)
+    run.say(f"{room:12} {len(rows)} mutants: {killed} killed, {same} equivalent, {len(left)} survived ({share:.0f} %)")
     for about in left:
-        if about not in same:
-            run.say(f"    {about}")
+        run.say(f"    {about}")
+
+
+def identity(row: Row) -> str:
+    """Return what a mutant changes, and in which line of code: its number would not last."""
+    path, _line, change = row["mutant"].split(":", 2)
+    return f"{path} | {row.get('text', '')} | {change.strip()}"
 
 
 if __name__ == "__main__":

@@ -35,6 +35,21 @@ def test_error_bars_of_fits_hold_the_truth(capsys: pytest.CaptureFixture[str]) -
         assert abs(two - 95.0) < 3 * errors[1]
 
 
+def test_an_equivalent_mutant_is_one_line_of_code_of_today() -> None:
+    """Another change of the same numbers elsewhere in its module is none."""
+    mutants = importlib.import_module("mutants")
+    for known in mutants.judged_equivalent():
+        path, rest = known.split(" | ", 1)
+        text, change = rest.rsplit(" | ", 1)  # (code may have bars, too)
+        lines = [line.strip() for line in (ROOT / "src" / "carom" / path).read_text(encoding="utf-8").splitlines()]
+        assert text in lines, known
+        assert change.split(" -> ")[0] in text, known
+    row = {"mutant": "gas/sizes.py:23: 0 -> 1", "text": "found = 0"}
+    assert mutants.identity(row) == "gas/sizes.py | found = 0 | 0 -> 1"
+    elsewhere = {"mutant": "billiards/setup.py:1: 0 -> 1", "text": "return np.zeros(0)"}
+    assert mutants.identity(elsewhere) not in mutants.judged_equivalent()
+
+
 def test_a_complete_run_is_written(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     page = tmp_path / "page.md"
     page.write_text("# Campaigns\n\nWhat they are.\n")
@@ -71,7 +86,9 @@ def test_a_mutant_is_killed_by_a_test_that_reaches_it_and_survives_where_there_i
 
         def fate(function: str, before: str, after: str) -> str:
             assert before in source
-            return copied.try_mutant(Mutant(path, 1, function, before, after, source.replace(before, after)), baseline)
+            return copied.try_mutant(
+                Mutant(path, 1, "", function, before, after, source.replace(before, after)), baseline
+            )
 
         assert fate("pace", "phase > PIVOTING or not", "phase > PIVOTING and not") == "plain"
         assert fate("pace", "phase > PIVOTING or not", "PIVOTING < phase or not") == "survived"

@@ -28,6 +28,8 @@ class Mutant(NamedTuple):
     path: str
     """Of the module, within the package."""
     line: int
+    text: str
+    """This line, as it stands in the module."""
     function: str
     """In which it stands, as Python names it; "" in code that runs when the module is imported."""
     before: str
@@ -52,7 +54,9 @@ def draw(package: Path, room: str, number: int) -> Mutant:
     whole, after = text.encode(), ast.unparse(new)
     source = (whole[:begin] + f"({after})".encode() + whole[end:]).decode()
     name = path.relative_to(package).as_posix()
-    return Mutant(name, node.lineno, function, ast.unparse(node), after, source)
+    return Mutant(
+        name, node.lineno, lines[node.lineno - 1].decode().strip(), function, ast.unparse(node), after, source
+    )
 
 
 @functools.cache

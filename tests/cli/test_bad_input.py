@@ -259,12 +259,23 @@ def test_a_folder_is_no_file(name, tmp_path):
         readers()[name](tmp_path)
 
 
+@pytest.mark.parametrize("value", [5, 0.5])
+def test_what_is_neither_a_law_nor_several(value):
+    from carom.fitting import Setting, fit_laws
+
+    said = "laws: expected a name or a sequence of names"
+    refused(lambda: carom.compare(laws=value), f"compare: {said}")
+    refused(lambda: carom.explore(laws=value), f"explore: {said}")
+    refused(
+        lambda: fit_laws(carom.data.published_rebounds("kharaz2001").rebounds, Setting(radius=0.0025), value),
+        f"fit_laws: {said}",
+    )
+
+
 @pytest.mark.parametrize("value", [5, "mirror", 0.5])
-def test_what_is_no_list_of_laws(value):
+def test_what_is_no_pair_of_laws(value):
     from carom.fitting.design import Shots, require_plan
 
-    if value != "mirror":
-        refused(lambda: carom.compare(laws=value), "compare: laws: expected names of laws")
     setting = carom.fitting.Setting(radius=0.02)
     refused(lambda: require_plan(setting, value, Shots()), "expected two laws")
 

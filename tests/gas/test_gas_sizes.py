@@ -126,3 +126,9 @@ def test_sizes_below_the_least_are_refused(field: str) -> None:
             contacts=[contact],
             run={"max_events": 5},
         )
+
+
+def test_a_share_of_cells_that_is_a_whole_number_is_not_one_less() -> None:
+    """Of 27 + 8 · 163 = 11³ cells, whose cube root is below 11 by rounding."""
+    assert CELLS_PER_BALL == 8
+    assert cells_at_most([1e9, 1e9, 1e9], 163) == [11, 11, 11]

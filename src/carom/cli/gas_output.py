@@ -14,7 +14,7 @@ from rich.table import Table
 from rich.text import Text
 
 from carom.cli.console import err, out
-from carom.formatting import format_number
+from carom.formatting import counted, format_number
 from carom.gas.report import UNITS_NOTE, pressure_unit, report
 
 __all__ = [
@@ -260,8 +260,7 @@ class Progress:
                 self.bar.remove_task(self.task)
             self.task = self.bar.add_task(self._part_name(session), total=1.0, events="", rate="", time="")
         elif not session.finished:
-            count = session.scene.count
-            self.say(f"{self._part_name(session)}: {count:,} ball{'' if count == 1 else 's'}")
+            self.say(f"{self._part_name(session)}: {counted(session.scene.count, 'ball')}")
 
     @staticmethod
     def _part_name(session: Session) -> str:

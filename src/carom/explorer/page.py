@@ -21,7 +21,7 @@ from carom.errors import CaromError, require_type
 from carom.explorer.module import engine_bytes, engine_layout
 from carom.files import as_path, require_writable, write_text
 from carom.laws.law import Law
-from carom.laws.registry import law_named, law_styles
+from carom.laws.registry import law_named, law_styles, one_or_several
 from carom.laws.registry import laws as all_laws
 from carom.scene.as_json import scene_dict
 from carom.scene.scene import Scene
@@ -152,13 +152,13 @@ def _laws(laws: str | Iterable[str] | None, faults: list[str]) -> list[str]:
     """Return the names of laws, each once."""
     if laws is None:
         return []
-    if isinstance(laws, str):
-        laws = [laws]
-    if not isinstance(laws, Iterable):
-        faults.append(f"explore: laws: expected names of laws, got {laws!r:.60}")
+    try:
+        asked = one_or_several("explore", laws)
+    except CaromError as error:
+        faults += error.faults
         return []
     found: dict[str, None] = {}
-    for name in laws:
+    for name in asked:
         try:
             law = name if isinstance(name, Law) else law_named(name)
         except CaromError as error:

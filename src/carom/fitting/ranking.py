@@ -19,6 +19,7 @@ from carom.fitting.model import SETTING_NUMBERS
 from carom.fitting.outliers import Outlier, outliers_of
 from carom.fitting.result import Fit, finite
 from carom.fitting.uncertainty import with_bootstrap, with_profiles, with_shared
+from carom.laws.registry import one_or_several
 
 __all__ = ["Outlier", "Ranked", "Ranking", "fit_laws"]
 
@@ -197,14 +198,14 @@ def fit_laws(
     require_library("scipy", "fit")
     require_type("fit_laws", "rebounds", rebounds, Rebounds)
     require_type("fit_laws", "setting", setting, Setting)
-    if isinstance(laws, str):
-        laws = [laws]
     if seed < 0:
         raise CaromError(f"fit_laws: seed: expected a whole number >= 0, got {seed}")
     require_settings(setting)
     if bootstrap is not None and (bootstrap < 0 or bootstrap == 1):
         raise CaromError(f"bootstrap: expected 0 (none) or a number of draws, 2 or more, got {bootstrap}")
-    chosen, notes = laws_named(list(laws) if laws else None, rebounds.kind, setting.contact_height == 1.0)
+    chosen, notes = laws_named(
+        one_or_several("fit_laws", laws) if laws else None, rebounds.kind, setting.contact_height == 1.0
+    )
     problem, remarks = make_problem(rebounds, setting)
     notes = [*rebounds.notes, *notes, *remarks]
     notes = [note for note in notes if not note.startswith("no sigma_ columns")]

@@ -20,7 +20,7 @@ from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, checked_number, r
 from carom.formatting import format_number, html_table
 from carom.laws.arrays import require_approach
 from carom.laws.law import LIKE_SOLIDS, Answer, Law, Meeting, holds_everywhere
-from carom.laws.registry import law_named
+from carom.laws.registry import law_named, one_or_several
 from carom.laws.registry import laws as all_laws
 from carom.laws.remarks import remarks_on
 from carom.laws.results import GRAVITY, FloorContact, TwoStep, angle_from
@@ -341,11 +341,7 @@ def compare(
             for law in all_laws().values()
             if not law.variant_of and (aloft or not law.ignores_floor) and (cushion or not law.on_table)
         ]
-    if isinstance(laws, (str, Law)):
-        laws = [laws]
-    if not isinstance(laws, Iterable):
-        raise CaromError(f"compare: laws: expected names of laws, got {laws!r:.60}")
-    asked = [law if isinstance(law, Law) else law_named(law) for law in laws]
+    asked = [law if isinstance(law, Law) else law_named(law) for law in one_or_several("compare", laws)]
     angle = math.degrees(angle_from(m.normal, m.state, incoming=True))
     once = {law.name: law for law in asked}  # a law named twice is evaluated once
     return Comparison(m, angle, tuple(_verdict(law, m) for law in once.values()))

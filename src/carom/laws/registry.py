@@ -8,13 +8,13 @@ from __future__ import annotations
 import functools
 import importlib
 import pkgutil
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from carom.errors import CaromError, did_you_mean, require_type
 from carom.laws.law import Card, Law
 
-__all__ = ["card_named", "cards", "law_named", "law_styles", "laws"]
+__all__ = ["card_named", "cards", "law_named", "law_styles", "laws", "one_or_several"]
 
 
 @functools.cache
@@ -45,6 +45,15 @@ def law_named(name: str) -> Law:
         if name == law.name or name in law.aliases:
             return law
     raise CaromError(f"law: expected one of {', '.join(laws())}, got {name!r}{did_you_mean(name, list(laws()))}")
+
+
+def one_or_several(where: str, laws: str | Law | Iterable[str | Law]) -> list[Any]:
+    """Return names or Laws as a list, where one is given as where several are; CaromError for what is neither."""
+    if isinstance(laws, (str, Law)):
+        return [laws]
+    if not isinstance(laws, Iterable):
+        raise CaromError(f"{where}: laws: expected a name or a sequence of names, got {laws!r:.60}")
+    return list(laws)
 
 
 def card_named(name: str) -> Card:

@@ -236,24 +236,29 @@ def _distributions(axes: Any, measures: Measures, what: str) -> None:
         )
 
 
-def _temperatures(axes: Any, measures: Measures) -> None:
+def scale_temperatures(axes: Any, values: Array) -> bool:
+    """Make the axis of temperatures logarithmic where they fall by a factor of 20, else begin it at zero; return which."""
     from matplotlib.ticker import NullFormatter
 
-    rows = measures.series
-    t = rows["time"]
-    curves = [("translational", COLOURS[0]), ("rotational", COLOURS[1])]
-    values = np.concatenate([rows[name] for name, _colour in curves])
-    cools = values.min() > 0 and values.max() / values.min() > 20
-    for name, colour in curves:
-        if rows[name].any():
-            axes.plot(t, rows[name], ".-", markersize=2.5, linewidth=0.8, color=colour, label=name)
+    cools = bool(values.min() > 0 and values.max() / values.min() > 20)
     if cools:
         axes.set_yscale("log")
         axes.yaxis.set_minor_formatter(NullFormatter())
-        if t[-1] > 20 * t[0] > 0:
-            axes.set_xscale("log")
     else:
         axes.set_ylim(0, 1.25 * values.max() if values.max() > 0 else 1)
+    return cools
+
+
+def _temperatures(axes: Any, measures: Measures) -> None:
+    rows = measures.series
+    t = rows["time"]
+    curves = [("translational", COLOURS[0]), ("rotational", COLOURS[1])]
+    for name, colour in curves:
+        if rows[name].any():
+            axes.plot(t, rows[name], ".-", markersize=2.5, linewidth=0.8, color=colour, label=name)
+    cools = scale_temperatures(axes, np.concatenate([rows[name] for name, _colour in curves]))
+    if cools and t[-1] > 20 * t[0] > 0:
+        axes.set_xscale("log")
     axes.set_xlabel("time, s")
     panel_title(axes, "temperature, J")
     axes.legend(

@@ -10,7 +10,7 @@ import numpy as np
 from carom.errors import CaromError
 from carom.gas.ensembles import Curve, Ensemble
 from carom.gas.report import pressure_unit
-from carom.plot.gas import COLOURS, MAX_PAIRS, heading, panel_title
+from carom.plot.gas import COLOURS, MAX_PAIRS, heading, panel_title, scale_temperatures
 from carom.plot.style import GREY, drawn, new_figure
 
 __all__ = ["plot_ensemble"]
@@ -72,11 +72,7 @@ def _draw(ensemble: Ensemble, title: str | None) -> Any:
         one.set_ylim(2e-6, 1)
     warm = {name: curves[f"temperature_{name}"] for name in ("translational", "rotational")}
     _panel(axes[2], "temperature, J", {name: one for name, one in warm.items() if one.mean.any()}, "time, s")
-    low, high = (f([one.mean for one in warm.values()]) for f in (np.min, np.max))
-    if 0 < 20 * low < high:
-        axes[2].set_yscale("log")
-    elif high > 0:
-        axes[2].set_ylim(0, 1.25 * high)
+    scale_temperatures(axes[2], np.array([one.mean for one in warm.values()]))
     _panel(
         axes[3], "pair correlation", {name: curves[key] for name, key in pairs[:MAX_PAIRS]}, "distance of centres, m"
     )

@@ -219,16 +219,12 @@ class ContactFitter:
                 use &= other_wall.frame(x)[:, 0] > 1e-6
         first, second = rows[use & (t < 0)], rows[use & (t >= 0)]
         rows = np.concatenate([first[-MAX_FRAMES:], second[:MAX_FRAMES]])
-        if len(first) < MIN_FRAMES_BEFORE:
-            return (
-                rows,
-                f"{counted(len(first), 'frame')} between {said[0]} and the wall, expected {MIN_FRAMES_BEFORE} or more",
-            )
-        if len(second) < MIN_FRAMES_AFTER:
-            return (
-                rows,
-                f"{counted(len(second), 'frame')} between the wall and {said[1]}, expected {MIN_FRAMES_AFTER} or more",
-            )
+        for part, between, least in (
+            (first, f"{said[0]} and the wall", MIN_FRAMES_BEFORE),
+            (second, f"the wall and {said[1]}", MIN_FRAMES_AFTER),
+        ):
+            if len(part) < least:
+                return rows, f"{counted(len(part), 'frame')} between {between}, expected {least} or more"
         return rows, ""
 
     def _checked(self, one: TrackContact) -> TrackContact:

@@ -21,6 +21,7 @@ from carom.fitting.tracks.result import TrackFit
 from carom.fitting.tracks.search import fit_track_law
 from carom.fitting.tracks.segments import find_segments
 from carom.fitting.tracks.stages import distances_through_contacts, failing_part
+from carom.laws.registry import one_or_several
 from carom.tracks.measurement import Measured
 
 __all__ = ["TrackRanking", "fit_tracks"]
@@ -135,8 +136,6 @@ def fit_tracks(
     >>> round(ranking.best.estimates["restitution"].value, 3)
     0.8
     """
-    if isinstance(laws, str):
-        laws = [laws]
     require_library("scipy", "fit")
     if measured.view != "above":
         raise CaromError("tracks: expected balls on a table, seen from above, got balls in flight; leave out --whole")
@@ -148,7 +147,9 @@ def fit_tracks(
             + "".join(f"; {note}" for note in notes)
         )
     tell = say or (lambda _what, _done: None)
-    chosen, more = track_models(laws, setting, measured.walls, starting_numbers(measured))
+    chosen, more = track_models(
+        one_or_several("fit_tracks", laws) if laws else None, setting, measured.walls, starting_numbers(measured)
+    )
     fits = []
     for i, model in enumerate(chosen):
 

@@ -115,15 +115,14 @@ def _units(table: TextTable, column: tuple[int, Heading | None], calibration: Ca
 def _notes(
     header: list[str], found: dict[str, tuple[int, Heading | None]], calibration: Calibration
 ) -> tuple[str, ...]:
-    lengths = ("length", "time")
+    assumed = {"length": "m", "time": "s"} if calibration.scale is None else {"time": "s"}
     bare = [
-        header[i].strip()
+        (header[i].strip(), assumed[meaning.dimension])
         for i, meaning in found.values()
-        if meaning is not None and meaning.style == "plain" and meaning.dimension in lengths
+        if meaning is not None and meaning.style == "plain" and meaning.dimension in assumed
     ]
     notes = []
     if calibration.scale is not None:
-        bare = [cell for cell in bare if cell.lower() in ("t", "time")]
         said = [
             header[i].strip()
             for i, meaning in found.values()
@@ -132,8 +131,11 @@ def _notes(
         if said:
             notes.append(f"--scale overrides the unit in {', '.join(map(repr, said))}")
     if bare:
-        units = "s" if calibration.scale is not None else "m and s"
-        notes.append(f"no unit in {', '.join(map(repr, bare))}: assumed to be {units}")
+        cells, units = (
+            ", ".join(repr(cell) for cell, _unit in bare),
+            " and ".join(sorted({unit for _cell, unit in bare})),
+        )
+        notes.append(f"no unit in {cells}: assumed to be {units}")
     return tuple(notes)
 
 
