@@ -1,8 +1,9 @@
 """Mutants: one place of the code changed at random; do the tests of its room notice?
 
-    python campaigns/mutants.py [N] [--only ROOM] [--rows FILE] [--again] [--work FOLDER]
+    python campaigns/mutants.py [N] [--first 0] [--only ROOM] [--rows FILE] [--again] [--work FOLDER]
 
-N mutants (25) of each room. A mutant is the package with one operator, comparison, condition, sign or number changed; it is killed
+N mutants (25) of each room, from the number ``first`` on. A mutant is the package with one operator, comparison, condition, sign or
+number changed; it is killed
 if a test of its room fails, or takes ten times as long. First the tests of each room run without a mutant: they must pass, and
 it is noted which functions each of them reaches, and how long it takes, with kernels as plain Python and compiled. Then each
 mutant is shown to the tests that reach its function, the shortest first: those that are quick as plain Python, then the others,
@@ -46,8 +47,9 @@ def judged_equivalent() -> set[str]:
 def main(words: Sequence[str] | None = None) -> None:
     """A line a room, and one for each survivor."""
     again = {"action": "store_true", "help": "try survivors anew"}
+    first = {"type": int, "default": 0, "help": "number of the first mutant of each room"}
     work = {"type": Path, "default": ROOT / "build" / "mutants", "help": "folder for the copy and for what is compiled"}
-    with campaign("mutants", __doc__, words, count=25, small=2, again=again, work=work) as run:
+    with campaign("mutants", __doc__, words, count=25, small=2, again=again, first=first, work=work) as run:
         rooms = [room for room in ROOMS if run.small or run.wants(room, ROOMS)]
         if run.small:
             only_drawn(run, rooms)
@@ -61,10 +63,15 @@ def main(words: Sequence[str] | None = None) -> None:
                 report(run, room)
 
 
+def numbers(run: Campaign) -> range:
+    """Return the numbers of the mutants of each room."""
+    return range(run.given.first, run.given.first + run.count)
+
+
 def only_drawn(run: Campaign, rooms: Sequence[str]) -> None:
     """Say which mutants there would be."""
     for room in rooms:
-        for number in range(run.count):
+        for number in numbers(run):
             mutant = draw(ROOT / "src" / "carom", room, number)
             ast.parse(mutant.source)
             run.say(f"{room}: {mutant.about}")
@@ -84,7 +91,7 @@ def try_all(run: Campaign, rooms: Sequence[str], copied: Copy) -> None:
         row = run.rows.known.get((room, number))
         return row is None or (run.given.again and row["fate"] == "survived")
 
-    for number in range(run.count):
+    for number in numbers(run):
         for room in rooms:
             if to_do(room, number):
                 run.rows.known.pop((room, number), None)
@@ -93,7 +100,7 @@ def try_all(run: Campaign, rooms: Sequence[str], copied: Copy) -> None:
 
 def report(run: Campaign, room: str) -> None:
     """A line for a room, and one for each survivor."""
-    known, rows = judged_equivalent(), [run.rows.known[room, number] for number in range(run.count)]
+    known, rows = judged_equivalent(), [run.rows.known[room, number] for number in numbers(run)]
     survived = [row for row in rows if row["fate"] == "survived"]
     left = [row["mutant"] for row in survived if identity(row) not in known]
     killed, same = len(rows) - len(survived), len(survived) - len(left)

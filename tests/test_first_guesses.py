@@ -48,6 +48,43 @@ def test_units() -> None:
             carom.Ball(bad)
 
 
+def test_settings_of_a_run_in_place_of_the_scenes(file: Path) -> None:
+    run = carom.simulate(file, duration="200 ms", law="mirror")
+    assert (run.end, run.scene.run.law) == (0.2, "mirror")
+    assert carom.simulate(file, max_events=1).ended == "max_events"
+    with pytest.raises(carom.CaromError) as error:
+        carom.simulate(file, duration=-1, max_events=0)
+    assert [fault.split(":")[1].strip() for fault in error.value.faults] == ["duration", "max_events"]
+
+
+def test_balls_by_name_and_kinds_that_there_are() -> None:
+    run = carom.simulate("carom", duration=2)
+    name = run.scene.ball_names[0]
+    assert run.index(name) == 0
+    assert run.phases(name) == run.phases(0)
+    assert len(run.events.of(ball=name)) == len(run.events.of(ball=0)) > 0
+    with pytest.raises(carom.CaromError, match=r"Events.of: expected a kind of wall, floor, ball, .*, got 'cushion'"):
+        run.events.of("cushion")
+    for ball in ("nobody", 7, True, 1.5):
+        with pytest.raises(carom.CaromError, match="ball: expected a ball of"):
+            run.index(ball)
+    with pytest.raises(carom.CaromError, match=r"run.table\(\)"):
+        run.save("states.csv")
+
+
+def test_an_unknown_argument_is_followed_by_those_that_there_are() -> None:
+    with pytest.raises(TypeError) as error:
+        carom.Ball(raduis=0.02)  # type: ignore[call-arg]
+    assert error.value.__notes__ == ["Ball takes radius, mass, inertia; did you mean 'radius'?"]
+    with pytest.raises(TypeError) as error:
+        carom.simulate("carom", t_max=1)  # type: ignore[call-arg]
+    assert error.value.__notes__ == ["simulate takes scene, progress, law, duration, max_events"]
+    with pytest.raises(
+        carom.CaromError, match=r"^state: expected a State, got tuple \(-1, 1, 0\); make one with carom.rolling"
+    ):
+        carom.two_step(carom.Ball(0.026, 0.14), (-1, 1, 0))  # type: ignore[arg-type]
+
+
 def test_the_time_of_a_state_is_a_number(file: Path) -> None:
     run = carom.simulate(file)
     with pytest.raises(carom.CaromError, match=r"Trajectory: t: expected times in s, got '0.5 s'"):

@@ -36,8 +36,9 @@ class Copy:
     """A copy of the package and of its tests, in which one module at a time is changed."""
 
     def __init__(self, root: Path, work: Path) -> None:
-        self.work, self.tree = work, work / "tree"
         work.mkdir(parents=True, exist_ok=True)
+        work = work.resolve()  # (tests run in another folder)
+        self.work, self.tree = work, work / "tree"
         self._lock = (work / "lock").open("w")
         try:
             fcntl.flock(self._lock, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -61,14 +61,15 @@ from .scene.scene import Scene as Scene
 from .scene.table import Table as Table
 from .scene.toml import load_scene as load_scene
 from .scene.toml import new_scene as new_scene
+from .scene.toml import save_scene as save_scene
+from .simulation.events import Event as Event
+from .simulation.events import Events as Events
 from .simulation.load import load_trajectory as load_trajectory
 from .simulation.sensitivity.many import ManySensitivities as ManySensitivities
 from .simulation.sensitivity.many import sensitivities as sensitivities
 from .simulation.simulate import ManyRuns as ManyRuns
 from .simulation.simulate import simulate as simulate
 from .simulation.simulate import simulate_many as simulate_many
-from .simulation.trajectory import Event as Event
-from .simulation.trajectory import Events as Events
 from .simulation.trajectory import Trajectory as Trajectory
 from .sweeps.aiming import Aim as Aim
 from .sweeps.aiming import Aims as Aims

@@ -178,13 +178,14 @@ def broadcast_shape(*shapes: tuple[int, ...]) -> tuple[int, ...]:
         raise CaromError(f"shapes: expected states, normals and numbers that broadcast, got {got}") from None
 
 
-def require_type(where: str, field: str, value: Any, kind: type) -> None:
-    """Raise CaromError if an argument has another type: most often two are in the wrong order."""
+def require_type(where: str, field: str, value: Any, kind: type, remedy: str = "") -> None:
+    """Raise CaromError if an argument has another type: most often two are in the wrong order. ``where`` may be empty."""
     if not isinstance(value, kind):
         article = "an" if kind.__name__[0] in "AEIOU" else "a"
+        got = " ".join(f"{value!r}".split())
         raise CaromError(
-            f"{where}: {field}: expected {article} {kind.__name__}, got {type(value).__name__} {value!r:.60};"
-            " check the order of the arguments, or name them"
+            f"{f'{where}: ' if where else ''}{field}: expected {article} {kind.__name__}, got {type(value).__name__} {got:.60};"
+            f" {remedy or 'check the order of the arguments, or name them'}"
         )
 
 

@@ -232,3 +232,11 @@ def test_command_line_and_faults(tmp_path):
     ):
         with pytest.raises(carom.CaromError, match=said):
             make()
+
+
+def test_caustics_of_an_orbit_of_one_bounce() -> None:
+    """One flight touches one circle; there is no second."""
+    found = billiards.orbit(billiards.circle(), ((0.0, 0.5), (1.0, 0.0), 0.0), bounces=1, law="mirror")
+    caustics = billiards.caustics(found)
+    np.testing.assert_allclose(caustics.radii, [0.5, np.nan], atol=1e-12)
+    np.testing.assert_equal(caustics.scatter, [0.0, np.nan])

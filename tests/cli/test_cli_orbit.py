@@ -82,6 +82,15 @@ def test_an_orbit_without_a_period_says_how_far_it_was_sought() -> None:
     assert "period none up to 30 bounces" in words
 
 
+def test_one_bounce_has_neither_period_nor_caustics() -> None:
+    words = " ".join(run("circle", *START, "--bounces", "1").stdout.split())
+    assert "1 in 1 orbit" in words
+    assert "period" not in words
+    assert "caustics" not in words
+    three = " ".join(run("strip", *START, "--bounces", "3").stdout.split())
+    assert "period none up to 1 bounce bounces (" in three
+
+
 def test_open_tables_and_their_drift() -> None:
     words = ["strip", "--acceleration", "0.5", *START[:2], "--velocity", "0.3,0.9", "--bounces", "500"]
     assert "bounded" in run(*words).stdout

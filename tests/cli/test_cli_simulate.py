@@ -101,6 +101,52 @@ def fails(capsys: pytest.CaptureFixture[str], *arguments: str) -> list[str]:
     return err.splitlines()
 
 
+# --- other values --------------------------------------------------------------------------------------------------
+
+
+def test_set_replaces_numbers_of_the_scene(scenes: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    out, _err = command("pair.toml", "--set", "balls.0.velocity=[0, 0]", "--set", "balls.*.mass=200 g", "--json")
+    assert json.loads(out)["events"] == []
+    found = fails(capsys, "pair.toml", "--set", "balls.0.mas=1", "--set", "balls", "--law", "twostep")
+    assert any("--set: balls.0.mas: expected" in line and "did you mean 'balls.0.mass'" in line for line in found)
+    assert any("--set: expected PATH=VALUE, such as walls.*.restitution=0.8, got 'balls'" in line for line in found)
+    assert any(
+        "--set: balls[0].mass: expected" in line for line in fails(capsys, "pair.toml", "--set", "balls.0.mass=-1")
+    )
+
+
+def test_words_of_a_struck_ball_on_a_table(scenes: Path) -> None:
+    table = {
+        "shape": "table",
+        "name": "rail",
+        "length": 2,
+        "width": 1,
+        "nose_height": 0.037,
+        "restitution": 0.8,
+        "friction": 0.2,
+    }
+
+    def words(strike: dict[str, object]) -> str:
+        cue = {"radius": 0.029, "mass": 0.17, "position": (0, 0), "name": "cue", "strike": strike}
+        scene = carom.Scene(floor={"friction": 0.2, "rolling_resistance": 0.01}, walls=[table], balls=[cue])
+        return " ".join(describe_run(carom.simulate(scene, duration=4)))
+
+    for azimuth, side in ((0, "right"), (90, "top"), (180, "left"), (270, "bottom")):
+        assert f"it meets rail ({side})" in words({"speed": 2, "azimuth": azimuth})
+    assert "cue is struck and " in words({"speed": 2, "azimuth": 0}).replace("Cue", "cue")
+    assert "is struck, a miscue, and " in words({"speed": 2, "azimuth": 0, "offset": [0.7, 0]})
+    # draw: the ball rolls back, which the words say
+    far = {"radius": 0.029, "mass": 0.17, "position": (0.3, 0), "name": "far"}
+    scene = carom.Scene(
+        floor={"friction": 0.2},
+        balls=[
+            {**far, "position": (0, 0), "name": "cue", "strike": {"speed": 3, "azimuth": 0, "offset": [0, -0.4]}},
+            far,
+        ],
+    )
+    assert "rolls at 0.72 m/s, 180° from the x axis" in describe_run(carom.simulate(scene, duration=2))[0]
+
+
 # --- words ---------------------------------------------------------------------------------------------------------
 
 
@@ -115,11 +161,14 @@ def test_the_scene_of_the_design_word_for_word(scenes: Path) -> None:
     assert "At 0.49 s it meets plane 0, 27° from its normal, sticks, and leaves at" in words
     assert "it is lifted 15.9 mm, flies 206 mm, bounces" in words
     assert "the last time in infinitely many bounces within" in words
-    assert "slides for 155 ms and rolls. At the end, after 10 s and 1 wall, it rolls at" in words
+    assert (
+        "slides for 155 ms and rolls at 1.29 m/s, 37° from the x axis. At the end, after 10 s and 1 wall, it rolls at"
+        in words
+    )
     assert "The run ends after its duration, 10 s, and 13 events." in words
     assert "wall plane 0" in words
     assert "end: 10.0000" in words
-    assert "Energy: 0.735 J at the start; 0.255 J lost at walls, 0.149 J lost at the floor" in words
+    assert "Energy: 0.735 J at the start; 0.255 J lost at walls, 0.149 J lost in landings" in words
 
 
 def told(text: str, tmp_path: Path, **run: Any) -> tuple[carom.Trajectory, list[str]]:

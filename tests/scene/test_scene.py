@@ -178,6 +178,7 @@ def test_forms_of_restitution() -> None:
 
 def test_features_carry_surface_and_law() -> None:
     scene = Scene(
+        gravity=0,
         walls=[
             Table(length=2, width=1, height=0.5, restitution=0.8, friction=0.2),
             Sphere(center=(0, 0, 0.3), radius=0.1, law="no-slip"),

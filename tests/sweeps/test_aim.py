@@ -177,6 +177,33 @@ def test_the_command_line(tmp_path: Path) -> None:
     assert {"speed", "angle", "success", "spread_m", "sequence"} <= set(rows[0])
 
 
+def struck_pair(name: str) -> str:
+    """A scene file: a ball that is struck, and another of that name."""
+    return (
+        "[floor]\nfriction = 0.2\nrolling_resistance = 0.01\n"
+        "[[balls]]\nname = 'cue'\nradius = 0.03\nmass = 0.2\nposition = [0, 0]\nstrike = {speed = 1.0, azimuth = 3.0}\n"
+        f"[[balls]]\nname = '{name}'\nradius = 0.03\nmass = 0.2\nposition = [0.7, 0.1]\n"
+    )
+
+
+def test_a_struck_ball_is_aimed_by_its_strike_and_a_name_of_digits_is_a_name(tmp_path: Path) -> None:
+    from typer.testing import CliRunner
+
+    from carom.cli import app
+
+    (tmp_path / "scene.toml").write_text(struck_pair("8"))
+    done = CliRunner().invoke(app, ["aim", str(tmp_path / "scene.toml"), "--hit", "8", "--starts", "256", "--json"])
+    assert done.exit_code == 0, done.output
+    assert json.loads(done.stdout)[0]["azimuth"] == pytest.approx(math.degrees(math.atan2(0.1, 0.7)), abs=2)
+    scene = carom.load_scene(tmp_path / "scene.toml")
+    assert carom.scene.paths.path_match(scene, "balls.8.mass").places == (("balls", 1, "mass"),)
+
+
+def test_a_pocket_of_another_name_is_refused_with_the_nearest() -> None:
+    with pytest.raises(carom.CaromError, match="did you mean 'top left pocket'"):
+        carom.aim(carom.load_scene("pool-9ft"), ["balls.0.velocity"], {"pocket": "top left"})
+
+
 def test_a_speed_below_zero_is_one_clear_line() -> None:
     with pytest.raises(carom.CaromError, match=r"aim: reach: speed: expected a number > 0, got -1"):
         carom.aim(bank(), ["balls.0.velocity"], {"hit": 1, "speed": -1})

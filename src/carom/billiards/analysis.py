@@ -93,7 +93,7 @@ def caustics(found: Orbit, centre: Sequence[float] = (0.0, 0.0)) -> Caustics:
 
     Returns
     -------
-    Caustics. Raises CaromError if a force bends the flights.
+    Caustics, NaN where there is no such flight. CaromError if a force bends the flights.
 
     Examples
     --------
@@ -103,16 +103,15 @@ def caustics(found: Orbit, centre: Sequence[float] = (0.0, 0.0)) -> Caustics:
     array([0.5, 0.5])
     """
     if any(found.setup.table.acceleration[:2]):
-        raise CaromError(
-            f"caustics: table: expected one with straight flights (projected along z), got {found.setup.table}"
-        )
+        raise CaromError(f"caustics: expected a table of straight flights (along z apart), got {found.setup.table}")
     x, v = found.position[..., :2] - np.asarray(centre, float), found.velocity[..., :2]
     distance = np.abs(x[..., 0] * v[..., 1] - x[..., 1] * v[..., 0]) / np.hypot(v[..., 0], v[..., 1])
-    both = [distance[..., k::2] for k in (0, 1)]
-    return Caustics(
-        np.stack([np.nanmean(one, axis=-1) for one in both], axis=-1),
-        np.stack([np.nanmax(one, axis=-1) - np.nanmin(one, axis=-1) for one in both], axis=-1),
-    )
+    # (..., N, 2), flights after odd and after even bounces; a single one has none of one kind
+    more = [(0, 0)] * (distance.ndim - 1) + [(0, 2 - distance.shape[-1] % 2)]
+    flights = np.pad(distance, more, constant_values=np.nan).reshape(*distance.shape[:-1], -1, 2)
+    with np.errstate(invalid="ignore"):
+        radii = np.nansum(flights, axis=-2) / np.isfinite(flights).sum(axis=-2)
+    return Caustics(radii, np.fmax.reduce(flights, axis=-2) - np.fmin.reduce(flights, axis=-2))
 
 
 @dataclass(frozen=True, eq=False)

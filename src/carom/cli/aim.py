@@ -79,7 +79,7 @@ def aim(
             "--free",
             metavar="PATH[=LOW:HIGH]",
             help="What may be chosen: balls.0.velocity, balls.0.strike, balls.0.strike.offset, ...; may be repeated.",
-            show_default="balls.0.velocity",
+            show_default="balls.0.velocity, or the strike of a ball that is struck",
             rich_help_panel=START,
         ),
     ] = None,
@@ -124,7 +124,9 @@ def aim(
         found.append("aim: expected one of --hit, --pocket and --point")
     if speed is not None:
         target["speed"] = speed
-    ranges = attempt(found, lambda: _ranges(free or ["balls.0.velocity"]))
+    struck = [i for i, one in enumerate(made.balls) if one.strike is not None] if made is not None else []
+    usual = f"balls.{struck[0]}.strike" if struck else "balls.0.velocity"
+    ranges = attempt(found, lambda: _ranges(free or [usual]))
     errors = attempt(found, lambda: dict(_error(text) for text in error or ()))
     if found or made is None or ranges is None or errors is None:
         raise CaromError(*found)

@@ -47,6 +47,17 @@ _QUANTITIES = {
     "s": ("a time", "0.02 (s) or 20ms"),
 }
 
+
+def in_radii(text: str | float) -> float:
+    """Return the height of a contact, which is given in radii of the ball."""
+    try:
+        return float(text)
+    except ValueError:
+        raise CaromError(
+            f"--contact-height: expected a number of ball radii, such as 1.27 (height of the nose over radius), got {text!r}"
+        ) from None
+
+
 # Each shared option by its parameter's name: heading, help, and further arguments of typer.Option; ``unit`` is the SI unit of a
 # value that may be given with another.
 _SHARED: dict[str, tuple[str, str, dict[str, Any]]] = {
@@ -61,7 +72,7 @@ _SHARED: dict[str, tuple[str, str, dict[str, Any]]] = {
     "contact_height": (
         WALL,
         "Height of the contact above the floor, in ball radii; billiard cushions: 1.25 to 1.4.",
-        {"flags": ("--contact-height", "--cushion-height")},
+        {"flags": ("--contact-height", "--cushion-height"), "parser": in_radii, "metavar": "RADII"},
     ),
     "floor_restitution": (FLOOR, "Coefficient of restitution, 0 to 1.", {}),
     "floor_friction": (FLOOR, "Friction coefficient; inf: never slips.", {}),

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from typing import TYPE_CHECKING, Any
 
+from carom.formatting import counted
+
 if TYPE_CHECKING:
     from carom.billiards import Lyapunov, Orbit, Table
 
@@ -46,7 +48,7 @@ def orbit_facts(found: Orbit, table: Table, *, spectrum: Lyapunov | None, back: 
             lost = speed**2 - fall
             lost = lost[np.arange(len(made)), np.maximum(made, 1) - 1] - lost[:, 0]
             facts["energy_drift"] = float(np.nanmax(np.abs(lost) / np.nanmax(speed**2, axis=1)))
-    if whole.all():
+    if whole.all() and found.t.shape[-1] > 1:
         periods = np.atleast_1d(billiards.period(found))
         names, counts = np.unique(periods, return_counts=True)
         facts["periods"] = {str(p): int(c) for p, c in zip(names.tolist(), counts.tolist(), strict=True) if p}
@@ -142,7 +144,7 @@ def print_orbit(facts: dict[str, Any], found: Orbit) -> None:
         shown = ", ".join(p if facts["orbits"] == 1 else f"{p} ({c})" for p, c in facts["periods"].items())
         grid.add_row("period", shown)
     elif "periods" in facts:
-        grid.add_row("period", f"none up to {found.t.shape[-1] // 2:,} bounces")
+        grid.add_row("period", f"none up to {counted(found.t.shape[-1] // 2, 'bounce')}")
     if facts.get("caustics"):
         grid.add_row("caustics", " and ".join(f"{r:.9g}" for r in facts["caustics"]) + " m")
     if facts.get("drift"):

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from carom.laws.law import Law
 
 TABLE = "Table"
+OTHER_TABLES = (".xlsx", ".xls", ".ods", ".json", ".nc", ".h5", ".feather")  # formats that are not written
 
 
 def register(app: typer.Typer) -> None:
@@ -108,6 +109,8 @@ def predict(
     read = {name: value for name, value in numbers.items() if name not in idle}
     faults += bad_numbers(read, values.get("normal"), contact_height, gravity)
     require_outputs(faults, {"--out": out}, {"--out": ()}, source=table)
+    if out is not None and out.suffix.lower() in OTHER_TABLES:
+        faults.append(f"--out: expected a .csv or .parquet file, got {out.suffix!r}; spreadsheets open .csv")
     if json_ and out is None:
         faults.append("--out: expected a file for the table with --json, which uses standard output, got none")
     if faults:

@@ -8,6 +8,7 @@ import csv
 import math
 import signal
 import sys
+import tomllib
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -44,6 +45,16 @@ def simulate(
     ] = None,
     max_events: Annotated[
         int | None, shared("max_events", default="the scene's", help="Largest number of events.")
+    ] = None,
+    set_: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--set",
+            metavar="PATH=VALUE",
+            help="Another value for numbers of the scene, such as walls.*.restitution=0.8 or balls.0.velocity=[2,1]; may be"
+            " repeated.",
+            rich_help_panel=RUN,
+        ),
     ] = None,
     at: Annotated[
         list[str] | None,
@@ -93,9 +104,9 @@ def simulate(
         most, times = attempt(found, _most, events), attempt(found, _times, at)
         kinds = {"--animate": ANIMATIONS, "--save": FORMATS, "--table": TABLES}
         require_outputs(found, {"--plot": plot, "--animate": animate, "--save": save, "--table": table}, kinds)
-        given = attempt(
-            found, _scene, scene, allow_own_laws, {"law": law, "duration": duration, "max_events": max_events}
-        )
+        values = {name: value for text in set_ or [] for name, value in attempt(found, _assigned, text) or ()}
+        settings = {"law": law, "duration": duration, "max_events": max_events}
+        given = attempt(found, _scene, scene, allow_own_laws, settings, values)
         if found:
             raise CaromError(*found)
         run = _run(given, quiet)
@@ -139,13 +150,29 @@ def _times(texts: list[str] | None) -> list[float]:
     return sorted(found)
 
 
-def _scene(path: Path, allow_own_laws: bool, changes: dict[str, Any]) -> Scene:
-    """Return the scene of a file, with the options in place of its [run] settings."""
+def _assigned(text: str) -> list[tuple[str, Any]]:
+    """Return path and value of PATH=VALUE; a value as in a scene file, text without quotes as it is."""
+    path, equals, value = text.partition("=")
+    if not equals or not path.strip() or not value.strip():
+        raise CaromError(f"--set: expected PATH=VALUE, such as walls.*.restitution=0.8, got {text!r}")
+    try:
+        return [(path.strip(), tomllib.loads(f"value = {value}")["value"])]
+    except tomllib.TOMLDecodeError:
+        return [(path.strip(), value.strip())]
+
+
+def _scene(path: Path, allow_own_laws: bool, changes: dict[str, Any], values: dict[str, Any]) -> Scene:
+    """Return the scene of a file, with ``values`` at its paths, and the options in place of its [run] settings."""
+    from carom.scene.paths import replaced
     from carom.scene.scene import Run, Scene
     from carom.scene.toml import load_scene
 
     found: list[str] = []
     scene = attempt(found, lambda: load_scene(path, allow_own_laws=allow_own_laws))
+    if scene is not None and values:
+        changed = attempt(found, replaced, scene, values)
+        found = [fault.replace("path:", "--set:", 1).replace("Scene:", "--set:", 1) for fault in found]
+        scene = changed or scene
     changes = {name: value for name, value in changes.items() if value is not None}
     with contextlib.suppress(KeyError, ValueError):
         changes["duration"] = float(changes["duration"])

@@ -15,7 +15,7 @@ from rich.text import Text
 from carom.cli.console import out
 from carom.formatting import format_number
 from carom.simulation.budget import budget
-from carom.simulation.narrate import describe_run, with_count
+from carom.simulation.narrate import cushion_side, describe_run, with_count
 from carom.simulation.records import kind_names
 from carom.simulation.tables import event_columns
 
@@ -122,19 +122,21 @@ def _events(run: Trajectory, most: int | None, wide: bool) -> tuple[Table, int]:
     parts = [rows]
     if most is not None and len(rows) > most:
         parts = [rows[: (most + 1) // 2], rows[len(rows) - most // 2 :]]
+    features = run.scene.features().view(np.recarray)
     for k, part in enumerate(parts):
         if k > 0:
             table.add_row("...")
         for row in part:
-            table.add_row(*_event_row(run, row, several, axes, wide))
+            table.add_row(*_event_row(run, features, row, several, axes, wide))
     return table, len(run.events) - sum(len(row) for part in parts for row in part)
 
 
-def _event_row(run: Trajectory, folded: list[int], several: bool, axes: int, wide: bool) -> list[str]:
+def _event_row(run: Trajectory, features: Any, folded: list[int], several: bool, axes: int, wide: bool) -> list[str]:
     """Return the cells of one event; of hops the time of the first, the state after the last, and the energy lost in all."""
     events = [run.events[k] for k in folded]
     first, event = events[0], events[-1]
-    what = f"{event.kind}{f' {event.name}' if event.name else ''}"
+    side = cushion_side(run, features, run.events.rows[folded[-1]]) if event.kind == "wall" else ""
+    what = " ".join(one for one in (event.kind, event.name, side) if one)
     if len(events) > 1:
         bounces = sum(one.phase in RISES for one in events)
         what = f"lands, {with_count(bounces, 'bounce')}"
@@ -171,15 +173,18 @@ def _energy(run: Trajectory) -> str:
     rounding = ROUNDING * max(abs(found.start), abs(found.end)) * (1 + len(run.events))
     places = (
         ("at walls", found.walls),
-        ("at the floor", found.floor),
+        ("in landings", found.floor),
         ("between balls", found.balls),
-        ("between events", found.way),
+        ("in sliding, rolling and small bounces", found.way),
     )
     told = [
         f"{format_number(abs(x))} J {'lost' if x > 0 else 'gained'} {where}" for where, x in places if abs(x) > rounding
     ]
     left = format_number(0.0 if abs(found.end) < rounding else found.end)
-    return f"Energy: {format_number(found.start)} J at the start; {''.join(f'{part}, ' for part in told)}{left} J left."
+    fallen = [i for i, phase in enumerate(run.final_phase) if phase == "pocketed"]
+    theirs = run.kinetic_energy(fallen, run.final.velocity[fallen], run.final.spin[fallen]).sum() if fallen else 0.0
+    held = f" ({format_number(theirs)} J as balls fell into pockets)" if theirs > rounding else ""
+    return f"Energy: {format_number(found.start)} J at the start; {''.join(f'{part}, ' for part in told)}{left} J left{held}."
 
 
 # --- as JSON -------------------------------------------------------------------------------------------------------

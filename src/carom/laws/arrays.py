@@ -166,8 +166,9 @@ def require_resolved(where: str, state: State) -> None:
 
 def require_approach(ball: Ball, state: State, normal: Array) -> None:
     """Raise CaromError if a ball moves away from the wall, or a disc leaves its plane."""
-    require_type("law", "ball", ball, Ball)
-    require_type("law", "state", state, State)
+    require_type("", "ball", ball, Ball, "make one with carom.Ball(radius, mass); the ball is the first argument")
+    made = "carom.rolling(ball, velocity) or carom.State(velocity, spin)"
+    require_type("", "state", state, State, f"make one with {made}; the state is the second argument")
     if not ball.planar and _all_move_plainly(state.velocity, normal):
         return
     require_resolved("state", state)

@@ -321,7 +321,7 @@ def compare(
     known = list(inspect.signature(incoming).parameters)
     if strange := [name for name in numbers if name not in known]:
         faults = [
-            f"compare: {name}: expected an argument of incoming, got {name!r}; {suggestion(name, [*known, 'laws'])}"
+            f"compare: expected laws, meeting or an argument of carom.incoming, got {name!r}; {suggestion(name, [*known, 'laws'])}"
             for name in strange
         ]
         raise CaromError(*faults)

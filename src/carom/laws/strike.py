@@ -228,7 +228,7 @@ def strike(
 
     Notes
     -----
-    Kim, New Phys. Sae Mulli 72, 208 (2022), arXiv 2104.11232; Alciatore, TP A.30 and TP A.31; see ``carom cite cue-strike``.
+    Kim, New Phys. Sae Mulli 72, 208 (2022), arXiv 2104.11232; Alciatore, TP A.30 and TP A.31; see ``carom laws cue-strike``.
 
     Examples
     --------

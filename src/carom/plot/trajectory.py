@@ -11,10 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.motion.phases import BOUNCING, FLIGHT, REST, ROLLING, SLIDING
-from carom.errors import CaromError, suggestion
 from carom.formatting import format_time
 from carom.plot.scene_view import SEEN, View, colour, last_time, steps, view, walls_in, way
 from carom.plot.style import GREY, INK, PALE, drawn, new_figure, spread_apart
+from carom.scene.paths import ball_index
 from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, POCKETED_EVENT, WALL
 from carom.simulation.trajectory import Trajectory
 
@@ -74,21 +74,10 @@ def plot_trajectory(
 
 
 def _chosen(run: Trajectory, ball: Any) -> list[int]:
-    names = run.scene.ball_names
     if ball is None:
-        return list(range(len(names)))
-    found = []
-    for one in [ball] if isinstance(ball, (int, str)) else ball:
-        if isinstance(one, (int, np.integer)) and not isinstance(one, bool) and 0 <= one < len(names):
-            found.append(int(one))
-        elif one in names:
-            found.append(names.index(one))
-        else:
-            hint = suggestion(one, list(names)) if isinstance(one, str) else f"the names are {', '.join(names)}"
-            raise CaromError(
-                f"plot: ball: expected a ball's name or its number from 0 to {len(names) - 1}, got {one!r}; {hint}"
-            )
-    return found
+        return list(range(len(run.scene.balls)))
+    several: list[Any] = [ball] if isinstance(ball, (int, np.integer, str)) else list(ball)
+    return [ball_index(run.scene, one, "plot: ball") for one in several]
 
 
 def _draw(run: Trajectory, balls: list[int], title: str | None) -> Any:

@@ -21,7 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from carom.errors import CaromError, float_array
+from carom.errors import CaromError, did_you_mean, float_array
 
 __all__ = ["guarded"]
 
@@ -96,8 +96,9 @@ def _explained(
     signature = inspect.signature(function)
     try:
         given = signature.bind(*args, **options).arguments
-    except TypeError:
-        return None  # too few arguments, too many, or another name: Python says it well
+    except TypeError:  # too few arguments, too many, or another name: Python says it well, but not which there are
+        error.add_note(_parameters(signature, where, options))
+        return None
     first = next(iter(signature.parameters), "")
     if first in ("self", "cls"):
         if where == type(given.get("self")).__mro__[0].__name__ or not where.partition(".")[2]:
@@ -123,6 +124,13 @@ def _explained(
         f"{where}: expected arguments that fit its documentation, got {got} ({type(error).__name__}: {said});"
         " check their order, types and shapes"
     )
+
+
+def _parameters(signature: inspect.Signature, where: str, options: Any) -> str:
+    """Return which arguments a function takes, and for those that it does not know the name that is nearest."""
+    known = [name for name in signature.parameters if name not in ("self", "cls")]
+    hints = [did_you_mean(name, known) for name in options if name not in known]
+    return f"{where} takes {', '.join(known) or 'no arguments'}{next(filter(None, hints), '')}"
 
 
 def _is_the_callers(error: Exception) -> bool:

@@ -17,3 +17,4 @@ from .shapes import Table as Table
 from .shapes import Wedge as Wedge
 from .toml import load_scene as load_scene
 from .toml import new_scene as new_scene
+from .toml import save_scene as save_scene

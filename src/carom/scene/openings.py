@@ -13,6 +13,9 @@ from carom.scene.presets import Preset, Sourced, preset_fault, presets
 __all__ = ["table_scene"]
 
 GAP = 1e-4  # m: between racked balls; touching balls would be struck all at once, which a run takes one by one
+# said in scenes with a rack: in real ones contacts overlap in time, and more balls leave it (docs/theory/pairs.md)
+RACK = "# Balls of the rack are struck one pair at a time: fewer of them spread than on a real table (docs: Ball-ball collisions, Racks)."
+MOST_APART = 8  # balls of a game that begins without a rack
 WIDTH = 30  # of a field with its value, before its source
 # WPBSA, official rules: baulk-line and D, and where black stands, m
 BAULK, D_RADIUS, BLACK = 0.737, 0.292, 0.324
@@ -45,6 +48,7 @@ def table_scene(name: str) -> str:
     lines = [
         f"# A {preset.title}. {opening.about}",
         f"# Check it with `carom scene check FILE`, run it with `carom simulate FILE`. SI units. {_key()}",
+        *([RACK] if len(opening.balls) > MOST_APART else []),
         "",
         "[floor]",
         *_numbers(preset.parts["floor"]),

@@ -8,17 +8,36 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from difflib import get_close_matches
+from numbers import Integral
 from typing import Any, NamedTuple, TypeVar
 
-from carom.errors import CaromError, shortened_list
+from carom.errors import CaromError, did_you_mean, shortened_list
 from carom.scene.ball import SceneBall
+from carom.scene.scene import Scene
 from carom.scene.schema import Model
 
-__all__ = ["PathMatch", "overlapping_paths", "path_match", "replaced"]
+__all__ = ["PathMatch", "ball_index", "overlapping_paths", "path_match", "replaced"]
 
 AnyModel = TypeVar("AnyModel", bound=Model)
 Keys = tuple[str | int, ...]
 COMPONENTS = ("x", "y", "z")
+
+
+def ball_index(scene: Scene, ball: int | str, where: str = "ball") -> int:
+    """Return the number of a ball that is given by its name or its number; a text of digits is a name first, then a number.
+
+    CaromError, which begins with ``where``, for a ball that is not there.
+    """
+    names = scene.ball_names
+    if isinstance(ball, str) and ball in names:
+        return names.index(ball)
+    whole = ball.isdecimal() if isinstance(ball, str) else isinstance(ball, Integral) and not isinstance(ball, bool)
+    number = int(ball) if whole else -1
+    if not 0 <= number < len(names):
+        hint = did_you_mean(ball, names) if isinstance(ball, str) else ""
+        known = f"a ball of {shortened_list(names, 16)}, or a number from 0 to {len(names) - 1}"
+        raise CaromError(f"{where}: expected {known}, got {ball!r:.60}{hint}")
+    return number
 
 
 class PathMatch(NamedTuple):
@@ -78,10 +97,10 @@ def _chosen(value: Any, name: str) -> list[str | int]:
         return []
     if name == "*":
         return list(range(len(value)))
+    if named := [i for i, one in enumerate(value) if isinstance(one, Model) and getattr(one, "name", None) == name]:
+        return list(named)  # (a name may be of digits)
     if name.isdecimal():
         return [int(name)] if int(name) < len(value) else []
-    if value and isinstance(value[0], Model):
-        return [i for i, one in enumerate(value) if getattr(one, "name", None) == name]
     return [COMPONENTS.index(name)] if name in COMPONENTS[: len(value)] else []
 
 

@@ -297,6 +297,9 @@ def scene_faults(scene: Scene) -> list[Fault]:
 def _floor_faults(scene: Scene) -> list[Fault]:
     found = []
     gx, gy, gz = scene.gravity
+    if scene.floor is None and gz < 0 and (tables := [i for i, wall in enumerate(scene.walls) if wall.kind == "table"]):
+        advice = "a table is its cushions alone, and balls would fall: add a floor, or set gravity = 0"
+        found.append(Fault("a floor, as there is a table", Unquoted("none"), advice, ("walls", tables[0])))
     if scene.floor is not None and (gx != 0 or gy != 0 or gz > 0):
         advice = (
             "on a tilted floor a sliding ball has no path in closed form; leave the floor out and use a wall of shape"

@@ -4,17 +4,23 @@ from __future__ import annotations
 
 import re
 import tomllib
+from difflib import get_close_matches
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from carom.errors import CaromError
-from carom.files import as_path
+from pydantic import BaseModel
+
+from carom.errors import CaromError, require_type
+from carom.files import as_path, atomic_path, require_writable
+from carom.laws.law import Law
 from carom.scene.openings import table_scene
+from carom.scene.presets import presets
+from carom.scene.restitution import Constant
 from carom.scene.scene import Scene
 from carom.scene.schema import from_file
 
-__all__ = ["load_scene", "new_scene", "read_toml"]
+__all__ = ["load_scene", "new_scene", "parse_toml", "read_toml", "save_scene"]
 
 
 def load_scene(path: str | Path, *, allow_own_laws: bool = False) -> Scene:
@@ -23,7 +29,8 @@ def load_scene(path: str | Path, *, allow_own_laws: bool = False) -> Scene:
     Parameters
     ----------
     path : str or Path
-        The file.
+        The file; or the name of a real table, such as "pool-9ft" (:func:`new_scene`), where there is no file of that name; or the
+        text of a scene file, with its line breaks.
     allow_own_laws : bool, optional
         Whether a custom law in it, ``law = "file.py:name"``, is looked up in the file's folder and run. Default: it is refused, so
         that opening a file runs no code.
@@ -44,14 +51,28 @@ def load_scene(path: str | Path, *, allow_own_laws: bool = False) -> Scene:
     >>> len(scene.balls)
     1
     """
-    path = as_path("load_scene", path)
-    table = read_toml(path, f"carom scene new {path}")
+    if isinstance(path, str) and "\n" in path:
+        name, table = "scene", parse_toml("scene", path)
+    else:
+        path = as_path("load_scene", path)
+        name, table = str(path), _by_name(path) or read_toml(path, _remedy(path))
+        _beside(table, path.parent)
     if strange := sorted({"container", "species"} & set(table)):
         raise CaromError(
-            f"{path}: expected a scene of single balls, got a gas, with {' and '.join(strange)}; carom gas {path}"
+            f"{name}: expected a scene of single balls, got a gas, with {' and '.join(strange)}; carom gas {name}"
         )
-    _beside(table, path.parent)
-    return from_file(str(path), Scene, table, allow_own_laws=allow_own_laws)
+    return from_file(name, Scene, table, allow_own_laws=allow_own_laws)
+
+
+def _by_name(path: Path) -> dict[str, Any] | None:
+    """Return the table of a real table's opening; None where a file has that name, or no table."""
+    return None if path.exists() or str(path) not in presets() else tomllib.loads(table_scene(str(path)))
+
+
+def _remedy(path: Path) -> str:
+    """Return the command that writes the scene that was meant."""
+    near = get_close_matches(str(path), list(presets()), n=1)
+    return f"carom scene new --table {near[0]} FILE.toml" if near else f"carom scene new {path}"
 
 
 def read_toml(path: Path, remedy: str) -> dict[str, Any]:
@@ -63,19 +84,78 @@ def read_toml(path: Path, remedy: str) -> dict[str, Any]:
         raise CaromError(f"{path}: expected a scene file, got: {error.strerror}{advice}") from None
     except UnicodeDecodeError as error:
         raise CaromError(f"{path}: expected text in UTF-8, got byte {error.object[error.start]:#04x}") from None
+    return parse_toml(str(path), text)
+
+
+def parse_toml(name: str, text: str) -> dict[str, Any]:
+    """Return the table in a text. CaromError, one line that begins with ``name``, where it is not TOML."""
     try:
         return tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise CaromError(_syntax(path, text, str(error))) from None
+        raise CaromError(_syntax(name, text, str(error))) from None
 
 
-def _syntax(path: Path, text: str, message: str) -> str:
+def _syntax(path: str, text: str, message: str) -> str:
     found = re.fullmatch(r"(.*) \(at (?:line (\d+), column (\d+)|end of document)\)", message, re.DOTALL)
     if found is None:
         return f"{path}: expected TOML, got: {message}"
     lines = text.splitlines() or [""]
     number = int(found[2]) if found[2] else len(lines)
     return f"{path}: line {number}: expected TOML, got {lines[number - 1].strip()[:60]!r}; {found[1]}"
+
+
+def save_scene(scene: Scene, path: str | Path) -> Path:
+    """Write a scene to a TOML file, from which :func:`load_scene` makes an equal one.
+
+    Parameters
+    ----------
+    scene : Scene
+        One made in Python, or read from another program.
+    path : str or Path
+        A name that ends with .toml; a file of that name is replaced.
+
+    Returns
+    -------
+    Path
+
+    Raises CaromError, one line, for a place that cannot be written to, and for a carom.Law, which a file cannot hold.
+
+    Examples
+    --------
+    >>> import carom, pathlib, tempfile
+    >>> scene = carom.load_scene("pool-9ft")
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     file = carom.save_scene(scene, pathlib.Path(folder) / "pool.toml")
+    ...     carom.load_scene(file) == scene
+    True
+    """
+    import tomli_w
+
+    require_type("save_scene", "scene", scene, Scene)
+    path = as_path("save_scene", path)
+    require_writable(path, (".toml",))
+    if own := [law for law in (scene.run.law, *scene.wall_laws) if isinstance(law, Law)]:
+        raise CaromError(
+            f"save_scene: expected laws with a name or a file, got the carom.Law {own[0].name!r}, which a file cannot hold; put"
+            " it into a Python file and name it as 'file.py:name'"
+        )
+    with atomic_path(path) as part:
+        part.write_text(tomli_w.dumps(_plain(scene)), encoding="utf-8")
+    return path
+
+
+def _plain(value: Any) -> Any:
+    """Return a part of a scene as a file has it: tables of what differs from the defaults, and which of several models it is."""
+    if isinstance(value, Constant):
+        return value.value
+    if isinstance(value, BaseModel):
+        given = {
+            name: getattr(value, name)
+            for name, field in type(value).model_fields.items()
+            if name == getattr(value, "tag", "") or getattr(value, name) != field.default
+        }
+        return {name: _plain(one) for name, one in given.items() if one is not None}
+    return [_plain(one) for one in value] if isinstance(value, tuple) else value
 
 
 def _beside(table: dict[str, Any], folder: Path) -> None:

@@ -19,7 +19,7 @@ from carom.laws.wall_and_floor.solver import JAM
 from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, POCKETED_EVENT, START, WALL
 from carom.simulation.trajectory import Trajectory
 
-__all__ = ["describe_run", "with_count"]
+__all__ = ["cushion_side", "describe_run", "with_count"]
 
 IMPACT_KINDS = (START, WALL, BALL, LEFT_EVENT, HELD_EVENT, POCKETED_EVENT)
 # How many impacts of a ball are described, the first and the last; those between are counted.
@@ -165,6 +165,11 @@ def _start(run: Trajectory, row: Any) -> str:
         return f"{name} {PHASE_VERBS[phase]}{spin}" if phase == PIVOTING else f"{name} is at rest"
     if _speed(v) == 0:
         return f"{name} {'is let go' if phase == FLIGHT else 'starts from rest'}{_spin(row)}"
+    strike = run.scene.balls[row["ball"]].strike
+    if strike is not None:
+        miscue = ", a miscue," if strike.on(run.scene.balls[row["ball"]].ball).miscue else ""
+        driven = "is driven onto the floor" if v[2] < 0 else PHASE_VERBS[phase]
+        return f"{name} is struck{miscue} and {driven} at {format_number(_speed(v))} m/s{_direction(v)}{_spin(row)}"
     return f"{name} {PHASE_VERBS[phase]} at {format_number(_speed(v))} m/s{_direction(v)}{_spin(row)}"
 
 
@@ -212,13 +217,24 @@ def _angle(v: Any, n: Any, above: bool) -> float | None:
     return math.degrees(math.acos(max(-1.0, min(1.0, float(n @ v) / size)))) if size > 0 else None
 
 
+def cushion_side(run: Trajectory, features: Any, row: Any) -> str:
+    """Return which cushion of a table a ball meets, seen from above with x to the right; empty for jaws, and for other walls."""
+    if run.scene.walls[row["other"]].kind not in ("table", "box"):
+        return ""
+    n = _normal(features, row, run.scene.balls[row["ball"]].radius)
+    sides = {"left": n[0], "right": -n[0], "bottom": n[1], "top": -n[1]}
+    side = max(sides, key=lambda name: sides[name])
+    return side if sides[side] > 0.7 * _speed(np.array(n)) and min(abs(n[0]), abs(n[1])) < 1e-9 else ""
+
+
 def _wall(run: Trajectory, features: Any, row: Any) -> str:
     """Describe an impact on a wall: angle of incidence, sticking or sliding, speed and angle afterwards."""
     wall = int(row["other"])
     n = _normal(features, row, run.scene.balls[row["ball"]].radius)
     table = run.scene.floor is not None
     came, went = _angle(-row["v_before"], n, table), _angle(row["v"], n, table)
-    text = f"{_at(row)} it meets {run.scene.wall_names[wall]}"
+    side = cushion_side(run, features, row)
+    text = f"{_at(row)} it meets {run.scene.wall_names[wall]}{f' ({side})' if side else ''}"
     text += "" if came is None else f", {came:.0f}° from its normal"
     response = int(next(f.law for f in features if f.wall == wall))
     friction = response in (TWO_STEP_WALL, CONTACT_WALL) and dot(n, tuple(row["impulse"])) != 0
@@ -259,10 +275,20 @@ def _then(run: Trajectory, part: Rows, end: float) -> list[str]:
         elif phase == SLIDING and lasts > SHORT and k + 1 < len(phases):
             said.append(f"slides for {format_time(lasts)}")
         elif phase == ROLLING and (k > 0 or part["kind"][0] != START):
-            said.append("rolls on" if k == 0 else "rolls")
+            said.append(
+                "rolls on" if k == 0 else f"rolls at {format_number(_speed(part['v'][k]))} m/s{_turned(part, k)}"
+            )
     if phases[-1] == REST and len(part) > 1 and run.end > end:
         said.append(f"comes to rest at {_place(part[-1])} at {_when(times[-2])}")
     return said
+
+
+def _turned(part: Rows, k: int) -> str:
+    """Return the direction in which a ball rolls at last, where it stood still or sliding has turned it by 5 degrees or more."""
+    (x0, y0, _), (x1, y1, _) = part["v"][0].tolist(), part["v"][k].tolist()
+    turned = abs(math.degrees(math.atan2(x0 * y1 - y0 * x1, x0 * x1 + y0 * y1)))
+    stood = math.hypot(x0, y0) <= 1e-9 * math.hypot(x1, y1)
+    return _direction(part["v"][k]) if turned >= 5 or stood else ""
 
 
 def _hop(run: Trajectory, part: Rows, lands: list[int], end: float) -> list[str]:

@@ -40,6 +40,8 @@ SCALARS = {"t": "t", "ball": "ball", "other": "other", "required": "required_fri
 UNIT_OF = {"t": "s", "x": "m", "v_before": "m/s", "v": "m/s", "w_before": "rad/s", "w": "rad/s"}
 UNIT_OF |= {"impulse": "N s", "floor_impulse": "N s"}
 
+TABLES = (".csv", ".xlsx", ".xls", ".json", ".txt")  # for which somebody wants the numbers, not the run
+
 Array = NDArray[Any]
 
 
@@ -48,6 +50,11 @@ def save(run: RunRecord, path: Path) -> Path:
 
     Raises CaromError for another ending, a place that cannot be written to, and a run with a law that has no file.
     """
+    if path.suffix.lower() in TABLES:
+        raise CaromError(
+            f"{path}: expected a name that ends with {' or '.join(FORMATS)}, got {path.suffix!r}; for a table of states use"
+            " run.table() (a pandas DataFrame), of events run.events.table()"
+        )
     require_writable(path, FORMATS)
     about = {
         "carom_format": FORMAT,

@@ -66,18 +66,22 @@ def simulate(
     progress: Callable[[int, float], None] | None = None,
     *,
     law: str | Law | None = None,
+    duration: float | str | None = None,
+    max_events: int | None = None,
 ) -> Trajectory:
     """Simulate a scene event by event.
 
     Parameters
     ----------
-    scene : Scene, or the name of a scene file
+    scene : Scene, or what :func:`carom.load_scene` takes: the name of a scene file, or of a real table, such as "pool-9ft"
         The run ends after ``scene.run.duration``, after ``scene.run.max_events``, or when no event follows; with neither given,
         after 100,000 events at most.
     progress : function of (events so far, simulated time in s), optional
         Called from time to time on long runs.
     law : str or carom.Law, optional
         Law of all walls that name none of their own; default: the scene's, ``scene.run.law``.
+    duration, max_events : s or text with a unit; whole number; optional
+        When to stop, in place of what the scene says.
 
     Returns
     -------
@@ -103,12 +107,13 @@ def simulate(
     if isinstance(scene, str | Path):
         scene = load_scene(scene)
     require_type("simulate", "scene", scene, Scene)
-    if law is not None:
+    settings: dict[str, Any] = {"law": law, "duration": duration, "max_events": max_events}
+    if given := {name: value for name, value in settings.items() if value is not None}:
         try:
-            chosen = Run(law=law).law
+            run = Run(**given)
         except CaromError as error:
             raise CaromError(*(fault.replace("Run:", "simulate:", 1) for fault in error.faults)) from None
-        scene = replaced(scene, {"run.law": chosen})
+        scene = replaced(scene, {f"run.{name}": getattr(run, name) for name in given})
     until, most = run_limits(scene)
     interpreted = worth_interpreting(scene)
     world, features, balls, users = set_up(scene, compiled=not interpreted)

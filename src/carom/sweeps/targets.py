@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import Field, model_validator
 
-from carom.errors import CaromError
+from carom.errors import CaromError, did_you_mean
+from carom.scene.paths import ball_index
 from carom.scene.scene import Scene
 from carom.scene.schema import Model
 from carom.simulation.records import BALL, POCKETED_EVENT, WALL
@@ -106,19 +107,8 @@ def targets_of(scene: Scene, reach: Any) -> list[TargetEvent]:
     return found
 
 
-def _ball(scene: Scene, name: int | str, where: str) -> int:
-    names = scene.ball_names
-    if isinstance(name, str) and name.isdecimal():
-        name = int(name)
-    if isinstance(name, int) and 0 <= name < len(names):
-        return name
-    if name in names:
-        return names.index(str(name))
-    raise CaromError(f"{where}: expected a ball of {', '.join(names)}, or its number, got {name!r:.60}")
-
-
 def _event_of(scene: Scene, target: Target, where: str) -> TargetEvent:
-    ball = _ball(scene, target.ball, f"{where}: ball")
+    ball = ball_index(scene, target.ball, f"{where}: ball")
     radius = scene.balls[ball].radius
     pockets = [pocket for wall in scene.walls for pocket in wall.pockets]
     centers = np.array([pocket.center for pocket in pockets]).reshape(-1, 2)
@@ -133,13 +123,14 @@ def _event_of(scene: Scene, target: Target, where: str) -> TargetEvent:
                 raise CaromError(
                     f"{where}: pocket: expected a table with pockets, got a scene without; aim at a ball or a place"
                 )
-            names = ", ".join(["any", *(pocket.name for pocket in pockets)])
-            raise CaromError(f"{where}: pocket: expected {names}, got {target.pocket!r:.60}")
+            names = ["any", *(pocket.name for pocket in pockets)]
+            near = did_you_mean(target.pocket, names)
+            raise CaromError(f"{where}: pocket: expected one of {', '.join(names)}, got {target.pocket!r:.60}{near}")
         width = min(pockets[k].radius for k in wanted)
         return TargetEvent("pocket", ball, tuple(wanted), 0, point, (width, *more), centers, speed)
     assert target.hit is not None
     hits = target.hit if isinstance(target.hit, tuple) else (target.hit,)
-    others = tuple(_ball(scene, one, f"{where}: hit") for one in hits)
+    others = tuple(ball_index(scene, one, f"{where}: hit") for one in hits)
     if ball in others:
         raise CaromError(
             f"{where}: hit: expected balls other than the one that hits them, got {scene.ball_names[ball]} itself"
