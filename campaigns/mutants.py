@@ -2,14 +2,13 @@
 
     python campaigns/mutants.py [N] [--first 0] [--only ROOM] [--rows FILE] [--again] [--work FOLDER]
 
-N mutants (25) of each room, from the number ``first`` on. A mutant is the package with one operator, comparison, condition, sign or
-number changed; it is killed
-if a test of its room fails, or takes ten times as long. First the tests of each room run without a mutant: they must pass, and
-it is noted which functions each of them reaches, and how long it takes, with kernels as plain Python and compiled. Then each
-mutant is shown to the tests that reach its function, the shortest first: those that are quick as plain Python, then the others,
-with the loops compiled anew that it changes, and only these. What survives and is judged to mean the same stands, with the
-reason, in campaigns/equivalent_mutants.txt; every other survivor is a test that is missing. ``--again`` shows survivors to the
-tests anew.
+N mutants (25) of each room, from the number ``first`` on. A mutant is the package with one operator, comparison, condition, sign
+or number changed; it is killed if a test of its room fails, or takes ten times as long. First the tests of each room run without
+a mutant: they must pass, and it is noted which functions each of them reaches, and how long it takes, with kernels as plain
+Python and compiled. Then each mutant is shown to the tests that reach its function, the shortest first: those that are quick as
+plain Python, then the others, with the loops compiled anew that it changes, and only these. What survives and is judged to mean
+the same stands, with the reason, in campaigns/equivalent_mutants.txt; every other survivor is a test that is missing. ``--again``
+shows survivors to the tests anew.
 """
 
 from __future__ import annotations

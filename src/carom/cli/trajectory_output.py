@@ -27,6 +27,8 @@ __all__ = ["MOST_ROWS", "as_json", "show", "show_sensitivity"]
 
 MOST_ROWS = 40
 WIDE = 112  # least width at which the table has room for the spin
+# a law of impact may take energy only
+CONTACTS, CREATED = ("at walls", "between balls"), " (by a law that creates energy)"
 ROUNDING = 1e-12
 RISES = ("flight", "bouncing")  # phases after a contact with the floor that is a bounce
 
@@ -178,7 +180,9 @@ def _energy(run: Trajectory) -> str:
         ("in sliding, rolling and small bounces", found.way),
     )
     told = [
-        f"{format_number(abs(x))} J {'lost' if x > 0 else 'gained'} {where}" for where, x in places if abs(x) > rounding
+        f"{format_number(abs(x))} J {'lost' if x > 0 else 'gained'} {where}{CREATED if x < 0 and where in CONTACTS else ''}"
+        for where, x in places
+        if abs(x) > rounding
     ]
     left = format_number(0.0 if abs(found.end) < rounding else found.end)
     fallen = [i for i, phase in enumerate(run.final_phase) if phase == "pocketed"]

@@ -12,6 +12,7 @@ from typing import Any
 
 from carom.core.jit.kernel import Vec, kernel
 from carom.core.jit.pointers import address_of, answer_at, python_address, register_answers
+from carom.errors import CaromError
 
 __all__ = ["NUMBERS", "call_user", "law_entry", "register_calls", "user_address"]
 
@@ -48,7 +49,25 @@ def user_address(law: WallKernel, compiled: bool = True) -> int:
     # (the cache's key is a hash of carom's own sources, which does not change with a custom law)
     own = str(law.__module__).startswith("carom.")
     entry = law_entry(law)
-    return address_of(entry, NUMBERS, keep=own) if compiled or not own else python_address(entry)
+    if own and not compiled:
+        return python_address(entry)
+    try:
+        return address_of(entry, NUMBERS, keep=own)
+    except Exception as error:
+        if own or not type(error).__module__.startswith("numba."):
+            raise
+        raise CaromError(_not_compiled(law, str(error))) from error
+
+
+def _not_compiled(law: WallKernel, said: str) -> str:
+    """Return what is wrong with a custom law that Numba cannot compile."""
+    lines = [line.strip() for line in said.splitlines() if line.strip()]
+    known = ("Unknown", "Untyped", "Use of", "Cannot", "Unsupported", "No implementation", "NameError")
+    told = next((line for line in lines if line.startswith(known)), next(iter(lines), ""))
+    return (
+        f"law {getattr(law, '__name__', law)}: expected a function that Numba compiles (numbers, tuples and math, no NumPy;"
+        f" functions that it calls marked with @kernel of carom.core.jit.kernel), got: {told:.160}"
+    )
 
 
 def law_entry(law: WallKernel) -> Callable[..., None]:

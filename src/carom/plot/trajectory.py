@@ -27,6 +27,7 @@ STYLES: dict[str, Any] = {ROLLS: "solid", SLIDES: (0, (4.5, 1.8)), AIR: (0, (0.6
 MOTION = {FLIGHT: AIR, BOUNCING: AIR, SLIDING: SLIDES, ROLLING: ROLLS}
 # Above these numbers of events marks would hide the paths, and numbers would overlap.
 MOST_MARKS, MOST_NUMBERS = 400, 24
+MOST_LEGEND = 6  # balls that the legend names; of more, short names stand on the balls
 
 
 def plot_trajectory(
@@ -165,6 +166,19 @@ def _above(axes: Any, run: Trajectory, shown: View, ways: dict[int, list[Any]], 
         end = fallen.get(i, end)
         axes.add_patch(Circle((start[i, 0], start[i, 1]), a, fc="white", ec=ink, lw=0.9, zorder=5))
         axes.add_patch(Circle((end[0], end[1]), a, fc=ink, ec="white", lw=0.6, zorder=7, alpha=0.9))
+        name = run.scene.ball_names[i]
+        if len(balls) > MOST_LEGEND and len(name) <= 2:  # (as on the balls of a pool table)
+            points = 72 * axes.get_position().width * axes.figure.get_size_inches()[0] / shown.size[0]
+            axes.text(
+                end[0],
+                end[1],
+                name,
+                fontsize=min(7.0, 1.1 * a * points),
+                color="white",
+                ha="center",
+                va="center_baseline",
+                zorder=7.5,
+            )
     _marks(axes, run, balls)
     axes.set(xlim=shown.x, ylim=shown.y, aspect="equal")
     axes.set_xlabel("x, m", labelpad=1.5)
@@ -280,7 +294,7 @@ def _legend(
     from matplotlib.lines import Line2D
 
     entries: list[Any] = []
-    if 1 < len(balls) <= 6:
+    if 1 < len(balls) <= MOST_LEGEND:
         names = run.scene.ball_names
         entries += [Line2D([], [], color=colour(run, i), marker="o", ms=5, lw=1.5, label=names[i]) for i in balls]
     moved = {MOTION[phase] for pieces in ways.values() for phase, _t, _x in pieces if phase in MOTION}

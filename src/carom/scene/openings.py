@@ -14,7 +14,7 @@ __all__ = ["table_scene"]
 
 GAP = 1e-4  # m: between racked balls; touching balls would be struck all at once, which a run takes one by one
 # said in scenes with a rack: in real ones contacts overlap in time, and more balls leave it (docs/theory/pairs.md)
-RACK = "# Balls of the rack are struck one pair at a time: fewer of them spread than on a real table (docs: Ball-ball collisions, Racks)."
+RACK = "# Balls of the rack are struck one pair at a time: fewer of them spread than on a real table (docs, Ball-ball collisions)."
 MOST_APART = 8  # balls of a game that begins without a rack
 WIDTH = 30  # of a field with its value, before its source
 # WPBSA, official rules: baulk-line and D, and where black stands, m
