@@ -7,6 +7,7 @@ import pytest
 
 import carom
 from carom.scene.shapes import Plane, Segment, Sphere
+from carom.simulation.records import WALL
 from carom.simulation.setup import set_up
 
 A = 0.03
@@ -222,3 +223,13 @@ def test_a_meeting_is_two_rows_and_what_follows_has_its_own() -> None:
     assert sorted(who[:2]) == sorted(who[3:]) == [0, 1]
     assert who[2] == 1
     np.testing.assert_allclose(events.rows["t"], [0.3, 0.3, 0.7, 1.1, 1.1], rtol=1e-12)
+
+
+def test_every_regime_of_the_log_has_its_name() -> None:
+    """A contact without a normal impulse is a graze, which is not the same as no contact."""
+    run = carom.simulate("carom", duration=3)
+    hit = next(k for k, row in enumerate(run.log) if row["kind"] == WALL)
+    for code, name in ((-1, ""), (0, "graze"), (1, "stick"), (2, "slide")):
+        log = run.log.copy()
+        log["regime"][hit] = code
+        assert carom.Trajectory(run.scene, log, run.end, run.ended).events.of("wall")[0].regime == name

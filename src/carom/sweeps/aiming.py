@@ -264,7 +264,8 @@ def aim(
 def _candidates(problem: _Problem, starts: int) -> Iterator[tuple[Array, Signature]]:
     """Yield starts to be refined, with their sequences: of those that come nearest to the targets, some of each sequence."""
     qmc = import_optional("scipy.stats.qmc", "aim")
-    points = qmc.Sobol(len(problem.unknowns), scramble=False).random(starts)
+    power = math.ceil(math.log2(starts))
+    points = qmc.Sobol(len(problem.unknowns), scramble=False).random_base2(power)[:starts]
     x = problem.low + points * (problem.high - problem.low)
     miss, rows, logs = problem.run_many(x)
     worst = miss.max(axis=1)
