@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import os
+import stat
+
 import gsd.hoomd
 import numpy as np
 import pytest
@@ -97,6 +100,25 @@ def test_frames_after_the_checkpoint_are_taken_away(gas, tmp_path):
     with pytest.raises(CaromError, match="expected a GSD file to write to"):
         Snapshots(tmp_path / "none.gsd", names, keep=1)
     assert sorted(path.name for path in tmp_path.iterdir()) == ["gas.toml", "none.gsd", "s.gsd"]
+
+
+@pytest.mark.skipif(os.name != "posix", reason="permissions of POSIX")
+def test_files_have_the_permissions_of_other_new_files(gas, tmp_path):
+    """They had 0640, whatever the umask."""
+    gas, names = gas
+    path = tmp_path / "gas.gsd"
+    for umask, mode in ((0o022, 0o644), (0o077, 0o600)):
+        before = os.umask(umask)
+        try:
+            file = Snapshots(path, names)
+            for _ in range(2):
+                file.write(gas)
+            file.close()
+            Snapshots(path, names, keep=1).close()  # one that is written again, shorter
+        finally:
+            os.umask(before)
+        assert stat.S_IMODE(path.stat().st_mode) == mode
+        path.unlink()
 
 
 def test_a_gas_starts_from_the_last_frame(gas, tmp_path):

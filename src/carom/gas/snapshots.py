@@ -142,6 +142,8 @@ class Snapshots:
 
 
 def _opened(gsd: Any, path: Path, mode: str) -> Any:
+    if mode == "w":
+        path.touch()  # (with the permissions of other new files: GSD's own are 0640, whatever the umask)
     return gsd.open(name=str(path), mode=mode, application="carom", schema="hoomd", schema_version=(1, 4))
 
 
