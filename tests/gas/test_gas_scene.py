@@ -9,10 +9,12 @@ import numpy as np
 import pytest
 from reference.gases import MIXED, ROUGH
 
-from carom import CaromError, Surface
+from carom import Ball, CaromError, Surface
+from carom.gas import Species, simulate_gas
 from carom.gas.build import build, is_gas, load_gas, new_gas
 from carom.gas.scene import GasScene
 from carom.gas.schema import GasContact, GasContainer, GasSettings, GasSpecies
+from carom.gas.session import Session
 
 
 def load(folder: Path, text: str):
@@ -390,3 +392,38 @@ def test_a_start_that_is_not_there_or_damaged(tmp_path):
         (tmp_path / f"x.{kind}").write_bytes(b"no such thing")
         with pytest.raises(CaromError, match=said):
             build(load(tmp_path, ROUGH + f'start = "x.{kind}"'))
+
+
+def test_a_scene_is_simulated_in_one_call(tmp_path):
+    """simulate_gas of a scene was a TypeError about a missing side."""
+    scene = load(tmp_path, ROUGH)
+    gas, run = simulate_gas(scene, collisions=3000, equilibrate=1000)
+    assert gas.collisions == 4000
+    assert run.pair_collisions == 3000
+    session = Session(scene)
+    session.run()
+    found = simulate_gas(scene)[1]
+    assert {**found.to_dict(), "cpu_seconds": 0} == {**session.result.to_dict(), "cpu_seconds": 0}
+
+
+def test_arguments_that_a_scene_excludes_and_those_that_are_missing(tmp_path):
+    scene = load(tmp_path, ROUGH)
+    with pytest.raises(CaromError) as found:
+        simulate_gas(scene, (8.0, 8.0, 8.0), gravity=(0, 0, -1))
+    assert found.value.faults == (
+        "simulate_gas: side: expected none beside a GasScene, got (8.0, 8.0, 8.0); change the scene",
+        "simulate_gas: gravity: expected none beside a GasScene, got (0, 0, -1); change the scene",
+    )
+    with pytest.raises(CaromError) as found:
+        simulate_gas([Species(Ball(0.5, 1.0), 64)], contacts=Surface(1, 0, -1))
+    assert found.value.faults == (
+        "simulate_gas: side: expected two or three lengths, or a container, with a list of Species, got none",
+        "simulate_gas: collisions: expected the number of collisions to measure, got none",
+    )
+
+
+def test_what_a_gas_says_of_itself(tmp_path):
+    gas = build(load(tmp_path, MIXED))
+    gas.advance(1)
+    assert repr(gas).startswith("<Gas: 160 discs in 20 x 16, periodic x, walls front, back; t = ")
+    assert repr(gas).endswith(", 1 collision>")

@@ -9,7 +9,6 @@ from .containers import container as container
 from .ensembles import Ensemble as Ensemble
 from .ensembles import simulate_ensemble as simulate_ensemble
 from .gas import Gas as Gas
-from .gas import simulate_gas as simulate_gas
 from .initial import dense as dense
 from .initial import lattice as lattice
 from .initial import scattered as scattered
@@ -20,6 +19,7 @@ from .results import GasBalls as GasBalls
 from .results import GasRun as GasRun
 from .scene import GasScene as GasScene
 from .session import Session as Session
+from .simulate import simulate_gas as simulate_gas
 from .snapshots import Snapshots as Snapshots
 from .species import Drive as Drive
 from .species import Species as Species

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.errors import FaultList, float_or_nan
+from carom.formatting import counted, format_number
 from carom.gas.containers import Container, as_container
 from carom.gas.edmd import driver as engine
 from carom.gas.edmd.driver import GasArrays
@@ -19,7 +20,7 @@ from carom.gas.results import GasBalls, GasRun, Mark
 from carom.gas.species import Contacts, Drive, Species, Thermostat, system_records
 from carom.gas.starts import TOUCH, draw_thermal, require_no_overlap, start_positions, vectors
 
-__all__ = ["Gas", "raise_at_rest", "simulate_gas"]
+__all__ = ["Gas", "raise_at_rest"]
 
 Array = NDArray[np.float64]
 CHUNK = 200_000  # collisions between two checks for progress and interrupts: some tenths of a second
@@ -108,6 +109,24 @@ class Gas:
         draw_thermal(memory, species, kinds, which, axes, rng, velocity is None, spin is None)
         self._names = tuple(face.name for face in container.faces)
         self._begin(engine.make(records, memory, v, w))
+
+    def __repr__(self) -> str:
+        """Return one line: number of balls, container, simulated time, collisions.
+
+        >>> from carom import Ball, Surface
+        >>> from carom.gas import Gas, Species
+        >>> Gas([Species(Ball(0.5, 1.0), 64)], (6.0, 6.0, 6.0), contacts=Surface(1, 0, -1))
+        <Gas: 64 balls in 6 x 6 x 6, periodic x, y and z; t = 0, 0 collisions>
+        """
+        one = self.arrays.system[0]
+        axes = int(one["dimensions"])
+        size = " x ".join(format_number(float(length), 4) for length in one["side"][:axes])
+        around = [name for name, k in zip("xyz", one["periodic"][:axes], strict=False) if k == 1]
+        borders = [f"periodic {', '.join(around[:-1])}{' and ' if around[1:] else ''}{around[-1]}"] if around else []
+        borders += [f"walls {', '.join(self.walls)}"] if self.walls else []
+        balls = counted(int(one["balls"]), "disc" if axes == 2 else "ball")
+        done = counted(self.collisions, "collision")
+        return f"<Gas: {balls} in {', '.join([size, *borders])}; t = {format_number(self._time, 6)}, {done}>"
 
     @classmethod
     def restore(cls, state: Mapping[str, NDArray[Any]]) -> Gas:
@@ -322,43 +341,6 @@ class Gas:
             max_overlap=max(float(one["overlap"]), 0.0),
             crossings=int(one["crossings"] - before["crossings"]),
         )
-
-
-def simulate_gas(
-    species: Sequence[Species],
-    side: Sequence[float] | Container,
-    *,
-    collisions: int,
-    equilibrate: int | None = None,
-    **options: Any,
-) -> tuple[Gas, GasRun]:
-    """Make a gas, equilibrate it, and measure the next collisions.
-
-    Parameters
-    ----------
-    species, side, **options : as for :class:`Gas`
-    collisions : int
-        Number of collisions that are measured, with walls included.
-    equilibrate : int, optional
-        Number of collisions before; default: 40 per ball.
-
-    Returns
-    -------
-    Gas, GasRun
-        The gas at the end, and what was measured. Raises CaromError as :class:`Gas` and :meth:`Gas.run` do.
-
-    Examples
-    --------
-    >>> from carom import Ball, Surface
-    >>> from carom.gas import Species, simulate_gas
-    >>> elastic = Surface(1, 0, -1)
-    >>> gas, run = simulate_gas([Species(Ball(0.5, 1.0), 64)], (6.0, 6.0, 6.0), contacts=elastic, collisions=1000)
-    >>> gas.collisions, run.pair_collisions
-    (3560, 1000)
-    """
-    gas = Gas(species, side, **options)
-    gas.run(40 * sum(one.count for one in species) if equilibrate is None else equilibrate)
-    return gas, gas.run(collisions)
 
 
 def raise_at_rest(time: float) -> None:
