@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -173,7 +174,7 @@ def test_files_are_written(folder):
     done = runner.invoke(app, ["gas", "rough.toml", "--measures", "m.json", "--plot", "g.svg", "--checkpoint", "c.npz"])
     assert done.exit_code == 0
     assert "written: g.svg" in done.stderr
-    assert "written: c.npz" in done.stderr
+    assert "checkpoint written: c.npz" in done.stderr
     found = json.loads((folder / "m.json").read_text())
     assert set(KEYS) < set(found)
     assert len(found["series"]["time"]) == found["looks"] >= 45
@@ -320,6 +321,21 @@ def test_a_full_disk_does_not_end_the_run(folder, monkeypatch):
     assert (folder / "c.npz").exists()
 
 
+def test_the_checkpoint_that_is_written_at_the_end_is_named(folder):
+    """A run resumed without --checkpoint replaced the file it came from without saying so."""
+    run("rough.toml", "--checkpoint", "c.npz", "--max-events", "20000", "--quiet")
+    before = (folder / "c.npz").read_bytes()
+    done = runner.invoke(app, ["gas", "rough.toml", "--resume", "c.npz", "--json"])
+    assert done.stderr.splitlines()[-1] == "checkpoint written: c.npz"
+    assert (folder / "c.npz").read_bytes() != before
+    done = runner.invoke(
+        app, ["gas", "rough.toml", "--resume", "c.npz", "--checkpoint", "d.npz", "--measures", "m.json"]
+    )
+    assert done.stderr.splitlines()[-2:] == ["checkpoint written: d.npz", "written: m.json"]
+    shown = runner.invoke(app, ["gas", "--help"], env={"COLUMNS": "200"}).stdout
+    assert "Without --checkpoint the state of the run is saved to FILE too" in shown
+
+
 def test_progress_goes_to_standard_error(folder):
     running = process("rough.toml", "--json")
     out, err = running.communicate(timeout=120)
@@ -350,3 +366,58 @@ def test_tables_of_gases_have_units(folder: Path) -> None:
     assert "energy at the start, J" in out
     out = runner.invoke(app, ["gas", "mixed.toml"], catch_exceptions=False, env={"COLUMNS": "120"}).stdout
     assert "temperature, J temperature, J translational" in " ".join(out.split())
+
+
+COOLING = ROUGH.replace("restitution = 1.0\n", "restitution = 0.9\n").replace("equilibrate = 5_000", "equilibrate = 0")
+SMOOTH = COOLING.replace("friction = inf\n", "friction = 0.0\n").replace("60_000", "20_000")
+
+
+def test_a_smooth_gas_reports_nothing_of_spins_that_nothing_changes(folder):
+    (folder / "smooth.toml").write_text(SMOOTH)
+    for words in (("smooth.toml",), ("smooth.toml", "--ensemble", "2")):
+        text = run(*words)
+        assert "translational temperature, J" in text
+        assert "rotational" not in text.replace("rotational temperature, J", "", text.count("translational temp"))
+        assert "a₂ of" in text
+        assert "spin " not in text.split("contact")[0]
+        assert re.search(r"of it in spins, which nothing changes, J +150 \n", text)  # 200 balls, 3/2 of 0.5 J
+    found = answer("smooth.toml")
+    assert found["temperature_rotational"] == pytest.approx(0.5)
+    assert set(found["species"]["a"]) >= {"a2_rotational", "temperature_ratio"}
+    assert "rotational temperature, J" in run("rough.toml")
+
+
+def test_the_energy_balance_and_the_pressures_on_walls_are_in_table_and_json(folder):
+    (folder / "cooling.toml").write_text(COOLING.replace("60_000", "20_000"))
+    found = answer("cooling.toml")
+    assert found["energy_drift"] < -0.1  # what was dissipated
+    assert abs(found["energy_imbalance"]) < 1e-12
+    assert (
+        f"relative imbalance {found['energy_imbalance']:.1e}".split()
+        == re.search(r"relative imbalance +\S+", run("cooling.toml"))[0].split()
+    )
+    pressures = answer("mixed.toml")["wall_pressure"]
+    text = run("mixed.toml")
+    for wall in ("front", "back"):
+        shown = re.search(rf"  on {wall}, N/m +(\S+)", text)
+        assert float(shown[1]) == pytest.approx(pressures[wall], rel=1e-4)
+
+
+def test_why_there_is_no_diffusion_coefficient(folder):
+    (folder / "cooling.toml").write_text(COOLING.replace("60_000", "20_000"))
+    why = "Diffusion coefficient: none, since the temperature changed by more than a factor of two."
+    for words in (("cooling.toml",), ("cooling.toml", "--ensemble", "2")):
+        assert run(*words).splitlines().count(why) == 1
+    assert "Diffusion coefficient: none, since there are too few samples." in run("rough.toml", "--max-events", "2")
+    for words in (("rough.toml",), ("mixed.toml",)):
+        assert "Diffusion coefficient: none" not in run(*words)
+
+
+def test_series_of_each_species(folder):
+    run("mixed.toml", "--measures", "m.json")
+    found = json.loads((folder / "m.json").read_text())
+    whole, kinds = found["series"], found["species_series"]
+    assert set(kinds) == {"big", "small"}
+    for part in ("translational", "rotational"):
+        mean = (60 * np.array(kinds["big"][part]) + 100 * np.array(kinds["small"][part])) / 160
+        assert mean == pytest.approx(np.array(whole[part]), rel=1e-12)

@@ -92,7 +92,11 @@ def test_means_and_errors_are_those_of_the_members(folder):
         assert place(found.error) == pytest.approx(math.sqrt(square / 3) / 2, rel=1e-12)
     assert math.isnan(found.mean["diffusion"])  # walls
     assert found.mean["channels"][1]["between"] == ("big", "small")
-    assert "displacement" not in found.curves
+    assert not any(name.startswith("displacement") for name in found.curves)
+    for part in ("translational", "rotational"):
+        big, small = (found.curves[f"temperature_{part}.{name}"].mean for name in ("big", "small"))
+        assert 60 * big + 100 * small == pytest.approx(160 * found.curves[f"temperature_{part}"].mean, rel=1e-12)
+    assert found.curves["density.big"].mean.mean() == pytest.approx(60 / (20 * 16), rel=1e-12)
     warm = found.curves["temperature_translational"]
     assert len(warm.x) > 30
     assert (np.diff(warm.x) > 0).all()
@@ -100,7 +104,9 @@ def test_means_and_errors_are_those_of_the_members(folder):
     figure = plot_ensemble(found)
     assert len(figure.axes) == 6
     assert figure.axes[2].get_title(loc="left") == "temperature, J"
-    assert [axes.get_xlabel() for axes in figure.axes[2:4]] == ["time, s", "distance of centres, m"]
+    assert [axes.get_xlabel() for axes in figure.axes[2:5]] == ["time, s", "distance of centres, m", "y, m"]
+    assert figure.axes[3].get_title(loc="left") == "pair correlation (local density)"
+    assert figure.axes[4].get_title(loc="left") == "mean number density, 1/m²"
     assert figure.axes[5].get_title(loc="left") == "pressure of each gas, N/m"
     assert "Units: SI where the scene's numbers are in SI units" in figure.texts[1].get_text()
 
@@ -212,6 +218,53 @@ def test_the_command_prints_what_the_library_finds(folder):
     mean, error = (getattr(ensemble, part)["pressure"] for part in ("mean", "error"))
     assert f"{mean:.4f}"[:5] in table
     assert 0 < error < 0.1 * mean
+
+
+COOLING = """
+[container]
+shape = "periodic"
+size = [8.0, 8.0, 8.0]
+[[species]]
+count = 100
+radius = 0.5
+[[contacts]]
+between = ["a", "a"]
+restitution = 0.8
+friction = 0.0
+[run]
+equilibrate = 0
+max_events = 10_000
+"""
+
+
+def test_a_cooling_ensemble_is_drawn_as_a_single_gas_is(folder):
+    """There was an empty place in the grid of panels, and the temperature was drawn over a linear axis of time."""
+    (folder / "cooling.toml").write_text(COOLING)
+    found = simulate_ensemble(load_gas(folder / "cooling.toml"), 3)
+    assert "displacement" not in found.curves
+    moved = found.curves["displacement_by_collisions"]
+    assert (np.diff(moved.mean) > 0).all()
+    assert 150 < moved.x[-1] <= 200  # collisions per ball
+    axes = plot_ensemble(found).axes
+    assert (axes[2].get_xscale(), axes[2].get_yscale()) == ("log", "log")
+    assert axes[4].get_xlabel() == "collisions per ball"
+    assert len(axes) == 6
+    assert all(one.axison for one in axes)
+    # the spins of smooth balls, which nothing changes, have no curve
+    assert axes[2].get_legend() is None
+    assert len(axes[2].lines) == 1
+
+
+def test_gases_of_which_only_some_have_a_diffusion_coefficient(folder):
+    text = COOLING.replace("0.8", "0.99").replace("10_000", "{}")
+    counts = (2000, 3000, 4000, 5000, 6000, 7000)
+    kinds = []
+    for count in counts:
+        (folder / "cooling.toml").write_text(text.format(count))
+        curves = simulate_ensemble(load_gas(folder / "cooling.toml"), 4).curves
+        kinds.append("displacement" in curves)
+        assert kinds[-1] != ("displacement_by_collisions" in curves)
+    assert kinds[0] > kinds[-1]
 
 
 def test_an_interrupt_ends_all_members(folder):

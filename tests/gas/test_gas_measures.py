@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from carom import Ball, CaromError, Disc, Surface
-from carom.gas import Gas, Species, container, lattice
+from carom.gas import Drive, Gas, Species, container, lattice
 from carom.gas.measures import Measures, mean_square_displacement
 from carom.gas.report import channels
 
@@ -208,6 +208,47 @@ def test_mean_square_displacement_of_frames():
     weights = rng.uniform(1, 2, size=50)
     drift = np.linspace(0, 100, 400)[:, None, None] * np.ones(3)
     assert mean_square_displacement(x + drift, weights) == pytest.approx(mean_square_displacement(x, weights), rel=1e-9)
+
+
+# --- profiles ------------------------------------------------------------------------------------------------------
+
+
+def test_density_falls_with_height_and_g_is_relative_to_it():
+    """A dilute elastic gas under gravity: n = n0 exp(-m g y / T), T everywhere the same, and no correlation at a distance."""
+    gas = Gas([Species(Disc(0.02, 1.0, 0.5), 1000)], (40.0, 12.0), periodic=(True, False), contacts=SMOOTH,
+              gravity=(0, -1.0), seed=4)  # fmt: skip
+    gas.run(60_000)
+    measures = looked(gas, 60, 2.0)
+    found = measures.profile("a")
+    width = 12.0 / len(found.density)
+    assert found.axis == "y"
+    assert (found.density * width * 40.0).sum() == pytest.approx(1000, rel=1e-12)
+    warm = measures.temperature("a")[0]
+    low = (found.middle > 0.5) & (found.middle < 8)
+    slope = np.polyfit(found.middle[low], np.log(found.density[low]), 1, w=np.sqrt(found.density[low]))[0]
+    assert slope == pytest.approx(-1 / warm, rel=0.05)
+    assert found.temperature[low].mean() == pytest.approx(warm, rel=0.05)
+    g = measures.pair_correlation("a", "a")
+    far = g.distance > 0.06
+    assert (g.g[far] * g.distance[far]).sum() / g.distance[far].sum() == pytest.approx(1, abs=0.06)  # (was about 2)
+
+
+def test_profiles_lie_along_gravity_or_across_driven_walls_and_need_walls():
+    side, contacts = (6.0, 7.0, 8.0), {("a", "a"): SMOOTH, ("a", "wall"): SMOOTH}
+
+    def profiles(**options):
+        return Measures(Gas([Species(SPHERE, 20)], side, contacts=contacts, **options)).profiles
+
+    assert (profiles(periodic=False).axis, profiles(periodic=False).layered) == (0, False)
+    pulled = profiles(periodic=False, gravity=(0, 0, -1.0))
+    assert (pulled.axis, pulled.layered) == (2, True)
+    shaken = profiles(periodic=(True, False, False), drives={"top": Drive(0.1, 1.0)})
+    assert (shaken.axis, shaken.layered) == (2, True)
+    heated = profiles(periodic=False, drives={"front": Drive(temperature=2.0)})
+    assert (heated.axis, heated.layered) == (1, True)
+    without = Measures(Gas([Species(SPHERE, 20)], side, contacts=SMOOTH))
+    with pytest.raises(CaromError, match=r"^Measures.profile: expected a gas between walls, got one without"):
+        without.profile("a")
 
 
 # --- what contacts did ---------------------------------------------------------------------------------------------

@@ -81,7 +81,12 @@ def gas(
         ),
     ] = CHECKPOINT_INTERVAL,
     resume: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Go on from a checkpoint.", rich_help_panel=RESUME)
+        Path | None,
+        typer.Option(
+            metavar="FILE",
+            help="Resume from a checkpoint. Without --checkpoint the state of the run is saved to FILE too, and replaces it.",
+            rich_help_panel=RESUME,
+        ),
     ] = None,
 ) -> None:
     """Simulate a gas of balls or discs, event by event, and report what was measured as tables, JSON or a plot."""
@@ -143,9 +148,8 @@ def gas(
         _write(found, written, plot, _plot, session, plot)
         _write(found, written, measures, _write_measures, session, measures)
         attempt(found, _print_report, session, as_json, quiet)
-        wrote(
-            *(() if quiet else (*written, *([] if snapshots is None or file is None or file.failed else [snapshots])))
-        )
+        if not quiet:
+            _list_files(written, checkpoints.path, None if file is None or file.failed else snapshots)
     if found:
         raise CaromError(*found)
 
@@ -355,6 +359,13 @@ def _write(found: list[str], written: list[Path], path: Path | None, action: Cal
         before = len(found)
         attempt(found, action, *args)
         written += [path] * (len(found) == before)
+
+
+def _list_files(written: list[Path], checkpoint: Path | None, snapshots: Path | None) -> None:
+    """Print the names of the files that were written, on standard error; a checkpoint is named as such."""
+    if checkpoint in written:
+        note(f"checkpoint written: {checkpoint}")
+    wrote(*(path for path in written if path != checkpoint), *([] if snapshots is None else [snapshots]))
 
 
 def _plot(session: Session, plot: Path) -> None:

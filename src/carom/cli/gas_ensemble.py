@@ -15,10 +15,13 @@ from carom.cli.common import attempt, wrote
 from carom.cli.console import out
 from carom.cli.gas_output import (
     CONTACT_HEADS,
+    KEPT_IN_SPINS,
     LINE_INTERVAL,
     Progress,
+    energy_kept_in_spins,
     finite,
     new_table,
+    no_diffusion,
     print_tables,
     species_columns,
 )
@@ -78,7 +81,9 @@ def run_ensemble(
     if as_json:
         sys.stdout.write(json.dumps(finite(_numbers(ensemble)), allow_nan=False, indent=1) + "\n")
     elif not quiet:
-        print_tables(scene, f"{members} gases: {scene.describe()}", _tables(ensemble), ensemble.mean["looks"])
+        undefined = not scene.container.geometry.faces and math.isnan(ensemble.mean["diffusion"])
+        notes = [no_diffusion("displacement" in ensemble.curves or not ensemble.curves)] if undefined else []
+        print_tables(scene, f"{members} gases: {scene.describe()}", _tables(ensemble), ensemble.mean["looks"], notes)
         out().print(Text("In brackets: standard error of the mean, in units of the last digits."), soft_wrap=True)
     wrote(*(() if quiet else written))
     if found:
@@ -156,10 +161,16 @@ def _tables(ensemble: Ensemble) -> list[Table]:
         "energy at the start, J": "energy_start", "energy at the end, J": "energy_end",
         "energy from the thermostat, J": "energy_from_thermostat",
     }  # fmt: skip
+    turns = ensemble.scene.spins_change
     for label, name in rows.items():
+        if name in {"temperature_rotational", "temperature_ratio"} and not turns:
+            continue
         always = name not in {"wall_collisions", "energy_from_thermostat", "diffusion"}
         if always or (mean[name] != 0 and not math.isnan(mean[name])):
             gas.add_row(label, cell(mean, error, name))
+        if name == "energy_end" and energy_kept_in_spins(ensemble.scene, mean) > 0:
+            kept = (energy_kept_in_spins(ensemble.scene, one) for one in (mean, error))
+            gas.add_row(f"  {KEPT_IN_SPINS}", format_uncertain(*kept))
     for what, label in (("wall_pressure", f"pressure on {{}}, {pressure}"), ("energy_from_walls", "energy from {}, J")):
         for name, x in mean[what].items():
             if x != 0:

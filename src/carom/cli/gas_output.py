@@ -19,11 +19,14 @@ from carom.gas.report import UNITS_NOTE, pressure_unit, report
 
 __all__ = [
     "CONTACT_HEADS",
+    "KEPT_IN_SPINS",
     "LINE_INTERVAL",
     "Progress",
     "as_json",
+    "energy_kept_in_spins",
     "finite",
     "new_table",
+    "no_diffusion",
     "print_tables",
     "show",
     "species_columns",
@@ -45,6 +48,7 @@ SPECIES_TEMPERATURES = {
     "rotational /\ntranslational": "temperature_ratio",
 }  # fmt: skip
 SPECIES_CUMULANTS = {"a₂ of\nvelocity": "a2_translational", "a₂ of\nspin": "a2_rotational"}
+KEPT_IN_SPINS = "of it in spins, which nothing changes, J"
 CONTACT_HEADS = (
     "contact", "collisions", "collisions per ball\n1/s", "energy lost\n(normal), J", "energy lost\n(tangential), J",
     "energy\nto spin, J",
@@ -70,18 +74,29 @@ def show(session: Session) -> None:
     """Print the report of a session: the gas, its species, its contacts."""
     found = report(session)
     tables = [_totals(session, found), _species(session, found), _contacts(found)]
-    print_tables(session.scene, f"Gas: {session.scene.describe()}", tables, found["looks"])
+    measures = session.measures
+    assert measures is not None
+    undefined = measures.has_diffusion and math.isnan(found["diffusion"])
+    notes = [no_diffusion(measures.is_stationary)] if undefined else []
+    print_tables(session.scene, f"Gas: {session.scene.describe()}", tables, found["looks"], notes)
 
 
-def print_tables(scene: GasScene, title: str, tables: list[Table], samples: float) -> None:
-    """Print a title and tables, each as wide as it is, and of what they are means."""
+def no_diffusion(stationary: bool) -> str:
+    """Return why a gas without walls has no diffusion coefficient."""
+    why = "there are too few samples" if stationary else "the temperature changed by more than a factor of two"
+    return f"Diffusion coefficient: none, since {why}."
+
+
+def print_tables(scene: GasScene, title: str, tables: list[Table], samples: float, notes: Sequence[str] = ()) -> None:
+    """Print a title and tables, each as wide as it is, of what they are means, and notes."""
     console = out()
     console.print(Text(title), soft_wrap=True)
     for table in tables:
         console.print(table)
     console.print(Text(f"{UNITS_NOTE} {TEMPERATURES_NOTE}", style="dim"), soft_wrap=True)
     between = "intervals of time" if scene.run.max_events is None else "numbers of collisions"
-    console.print(Text(MEANS_NOTE.format(samples, between), style="dim"), soft_wrap=True)
+    for note in (MEANS_NOTE.format(samples, between), *notes):
+        console.print(Text(note, style="dim"), soft_wrap=True)
 
 
 def new_table(heads: Sequence[str], words: int = 1) -> Table:
@@ -96,24 +111,28 @@ def _totals(session: Session, found: dict[str, Any]) -> Table:
     """Return the table of the whole gas."""
     table = new_table(["gas", ""], 1)
     events, cpu = found["events"], found["cpu_seconds"]
-    rotational, translational = found["temperature_rotational"], found["temperature_translational"]
-    ratio = found["temperature_ratio"]
+    translational = found["temperature_translational"]
     ideal = translational * found["balls"] / session.scene.container.geometry.volume
+    unit = pressure_unit(session.scene)
     rows = [("pair collisions", f"{found['pair_collisions']:,}")]
     if found["wall_collisions"]:
         rows.append(("wall collisions", f"{found['wall_collisions']:,}"))
     rows += [
         ("simulated time, s", format_number(found["simulated_time"], 6)),
         ("mean free time, s", format_number(found["mean_free_time"], 6)),
-        (f"pressure, {pressure_unit(session.scene)}", format_number(found["pressure"], 6)),
+        (f"pressure, {unit}", format_number(found["pressure"], 6)),
         ("  relative to an ideal gas", format_number(found["pressure"] / ideal, 5) if ideal > 0 else "–"),
+        *((f"  on {wall}, {unit}", format_number(x, 6)) for wall, x in found["wall_pressure"].items()),
         ("translational temperature, J", format_number(translational, 6)),
-        ("rotational temperature, J", format_number(rotational, 6)),
-        ("  rotational / translational", "–" if math.isnan(ratio) else format_number(ratio, 5)),
     ]
+    if session.scene.spins_change:
+        rows += [
+            ("rotational temperature, J", format_number(found["temperature_rotational"], 6)),
+            ("  rotational / translational", format_number(found["temperature_ratio"], 5)),
+        ]
     if session.measures is not None and session.measures.has_diffusion:
         rows.append(("diffusion coefficient, m²/s", format_number(found["diffusion"], 4)))
-    rows += _energy(found)
+    rows += _energy(session.scene, found)
     rows += [
         ("largest overlap / contact distance", f"{found['max_overlap']:.1e}"),
         ("processor time of the event loop", f"{cpu:.2f} s, {events / cpu:,.0f} events/s" if cpu > 0 else "–"),
@@ -123,7 +142,7 @@ def _totals(session: Session, found: dict[str, Any]) -> Table:
     return table
 
 
-def _energy(found: dict[str, Any]) -> list[tuple[str, str]]:
+def _energy(scene: GasScene, found: dict[str, Any]) -> list[tuple[str, str]]:
     """Return the rows of the energy balance; for a gas that conserves energy, its drift."""
     start, end = found["energy_start"], found["energy_end"]
     lost = sum(row["lost_normal"] + row["lost_tangential"] for row in found["channels"])
@@ -136,10 +155,17 @@ def _energy(found: dict[str, Any]) -> list[tuple[str, str]]:
     moved += [("  lost in collisions, J", format_number(lost, 5))] if abs(lost) > CONSERVED * scale else []
     if not moved:
         return [("relative energy drift", f"{found['energy_drift']:.1e}")]
-    left = end - start - sum(given.values()) + lost
-    scale += abs(lost)
-    rows = [("energy at start and end, J", f"{format_number(start, 5)}, {format_number(end, 5)}"), *moved]
-    return [*rows, ("  relative imbalance", f"{left / scale if scale > 0 else 0.0:.1e}")]
+    rows = [("energy at start and end, J", f"{format_number(start, 5)}, {format_number(end, 5)}")]
+    if (kept := energy_kept_in_spins(scene, found)) > 0:
+        rows.append((f"  {KEPT_IN_SPINS}", format_number(kept, 5)))
+    return [*rows, *moved, ("  relative imbalance", f"{found['energy_imbalance']:.1e}")]
+
+
+def energy_kept_in_spins(scene: GasScene, found: dict[str, Any]) -> float:
+    """Return the rotational energy of a gas in which nothing changes a spin; 0 for others."""
+    components = 1 if scene.container.dimensions == 2 else 3
+    kept: float = 0.0 if scene.spins_change else found["temperature_rotational"] * components * scene.count / 2
+    return kept
 
 
 def _species(session: Session, found: dict[str, Any]) -> Table:
@@ -157,8 +183,13 @@ def _species(session: Session, found: dict[str, Any]) -> Table:
 
 
 def species_columns(scene: GasScene) -> dict[str, str]:
-    """Return head and name of what is reported of each species."""
-    return SPECIES_CUMULANTS if len(scene.species) == 1 else SPECIES_TEMPERATURES | SPECIES_CUMULANTS
+    """Return head and name of what is reported of each species: of spins only where something can change them."""
+    columns = SPECIES_CUMULANTS if len(scene.species) == 1 else SPECIES_TEMPERATURES | SPECIES_CUMULANTS
+    return {
+        head: name
+        for head, name in columns.items()
+        if scene.spins_change or name in {"temperature_translational", "a2_translational"}
+    }
 
 
 def _signed(x: float) -> str:

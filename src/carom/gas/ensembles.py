@@ -55,8 +55,11 @@ class Ensemble:
     error: dict[str, Any]
     """Standard errors of the means: the standard deviation over the members, divided by the square root of their number."""
     curves: dict[str, Curve]
-    """``temperature_translational`` and ``temperature_rotational`` over the time since the measurement began, ``velocity.NAME``
-    and ``spin.NAME``, ``pair_correlation.NAME.NAME``, and without walls ``displacement`` over the lag time."""
+    """``temperature_translational`` and ``temperature_rotational`` over the time since the measurement began, and, of several
+    species, each one's, as ``temperature_translational.NAME``; ``velocity.NAME`` and ``spin.NAME``; ``pair_correlation.NAME.NAME``;
+    between walls the number ``density.NAME`` along gravity or across the walls; and without walls the mean square ``displacement``
+    over the lag time or, where the temperature of a gas changes by more than a factor of two, ``displacement_by_collisions``: since
+    the first sample, over the collisions per ball."""
 
 
 def simulate_ensemble(
@@ -121,7 +124,10 @@ def simulate_ensemble(
         found = [run.result() for run in runs]
     reports = tuple(one[0] for one in found)
     mean, error = _statistics(reports)
-    curves = {name: _mean_curve([one[1][name] for one in found]) for name in found[0][1]}
+    names = [name for name in found[0][1] if all(name in one[1] for one in found)]
+    if "displacement" in names:  # (not of some gases only)
+        names.remove("displacement_by_collisions")
+    curves = {name: _mean_curve([one[1][name] for one in found]) for name in names}
     return Ensemble(scene, work.seeds, reports, mean, error, curves)
 
 
@@ -240,15 +246,24 @@ def _curves(session: Session) -> dict[str, tuple[Array, Array]]:
     rows = measures.series
     for name in ("translational", "rotational"):
         found[f"temperature_{name}"] = (rows["time"] - mark.time, rows[name])
+        if len(session.names) > 1:
+            for kind, warm in measures.species_series.items():
+                found[f"temperature_{name}.{kind}"] = (rows["time"] - mark.time, warm[name])
     for i, name in enumerate(session.names):
         for what, one in (("velocity", measures.velocity(name)), ("spin", measures.spin(name))):
             found[f"{what}.{name}"] = (one.center, one.density)
         for other in session.names[i:]:
             pair = measures.pair_correlation(name, other)
             found[f"pair_correlation.{name}.{other}"] = (pair.distance, pair.g)
-    if measures.has_diffusion and measures.is_stationary:
-        moved = measures.displacement()
-        found["displacement"] = (moved.lag, moved.square)
+        if measures.profiles is not None:
+            slices = measures.profile(name)
+            found[f"density.{name}"] = (slices.middle, np.nan_to_num(slices.density, posinf=0.0))
+    if measures.has_diffusion:
+        collisions, square = measures.displacement_by_collisions()
+        found["displacement_by_collisions"] = (2 * collisions / session.scene.count, square)
+        if measures.is_stationary:
+            moved = measures.displacement()
+            found["displacement"] = (moved.lag, moved.square)
     return found
 
 

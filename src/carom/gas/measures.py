@@ -18,9 +18,9 @@ from carom.errors import CaromError, suggestion
 from carom.gas import containers
 from carom.gas.containers import Container
 from carom.gas.edmd.driver import synchronized
-from carom.gas.edmd.records import PLANE
 from carom.gas.gas import Gas
 from carom.gas.histograms import add_component_histograms, add_pair_histograms, species_sums
+from carom.gas.profiles import Profile, Profiles, volume_within
 from carom.gas.state import require_same_form
 
 __all__ = ["SERIES", "Displacement", "Distribution", "Measures", "PairCorrelation", "mean_square_displacement"]
@@ -162,7 +162,14 @@ class Measures:
         self.width = float(2 * self.radius.min() / GAP_BINS_PER_DIAMETER)
         self.bins = max(min(int((bound - 2 * self.radius.max()) / self.width), MAX_GAP_BINS), 0)
         self.reach = float(2 * self.radius.max()) + self.width * self.bins
-        self.inner = _volume_within(self.container, self.reach)
+        self.inner = volume_within(self.container, self.reach)
+        self.profiles = None
+        if self.container.faces:
+            faces = gas.arrays.walls.faces
+            drives = (faces["amplitude"] > 0) | (faces["temperature"] >= 0)
+            driven = {name for name, k in zip(gas.faces, drives, strict=True) if k}
+            gravity = one["gravity"].tolist()
+            self.profiles = Profiles(self.container, gravity, driven, self.mass, int(count.sum()))
 
     # --- sampling ----------------------------------------------------------------------------------------------
 
@@ -195,6 +202,8 @@ class Measures:
             x += images * self.side
             followed = np.arange(min(number, MAX_FOLLOWED)) * number // min(number, MAX_FOLLOWED)
             self.followed.append((x[followed] - mass @ x / mass.sum())[:, : self.dimensions])
+        if self.profiles is not None:
+            self.profiles.add(motions, float(units[0]))
         self.samples += 1
         if pairs and self.bins > 0 and self.inner > 0:
             self._count_pairs(motions)
@@ -222,6 +231,8 @@ class Measures:
             self.pair_counts,
         )
         self.pair_samples += 1
+        if self.profiles is not None:
+            self.profiles.add_centers(motions[chosen])
 
     # --- means -------------------------------------------------------------------------------------------------
 
@@ -274,7 +285,11 @@ class Measures:
         return mean
 
     def pair_correlation(self, one: str, two: str) -> PairCorrelation:
-        """Return g(r) of two species, or of one with itself."""
+        """Return g(r) of two species, or of one with itself.
+
+        It is relative to the mean density of the balls far from the walls or, where the gas :attr:`is_layered`, to the mean
+        density at each place according to the :meth:`profile`.
+        """
         i, j = self._kind(one), self._kind(two)
         reach = float(self.radius[i] + self.radius[j])
         edges = reach + self.width * np.arange(self.bins + 1)
@@ -283,15 +298,41 @@ class Measures:
         counts, expected = self.pair_counts[i, j], float(self.expected_pairs[i, j])
         if i != j:
             counts, expected = counts + self.pair_counts[j, i], expected + float(self.expected_pairs[j, i])
-        scale = 1 / (shells * expected) if expected > 0 else np.full(self.bins, np.nan)
+        distance = (edges[1:] + edges[:-1]) / 2
+        around: Array = np.full(self.bins, expected)
+        if self.is_layered and self.profiles is not None:
+            around = self.profiles.expected_density(i, j, distance)
+            around = around + self.profiles.expected_density(j, i, distance) if i != j else around
+        scale = np.divide(1.0, shells * around, out=np.full(self.bins, np.nan), where=around > 0)
         # every pair was counted from both sides, except where one ball was near a wall
-        return PairCorrelation((edges[1:] + edges[:-1]) / 2, counts * scale, np.sqrt(2 * counts) * scale, reach)
+        return PairCorrelation(distance, counts * scale, np.sqrt(2 * counts) * scale, reach)
+
+    @property
+    def is_layered(self) -> bool:
+        """Whether g(r) is relative to the profile: under gravity, or where plane walls oscillate or are heated."""
+        one = self.profiles
+        # (a checkpoint of an earlier version has no profile of its first samples)
+        return one is not None and one.layered and one.profile_pair_samples == self.pair_samples
+
+    def profile(self, name: str) -> Profile:
+        """Return density and temperature of a species across the container; CaromError where there are no walls."""
+        if self.profiles is None:
+            raise CaromError("Measures.profile: expected a gas between walls, got one without; it has no profile")
+        return self.profiles.of(self._kind(name))
 
     @property
     def series(self) -> dict[str, Array]:
         """What each sample found, by the names in SERIES: time, collisions, temperatures, potential energy per ball."""
         table = np.array(self.rows).reshape(-1, len(SERIES))
         return {name: table[:, k] for k, name in enumerate(SERIES)}
+
+    @property
+    def species_series(self) -> dict[str, dict[str, Array]]:
+        """Temperatures of each species (J), ``translational`` and ``rotational``, at the times of the :attr:`series`."""
+        table = np.array(self.temperatures).reshape(-1, len(self.names), 2)
+        return {
+            name: {"translational": table[:, k, 0], "rotational": table[:, k, 1]} for k, name in enumerate(self.names)
+        }
 
     @property
     def has_diffusion(self) -> bool:
@@ -335,7 +376,8 @@ class Measures:
 
     def state(self) -> dict[str, NDArray[Any]]:
         """Return all that was counted, as arrays."""
-        return {name: np.array(getattr(self, name)) for name in STATE}
+        own = {name: np.array(getattr(self, name)) for name in STATE}
+        return own | (self.profiles.state() if self.profiles is not None else {})
 
     @classmethod
     def restore(
@@ -359,6 +401,8 @@ class Measures:
         found.samples, found.pair_samples = int(state["samples"]), int(state["pair_samples"])
         found.rows = [tuple(row) for row in state["rows"].reshape(-1, len(SERIES)).tolist()]
         found.followed, found.temperatures = list(state["followed"]), list(state["temperatures"])
+        if found.profiles is not None:
+            found.profiles.restore(state)
         return found
 
 
@@ -373,20 +417,6 @@ def _scale_to_unit(records: Any, names: tuple[str, ...]) -> float:
 
 def _positions(motions: Any) -> Array:
     return np.stack([motions[axis] for axis in "xyz"], axis=1)
-
-
-def _volume_within(container: Container, depth: float) -> float:
-    """Return the volume at least so deep within a container: of boxes exactly, of others by a grid of a million points."""
-    axes, size = len(container.size), np.array(container.size)
-    if not container.faces:
-        return float(size.prod())
-    if container.shape == "box" and all(face.form == PLANE for face in container.faces):
-        return float(np.maximum(np.where(container.periodic, size, size - 2 * depth), 0).prod())
-    n = round(1e6 ** (1 / axes))
-    steps = [(np.arange(n) + 0.5) / n] * axes
-    x = np.zeros((n**axes, 3))
-    x[:, :axes] = np.stack(np.meshgrid(*steps, indexing="ij"), axis=-1).reshape(-1, axes) * size
-    return float(size.prod() * (container.clearance(np.zeros(len(x)), x) >= depth).mean())
 
 
 def mean_square_displacement(positions: Array, masses: Array | None = None) -> Array:

@@ -117,6 +117,7 @@ def report(session: Session) -> dict[str, Any]:
         "species": {},
         "channels": [asdict(one) for one in channels(session.gas, mark, session.names)],
     }
+    found["energy_imbalance"] = _imbalance(found)
     sampled, whole = measures.samples > 0, (run.temperature_translational, run.temperature_rotational)
     for name, shares in zip(session.names, measures.temperature_shares(mark.time), strict=True):
         translational, rotational = (
@@ -132,6 +133,15 @@ def report(session: Session) -> dict[str, Any]:
     return found
 
 
+def _imbalance(found: dict[str, Any]) -> float:
+    """Return the change of energy that collisions, walls and thermostat do not account for, relative to the energies."""
+    start, end = found["energy_start"], found["energy_end"]
+    lost = sum(row["lost_normal"] + row["lost_tangential"] for row in found["channels"])
+    given = [sum(found["energy_from_walls"].values()), found["energy_from_thermostat"]]
+    left, scale = end - start - sum(given) + lost, abs(start) + abs(end) + abs(lost)
+    return float(left / scale) if scale > 0 else 0.0
+
+
 def _ratio(rotational: float, translational: float) -> float:
     """Return the rotational temperature over the translational one; nan for a gas at rest."""
     return rotational / translational if translational > 0 else math.nan
@@ -142,6 +152,10 @@ def series(session: Session) -> dict[str, Any]:
     measures = session.measures
     assert measures is not None
     found: dict[str, Any] = {"series": {name: values.tolist() for name, values in measures.series.items()}}
+    found["species_series"] = {
+        name: {part: values.tolist() for part, values in parts.items()}
+        for name, parts in measures.species_series.items()
+    }
     for what, of in (("velocity", measures.velocity), ("spin", measures.spin)):
         found[f"{what}_distribution"] = {
             name: {
@@ -166,6 +180,14 @@ def series(session: Session) -> dict[str, Any]:
                 }
             )
     found["pair_correlation"] = pairs
+    if measures.profiles is not None:
+        slices = {name: measures.profile(name) for name in session.names}
+        found["profile"] = {
+            "axis": measures.profile(session.names[0]).axis,
+            "edges": measures.profiles.edges.tolist(),
+            "density": {name: part.density.tolist() for name, part in slices.items()},
+            "temperature_translational": {name: part.temperature.tolist() for name, part in slices.items()},
+        }
     if measures.has_diffusion:
         moved = measures.displacement()
         found["displacement"] = {"lag": moved.lag.tolist(), "square": moved.square.tolist()}

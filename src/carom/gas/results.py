@@ -85,7 +85,8 @@ class GasRun:
     """Energy given by oscillating or heated walls, by name."""
     energy_from_thermostat: float
     energy_drift: float
-    """Relative change of the energy (with potential energy under gravity), less what walls and thermostat gave."""
+    """Relative change of the energy (with potential energy under gravity), less what walls and thermostat gave: rounding where
+    contacts conserve energy, else minus the fraction that they dissipated."""
     temperature_translational: float
     """Mean over the run of m v^2 along an axis."""
     temperature_rotational: float

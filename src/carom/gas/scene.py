@@ -100,6 +100,12 @@ class GasScene(Model):
         return {contact.between: contact.surface for contact in self.contacts}
 
     @property
+    def spins_change(self) -> bool:
+        """Whether anything can change a spin: a contact that is not smooth, a heated wall, a thermostat."""
+        rough = any(one.friction > 0 and one.tangential_restitution > -1 for one in self.contacts)
+        return rough or self.thermostat is not None or any(one.temperature is not None for one in self.drives)
+
+    @property
     def equilibrate(self) -> int:
         """Number of collisions before the measurement."""
         return 40 * self.count if self.run.equilibrate is None else self.run.equilibrate

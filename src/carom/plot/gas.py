@@ -14,10 +14,22 @@ from carom.gas.containers import Container
 from carom.gas.edmd.records import PLANE
 from carom.gas.measures import Distribution, Measures
 from carom.gas.report import UNITS_NOTE
+from carom.gas.scene import GasScene
 from carom.gas.session import Session
 from carom.plot.style import GREY, INK, PALE, drawn, new_figure
 
-__all__ = ["COLOURS", "MAX_PAIRS", "heading", "panel_title", "plot_gas"]
+__all__ = [
+    "COLOURS",
+    "MAX_PAIRS",
+    "density_title",
+    "draw_maxwell",
+    "heading",
+    "note_maxwell",
+    "pair_title",
+    "panel_title",
+    "plot_gas",
+    "scale_temperatures",
+]
 
 Array = NDArray[np.float64]
 # Okabe & Ito's colours, for species and pairs of species.
@@ -44,7 +56,7 @@ def plot_gas(session: Session, file: str | os.PathLike[str] | None = None, *, ti
     matplotlib.figure.Figure
         The balls at the end (of spheres, the cross-sections by a plane through the middle); the distributions of velocity and
         spin, in units of their standard deviation; temperatures over time; g(r) for each pair of species; and the mean square
-        displacement or, where there are walls, the number density between them.
+        displacement or, where there are walls, the mean number density along gravity or between them.
 
     Raises
     ------
@@ -79,7 +91,7 @@ def _draw(session: Session, measures: Measures, title: str | None) -> Any:
     _balls(panels[0], session)
     _distributions(panels[1], measures, "velocity")
     _distributions(panels[2], measures, "spin")
-    _temperatures(panels[3], measures)
+    _temperatures(panels[3], measures, session.scene.spins_change)
     _pair_correlation(panels[4], measures)
     (_displacement if measures.has_diffusion else _profile)(panels[5], session, measures)
     for k, letter in enumerate("abcdef"):
@@ -148,6 +160,10 @@ def _balls(axes: Any, session: Session) -> None:
     text = what + part if len(kinds) == 1 else f"{'discs' if flat else 'cross-section'}{part}: {_listed(session)}"
     place = axes.get_subplotspec().get_position(axes.figure)  # (the panel itself is as narrow as the box)
     axes.figure.text(place.x0, place.y1 + 0.012, text, fontsize=8.5, color=INK, va="bottom")
+    if len(kinds) == 1:
+        axes.text(
+            0.5, -0.02, "darker: faster", transform=axes.transAxes, ha="center", va="top", fontsize=7.5, color=GREY
+        )
 
 
 def _outline(axes: Any, container: Container, pair: list[int], low: Array, window: Array) -> None:
@@ -205,8 +221,7 @@ def _colours(session: Session, species: Any, velocity: Array) -> Array:
 
 
 def _distributions(axes: Any, measures: Measures, what: str) -> None:
-    c = np.linspace(-5, 5, 201)
-    axes.plot(c, np.exp(-(c**2) / 2) / math.sqrt(2 * math.pi), color=GREY, linewidth=1.0, dashes=(4, 2), zorder=1)
+    draw_maxwell(axes)
     said, shown = [], 0
     for k, name in enumerate(measures.names):
         one: Distribution = getattr(measures, what)(name)
@@ -231,13 +246,23 @@ def _distributions(axes: Any, measures: Measures, what: str) -> None:
         axes.text(0.5, 0.16 - 0.08 * k + 0.08 * (len(said[:4]) - 1), line, transform=axes.transAxes, ha="center", color=colour,
                   fontsize=7.5)  # fmt: skip
     if what == "velocity":
-        axes.text(
-            0.98, 0.97, "dashed:\nMaxwell", transform=axes.transAxes, ha="right", va="top", color=GREY, fontsize=7.5
-        )
+        note_maxwell(axes, 0.98, "right")
 
 
-def scale_temperatures(axes: Any, values: Array) -> bool:
-    """Make the axis of temperatures logarithmic where they fall by a factor of 20, else begin it at zero; return which."""
+def draw_maxwell(axes: Any) -> None:
+    """Draw the Maxwellian, dashed."""
+    c = np.linspace(-5, 5, 201)
+    axes.plot(c, np.exp(-(c**2) / 2) / math.sqrt(2 * math.pi), color=GREY, linewidth=1.0, dashes=(4, 2), zorder=1)
+
+
+def note_maxwell(axes: Any, x: float, align: str) -> None:
+    """Write what the dashed line is."""
+    style: dict[str, Any] = {"transform": axes.transAxes, "color": GREY, "fontsize": 7.5}
+    axes.text(x, 0.97, "dashed:\nMaxwell", ha=align, va="top", **style)
+
+
+def scale_temperatures(axes: Any, times: Array, values: Array) -> None:
+    """Make the axes of temperatures and times logarithmic where the former fall by a factor of 20, else begin at zero."""
     from matplotlib.ticker import NullFormatter
 
     cools = bool(values.min() > 0 and values.max() / values.min() > 20)
@@ -246,19 +271,18 @@ def scale_temperatures(axes: Any, values: Array) -> bool:
         axes.yaxis.set_minor_formatter(NullFormatter())
     else:
         axes.set_ylim(0, 1.25 * values.max() if values.max() > 0 else 1)
-    return cools
+    if cools and times[-1] > 20 * times[0] > 0:
+        axes.set_xscale("log")
 
 
-def _temperatures(axes: Any, measures: Measures) -> None:
+def _temperatures(axes: Any, measures: Measures, spins_change: bool) -> None:
     rows = measures.series
     t = rows["time"]
-    curves = [("translational", COLOURS[0]), ("rotational", COLOURS[1])]
+    curves = [("translational", COLOURS[0]), ("rotational", COLOURS[1])][: 1 + spins_change]
     for name, colour in curves:
         if rows[name].any():
             axes.plot(t, rows[name], ".-", markersize=2.5, linewidth=0.8, color=colour, label=name)
-    cools = scale_temperatures(axes, np.concatenate([rows[name] for name, _colour in curves]))
-    if cools and t[-1] > 20 * t[0] > 0:
-        axes.set_xscale("log")
+    scale_temperatures(axes, t, np.concatenate([rows[name] for name, _colour in curves]))
     axes.set_xlabel("time, s")
     panel_title(axes, "temperature, J")
     axes.legend(
@@ -267,8 +291,13 @@ def _temperatures(axes: Any, measures: Measures) -> None:
     )  # fmt: skip
 
 
+def pair_title(layered: bool) -> str:
+    """Return the title of a pair correlation; ``layered``: it is relative to the density at each place."""
+    return "pair correlation (local density)" if layered else "pair correlation"
+
+
 def _pair_correlation(axes: Any, measures: Measures) -> None:
-    panel_title(axes, "pair correlation")
+    panel_title(axes, pair_title(measures.is_layered))
     axes.set_xlabel("distance of centres, m")
     many = len(measures.names) > 1
     pairs = [(a, b) for i, a in enumerate(measures.names) for b in measures.names[i:]]
@@ -323,40 +352,19 @@ def _displacement(axes: Any, session: Session, measures: Measures) -> None:
     axes.set_ylim(bottom=0)
 
 
-def _slice_volumes(container: Container, axis: int, bins: int) -> Array:
-    """Return the volume of the container in each of ``bins`` slices across an axis, from a lattice of points."""
-    shape = [61] * len(container.size)  # (a prime, so that slanted walls do not pass through many points)
-    shape[axis] = 4 * bins
-    middles = [(np.arange(n) + 0.5) * (size / n) for n, size in zip(shape, container.size, strict=True)]
-    x = np.zeros((math.prod(shape), 3))
-    for k, grid in enumerate(np.meshgrid(*middles, indexing="ij")):
-        x[:, k] = grid.ravel()
-    within = container.clearance(0.0, x) > 0
-    share = np.moveaxis(within.reshape(shape), axis, 0).reshape(bins, -1).mean(axis=1)
-    volume: Array = share * math.prod(container.size) / bins
-    return volume
-
-
 def _profile(axes: Any, session: Session, measures: Measures) -> None:
-    """Plot the number density between the walls at the end, along gravity or the first axis with walls."""
-    scene = session.scene
-    container = scene.container.geometry
-    closed = [k for k, around in enumerate(container.periodic) if not around]
-    pulled = [k for k in closed if k < len(scene.gravity_vector) and scene.gravity_vector[k] != 0]
-    axis = (pulled or closed or [0])[0]
-    balls = session.gas.balls()
-    side, count = container.size[axis], len(balls.species)
-    bins = int(np.clip(math.sqrt(count), 8, 60))
-    edges = np.linspace(0, side, bins + 1)
-    space = _slice_volumes(container, axis, bins)
+    """Plot the mean number density along gravity, or between the walls."""
     for k, name in enumerate(session.names):
-        found, _ = np.histogram(balls.position[balls.species == k, axis], edges)
-        with np.errstate(invalid="ignore"):  # (a slice outside the walls has no density)
-            density = found / space
-        axes.stairs(density, edges, baseline=None, color=COLOURS[k % len(COLOURS)], linewidth=1.0, label=name)
-    axes.set_xlim(0, side)
+        one = measures.profile(name)
+        axes.stairs(one.density, one.edges, baseline=None, color=COLOURS[k % len(COLOURS)], linewidth=1.0, label=name)
+    axes.set_xlim(0, one.edges[-1])
     axes.set_ylim(bottom=0)
-    axes.set_xlabel("xyz"[axis] + ", m")
-    panel_title(axes, f"number density at the end, 1/m{'²' if scene.container.dimensions == 2 else '³'}")
+    axes.set_xlabel(f"{one.axis}, m")
+    panel_title(axes, density_title(session.scene))
     if len(session.names) > 1:
         axes.legend(frameon=False, fontsize=7.5, handlelength=1.2, borderaxespad=0.2)
+
+
+def density_title(scene: GasScene) -> str:
+    """Return the title of a density profile, with its unit."""
+    return f"mean number density, 1/m{'²' if scene.container.dimensions == 2 else '³'}"

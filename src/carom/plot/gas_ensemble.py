@@ -9,8 +9,19 @@ import numpy as np
 
 from carom.errors import CaromError
 from carom.gas.ensembles import Curve, Ensemble
+from carom.gas.profiles import layers
 from carom.gas.report import pressure_unit
-from carom.plot.gas import COLOURS, MAX_PAIRS, heading, panel_title, scale_temperatures
+from carom.plot.gas import (
+    COLOURS,
+    MAX_PAIRS,
+    density_title,
+    draw_maxwell,
+    heading,
+    note_maxwell,
+    pair_title,
+    panel_title,
+    scale_temperatures,
+)
 from carom.plot.style import GREY, drawn, new_figure
 
 __all__ = ["plot_ensemble"]
@@ -33,7 +44,8 @@ def plot_ensemble(ensemble: Ensemble, file: str | os.PathLike[str] | None = None
     -------
     matplotlib.figure.Figure
         Means over the members, with bands of one standard error: the distributions of velocity and spin, temperatures over time,
-        g(r) for each pair of species, and without walls the mean square displacement; and the pressure of each member.
+        g(r) for each pair of species, the mean square displacement or, between walls, the number density; and the pressure of each
+        member.
 
     Raises
     ------
@@ -59,27 +71,35 @@ def plot_ensemble(ensemble: Ensemble, file: str | os.PathLike[str] | None = None
 
 def _draw(ensemble: Ensemble, title: str | None) -> Any:
     curves, names = ensemble.curves, [one.name for one in ensemble.scene.species]
-    moved = "displacement" in curves
+    scene = ensemble.scene
+    axis, layered = layers(scene.container.geometry, scene.gravity_vector, [one.wall for one in scene.drives])
     figure = new_figure(7.4, 5.2)
     axes = figure.subplots(2, 3).ravel()
     figure.subplots_adjust(left=0.075, right=0.985, top=0.875, bottom=0.085, wspace=0.36, hspace=0.42)
     pairs = [(f"{a} – {b}", f"pair_correlation.{a}.{b}") for i, a in enumerate(names) for b in names[i:]]
     _panel(axes[0], "velocity", {name: curves[f"velocity.{name}"] for name in names}, "velocity / standard deviation")
     _panel(axes[1], "spin", {name: curves[f"spin.{name}"] for name in names}, "spin / standard deviation")
+    note_maxwell(axes[0], 0.02, "left")
     for one in axes[:2]:
+        draw_maxwell(one)
         one.set_yscale("log")
         one.set_xlim(-5, 5)
         one.set_ylim(2e-6, 1)
-    warm = {name: curves[f"temperature_{name}"] for name in ("translational", "rotational")}
+    warm = {name: curves[f"temperature_{name}"] for name in ("translational", "rotational")[: 1 + scene.spins_change]}
     _panel(axes[2], "temperature, J", {name: one for name, one in warm.items() if one.mean.any()}, "time, s")
-    scale_temperatures(axes[2], np.array([one.mean for one in warm.values()]))
-    _panel(
-        axes[3], "pair correlation", {name: curves[key] for name, key in pairs[:MAX_PAIRS]}, "distance of centres, m"
-    )
-    if moved:
+    scale_temperatures(axes[2], warm["translational"].x, np.array([one.mean for one in warm.values()]))
+    found = {name: curves[key] for name, key in pairs[:MAX_PAIRS]}
+    _panel(axes[3], pair_title(layered), found, "distance of centres, m")
+    axes[3].axhline(1, color=GREY, linewidth=0.6, dashes=(4, 2), zorder=1)
+    if "displacement" in curves:
         _panel(axes[4], "mean square displacement, m²", {"": curves["displacement"]}, "lag time, s")
+    elif "displacement_by_collisions" in curves:
+        one = {"": curves["displacement_by_collisions"]}
+        _panel(axes[4], "mean square displacement, m²", one, "collisions per ball")
     else:
-        axes[4].set_axis_off()
+        slices = {name: curves[f"density.{name}"] for name in names}
+        _panel(axes[4], density_title(scene), slices, f"{'xyz'[axis]}, m")
+        axes[4].set_ylim(bottom=0)
     _members(axes[5], ensemble)
     words = f"{len(ensemble.seeds)} gases: {ensemble.scene.describe()}" if title is None else title
     heading(figure, words)

@@ -1,0 +1,174 @@
+"""Profiles across a container: density and temperature along gravity or between walls, and the pairs that they let one expect."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.gas.containers import Container
+from carom.gas.edmd.records import PLANE
+from carom.gas.state import require_same_form
+
+__all__ = ["Profile", "Profiles", "layers", "volume_within"]
+
+Array = NDArray[np.float64]
+MIN_SLICES, MAX_SLICES = 16, 120
+LATTICE_POINTS = 61  # across a slice whose volume is found by counting (a prime: slanted walls pass through few points)
+DIRECTIONS = 32  # in which balls around another one are looked for
+STATE = ("profile_counts", "profile_heat", "profile_centers", "profile_samples", "profile_pair_samples")
+
+
+@dataclass(frozen=True, eq=False)
+class Profile:
+    """Density and temperature of a species in slices across the container, means over the samples."""
+
+    axis: str
+    """Across which the slices lie: "x", "y" or "z"."""
+    edges: Array
+    """Of the slices (m), (B + 1,)."""
+    density: Array
+    """Number of balls per volume, of discs per area, (B,); nan in a slice outside the walls."""
+    temperature: Array
+    """Mean of m v^2 along an axis (J), (B,); nan in a slice without balls."""
+
+    @property
+    def middle(self) -> Array:
+        """Return the middles of the slices (m), (B,)."""
+        middle: Array = (self.edges[1:] + self.edges[:-1]) / 2
+        return middle
+
+
+def layers(container: Container, gravity: Sequence[float], driven: Collection[str]) -> tuple[int, bool]:
+    """Return the axis across which density varies most, by its number, and whether it is known to vary.
+
+    It is the axis of gravity, else of the plane walls that are driven (by their names), else the first one with walls.
+    """
+    push = [abs(x) for x in gravity]
+    if not any(push):
+        planes = [face.vector for face in container.faces if face.form == PLANE and face.name in driven]
+        push = [sum(abs(vector[k]) for vector in planes) for k in range(3)]
+    closed = [k for k, around in enumerate(container.periodic) if not around] or [0]
+    return max(closed, key=lambda k: push[k]), any(push)
+
+
+class Profiles:
+    """Counts of balls in slices across a container: along gravity, else from driven walls, else along the first axis with walls.
+
+    Parameters
+    ----------
+    container : Container
+        One with walls.
+    gravity : vector
+    driven : names of walls that oscillate or are heated
+    mass : (species,) array
+    count : int
+        Number of balls, on which the number of slices depends.
+    """
+
+    def __init__(
+        self, container: Container, gravity: Sequence[float], driven: Collection[str], mass: Array, count: int
+    ) -> None:
+        self.axis, self.layered = layers(container, gravity, driven)
+        self.container, self.mass, self.dimensions = container, mass, len(container.size)
+        self.bins = int(np.clip(4 * math.sqrt(count), MIN_SLICES, MAX_SLICES))
+        self.edges: Array = np.linspace(0, container.size[self.axis], self.bins + 1)
+        shape = (len(mass), self.bins)
+        self.profile_counts, self.profile_centers = np.zeros(shape, np.int64), np.zeros(shape, np.int64)
+        self.profile_heat = np.zeros(shape)  # sums of m v^2 along an axis
+        self.profile_samples = self.profile_pair_samples = 0
+
+    def add(self, motions: Any, unit: float) -> None:
+        """Add a sample; velocities are in multiples of ``unit``."""
+        place = self._places(motions)
+        square = sum(motions[name] ** 2 for name in ("vx", "vy", "vz")) * unit**2
+        heat = self.mass[motions["species"]] * square / self.dimensions
+        self.profile_counts += self._sums(place).astype(np.int64)
+        self.profile_heat += self._sums(place, heat)
+        self.profile_samples += 1
+
+    def add_centers(self, motions: Any) -> None:
+        """Count the balls around which pairs are counted."""
+        self.profile_centers += self._sums(self._places(motions)).astype(np.int64)
+        self.profile_pair_samples += 1
+
+    def _places(self, motions: Any) -> NDArray[np.int64]:
+        """Return the slice of each ball, counted through the species."""
+        height = motions["xyz"[self.axis]] / self.edges[-1] * self.bins
+        place: NDArray[np.int64] = np.clip(height.astype(np.int64), 0, self.bins - 1)
+        place += motions["species"].astype(np.int64) * self.bins
+        return place
+
+    def _sums(self, place: NDArray[np.int64], weights: Array | None = None) -> Array:
+        size = len(self.mass) * self.bins
+        found: Array = np.bincount(place, weights, size).astype(float)
+        return found.reshape(-1, self.bins)
+
+    def of(self, kind: int) -> Profile:
+        """Return the profile of a species, by its number."""
+        counts = self.profile_counts[kind]
+        with np.errstate(invalid="ignore", divide="ignore"):
+            density = counts / (self._volumes() * self.profile_samples)
+            return Profile("xyz"[self.axis], self.edges, density, self.profile_heat[kind] / counts)
+
+    def _volumes(self) -> Array:
+        """Return the volume of each slice: of boxes exactly, of others from a lattice of points."""
+        container, size = self.container, self.container.size
+        whole = math.prod(size) / self.bins
+        if container.shape == "box" and all(face.form == PLANE for face in container.faces):
+            return np.full(self.bins, whole)
+        shape = [LATTICE_POINTS] * self.dimensions
+        shape[self.axis] = 4 * self.bins
+        middles = [(np.arange(n) + 0.5) * (length / n) for n, length in zip(shape, size, strict=True)]
+        x = np.zeros((math.prod(shape), 3))
+        for k, grid in enumerate(np.meshgrid(*middles, indexing="ij")):
+            x[:, k] = grid.ravel()
+        within = container.clearance(0.0, x) > 0
+        share = np.moveaxis(within.reshape(shape), self.axis, 0).reshape(self.bins, -1).mean(axis=1)
+        volumes: Array = share * whole
+        return volumes
+
+    def expected_density(self, one: int, two: int, distance: Array) -> Array:
+        """Return the sum over the central balls of a species of another one's mean density at some distances from each, (B,)."""
+        other, centers = self.of(two), self.profile_centers[one]
+        density = np.nan_to_num(other.density, posinf=0.0)
+        share = (np.arange(DIRECTIONS) + 0.5) / DIRECTIONS
+        # directions at equal shares of the sphere, or of the circle
+        cosine = 2 * share - 1 if self.dimensions == 3 else np.cos(math.pi * share)
+        places = other.middle[None, :, None] + distance[:, None, None] * cosine
+        found: Array = np.interp(places, other.middle, density).mean(axis=2) @ centers
+        return found
+
+    # --- state -------------------------------------------------------------------------------------------------
+
+    def state(self) -> dict[str, NDArray[Any]]:
+        """Return all that was counted, as arrays."""
+        return {name: np.array(getattr(self, name)) for name in STATE}
+
+    def restore(self, state: dict[str, NDArray[Any]]) -> None:
+        """Continue with a :meth:`state`; that of an earlier version has none, and the counts begin anew."""
+        if not any(name in state for name in STATE):
+            return
+        for name in STATE:
+            fresh = np.array(getattr(self, name))
+            require_same_form(name, state[name], fresh.dtype, fresh.shape)
+        self.profile_counts, self.profile_heat, self.profile_centers = (state[name].copy() for name in STATE[:3])
+        self.profile_samples, self.profile_pair_samples = (int(state[name]) for name in STATE[3:])
+
+
+def volume_within(container: Container, depth: float) -> float:
+    """Return the volume at least so deep within a container: of boxes exactly, of others by a grid of a million points."""
+    axes, size = len(container.size), np.array(container.size)
+    if not container.faces:
+        return float(size.prod())
+    if container.shape == "box" and all(face.form == PLANE for face in container.faces):
+        return float(np.maximum(np.where(container.periodic, size, size - 2 * depth), 0).prod())
+    n = round(1e6 ** (1 / axes))
+    steps = [(np.arange(n) + 0.5) / n] * axes
+    x = np.zeros((n**axes, 3))
+    x[:, :axes] = np.stack(np.meshgrid(*steps, indexing="ij"), axis=-1).reshape(-1, axes) * size
+    return float(size.prod() * (container.clearance(np.zeros(len(x)), x) >= depth).mean())
