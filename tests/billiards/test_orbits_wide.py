@@ -170,3 +170,20 @@ def test_both_lids_get_as_many_starts() -> None:
     )
     assert top.sum() + bottom.sum() > 2000
     assert abs(int(top.sum()) - int(bottom.sum())) < 5 * math.sqrt(top.sum() + bottom.sum())
+
+
+@pytest.mark.parametrize("radius", [0.3, 0.6])
+def test_starts_in_a_cell_with_a_disc_are_those_of_the_invariant_measure(radius: float) -> None:
+    """No start lay on the flat ends of a cylinder over such a cell; where discs overlap, starts lay within others."""
+    flat = billiards.sinai(radius)
+    at = billiards.starts(flat, 1000, seed=1).position
+    around = np.stack([at - (x, y) for x in (-1, 0, 1) for y in (-1, 0, 1)])
+    assert np.hypot(around[..., 0], around[..., 1]).min() >= radius * (1 - 1e-9)
+    table = billiards.cylinder(flat, height=0.8)
+    start = billiards.starts(table, 4000, seed=1)
+    high = np.abs(start.position[:, 2]).max()
+    share = (np.abs(start.position[:, 2]) == high).mean()
+    found = billiards.orbit(table, start, 60)
+    later = (np.abs(found.position[..., 2]) > high * (1 - 1e-9)).mean(axis=0)
+    assert share == pytest.approx(later[20:].mean(), abs=0.03)
+    assert share > 0.08

@@ -150,6 +150,30 @@ def test_many_orbits_laws_and_exponents() -> None:
     assert not short.stderr
 
 
+def test_exponents_of_several_orbits_have_the_error_of_their_mean() -> None:
+    """It was the error within the orbits, too small by a factor of eight where regular and chaotic orbits coexist."""
+    words = ("stadium", "--orbits", "20", "--bounces", "500", "--lyapunov")
+    found = json.loads(run(*words, "--json").stdout)["lyapunov"]
+    every = np.array(found["per_bounce_of_each"])
+    assert every.shape == (20, 4)
+    assert found["per_bounce"] == pytest.approx(every.mean(axis=0), rel=1e-12)
+    assert found["error"] == pytest.approx(every.std(axis=0, ddof=1) / math.sqrt(20), rel=1e-12)
+    text = " ".join(run(*words).stdout.split())
+    assert "Means over 20 orbits; ±: their standard error, from the scatter between orbits." in text
+    low, high = every[:, 0].min(), every[:, 0].max()
+    assert (
+        f"Largest exponent of each, per bounce: {low:.5f} to {high:.5f}, median {np.median(every[:, 0]):.5f}." in text
+    )
+    one = run("stadium", "--bounces", "500", "--lyapunov").stdout
+    assert "from their scatter between 20 parts of the orbit" in " ".join(one.split())
+
+
+def test_starts_lie_where_scatterers_do_not_overlap() -> None:
+    """Discs wider than half the cell overlap: a start on a covered arc was refused as a position that nobody had given."""
+    found = json.loads(run("sinai", "--radius", "0.6", "--orbits", "20", "--bounces", "50", "--json").stdout)
+    assert found["count"] == 1000
+
+
 def test_pictures(tmp_path: Path) -> None:
     files = [tmp_path / name for name in ("way.svg", "phase.png", "map.pdf")]
     done = run(

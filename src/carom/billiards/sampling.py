@@ -20,6 +20,9 @@ __all__ = ["starts"]
 
 Array = NDArray[np.float64]
 BYTES_PER_START = 400  # of memory, while a start is drawn and followed
+COVERED = 1e-9  # radii within the image of an obstacle: rounding
+OUTLINE_POINTS = 20_000  # of an outline whose length and area are found
+LATTICE_POINTS = 1000  # along each side of a cell whose free area is found
 ENERGY_SCAN_POINTS = 20_000  # points of a wall at which the greatest kinetic energy is sought
 
 
@@ -171,17 +174,14 @@ def _on_the_wall(shape: Boundary, count: int, rng: np.random.Generator) -> tuple
     around = float(side.lengths.sum())
     if not around > 0:
         raise CaromError("starts: speed: expected one at the origin with which a ball reaches a wall, got less")
-    _k, x2, n2 = side.place(rng.uniform(0, around, count))
+    x2, n2 = _exposed(side, around, count, rng)
     x, n = (np.concatenate([p, np.zeros((count, 1))], axis=1) for p in (x2, n2))
     if lids:
         high = -float(lids[0].offset)
         x[:, 2] = rng.uniform(-high, high, count)
         # the share on the lids is that of their area
-        curve = side.place(np.linspace(0, around, 20_001)[:-1])[1]
-        a, b = curve, np.roll(curve, -1, axis=0)
-        area = float((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum() / 2)
-        on = np.flatnonzero(rng.uniform(size=count) < area / (area + around * high))
-        low, size = curve.min(0), np.ptp(curve, axis=0)
+        area, length, low, size = _cross_section(side, around)
+        on = np.flatnonzero(rng.uniform(size=count) < area / (area + length * high))
         left = on
         while len(left):
             x[left, :2] = low + rng.uniform(size=(len(left), 2)) * size
@@ -189,3 +189,38 @@ def _on_the_wall(shape: Boundary, count: int, rng: np.random.Generator) -> tuple
         up = np.where(rng.uniform(size=len(on)) < 0.5, 1.0, -1.0)
         x[on, 2], n[on] = high * up, np.stack([np.zeros(len(on)), np.zeros(len(on)), -up], axis=1)
     return x, n
+
+
+def _exposed(side: Boundary, around: float, count: int, rng: np.random.Generator) -> tuple[Array, Array]:
+    """Draw points (count, 2) uniformly on a wall's outline; return them with the normals.
+
+    Points of an obstacle that its periodic images cover are drawn again.
+    """
+    _k, x, n = side.place(rng.uniform(0, around, count))
+    left = np.flatnonzero(_covered(side, x))
+    while len(left):
+        _k, x[left], n[left] = side.place(rng.uniform(0, around, len(left)))
+        left = left[_covered(side, x[left])]
+    return x, n
+
+
+def _covered(side: Boundary, x: Array) -> NDArray[np.bool_]:
+    """Return whether points (N, 2) of an outline lie within the image of an obstacle in a neighbouring cell."""
+    if not side.images:
+        return np.zeros(len(x), bool)
+    covered: NDArray[np.bool_] = side.gap(x) < -COVERED * max(one[2] for one in side.images)
+    return covered
+
+
+def _cross_section(side: Boundary, around: float) -> tuple[float, float, Array, Array]:
+    """Return the area within an outline, its length, and the corner and the sides of a rectangle around it."""
+    curve = side.place(np.linspace(0, around, OUTLINE_POINTS + 1)[:-1])[1]
+    if side.cell is None:
+        a, b = curve, np.roll(curve, -1, axis=0)
+        return float((a[:, 0] * b[:, 1] - a[:, 1] * b[:, 0]).sum() / 2), around, curve.min(0), np.ptp(curve, axis=0)
+    # of a periodic cell what obstacles leave free, on a lattice
+    size = np.array(side.cell)
+    places = (np.arange(LATTICE_POINTS) + 0.5) / LATTICE_POINTS - 0.5
+    lattice = np.stack(np.meshgrid(places * size[0], places * size[1]), axis=-1)
+    area = float((side.gap(lattice) > 0).mean() * size.prod())
+    return area, around * float(1 - _covered(side, curve).mean()), -size / 2, size

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from statistics import median
 from typing import TYPE_CHECKING, Any
 
 from carom.formatting import counted
@@ -68,17 +69,31 @@ def orbit_facts(found: Orbit, table: Table, *, spectrum: Lyapunov | None, back: 
         _orbit, error = billiards.reverse(found)
         facts["reversal_error"] = float(np.max(error))
     if spectrum is not None:
-        mean = spectrum.per_bounce.reshape(-1, spectrum.per_bounce.shape[-1])
-        # an orbit that ended early has no exponents
-        lasted = np.isfinite(mean).all(axis=-1)
-        means = [mean, spectrum.per_time.reshape(mean.shape), spectrum.error.reshape(mean.shape) ** 2]
-        per_bounce, per_time, error = (
-            np.mean(x[lasted], axis=0) if lasted.any() else np.full(x.shape[-1], np.nan) for x in means
-        )
-        error = np.sqrt(error / max(lasted.sum(), 1))
-        named = {"per_bounce": per_bounce, "per_time": per_time, "error": error}
-        facts["lyapunov"] = {name: [_plain(x) for x in values] for name, values in named.items()}
+        facts["lyapunov"] = _exponents(spectrum)
     return facts
+
+
+def _exponents(spectrum: Lyapunov) -> dict[str, Any]:
+    """Return the exponents of an orbit with their errors; of several their means, standard errors of these, and each one's.
+
+    An orbit that ended early has no exponents. Orbits of a mixed phase space have different ones, so the error of a mean over
+    orbits is that of their scatter.
+    """
+    import numpy as np
+
+    every = spectrum.per_bounce.reshape(-1, spectrum.per_bounce.shape[-1])
+    lasted = np.isfinite(every).all(axis=-1)
+    means = [every, spectrum.per_time.reshape(every.shape), spectrum.error.reshape(every.shape)]
+    per_bounce, per_time, error = (
+        np.mean(x[lasted], axis=0) if lasted.any() else np.full(x.shape[-1], np.nan) for x in means
+    )
+    if lasted.sum() > 1:
+        error = np.std(every[lasted], axis=0, ddof=1) / math.sqrt(lasted.sum())
+    named = {"per_bounce": per_bounce, "per_time": per_time, "error": error}
+    found: dict[str, Any] = {name: [_plain(x) for x in values] for name, values in named.items()}
+    if len(every) > 1:
+        found["per_bounce_of_each"] = [[_plain(x) for x in row] for row in every]
+    return found
 
 
 def _plain(x: Any) -> float | None:
@@ -165,8 +180,21 @@ def print_orbit(facts: dict[str, Any], found: Orbit) -> None:
         for number, row in enumerate(zip(both["per_bounce"], both["error"], both["per_time"], strict=True)):
             spectrum.add_row(str(number + 1), *("–" if x is None else f"{x:.5f}" for x in row))
         console.print(spectrum)
+        console.print(_meaning(both), style="dim", soft_wrap=True)
     if facts["orbits"] == 1 and facts["count"]:
         console.print(_first_bounces(found))
+
+
+def _meaning(exponents: dict[str, Any]) -> str:
+    """Return what the exponents and their errors are."""
+    largest = sorted(row[0] for row in exponents.get("per_bounce_of_each", ()) if row[0] is not None)
+    if len(largest) < 2:
+        return "±: standard error of the exponents per bounce, from their scatter between 20 parts of the orbit."
+    low, middle, high = largest[0], median(largest), largest[-1]
+    return (
+        f"Means over {len(largest):,} orbits; ±: their standard error, from the scatter between orbits."
+        f" Largest exponent of each, per bounce: {low:.5f} to {high:.5f}, median {middle:.5f}."
+    )
 
 
 def _first_bounces(found: Orbit) -> Any:

@@ -28,8 +28,9 @@ def on_curves(found: Orbit) -> NDArray[np.bool_]:
 
     From a point on a curve the 24th neighbour is 6 times as far as the 4th, in an area only the root of 6, and among scattered
     clusters much farther. On curves, seven points in ten have a ratio within a quarter of 6, on a logarithmic scale; or the same of
-    the 40th and the 8th. Orbits of fewer than 50 bounces count as others. The others are chaotic as a rule; the largest Lyapunov
-    exponent decides. Under the mirror law the boundary map takes the portrait's place.
+    the 40th and the 8th. Orbits of fewer than 50 bounces count as others. Not all of the others are
+    chaotic: curves that are long, or visited unevenly, are missed, and in polygons no orbit has a positive Lyapunov exponent. The
+    largest exponent decides (:func:`carom.billiards.lyapunov`). Under the mirror law the boundary map takes the portrait's place.
 
     Examples
     --------
@@ -88,7 +89,7 @@ def _legend(axes: Any, curves: NDArray[np.bool_], below: float) -> None:
     """Write what the inks mean, with the numbers of orbits, below the axes."""
     from matplotlib.lines import Line2D
 
-    inks = [(SEA, "others: chaotic, as a rule", int((~curves).sum()))]
+    inks = [(SEA, "others: not found to be on curves", int((~curves).sum()))]
     inks.append((ISLANDS[0], "islands: on smooth curves (any colour but grey)", int(curves.sum())))
     dots = [
         Line2D([], [], ls="", marker="o", ms=4, mew=0, color=ink, label=f"{words}  ({count:,})")
