@@ -210,6 +210,19 @@ def test_mean_square_displacement_of_frames():
     assert mean_square_displacement(x + drift, weights) == pytest.approx(mean_square_displacement(x, weights), rel=1e-9)
 
 
+def test_the_error_of_g_in_contact_is_that_of_repeated_runs():
+    """It was printed with three decimals where the second one was noise."""
+    found = []
+    for seed in range(24):
+        gas = Gas([Species(SPHERE, 200)], (10.0,) * 3, contacts=SMOOTH, seed=seed)
+        gas.advance(4000)
+        found.append(looked(gas, 20, 1.0).pair_correlation("a", "a"))
+    contact, error = (np.array([getattr(one, name) for one in found]) for name in ("contact", "contact_error"))
+    assert error.mean() == pytest.approx(contact.std(ddof=1), rel=0.4)
+    phi = 0.2 * math.pi / 6
+    assert abs(contact.mean() - (1 - phi / 2) / (1 - phi) ** 3) < 4 * error.mean() / math.sqrt(24)
+
+
 # --- profiles ------------------------------------------------------------------------------------------------------
 
 

@@ -93,12 +93,22 @@ class PairCorrelation:
     @property
     def contact(self) -> float:
         """g at contact: a weighted parabola through log g up to 1.25 contact distances; nan with too few bins."""
-        near = (self.distance < 1.25 * self.contact_distance) & (self.g > 0)
-        if near.sum() < 4:
+        gap, log, weight = self._near_contact()
+        return float(math.exp(Polynomial.fit(gap, log, 2, w=weight)(0.0))) if len(gap) >= 4 else math.nan
+
+    @property
+    def contact_error(self) -> float:
+        """Standard error of :attr:`contact`, from the counts; nan with too few bins."""
+        gap, _log, weight = self._near_contact()
+        if len(gap) < 4:
             return math.nan
-        weight = self.g[near] / self.error[near]
-        fit = Polynomial.fit(self.distance[near] - self.contact_distance, np.log(self.g[near]), 2, w=weight)
-        return float(math.exp(fit(0.0)))
+        powers = np.vander(gap / self.contact_distance, 3, increasing=True) * weight[:, None]
+        return self.contact * float(math.sqrt(np.linalg.inv(powers.T @ powers)[0, 0]))
+
+    def _near_contact(self) -> tuple[Array, Array, Array]:
+        """Return gaps up to 1.25 contact distances, log g there, and the inverses of its errors."""
+        near = (self.distance < 1.25 * self.contact_distance) & (self.g > 0)
+        return self.distance[near] - self.contact_distance, np.log(self.g[near]), self.g[near] / self.error[near]
 
 
 class Measures:

@@ -177,6 +177,7 @@ def series(session: Session) -> dict[str, Any]:
                     "g": g.g.tolist(),
                     "error": g.error.tolist(),
                     "contact": g.contact,
+                    "contact_error": g.contact_error,
                 }
             )
     found["pair_correlation"] = pairs

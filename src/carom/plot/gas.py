@@ -322,10 +322,9 @@ def _pair_correlation(axes: Any, measures: Measures) -> None:
     elif many:
         axes.legend(frameon=False, fontsize=7.5, loc="upper right", handlelength=1.2, borderaxespad=0.2)
     else:
-        contact = measures.pair_correlation(*pairs[0]).contact
-        axes.text(
-            0.97, 0.95, f"at contact: {contact:.3f}", transform=axes.transAxes, ha="right", va="top", fontsize=7.5
-        )
+        one = measures.pair_correlation(*pairs[0])
+        text = f"at contact: {one.contact:.3f} ± {one.contact_error:.2g}"
+        axes.text(0.97, 0.95, text, transform=axes.transAxes, ha="right", va="top", fontsize=7.5)
 
 
 def _displacement(axes: Any, session: Session, measures: Measures) -> None:
