@@ -7,9 +7,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 from reference.sweep_scenes import table_scene
+from typer.testing import CliRunner
 
 import carom
-from carom import sweeps
+from carom import plot, sweeps
+from carom.cli import app
 from carom.core.jit.compile import limit_threads, thread_count
 from carom.scene.paths import replaced
 from carom.simulation.records import BALL, FLOOR, PHASE, WALL
@@ -248,3 +250,51 @@ def test_explain_estimates_and_writes_nothing(tmp_path: object) -> None:
     assert "speed 40 x angle 50" in repr(plan)
     assert made.store is not None
     assert made.store.attributes() is None
+
+
+def test_the_names_that_a_sweep_may_keep_are_all_listed() -> None:
+    """The message ended with "and 10 more", and no page had them."""
+    from carom.sweeps import gases, impacts, orbits, shots
+
+    page = (Path(__file__).parents[2] / "docs" / "howto" / "sweeps.md").read_text()
+    rows = {row.split("|")[1].strip(): row for row in page.splitlines() if row.startswith("| ")}
+    for row, names in (
+        ("an impact", impacts.OUTCOMES),
+        ("an orbit", orbits.OUTCOMES),
+        ("a gas", gases.TOTALS),
+        ("a gas", gases.OF_SPECIES),
+    ):
+        assert [name for name in names if f"`{name}`" not in rows[row] and f".{name}`" not in rows[row]] == []
+    assert ", ".join(shots.EVENT_KINDS) in rows["a scene"]
+    with pytest.raises(carom.CaromError, match="sweep: keep") as caught:
+        carom.sweep(carom.Space(sweeps.OrbitCase(table="circle"), {"radius": [1, 2]}), ["lyapunov.large"])
+    assert str(caught.value) == (
+        "sweep: keep: expected names among lyapunov.largest, lyapunov.error, lyapunov.spectrum, bounces.count, ended, time,"
+        " got 'lyapunov.large'; did you mean 'lyapunov.largest'?"
+    )
+
+
+def test_repeats_are_drawn_as_their_mean_with_its_error() -> None:
+    """They were drawn as a map over the parameter and the number of the repeat."""
+    case = sweeps.OrbitCase(table="sinai", law="mirror", bounces=100)
+    found = carom.sweep(carom.Space(case, {"radius": [0.2, 0.3, 0.4]}, repeats=4), ["lyapunov.largest"]).run()
+    values = found["lyapunov.largest"].values
+    (axes,) = plot.plot_sweep(found).axes
+    assert axes.lines[0].get_ydata() == pytest.approx(values.mean(axis=1), rel=1e-12)
+    (bars,) = axes.collections
+    ends = np.array([part[:, 1] for part in bars.get_segments()])
+    assert np.diff(ends, axis=1)[:, 0] == pytest.approx(2 * values.std(axis=1, ddof=1) / 2, rel=1e-9)
+    assert axes.get_ylabel() == "lyapunov.largest"
+    assert axes.figure.get_suptitle() == "lyapunov.largest, mean of 4 repeats ± standard error"
+    (axes,) = plot.plot_sweep(found, at={"repeat": 1}).axes
+    assert axes.lines[0].get_ydata().tolist() == values[:, 1].tolist()
+    assert len(plot.plot_sweep(found, x="radius", y="repeat").axes) == 2
+
+
+def test_points_without_an_outcome_are_named_with_their_reasons(tmp_path: Path) -> None:
+    case = sweeps.OrbitCase(table="sinai", law="mirror", bounces=20)
+    space = carom.Space(case, {"radius": [0.3, 0.6, 0.8]}, repeats=2)
+    carom.sweep(space, ["lyapunov.largest"], store=tmp_path / "s.zarr").run()
+    text = CliRunner().invoke(app, ["sweep", "status", str(tmp_path / "s.zarr")], catch_exceptions=False).stdout
+    why = "sinai: scatterers: expected room between them, got one that covers the cell; take a smaller one"
+    assert text.splitlines()[1:] == ["  without an outcome: 2 points (refused)", f"    radius = 0.8: {why} (2 times)"]

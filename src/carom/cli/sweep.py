@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import sys
+from collections import Counter
 from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -14,6 +15,7 @@ import typer
 from carom.cli.common import attempt, require_outputs, wrote
 from carom.cli.options import OUTPUT, RUN, shared
 from carom.errors import CaromError
+from carom.formatting import counted, format_number
 
 if TYPE_CHECKING:
     from collections.abc import Callable
@@ -26,6 +28,7 @@ FILE = Annotated[
 STORE = Annotated[
     str, typer.Argument(metavar="STORE", help="The store of a sweep: a folder, or an address (s3://...).")
 ]
+SHOWN_FAILURES, LOOKED_AT = 5, 100  # points without an outcome
 OWN_LAWS = Annotated[bool, shared("allow_own_laws")]
 JSON = Annotated[bool, shared("json")]
 
@@ -123,7 +126,7 @@ def run(
 
 
 def status(store: STORE, as_json: JSON = False, allow_own_laws: OWN_LAWS = False) -> None:
-    """Say how far a sweep is, and which of its points have no outcome."""
+    """Say how far a sweep is, how many of its points have no outcome, and why: of the first five."""
     _report(_stored(store, allow_own_laws), as_json, False)
 
 
@@ -288,7 +291,36 @@ def _report(made: Sweep, as_json: bool, quiet: bool) -> None:
         f" {found['blocks_done']:,} of {found['blocks']:,} blocks"
     )
     for reason, count in found["failed"].items():
-        say(f"  without an outcome: {count:,} points ({reason.replace('_', ' ')})")
+        say(f"  without an outcome: {counted(count, 'point')} ({reason.replace('_', ' ')})")
+    if found["failed"]:
+        for line in _first_failures(made):
+            say(f"    {line}")
+
+
+def _first_failures(made: Sweep) -> list[str]:
+    """Return the first points without an outcome, by their parameters, and why each one has none."""
+    import numpy as np
+
+    from carom.sweeps.dataset import open_dataset
+    from carom.sweeps.outcomes import FAILED
+
+    def words(value: Any) -> str:
+        return ", ".join(
+            format_number(x, 6) if isinstance(x, int | float) else str(x) for x in np.ravel(value).tolist()
+        )
+
+    codes = open_dataset(made)[FAILED].values
+    shown: Counter[str] = Counter()
+    for place in np.argwhere(codes > 0)[:LOOKED_AT]:
+        index = int(np.ravel_multi_index(tuple(place), codes.shape)) if codes.shape else 0
+        values = made.space.columns(index, index + 1)
+        point = ", ".join(f"{path} = {words(value)}" for path, value in values.items())
+        line = f"{point}: {made.why(*place)}"
+        if line in shown or len(shown) < SHOWN_FAILURES:  # (repeats are counted)
+            shown[line] += 1
+    left = int((codes > 0).sum()) - shown.total()
+    lines = [line if count == 1 else f"{line} ({count:,} times)" for line, count in shown.items()]
+    return [*lines, f"and {counted(left, 'more point')}"] if left else lines
 
 
 def _print(found: dict[str, Any]) -> None:

@@ -16,6 +16,7 @@ __all__ = ["plot_sweep"]
 
 MOST_PANELS = 16
 MAP = "viridis"
+REPEAT = "repeat"  # the dimension of repeated points
 # Colours of named outcomes (phases, pockets, laws): told apart in grey, and by those who see few colours (Okabe & Ito 2008).
 NAMED = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#56B4E9", "#D55E00", "#F0E442", "#666666", "#bbbbbb", "#44AA99")
 NOTHING = "#ececec"
@@ -31,6 +32,9 @@ def plot_sweep(
     at: Mapping[str, Any] | None = None,
 ) -> Any:
     """Draw an outcome of a sweep: a line over one dimension, a map over two, small multiples for a third.
+
+    Of numbers, the mean over repeats is drawn, along a line with its standard error, unless ``repeat`` is one of the dimensions
+    chosen.
 
     Parameters
     ----------
@@ -63,13 +67,18 @@ def plot_sweep(
     of = of or names[0]
     if of not in found:
         raise CaromError(f"plot: of: expected an outcome of {', '.join(names)}, got {of!r}{did_you_mean(of, names)}")
-    array, title = found[of], [of]
+    array, title, error = found[of], [of], None
     dims = [str(dim) for dim in array.dims]
     for option, dim in (("x", x), ("y", y), ("panels", panels), *(("at", dim) for dim in at or ())):
         if dim is not None and dim not in dims:
             raise CaromError(
                 f"plot: {option}: expected a dimension of {', '.join(dims)}, got {dim!r}{did_you_mean(dim, dims)}"
             )
+    named = REPEAT in (x, y, panels, *(at or {}))
+    if REPEAT in dims and not named and "flag_meanings" not in array.attrs:
+        array, error = _mean_over_repeats(array)
+        title.append(f"mean of {found.sizes[REPEAT]:,} repeats")
+        dims.remove(REPEAT)
     free = [dim for dim in dims if dim not in (at or {}) and dim not in (x, y, panels) and found.sizes[dim] > 1]
     own = [dim for dim in free if dim not in found["failed"].dims]  # (ball, axis)
     free = sorted((dim for dim in free if dim not in own), key=lambda dim: _is_named(found, dim))
@@ -80,7 +89,9 @@ def plot_sweep(
     panels = panels or (free.pop(0) if free and found.sizes[free[0]] <= MOST_PANELS else None)
     for dim in dims:
         if dim not in (x, y, panels):
-            array, said = _chosen(array, dim, (at or {}).get(dim))
+            value = (at or {}).get(dim)
+            error = None if error is None else _chosen(error, dim, value)[0]
+            array, said = _chosen(array, dim, value)
             if found.sizes[dim] > 1:
                 title.append(said)
     count = 1 if panels is None else found.sizes[panels]
@@ -88,7 +99,17 @@ def plot_sweep(
         raise CaromError(
             f"plot: panels: expected at most {MOST_PANELS} values, got {count} of {panels}; draw another dimension"
         )
-    return _draw(array, x, y, panels, ", ".join(title))
+    if error is not None and y is None:
+        title[1] += " ± standard error"
+    return _draw(array, error, x, y, panels, ", ".join(title))
+
+
+def _mean_over_repeats(array: Any) -> tuple[Any, Any]:
+    """Return mean and standard error over the repeats that have an outcome."""
+    known = array.where(array >= 0) if array.dtype.kind == "i" else array.where(np.isfinite(array))
+    count = known.notnull().sum(REPEAT)
+    mean, error = known.mean(REPEAT, keep_attrs=True), known.std(REPEAT, ddof=1) / np.sqrt(count)
+    return mean.rename(array.name), error.where(count > 1)
 
 
 def _is_named(found: Any, dim: str) -> bool:
@@ -130,7 +151,7 @@ def _label(array: Any, dim: str) -> str:
     return f"{dim} ({units})" if units else dim
 
 
-def _draw(array: Any, x: str, y: str | None, panels: str | None, title: str) -> Any:
+def _draw(array: Any, error: Any, x: str, y: str | None, panels: str | None, title: str) -> Any:
     with style():
         count = 1 if panels is None else array.sizes[panels]
         # (as few empty places as possible)
@@ -145,15 +166,18 @@ def _draw(array: Any, x: str, y: str | None, panels: str | None, title: str) -> 
         names = names.split() if isinstance(names, str) else names
         values = array.values.astype(float)
         numbers = values[np.isfinite(values) & ((values >= 0) | (not names))]
+        if error is not None and y is None:
+            spread = np.nan_to_num(error.transpose(*array.dims).values)
+            numbers = np.concatenate([part[np.isfinite(part)] for part in (values - spread, values + spread)])
         limits = (float(numbers.min()), float(numbers.max())) if numbers.size else (0.0, 1.0)
         for k in range(count):
-            one = array if panels is None else array.isel({panels: k})
+            one, bars = (part if panels is None or part is None else part.isel({panels: k}) for part in (array, error))
             axes = flat[k]
             if panels is not None:
                 coordinate = array[panels] if panels in array.coords else None
                 axes.set_title(f"{panels} {k if coordinate is None else _text(coordinate.values[k], coordinate)}")
             if y is None:
-                _line(axes, one, x, limits)
+                _line(axes, one, bars, x, limits)
             else:
                 drawn = _map(axes, one, x, y, limits, names)
             if k >= count - columns:
@@ -174,12 +198,15 @@ def _draw(array: Any, x: str, y: str | None, panels: str | None, title: str) -> 
         return figure
 
 
-def _line(axes: Any, one: Any, x: str, limits: tuple[float, float]) -> None:
+def _line(axes: Any, one: Any, error: Any, x: str, limits: tuple[float, float]) -> None:
     place = one[x].values if x in one.coords and one[x].dtype.kind not in "UO" else np.arange(one.sizes[x])
     if x in one.coords and one[x].dtype.kind in "UO":
         axes.set_xticks(place, [str(name) for name in one[x].values], rotation=30, ha="right")
     few = len(place) <= 40
-    axes.plot(place, one.values.astype(float), color=INK, lw=1.2, marker="o" if few else None, ms=3)
+    values = one.values.astype(float)
+    axes.plot(place, values, color=INK, lw=1.2, marker="o" if few else None, ms=3)
+    if error is not None:
+        axes.errorbar(place, values, yerr=error.values, fmt="none", ecolor=INK, elinewidth=0.9, capsize=2)
     space = 0.05 * (limits[1] - limits[0]) or 0.5
     axes.set_ylim(limits[0] - space, limits[1] + space)
 

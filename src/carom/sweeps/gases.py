@@ -18,7 +18,7 @@ WORD = 0xFFFFFFFF
 TOTALS = (
     "pair_collisions", "wall_collisions", "simulated_time", "mean_free_time", "pressure", "energy_from_thermostat",
     "energy_drift", "temperature_translational", "temperature_rotational", "temperature_ratio", "max_overlap", "events", "time",
-    "packing_fraction", "energy_start", "energy_end", "diffusion",
+    "packing_fraction", "energy_start", "energy_end", "energy_imbalance", "diffusion",
 )  # fmt: skip
 OF_SPECIES = (
     "temperature_translational",

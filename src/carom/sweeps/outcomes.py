@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, shortened_list, suggestion
+from carom.errors import CaromError, did_you_mean
 
 __all__ = ["FAILED", "FAILURES", "NOT_DONE", "Outcome", "blank", "require_outcomes"]
 
@@ -53,6 +53,5 @@ def require_outcomes(names: tuple[str, ...], known: list[str]) -> None:
     """Raise CaromError, with the nearest name, for names that are not known."""
     for name in names:
         if name not in known:
-            raise CaromError(
-                f"sweep: keep: expected outcomes of {shortened_list(known, 12)}, got {name!r:.60}; {suggestion(str(name), known)}"
-            )
+            hint = did_you_mean(str(name), known)
+            raise CaromError(f"sweep: keep: expected names among {', '.join(known)}, got {name!r:.60}{hint}")
