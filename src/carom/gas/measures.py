@@ -7,16 +7,15 @@ is in :func:`carom.gas.channels` and :class:`carom.gas.GasRun`.
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from carom.errors import CaromError, suggestion
 from carom.gas import containers
 from carom.gas.containers import Container
+from carom.gas.curves import Displacement, Distribution, PairCorrelation
 from carom.gas.edmd.driver import synchronized
 from carom.gas.gas import Gas
 from carom.gas.histograms import add_component_histograms, add_pair_histograms, species_sums
@@ -37,78 +36,6 @@ STATE = (
     "velocity_counts", "spin_counts", "fourth_moments", "temperatures", "pair_counts", "expected_pairs", "samples",
     "pair_samples", "rows", "followed",
 )  # fmt: skip
-
-
-@dataclass(frozen=True, eq=False)
-class Distribution:
-    """Distribution of the velocity or spin components of a species, in units of their standard deviation at each time."""
-
-    center: Array
-    """Of the bins, (B,), in standard deviations."""
-    density: Array
-    """Probability density, (B,)."""
-    error: Array
-    """Statistical error of the density, from the counts, (B,)."""
-    a2: float
-    """The fourth cumulant of d components, d <c^4> / ((d + 2) <c^2>^2) - 1: 0 for a Maxwellian."""
-
-    @property
-    def maxwell(self) -> Array:
-        """Return the Maxwellian of the same width, (B,)."""
-        density: Array = np.exp(-(self.center**2) / 2) / math.sqrt(2 * math.pi)
-        return density
-
-
-@dataclass(frozen=True, eq=False)
-class Displacement:
-    """Mean square displacement as a function of the lag time, averaged over starting times."""
-
-    lag: Array
-    square: Array
-    dimensions: int
-
-    @property
-    def diffusion(self) -> float:
-        """Diffusion coefficient in d dimensions: slope of the later two thirds over 2 d (Einstein); nan with too few lags."""
-        late = self.lag >= self.lag.max(initial=0.0) / 3
-        if late.sum() < 3 or not (self.square[late] > 0).all():
-            return math.nan
-        # the error of a mean square is proportional to it
-        line = Polynomial.fit(self.lag[late], self.square[late], 1, w=1 / self.square[late]).convert()
-        return float(line.coef[1] / (2 * self.dimensions))
-
-
-@dataclass(frozen=True, eq=False)
-class PairCorrelation:
-    """Pair correlation function g(r) of two species."""
-
-    distance: Array
-    """Of the centres, (B,): the middles of the bins."""
-    g: Array
-    error: Array
-    """Statistical error of g, from the counts, (B,)."""
-    contact_distance: float
-    """Distance of the centres in contact."""
-
-    @property
-    def contact(self) -> float:
-        """g at contact: a weighted parabola through log g up to 1.25 contact distances; nan with too few bins."""
-        gap, log, weight = self._near_contact()
-        return float(math.exp(Polynomial.fit(gap, log, 2, w=weight)(0.0))) if len(gap) >= 4 else math.nan
-
-    @property
-    def contact_error(self) -> float:
-        """Standard error of :attr:`contact`, from the counts; nan with too few bins."""
-        gap, _log, weight = self._near_contact()
-        if len(gap) < 4:
-            return math.nan
-        powers = np.vander(gap / self.contact_distance, 3, increasing=True) * weight[:, None]
-        return self.contact * float(math.sqrt(np.linalg.inv(powers.T @ powers)[0, 0]))
-
-    def _near_contact(self) -> tuple[Array, Array, Array]:
-        """Return gaps up to 1.25 contact distances, log g there, and the inverses of its errors."""
-        near = (self.distance < 1.25 * self.contact_distance) & (self.g > 0)
-        return self.distance[near] - self.contact_distance, np.log(self.g[near]), self.g[near] / self.error[near]
 
 
 class Measures:
@@ -315,7 +242,7 @@ class Measures:
             around = around + self.profiles.expected_density(j, i, distance) if i != j else around
         scale = np.divide(1.0, shells * around, out=np.full(self.bins, np.nan), where=around > 0)
         # every pair was counted from both sides, except where one ball was near a wall
-        return PairCorrelation(distance, counts * scale, np.sqrt(2 * counts) * scale, reach)
+        return PairCorrelation(distance, counts * scale, np.sqrt(2 * counts) * scale, reach, scale)
 
     @property
     def is_layered(self) -> bool:

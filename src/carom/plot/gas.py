@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.gas.containers import Container
+from carom.gas.curves import Distribution
 from carom.gas.edmd.records import PLANE
-from carom.gas.measures import Distribution, Measures
+from carom.gas.measures import Measures
 from carom.gas.report import UNITS_NOTE
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
