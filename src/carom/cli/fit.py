@@ -128,7 +128,8 @@ def fit(
     spin: Annotated[
         str | None,
         typer.Option(
-            help="Unmeasured spins before the wall: rad/s, or a prior: normal, normal:WIDTH, uniform:WIDTH (in v/a, about 0).",
+            help="Unmeasured spins before the wall: rad/s at the first contact of each ball (0: thrown without spin), or a prior:"
+            " normal, normal:WIDTH, uniform:WIDTH (in v/a, about 0).",
             show_default="normal, mean along v_t and width fitted",
             rich_help_panel=DATA,
         ),

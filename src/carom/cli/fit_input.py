@@ -11,11 +11,14 @@ from carom.errors import CaromError
 from carom.files import text_encoding
 
 if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
     from carom.data.published import Published
     from carom.data.rebounds import Rebounds
     from carom.fitting import Setting
 
-__all__ = ["chosen", "completed", "is_track", "own_set", "read"]
+__all__ = ["chosen", "completed", "first_contacts", "is_track", "own_set", "read"]
 
 
 def own_set(file: Path) -> Published | None:
@@ -179,17 +182,66 @@ def measured(
 
 
 def completed(rebounds: Rebounds, sigma_v: float | None, sigma_spin: float | None, spin: float | None) -> Rebounds:
-    """Fill in the error bars and spins given by options, where the table has none."""
+    """Fill in the error bars and spins given by options, where the table has none.
+
+    A spin is that before the first contact of a flight or shot: a ball that has met a wall spins differently.
+    """
     from dataclasses import replace
 
     import numpy as np
 
     columns, sigma = dict(rebounds.columns), dict(rebounds.sigma)
+    notes: tuple[str, ...] = ()
+    first = first_contacts(rebounds)
     for name, column in columns.items():
-        if spin is not None and name in ("spin_in", "spin_z_in"):
-            columns[name] = np.where(np.isnan(column), spin, column)
-        given = sigma_spin if name.startswith("spin") else sigma_v
         exact = spin is not None and name in ("spin_in", "spin_z_in")
+        if spin is not None and exact:
+            later = np.isnan(column) & ~first
+            columns[name] = np.where(np.isnan(column) & first, spin, column)
+            notes += _spin_note(len(rebounds), name, spin, int(first.sum()), int(later.sum()))
+        given = sigma_spin if name.startswith("spin") else sigma_v
         if given is not None and name not in sigma and np.isfinite(column).any() and not exact:
             sigma[name] = np.full(len(column), given)
-    return replace(rebounds, columns=columns, sigma=sigma)
+    return replace(rebounds, columns=columns, sigma=sigma, notes=(*rebounds.notes, *notes))
+
+
+def first_contacts(rebounds: Rebounds) -> NDArray[np.bool_]:
+    """Return which rows (N,) are the first contact of a ball in a film or shot; every row where the table has no such column.
+
+    The column ``bounce`` numbers the contacts of each ball. In a table without it, the first is the one with the lowest number in
+    the column ``contact`` of a film, shot and ball.
+    """
+    import numpy as np
+
+    from carom.data.cells import parse_numbers
+
+    def numbers(name: str) -> NDArray[np.float64]:
+        return parse_numbers([str(cell) for cell in rebounds.extra[name].tolist()]).values
+
+    every = np.ones(len(rebounds), bool)
+    if "bounce" in rebounds.extra:
+        return np.asarray(~(numbers("bounce") > 1))
+    if "contact" not in rebounds.extra:
+        return every
+    contact = numbers("contact")
+    names = [rebounds.extra[name].astype(str).tolist() for name in ("film", "shot", "ball") if name in rebounds.extra]
+    least: dict[tuple[str, ...], float] = {}
+    keys = list(zip(*names, strict=True)) if names else [()] * len(rebounds)
+    for key, number in zip(keys, contact.tolist(), strict=True):
+        least[key] = min(least.get(key, np.inf), number)
+    return np.array([not number > least[key] for key, number in zip(keys, contact.tolist(), strict=True)], bool)
+
+
+def _spin_note(rows: int, name: str, spin: float, first: int, later: int) -> tuple[str, ...]:
+    """Return a note where --spin does not hold for all rows. CaromError where it holds for none."""
+    if not later:
+        return ()
+    if not first:
+        raise CaromError(
+            f"--spin: expected rows that are the first contact of a ball (column bounce = 1), got {rows} later ones,"
+            " in which the ball spins already; omit the option"
+        )
+    return (
+        f"{name}: --spin {spin:g} holds for the first contact of a ball ({first} of {rows} rows); a ball that has bounced"
+        f" spins, so the later contacts ({later}) count as unmeasured",
+    )

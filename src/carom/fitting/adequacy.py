@@ -20,7 +20,7 @@ from carom.fitting.evidence import UNLIKELY
 from carom.fitting.model import feels_spins
 from carom.fitting.result import Fit, finite
 
-__all__ = ["Adequacy", "Coverage", "adequacy", "coverage"]
+__all__ = ["Adequacy", "Coverage", "adequacy", "coverage", "nothing_along_the_wall"]
 
 Array = NDArray[np.float64]
 LEAST_ROWS = 10  # for the test of residuals
@@ -127,6 +127,26 @@ def coverage(problem: Problem) -> Coverage:
     spin = (np.where(x[:, 1] < 0, -1.0, 1.0) * x[:, 2] * problem.setting.radius / speed)[np.isfinite(x[:, 2])]
     ends = None if not len(spin) else (float(spin.min()), float(spin.max()))
     return Coverage(len(x), (float(angle.min()), float(angle.max())), (float(speed.min()), float(speed.max())), ends)
+
+
+def nothing_along_the_wall(problem: Problem) -> bool:
+    """Return whether a ball in flight has no velocity along the wall and no spin within error bars, before and after, in all rows.
+
+    All laws predict the same then: a ball that is dropped straight down says nothing about friction. The test is the chi^2 of
+    all these numbers about 0. A ball that rolls on a table slips vertically at the wall, so this is never so there. A number
+    other than 0 without an error bar is taken as exact before the wall, and cannot be judged after it.
+    """
+    from scipy.stats import chi2 as distribution
+
+    if problem.rebounds.kind == "table":
+        return False
+    value = np.concatenate([problem.x[:, 1:], problem.y[:, 1:]], axis=1)
+    variance = np.concatenate([problem.vx[:, 1:], np.where(problem.estimated[1:], 0.0, problem.vy[:, 1:])], axis=1)
+    value, variance = value[np.isfinite(value)], variance[np.isfinite(value)]
+    if (value[variance == 0] != 0).any():
+        return False
+    value, variance = value[variance > 0], variance[variance > 0]
+    return not len(value) or float(distribution.sf((value**2 / variance).sum(), len(value))) > UNLIKELY
 
 
 def adequacy(fit: Fit) -> Adequacy:

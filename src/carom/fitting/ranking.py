@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 from carom.data.rebounds import Rebounds
 from carom.errors import CaromError, require_type
 from carom.files import require_library
-from carom.fitting.adequacy import Adequacy, Coverage, adequacy, coverage
+from carom.fitting.adequacy import Adequacy, Coverage, adequacy, coverage, nothing_along_the_wall
 from carom.fitting.cross_validation import cross_validated_score, score_warnings
 from carom.fitting.data import Setting, make_problem, require_settings
 from carom.fitting.evidence import Evidence, decisive, odds_in_words, verdict_words, weigh
@@ -17,7 +17,8 @@ from carom.fitting.fit import fit_law, kinked_rows_warning
 from carom.fitting.laws import laws_named
 from carom.fitting.model import SETTING_NUMBERS
 from carom.fitting.outliers import Outlier, outliers_of
-from carom.fitting.result import Fit, finite
+from carom.fitting.parameters import FORMS
+from carom.fitting.result import Fit, finite, with_error_bar
 from carom.fitting.uncertainty import with_bootstrap, with_profiles, with_shared
 from carom.laws.registry import one_or_several
 
@@ -28,6 +29,7 @@ LEAST_DATA = 4  # measured numbers for each fitted one, where the scatter is est
 PROFILE_WORK, MARGINAL_PROFILE_WORK, BOOTSTRAP_WORK = 3e3, 5e3, 3e3
 DRAWS = 200
 FIT_SHARE = 0.6  # of the progress bar
+RESTITUTIONS = tuple(dict.fromkeys(p.name for form in FORMS.values() for p in form.parameters))
 Say = Callable[[str, float], None]
 
 
@@ -73,7 +75,7 @@ class Ranking:
     """Which law, by what odds, whether it fits, and for which contacts, in words."""
     odds: float
     """Of the best law against the best that does not contain it; infinite where there is no other, NaN where rows without error
-    bars are too few."""
+    bars are too few, or have no velocity along the wall and no spin."""
     against: str
     """Name of that other law."""
     adequacy: Adequacy
@@ -235,14 +237,17 @@ def fit_laws(
     few = rival is not None and any(_too_few(fit) for fit in (best, rival))
     tell("outliers", 1.0)
     outliers, said = outliers_of(best)
-    verdict, swayed = _verdict(best, evidence, few, found, covers), bool(said)
+    straight = nothing_along_the_wall(problem)
+    verdict = _straight_verdict(best, found, covers) if straight else _verdict(best, evidence, few, found, covers)
+    swayed = bool(said)
     if swayed:
         which = f"{outliers[0].row} alone sways" if len(outliers) == 1 else f"{len(outliers)} outliers sway"
         verdict = f"{verdict} {which[0].upper() + which[1:]} this: remove rows that are not such bounces, or fit with --robust."
-    said += score_warnings(best.law.name, scores, rival.law.name if rival else "")
-    said += [warning for warning in (kinked_rows_warning(best),) if warning]
+    if not straight:
+        said += score_warnings(best.law.name, scores, rival.law.name if rival else "")
+        said += [warning for warning in (kinked_rows_warning(best),) if warning]
     return Ranking(
-        tuple(ranked), verdict, math.nan if few else evidence.odds, rival.law.name if rival else "",
+        tuple(ranked), verdict, math.nan if few or straight else evidence.odds, rival.law.name if rival else "",
         found, covers, tuple(outliers), tuple(dict.fromkeys([*notes, *said])), swayed,
     )  # fmt: skip
 
@@ -267,19 +272,39 @@ def _too_few(fit: Fit) -> bool:
     return bool(fit.scatter) and fit.problem.count < LEAST_DATA * fit.k
 
 
-def _verdict(best: Fit, evidence: Evidence, few: bool, found: Adequacy, covers: Coverage) -> str:
-    """Return the verdict in one sentence: which law, by what odds, how well it fits, and for which contacts."""
-    first, name = "", best.law.called
+def _misfit(best: Fit, found: Adequacy) -> str:
+    """Return why no law fits, as the beginning of the verdict; empty if the best one fits."""
     if not found.chi2_likely:
-        first = (
-            f"No law fits: the best, {name}, has chi^2 {best.chi2:.4g} for {best.dof} degrees of freedom; error bars would have"
-            f" to be {found.enlarge:.2g} times as large (--scatter fits what contacts scatter beyond them). With such error bars, "
+        return (
+            f"No law fits: the best, {best.law.called}, has chi^2 {best.chi2:.4g} for {best.dof} degrees of freedom; error bars"
+            f" would have to be {found.enlarge:.2g} times as large (--scatter fits what contacts scatter beyond them). With such"
+            " error bars, "
         )
-    elif not found.fits:
-        first = (
-            f"No law fits: the residuals of the best, {name}, depend on what came before ({found.pattern}, p ="
+    if not found.fits:
+        return (
+            f"No law fits: the residuals of the best, {best.law.called}, depend on what came before ({found.pattern}, p ="
             f" {found.pattern_probability:.1g}). Of laws that are all approximations, "
         )
+    return ""
+
+
+def _straight_verdict(best: Fit, found: Adequacy, covers: Coverage) -> str:
+    """Return the verdict on balls that have no velocity along the wall and no spin: the restitution, and no law."""
+    numbers = ", ".join(
+        f"{name} {with_error_bar(best.estimates[name])}" for name in RESTITUTIONS if name in best.estimates
+    )
+    said = (
+        "the rebounds say nothing about friction or which law holds: within the error bars the ball has no velocity along the wall"
+        f" and no spin, so all laws predict the same. Only the restitution is measured{': ' + numbers if numbers else ''}. Throw"
+        " the ball at an angle to the wall to measure friction"
+    )
+    first = _misfit(best, found)
+    return f"{first + said if first else said[0].upper() + said[1:]}. This is for contacts like these: {covers.in_words()}."
+
+
+def _verdict(best: Fit, evidence: Evidence, few: bool, found: Adequacy, covers: Coverage) -> str:
+    """Return the verdict in one sentence: which law, by what odds, how well it fits, and for which contacts."""
+    name, first = best.law.called, _misfit(best, found)
     if few:
         said = (
             f"these data cannot decide: too few rows, {best.problem.count} measured numbers for up to"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import replace
 from typing import Any, Literal
 
@@ -87,10 +88,11 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
     Returns
     -------
     Rebounds
-        One row per contact. Extra columns: shot, ball, wall, contact (its number), t (s); spin_source, the source of the spin
-        before the contact (tracked, rolling (inferred), sliding (fitted), none); covariance_v_n and covariance_v_t of the errors
-        before and after, m^2/s^2, which fits use; of a table also the slips on the floor (velocity less that of rolling, m/s,
-        with the axes and signs of v_n and v_t) with their errors, and the floor as estimated from the film.
+        One row per contact. Extra columns: shot, ball, wall, contact (its number in the film), bounce (its number among the
+        contacts of its ball in its shot), t (s); spin_source, the source of the spin before the contact (tracked, rolling
+        (inferred), sliding (fitted), none); covariance_v_n and covariance_v_t of the errors before and after, m^2/s^2, which fits
+        use; of a table also the slips on the floor (velocity less that of rolling, m/s, with the axes and signs of v_n and v_t)
+        with their errors, and the floor as estimated from the film.
 
     Raises
     ------
@@ -112,18 +114,21 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
     kind: Kind = "planar" if planar else "table"
     spin = "spin" if planar else "spin_z"
     rows: list[dict[str, Any]] = []
+    bounces: Counter[tuple[str, str]] = Counter()
     for number, one in enumerate(measured.contacts):
+        bounces[one.group, one.track] += 1
+        numbers = {"contact": number + 1, "bounce": bounces[one.group, one.track]}
         for name in usable_stages(one, stage, sliding)[0]:
-            rows.append(_row(one, number + 1, name, spin) | _floor(one, name, measured))  # noqa: PERF401
+            rows.append(_row(one, numbers, name, spin) | _floor(one, name, measured))  # noqa: PERF401
     if not rows:
         raise CaromError(_nothing(measured, stage, sliding))
-    numbers = [f"{side}_{which}" for which in ("in", "out") for side in ("v_n", "v_t", spin)]
-    columns = {name: np.array([row[name] for row in rows]) for name in numbers}
-    columns |= {f"sigma_{name}": np.array([row[f"sigma_{name}"] for row in rows]) for name in numbers}
+    speeds = [f"{side}_{which}" for which in ("in", "out") for side in ("v_n", "v_t", spin)]
+    columns = {name: np.array([row[name] for row in rows]) for name in speeds}
+    columns |= {f"sigma_{name}": np.array([row[f"sigma_{name}"] for row in rows]) for name in speeds}
     for name in (f"{spin}_in", f"{spin}_out"):
         if np.isnan(columns[name]).all():
             del columns[name], columns[f"sigma_{name}"]
-    read = {*numbers, *(f"sigma_{name}" for name in numbers), "stage"}
+    read = {*speeds, *(f"sigma_{name}" for name in speeds), "stage"}
     extra = {name: np.array([row[name] for row in rows]) for name in rows[0] if name not in read}
     table = make_rebounds(
         kind, columns, stage=None if planar else [row["stage"] for row in rows], extra=extra, source="tracks"
@@ -131,12 +136,12 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
     return replace(table, notes=(*table.notes, *energy_remarks(table, measured.radius, measured.kappa)))
 
 
-def _row(one: TrackContact, number: int, stage: str, spin: str) -> dict[str, Any]:
+def _row(one: TrackContact, numbers: dict[str, int], stage: str, spin: str) -> dict[str, Any]:
     fit = one.fit
     assert fit is not None
     out = ("vn_roll", "vt_roll") if stage == "rolling" else ("vn_out", "vt_out")
     row: dict[str, Any] = {
-        "shot": one.group, "ball": one.track, "wall": one.wall.name, "contact": number, "t": fit["t"],
+        "shot": one.group, "ball": one.track, "wall": one.wall.name, **numbers, "t": fit["t"],
         "sigma_t": fit.error("t"), "spin_source": _spin_source(one),
         "v_n_in": -fit["vn_in"], "sigma_v_n_in": fit.error("vn_in"),
         "v_t_in": fit["vt_in"], "sigma_v_t_in": fit.error("vt_in"),

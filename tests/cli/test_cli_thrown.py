@@ -1,0 +1,119 @@
+"""Films of a ball that is thrown or dropped, from the side: what is known of its spin, and what such rebounds cannot say."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from reference.commands import command, fails
+from reference.thrown_ball import KAPPA, RADIUS, as_csv, film, table, thrown
+
+from carom.cli.fit_input import completed, first_contacts
+from carom.data import make_rebounds, read_rebounds
+from carom.fitting import Setting, fit_laws
+from carom.tracks import Settings, measure, to_rebounds
+
+BALL = ("--radius", str(RADIUS), "--inertia", "hollow")
+FILMS = [
+    thrown(speed, height) for speed, height in ((2.0, 0.5), (2.5, 0.4), (3.0, 0.6), (3.5, 0.5), (4.0, 0.7), (4.5, 0.4))
+]
+
+
+@pytest.fixture
+def rebounds(tmp_path: Path) -> Path:
+    file = tmp_path / "rebounds.csv"
+    file.write_text(as_csv(table(FILMS)))
+    return file
+
+
+# --- a ball thrown without spin ---------------------------------------------------------------------------------------
+
+
+def test_spin_0_holds_for_the_first_bounce_only(rebounds: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("--spin", "0", "--laws", "sliding", "--no-profiles", "--bootstrap", "0", "--json")
+    code, out, err = command(capsys, "fit", str(rebounds), *BALL, *words)
+    assert code == 0, err
+    found = json.loads(out)
+    assert found["fits"], found["verdict"]
+    for name, true in (("restitution", 0.78), ("friction", 0.15)):
+        estimate = found["ranking"][0]["parameters"][name]
+        assert abs(estimate["value"] - true) < 4 * estimate["stderr"]
+        assert estimate["stderr"] < 1e-3
+    (note,) = [note for note in found["notes"] if "--spin" in note]
+    assert note == (
+        "spin_in: --spin 0 holds for the first contact of a ball (6 of 18 rows); a ball that has bounced spins, so the later"
+        " contacts (12) count as unmeasured"
+    )
+
+
+def test_the_first_contact_of_each_ball(rebounds: Path) -> None:
+    read = read_rebounds(rebounds, kind="planar")
+    assert first_contacts(read).tolist() == [True, False, False] * 6
+    # without a column of its own, by the numbers of all contacts of a film
+    numbers = {"film": np.array(["a", "a", "b", "b"]), "contact": np.array([2, 3, 1, 2])}
+    speeds = {"v_n_in": [1.0] * 4, "v_t_in": 0.5, "v_n_out": 0.8}
+    assert first_contacts(make_rebounds("planar", speeds, extra=numbers)).tolist() == [True, False, True, False]
+    # single bounces
+    assert first_contacts(make_rebounds("planar", speeds)).tolist() == [True] * 4
+    assert completed(make_rebounds("planar", speeds), None, None, 3.0)["spin_in"].tolist() == [3.0] * 4
+
+
+def test_a_table_without_a_first_contact_has_no_given_spin(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "later.csv"
+    file.write_text(as_csv(table([bounces[1:] for bounces in FILMS])).replace(",ball,1,", ",ball,3,"))
+    (line,) = [line for line in fails(capsys, "fit", str(file), *BALL, "--spin", "0") if "--spin" in line]
+    assert "expected rows that are the first contact of a ball (column bounce = 1), got 12 later ones" in line
+
+
+def test_tracks_number_the_bounces_of_each_ball() -> None:
+    measured = measure(
+        [film(FILMS[0]), replace(film(FILMS[1], seed=2), group="second")], Settings(view="side", radius=0.0)
+    )
+    found = to_rebounds(measured)
+    assert found.extra["bounce"].tolist() == [1, 2, 3, 1, 2, 3]
+    assert found.extra["contact"].tolist() == [1, 2, 3, 4, 5, 6]
+
+
+# --- a ball dropped straight down -------------------------------------------------------------------------------------
+
+
+def test_a_drop_says_nothing_about_friction(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "drop.csv"
+    file.write_text(as_csv(table([thrown(0.0, 1.2)])))
+    code, out, err = command(capsys, "fit", str(file), *BALL)
+    assert code == 0, err
+    told = " ".join(out.split())
+    assert "The rebounds say nothing about friction or which law holds" in told
+    assert "Only the restitution is measured: restitution 0.7" in told
+    assert "lean to" not in told
+    assert "do not rely on the verdict" not in err
+
+
+def test_a_drop_decides_nothing_with_or_without_error_bars() -> None:
+    columns = {name: [float(cell) for cell in cells] for name, cells in table([thrown(0.0, 1.2, count=6)]).items()
+               if "v_" in name}  # fmt: skip
+    setting = Setting(radius=RADIUS, kappa=KAPPA)
+    ranking = fit_laws(make_rebounds("planar", columns), setting, ["mirror", "sticking"], bootstrap=0, profiles=False)
+    bare = {"v_n_in": columns["v_n_in"], "v_n_out": columns["v_n_out"], "spin_in": [0.0] * 6}
+    without = fit_laws(make_rebounds("planar", bare), setting, ["mirror", "sticking"], bootstrap=0, profiles=False)
+    for one in (ranking, without):
+        assert "say nothing about friction" in one.verdict
+        assert not one.decisive
+        assert np.isnan(one.odds)
+
+
+def test_a_ball_that_slips_decides() -> None:
+    columns = table(FILMS)
+    numbers = {name: [float(cell) for cell in cells] for name, cells in columns.items() if "v_" in name}
+    rows = make_rebounds("planar", numbers | {"spin_in": [bounce[3] for one in FILMS for bounce in one]})
+    ranking = fit_laws(rows, Setting(radius=RADIUS, kappa=KAPPA), ["mirror", "sliding"], bootstrap=0, profiles=False)
+    assert ranking.best.law.name == "sliding"
+    assert "say nothing" not in ranking.verdict
+    # a ball that is dropped with a spin slips too
+    spun = make_rebounds("planar", {"v_n_in": [2.0, 3.0, 4.0], "v_t_in": 0.0, "spin_in": 50.0, "v_n_out": [1.6, 2.4, 3.2],
+                                    "v_t_out": [0.3, 0.31, 0.32], "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02})  # fmt: skip
+    ranking = fit_laws(spun, Setting(radius=RADIUS, kappa=KAPPA), ["mirror", "sliding"], bootstrap=0, profiles=False)
+    assert "say nothing" not in ranking.verdict
