@@ -393,6 +393,10 @@ def test_sets_that_come_with_carom_are_fitted_by_name(here, monkeypatch, capsys)
         (b"", "got an empty file"),
         (b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0", "got a picture (PNG)"),
         (b"\0\1\2\0", "not text"),
+        (
+            b"vx,vy,vx2,vy2\n1,2,3,4\n",
+            "got the columns vx, vy, vx2, vy2; a table of rebounds has the columns v_n_in, v_t_in, v_n_",
+        ),
     ],
 )
 def test_files_that_are_no_tables(here, monkeypatch, capsys, content, said):

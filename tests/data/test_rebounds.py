@@ -33,6 +33,12 @@ def same(one: Rebounds, other: Rebounds) -> None:
         np.testing.assert_array_equal(column, other.flat()[name])
 
 
+def test_missing_columns_are_listed_with_those_found(tmp_path: Path) -> None:
+    (fault,) = faults(tmp_path, "v_t_in,speed_out,spin_in,v_n_out\n1,2,0,1\n")
+    expected = "column 'v_n_in': expected this column for a planar bounce, got v_t_in, spin_in, v_n_out, speed_out"
+    assert fault.endswith(expected)
+
+
 def test_planar(tmp_path: Path) -> None:
     found = read_rebounds(put(tmp_path, f"{PLANAR},sigma_v_n_out\n1.5,0.5,,1.2,0.4,12.5,0.01\n2,1,3,1.5,0.9,,0.02\n"))
     assert found.kind == "planar"

@@ -201,7 +201,14 @@ def test_angle_and_spin(tmp_path: Path) -> None:
     ("text", "expected"),
     [
         ("", "empty file"),
-        ("hello\nworld\n", "a table with columns t, x and y can always be read"),
+        (
+            "hello\nworld\n",
+            "got a file that begins 'hello'; a table can always be read if its header is like 't [s],x [cm],y",
+        ),
+        (
+            "when,sideways,up\n0,1,2\n",
+            "got the columns when, sideways, up; a table can always be read if its header is like",
+        ),
         ("t,x [furlong],y [mm]\n0,1,2\n", "'x [furlong]': expected a unit"),
         ("t,x,y\n0,1 mm,2\n", "got '1 mm' at line 2; write units in the header"),
         ("t,x,y\n0,0,0\n0.2,1,1\n0.1,2,2\n", "expected increasing times, got 0.1 s after 0.2 s, at its row 3"),
@@ -230,6 +237,29 @@ def test_odd_units_and_doubled_times_are_said(tmp_path: Path) -> None:
     assert "one frame every 8 s" in said
     assert "the first is used" in said
     assert found.tracks[0].position[1].tolist() == [1200, 3]
+
+
+@pytest.mark.parametrize(
+    "header",
+    [
+        "t [s];x [cm];y [cm]", "time (s);x_cm;y_cm", "t/s;x/cm;y/cm", "t in s;x in cm;y in cm", "Time, sec;X, cm;Y, cm",
+        "Zeit (s);Position x (cm);Höhe (cm)", "Temps [s];distance [cm];hauteur [cm]", "time;pos_x/centimetres;height / cm",
+        "height [mm];t/s;x/cm;y/cm;distance [furlong]",
+    ],
+)  # fmt: skip
+def test_usual_names_and_units(tmp_path: Path, header: str) -> None:
+    before = "7;" if header.startswith("height") else ""
+    rows = "".join(f"{before}{k / 10};{k};{100 - k}\n" for k in range(4))
+    (track,) = read_tracks(put(tmp_path, f"{header}\n{rows}")).tracks
+    np.testing.assert_allclose(track.time, np.arange(4) / 10)
+    np.testing.assert_allclose(track.position, np.stack([np.arange(4), 100 - np.arange(4)], axis=-1) / 100)
+
+
+@pytest.mark.parametrize("header", ["frame,x/px,y/px", "frame,x in pixels,y in pixels", "frame,x [px],y (pixel)"])
+def test_pixels(tmp_path: Path, header: str) -> None:
+    file = put(tmp_path, f"{header}\n0,1,2\n1,2,4\n")
+    (track,) = read_tracks(file, calibration=Calibration(scale=0.01, rate=10)).tracks
+    np.testing.assert_allclose(track.position, [[0.01, -0.02], [0.02, -0.04]])
 
 
 def test_rows_without_times_are_the_frames_of_a_camera(tmp_path: Path) -> None:

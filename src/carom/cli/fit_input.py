@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from carom.cli.common import attempt, noting
 from carom.errors import CaromError
-from carom.files import text_encoding
+from carom.files import read_text, text_encoding
 
 if TYPE_CHECKING:
     import numpy as np
@@ -17,6 +17,11 @@ if TYPE_CHECKING:
     from carom.data.published import Published
     from carom.data.rebounds import Rebounds
     from carom.fitting import Setting
+
+REBOUND_COLUMNS = (
+    "v_n_in, v_t_in, v_n_out, v_t_out (m/s, toward the wall, along it, away from it, along it), and spin_in, spin_out if they were"
+    " measured (rad/s)"
+)
 
 __all__ = ["chosen", "completed", "first_contacts", "is_track", "own_set", "read"]
 
@@ -125,8 +130,19 @@ def is_track(file: Path) -> bool:
     codec = text_encoding(raw).codec
     if b"\0" in raw and codec == "utf-8":
         raise CaromError(f"{wanted}, got {_what(raw)}; export it as CSV from the program that made it")
-    head = raw.decode(codec, errors="replace").lower()
-    return not any(name in head for name in ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in"))
+    text = raw.decode(codec, errors="replace")
+    if any(name in text.lower() for name in ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in")):
+        return False
+    from carom.tracks.formats.columns import HEADER_EXAMPLE
+    from carom.tracks.read import format_of, got_instead
+
+    whole = read_text(file).replace("\r\n", "\n").replace("\r", "\n")
+    if format_of(whole) is None:
+        raise CaromError(
+            f"{wanted}, {got_instead(whole)}; a table of rebounds has the columns {REBOUND_COLUMNS}; a track is like"
+            f" {HEADER_EXAMPLE!r} (carom tracks show --help)"
+        )
+    return True
 
 
 def _what(raw: bytes) -> str:

@@ -71,7 +71,11 @@ SPELLINGS = {
     "1/s": "rad/s",
     "s^-1": "rad/s",
     "°": "deg",
-}
+    "sec": "s", "second": "s", "seconds": "s", "msec": "ms", "milliseconds": "ms",
+    "metre": "m", "metres": "m", "meter": "m", "meters": "m",
+    "centimetre": "cm", "centimetres": "cm", "centimeter": "cm", "centimeters": "cm",
+    "millimetre": "mm", "millimetres": "mm", "millimeter": "mm", "millimeters": "mm",
+}  # fmt: skip
 _DIMENSION_OF = {
     "m": "length", "m/s": "speed", "m/s^2": "acceleration", "kg": "mass", "s": "time", "rad/s": "spin",
 }  # fmt: skip

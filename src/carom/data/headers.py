@@ -1,7 +1,8 @@
 """Headers of tables: which quantity a column holds, and in which unit.
 
-A header is a known name, alone (SI units), with a unit at its end (``v_n_in_m_s``, ``radius_mm``) or with one in
-brackets (``velocity_x [mm/s]``). Case does not matter, nor does a space for an underscore.
+A header is a known name, alone (SI units), with a unit at its end (``v_n_in_m_s``, ``radius_mm``), with one in brackets
+(``velocity_x [mm/s]``), or with one after a slash, a comma or the word in (``radius/mm``, ``radius, mm``, ``radius in mm``).
+Case does not matter, nor does a space for an underscore.
 """
 
 from __future__ import annotations
@@ -48,6 +49,7 @@ STATE_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {
     **{f"normal_{k}": ("number", ()) for k in "xyz"},
 }
 BRACKETS = re.compile(r"^(.*?)\s*[\[(]([^\])]*)[\])]$")
+_NAME_AND_UNIT = re.compile(r"^(.*?\S)\s*(?:/|,|\bin\s)\s*(\S.*)$", re.IGNORECASE)
 # (the longest first: m_s before s)
 _SUFFIXES = sorted(
     {suffix for units in UNITS.values() for suffix in units if suffix}, key=lambda text: (-len(text), text)
@@ -106,7 +108,17 @@ class ColumnNames:
             unit = UNITS[dimension].get(text.removeprefix(alias + "_"))
             if unit is not None:
                 return Heading(name, alias, unit, "suffix", dimension)
-        return None
+        return self._with_unit_after_sign(header)
+
+    def _with_unit_after_sign(self, header: str) -> Heading | None:
+        """Return the meaning of ``x/cm``, ``x, cm`` or ``x in cm``; None unless both the name and the unit are known."""
+        found = _NAME_AND_UNIT.match(header.strip())
+        name = self.known.get(_normalized(found[1])) if found else None
+        if found is None or name is None:
+            return None
+        dimension = self.names[name][0]
+        unit = unit_named(found[2], dimension)
+        return None if unit is None else Heading(name, _normalized(found[1]), unit, "bracket", dimension)
 
 
 _STATE_NAMES = ColumnNames(STATE_COLUMNS)

@@ -26,7 +26,7 @@ from carom.data.cells import parse_numbers
 from carom.data.csv import CsvTable
 from carom.data.headers import BRACKETS, ColumnNames, missing_unit
 from carom.data.remarks import speed_remarks, which_rows
-from carom.errors import MAX_MAGNITUDE, CaromError, suggestion
+from carom.errors import MAX_MAGNITUDE, CaromError, shortened_list, suggestion
 from carom.files import as_path, atomic_file, import_optional
 
 if TYPE_CHECKING:
@@ -216,8 +216,9 @@ def make_rebounds(
     if "v_t_in" not in given and "v_t_out" not in given:
         given |= {"v_t_in": np.zeros(count), "v_t_out": np.zeros(count)}
         said.append("no v_t_in and v_t_out: taken as 0, normal incidence")
+    columns_given = shortened_list([*given, *(extra or {})]) or "none"
     faults += [
-        f"{source}: column {name!r}: expected this column for a {kind} bounce, got none"
+        f"{source}: column {name!r}: expected this column for a {kind} bounce, got {columns_given}"
         for name in names
         if name in ("v_n_in", "v_t_in") and name not in given
     ]
@@ -359,7 +360,7 @@ def read_rebounds(path: str | Path, *, kind: Kind | None = None, stage: str | No
     if faults:
         # check the columns as well, to report all problems at once
         try:
-            make_rebounds(kind, measured, stage=stages, rows=rows, source=str(path))
+            make_rebounds(kind, measured, stage=stages, extra=extra, rows=rows, source=str(path))
         except CaromError as error:
             already = {fault.split(": expected")[0] for fault in faults}
             faults += [fault for fault in error.faults if fault.split(": expected")[0] not in already]

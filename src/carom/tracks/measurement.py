@@ -15,7 +15,8 @@ from carom.tracks.contact import Settings, TrackContact, View
 from carom.tracks.contact_fits import ContactFitter, Progress
 from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
 from carom.tracks.floor import WithError
-from carom.tracks.plausibility import MIN_JUDGED, restitution_note, why_implausible
+from carom.tracks.free_fall import axis_points_down, constant_acceleration, what_would_give
+from carom.tracks.plausibility import GRAVITY_TOLERANCE, MIN_JUDGED, restitution_note, why_implausible
 from carom.tracks.preprocess import guess_view, initial_noise, on_camera_clock, rounding_step, without_outliers
 from carom.tracks.track import Track
 
@@ -134,6 +135,7 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, progress:
             "tracks: expected the balls' radius, since several were filmed together and may meet, got none;"
             " --radius 30.75mm, or --radius 0 if they cannot meet"
         )
+    _require_axis_up(seen, settings)
     film = Measured(
         tracks=tuple(seen), view="above", walls=(), events={}, contacts=(), noise=noise, noise_given=settings.noise is not None,
         step=step, interval=interval, blind=BlindTime(*(settings.blind or 0.0,) * 2), gravity=settings.gravity,
@@ -146,17 +148,34 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, progress:
     return replace(found, notes=(*notes, *found.notes, *restitution_note(found.contacts)))
 
 
+def _require_axis_up(tracks: Sequence[Track], settings: Settings) -> None:
+    """Raise CaromError if a ball filmed from the side falls upward."""
+    upward = axis_points_down(tracks, settings.gravity) if settings.view != "above" else 0.0
+    if upward:
+        raise CaromError(
+            f"tracks: expected positions that count upward, but the ball falls upward, with {upward:.3g} m/s^2: they count"
+            " downward, as in pictures; give --down (in Python, y with the other sign), or --view above if the ball is on a table"
+        )
+
+
+def _flight_gravity(tracks: Sequence[Track], gravity: float) -> float:
+    """Return the acceleration with which flights are fitted, m/s^2: gravity, or another if the ball falls with that throughout."""
+    fall = -constant_acceleration(tracks)
+    return fall if fall > 0 and abs(fall / gravity - 1) > GRAVITY_TOLERANCE else gravity
+
+
 def _in_likely_view(
     film: Measured, settings: Settings, groups: dict[str, list[Track]], progress: Progress | None
 ) -> Measured:
     """Measure in the view that the motion suggests; where the contacts are impossible there, in the other, if they are not."""
     view, why = guess_view(film.tracks, settings.gravity)
+    gravity = _flight_gravity(film.tracks, settings.gravity)
     other: View = "above" if view == "side" else "side"
     found = _in_view(film, view, settings, groups, progress)
-    wrong = why_implausible(found.contacts, view, found.floor, settings.gravity)
+    wrong = why_implausible(found.contacts, view, found.floor, gravity)
     if wrong:
         second = _in_view(film, other, settings, groups, progress)
-        wrong_too = why_implausible(second.contacts, other, second.floor, settings.gravity)
+        wrong_too = why_implausible(second.contacts, other, second.floor, gravity)
         if not wrong_too and len(second.measured) >= MIN_JUDGED:
             found, view, other, why, wrong = second, other, view, f"{OF_VIEW[view]}, {wrong}", ""
         else:
@@ -186,12 +205,23 @@ def _in_view(
         )
         for track in film.tracks
     }
-    job = ContactFitter(settings, view, {wall.name: wall for wall in walls}, film.interval, film.noise, film.blind)
+    gravity = _flight_gravity(film.tracks, settings.gravity) if view == "side" else settings.gravity
+    job = ContactFitter(
+        replace(settings, gravity=gravity),
+        view,
+        {wall.name: wall for wall in walls},
+        film.interval,
+        film.noise,
+        film.blind,
+    )
     notes: list[str] = []
     contacts = job.run(list(film.tracks), events, notes, progress)
     if not walls:
         notes.append("no wall found: no ball turns back at an extreme of the positions (--wall gives one)")
-    notes += _plausibility_notes(walls, events, job.floor, settings)
+    other = what_would_give(gravity, settings.gravity, film.interval) if gravity != settings.gravity else ""
+    notes += _plausibility_notes(
+        walls, events, job.floor.get("gravity", WithError(gravity, 0.0)).value, other, settings
+    )
     return replace(
         film, view=view, walls=walls, events=events, contacts=tuple(contacts), noise=job.noise, blind=job.blind,
         floor=job.floor, notes=tuple(notes),
@@ -199,19 +229,22 @@ def _in_view(
 
 
 def _plausibility_notes(
-    walls: Sequence[WallLine], events: dict[tuple[str, str], list[TrackEvent]], floor: dict[str, WithError],
+    walls: Sequence[WallLine], events: dict[tuple[str, str], list[TrackEvent]], gravity: float, other: str,
     settings: Settings,
 ) -> list[str]:  # fmt: skip
-    """Return notes on signs of a misplaced wall, or of a wrong scale, rate or view."""
+    """Return notes on signs of a misplaced wall, or of a wrong scale, rate or view.
+
+    ``gravity``: that of the film, m/s^2; ``other``: what would make it that of the settings, if that is known.
+    """
     met = {event.what for some in events.values() for event in some}
     notes = [
         f"wall {wall.name}: no ball reaches it; --wall is the line at which the ball's centre is reflected, in m"
         for wall in walls
         if not wall.found and wall.name not in met
     ]
-    if "gravity" in floor and not abs(floor["gravity"][0] / settings.gravity - 1) < 0.1:
+    if not abs(gravity / settings.gravity - 1) < 0.1:
         notes.append(
-            f"gravity is {floor['gravity'][0]:.3g} m/s^2 in this film instead of {settings.gravity:.3g}: is the scale (--scale),"
-            " the frame rate (--rate) or the view (--view) wrong?"
+            f"gravity is {gravity:.3g} m/s^2 in this film instead of {settings.gravity:.3g}: is the scale (--scale),"
+            f" the frame rate (--rate) or the view (--view) wrong?{f' {other[0].upper()}{other[1:]}' if other else ''}"
         )
     return notes

@@ -10,7 +10,7 @@ from carom.tracks.contact import TrackContact, View
 from carom.tracks.floor import WithError
 from carom.tracks.least_squares import ContactFit
 
-__all__ = ["MIN_JUDGED", "impossible", "restitution_note", "why_implausible"]
+__all__ = ["GRAVITY_TOLERANCE", "MIN_JUDGED", "impossible", "restitution_note", "why_implausible"]
 
 BEYOND = 3.0  # error bars by which a restitution has to exceed 1
 MAX_SHARE_IMPOSSIBLE, MAX_SHARE_SCATTERED = 0.2, 0.5

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.tracks.contact import View
+from carom.tracks.free_fall import MIN_FALLING_SHARE, constant_acceleration, falling_share
 from carom.tracks.track import Track
 
 __all__ = [
@@ -28,8 +29,6 @@ Array = NDArray[np.float64]
 MIN_INTERVAL_S = 1e-9  # between two frames: no camera is faster
 # Smallest share of the series (and at least two) that has to show the same rounding step: fast and resting balls show none.
 MIN_AGREEING_SHARE = 0.1
-# Pieces of a track that fall alike, if it was filmed from the side: most others hold a contact.
-MIN_FALLING_SHARE, MIN_ALIKE_SHARE, MIN_PIECES = 0.4, 0.6, 5
 # A position is wrong that lies so many times farther from a parabola through its six neighbours than any of them. Beside a contact
 # between these frames it lies 5.3 times as far at most, beside two contacts 11 times.
 OUTLYING = 12.0
@@ -281,30 +280,13 @@ def initial_noise(tracks: Sequence[Track], interval: float, step: tuple[float, f
 
 def guess_view(tracks: Sequence[Track], gravity: float) -> tuple[View, str]:
     """Return ``side`` if most pieces of the tracks fall with gravity, or with another constant acceleration; and the reason."""
-    falls, rises = [], []
-    for track in tracks:
-        t, y = track.time, track.position[:, 1]
-        size = max(8, int(0.12 / max(float(np.median(np.diff(t))), 1e-9))) if len(t) > 8 else len(t)
-        for low in range(0, max(len(t) - size, 1), max(size // 2, 1)):
-            rows = slice(low, low + size)
-            if len(t[rows]) >= 6:
-                falls.append(2 * np.polyfit(t[rows] - t[rows][0], y[rows], 2)[0])
-                rises.append(y[rows][-1] - y[rows][0])
-    fall, up = np.array(falls), np.array(rises) > 0
-    share = float((np.abs(fall + gravity) < 0.3 * gravity).mean()) if len(fall) else 0.0
+    share = falling_share(tracks, gravity)
     if share > MIN_FALLING_SHARE:
         return "side", f"in {100 * share:.0f} % of the track the ball falls with gravity"
-    middle = float(np.median(fall)) if len(fall) else 0.0
-    alike = np.abs(fall - middle) < 0.2 * abs(middle)
-    # friction slows a ball down whichever way it goes: a constant acceleration downward does not
-    if (
-        middle < 0
-        and len(fall) >= MIN_PIECES
-        and alike.mean() > MIN_ALIKE_SHARE
-        and 0 < (alike & up).sum() < alike.sum()
-    ):
+    fall = constant_acceleration(tracks)
+    if fall < 0:
         return "side", (
-            f"the ball falls with a constant acceleration, up and down; but it is {-middle:.3g} m/s^2: is the scale or the frame"
+            f"the ball falls with a constant acceleration, up and down; but it is {-fall:.3g} m/s^2: is the scale or the frame"
             " rate wrong?"
         )
     return "above", "the ball does not fall with gravity"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -22,12 +23,13 @@ from carom.tracks.formats import (
     trackmate,
     trackpy,
 )
-from carom.tracks.formats.text_table import Calibration
+from carom.tracks.formats.text_table import Calibration, first_rows
 from carom.tracks.frame_numbers import at_rate, without_rounding
-from carom.tracks.preprocess import MIN_INTERVAL_S
+from carom.tracks.free_fall import G, likely_unit
+from carom.tracks.preprocess import MIN_INTERVAL_S, position_noise
 from carom.tracks.track import Track
 
-__all__ = ["FORMATS", "Format", "TrackFile", "read_tracks"]
+__all__ = ["FORMATS", "Format", "TrackFile", "format_of", "got_instead", "read_tracks"]
 
 MIN_POSITIONS = 9  # fewer cannot hold a contact
 # Beyond these a number is damaged, or its unit wrong.
@@ -35,6 +37,7 @@ MAX_POSITION_M, MAX_TIME_S = 1e9, 1e9
 # Of films without a word on their unit: larger, smaller or faster than those that are taken of balls, in m and m/s.
 SMALLEST_FILM_M, LARGEST_FILM_M, FASTEST_BALL = 5e-3, 20.0, 80.0
 USUAL_SHARE = 0.9  # of the steps from frame to frame: the fastest may be errors
+MAX_NOISE_RATIO = 20.0  # of the two coordinates, in one unit
 JUMP_STEPS = 30.0  # times the usual step: no ball moves so far between two frames
 
 
@@ -128,12 +131,11 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
     text = read_text(path).replace("\r\n", "\n").replace("\r", "\n")
     if not text.strip():
         raise CaromError(f"{path}: expected a track, got an empty file")
-    name = format or next((name for name, one in FORMATS.items() if one.matches(text)), None)
+    name = format or format_of(text)
     if name is None:
-        first = text.strip().splitlines()[0][:60]
         raise CaromError(
-            f"{path}: expected a track of {', '.join(FORMATS)}, got a file that begins {first!r}; a table with columns t, x"
-            " and y can always be read; or name the format with --format"
+            f"{path}: expected a track of {', '.join(FORMATS)}, {got_instead(text)}; a table can always be read if its header"
+            f" is like {columns.HEADER_EXAMPLE!r} or 't/s;x/cm;height/cm'; or name the format with --format"
         )
     tracks = FORMATS[name].read(str(path), text, calibration)
     if not tracks or not any(track.seen.any() for track in tracks):
@@ -149,10 +151,38 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
         checked = without_rounding(checked, notes)
     checked = [_one_row_per_time(track, notes) for track in checked]
     checked = [track for track in checked if track.seen.any()]
+    if calibration.scale is None:
+        _require_likely_unit(checked, str(path))
     for track in checked:
         notes += [note for note in track.notes if note not in notes]
     _plausibility_notes(checked, notes)
     return TrackFile(path, name, tuple(checked), tuple(notes))
+
+
+def format_of(text: str) -> str | None:
+    """Return the format of a text, a key of FORMATS; None if it is none of them.
+
+    Examples
+    --------
+    >>> format_of("t [s],x [cm],y [cm]\\n0,1,2\\n"), format_of("vx,vy\\n1,2\\n")
+    ('columns', None)
+    """
+    return next((name for name, one in FORMATS.items() if one.matches(text)), None)
+
+
+def got_instead(text: str) -> str:
+    """Return what a text of no known format has, for a message: its columns, or how it begins.
+
+    Examples
+    --------
+    >>> got_instead("vx,vy\\n1,2\\n"), got_instead("Hello")
+    ('got the columns vx, vy', "got a file that begins 'Hello'")
+    """
+    rows = first_rows(text, 1)
+    cells = [cell.strip() for cell in rows[0] if cell.strip()] if rows else []
+    if len(cells) > 1 and not any(re.match(r"[-+.\d]", cell) for cell in cells):
+        return f"got the columns {', '.join(cells):.100}"
+    return f"got a file that begins {text.strip().splitlines()[0][:60]!r}"
 
 
 def _check(calibration: Calibration) -> None:
@@ -216,6 +246,16 @@ def _speeds(track: Track) -> NDArray[np.float64]:
     return np.asarray(np.divide(ways, steps, out=np.zeros_like(ways), where=steps > 0))
 
 
+def _require_likely_unit(tracks: list[Track], path: str) -> None:
+    """Raise CaromError if a ball falls as if lengths taken as m were in cm or mm."""
+    unit, fall = likely_unit([track.select(track.seen) for track in tracks])
+    if unit:
+        raise CaromError(
+            f"{path}: expected lengths in m, but then the ball falls with {fall:.3g} m/s^2, {fall / G:.3g} times gravity:"
+            f" they are probably in {unit}; give --scale 1{unit} (or --scale 1m if they are in m)"
+        )
+
+
 def _plausibility_notes(tracks: list[Track], notes: list[str]) -> None:
     """Add notes on signs of a wrong unit, several units in one file, or a ball that was lost and found elsewhere."""
     size = max(float(np.ptp(track.position[track.seen], axis=0).max()) for track in tracks)
@@ -230,7 +270,7 @@ def _plausibility_notes(tracks: list[Track], notes: list[str]) -> None:
             " pixel) tells it"
         )
         spans = np.array([np.ptp(track.position[track.seen], axis=0) for track in tracks]).max(axis=0)
-        if spans.max() > 100 * spans.min() > 0:
+        if spans.max() > 100 * spans.min() > 0 and not _equally_noisy(tracks):
             notes.append(
                 f"the axes span {' and '.join(f'{x:.3g}' for x in spans)} m: are both columns in the same unit?"
             )
@@ -244,6 +284,15 @@ def _plausibility_notes(tracks: list[Track], notes: list[str]) -> None:
         notes.append(f"{most} positions: too few for a contact, which needs 4 before it and 5 after it; film longer")
     for track in tracks:
         notes += _jumps(track)
+
+
+def _equally_noisy(tracks: list[Track]) -> bool:
+    """Return whether both coordinates have noise of the same size: then they have one unit, however different their spans."""
+    noise = [
+        max(position_noise(track.time[track.seen], track.position[track.seen][:, [axis]], np.nan) for track in tracks)
+        for axis in (0, 1)
+    ]
+    return 0 < max(noise) < MAX_NOISE_RATIO * min(noise)
 
 
 def _jumps(track: Track) -> list[str]:

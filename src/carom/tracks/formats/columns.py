@@ -15,20 +15,24 @@ from carom.errors import CaromError, suggestion
 from carom.tracks.formats.text_table import Calibration, TextTable, first_rows, require_calibration, split_rows
 from carom.tracks.track import Track
 
-__all__ = ["matches", "read"]
+__all__ = ["HEADER_EXAMPLE", "matches", "read"]
 
 PROGRAM = "columns"
+# Used only in a table without a column x or y: a table with them may have a height, or a distance, besides.
+X_WORDS = ("horizontal", "distance", "weite", "strecke", "abscisse", "abszisse")
+Y_WORDS = ("vertical", "height", "höhe", "hoehe", "hauteur", "altura", "altezza", "ordonnée", "ordinate")
+HEADER_EXAMPLE = "t [s],x [cm],y [cm]"
 NAMED = ColumnNames({
-    "time": ("time", ("t", "seconds")),
-    "x": ("length", ("x_long", "pos_x", "position_x")),
-    "y": ("length", ("y_short", "pos_y", "position_y")),
+    "time": ("time", ("t", "seconds", "zeit", "temps", "tiempo", "tempo")),
+    "x": ("length", ("x_long", "pos_x", "position_x", "x_pos", "x_position", "x_coordinate", *X_WORDS)),
+    "y": ("length", ("y_short", "pos_y", "position_y", "y_pos", "y_position", "y_coordinate", *Y_WORDS)),
     "z": ("length", ("pos_z", "position_z")),
     "angle": ("angle", ("theta", "orientation")),
     "spin": ("spin", ("omega", "spin_z")),
     "frame": ("number", ("frame_number", "image")),
 })  # fmt: skip
 GROUPS, NAMES = ("shot", "group", "game", "run", "trial"), ("ball", "track", "particle", "name", "id", "object")
-PIXELS = re.compile(r"^(x|y)\s*[\[(_ ]?\s*(px|pix|pixels?)\s*[\])]?$", re.IGNORECASE)
+PIXELS = re.compile(r"^(x|y)\s*(?:[\[(_ /,]|in\s)?\s*(px|pix|pixels?)\s*[\])]?$", re.IGNORECASE)
 
 
 def matches(text: str) -> bool:
@@ -40,8 +44,8 @@ def matches(text: str) -> bool:
 def _meanings(header: list[str]) -> tuple[dict[str, tuple[int, Heading | None]], dict[str, int], list[str]]:
     """Return quantity -> column and heading (None: pixels), identifier -> column, and faults of headers with unknown units."""
     found: dict[str, tuple[int, Heading | None]] = {}
+    spare: dict[str, tuple[int, Heading | None]] = {}
     who: dict[str, int] = {}
-    unknown = []
     for i, cell in enumerate(header):
         text = cell.strip().lower()
         pixels = PIXELS.match(text)
@@ -53,9 +57,14 @@ def _meanings(header: list[str]) -> tuple[dict[str, tuple[int, Heading | None]],
         elif text in NAMES:
             who.setdefault("name", i)
         elif meaning is not None:
-            if meaning.unit is None:
-                unknown.append(f"column {cell.strip()!r}: expected a unit, one of {meaning.units}")
-            found.setdefault(meaning.quantity, (i, meaning))
+            other = spare if meaning.alias in (*X_WORDS, *Y_WORDS) else found
+            other.setdefault(meaning.quantity, (i, meaning))
+    found = spare | found
+    unknown = [
+        f"column {header[i].strip()!r}: expected a unit, one of {meaning.units}"
+        for i, meaning in found.values()
+        if meaning is not None and meaning.unit is None
+    ]
     return found, who, unknown
 
 
@@ -71,7 +80,8 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
         if axis not in found:
             near = suggestion(axis, [cell.strip() for cell in header if cell.strip()])
             table.faults.append(
-                f"{name}: expected a column {axis} (with its unit, as in '{axis} [mm]'), got none; {near}"
+                f"{name}: expected a column {axis} (with its unit, as in '{axis} [mm]'), got none; {near};"
+                f" a header that is understood: {HEADER_EXAMPLE!r}"
             )
     counted = "time" not in found and "frame" not in found  # by the rows of a single ball
     if counted and (calibration.rate is None or who):

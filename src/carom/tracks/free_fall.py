@@ -1,0 +1,155 @@
+"""Free fall in tracks filmed from the side: its acceleration, and which unit, frame rate or axis would make it that of gravity."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.tracks.track import Track
+
+__all__ = [
+    "MIN_FALLING_SHARE",
+    "G",
+    "axis_points_down",
+    "constant_acceleration",
+    "falling_share",
+    "likely_unit",
+    "what_would_give",
+]
+
+Array = NDArray[np.float64]
+# Pieces of a track that fall alike, if it was filmed from the side: most others hold a contact.
+MIN_FALLING_SHARE, MIN_ALIKE_SHARE, MIN_PIECES = 0.4, 0.6, 5
+PIECE_S, PIECE_FRAMES = 0.12, 8
+# Frames of a piece; longer ones, where noise hides the acceleration in a short one (a film that runs slower than the ball did)
+MORE_FRAMES = (12, 16, 24, 32)
+MIN_SIDE_SHARE = 0.2  # of these pieces, in which the ball rises, and in which it falls
+MAX_PIECES = 400  # of a track
+GRAVITY_SHARE = 0.3  # of gravity, by which an acceleration may differ from it
+G = 9.80665  # m/s^2, of the unit that a file does not give
+UNIT_SHARE = 0.15
+UNITS = {"mm": 1e3, "cm": 1e2, "in": 1 / 0.0254}
+USUAL_RATES = (24, 25, 30, 48, 50, 60, 90, 100, 120, 200, 240, 300, 400, 480, 500, 600, 960, 1000)
+RATE_SHARE = 0.02
+
+
+def pieces(tracks: Sequence[Track], frames: int | None = None) -> tuple[Array, NDArray[np.bool_]]:
+    """Return the acceleration along the second axis (n,), m/s^2, of pieces of tracks, and whether the ball rises in them (n,).
+
+    Each piece is fitted by a parabola. ``frames``: length of a piece; by default 0.12 s, but at least 8 frames.
+    """
+    found: list[Array] = []
+    rises: list[NDArray[np.bool_]] = []
+    for track in tracks:
+        t, y = track.time, track.position[:, 1]
+        if len(t) < 6:
+            continue
+        step = max(float(np.median(np.diff(t))), 1e-9)
+        size = min(frames or max(PIECE_FRAMES, int(PIECE_S / step)), len(t))
+        start = np.arange(0, max(len(t) - size, 1), max(size // 2, 1))
+        start = start[:: len(start) // MAX_PIECES + 1]
+        rows = start[:, None] + np.arange(size)
+        middle, half = t[rows].mean(axis=1, keepdims=True), np.ptp(t[rows], axis=1)[:, None] / 2
+        u = (t[rows] - middle) / half
+        powers = np.stack([u**0, u, u**2], axis=-1)
+        across = powers.transpose(0, 2, 1)
+        fit = np.linalg.solve(across @ powers, across @ (y[rows] - y[rows].mean(axis=1, keepdims=True))[..., None])
+        found.append(2 * fit[:, 2, 0] / half[:, 0] ** 2)
+        rises.append(y[rows[:, -1]] > y[rows[:, 0]])
+    if not found:
+        return np.zeros(0), np.zeros(0, bool)
+    return np.concatenate(found), np.concatenate(rises)
+
+
+def constant_acceleration(tracks: Sequence[Track]) -> float:
+    """Return the acceleration along the second axis that most pieces of the tracks share, rising and falling; NaN if there is none.
+
+    Friction slows a ball down whichever way it goes, so on a table the two differ in sign.
+
+    Parameters
+    ----------
+    tracks : sequence of Track
+        Frames in which the ball was found.
+
+    Returns
+    -------
+    float
+        m/s^2; negative where the second axis points up.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.tracks import Track
+    >>> from carom.tracks.free_fall import constant_acceleration
+    >>> t = np.arange(80) / 200
+    >>> ball = Track("ball", t, np.stack([t, 1.0 + 2 * t - 9.81 / 2 * t**2], axis=-1))
+    >>> round(constant_acceleration([ball]), 3)
+    -9.81
+    """
+    for frames in (None, *MORE_FRAMES):
+        found, rises = pieces(tracks, frames)
+        if len(found) < MIN_PIECES:
+            break
+        middle = float(np.median(found))
+        alike = np.abs(found - middle) < 0.2 * abs(middle)
+        if alike.mean() > MIN_ALIKE_SHARE and 0 < (alike & rises).sum() < alike.sum():
+            return middle
+    return float("nan")
+
+
+def falling_share(tracks: Sequence[Track], gravity: float) -> float:
+    """Return the share of the pieces of some tracks that fall with gravity, m/s^2 (negative: upward)."""
+    found, _rises = pieces(tracks)
+    return float((np.abs(found + gravity) < GRAVITY_SHARE * abs(gravity)).mean()) if len(found) else 0.0
+
+
+def axis_points_down(tracks: Sequence[Track], gravity: float) -> float:
+    """Return the acceleration with which the ball falls upward, m/s^2, as it does if the second axis points down; else 0."""
+    if falling_share(tracks, -gravity) > MIN_FALLING_SHARE:
+        return gravity
+    return max(float(np.nan_to_num(constant_acceleration(tracks))), 0.0)
+
+
+def likely_unit(tracks: Sequence[Track]) -> tuple[str, float]:
+    """Return the unit in which lengths read as m probably are (cm, mm, in; empty: m), and the acceleration of the fall, m/s^2.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.tracks import Track
+    >>> from carom.tracks.free_fall import likely_unit
+    >>> t = np.arange(80) / 200
+    >>> ball = Track("ball", t, 100 * np.stack([t, 1.0 + 2 * t - 9.80665 / 2 * t**2], axis=-1))
+    >>> likely_unit([ball])[0]
+    'cm'
+    """
+    fall = abs(constant_acceleration(tracks))
+    found, rises = pieces(tracks)
+    for unit, ratio in UNITS.items():
+        if abs(fall / (ratio * G) - 1) < UNIT_SHARE:
+            return unit, fall
+        for sign in (-1, 1):
+            alike = np.abs(sign * found / (ratio * G) - 1) < GRAVITY_SHARE
+            up = (alike & rises).sum() / max(alike.sum(), 1)
+            if len(found) and alike.mean() > MIN_FALLING_SHARE and MIN_SIDE_SHARE < up < 1 - MIN_SIDE_SHARE:
+                return unit, float(np.median(np.abs(found[alike])))
+    return "", fall
+
+
+def what_would_give(fall: float, gravity: float, interval: float) -> str:
+    """Return which frame rate, or which scale, would make the acceleration of a fall that of gravity; both m/s^2, interval in s.
+
+    Examples
+    --------
+    >>> what_would_give(2.45, 9.80665, 1 / 60)
+    'at 120 frames per second instead of 60 (--rate), or with lengths 4 times as large (--scale), it would be 9.81 m/s^2'
+    """
+    ratio = gravity / fall
+    rate = ratio**0.5 / interval
+    rate = next((float(usual) for usual in USUAL_RATES if abs(rate / usual - 1) < RATE_SHARE), rate)
+    return (
+        f"at {rate:.3g} frames per second instead of {1 / interval:.4g} (--rate), or with lengths {ratio:.2g} times as large"
+        f" (--scale), it would be {gravity:.3g} m/s^2"
+    )
