@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -14,6 +15,7 @@ from reference.thrown_ball import KAPPA, RADIUS, as_csv, film, table, thrown
 from carom.cli.fit_input import completed, first_contacts
 from carom.data import make_rebounds, read_rebounds
 from carom.fitting import Setting, fit_laws
+from carom.plot.tracks import plot_tracks
 from carom.tracks import Settings, measure, to_rebounds
 
 BALL = ("--radius", str(RADIUS), "--inertia", "hollow")
@@ -117,3 +119,43 @@ def test_a_ball_that_slips_decides() -> None:
                                     "v_t_out": [0.3, 0.31, 0.32], "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02})  # fmt: skip
     ranking = fit_laws(spun, Setting(radius=RADIUS, kappa=KAPPA), ["mirror", "sliding"], bootstrap=0, profiles=False)
     assert "say nothing" not in ranking.verdict
+
+
+# --- what is shown of such a film -------------------------------------------------------------------------------------
+
+
+def test_the_restitution_of_each_contact_is_shown(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    track = film(thrown(1.0, 1.2), noise=4e-4)
+    file = tmp_path / "film.csv"
+    cells = np.column_stack([track.time, track.position[:, 0], np.round(track.position[:, 1], 3)])
+    np.savetxt(file, cells, delimiter=",", header="t [s],x [m],y [m]", comments="", fmt="%.5f")
+    for width, shown in (("90", True), ("80", True), ("70", False)):
+        monkeypatch.setenv("COLUMNS", width)
+        code, out, _err = command(capsys, "tracks", "show", str(file))
+        assert code == 0
+        assert ("out/in" in out) is shown
+        rows = [line for line in out.splitlines() if "bottom " in line]
+        assert len(rows) == 3
+        assert rows[0].startswith("bottom" if width == "80" else "ball bottom")
+        assert max(len(row.rstrip()) for row in rows) <= int(width)
+        if shown:
+            for row in rows:
+                value, _, error = row.split()[-1].rstrip(")").partition("(")
+                places = len(value.split(".")[1])
+                assert abs(float(value) - 0.78) < 4 * int(error) * 10**-places
+                assert int(error) * 10**-places < 0.01
+        assert "; the file rounds y to 1" in out
+
+
+def test_a_narrow_track_has_room_for_its_ticks() -> None:
+    figure = plot_tracks(measure([film(thrown(0.0, 1.2))], Settings(view="side")))
+    figure.draw_without_rendering()
+    paths = figure.axes[0]
+    boxes = [label.get_window_extent() for label in paths.get_xticklabels() if label.get_visible() and label.get_text()]
+    low, high = paths.get_window_extent().x0, paths.get_window_extent().x1
+    boxes = [box for box in boxes if low <= (box.x0 + box.x1) / 2 <= high]
+    assert len(boxes) >= 2
+    assert all(one.x1 < other.x0 for one, other in pairwise(boxes))
+    assert paths.get_window_extent().width > 0.3 * paths.get_window_extent().height

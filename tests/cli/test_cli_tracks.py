@@ -310,11 +310,19 @@ def test_no_number_is_cut_off_without_noise(
     file.write_text(
         "ball,t [s],x [m],y [m]\n" + "".join(f"a ball with a long name,{a!r},{b!r},{c!r}\n" for a, b, c in rows)
     )
-    code, told, _notes = run(capsys, monkeypatch, str(file), "--view", "side", "--noise", "1e-12")
-    assert code == 0
-    assert "…" not in told
-    assert "a ball with a long name bottom 0.3000 2.000000(0)" in told
-    assert "1.600000(0)" in told
+    # (the only ball is named in its row of the summary; beside its contacts too where there is room)
+    for width, row in (
+        ("120", "a ball with a long name bottom 0.3000 2.000000(0)"),
+        ("80", "\nbottom 0.3000 2.000000(0)"),
+    ):
+        monkeypatch.setenv("COLUMNS", width)
+        code, told, _notes = run(capsys, monkeypatch, str(file), "--view", "side", "--noise", "1e-12")
+        assert code == 0
+        assert "…" not in told
+        assert "a ball with a long name: 60 positions" in told
+        assert row in told
+        assert "1.600000(0)" in told
+        assert "0.800000(0)" in told
 
 
 def test_carom_fit_reads_many_films(

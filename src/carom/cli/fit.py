@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.common import attempt, noting, require_outputs, tell, write_report_page
-from carom.cli.fit_input import chosen, completed, is_track, own_set, read
+from carom.cli.fit_input import chosen, completed, is_track, own_set, read, with_height_note
 from carom.cli.options import (
     OUTPUT,
     REBOUNDS,
@@ -243,6 +243,8 @@ def fit(
     _read(rebounds, ours is None and is_track(file), {"--scale": scale, "--rate": rate, "--view": view},
           {"--contact-height": contact_height, "--floor-friction": floor_friction,
            "--floor-restitution": floor_restitution or None, "--roll": None if roll == 1 else roll})  # fmt: skip
+
+    rebounds = with_height_note(rebounds, contact_height, ours is not None or "contact_height" in {*extra, *fixed})
 
     def ready(rows: Rebounds) -> Rebounds:
         return completed(chosen(rows, where or []), sigma_v, sigma_spin, every_spin)

@@ -23,7 +23,7 @@ REBOUND_COLUMNS = (
     " measured (rad/s)"
 )
 
-__all__ = ["chosen", "completed", "first_contacts", "is_track", "own_set", "read"]
+__all__ = ["chosen", "completed", "first_contacts", "is_track", "own_set", "read", "with_height_note"]
 
 
 def own_set(file: Path) -> Published | None:
@@ -219,6 +219,19 @@ def completed(rebounds: Rebounds, sigma_v: float | None, sigma_spin: float | Non
         if given is not None and name not in sigma and np.isfinite(column).any() and not exact:
             sigma[name] = np.full(len(column), given)
     return replace(rebounds, columns=columns, sigma=sigma, notes=(*rebounds.notes, *notes))
+
+
+def with_height_note(rebounds: Rebounds, height: float | None, known: bool) -> Rebounds:
+    """Add a note to rebounds on a table where the height of the contact is assumed: neither given nor ``known`` otherwise."""
+    from dataclasses import replace
+
+    if height is not None or known or rebounds.kind != "table":
+        return rebounds
+    note = (
+        "contact_height: not given; assumed to be 1, a wall that touches the ball level with its centre; the nose of a cushion"
+        " touches it higher (--contact-height, nose height / radius: mostly 1.2 to 1.4)"
+    )
+    return replace(rebounds, notes=(note, *rebounds.notes))
 
 
 def first_contacts(rebounds: Rebounds) -> NDArray[np.bool_]:

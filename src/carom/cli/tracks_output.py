@@ -14,6 +14,8 @@ from rich.text import Text
 from carom.formatting import counted, format_length, format_number
 
 if TYPE_CHECKING:
+    from rich.table import Table
+
     from carom.tracks.contact import TrackContact
     from carom.tracks.measurement import Measured
     from carom.tracks.read import TrackFile
@@ -21,6 +23,7 @@ if TYPE_CHECKING:
 __all__ = ["facts", "grouped_reasons", "tell", "tell_contacts"]
 
 MAX_TRACKS, MAX_ROWS = 12, 30
+RATIO = "out/in"  # of v_n: the restitution
 MAX_DECIMALS = 6  # a micrometre per second
 NUMBER = re.compile(r"(?<![\w.])-?\d+(?:\.\d+)?(?:e[-+]?\d+)?(?![\w.])")
 
@@ -90,8 +93,8 @@ def tell(console: Console, found: TrackFile, measured: Measured) -> None:
     rows.add_row(
         "camera", f"{1 / measured.interval:.5g} frames per second" if measured.interval > 0 else "frame rate unknown"
     )
-    steps = ", ".join(format_length(x) if x else "no step" for x in measured.step)
-    rounded = f"; positions rounded to {steps}" if any(measured.step) else ""
+    steps = [f"{axis} to {format_length(x)}" for axis, x in zip("xy", measured.step, strict=True) if x]
+    rounded = f"; the file rounds {' and '.join(steps)}" if steps else ""
     rows.add_row(
         "noise", f"{format_length(measured.noise)} {'(given)' if measured.noise_given else '(estimated)'}{rounded}"
     )
@@ -131,18 +134,10 @@ def _label(*names: str) -> str:
 
 def tell_contacts(console: Console, films: Sequence[tuple[str, Measured]], stage: str, sliding: bool) -> None:
     """Print the contacts of some films, each with its name (empty for a single film), and why the others were not measured."""
-    from rich.table import Table
-
     from carom.tracks.plausibility import impossible
     from carom.tracks.rebounds import usable_stages
 
-    console.print(
-        "\nVelocities before (v_n toward the wall) and after the contact (v_n away from it), v_t along the wall, m/s",
-        soft_wrap=True,
-    )
-    table = Table(box=None, padding=(0, 1, 0, 0), header_style="dim")
-    for head in ("ball", "wall", "t, s", "v_n in", "v_t in", "v_n out", "v_t out", "stage"):
-        table.add_column(head, justify="left" if head in ("ball", "wall", "stage") else "right", no_wrap=True)
+    rows: list[tuple[str, ...]] = []
     whys: list[str] = []
     shown = total = 0
     for film, measured in films:
@@ -164,9 +159,17 @@ def tell_contacts(console: Console, films: Sequence[tuple[str, Measured]], stage
                          (("vn_in", -1), ("vt_in", 1), (f"vn_{tail}", 1), (f"vt_{tail}", 1))]  # fmt: skip
                 label = _label(film, one.group, one.track)
                 flag = "restitution above 1" if impossible(one) else ""
-                table.add_row(label, one.wall.name, f"{one.time:.4f}", *cells, _label("" if one.planar else name, flag))
+                restitution = "" if name == "rolling" else _restitution(one)
+                end = _label("" if one.planar else name, flag)
+                rows.append((label, one.wall.name, f"{one.time:.4f}", *cells, restitution, end))
+    contacts, heads = _contacts_table(console, rows)
+    console.print(
+        "\nVelocities before (v_n toward the wall) and after the contact (v_n away from it), v_t along the wall, m/s"
+        + (f"; {RATIO}: restitution, v_n out / v_n in" if RATIO in heads else ""),
+        soft_wrap=True,
+    )
     if shown:
-        console.print(table)
+        console.print(contacts)
         console.print(
             "Parentheses give the uncertainty in the last digits: 1.2292(12) is 1.2292 ± 0.0012",
             style="dim",
@@ -180,6 +183,41 @@ def tell_contacts(console: Console, films: Sequence[tuple[str, Measured]], stage
     )
     for count, why in grouped_reasons(whys):
         console.print(f"  {count} × {why}", soft_wrap=True)
+
+
+def _contacts_table(console: Console, rows: Sequence[tuple[str, ...]]) -> tuple[Table, list[str]]:
+    """Return the table of contacts, and its heads. The restitution is shown where the console has room for it, if need be without
+    the ball, where there is only one."""
+    from rich.table import Table
+
+    heads = ("ball", "wall", "t, s", "v_n in", "v_t in", "v_n out", "v_t out", RATIO, "stage")
+    every = [i for i, head in enumerate(heads) if any(row[i] for row in rows) or head not in ("stage", RATIO)]
+    wide = [max([len(head), *(len(row[i]) for row in rows)]) + 1 for i, head in enumerate(heads)]
+    one_ball = len({row[0] for row in rows}) == 1
+    choices = [every, every[1:] if one_ball else every]
+    used = next(
+        (some for some in choices if sum(wide[i] for i in some) <= console.width + 1),
+        [i for i in every if heads[i] != RATIO],
+    )
+    table = Table(box=None, padding=(0, 1, 0, 0), header_style="dim")
+    for i in used:
+        left = heads[i] in ("ball", "wall", "stage")
+        table.add_column(heads[i], justify="left" if left else "right", no_wrap=True)
+    for row in rows:
+        table.add_row(*(row[i] for i in used))
+    return table, [heads[i] for i in used]
+
+
+def _restitution(one: TrackContact) -> str:
+    """Return the ratio of the normal speeds after and before a contact, with its uncertainty."""
+    assert one.fit is not None
+    before, after = -one.fit["vn_in"], one.fit["vn_out"]
+    if not before > 0 or not after > 0:
+        return ""
+    ratio, (v, w) = after / before, (one.fit.error("vn_in") / before, one.fit.error("vn_out") / after)
+    # the fit's v_n before the contact is negative
+    shared = 2 * one.fit.covariance_of("vn_in", "vn_out") / (before * after)
+    return _uncertain(ratio, ratio * math.sqrt(max(v**2 + w**2 + shared, 0.0)))
 
 
 def _without_names(why: str, names: Iterable[str]) -> str:
@@ -218,7 +256,10 @@ def _with_ranges(pattern: str, rows: Sequence[Sequence[str]]) -> str:
 def _with_error(one: TrackContact, name: str, sign: int) -> str:
     """Return a value with its uncertainty in the last two digits: 1.2292(12) is 1.2292 ± 0.0012."""
     assert one.fit is not None
-    value, error = sign * one.fit[name], one.fit.error(name)
+    return _uncertain(sign * one.fit[name], one.fit.error(name))
+
+
+def _uncertain(value: float, error: float) -> str:
     digits = 1 - math.floor(math.log10(error)) if 0 < error < 1 else 1 if error else MAX_DECIMALS
     digits = min(digits, MAX_DECIMALS)
     return f"{value:.{digits}f}({error * 10**digits:.0f})"

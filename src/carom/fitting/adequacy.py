@@ -23,6 +23,7 @@ from carom.fitting.result import Fit, finite
 __all__ = ["Adequacy", "Coverage", "adequacy", "coverage", "nothing_along_the_wall"]
 
 Array = NDArray[np.float64]
+SELDOM = 0.05  # probability of a chi^2 below which it is called large
 LEAST_ROWS = 10  # for the test of residuals
 OUTPUTS = ("v_n", "v_t", "spin")
 # With fewer rows, or a smaller range, odds do not apply to other contacts
@@ -65,6 +66,8 @@ class Adequacy:
     def in_words(self) -> str:
         """Return the tests that the law passes, in words."""
         chi2 = f"its chi^2 is as expected (p = {self.chi2_probability:.2g})"
+        if self.chi2_probability < SELDOM:
+            chi2 = f"its chi^2 is large, but not large enough to reject it (p = {self.chi2_probability:.2g})"
         if not math.isnan(self.chi2_probability):
             return chi2
         why = "with a fitted scatter" if self.scattered else "without error bars"

@@ -19,6 +19,7 @@ Array = NDArray[np.float64]
 BLUE, ORANGE = "#0072B2", "#D55E00"
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 MAX_FRAMES_SHOWN = 12.0
+MIN_WIDTH_SHARE, MAX_TICKS = 0.4, 6  # of the paths: the narrow side as a share of the long one, ticks of the long one
 LINE_TOP = 0.87  # height of the lines at contacts, below the legend, as a fraction of the panel
 
 
@@ -101,12 +102,26 @@ def _plot_paths(axes: Any, measured: Measured) -> None:
     side = measured.view == "side"
     axes.set(aspect="equal", xlabel="x, m", ylabel="height, m" if side else "y, m")
     axes.set_title("From the side" if side else "From above", loc="left")
-    axes.margins(0.05)
+    _widen_limits(axes)
     handles, _labels = axes.get_legend_handles_labels()
     if 0 < len(handles) <= 8:
         axes.legend(
             loc="lower center", bbox_to_anchor=(0.5, 1.04), ncols=3, frameon=False, fontsize=7.5, columnspacing=1.2
         )
+
+
+def _widen_limits(axes: Any) -> None:
+    """Set limits with a margin; a track that is nearly a line gets room beside it, and only as many ticks as fit there."""
+    from matplotlib.ticker import MaxNLocator
+
+    low, high = np.array(axes.dataLim.min), np.array(axes.dataLim.max)
+    reach = float((high - low).max()) or 1.0
+    half = np.maximum((high - low) / 2 + 0.05 * reach, MIN_WIDTH_SHARE * reach / 2)
+    for axis, limits, middle, room in zip(
+        (axes.xaxis, axes.yaxis), (axes.set_xlim, axes.set_ylim), (low + high) / 2, half, strict=True
+    ):
+        limits(middle - room, middle + room)
+        axis.set_major_locator(MaxNLocator(max(round(MAX_TICKS * room / half.max()), 2)))
 
 
 def _contact_position(one: TrackContact) -> Array:
