@@ -107,6 +107,20 @@ def test_a_drop_decides_nothing_with_or_without_error_bars() -> None:
         assert np.isnan(one.odds)
 
 
+def test_speeds_before_and_after_are_enough_for_the_restitution(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    file = tmp_path / "speeds.csv"
+    file.write_text("v_n_in [m/s];v_n_out [m/s]\n" + "".join(f"{v};{0.78 * v + e}\n".replace(".", ",") for v, e in
+                    ((1.0, 0.01), (1.5, -0.01), (2.0, 0.0), (2.5, 0.01), (3.0, -0.01))))  # fmt: skip
+    code, out, err = command(capsys, "fit", str(file), *BALL, "--kind", "planar")
+    assert code == 0, err
+    told = " ".join(out.split())
+    assert "Only the restitution is measured: restitution 0.77" in told
+    assert "lean to" not in told
+    assert "spin_in: not measured; taken as 0" in " ".join(err.split())
+
+
 def test_a_ball_that_slips_decides() -> None:
     columns = table(FILMS)
     numbers = {name: [float(cell) for cell in cells] for name, cells in columns.items() if "v_" in name}

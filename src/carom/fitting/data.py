@@ -220,10 +220,7 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
     names = COLUMNS[rebounds.kind]
     x = np.stack([rebounds[name] for name in names[:3]], axis=-1)
     y = np.stack([rebounds[name] for name in names[3:]], axis=-1)
-    notes = []
-    square = not rebounds["v_t_in"].any() and not rebounds["v_t_out"].any()
-    if square:
-        y[:, 1] = np.nan
+    notes = _without_tangential(rebounds, x, y)
     spins = names[5]
     seen = np.isfinite(y)
 
@@ -283,6 +280,17 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
         )
     notes += _warnings(problem, spins)
     return problem, notes
+
+
+def _without_tangential(rebounds: Rebounds, x: Array, y: Array) -> list[str]:
+    """Leave out of x and y (N, 3) what tells nothing where all balls come straight at the wall, and return a note on it."""
+    if rebounds["v_t_in"].any() or rebounds["v_t_out"].any():
+        return []
+    y[:, 1] = np.nan
+    if rebounds.kind == "table" or not np.isnan(x[:, 2]).any() or not np.isnan(y[:, 2]).all():
+        return []
+    x[:, 2] = np.nan_to_num(x[:, 2])
+    return ["spin_in: not measured; taken as 0, since nothing along the wall was measured either"]
 
 
 def _no_scatter(rebounds: Rebounds, setting: Setting, lacks: str) -> list[str]:
