@@ -255,6 +255,17 @@ def test_usual_names_and_units(tmp_path: Path, header: str) -> None:
     np.testing.assert_allclose(track.position, np.stack([np.arange(4), 100 - np.arange(4)], axis=-1) / 100)
 
 
+def test_tracker_with_units_in_its_header(tmp_path: Path) -> None:
+    text = "mass A\t\t\nt (ms)\tx (cm)\ty (cm)\n0\t1\t2\n100\t2\t4\n"
+    found = read_tracks(put(tmp_path, text, "film.txt"))
+    assert found.format == "tracker"
+    assert not any("assumed to be m" in note for note in found.notes)
+    np.testing.assert_allclose(found.tracks[0].time, [0.0, 0.1])
+    np.testing.assert_allclose(found.tracks[0].position, [[0.01, 0.02], [0.02, 0.04]])
+    (fault,) = faults(put(tmp_path, text.replace("y (cm)", "y (ell)"), "film.txt"))
+    assert "column y: expected a unit, one of m, cm, mm, in, got 'ell'" in fault
+
+
 @pytest.mark.parametrize("header", ["frame,x/px,y/px", "frame,x in pixels,y in pixels", "frame,x [px],y (pixel)"])
 def test_pixels(tmp_path: Path, header: str) -> None:
     file = put(tmp_path, f"{header}\n0,1,2\n1,2,4\n")

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
 
+from carom.core.units import UNITS, unit_named
+from carom.data.headers import BRACKETS
 from carom.errors import CaromError
 from carom.tracks.formats.text_table import Calibration, TextTable, first_rows, require_calibration, split_rows
 from carom.tracks.track import Track
@@ -23,7 +26,7 @@ def matches(text: str) -> bool:
     rows = first_rows(text, 2)
     if len(rows) < 2:
         return False
-    names = {cell.strip().lower() for cell in rows[1]}
+    names = {_name_and_unit(cell)[0] for cell in rows[1]}
     return sum(bool(cell.strip()) for cell in rows[0]) == 1 and "t" in names and bool({"x", "pixelx"} & names)
 
 
@@ -36,31 +39,48 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     table.lines = [n + above for n in table.lines]
     if len(table.rows) < 3:
         raise CaromError(f"{name}: {PROGRAM}: expected a row of names, a header and rows, got {len(table.rows)} rows")
-    titles, header = table.rows[0], [cell.strip().lower() for cell in table.rows[1]]
+    titles, (header, units) = table.rows[0], zip(*map(_name_and_unit, table.rows[1]), strict=True)
     if "t" not in header:
         raise CaromError(
             f"{name}: {PROGRAM}: expected a column t, got {', '.join(filter(None, header))}; export it with the time"
         )
-    time = table.column(header.index("t"), 2, "t")
+    time = _in_si(table, header.index("t"), "t", units, "time")
     starts = [i for i, cell in enumerate(titles) if cell.strip()]
     parts = list(pairwise([*starts, len(header)])) if multi else [(0, len(header))]
     tracks = []
     for title, (start, end) in zip((titles[i].strip() for i in starts), parts, strict=False):
-        tracks.append(
-            _one(table, title, time, {header[i]: i for i in reversed(range(start, min(end, len(header))))}, calibration)
-        )
+        columns = {header[i]: i for i in reversed(range(start, min(end, len(header))))}
+        tracks.append(_one(table, title, time, columns, units, calibration))
     frame = _frames(table, header)
     table.raise_faults()
     return [replace(track, frame=frame) for track in tracks]
 
 
-def _frames(table: TextTable, header: list[str]) -> np.ndarray | None:
+def _name_and_unit(cell: str) -> tuple[str, str]:
+    """Return the name of a column, in lower case, and its unit if the header has one in brackets, as in ``x (cm)``."""
+    found = BRACKETS.match(cell.strip())
+    return (found[1].strip().lower(), found[2].strip()) if found else (cell.strip().lower(), "")
+
+
+def _in_si(table: TextTable, i: int, label: str, units: Sequence[str], dimension: str) -> np.ndarray:
+    """Return a column as numbers (n,) in SI units; a unit that is not known is a fault."""
+    values = table.column(i, 2, label)
+    unit = unit_named(units[i], dimension) if units[i] else None
+    if unit is None and units[i]:
+        known = ", ".join(UNITS[dimension])
+        table.faults.append(f"{table.name}: column {label}: expected a unit, one of {known}, got {units[i]!r}")
+    return values if unit is None else np.asarray(unit.to_si(values))
+
+
+def _frames(table: TextTable, header: Sequence[str]) -> np.ndarray | None:
     """Return the frame numbers (n,): each track has them for its own rows; None without such a column."""
     columns = [table.column(i, 2, "frame") for i, cell in enumerate(header) if cell == "frame"]
     return np.fmax.reduce(columns) if columns else None
 
 
-def _one(table: TextTable, title: str, time: np.ndarray, columns: dict[str, int], calibration: Calibration) -> Track:
+def _one(
+    table: TextTable, title: str, time: np.ndarray, columns: dict[str, int], units: Sequence[str], calibration: Calibration
+) -> Track:  # fmt: skip
     pixels = not {"x", "y"} <= set(columns)
     names = ("pixelx", "pixely") if pixels else ("x", "y")
     if not set(names) <= set(columns):
@@ -70,9 +90,14 @@ def _one(table: TextTable, title: str, time: np.ndarray, columns: dict[str, int]
         )
     if pixels:
         require_calibration(table.name, PROGRAM, calibration, scale="since the track is in pixels")
-    x, y = (table.column(columns[one], 2, one) for one in names)
+    known = calibration.scale is None and not pixels
+    x, y = (
+        _in_si(table, columns[one], one, units, "length") if known else table.column(columns[one], 2, one)
+        for one in names
+    )
     scale = calibration.scale if calibration.scale is not None else 1.0
     down = calibration.down if calibration.down is not None else pixels
     position = scale * np.stack([x, -y if down else y], axis=-1)
-    notes = () if calibration.scale else ("lengths in the units of Tracker: assumed to be m",)
+    said = known and all(units[columns[one]] for one in names)
+    notes = () if calibration.scale or said else ("lengths in the units of Tracker: assumed to be m",)
     return Track(title, time, position, notes=notes)
