@@ -107,6 +107,23 @@ def test_a_drop_decides_nothing_with_or_without_error_bars() -> None:
         assert np.isnan(one.odds)
 
 
+def test_a_drop_is_no_basis_of_a_plan(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    file = tmp_path / "drop.csv"
+    file.write_text(as_csv(table([thrown(0.0, 1.2)])))
+    (line,) = fails(capsys, "design", str(file), *BALL)
+    assert "expected rebounds from which the friction of contact can be fitted" in line
+    assert "(--truth friction=0.2)" in line
+
+
+def test_a_plan_takes_the_spin_that_is_known(rebounds: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    words = ("--laws", "sliding,mirror", "--json", "--spin", "0")
+    code, out, err = command(capsys, "design", str(rebounds), *BALL, *words)
+    assert code == 0, err
+    assert json.loads(out)["truth"]["friction"] == pytest.approx(0.15, abs=0.002)
+    (line,) = fails(capsys, "design", "--spin", "0")
+    assert "--spin: expected a file of rebounds with it, got none" in line
+
+
 def test_speeds_before_and_after_are_enough_for_the_restitution(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

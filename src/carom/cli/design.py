@@ -10,7 +10,17 @@ from typing import Annotated, Any
 import typer
 
 from carom.cli.common import attempt, require_outputs, working, wrote
-from carom.cli.options import BALL, WALL, comma_separated, parse_assignments, parse_inertia, parse_number, shared
+from carom.cli.fit_input import completed
+from carom.cli.options import (
+    BALL,
+    WALL,
+    comma_separated,
+    parse_assignments,
+    parse_inertia,
+    parse_number,
+    parse_spin,
+    shared,
+)
 from carom.cli.streams import note
 from carom.errors import CaromError
 
@@ -53,6 +63,14 @@ def design(
             rich_help_panel=SHOTS,
         ),
     ] = "0:0",
+    spin: Annotated[
+        str | None,
+        typer.Option(
+            help="Unmeasured spins before the wall in FILE, as in carom fit: rad/s at the first contact of each ball, or a prior.",
+            show_default="normal, mean along v_t and width fitted",
+            rich_help_panel=SHOTS,
+        ),
+    ] = None,
     sigma_v: Annotated[float, shared("sigma_v", rich_help_panel=SHOTS)] = 0.02,
     sigma_spin: Annotated[
         float | None, shared("sigma_spin", default="spin not measured", rich_help_panel=SHOTS)
@@ -82,6 +100,9 @@ def design(
         name: attempt(faults, parse_number, "--truth", name, text)
         for name, text in parse_assignments(faults, "--truth", truth, known)
     }
+    every_spin, prior = attempt(faults, parse_spin, spin) or (None, {})
+    if spin is not None and file is None:
+        faults.append("--spin: expected a file of rebounds with it, got none; --spins are those of the shots to come")
     pair = comma_separated(laws)
     if kind not in (None, *KINDS):
         faults.append(f"--kind: expected planar or table, got {kind!r}")
@@ -89,6 +110,7 @@ def design(
     filmed = None if file is None else attempt(faults, read_rebounds, file)
     clash = ""
     if filmed is not None:
+        filmed = attempt(faults, completed, filmed, None, None, every_spin) or filmed
         if kind not in (None, filmed.kind):
             clash = f"--kind: expected {filmed.kind}, the kind of {file}, got {kind}; omit the option"
         kind = filmed.kind
@@ -103,6 +125,7 @@ def design(
         kappa=0.4 if kappa is None else kappa,
         contact_height=contact_height,
         floor_friction=floor_friction,
+        **prior,
     )
     true = {name: value for name, value in numbers.items() if value is not None}
     attempt(faults, require_plan, setting, tuple(pair), shots, true, odds)

@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 
 from carom.data.rebounds import COLUMNS, STAGES, Kind, Rebounds
 from carom.errors import CaromError, float_or_nan
+from carom.fitting.adequacy import nothing_along_the_wall
 from carom.fitting.candidate_shots import Candidates, Shot, Shots, candidates, numbers_of
 from carom.fitting.data import Problem, Setting, make_problem, require_settings
 from carom.fitting.fit import fit_law
@@ -112,6 +113,12 @@ def design(
     if filmed is not None:
         _require_error_bars(filmed)
         already, remarks = make_problem(filmed, setting)
+        if not truth and nothing_along_the_wall(already):
+            raise CaromError(
+                f"{filmed.source}: expected rebounds from which the friction of {true.name} can be fitted, got balls without"
+                " velocity along the wall or spin beyond the error bars; give the parameters (--truth friction=0.2), or plan without"
+                " this file"
+            )
         setting = already.setting  # the floor of the film is assumed for the next shots
 
     fitted = None
