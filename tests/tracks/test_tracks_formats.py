@@ -255,6 +255,11 @@ def test_usual_names_and_units(tmp_path: Path, header: str) -> None:
     np.testing.assert_allclose(track.position, np.stack([np.arange(4), 100 - np.arange(4)], axis=-1) / 100)
 
 
+def test_a_column_of_trials(tmp_path: Path) -> None:
+    file = put(tmp_path, "Versuch;Zeit (s);X (cm);Y (cm)\n1;0;1;2\n1;0,1;2;4\n2;0;1;2\n2;0,1;3;4\n")
+    assert [(track.group, len(track)) for track in read_tracks(file).tracks] == [("1", 2), ("2", 2)]
+
+
 def test_tracker_with_units_in_its_header(tmp_path: Path) -> None:
     text = "mass A\t\t\nt (ms)\tx (cm)\ty (cm)\n0\t1\t2\n100\t2\t4\n"
     found = read_tracks(put(tmp_path, text, "film.txt"))

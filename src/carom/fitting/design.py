@@ -116,8 +116,8 @@ def design(
         if not truth and nothing_along_the_wall(already):
             raise CaromError(
                 f"{filmed.source}: expected rebounds from which the friction of {true.name} can be fitted, got balls without"
-                " velocity along the wall or spin beyond the error bars; give the parameters (--truth friction=0.2), or plan without"
-                " this file"
+                " velocity along the wall or spin beyond the error bars; give the parameters (--truth friction=0.2), or plan"
+                " without this file"
             )
         setting = already.setting  # the floor of the film is assumed for the next shots
 

@@ -31,7 +31,10 @@ NAMED = ColumnNames({
     "spin": ("spin", ("omega", "spin_z")),
     "frame": ("number", ("frame_number", "image")),
 })  # fmt: skip
-GROUPS, NAMES = ("shot", "group", "game", "run", "trial"), ("ball", "track", "particle", "name", "id", "object")
+GROUPS, NAMES = (
+    ("shot", "group", "game", "run", "trial", "film", "versuch", "wurf", "essai"),
+    ("ball", "track", "particle", "name", "id", "object"),
+)
 PIXELS = re.compile(r"^(x|y)\s*(?:[\[(_ /,]|in\s)?\s*(px|pix|pixels?)\s*[\])]?$", re.IGNORECASE)
 
 
