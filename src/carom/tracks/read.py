@@ -266,8 +266,8 @@ def _plausibility_notes(tracks: list[Track], notes: list[str]) -> None:
         notes.append("the ball does not move: all its positions are the same")
     elif not SMALLEST_FILM_M < size < LARGEST_FILM_M or speed > FASTEST_BALL:
         notes.append(
-            f"the tracks span {size:.3g} m, and the ball moves at {speed:.3g} m/s: is the unit right? --scale 1mm (or 1cm, 0.42mm a"
-            " pixel) tells it"
+            f"the tracks span {size:.3g} m, and the ball moves at {speed:.3g} m/s: is the unit right? --scale 1mm (or 1cm, 0.42mm"
+            " per pixel) gives it"
         )
         spans = np.array([np.ptp(track.position[track.seen], axis=0) for track in tracks]).max(axis=0)
         if spans.max() > 100 * spans.min() > 0 and not _equally_noisy(tracks):
