@@ -75,13 +75,13 @@ def _remedy(path: Path) -> str:
     return f"carom scene new --table {near[0]} FILE.toml" if near else f"carom scene new {path}"
 
 
-def read_toml(path: Path, remedy: str) -> dict[str, Any]:
+def read_toml(path: Path, remedy: str, what: str = "a scene file") -> dict[str, Any]:
     """Return the table in a TOML file. CaromError, one line, if it has none; ``remedy`` is the command that writes one."""
     try:
         text = path.read_bytes().decode("utf-8-sig")  # with or without a byte-order mark
     except OSError as error:
         advice = f"; {remedy} writes one" if isinstance(error, FileNotFoundError) else ""
-        raise CaromError(f"{path}: expected a scene file, got: {error.strerror}{advice}") from None
+        raise CaromError(f"{path}: expected {what}, got: {error.strerror}{advice}") from None
     except UnicodeDecodeError as error:
         raise CaromError(f"{path}: expected text in UTF-8, got byte {error.object[error.start]:#04x}") from None
     return parse_toml(str(path), text)

@@ -63,7 +63,7 @@ def load_sweep(path: str | Path, store: Any = None, *, allow_own_laws: bool = Fa
     <Sweep: 1,488 points of a scene, 1 block>
     """
     path = as_path("load_sweep", path)
-    table = read_toml(path, f"carom sweep new {path}")
+    table = read_toml(path, f"carom sweep new {path}", "a sweep file")
     found = [
         f"{path}: {name}: expected one of {', '.join(FIELDS)}, got {name!r}{did_you_mean(name, FIELDS)}"
         for name in table
