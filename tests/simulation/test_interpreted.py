@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import Any
 
@@ -10,7 +11,7 @@ import pytest
 from reference.brute_force_scene import random_scene
 
 import carom
-from carom.simulation import interpreted, simulate
+from carom.simulation import compiled, interpreted, simulate
 from carom.simulation.compiled import compiled_engine
 from carom.simulation.loop import ALL
 from carom.simulation.records import LOG
@@ -46,6 +47,15 @@ def test_same_bits_with_laws_that_are_called_by_address(law: str) -> None:
         scene = with_law(random_scene(seed), law)
         expected = one_run(scene, compiled_engine().run, True)
         assert one_run(scene, interpreted.run_interpreted, False) == expected
+
+
+def test_the_loop_is_at_hand_once_it_has_been_asked_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A short run is interpreted only where it is not: were it always said to be, every first run would wait for the compiler."""
+    loaded = functools.cache(lambda: None)
+    monkeypatch.setattr(compiled, "compiled_engine", loaded)
+    assert not compiled.is_loaded()
+    loaded()
+    assert compiled.is_loaded()
 
 
 def test_a_users_law_is_compiled_for_python_too() -> None:
