@@ -319,7 +319,9 @@ def test_scenes_of_the_other_kind_are_told_apart(tmp_path):
         CaromError, match="expected a scene of single balls, got a gas, with container and species; carom gas"
     ):
         load_scene(tmp_path / "gas.toml")
-    with pytest.raises(CaromError, match=r"none.toml: expected the scene file of a gas, got: No such file.*carom scene new --gas"):
+    with pytest.raises(
+        CaromError, match=r"none.toml: expected the scene file of a gas, got: No such file.*carom scene new --gas"
+    ):
         load_gas(tmp_path / "none.toml")
 
 
