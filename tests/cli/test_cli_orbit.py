@@ -168,6 +168,13 @@ def test_exponents_of_several_orbits_have_the_error_of_their_mean() -> None:
     assert "from their scatter between 20 parts of the orbit" in " ".join(one.split())
 
 
+def test_the_laws_that_a_billiard_takes_are_listed_with_their_other_names() -> None:
+    with pytest.raises(
+        carom.CaromError, match=r"law: expected one of mirror, conventional, rolling, no-slip, .*'rolling'\?$"
+    ):
+        billiards.orbit(billiards.circle(), ((0, 0), (1, 0), 0), 5, law="roling")
+
+
 def test_starts_lie_where_scatterers_do_not_overlap() -> None:
     """Discs wider than half the cell overlap: a start on a covered arc was refused as a position that nobody had given."""
     found = json.loads(run("sinai", "--radius", "0.6", "--orbits", "20", "--bounces", "50", "--json").stdout)

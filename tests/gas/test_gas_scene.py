@@ -10,7 +10,7 @@ import pytest
 from reference.gases import MIXED, ROUGH
 
 from carom import Ball, CaromError, Surface
-from carom.gas import Species, simulate_gas
+from carom.gas import Gas, Species, simulate_gas
 from carom.gas.build import build, is_gas, load_gas, new_gas
 from carom.gas.scene import GasScene
 from carom.gas.schema import GasContact, GasContainer, GasSettings, GasSpecies
@@ -429,3 +429,20 @@ def test_what_a_gas_says_of_itself(tmp_path):
     gas.advance(1)
     assert repr(gas).startswith("<Gas: 160 discs in 20 x 16, periodic x, walls front, back; t = ")
     assert repr(gas).endswith(", 1 collision>")
+
+
+def test_a_diameter_is_answered_with_the_radius(tmp_path):
+    (line,) = [one for one in faults(tmp_path, ROUGH.replace("radius = 0.5", "diameter = 1.0")) if "known here" in one]
+    assert (
+        line == "species[0].diameter: expected a field that is known here, got 'diameter'; give the radius, half of it"
+    )
+
+
+@pytest.mark.parametrize("contacts", [{"restitution": 0.9}, {("a", "a"): 0.9}, {("a",): Surface(1, 0, -1)}, 0.9])
+def test_contacts_that_are_none(contacts):
+    """A letter of a key was called the name of a species that is not known."""
+    with pytest.raises(CaromError) as found:
+        Gas([Species(Ball(0.5, 1.0), 8)], (6.0, 6.0, 6.0), contacts=contacts)
+    (line,) = found.value.faults
+    said = "Gas: contacts: expected a carom.Surface, or one for each pair of names, {('a', 'wall'): Surface(...)}, got "
+    assert line.startswith(said)

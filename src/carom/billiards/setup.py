@@ -145,9 +145,10 @@ def law_of(law: Any, surface: Surface | None) -> tuple[Law, str]:
     asked = law if isinstance(law, str) and ":" not in law else ""
     if isinstance(law, str):
         if asked and not any(asked == one.name or asked in one.aliases for one in laws().values()):
+            known = [name for one in laws().values() if one.kernel is not None for name in (one.name, *one.aliases)]
             raise CaromError(
-                f"orbit: law: expected one of {', '.join(LAWS)}, or a custom law (my_law.py:law), got {law!r}"
-                f"{did_you_mean(law, list(LAWS))}"
+                f"orbit: law: expected one of {', '.join(known)}, or a custom law (my_law.py:law), got {law!r}"
+                f"{did_you_mean(law, known)}"
             )
         law = find_law(law)
     elif callable(law) and not isinstance(law, Law):

@@ -159,6 +159,29 @@ class Thermostat:
         faults.raise_if_any()
 
 
+def _check_contacts(faults: FaultList, contacts: Contacts, names: Sequence[str], container: Container) -> None:
+    """Add the faults of contacts: what is no surface, and names that are not known."""
+    if (wrong := _wrong_contacts(contacts)) is not None:
+        faults.add("contacts", "a carom.Surface, or one for each pair of names, {('a', 'wall'): Surface(...)}", wrong)
+    elif not isinstance(contacts, Surface):
+        known = [*names, "wall", *dict.fromkeys((*WALLS, *container.names))]
+        for name in sorted({name for key in contacts for name in key} - set(known)):
+            faults.add("contacts", "names of species or walls", f"{name!r}; {suggestion(name, known)}")
+
+
+def _wrong_contacts(contacts: Any) -> str | None:
+    """Return what is neither a surface nor a mapping of pairs of names to surfaces; None if nothing is."""
+    if isinstance(contacts, Surface):
+        return None
+    if not isinstance(contacts, Mapping):
+        return f"{contacts!r:.60}"
+    for pair, surface in contacts.items():
+        named = isinstance(pair, tuple) and len(pair) == 2 and all(isinstance(name, str) for name in pair)
+        if not named or not isinstance(surface, Surface):
+            return f"{pair!r:.40}: {surface!r:.40}"
+    return None
+
+
 def _surface(faults: FaultList, contacts: Contacts, one: str, others: Sequence[str]) -> Surface:
     """Return the surface between a species and the first of others for which one is given."""
     if isinstance(contacts, Surface):
@@ -253,10 +276,7 @@ def system_records(
         faults.add("gravity", "no component along z for discs", f"{gravity!r}")
     if not 0 <= contact_time < math.inf:
         faults.add("contact_time", "a time >= 0", f"{contact_time!r}")
-    if not isinstance(contacts, Surface):
-        known = [*names, "wall", *dict.fromkeys((*WALLS, *container.names))]
-        for name in sorted({name for key in contacts for name in key} - set(known)):
-            faults.add("contacts", "names of species or walls", f"{name!r}; {suggestion(name, known)}")
+    _check_contacts(faults, contacts, names, container)
     faults.raise_if_any()
     system = np.zeros(1, SYSTEM)
     one = system[0]

@@ -156,9 +156,9 @@ def _line(where: str, error: Any, model: type[Model]) -> str:
         advice = f"; {context['advice']}" if context["advice"] else ""
         return f"{at}: expected {context['expected']}, got {context['got']}{advice}"
     if kind == "extra_forbidden":
-        return (
-            f"{at}: expected a field that is known here, got {field!r}; {suggestion(field, list(owner.model_fields))}"
-        )
+        halved = field == "diameter" and "radius" in owner.model_fields
+        advice = "give the radius, half of it" if halved else suggestion(field, list(owner.model_fields))
+        return f"{at}: expected a field that is known here, got {field!r}; {advice}"
     if kind in {"union_tag_invalid", "union_tag_not_found"}:
         return _choice(at, value, inside)
     if kind == "missing":
