@@ -1,8 +1,9 @@
 // The explorer: one scene, every law of impact side by side, computed by carom's own engine.
 
-/** @import { LawCard, Preset, Rebound, Scene, Verdict } from "./state/types.js" */
+/** @import { LawCard, Preset, Rebound, Scene } from "./state/types.js" */
 /** @import { Engine } from "./state/compute.js" */
 /** @import { Box, Palette, View } from "./view/shot.js" */
+import { incidenceAt } from "./engine/compare.js";
 import { loadEngine } from "./engine/engine.js";
 import { loadRecorded } from "./engine/recorded.js";
 import { byId, el } from "./panels/dom.js";
@@ -10,9 +11,11 @@ import { controls } from "./panels/controls.js";
 import { lawPanel } from "./panels/laws.js";
 import { menu } from "./panels/menu.js";
 import { anglePlot, timePlot } from "./panels/plots.js";
+import { strikeNotes } from "./panels/strike.js";
 import { transport } from "./panels/transport.js";
-import { AS_GIVEN, cardsFor, checked, curvesOf, horizon, incidenceOf, runAll, sentence, steps, verdictsOf } from "./state/compute.js";
+import { AS_GIVEN, cardsFor, checked, comparedAt, curvesOf, horizon, runAll, sentence, steps } from "./state/compute.js";
 import { withBall } from "./state/edit.js";
+import { nameOf } from "./state/files.js";
 import { fromHash } from "./state/link.js";
 import { Orientation, energyAt, sampleTimes, stateAt, trailTime } from "./state/motion.js";
 import { Store } from "./state/store.js";
@@ -34,11 +37,20 @@ function say(text, good = false) {
   if (good) fading = window.setTimeout(() => (message.hidden = true), 6000);
 }
 
+/** An angle of incidence on the plot's axis; null where it has no place there. @param {number} degrees */
+const angleShown = (degrees) => (degrees <= 90 ? degrees : null);
+
 /** @param {string} hex @param {boolean} dark lighter on a dark ground */
 function tint(hex, dark) {
   if (!dark) return hex;
   const parts = [1, 3, 5].map((i) => parseInt(hex.slice(i, i + 2), 16));
   return `#${parts.map((one) => Math.round(one + (255 - one) * 0.28).toString(16).padStart(2, "0")).join("")}`;
+}
+
+/** What stands below the plot of angles. @param {number} count of measured rebounds @param {string} from a file */
+function measuredText(count, from) {
+  if (count === 0) return "drop a CSV table anywhere on the page";
+  return `${count} from ${from}. The curves are not fitted to them: they are for the restitution, friction and cushion height set by the sliders.`;
 }
 
 /** @returns {Palette} */
@@ -141,7 +153,7 @@ function show(data, engine) {
   }
 
   const lawColumn = lawPanels();
-  const sliders = controls(byId("controls"), store, change, say);
+  const sliders = controls(byId("controls"), store, change, say, strikeNotes(data.presets));
   const angles = anglePlot(byId("angles"));
   const time = transport(store, () => ({ ...span, events }));
   const course = timePlot(byId("course"), time.seek);
@@ -198,33 +210,33 @@ function show(data, engine) {
       view.update({ scene: state.scene, ball: state.ball, followed: state.followed, runs: outcome.runs, colours: of, span: trailSpan(), box }, palette());
       byId("key").hidden = !state.scene.floor;
       canvas.setAttribute("aria-label", `The scene: ${state.scene.balls.length} ball${state.scene.balls.length > 1 ? "s" : ""} under ${state.laws.join(", ") || "no law"}. Drag the ball or its arrow, or use the sliders.`);
-      const { verdicts, none } = verdictsOf(engine, state.scene, state.cards);
+      const compared = comparedAt(engine, state.scene, state.cards);
       if (lawColumn.cards.length !== state.cards.length) Object.assign(lawColumn, lawPanels());
-      lawColumn.panel.update(verdicts, of, outcome.notes, none);
+      lawColumn.panel.update(compared.verdicts, of, outcome.notes, compared.note);
       sliders.update();
-      drawAngles(verdicts, of);
+      drawAngles(compared, of);
       drawCourse(of);
-    } else if (parts.has("data")) drawAngles(verdictsOf(engine, state.scene, state.cards).verdicts, of);
+    } else if (parts.has("data")) drawAngles(comparedAt(engine, state.scene, state.cards), of);
     else if (trailSpan() !== span) view.trace(trailSpan());
     view.draw(state.t);
     course.place(state.t);
     time.update();
   }
 
-  /** @param {Map<string, Verdict>} verdicts @param {Map<string, string>} of */
-  function drawAngles(verdicts, of) {
+  /** @param {import("./state/compute.js").Compared} compared @param {Map<string, string>} of */
+  function drawAngles({ meeting, verdicts }, of) {
     const shown = state.cards.filter(({ name }) => state.laws.includes(name));
-    const found = curvesOf(engine, state.scene, shown.map(({ name }) => name));
-    const incidence = incidenceOf(state.scene, state.ball);
+    const found = curvesOf(engine, meeting, shown.map(({ name }) => name));
     angles.update(
       shown.map(({ name, dashes }) => ({ name, colour: of.get(name) ?? "#888", dashes, width: name === state.followed ? 2.4 : 1.6, points: found.get(name) ?? [] })),
-      state.rebounds, incidence,
+      state.rebounds, meeting && angleShown(incidenceAt(meeting)),
       shown.flatMap(({ name }) => {
         const angle = verdicts.get(name)?.angle;
         return typeof angle === "number" ? [{ colour: of.get(name) ?? "#888", y: angle }] : [];
       }),
+      meeting || data.recorded ? "" : `${nameOf(state.scene, 0)} meets no wall`,
     );
-    byId("measured").textContent = state.rebounds.length ? `${state.rebounds.length} from ${state.reboundsFrom}` : "drop a CSV table anywhere on the page";
+    byId("measured").textContent = measuredText(state.rebounds.length, state.reboundsFrom);
   }
 
   /** @param {Map<string, string>} of */

@@ -1,12 +1,11 @@
 // What each law says of the first ball at the first wall, and which laws are admissible (carom.laws.comparison).
 
-/** @import { Scene, Vec } from "../state/types.js" */
+/** @import { Vec } from "../state/types.js" */
 /** @import { Answer, Motion } from "./answers.js" */
 /** @import { Law, Verdict } from "./types.js" */
 /** @import { Meeting } from "./meeting.js" */
 /** @import { Module } from "./module.js" */
 import { answerOf } from "./answers.js";
-import { firstMeeting } from "./meeting.js";
 import { objections, unmet } from "./objections.js";
 import { remarksOn } from "./remarks.js";
 import { kineticEnergy, sum } from "./slip.js";
@@ -83,11 +82,8 @@ export function verdicts(module, m, also) {
   });
 }
 
-/** @param {Module} module @param {Scene} scene @param {string[]} also */
-export function compareScene(module, scene, also) {
-  const meeting = firstMeeting(module, scene);
-  return { meeting, incidence: angleFrom(meeting.n, meeting.v, -1), verdicts: verdicts(module, meeting, also) };
-}
+/** The angle of incidence, degrees. @param {Meeting} m */
+export const incidenceAt = ({ n, v }) => angleFrom(n, v, -1);
 
 /** A meeting at another angle of incidence: velocity and spin turned about the vertical. @param {Meeting} m @param {number} degrees @returns {Meeting} */
 export function atIncidence(m, degrees) {

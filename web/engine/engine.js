@@ -4,7 +4,7 @@
 /** @import { Meeting } from "./meeting.js" */
 /** @import { Law, Layout, Limits, Run, Verdict } from "./types.js" */
 /** @import { Module } from "./module.js" */
-import { compareScene, reflections } from "./compare.js";
+import { reflections, verdicts } from "./compare.js";
 import { firstMeeting } from "./meeting.js";
 import { loadModule } from "./module.js";
 import { reportOf } from "./report.js";
@@ -70,7 +70,12 @@ export class Engine {
    * @returns {Verdict[]}
    */
   compare(scene, also = []) {
-    return compareScene(this.module, this.checked(scene), also).verdicts;
+    return this.compareAt(this.meeting(scene), also);
+  }
+
+  /** The same of a meeting. @param {Meeting} meeting @param {string[]} [also] @returns {Verdict[]} */
+  compareAt(meeting, also = []) {
+    return verdicts(this.module, meeting, also);
   }
 
   /** The first ball just before the first wall. @param {Scene} scene @returns {Meeting} */
@@ -87,9 +92,14 @@ export class Engine {
    * @param {"final" | "wall"} [stage] once the ball rolls again, or just after the wall
    */
   curve(law, scene, incidences, stage = "final") {
+    return this.curveAt(law, this.meeting(scene), incidences, stage);
+  }
+
+  /** The same of a meeting. @param {string} law @param {Meeting} meeting @param {number[]} incidences @param {"final" | "wall"} [stage] */
+  curveAt(law, meeting, incidences, stage = "final") {
     const found = this.laws.find((one) => one.name === law);
     if (found === undefined) throw new Error(`law: expected one of ${this.laws.map((one) => one.name).join(", ")}, got ${law}`);
-    return reflections(this.module, found, firstMeeting(this.module, this.checked(scene)), incidences, stage);
+    return reflections(this.module, found, meeting, incidences, stage);
   }
 }
 

@@ -9,6 +9,7 @@ import { follow } from "./run.js";
  * @typedef {object} Meeting
  * @property {number} t s: when
  * @property {number} wall the wall's number
+ * @property {number} balls how many others the ball has met before
  * @property {number} radius
  * @property {number} mass
  * @property {number} kappa
@@ -26,18 +27,27 @@ import { follow } from "./run.js";
  * @property {boolean} together wall and floor act at once
  */
 
+/** The first hit of the first ball on a wall (its row in the log), and the balls that it meets before. @param {Module} module @param {Scene} scene @returns {{hit: number | undefined, balls: Set<number>}} */
+function firstHit(module, scene) {
+  const { memory, layout } = module;
+  const record = layout.records.log;
+  const [kind, ball, other] = ["kind", "ball", "other"].map((name) => memory.field(record, name));
+  const own = (/** @type {number} */ at, /** @type {string} */ what) => ball(at) === 0 && layout.kinds[kind(at)] === what;
+  const rowsOf = (/** @type {import("./run.js").Part} */ part) => Array.from({ length: part.rows }, (_, i) => part.at + i * record.bytes);
+  const { logs } = follow(module, scene, { enough: (last) => rowsOf(last).some((at) => own(at, "wall")) });
+  const rows = logs.flatMap(rowsOf);
+  const at = rows.findIndex((one) => own(one, "wall"));
+  const before = at < 0 ? rows : rows.slice(0, at);
+  return { hit: at < 0 ? undefined : rows[at], balls: new Set(before.filter((one) => own(one, "ball")).map(other)) };
+}
+
 /** The first meeting of the first ball with a wall, in a run of the scene. Throws a sentence where there is none. @param {Module} module @param {Scene} scene @returns {Meeting} */
 export function firstMeeting(module, scene) {
   const { memory, layout } = module;
-  const { logs } = follow(module, scene, { events: 500 });
   const record = layout.records.log;
-  const rows = logs.flatMap((part) => Array.from({ length: part.rows }, (_, i) => part.at + i * record.bytes));
-  const [kind, ball, other] = ["kind", "ball", "other"].map((name) => memory.field(record, name));
-  const hit = rows.find((at) => ball(at) === 0 && layout.kinds[kind(at)] === "wall");
-  const name = scene.balls[0].name ?? "the first ball";
-  if (hit === undefined) throw new Error(`compare: expected a scene in which ${name} meets a wall, got one in which it meets none`);
-  const [t, x, v, w] = ["t", "x", "v_before", "w_before"].map((field) => memory.field(record, field)(hit));
-  const number = other(hit);
+  const { hit, balls } = firstHit(module, scene);
+  if (hit === undefined) throw new Error(withoutMeeting(scene, balls.size));
+  const [t, x, v, w, number] = ["t", "x", "v_before", "w_before", "other"].map((field) => memory.field(record, field)(hit));
   // (the surface as the wall has it: a law may hold some of it fixed)
   const plain = { ...scene, run: { ...scene.run, law: "two-step" }, walls: scene.walls.map((wall) => ({ ...wall, law: null })) };
   const made = setUp(plain, layout, 0);
@@ -58,13 +68,23 @@ export function firstMeeting(module, scene) {
   const { mu, beta } = contactOf(wall, layout);
   return {
     given: { e: wall.restitution !== null, mu: wall.friction !== null },
-    t, wall: number, radius, mass, kappa: Number(made.balls[0].kappa), v, w, n: [nx, ny, nz], e, mu, beta,
+    t, wall: number, balls: balls.size, radius, mass, kappa: Number(made.balls[0].kappa), v, w, n: [nx, ny, nz], e, mu, beta,
     stiffness: wall.stiffness_ratio,
     floor: scene.floor && floorAt(module, scene.floor, approach),
     g: scene.floor ? -scene.gravity[2] : 0,
     height: scene.floor ? Math.max(x[2] - radius, 0) : Infinity,
     together: scene.run.floor_contact === "with",
   };
+}
+
+/** @param {number} count of balls, at least 1 */
+export const others = (count) => (count === 1 ? "another ball" : `${count} other balls`);
+
+/** Why there is no meeting. @param {Scene} scene @param {number} balls how many others the ball meets */
+function withoutMeeting(scene, balls) {
+  const name = scene.balls[0].name ?? "the first ball";
+  const met = scene.walls.length === 0 ? "this scene has none" : balls > 0 ? `here it meets ${others(balls)} and no wall` : "here it meets none";
+  return `The laws are compared at the first wall that ${name} meets; ${met}.`;
 }
 
 /** @param {Module} module @param {import("../state/types.js").Floor} floor @param {number} speed */

@@ -2,7 +2,7 @@
 // of events is in the page, and the motion between them is computed from it as from the module's own.
 
 /** @import { Scene } from "../state/types.js" */
-/** @import { Layout, Recording, Run, Verdict } from "./types.js" */
+/** @import { Layout, Recording, Run } from "./types.js" */
 import { Engine } from "./engine.js";
 import { loadModule } from "./module.js";
 import { runOf } from "./run.js";
@@ -49,10 +49,10 @@ export class Recorded extends Engine {
     return this.found;
   }
 
-  /** @override @param {Scene} scene @param {string[]} [also] @returns {Verdict[]} */
-  compare(scene, also = []) {
+  /** @override @param {Scene} scene */
+  meeting(scene) {
     try {
-      return super.compare(scene, also);
+      return super.meeting(scene);
     } catch {
       throw new Error(this.why);
     }

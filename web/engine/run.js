@@ -60,9 +60,12 @@ export function follow(module, scene, limits) {
     events += words[2];
     atFault = words[6];
     [slow, last] = memory.numbers(out + 32, 2);
-    logs.push({ at: log, rows: words[4] });
+    const part = { at: log, rows: words[4] };
+    logs.push(part);
     room = Math.min(4 * room, MOST_ROWS);
-    if (code === status.limit && events < most && performance.now() < deadline) code = status.full;
+    const enough = limits.enough?.(part);
+    if (code === status.full && enough) code = status.limit;
+    else if (code === status.limit && events < most && performance.now() < deadline && !enough) code = status.full;
   }
   /** @type {Record<number, Run["status"]>} */
   const known = { [status.done]: "done", [status.quiet]: "quiet", [status.limit]: events < most ? "time" : "limit" };

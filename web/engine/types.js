@@ -51,7 +51,7 @@
  * @property {Record<string, string>} built_with
  */
 
-/** @typedef {{events?: number, until?: number, milliseconds?: number}} Limits */
+/** `enough`: whether the rows of the log that were written last are all that is wanted. @typedef {{events?: number, until?: number, milliseconds?: number, enough?: (last: {at: number, rows: number}) => boolean}} Limits */
 
 /** A recorded run: its log (gzip, base64), how and when it ended, and why the page does not run it. @typedef {{log: string, status: "done" | "quiet" | "limit", end: number, why: string}} Recording */
 

@@ -6,17 +6,25 @@ import { CONTROLS, referenceNormal, valueFault, withRolling } from "../state/edi
 import { nameOf, wallName } from "../state/files.js";
 import { el } from "./dom.js";
 
+/** A number as its field shows it. @param {number} value */
+function numberText(value) {
+  if (value === Infinity) return "∞";
+  return Math.abs(value) < 1e-9 ? "0" : String(Number(value.toPrecision(4))); // (what rounding leaves is nobody's spin)
+}
+
 /**
  * @param {HTMLElement} host @param {Store} store
  * @param {(scene: import("../state/types.js").Scene) => void} change
  * @param {(sentence: string) => void} complain
+ * @param {(scene: import("../state/types.js").Scene, ball: number) => string} strikeOf what to say of a cue that has struck a ball
  * @returns {{update: () => void}}
  */
-export function controls(host, store, change, complain) {
+export function controls(host, store, change, complain, strikeOf) {
   let moving = false;
   /** @type {{control: Control, row: HTMLElement, range: HTMLInputElement, field: HTMLInputElement}[]} */
   const rows = [];
   const ballChoice = el("select", { id: "ball-choice", "aria-label": "Ball", change: () => store.change({ ball: Number(ballChoice.value) }, "scene", "laws") });
+  const struck = el("p", { class: "note", id: "strike", hidden: true });
   const wallChoice = el("select", { id: "wall-choice", "aria-label": "Wall", change: () => store.change({ wall: Number(wallChoice.value) }, "scene") });
   const rolling = el("input", {
     type: "checkbox", id: "rolling",
@@ -35,6 +43,7 @@ export function controls(host, store, change, complain) {
     if (group === "Ball") head.append(ballChoice, el("label", { class: "check" }, rolling, "rolling"));
     if (group === "Wall") head.append(wallChoice);
     section.append(head);
+    if (group === "Ball") section.append(struck);
     for (const control of CONTROLS.filter((one) => one.group === group)) {
       const id = `control-${control.key}`;
       const range = el("input", {
@@ -91,6 +100,8 @@ export function controls(host, store, change, complain) {
     const { scene, ball, wall } = store.state;
     options(ballChoice, scene.balls.map((_, i) => nameOf(scene, i)), 0, ball);
     options(wallChoice, scene.walls.length > 1 ? ["all walls", ...scene.walls.map((_, i) => wallName(scene, i))] : ["wall"], -1, wall);
+    struck.textContent = strikeOf(scene, ball);
+    struck.hidden = !struck.textContent;
     rolling.checked = scene.balls[ball].rolling;
     rolling.disabled = !scene.floor;
     for (const { control, row, range, field } of rows) {
@@ -102,7 +113,7 @@ export function controls(host, store, change, complain) {
         range.min = String(-most);
         range.max = String(most);
       }
-      const text = value === Infinity ? "∞" : String(Number((value * control.scale).toPrecision(4)));
+      const text = numberText(value * control.scale);
       if (document.activeElement !== range) range.value = String(toRange(control, value));
       range.setAttribute("aria-valuetext", `${text} ${control.unit}`.trim());
       if (document.activeElement !== field || field.dataset.said === field.value) field.value = field.dataset.said = text;

@@ -21,11 +21,11 @@ function sample(colour, dashes) {
 
 /**
  * @param {HTMLElement} host @param {Store} store
- * @returns {{update: (verdicts: Map<string, Verdict>, colours: Map<string, string>, notes: Map<string, string>, none: string) => void}}
+ * @returns {{update: (verdicts: Map<string, Verdict>, colours: Map<string, string>, notes: Map<string, string>, which: string) => void}}
  */
 export function lawPanel(host, store) {
-  const nothing = el("p", { class: "nothing", hidden: true });
-  host.append(nothing);
+  const contact = el("p", { class: "contact", hidden: true });
+  host.append(contact);
   const cards = store.state.cards.map((card) => {
     const box = el("input", {
       type: "checkbox", id: `law-${card.name}`, "aria-label": `show ${card.name}`,
@@ -58,9 +58,9 @@ export function lawPanel(host, store) {
   });
 
   return {
-    update(verdicts, colours, notes, none) {
-      nothing.textContent = none;
-      nothing.hidden = !none;
+    update(verdicts, colours, notes, which) {
+      contact.textContent = which;
+      contact.hidden = !which;
       for (const { card, box, follow, swatch, verdict, numbers, why, root } of cards) {
         const found = verdicts.get(card.name);
         const note = notes.get(card.name);

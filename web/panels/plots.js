@@ -65,8 +65,8 @@ function surface(host, label) {
 export function anglePlot(host) {
   const { root, size } = surface(host, "Angle of reflection against angle of incidence under each law");
   return {
-    /** @param {Curve[]} curves @param {Rebound[]} rebounds @param {number | null} incidence of the ball as it is now @param {{colour: string, y: number}[]} now */
-    update(curves, rebounds, incidence, now) {
+    /** @param {Curve[]} curves @param {Rebound[]} rebounds @param {number | null} incidence at the wall that the ball meets @param {{colour: string, y: number}[]} now @param {string} missing why there is no curve */
+    update(curves, rebounds, incidence, now, missing) {
       const area = size();
       const heights = [...curves.flatMap(({ points }) => points.map(([, y]) => y)), ...rebounds.map(({ reflection }) => reflection)].filter(Number.isFinite);
       const low = Math.min(0, ...heights);
@@ -81,6 +81,7 @@ export function anglePlot(host) {
         axes(area, sx, sy, { title: "reflection against incidence", xLabel: "from the wall’s normal", xUnit: "°", yFormat: (y) => `${tidy(y)}°` }),
         svg("path", { class: "same", d: `M${sx(0)} ${sy(0)}L${sx(90)} ${sy(90)}` }),
         ...marks, ...paths(curves, sx, sy), ...here, ...dots,
+        ...(missing ? [svg("text", { class: "missing", x: area.x + area.width / 2, y: area.y + area.height / 2, "text-anchor": "middle" }, missing)] : []),
       );
     },
   };

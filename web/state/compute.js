@@ -1,8 +1,9 @@
 // All that the page computes for a scene, by carom's own engine: a run, a verdict and a curve for each law.
 
+/** @import { Meeting } from "../engine/meeting.js" */
 /** @import { LawCard, Run, Scene, Verdict } from "./types.js" */
-import { angleOf, referenceNormal } from "./edit.js";
-import { eventText } from "./files.js";
+import { others } from "../engine/meeting.js";
+import { eventText, nameOf } from "./files.js";
 
 export const MOST_EVENTS = 2000;
 const MOST_MILLISECONDS = 600; // of one change, for all laws together: a page that computes longer seems frozen
@@ -13,8 +14,9 @@ export const AS_GIVEN = "as in the scene";
  * @typedef {object} Engine
  * @property {(scene: Scene) => string[]} faults
  * @property {(scene: Scene, law?: string, limits?: {events?: number, until?: number, milliseconds?: number}) => Run} run
- * @property {(scene: Scene, also: string[]) => Verdict[]} compare
- * @property {(law: string, scene: Scene, incidences: number[]) => (number | null)[]} curve
+ * @property {(scene: Scene) => Meeting} meeting
+ * @property {(meeting: Meeting, also: string[]) => Verdict[]} compareAt
+ * @property {(law: string, meeting: Meeting, incidences: number[]) => (number | null)[]} curveAt
  */
 
 /** @typedef {{runs: Map<string, Run>, notes: Map<string, string>, fault: string | null}} Outcome */
@@ -50,24 +52,36 @@ export function runAll(engine, scene, laws) {
   return found;
 }
 
-/** What each law says of the first contact; `none`: why there is nothing to say. @param {Engine} engine @param {Scene} scene @param {LawCard[]} cards @returns {{verdicts: Map<string, Verdict>, none: string}} */
-export function verdictsOf(engine, scene, cards) {
+/** The first ball at its first wall, and what each law says of it; `note`: which contact that is where it is not plain, or why there is none.
+ * @typedef {{meeting: Meeting | null, verdicts: Map<string, Verdict>, note: string}} Compared */
+
+/** @param {Engine} engine @param {Scene} scene @param {LawCard[]} cards @returns {Compared} */
+export function comparedAt(engine, scene, cards) {
   try {
-    return { verdicts: new Map(engine.compare(scene, cards.map(({ name }) => name)).map((verdict) => [verdict.law, verdict])), none: "" };
+    const meeting = engine.meeting(scene);
+    const found = engine.compareAt(meeting, cards.map(({ name }) => name));
+    return { meeting, verdicts: new Map(found.map((verdict) => [verdict.law, verdict])), note: whichContact(scene, meeting) };
   } catch (error) {
-    return { verdicts: new Map(), none: sentence(error) };
+    return { meeting: null, verdicts: new Map(), note: sentence(error) };
   }
+}
+
+/** Which contact the laws are compared at, where other balls come first. @param {Scene} scene @param {Meeting} meeting */
+function whichContact(scene, { t, balls }) {
+  if (balls === 0) return "";
+  return `The laws are compared at the first wall that ${nameOf(scene, 0)} meets: at ${t.toFixed(3)} s of the scene's own run, after ${others(balls)}.`;
 }
 
 const INCIDENCES = Array.from({ length: 30 }, (_, i) => 1 + 3 * i);
 
-/** Reflection against incidence. @param {Engine} engine @param {Scene} scene @param {string[]} laws @returns {Map<string, [number, number][]>} */
-export function curvesOf(engine, scene, laws) {
+/** Reflection against incidence. @param {Engine} engine @param {Meeting | null} meeting @param {string[]} laws @returns {Map<string, [number, number][]>} */
+export function curvesOf(engine, meeting, laws) {
   const found = new Map();
+  if (meeting === null) return found;
   for (const law of laws) {
     if (law === AS_GIVEN) continue;
     try {
-      found.set(law, engine.curve(law, scene, INCIDENCES).map((y, i) => [INCIDENCES[i], y ?? NaN]));
+      found.set(law, engine.curveAt(law, meeting, INCIDENCES).map((y, i) => [INCIDENCES[i], y ?? NaN]));
     } catch {
       // this law says nothing of such a ball
     }
@@ -81,7 +95,7 @@ export function horizon(scene, runs, asked) {
   let until = 0;
   for (const run of runs) {
     const last = run.events.at(-1)?.t ?? 0;
-    const still = run.final.every(({ phase }) => phase === "rest");
+    const still = run.final.every(({ phase }) => phase === "rest" || phase === "pocketed");
     const whole = run.status === "done" || run.status === "quiet";
     until = Math.max(until, still || !whole ? last : last * 1.3 + 0.3);
   }
@@ -106,9 +120,4 @@ export function cardsFor(cards, scene) {
   if (!scene.walls.some((wall) => wall.law !== null && wall.law !== undefined)) return plain;
   const about = "Each wall with its own law.";
   return [{ name: AS_GIVEN, summary: about, valid: "", colour: "#777777", dashes: null, reads: null }, ...plain];
-}
-
-/** The angle of incidence of the ball as it is now, degrees; null without a plane wall. @param {Scene} scene @param {number} ball */
-export function incidenceOf(scene, ball) {
-  return referenceNormal(scene) ? Math.abs(angleOf(scene, ball)) : null;
 }

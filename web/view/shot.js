@@ -41,6 +41,8 @@ export const VIEWS = [
 ];
 
 const FAR = 1e4;
+/** Width of a cushion, in radii of the largest ball. */
+export const RAIL = 2.2;
 
 /** How far the arrow of a velocity reaches: s, so that it is length over speed. @param {Shot} shot */
 export const arrowTime = (shot) => (0.16 * sizeOf(shot.box)) / Math.max(1, Math.hypot(...shot.scene.balls[shot.ball].velocity) / 2 || 1);
@@ -143,6 +145,12 @@ const BOUNDED = ["table", "box", "segment", "polygon", "sphere", "arc", "stadium
 const bounded = (wall) =>
   BOUNDED.includes(wall.shape) || (wall.shape === "cylinder" && Math.abs(unit(wall.axis)[2]) > 0.99 && wall.radius < FAR);
 
+/** Largest radius of the balls. @param {Scene} scene */
+const largest = (scene) => Math.max(...scene.balls.map((ball) => ball.radius));
+
+/** How wide the cushions of a wall are drawn behind their noses, m. @param {Wall} wall @param {Scene} scene */
+const rail = (wall, scene) => (wall.shape === "table" ? RAIL * largest(scene) : 0);
+
 /**
  * All that is worth looking at: paths of the balls, finite walls, and where the edited ball first meets a wall.
  * @param {Scene} scene @param {Map<string, Run>} runs @param {string} followed a law; balls under others may leave the box
@@ -162,7 +170,7 @@ export function boxAround(scene, runs, followed, span) {
   };
   const none = /** @type {Box} */ ({ low: [0, 0, 0], high: [0, 0, 0] });
   const enclosed = scene.walls.some((wall) => bounded(wall) && wall.shape !== "segment");
-  for (const wall of scene.walls) if (bounded(wall)) for (const line of outline(wall, none)) for (const p of line) add(p);
+  for (const wall of scene.walls) if (bounded(wall)) for (const line of outline(wall, none)) for (const p of line) add(p, rail(wall, scene));
   scene.balls.forEach((ball) => add(ball.position, ball.radius));
   // the law that is followed first: the others widen the box to no more than twice its size
   const reach = (/** @type {number[]} */ x) => x.map((value, k) => Math.max(low[k] - wide, Math.min(high[k] + wide, value)));
@@ -176,7 +184,7 @@ export function boxAround(scene, runs, followed, span) {
     });
     if (run && wide === Infinity) wide = 0.25 * Math.max(high[0] - low[0], high[1] - low[1]);
   }
-  const least = 10 * Math.max(...scene.balls.map((ball) => ball.radius));
+  const least = 10 * largest(scene);
   for (const k of [0, 1]) {
     const missing = (least - (high[k] - low[k])) / 2;
     if (missing > 0) {
@@ -189,7 +197,7 @@ export function boxAround(scene, runs, followed, span) {
 
 /** Heights between which an upright wall is drawn. @param {Wall} wall @param {Scene} scene @param {Box} box @returns {[number, number]} */
 export function levels(wall, scene, box) {
-  const radius = Math.max(...scene.balls.map((ball) => ball.radius));
+  const radius = largest(scene);
   const low = toNumber(wall.low ?? "-inf");
   const high = toNumber(wall.height ?? "inf");
   const bottom = scene.floor ? 0 : Math.min(box.low[2], -radius);

@@ -154,6 +154,9 @@ export function stage(host, drag, labels) {
   controls.zoomSpeed = 0.8;
   controls.maxPolarAngle = Math.PI * 0.499;
   controls.addEventListener("change", () => request());
+  /** The side that the camera looks from; null once a hand has moved it. @type {string | null} */
+  let side = null;
+  controls.addEventListener("start", () => (side = null));
 
   function placeArrow() {
     if (!shot) return;
@@ -263,6 +266,7 @@ export function stage(host, drag, labels) {
   /** Look at the scene from a named side. @param {string} name */
   function look(name) {
     if (!shot) return;
+    side = name;
     const { low, high } = shot.box;
     const target = new Vector3(...middleOf(shot.box));
     const plane = shot.scene.walls.find((wall) => wall.shape === "plane" && Math.hypot(wall.normal[0], wall.normal[1]) > 0.3);
@@ -320,6 +324,7 @@ export function stage(host, drag, labels) {
     camera.aspect = width / height;
     camera.updateProjectionMatrix();
     trails.resize(canvas.width, canvas.height);
+    if (side !== null) look(side); // (all is to be seen at any size)
     request();
   }
 

@@ -8,7 +8,7 @@ import {
 } from "three";
 import { cross, plus, times, unit } from "../state/vectors.js";
 import { layoutOf } from "../scene/pockets.js";
-import { boxOf, jawLine, levels, middleOf, outline, sizeOf } from "./shot.js";
+import { RAIL, boxOf, jawLine, levels, middleOf, outline, sizeOf } from "./shot.js";
 import { toNumber } from "../state/edit.js";
 
 const HOLE = "#0c0d0f";
@@ -51,7 +51,7 @@ function cushions(wall, scene, box) {
   const [, top] = levels(wall, scene, box);
   const nose = wall.nose_height ?? null;
   const high = Math.max(Math.min(top, 1.7 * radius), nose === null ? 0 : nose + 0.12 * radius);
-  const width = 2.2 * radius;
+  const width = RAIL * radius;
   /** @type {[number, number][]} */
   const profile = nose === null ? [[0, 0], [0, high], [width, high], [width, 0]] : [[0.55 * radius, 0], [0, nose], [0.25 * radius, high], [width, high], [width, 0]];
   const [x, y] = wall.center;
@@ -85,7 +85,7 @@ function pocketTable(wall, { noses, mouths }, scene, box) {
     const [[x, y], , [tx, ty]] = noses[i];
     // back to its beginning along the rail
     const out = (/** @type {[number, number]} */ p) => (p[0] - x) * ty - (p[1] - y) * tx;
-    const width = Math.max(2.2 * radius, ...line.map(out));
+    const width = Math.max(RAIL * radius, ...line.map(out));
     const back = [line[line.length - 1], line[0]].map((p) => new Vector2(p[0] + (width - out(p)) * ty, p[1] - (width - out(p)) * tx));
     return new Shape([...line.map((p) => new Vector2(...p)), ...back]);
   });
@@ -182,7 +182,8 @@ export function wallMeshes(scene, box, palette) {
       const see = Boolean(clear || inside);
       const material = new MeshLambertMaterial({
         color: hole ? HOLE : palette.wall, side: inside ? BackSide : DoubleSide, transparent: see, opacity: see ? 0.3 : 1, depthWrite: !see,
-        polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
+        // (behind its own edges; a hole has none, and lies over the lines of the floor)
+        polygonOffset: !hole, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
       });
       group.add(new Mesh(faces, material));
       group.add(new LineSegments(lines ?? new EdgesGeometry(faces, 25), edge));

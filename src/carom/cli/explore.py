@@ -25,14 +25,17 @@ def explore(
         str | None,
         typer.Option(
             metavar="NAME,NAME...",
-            help="Laws that are shown at first. Default: all of carom compare.",
+            help="Laws that are shown at first. Default: the scene's own, and those of carom compare for its walls.",
             rich_help_panel=RUN,
         ),
     ] = None,
     data: Annotated[
         Path | None,
         typer.Option(
-            metavar="REBOUNDS.csv", help="Measured rebounds, drawn over the laws' curves.", rich_help_panel=RUN
+            metavar="REBOUNDS.csv",
+            help="Measured rebounds, drawn over the laws' curves. These are not fitted to them: they are for the restitution and"
+            " friction of the scene, and of the page's sliders.",
+            rich_help_panel=RUN,
         ),
     ] = None,
     out: Annotated[

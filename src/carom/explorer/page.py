@@ -24,15 +24,17 @@ from carom.laws.law import Law
 from carom.laws.registry import law_named, law_styles, one_or_several
 from carom.laws.registry import laws as all_laws
 from carom.scene.as_json import scene_dict
+from carom.scene.planes import Plane
 from carom.scene.scene import Scene
 from carom.scene.toml import load_scene
-from carom.scene.wall import law_name
+from carom.scene.wall import WallShape, law_name
 
 __all__ = ["MOST_BALLS", "MOST_FEATURES", "ExplorerPage", "explore", "filled_page", "not_shown", "page_text", "presets"]
 
 # What the page takes at most: balls and features (faces, edges, rims... of all walls) as in web/scene/check.js.
 MOST_BALLS, MOST_FEATURES, MOST_REBOUNDS = 100, 2000, 20_000
 FEW_BALLS = 6
+WITH_NOSES = ("mirror", "two-step")  # beside the published laws of cushions, where a nose presses a ball on the floor
 SEVERAL_LAWS = "as in the scene"  # as web/state/compute.js calls walls that have laws of their own
 FRAME_HEIGHT = 760  # px, in a notebook
 
@@ -79,8 +81,9 @@ def explore(
     scene : Scene or path, optional
         Default: the paper's example. At most 100 balls, and walls of at most 2,000 faces, edges and corners.
     laws : names, optional
-        Laws that are shown at first. Default: all that `carom compare` shows, of a scene of more than 6 balls its own. The scene's
-        own law leads.
+        Laws that are shown at first. Default: the scene's own and those of `carom compare`; where walls are the noses of cushions,
+        `two-step`, the published laws of cushions and, as a contrast, `mirror`; of a scene of more than 6 balls its own alone. The
+        scene's own law leads.
     data : Rebounds or path, optional
         Measured rebounds, shown over the curves of reflection against incidence.
 
@@ -194,16 +197,15 @@ def page_text(
     """Return the page's HTML; ``seen``: further fields of the first preset, that of the scene (``web/state/types.js``)."""
     shown = presets()
     main = [law for law in all_laws().values() if not law.variant_of and not law.ignores_floor]
-    default = [law.name for law in main if not law.on_table]
     own = [] if scene is None else [law_name(law) for law in (scene.run.law, *scene.wall_laws)]
     names = [name for name in _compiled() if name in {*(law.name for law in main), *laws, *own}]
     if scene is not None:
         first = {"name": "scene", "title": "Your scene", "about": scene.describe(), "scene": scene_dict(scene)}
         # (many balls under all laws at once would make the page slow at its first sight)
-        wanted = {*own} if len(scene.balls) > FEW_BALLS else {*default, *own}
+        wanted = {*own} if len(scene.balls) > FEW_BALLS else {*_for_walls(scene, main), *own}
         several = [SEVERAL_LAWS] if any(wall.law is not None for wall in scene.walls) else []
         listed = laws or [*several, *(name for name in names if name in wanted)]
-        shown.insert(0, {**first, "laws": listed, "slow": 1.0, **(seen or {})})
+        shown.insert(0, {**first, **_strikes(scene), "laws": listed, "slow": 1.0, **(seen or {})})
     elif laws:
         shown[0]["laws"] = laws
     return filled_page(
@@ -214,6 +216,34 @@ def page_text(
             "reboundsFrom": "" if rebounds is None else Path(rebounds.source).name or "the data given",
         }
     )
+
+
+def _for_walls(scene: Scene, laws: list[Law]) -> set[str]:
+    """Return the names of the laws for the walls of a scene: noses of cushions, which press a ball on the floor, and others."""
+    noses = {scene.floor is not None and _is_nose(wall) for wall in scene.walls} or {False}
+    found = {law.name for law in laws if not law.on_table} if False in noses else {*WITH_NOSES}
+    return found | {law.name for law in laws if law.on_table and True in noses}
+
+
+def _is_nose(wall: WallShape) -> bool:
+    """Whether a wall touches a ball above its centre."""
+    if isinstance(wall, Plane):
+        x, y, z = wall.normal
+        return z < 0 and (x, y) != (0, 0)
+    return getattr(wall, "nose_height", None) is not None
+
+
+def _strikes(scene: Scene) -> dict[str, Any]:
+    """Return how cues have struck the balls of a scene: the page has the velocities and spins that they give."""
+    names = ("speed", "azimuth", "elevation", "offset")
+    if all(ball.strike is None for ball in scene.balls):
+        return {}
+    return {
+        "strikes": [
+            None if ball.strike is None else {name: getattr(ball.strike, name) for name in names}
+            for ball in scene.balls
+        ]
+    }
 
 
 def filled_page(data: dict[str, Any]) -> str:
