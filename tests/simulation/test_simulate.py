@@ -233,3 +233,16 @@ def test_every_regime_of_the_log_has_its_name() -> None:
         log = run.log.copy()
         log["regime"][hit] = code
         assert carom.Trajectory(run.scene, log, run.end, run.ended).events.of("wall")[0].regime == name
+
+
+@pytest.mark.parametrize("law", ["maw", "stronge", "conventional", "no-slip", "mirror", "two-step"])
+def test_the_impulse_of_a_wall_is_the_change_of_momentum(law: str) -> None:
+    """Whoever computes the impact: a kernel that is compiled in, or one that is called by its address."""
+    surface = {"law": law} if law == "conventional" else {"law": law, "restitution": 0.8, "friction": 0.2}
+    plane = Plane(point=(0, 0, 0), normal=(0.8, 0.6, 0), **surface)
+    rolling = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0), velocity=(-2, 0.3), rolling=True)
+    run = carom.simulate(carom.Scene(floor={"friction": 0.2}, walls=[plane], balls=[rolling]), max_events=1)
+    hit = run.events.of("wall")[0]
+    expected = 0.2 * (hit.after.velocity - hit.before.velocity)
+    assert abs(expected[0]) > 0.1
+    np.testing.assert_allclose(hit.impulse, expected, rtol=1e-12, atol=1e-14)
