@@ -162,7 +162,8 @@ def measured(
 
     from carom.tracks.contact import Settings
     from carom.tracks.films import combined_rebounds, film_names
-    from carom.tracks.measurement import measure
+    from carom.tracks.hops import hops_together
+    from carom.tracks.measurement import Measured, measure
     from carom.tracks.read import read_tracks
     from carom.tracks.rebounds import to_rebounds
 
@@ -173,15 +174,18 @@ def measured(
     settings = Settings(radius=setting.radius, kappa=setting.kappa, view=view)  # type: ignore[arg-type]
     tables: dict[str, Rebounds] = {}
     notes: list[str] = []
-    for number, (name, film) in enumerate(zip(film_names(files), found, strict=True)):
-        start = f"{name}: " if len(files) > 1 else ""
-        notes += [start + note for note in film.notes]
 
-        def progress(done: int, total: int, number: int = number) -> None:
+    def once(number: int, hops: bool | None = None) -> Measured:
+        def progress(done: int, total: int) -> None:
             say("contacts", (number + done / max(total, 1)) / len(files))
 
-        with noting(notes):
-            one = measure(film.tracks, settings, progress)
+        return measure(found[number].tracks, replace(settings, hops=hops), progress)
+
+    names = [f"{name}: " if len(files) > 1 else "" for name in film_names(files)]
+    notes += [start + note for start, film in zip(names, found, strict=True) for note in film.notes]
+    with noting(notes):
+        films = hops_together([once(number) for number in range(len(files))], once)
+    for name, start, one in zip(film_names(files), names, films, strict=True):
         notes += [start + note for note in one.notes]
         table = attempt(faults, lambda one=one: to_rebounds(one, stage or "best"))  # type: ignore[arg-type]
         if table is not None:

@@ -110,6 +110,7 @@ def show(
     """
     from carom.tracks.films import film_names
     from carom.tracks.formats.text_table import Calibration
+    from carom.tracks.hops import hops_together
     from carom.tracks.measurement import Settings, measure
     from carom.tracks.read import read_tracks
 
@@ -140,8 +141,11 @@ def show(
 
     def run(progress: Any) -> list[Measured]:
         walls = [None if not wall else tuple(_wall(text, film) for text in wall) for film in found]
-        return [measure(film.tracks, replace(settings, walls=some), progress)
-                for film, some in zip(found, walls, strict=True)]  # fmt: skip
+
+        def once(i: int, hops: bool | None = None) -> Measured:
+            return measure(found[i].tracks, replace(settings, walls=walls[i], hops=hops), progress)
+
+        return hops_together([once(i) for i in range(len(found))], once)
 
     measured = _with_bar(console, run)
     names = film_names(files) if len(files) > 1 else [""]

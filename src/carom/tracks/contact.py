@@ -13,9 +13,19 @@ from carom.tracks.contact_models import slide_would_show
 from carom.tracks.events import WallLine
 from carom.tracks.least_squares import ContactFit, Prior
 
-__all__ = ["BALL_RADIUS", "MAX_RADIUS_M", "Settings", "TrackContact", "TrackedSpin", "View", "motion_before_resolved"]
+__all__ = [
+    "BALL_RADIUS",
+    "MAX_RADIUS_M",
+    "HopVerdict",
+    "Settings",
+    "TrackContact",
+    "TrackedSpin",
+    "View",
+    "motion_before_resolved",
+]
 
 View = Literal["above", "side"]
+HopVerdict = Literal["none", "seen", "possible"]
 NUMBERS = (int, float, np.integer, np.floating)
 # A ball's radius, and what is expected of one: millimetres are easily given without their unit.
 MAX_RADIUS_M, BALL_RADIUS = 1.0, "a ball's radius in m (a billiard ball's: 0.0286, or 28.6mm)"
@@ -54,6 +64,9 @@ class Settings:
     contact. None: determined from the scatter of the frames there."""
     hard: bool = False
     """Whether the two motions have to meet on the wall's line."""
+    hops: bool | None = None
+    """Whether a ball on a table hops off the walls, as off one that it touches at its centre, or stays down, as under the nose of
+    a cushion. None: determined from the frames."""
 
     def check(self) -> None:
         """Raise CaromError, one line per problem, for a number out of range."""
@@ -72,6 +85,8 @@ class Settings:
             faults.add("radius", BALL_RADIUS, repr(self.radius))
         if self.view not in (None, "above", "side"):
             faults.add("view", "'above' or 'side'", repr(self.view))
+        if self.hops not in (None, True, False):
+            faults.add("hops", "True, False or None", repr(self.hops))
         faults.raise_if_any()
 
 
@@ -127,6 +142,8 @@ class TrackContact:
     """Whether the ball is in flight, not on a table."""
     prior: Prior = field(default_factory=Prior)
     """Prior knowledge of the floor that the fit used."""
+    hop: HopVerdict = "none"
+    """Whether the contacts with this wall show that a ball on a table hops off it, or may hop."""
 
     def why_not(self, stage: str) -> str:
         """Return why there is no rebound of a stage, ``"after_wall"`` or ``"rolling"``; empty if there is one."""

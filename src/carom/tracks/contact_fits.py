@@ -14,6 +14,7 @@ from carom.tracks.contact import Settings, TrackContact, TrackedSpin, View, moti
 from carom.tracks.contact_models import fit_flight, fit_table
 from carom.tracks.events import TrackEvent, WallLine
 from carom.tracks.floor import WithError, pool_floor, pool_gravity
+from carom.tracks.hops import hop_notes, with_hops
 from carom.tracks.least_squares import AT_CONTACT, ContactFit, Prior
 from carom.tracks.track import Track
 
@@ -71,40 +72,51 @@ class ContactFitter:
         for number in range(ROUNDS):
             found = self._round(jobs, known, found, number, progress)
             if number == 0 and self.settings.blind is None:
-                self.blind = estimate_blind_time(found, self.interval)
+                self.blind = self._blind_time(found)
             if number < ROUNDS - 1:
                 owners = [(one.group, one.track) for one in found]
-                fits = [one.fit for one in found]
+                hopping = with_hops(found, self.settings.hops, doubtful=False)
+                fits = [one.fit for one in hopping]
                 # a ball that slides where rolling is assumed, or rolls where sliding is, would bias the estimate of the floor
-                usable = [_determines_floor(one) for one in found]
+                usable = [_determines_floor(one) for one in hopping]
                 self.floor, known = together(fits, owners, known, prior, self.settings.gravity, usable)
-        done = [self._checked(one) for one in found or []]
+        done = [self._checked(one) for one in with_hops(found or [], self.settings.hops)]
+        notes += hop_notes(done)
         if not any(self.blind[:2]):
             return done
-        shifted = self._with_blind_error(jobs, known, done) if any(self.blind[2:]) else done
+        shifted = self._with_blind_error(jobs, known, found or [], done) if any(self.blind[2:]) else done
         notes.append(self._blind_note(shifted))
         return shifted
 
+    def _blind_time(self, found: list[TrackContact]) -> BlindTime:
+        """Estimate the blind time; frames that a hop explains are not left out."""
+        blind, hopping = estimate_blind_time(found, self.interval), with_hops(found, self.settings.hops)
+        if any(blind[:2]) and any(one.hop == "seen" for one in hopping):
+            rest = estimate_blind_time(hopping, self.interval)
+            return blind if any(rest[:2]) else rest
+        return blind
+
     def _with_blind_error(
-        self, jobs: list[tuple[Track, list[TrackEvent], int]], priors: Sequence[Prior], found: list[TrackContact]
-    ) -> list[TrackContact]:
+        self, jobs: list[tuple[Track, list[TrackEvent], int]], priors: Sequence[Prior], found: list[TrackContact],
+        done: list[TrackContact],
+    ) -> list[TrackContact]:  # fmt: skip
         """Add to each contact by how much its velocities change with one standard deviation less of the blind time.
 
         (With more, contacts would lose the frames that determine their velocities, and change by chance.)
         """
-        blind, shifted = self.blind, []
+        blind, others = self.blind, []
         before, after = max(blind.before - blind.before_error, 0.0), max(blind.after - blind.after_error, 0.0)
         self.blind = blind._replace(before=before, after=after)
         for job, prior, one in zip(jobs, priors, found, strict=True):
             other = self._contact(*job, prior, one).fit if one.fit is not None else None
-            changes = (
-                {}
-                if one.fit is None or other is None
-                else {name: float(np.nan_to_num(other[name] - one.fit[name])) for name in VELOCITIES}
-            )
-            shifted.append(replace(one, blind_shift=changes))
+            if one.fit is not None and other is not None:  # the verdict on hops remains
+                other = replace(other, hop_chi2=one.fit.hop_chi2)
+            others.append(replace(one, fit=other))
         self.blind = blind
-        return shifted
+        return [
+            replace(one, blind_shift=_changes(one.fit, other.fit))
+            for one, other in zip(done, with_hops(others, self.settings.hops), strict=True)
+        ]
 
     def _blind_note(self, found: list[TrackContact]) -> str:
         """Say which frames are left out, and what one standard deviation of that time changes."""
@@ -137,7 +149,7 @@ class ContactFitter:
             if progress:
                 progress(done * len(jobs) + number + 1, ROUNDS * len(jobs))
         if self.settings.noise is None:
-            self.noise = pooled_noise(found, self.noise)
+            self.noise = pooled_noise(with_hops(found, self.settings.hops, doubtful=False), self.noise)
         return found
 
     def _prior(self) -> Prior:
@@ -179,7 +191,8 @@ class ContactFitter:
         at = 0.0 if self.settings.hard else None
         if self.view == "above":
             t, x, weight = averaged_frames(t, x, middle)
-            fit = fit_table(t, x, middle, self.noise, prior, at, weight, None if old is None else old.fit)
+            known = None if old is None else old.fit
+            fit = fit_table(t, x, middle, self.noise, prior, at, weight, known, self.settings.gravity)
         else:
             gravity = wall.turned(np.array([0.0, -self.settings.gravity]))
             fit = fit_flight(t, x, middle, self.noise, gravity, 0.05 * self.settings.gravity, at)
@@ -266,6 +279,13 @@ class ContactFitter:
                 name = NAMES["wall"].format(other.name)
                 return f"{name} is met within two frames: contacts that the frames cannot separate"
         return ""
+
+
+def _changes(one: ContactFit | None, other: ContactFit | None) -> dict[str, float]:
+    """Return by how much the velocities of another fit differ."""
+    if one is None or other is None:
+        return {}
+    return {name: float(np.nan_to_num(other[name] - one[name])) for name in VELOCITIES}
 
 
 def _determines_floor(one: TrackContact) -> bool:

@@ -2,6 +2,10 @@
 
 On a table, Coulomb friction while the ball slides and constant resistance while it rolls (:mod:`carom.tracks.table_motion`). Each
 model is fitted to the frames on both sides of the contact, in the frame of the wall (:mod:`carom.tracks.least_squares`).
+
+A ball that rolls into a wall and touches it at its centre is lifted by the wall's friction, and hops before it slides. Seen from
+above, a hop of duration T is hardly distinguishable from a start that is faster by mu g T / 2: frames show long hops, not short
+ones. So each contact is fitted without a hop and with one, and all contacts with a wall decide (:mod:`carom.tracks.hops`).
 """
 
 from __future__ import annotations
@@ -22,7 +26,12 @@ from carom.tracks.least_squares import (
     starting_values,
     unresolved_time,
 )
-from carom.tracks.table_motion import slide_then_roll, slide_then_roll_derivatives
+from carom.tracks.table_motion import (
+    hop_slide_roll,
+    hop_slide_roll_derivatives,
+    slide_then_roll,
+    slide_then_roll_derivatives,
+)
 
 __all__ = ["fit_flight", "fit_table", "slide_would_show"]
 
@@ -39,19 +48,23 @@ FEW_FRAMES_AFTER = 15
 SHORT_SLIDE_FRAMES = 3.0  # a slide as short as this may be spurious, found before the cloth's friction was known
 MIN_FRAMES_SLIDING = 6  # before the contact, to distinguish a slide from noise
 MAX_TIME_SLACK_S = 0.02  # longest time between the contact and the frames next to it
+# By how much a hop may differ from the expected one, as a share of the longest that a wall causes by stopping the slip: TIED to
+# test what is expected, LOOSE for any wall, also one that does not lift the ball at all.
+TIED, LOOSE, MAX_SHARE = 0.1, 0.5, 2.0
 
 # The parameters of a contact on a table. Before the contact the ball has, at the first frame, a slip u0 of magnitude SLIP in the
 # direction ANGLE, and the velocity ROLL + k u0: ROLL is its velocity once it rolls, which late frames determine even if they
 # determine nothing of u0.
 TIME, PLACE, DISTANCE, ROLL, SLIP, ANGLE = 0, slice(1, 3), 1, slice(3, 5), 5, 6
-V_OUT, U_OUT, MU_G, C_G = slice(7, 9), slice(9, 11), 11, 12
-COUNT = 13
+V_OUT, U_OUT, MU_G, C_G, HOP = slice(7, 9), slice(9, 11), 11, 12, 13
+COUNT = 14
 # of a contact in flight, after TIME and PLACE
 FLIGHT_IN, FLIGHT_OUT, FLIGHT_GRAVITY = slice(3, 5), slice(5, 7), slice(7, 9)
 
 # Which parameters are free: for a ball that rolls before the contact, that slides until the contact, that slides and then rolls.
 _NUMBERS = np.arange(COUNT)
-ROLLING, SLIDING_UNTIL_CONTACT, SLIDING = (_NUMBERS != SLIP) & (_NUMBERS != ANGLE), _NUMBERS != SLIP, _NUMBERS >= 0
+SLIDING = _NUMBERS != HOP
+ROLLING, SLIDING_UNTIL_CONTACT = SLIDING & (_NUMBERS != SLIP) & (_NUMBERS != ANGLE), SLIDING & (_NUMBERS != SLIP)
 FLOOR_HELD = _NUMBERS < MU_G
 
 
@@ -89,8 +102,8 @@ def _table_position(theta: Array, since: float, t: Array, k: float) -> Array:
     before = t < theta[TIME]
     places = np.empty((len(t), 2))
     places[before] = _table_before(theta, since, t[before], k)[0]
-    after = slide_then_roll(theta[V_OUT], theta[U_OUT], t[~before] - theta[TIME], theta[MU_G], theta[C_G], k)
-    places[~before] = theta[PLACE] + after.displacement
+    after = hop_slide_roll(theta[V_OUT], theta[U_OUT], theta[HOP], t[~before] - theta[TIME], theta[MU_G], theta[C_G], k)
+    places[~before] = theta[PLACE] + after
     return places
 
 
@@ -109,9 +122,9 @@ def _table_slope(theta: Array, since: float, t: Array, k: float) -> Array:
     found[before, :, ROLL] = by[:, :, 0:2]
     found[before, :, SLIP] = by_slip @ np.array([np.cos(theta[ANGLE]), np.sin(theta[ANGLE])])
     found[before, :, ANGLE] = by_slip @ np.array([-u0[1], u0[0]])
-    found[before, :, MU_G:] = by[:, :, 4:]
-    _way, v, by = slide_then_roll_derivatives(
-        theta[V_OUT], theta[U_OUT], t[~before] - theta[TIME], theta[MU_G], theta[C_G], k
+    found[before, :, MU_G:HOP] = by[:, :, 4:]
+    v, by = hop_slide_roll_derivatives(
+        theta[V_OUT], theta[U_OUT], theta[HOP], t[~before] - theta[TIME], theta[MU_G], theta[C_G], k
     )
     found[~before, :, TIME] = -v
     found[~before, :, V_OUT.start :] = by
@@ -122,8 +135,11 @@ def _table_outputs(theta: Array, since: float, k: float) -> Array:
     """Return the quantities of OUTPUTS."""
     _places, v, u = _table_before(theta, since, np.zeros(0), k)
     v1, u1 = theta[V_OUT], theta[U_OUT]
-    slides = k * np.sqrt(u1 @ u1) / theta[MU_G]
-    return np.array([theta[TIME], *theta[PLACE], *v, *v1, *(v1 - k * u1), *u, *u1, theta[MU_G], theta[C_G], slides])
+    hop = theta[HOP]
+    slides = max(k * np.sqrt(u1 @ u1) / theta[MU_G] + hop / 2, hop)
+    return np.array(
+        [theta[TIME], *theta[PLACE], *v, *v1, *(v1 - k * u1), *u, *u1, theta[MU_G], theta[C_G], slides, hop]
+    )
 
 
 class _TableContact:
@@ -139,8 +155,10 @@ class _TableContact:
         self.after, self.interval = int(after.sum()), float(np.median(np.diff(time)))
         start = starting_values(time, position, before, after, near)
         v_in, v_out = start[FLIGHT_IN], start[FLIGHT_OUT]
-        self.start = np.concatenate([start[TIME : ROLL.stop], [0.0, 0.0], v_out, [0.0, 0.0], [prior.mu_g, prior.c_g]])
-        self.scale = np.array([1e-3, 1e-3, 1e-3, *[0.05] * 2, 0.3, 0.3, *[0.05] * 2, *[0.3] * 2, 0.2, 0.03])
+        self.start = np.concatenate(
+            [start[TIME : ROLL.stop], [0.0, 0.0], v_out, [0.0, 0.0], [prior.mu_g, prior.c_g, 0.0]]
+        )
+        self.scale = np.array([1e-3, 1e-3, 1e-3, *[0.05] * 2, 0.3, 0.3, *[0.05] * 2, *[0.3] * 2, 0.2, 0.03, 0.01])
         # a wall cannot give a ball more slip than is compatible with its speed
         far = 0.2 + 2.0 * float(np.hypot(*v_in))
         self.low, self.high = np.full(COUNT, -np.inf), np.full(COUNT, np.inf)
@@ -161,18 +179,24 @@ class _TableContact:
         self.known_slope = np.zeros((len(known), COUNT))
         for row, (i, _value, error) in enumerate(known):
             self.known_slope[row, i] = 1 / error
+        self.lift = np.zeros((0, COUNT)), 0.0
 
     def residual(self, theta: Array) -> Array:
         """Return the residuals in standard deviations: frames first, then prior knowledge."""
         gap = (self.position - _table_position(theta, self.since, self.time, self.k)) / self.noise
         return np.concatenate(
-            [gap.ravel() * self.weight, [(theta[i] - value) / error for i, value, error in self.known]]
+            [
+                gap.ravel() * self.weight,
+                [(theta[i] - value) / error for i, value, error in self.known],
+                self.lift[0] @ theta - self.lift[1],
+            ]
         )
 
     def slope(self, theta: Array) -> Array:
         """Return the derivatives of the residuals (rows, COUNT)."""
         places = _table_slope(theta, self.since, self.time, self.k)
-        return np.concatenate([places.reshape(-1, COUNT) * (self.weight / -self.noise)[:, None], self.known_slope])
+        frames = places.reshape(-1, COUNT) * (self.weight / -self.noise)[:, None]
+        return np.concatenate([frames, self.known_slope, self.lift[0]])
 
     def solve(self, start: Array, free: Free) -> tuple[Array, float]:
         """Minimise over the free parameters from a start: the parameters, and the sum of squares."""
@@ -237,10 +261,34 @@ class _TableContact:
                     break  # no better minimum is possible: other starts would end here too
         return found
 
+    def hopping(self, grounded: _Candidate, gravity: float, error: float) -> _Candidate | None:
+        """Fit a ball that hops after the contact, from the fit without a hop; None if it comes with backspin.
+
+        At its centre the impulses J of the wall turn a ball by dw_y = J_z / (kappa m a), so that it leaves with
+        v_z = kappa (v_n - u_n + roll), roll the velocity at which its front goes down, and with k roll if its slip stops.
+        """
+        k, start = self.k, grounded.theta.copy()
+        _places, v, u = _table_before(start, self.since, np.zeros(0), k)
+        roll = float(u[0] - v[0])
+        if not roll > 0:
+            return None
+        longest, rate = 2 * k * roll / gravity, 1 / (1 - k)
+        lift = np.zeros((1, COUNT))
+        lift[0, [HOP, V_OUT.start, U_OUT.start]] = 1 / longest, -rate / roll, rate / roll
+        self.lift = lift / error, rate / error
+        self.high[HOP] = MAX_SHARE * longest
+        start[HOP] = longest * np.clip(rate - lift[0] @ start, 0.05, 1.0)
+        lost = start[MU_G] * start[HOP] / 2 * start[U_OUT] / max(float(np.hypot(*start[U_OUT])), 1e-9)
+        start[V_OUT] -= lost
+        start[U_OUT] -= lost / k
+        free = grounded.free | (_NUMBERS == HOP)
+        theta, chi2 = self.solve(start, free)
+        return grounded._replace(theta=theta, chi2=chi2, free=free)
+
 
 def fit_table(
     time: Array, position: Array, near: float, noise: float, prior: Prior, wall: float | None = None,
-    weight: Array | None = None, old: ContactFit | None = None,
+    weight: Array | None = None, old: ContactFit | None = None, gravity: float = 9.80665,
 ) -> ContactFit:  # fmt: skip
     """Fit a contact of a ball on a table.
 
@@ -261,6 +309,8 @@ def fit_table(
         sqrt(m) for a row that is the mean of m frames; its residual is multiplied by it.
     old : ContactFit, optional
         An earlier fit, with another floor or noise, to start from.
+    gravity : float
+        m/s^2, which a hop depends on.
     """
     weight = np.ones(len(time)) if weight is None else weight
     job = _TableContact(time, position, near, noise, prior, wall, weight)
@@ -274,7 +324,16 @@ def fit_table(
     if old is not None and old.slid_before:
         candidates.append(job.sliding_again(old))
     chosen = min(candidates, key=lambda one: one.chi2 + one.penalty)
-    best = chosen.theta
+    fitted = _fitted(job, chosen)
+    tied, loose = (job.hopping(chosen, gravity, error) for error in (TIED, LOOSE))
+    if tied is None or loose is None:
+        return fitted
+    return replace(fitted, hopping=_fitted(job, loose), hop_chi2=tied.chi2 - chosen.chi2)
+
+
+def _fitted(job: _TableContact, chosen: _Candidate) -> ContactFit:
+    """Return a minimum with its covariances."""
+    best, k, since, noise, time = chosen.theta, job.k, job.since, job.noise, job.time
     fitted = contact_fit(
         best, chosen.free, job.residual, job.slope(best), lambda theta: _table_outputs(theta, since, k),
         lambda t: _table_position(best, since, t, k), scale=job.scale, time=time, noise=noise,
@@ -341,7 +400,7 @@ def _flight_position(theta: Array, t: Array) -> Array:
 
 def _flight_outputs(theta: Array) -> Array:
     """Return the quantities of OUTPUTS, with the components of gravity for mu_g and c_g."""
-    return np.array([*theta[: FLIGHT_OUT.stop], *[np.nan] * 6, *theta[FLIGHT_GRAVITY], np.nan])
+    return np.array([*theta[: FLIGHT_OUT.stop], *[np.nan] * 6, *theta[FLIGHT_GRAVITY], np.nan, np.nan])
 
 
 def fit_flight(

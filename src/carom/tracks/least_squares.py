@@ -33,7 +33,7 @@ Model = Callable[[Array], Array]
 # wall (n) and one along it (t); in: before the contact, out: after it, roll: once the ball rolls again.
 OUTPUTS = (
     "t", "away", "along", "vn_in", "vt_in", "vn_out", "vt_out", "vn_roll", "vt_roll",
-    "un_in", "ut_in", "un_out", "ut_out", "mu_g", "c_g", "slides",
+    "un_in", "ut_in", "un_out", "ut_out", "mu_g", "c_g", "slides", "hop",
 )  # fmt: skip
 # Of these, time, place and velocities of the contact itself, which every fit has.
 AT_CONTACT = slice(OUTPUTS.index("t"), OUTPUTS.index("vt_out") + 1)
@@ -63,8 +63,8 @@ class ContactFit:
     ``fit["vn_in"]`` is a value by its name in OUTPUTS: ``t`` (s); the place ``away`` from the wall's line and ``along`` it (m);
     velocities ``vn_in``, ``vt_in`` before the contact, ``vn_out``, ``vt_out`` after it, ``vn_roll``, ``vt_roll`` once the ball
     rolls again (m/s; n away from the wall, t along it); slips ``un_in`` ... ``ut_out`` on the floor (m/s); decelerations ``mu_g``
-    while sliding and ``c_g`` while rolling (m/s^2; in flight the components of gravity); ``slides``, the duration of the slide
-    after the contact (s). NaN for what does not apply.
+    while sliding and ``c_g`` while rolling (m/s^2; in flight the components of gravity); ``slides``, the time after the contact
+    until the ball rolls, and ``hop``, how long of that it flies (s). NaN for what does not apply.
 
     Examples
     --------
@@ -81,9 +81,9 @@ class ContactFit:
     """
 
     value: Array
-    """(16,): the quantities of OUTPUTS."""
+    """(17,): the quantities of OUTPUTS."""
     covariance: Array
-    """(16, 16), for the noise ``noise``."""
+    """(17, 17), for the noise ``noise``."""
     noise: float
     """Standard deviation of one coordinate of one frame that was assumed, m."""
     chi2: float
@@ -101,6 +101,10 @@ class ContactFit:
     """Whether it slid until the contact, so that no frame shows how much slip was left."""
     theta: Array = field(default_factory=lambda: np.zeros(0))
     """The parameters of the fit, from which another one can start."""
+    hopping: ContactFit | None = None
+    """The same contact, of a ball that hops off the wall; None if it cannot, or if this is such a fit."""
+    hop_chi2: float = 0.0
+    """By how much chi2 is higher if the ball hops for as long as off a wall that it touches at its centre."""
 
     def __getitem__(self, name: str) -> float:
         """Return a value by its name in OUTPUTS."""
@@ -194,7 +198,7 @@ def contact_fit(
     ----------
     best, free : the parameters at the minimum (p,), and which of them were fitted
     residual, slope : the residuals, frames first, as a function; their derivatives (rows, p) at the minimum
-    outputs, position : parameters to OUTPUTS (16,); times (m,) to fitted positions (m, 2)
+    outputs, position : parameters to OUTPUTS (17,); times (m,) to fitted positions (m, 2)
     scale : (p,) typical sizes of the parameters
     """
     step = 1e-4 * scale

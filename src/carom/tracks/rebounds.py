@@ -56,6 +56,8 @@ def usable_stages(one: TrackContact, stage: Stage, sliding: bool = False) -> tup
         why = one.why_not("after_wall")
         return ([] if why else ["after_wall"]), why
     wanted = ("after_wall", "rolling") if stage in ("best", "both") else (stage,)
+    if stage == "best" and one.hop != "none":
+        wanted = ("rolling", "after_wall")  # what follows the hop is determined better
     whys = {name: one.why_not(name) for name in wanted}
     good = [name for name in wanted if not whys[name]]
     return (good[:1] if stage == "best" else good), ("" if good else "; ".join(dict.fromkeys(whys.values())))
@@ -80,8 +82,8 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
     measured : Measured
         From :func:`carom.tracks.measure`.
     stage : "best", "after_wall", "rolling" or "both"
-        Of a ball on a table: as it leaves the wall, once it rolls again, the first of these that the track determines, or both
-        as two rows, which are not independent.
+        Of a ball on a table: as it leaves the wall, once it rolls again, the first of these that the track determines (the
+        second, if it may hop off the wall), or both as two rows, which are not independent.
     sliding : bool
         Whether to keep balls that still slide when they meet the wall; the columns slip_n_in, slip_t_in are their slip.
 

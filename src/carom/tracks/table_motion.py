@@ -1,8 +1,10 @@
 """Sliding and rolling of a ball on a table, in closed form at many times at once, with derivatives for fits.
 
 A ball with the slip u slides, decelerated by mu g against the slip, for the time k |u| / (mu g), k = kappa / (1 + kappa); then it
-rolls with the velocity v - k u, decelerated by c g along its path. Physics and sources are those of
-:mod:`carom.core.motion.phases`, whose kernels go from one state to the next; a fit needs arrays of times, and parameters
+rolls with the velocity v - k u, decelerated by c g along its path. A ball that hops first flies for some time with constant
+velocity and slip, and lands: the floor takes up m g T / 2, T the time of the flight, and its friction reduces the slip as half of
+that time of sliding would. (Further bounces change neither the later path nor the later velocity.) Physics and sources are those
+of :mod:`carom.core.motion.phases`, whose kernels go from one state to the next; a fit needs arrays of times, and parameters
 without a spin, since a track shows positions only.
 """
 
@@ -16,7 +18,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["TableMotion", "slide_then_roll", "slide_then_roll_derivatives"]
+__all__ = [
+    "TableMotion",
+    "hop_slide_roll",
+    "hop_slide_roll_derivatives",
+    "slide_then_roll",
+    "slide_then_roll_derivatives",
+]
 
 Array = NDArray[np.float64]
 TINY = 1e-12
@@ -51,6 +59,43 @@ def slide_then_roll_derivatives(
     slope = np.empty((len(t), 2, 6))
     found = _filled(v, u, t, mu_g, c_g, k, slope)
     return found.displacement, found.velocity, slope
+
+
+def hop_slide_roll(v: Array, u: Array, hop: float, t: Array, mu_g: float, c_g: float, k: float) -> Array:
+    """Compute the displacement (n, 2) of a ball that hops for the time ``hop``, s, and then slides and rolls."""
+    flown = np.minimum(t, hop)
+    lost = _lost_at_landing(u, hop, mu_g, k)
+    way = slide_then_roll(v - lost, u - lost / k, t - flown, mu_g, c_g, k)
+    return np.asarray(flown[:, None] * v + way.displacement)
+
+
+def hop_slide_roll_derivatives(
+    v: Array, u: Array, hop: float, t: Array, mu_g: float, c_g: float, k: float
+) -> tuple[Array, Array]:
+    """Compute the velocity (n, 2), and the derivatives of the displacement (n, 2, 7): v (2), u (2), mu_g, c_g and hop."""
+    flown, lands = np.minimum(t, hop)[:, None], t >= hop
+    size = float(np.hypot(*u)) + TINY
+    e, across = u / size, np.eye(2) - np.outer(u, u) / size**2
+    lost = _lost_at_landing(u, hop, mu_g, k)
+    _way, after, by = slide_then_roll_derivatives(v - lost, u - lost / k, t - flown[:, 0], mu_g, c_g, k)
+    by_v, by_u = by[:, :, 0:2], by[:, :, 2:4]
+    by_lost = -by_v - by_u / k
+    sticks = mu_g * hop / 2 >= k * size
+    turned = k * np.eye(2) if sticks else mu_g * hop / 2 / size * across
+    rate = np.zeros((len(t), 2)) if sticks else by_lost @ e / 2
+    velocity = np.where(lands[:, None], after, v)
+    slope = np.empty((len(t), 2, 7))
+    slope[:, :, 0:2] = by_v + flown[:, :, None] * np.eye(2)
+    slope[:, :, 2:4] = by_u + by_lost @ turned
+    slope[:, :, 4], slope[:, :, 5] = by[:, :, 4] + rate * hop, by[:, :, 5]
+    slope[:, :, 6] = np.where(lands[:, None], v - after, 0.0) + rate * mu_g
+    return velocity, slope
+
+
+def _lost_at_landing(u: Array, hop: float, mu_g: float, k: float) -> Array:
+    """Return the velocity (2,) that the floor's friction takes from a ball of slip u as it lands."""
+    size = float(np.hypot(*u)) + TINY
+    return np.asarray(u * (min(mu_g * hop / 2, k * size) / size))
 
 
 def _filled(v: Array, u: Array, t: Array, mu_g: float, c_g: float, k: float, slope: Array) -> TableMotion:
