@@ -12,7 +12,8 @@ import carom
 from carom.fitting import Setting, fit_laws
 from carom.scene.shapes import Plane, Table
 from carom.tracks import Measured, Settings, Track, measure, to_rebounds
-from carom.tracks.hops import averaged, hops_together
+from carom.tracks.films import hops_together
+from carom.tracks.hops import averaged
 from carom.tracks.table_motion import hop_slide_roll, hop_slide_roll_derivatives, slide_then_roll
 
 RADIUS, FLOOR = 0.025, 0.25

@@ -161,8 +161,7 @@ def measured(
     from dataclasses import replace
 
     from carom.tracks.contact import Settings
-    from carom.tracks.films import combined_rebounds, film_names
-    from carom.tracks.hops import hops_together
+    from carom.tracks.films import combined_rebounds, film_names, hops_together
     from carom.tracks.measurement import Measured, measure
     from carom.tracks.read import read_tracks
     from carom.tracks.rebounds import to_rebounds

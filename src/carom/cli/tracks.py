@@ -108,9 +108,8 @@ def show(
 
     carom tracks show films/*.txt --out rebounds.csv
     """
-    from carom.tracks.films import film_names
+    from carom.tracks.films import film_names, hops_together
     from carom.tracks.formats.text_table import Calibration
-    from carom.tracks.hops import hops_together
     from carom.tracks.measurement import Settings, measure
     from carom.tracks.read import read_tracks
 

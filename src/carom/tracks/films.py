@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -11,8 +11,10 @@ from numpy.typing import NDArray
 
 from carom.data.rebounds import Rebounds, make_rebounds
 from carom.errors import CaromError, shortened_list
+from carom.tracks.hops import DECISIVE, hop_excess
+from carom.tracks.measurement import Measured
 
-__all__ = ["combined_rebounds", "film_names"]
+__all__ = ["combined_rebounds", "film_names", "hops_together"]
 
 
 def film_names(paths: Sequence[Path]) -> list[str]:
@@ -74,3 +76,18 @@ def combined_rebounds(tables: Mapping[str, Rebounds]) -> Rebounds:
         rows=[f"{name}, row {i + 1}" for name, table in tables.items() for i in range(len(table))],
         source=f"films {shortened_list(list(tables))}", notes=notes,
     )  # fmt: skip
+
+
+def hops_together(films: Sequence[Measured], again: Callable[[int, bool], Measured]) -> list[Measured]:
+    """Return films of one table with one verdict on hops, if all of them together decide and one film does not.
+
+    ``again(i, hops)`` measures film i anew, with what is known then.
+    """
+    excess = sum(hop_excess(one) for film in films for one in film.contacts)
+    if abs(excess) < DECISIVE or len(films) < 2:
+        return list(films)
+    verdict = "seen" if excess < 0 else "none"
+    return [
+        again(i, excess < 0) if any(one.fit is not None and one.hop != verdict for one in film.contacts) else film
+        for i, film in enumerate(films)
+    ]

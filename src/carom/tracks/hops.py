@@ -11,19 +11,15 @@ Between these heights, up to about 1.15 radii above the floor, a wall causes sho
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
 from carom.tracks.contact import HopVerdict, TrackContact
 from carom.tracks.least_squares import ContactFit
 
-if TYPE_CHECKING:
-    from carom.tracks.measurement import Measured
-
-__all__ = ["averaged", "hop_notes", "hops_together", "with_hops"]
+__all__ = ["DECISIVE", "averaged", "hop_excess", "hop_notes", "with_hops"]
 
 DECISIVE = 9.2  # sum of the differences of chi2: odds of 100 to 1
 MOST = 9.2  # the share of one contact in the sum: it may be mistracked
@@ -36,30 +32,16 @@ def with_hops(contacts: Sequence[TrackContact], known: bool | None = None, doubt
     """
     walls: dict[str, float] = {}
     for one in contacts:
-        walls[one.wall.name] = walls.get(one.wall.name, 0.0) + _excess(one)
+        walls[one.wall.name] = walls.get(one.wall.name, 0.0) + hop_excess(one)
     together = sum(walls.values())  # walls that do not decide by themselves are taken to be like the others
     if known is not None:
         walls, together = dict.fromkeys(walls, 0.0), -np.inf if known else np.inf
     return [_with_hop(one, walls[one.wall.name], together, doubtful) for one in contacts]
 
 
-def _excess(one: TrackContact) -> float:
+def hop_excess(one: TrackContact) -> float:
+    """Return what a contact adds to the sum for all: by how much chi2 is higher with a hop, within MOST."""
     return 0.0 if one.fit is None else float(np.clip(one.fit.hop_chi2, -MOST, MOST))
-
-
-def hops_together(films: Sequence[Measured], again: Callable[[int, bool], Measured]) -> list[Measured]:
-    """Return films of one table with one verdict on hops, if all of them together decide and one film does not.
-
-    ``again(i, hops)`` measures film i anew, with what is known then.
-    """
-    excess = sum(_excess(one) for film in films for one in film.contacts)
-    if abs(excess) < DECISIVE or len(films) < 2:
-        return list(films)
-    verdict = "seen" if excess < 0 else "none"
-    return [
-        again(i, excess < 0) if any(one.fit is not None and one.hop != verdict for one in film.contacts) else film
-        for i, film in enumerate(films)
-    ]
 
 
 def _with_hop(one: TrackContact, excess: float, together: float, doubtful: bool) -> TrackContact:
