@@ -14,7 +14,6 @@ from carom.fitting.cross_validation import cross_validated_score, score_warnings
 from carom.fitting.data import Setting, make_problem, require_settings
 from carom.fitting.evidence import Evidence, decisive, odds_in_words, verdict_words, weigh
 from carom.fitting.fit import fit_law, kinked_rows_warning
-from carom.fitting.hops import hop_note
 from carom.fitting.laws import laws_named
 from carom.fitting.model import SETTING_NUMBERS
 from carom.fitting.outliers import Outlier, outliers_of
@@ -244,8 +243,6 @@ def fit_laws(
     if swayed:
         which = f"{outliers[0].row} alone sways" if len(outliers) == 1 else f"{len(outliers)} outliers sway"
         verdict = f"{verdict} {which[0].upper() + which[1:]} this: remove rows that are not such bounces, or fit with --robust."
-    hops = hop_note(best)
-    notes = [hops, *notes] if hops else notes
     if not straight:
         said += score_warnings(best.law.name, scores, rival.law.name if rival else "")
         said += [warning for warning in (kinked_rows_warning(best),) if warning]
