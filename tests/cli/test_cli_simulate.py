@@ -151,7 +151,7 @@ def test_words_of_a_ball_that_a_wall_stops() -> None:
     """It spins without moving: no speed and no angle is said of it."""
     wall = {"shape": "plane", "point": (0, 0, 0), "normal": (1, 0, 0), "restitution": 0, "law": "mirror"}
     ball = {"radius": 0.03, "mass": 0.2, "position": (0.5, 0), "velocity": (-1, 0), "spin": (3, 0, 0)}
-    scene = carom.Scene(floor={"friction": 1e-9}, walls=[wall], balls=[ball])
+    scene = carom.Scene(gravity=0, walls=[wall], balls=[ball])
     said = describe_run(carom.simulate(scene, duration=0.6))[0]
     assert "it meets plane 0, 0° from its normal" in said
     assert "leaves" not in said
