@@ -63,6 +63,7 @@ def test_balls_by_name_and_kinds_that_there_are() -> None:
     assert run.index(name) == 0
     assert run.phases(name) == run.phases(0)
     assert len(run.events.of(ball=name)) == len(run.events.of(ball=0)) > 0
+    assert {one.ball for one in run.events.of(ball=name)} == {0}
     with pytest.raises(carom.CaromError, match=r"Events.of: expected a kind of wall, floor, ball, .*, got 'cushion'"):
         run.events.of("cushion")
     for ball in ("nobody", 7, True, 1.5):

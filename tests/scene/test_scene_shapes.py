@@ -453,3 +453,10 @@ def test_sound_polygons_are_let_through() -> None:
         radii = rng.uniform(0.5, 2, n)
         Polygon(points=np.column_stack((radii * np.cos(angles), radii * np.sin(angles))))
     Polygon(points=[(0, 0), (1, 0), (2, 0), (2, 1), (0, 1)])
+
+
+@pytest.mark.parametrize(("low", "high"), [(-math.inf, -math.inf), (math.inf, math.inf), (0.2, 0.1)])
+def test_a_wall_of_no_height_is_refused(low: float, high: float) -> None:
+    with pytest.raises(carom.CaromError, match="Segment: height: expected a height above low"):
+        Segment(start=(0, 0), end=(1, 0), low=low, height=high)
+    assert Segment(start=(0, 0), end=(1, 0)).vertical(0.03)

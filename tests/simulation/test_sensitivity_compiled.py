@@ -67,9 +67,13 @@ def shot(**more: Any) -> carom.Scene:
     return carom.Scene(floor=floor, walls=[wall], balls=[ball, other], run=carom.Run(duration=2))
 
 
+# more columns than the compiled pass follows at once
+MANY_PATHS = ["balls.0.velocity", "balls.0.position", "balls.1.position", "walls.0.friction", "walls.0.restitution"]
+MANY_PATHS += ["floor.friction", "floor.restitution", "ball_contact.friction", "ball_contact.restitution"]
+
+
 def test_more_parameters_than_lanes() -> None:
-    paths = ["balls.0.velocity", "balls.0.position", "balls.1.position", "walls.0.friction", "walls.0.restitution"]
-    paths += ["floor.friction", "floor.restitution", "ball_contact.friction", "ball_contact.restitution"]
+    paths = MANY_PATHS
     run = carom.simulate(shot())
     plain, compiled = both(run, paths)
     assert compiled.derivatives.shape[-1] > LANES
@@ -138,6 +142,18 @@ def test_many_starts_are_those_of_single_runs_on_any_number_of_cores() -> None:
     finally:
         limit_threads(threads)
     assert same(many.derivatives.position, again.derivatives.position)
+
+
+def test_many_starts_with_more_parameters_than_lanes() -> None:
+    scene = shot()
+    start = [[ball.state.velocity.tolist() for ball in scene.balls]]
+    many = carom.sensitivities(scene, MANY_PATHS, velocity=start)
+    one = carom.simulate(scene).sensitivity(MANY_PATHS)
+    assert many.columns == one.columns
+    assert len(many.columns) > LANES
+    for name in one.final._fields:
+        expected = getattr(one.final, name)
+        np.testing.assert_allclose(getattr(many.derivatives, name)[0], expected, rtol=1e-9, atol=1e-9 * np.abs(expected).max())
 
 
 def test_a_run_of_many_that_has_no_derivative_says_why() -> None:

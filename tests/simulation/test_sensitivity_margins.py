@@ -13,6 +13,7 @@ import carom
 from carom.cli.trajectory_output import show_sensitivity
 from carom.scene.paths import replaced
 from carom.simulation.records import BALL, FLOOR, SETTLED, WALL
+from carom.simulation.sensitivity.margins import _first_change
 
 RADIUS = 0.1
 PATH = "balls.0.velocity.x"
@@ -193,3 +194,12 @@ def test_the_border_of_sticking_warns() -> None:
     # v_t' = v_t - mu (1 + e) v_n while it slides; once it sticks friction has no effect
     assert below.velocity[0, 1, 0] == pytest.approx(-(1 + e) * v_n, rel=1e-6)
     assert above.velocity[0, 1, 0] == pytest.approx(0.0, abs=1e-9)
+
+
+@pytest.mark.parametrize("number", [9, 10, 13])
+def test_the_first_change_along_any_number_of_an_impact(number: int) -> None:
+    """Radius, inertia or surface alone may change: the step is bounded by the size of what changes."""
+    now, slope = np.zeros(14), np.zeros(14)
+    now[number], slope[number] = 0.9, 1.0
+    assert _first_change(lambda x: x[number] > 1.0, now, slope) == pytest.approx(0.1, rel=1e-6)
+    assert _first_change(lambda x: x[number] > 1.0, now, -slope) == math.inf
