@@ -150,10 +150,15 @@ def test_maw_wins_where_it_is_true_and_its_numbers_come_back():
 
 def test_cannot_decide_when_it_cannot():
     # little slip: the contact always holds, and sticking, sliding (with enough friction) and others say the same
-    columns = bounces(4, 12, mu=0.5, beta=0.0, slip=0.02, spins=0.5)
+    columns = bounces(2, 12, mu=0.5, beta=0.0, slip=0.06, spins=0.5)
     ranking = fit_laws(table(columns), SETTING, profiles=False, bootstrap=0)
     assert "cannot decide" in ranking.verdict
     assert ranking.odds < 3
+    # so little that nothing along the wall is beyond the error bars: no odds at all
+    columns = bounces(4, 12, mu=0.5, beta=0.0, slip=0.02, spins=0.5)
+    ranking = fit_laws(table(columns), SETTING, profiles=False, bootstrap=0)
+    assert "say nothing about friction or which law holds" in ranking.verdict
+    assert np.isnan(ranking.odds)
 
 
 def test_no_law_fits_is_said_with_the_scatter_it_would_take():

@@ -173,12 +173,13 @@ def test_shared_derivatives_are_those_of_differences(law: str) -> None:
 
     slopes = shared_slope(model, frames, q, numbers)
     for p, name in enumerate(model.free):
-        width, off, scale = min(model.free[name].high - model.free[name].low, 1.0), math.inf, 1.0
-        for h in (1e-4 * width, 3e-5 * width, 1e-5 * width):  # (in some, a place jumps by half a nanometre)
+        width, off, scale = min(model.free[name].high - model.free[name].low, 1.0), np.array(math.inf), 1.0
+        for h in np.array([3e-4, 1e-4, 3e-5, 1e-5, 3e-6]) * width:
             one, two = ((gaps(name, k * h) - gaps(name, -k * h)) / (2 * k * h) for k in (1, 2))
             scale = max(float(np.abs(one).max()), scale)
-            off = min(off, float(np.quantile(np.abs((4 * one - two) / 3 - slopes[:, :, p]), 0.95)))
-        assert off < 1e-6 * scale, name
+            # (places jump by half a nanometre within some steps, others in each; a derivative that is wrong is so in all of them)
+            off = np.minimum(off, np.abs((4 * one - two) / 3 - slopes[:, :, p]))
+        assert np.quantile(off, 0.95) < 1e-6 * scale, name
         assert scale > 1 or name != "restitution"
 
 

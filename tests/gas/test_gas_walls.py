@@ -11,6 +11,7 @@ from carom import Ball, CaromError, Disc, Surface
 from carom.gas import Drive, Gas, Species, Thermostat, container
 from carom.gas.edmd.records import ELLIPSE
 from carom.gas.edmd.walls import _is_present, _release_speed
+from carom.gas.profiles import Profiles
 
 ROUGH, SMOOTH = Surface(1, math.inf, 1), Surface(1, 0, -1)
 
@@ -612,10 +613,10 @@ def test_faults_of_drives():
     container("periodic", (6, 6), scatterers=[[3, 3, 2]]),
 ], ids=lambda room: room.shape)  # fmt: skip
 def test_a_profile_divides_by_the_room_in_each_slice(room):
-    from carom.plot.gas import _slice_volumes
-
     for axis in range(len(room.size)):
-        space = _slice_volumes(room, axis, 24)
+        profiles = Profiles(room, (0.0, 0.0, 0.0), (), np.ones(1), 36)
+        profiles.axis, profiles.bins, profiles.edges = axis, 24, np.linspace(0, room.size[axis], 25)
+        space = profiles._volumes()
         assert space.sum() == pytest.approx(room.volume, rel=5e-3)
     if room.shape == "wedge":  # a sector about (3, 0)
         assert space[0] < 0.1 * space[12]

@@ -153,7 +153,9 @@ def test_many_starts_with_more_parameters_than_lanes() -> None:
     assert len(many.columns) > LANES
     for name in one.final._fields:
         expected = getattr(one.final, name)
-        np.testing.assert_allclose(getattr(many.derivatives, name)[0], expected, rtol=1e-9, atol=1e-9 * np.abs(expected).max())
+        np.testing.assert_allclose(
+            getattr(many.derivatives, name)[0], expected, rtol=1e-9, atol=1e-9 * np.abs(expected).max()
+        )
 
 
 def test_a_run_of_many_that_has_no_derivative_says_why() -> None:
