@@ -9,6 +9,7 @@ import pytest
 
 from carom.data.rebounds import COLUMNS, Rebounds, make_rebounds, read_rebounds
 from carom.errors import CaromError
+from carom.fitting import Setting, fit_laws
 
 PLANAR = "v_n_in,v_t_in,spin_in,v_n_out,v_t_out,spin_out"
 TABLE = "v_n_in,v_t_in,spin_z_in,v_n_out,v_t_out,spin_z_out,stage"
@@ -137,6 +138,20 @@ def test_mixed_units_are_remarked(tmp_path: Path) -> None:
     assert any("mixed units?" in note for note in found.notes)
     found = read_rebounds(put(tmp_path, "v_n_in,v_t_in,v_n_out,v_t_out,stage\n1.5,0.5,1.2,0.4,rolling\n"))
     assert not any("mixed units?" in note for note in found.notes)
+
+
+@pytest.mark.filterwarnings("error")
+def test_the_smallest_speed_and_the_smallest_error_bar_give_no_warnings_of_numpy() -> None:
+    """1e-320 m/s: a quotient by it overflows, its square is 0."""
+    rng = np.random.default_rng(1)
+    v_n, v_t = rng.uniform(1, 3, 20), rng.uniform(-1, 1, 20)
+    columns = {"v_n_in": v_n.copy(), "v_t_in": v_t, "spin_in": 0.0, "v_n_out": 0.8 * v_n, "v_t_out": 0.9 * v_t}
+    columns |= {"sigma_v_n_out": np.full(20, 0.01), "sigma_v_t_out": np.full(20, 0.01)}
+    columns["v_n_in"][3] = 1e-320
+    found = make_rebounds("planar", columns)
+    assert "restitution above 1" in " ".join(found.notes)
+    columns["v_n_in"][3], columns["sigma_v_t_out"][5] = v_n[3], 1e-320
+    fit_laws(make_rebounds("planar", columns), Setting(radius=0.02), ["contact"], bootstrap=0)
 
 
 def test_nothing_to_read(tmp_path: Path) -> None:

@@ -49,9 +49,10 @@ def speed_remarks(
     error = _difference_error(before, sigma, covariance)
     grows = after - before > BEYOND * error
     if grows.any():
-        ratio = np.where(grows, after / before, -np.inf)
-        i = int(np.argmax(ratio))
-        said = f" ± {error[i] / before[i]:.2g}" if sigma else ""
+        with np.errstate(over="ignore"):  # (a speed before the wall may be as small as a number can be)
+            ratio = np.where(grows, after / before, -np.inf)
+            i = int(np.argmax(ratio))
+            said = f" ± {error[i] / before[i]:.2g}" if sigma else ""
         remarks.append(
             f"v_n_out: {grows.sum()} of {len(before)} rebounds have a restitution above 1 beyond the error bar, up to"
             f" {ratio[i]:.3g}{said} at {rows[i]}: no wall at rest gives back more than it gets; are columns swapped, or the scale,"

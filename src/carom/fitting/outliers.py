@@ -61,7 +61,8 @@ def outliers_of(fit: Fit) -> tuple[list[Outlier], list[str]]:
     found = [int(i) for i in np.flatnonzero((d > 0) & (chi2 > limit * scale))]
     found.sort(key=lambda i: -chi2[i])
     gap = problem.y - predict_law(fit.law, problem, steady.numbers)
-    size = np.abs(gap) / np.sqrt(problem.vy)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):  # (an error bar's square may be 0)
+        size = np.abs(gap) / np.sqrt(problem.vy)
     names = problem.rebounds.rows or tuple(f"row {i + 1}" for i in range(len(d)))
     what = ("v_n", "v_t", "spin")
     rows = []
