@@ -112,19 +112,21 @@ def test_the_time_ends_with_the_run_though_a_ball_is_in_a_pocket(page_of: Any) -
 
 
 def test_a_strike_is_said_until_it_is_replaced(page_of: Any) -> None:
+    from playwright.sync_api import expect  # (which waits for the page's next frame)
+
     page = page_of(_struck())
     note = page.locator("#strike")
     said = "Struck by a cue: 3 m/s, azimuth 20°, offset 0.2 to the right and 0.3 down (in ball radii)."
-    assert note.inner_text().startswith(said)
+    expect(note).to_contain_text(said)
     page.locator("#control-speed-number").fill("2")
     page.keyboard.press("Enter")
-    assert note.inner_text().startswith("The cue's strike (3 m/s, azimuth 20°, ")
+    expect(note).to_contain_text("The cue's strike (3 m/s, azimuth 20°, ")
     page.locator("#undo").click()
-    assert note.inner_text().startswith(said)
+    expect(note).to_contain_text(said)
     page.select_option("#ball-choice", label="red")
-    assert not note.is_visible()
+    expect(note).to_be_hidden()
     page.select_option("#preset", label="Three cushions")
-    assert not note.is_visible()
+    expect(note).to_be_hidden()
 
 
 # --- what is seen ---------------------------------------------------------------------------------------------------
