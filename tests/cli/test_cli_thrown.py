@@ -12,11 +12,12 @@ import pytest
 from reference.commands import command, fails
 from reference.thrown_ball import KAPPA, RADIUS, as_csv, film, table, thrown
 
-from carom.cli.fit_input import completed, first_contacts
+from carom.cli.fit_input import completed
 from carom.data import make_rebounds, read_rebounds
 from carom.fitting import Setting, fit_laws
 from carom.plot.tracks import plot_tracks
 from carom.tracks import Settings, measure, to_rebounds
+from carom.tracks.rebounds import first_contacts
 
 BALL = ("--radius", str(RADIUS), "--inertia", "hollow")
 FILMS = [

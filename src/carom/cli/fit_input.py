@@ -8,12 +8,9 @@ from typing import TYPE_CHECKING, Any
 
 from carom.cli.common import attempt, noting
 from carom.errors import CaromError
-from carom.files import read_text, text_encoding
+from carom.files import text_encoding
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
     from carom.data.published import Published
     from carom.data.rebounds import Rebounds
     from carom.fitting import Setting
@@ -23,7 +20,7 @@ REBOUND_COLUMNS = (
     " measured (rad/s)"
 )
 
-__all__ = ["chosen", "completed", "first_contacts", "is_track", "own_set", "read", "with_height_note"]
+__all__ = ["chosen", "completed", "is_track", "own_set", "read", "with_height_note"]
 
 
 def own_set(file: Path) -> Published | None:
@@ -134,9 +131,9 @@ def is_track(file: Path) -> bool:
     if any(name in text.lower() for name in ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in")):
         return False
     from carom.tracks.formats.columns import HEADER_EXAMPLE
-    from carom.tracks.read import format_of, got_instead
+    from carom.tracks.read import format_of, got_instead, track_text
 
-    whole = read_text(file).replace("\r\n", "\n").replace("\r", "\n")
+    whole = track_text(file)
     if format_of(whole) is None:
         raise CaromError(
             f"{wanted}, {got_instead(whole)}; a table of rebounds has the columns {REBOUND_COLUMNS}; a track is like"
@@ -209,6 +206,8 @@ def completed(rebounds: Rebounds, sigma_v: float | None, sigma_spin: float | Non
 
     import numpy as np
 
+    from carom.tracks.rebounds import first_contacts
+
     columns, sigma = dict(rebounds.columns), dict(rebounds.sigma)
     notes: tuple[str, ...] = ()
     first = first_contacts(rebounds)
@@ -235,33 +234,6 @@ def with_height_note(rebounds: Rebounds, height: float | None, known: bool) -> R
         " touches it higher (--contact-height, nose height / radius: mostly 1.2 to 1.4)"
     )
     return replace(rebounds, notes=(note, *rebounds.notes))
-
-
-def first_contacts(rebounds: Rebounds) -> NDArray[np.bool_]:
-    """Return which rows (N,) are the first contact of a ball in a film or shot; every row where the table has no such column.
-
-    The column ``bounce`` numbers the contacts of each ball. In a table without it, the first is the one with the lowest number in
-    the column ``contact`` of a film, shot and ball.
-    """
-    import numpy as np
-
-    from carom.data.cells import parse_numbers
-
-    def numbers(name: str) -> NDArray[np.float64]:
-        return parse_numbers([str(cell) for cell in rebounds.extra[name].tolist()]).values
-
-    every = np.ones(len(rebounds), bool)
-    if "bounce" in rebounds.extra:
-        return np.asarray(~(numbers("bounce") > 1))
-    if "contact" not in rebounds.extra:
-        return every
-    contact = numbers("contact")
-    names = [rebounds.extra[name].astype(str).tolist() for name in ("film", "shot", "ball") if name in rebounds.extra]
-    least: dict[tuple[str, ...], float] = {}
-    keys = list(zip(*names, strict=True)) if names else [()] * len(rebounds)
-    for key, number in zip(keys, contact.tolist(), strict=True):
-        least[key] = min(least.get(key, np.inf), number)
-    return np.array([not number > least[key] for key, number in zip(keys, contact.tolist(), strict=True)], bool)
 
 
 def _spin_note(rows: int, name: str, spin: float, first: int, later: int) -> tuple[str, ...]:

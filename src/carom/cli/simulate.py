@@ -104,7 +104,9 @@ def simulate(
         most, times = attempt(found, _most, events), attempt(found, _times, at)
         kinds = {"--animate": ANIMATIONS, "--save": FORMATS, "--table": TABLES}
         require_outputs(found, {"--plot": plot, "--animate": animate, "--save": save, "--table": table}, kinds)
-        values = {name: value for text in set_ or [] for name, value in attempt(found, _assigned, text) or ()}
+        values: dict[str, Any] = {}
+        for text in set_ or []:
+            values |= attempt(found, _assigned, text) or {}
         settings = {"law": law, "duration": duration, "max_events": max_events}
         given = attempt(found, _scene, scene, allow_own_laws, settings, values)
         if found:
@@ -150,15 +152,15 @@ def _times(texts: list[str] | None) -> list[float]:
     return sorted(found)
 
 
-def _assigned(text: str) -> list[tuple[str, Any]]:
-    """Return path and value of PATH=VALUE; a value as in a scene file, text without quotes as it is."""
+def _assigned(text: str) -> dict[str, Any]:
+    """Return the value of PATH=VALUE by its path; a value as in a scene file, text without quotes as it is."""
     path, equals, value = text.partition("=")
     if not equals or not path.strip() or not value.strip():
         raise CaromError(f"--set: expected PATH=VALUE, such as walls.*.restitution=0.8, got {text!r}")
     try:
-        return [(path.strip(), tomllib.loads(f"value = {value}")["value"])]
+        return {path.strip(): tomllib.loads(f"value = {value}")["value"]}
     except tomllib.TOMLDecodeError:
-        return [(path.strip(), value.strip())]
+        return {path.strip(): value.strip()}
 
 
 def _scene(path: Path, allow_own_laws: bool, changes: dict[str, Any], values: dict[str, Any]) -> Scene:

@@ -15,7 +15,6 @@ __all__ = ["table_scene"]
 GAP = 1e-4  # m: between racked balls; touching balls would be struck all at once, which a run takes one by one
 # said in scenes with a rack: in real ones contacts overlap in time, and more balls leave it (docs/theory/pairs.md)
 RACK = "# Balls of the rack are struck one pair at a time: fewer of them spread than on a real table (docs, Ball-ball collisions)."
-MOST_APART = 8  # balls of a game that begins without a rack
 WIDTH = 30  # of a field with its value, before its source
 # WPBSA, official rules: baulk-line and D, and where black stands, m
 BAULK, D_RADIUS, BLACK = 0.737, 0.292, 0.324
@@ -31,6 +30,7 @@ class Opening:
     velocity: tuple[float, float]
     spin_z: float = 0.0
     duration: float = 20.0
+    racked: bool = False
 
 
 def table_scene(name: str) -> str:
@@ -48,7 +48,7 @@ def table_scene(name: str) -> str:
     lines = [
         f"# A {preset.title}. {opening.about}",
         f"# Check it with `carom scene check FILE`, run it with `carom simulate FILE`. SI units. {_key()}",
-        *([RACK] if len(opening.balls) > MOST_APART else []),
+        *([RACK] if opening.racked else []),
         "",
         "[floor]",
         *_numbers(preset.parts["floor"]),
@@ -140,7 +140,7 @@ def _pool(length: float, radius: float) -> Opening:
     far = math.hypot(dx, dy)
     velocity = (round(BREAK_SPEED * dx / far, 2), round(BREAK_SPEED * dy / far, 3))
     about = "The break: white meets the rack from the head string."
-    return Opening(about, [("white", -length / 4, -BREAK_FROM), *rack], velocity, 0.0, 15.0)
+    return Opening(about, [("white", -length / 4, -BREAK_FROM), *rack], velocity, 0.0, 15.0, racked=True)
 
 
 def _snooker(length: float, radius: float) -> Opening:
@@ -152,4 +152,4 @@ def _snooker(length: float, radius: float) -> Opening:
         ("black", length / 2 - BLACK, 0.0),
     ]  # fmt: skip
     about = "The break-off: white grazes the last row of the reds and comes back to baulk."
-    return Opening(about, [("white", baulk, -0.14), *colours, *reds], (4.38, 0.004), -22.0, 20.0)
+    return Opening(about, [("white", baulk, -0.14), *colours, *reds], (4.38, 0.004), -22.0, 20.0, racked=True)

@@ -9,8 +9,6 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from pydantic import BaseModel
-
 from carom.errors import CaromError, require_type
 from carom.files import as_path, atomic_path, require_writable
 from carom.laws.law import Law
@@ -18,9 +16,9 @@ from carom.scene.openings import table_scene
 from carom.scene.presets import presets
 from carom.scene.restitution import Constant
 from carom.scene.scene import Scene
-from carom.scene.schema import from_file
+from carom.scene.schema import Model, from_file
 
-__all__ = ["load_scene", "new_scene", "parse_toml", "read_toml", "save_scene"]
+__all__ = ["load_scene", "new_scene", "parse_toml", "read_toml", "require_named_laws", "save_scene"]
 
 
 def load_scene(path: str | Path, *, allow_own_laws: bool = False) -> Scene:
@@ -134,25 +132,31 @@ def save_scene(scene: Scene, path: str | Path) -> Path:
     require_type("save_scene", "scene", scene, Scene)
     path = as_path("save_scene", path)
     require_writable(path, (".toml",))
-    if own := [law for law in (scene.run.law, *scene.wall_laws) if isinstance(law, Law)]:
-        raise CaromError(
-            f"save_scene: expected laws with a name or a file, got the carom.Law {own[0].name!r}, which a file cannot hold; put"
-            " it into a Python file and name it as 'file.py:name'"
-        )
+    require_named_laws("save_scene", scene)
     with atomic_path(path) as part:
         part.write_text(tomli_w.dumps(_plain(scene)), encoding="utf-8")
     return path
+
+
+def require_named_laws(where: str, scene: Scene) -> None:
+    """Raise CaromError for a scene with a carom.Law, which no file can hold."""
+    for law in (scene.run.law, *scene.wall_laws):
+        if isinstance(law, Law):
+            raise CaromError(
+                f"{where}: expected laws with a name or a file, got the carom.Law {law.name!r}, which a file cannot hold;"
+                " put it into a Python file and name it in the scene as 'file.py:name'"
+            )
 
 
 def _plain(value: Any) -> Any:
     """Return a part of a scene as a file has it: tables of what differs from the defaults, and which of several models it is."""
     if isinstance(value, Constant):
         return value.value
-    if isinstance(value, BaseModel):
+    if isinstance(value, Model):
         given = {
             name: getattr(value, name)
             for name, field in type(value).model_fields.items()
-            if name == getattr(value, "tag", "") or getattr(value, name) != field.default
+            if name == value.tag or getattr(value, name) != field.default
         }
         return {name: _plain(one) for name, one in given.items() if one is not None}
     return [_plain(one) for one in value] if isinstance(value, tuple) else value

@@ -37,13 +37,10 @@ class Event:
     Examples
     --------
     >>> import carom
-    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
-    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0), velocity=(-2, 1), rolling=True)
-    >>> scene = carom.Scene(floor=carom.Floor(friction=0.2), walls=[wall], balls=[ball], run=carom.Run(duration=2))
-    >>> run = carom.simulate(scene)
-    >>> hit = run.events[0]
+    >>> run = carom.simulate("carom", duration=1)
+    >>> hit = run.events.of("wall")[0]
     >>> hit.name, hit.regime, round(hit.t, 3), round(hit.energy_lost, 3)
-    ('plane 0', 'stick', 0.485, 0.254)
+    ('cushions', 'stick', 0.692, 0.264)
     """
 
     t: float
@@ -80,14 +77,11 @@ class Events(Sequence[Event]):
     Examples
     --------
     >>> import carom
-    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
-    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0), velocity=(-2, 1), rolling=True)
-    >>> scene = carom.Scene(floor=carom.Floor(friction=0.2), walls=[wall], balls=[ball], run=carom.Run(duration=2))
-    >>> run = carom.simulate(scene)
+    >>> run = carom.simulate("carom", duration=1)
     >>> run.events
-    <3 events: 1 floor, 1 rolling, 1 wall>
-    >>> run.events.of("wall").t.round(3)
-    array([0.485])
+    <40 events: 2 ball, 31 floor, 2 rolling, 2 settled, 3 wall>
+    >>> run.events.of("wall", ball="white").t.round(3)
+    array([0.798, 0.991])
     """
 
     def __init__(self, run: RunRecord, rows: NDArray[np.void]) -> None:

@@ -19,8 +19,8 @@ from numpy.typing import NDArray
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError
 from carom.files import atomic_path, import_optional, require_writable
-from carom.laws.law import Law
 from carom.scene.scene import Scene
+from carom.scene.toml import require_named_laws
 from carom.simulation.records import KINDS, LOG
 from carom.simulation.tables import UNITS, RunRecord
 
@@ -92,12 +92,7 @@ def version() -> str:
 
 def _scene_text(scene: Scene) -> str:
     """Return a scene as JSON (with Infinity), with the names of a scene file."""
-    for law in (scene.run.law, *scene.wall_laws):
-        if isinstance(law, Law):
-            raise CaromError(
-                f"save: expected laws with a name or a file, got the carom.Law {law.name!r}, which a file cannot hold;"
-                f" put it into a Python file and name it in the scene as 'file.py:name'"
-            )
+    require_named_laws("save", scene)
     return scene.model_dump_json()
 
 

@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.laws.results import GRAVITY
 from carom.tracks.least_squares import (
     OUTPUTS,
     ContactFit,
@@ -288,7 +289,7 @@ class _TableContact:
 
 def fit_table(
     time: Array, position: Array, near: float, noise: float, prior: Prior, wall: float | None = None,
-    weight: Array | None = None, old: ContactFit | None = None, gravity: float = 9.80665,
+    weight: Array | None = None, old: ContactFit | None = None, gravity: float = GRAVITY,
 ) -> ContactFit:  # fmt: skip
     """Fit a contact of a ball on a table.
 

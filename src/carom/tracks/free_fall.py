@@ -7,11 +7,11 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.laws.results import GRAVITY
 from carom.tracks.track import Track
 
 __all__ = [
     "MIN_FALLING_SHARE",
-    "G",
     "axis_points_down",
     "constant_acceleration",
     "falling_share",
@@ -28,7 +28,6 @@ MORE_FRAMES = (12, 16, 24, 32)
 MIN_SIDE_SHARE = 0.2  # of these pieces, in which the ball rises, and in which it falls
 MAX_PIECES = 400  # of a track
 GRAVITY_SHARE = 0.3  # of gravity, by which an acceleration may differ from it
-G = 9.80665  # m/s^2, of the unit that a file does not give
 UNIT_SHARE = 0.15
 UNITS = {"mm": 1e3, "cm": 1e2, "in": 1 / 0.0254}
 USUAL_RATES = (24, 25, 30, 48, 50, 60, 90, 100, 120, 200, 240, 300, 400, 480, 500, 600, 960, 1000)
@@ -128,10 +127,10 @@ def likely_unit(tracks: Sequence[Track]) -> tuple[str, float]:
     fall = abs(constant_acceleration(tracks))
     found, rises = pieces(tracks)
     for unit, ratio in UNITS.items():
-        if abs(fall / (ratio * G) - 1) < UNIT_SHARE:
+        if abs(fall / (ratio * GRAVITY) - 1) < UNIT_SHARE:
             return unit, fall
         for sign in (-1, 1):
-            alike = np.abs(sign * found / (ratio * G) - 1) < GRAVITY_SHARE
+            alike = np.abs(sign * found / (ratio * GRAVITY) - 1) < GRAVITY_SHARE
             up = (alike & rises).sum() / max(alike.sum(), 1)
             if len(found) and alike.mean() > MIN_FALLING_SHARE and MIN_SIDE_SHARE < up < 1 - MIN_SIDE_SHARE:
                 return unit, float(np.median(np.abs(found[alike])))

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError, suggestion
 from carom.files import as_path, read_text
+from carom.laws.results import GRAVITY
 from carom.tracks.formats import (
     carom_table,
     columns,
@@ -25,11 +26,11 @@ from carom.tracks.formats import (
 )
 from carom.tracks.formats.text_table import Calibration, first_rows
 from carom.tracks.frame_numbers import at_rate, without_rounding
-from carom.tracks.free_fall import G, likely_unit
+from carom.tracks.free_fall import likely_unit
 from carom.tracks.preprocess import MIN_INTERVAL_S, position_noise
 from carom.tracks.track import Track
 
-__all__ = ["FORMATS", "Format", "TrackFile", "format_of", "got_instead", "read_tracks"]
+__all__ = ["FORMATS", "Format", "TrackFile", "format_of", "got_instead", "read_tracks", "track_text"]
 
 MIN_POSITIONS = 9  # fewer cannot hold a contact
 # Beyond these a number is damaged, or its unit wrong.
@@ -128,7 +129,7 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
         raise CaromError(
             f"--format: expected one of {', '.join(FORMATS)}, got {format!r}; {suggestion(format, list(FORMATS))}"
         )
-    text = read_text(path).replace("\r\n", "\n").replace("\r", "\n")
+    text = track_text(path)
     if not text.strip():
         raise CaromError(f"{path}: expected a track, got an empty file")
     name = format or format_of(text)
@@ -157,6 +158,11 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
         notes += [note for note in track.notes if note not in notes]
     _plausibility_notes(checked, notes)
     return TrackFile(path, name, tuple(checked), tuple(notes))
+
+
+def track_text(path: Path) -> str:
+    """Return the text of a file, whatever its line ends."""
+    return read_text(path).replace("\r\n", "\n").replace("\r", "\n")
 
 
 def format_of(text: str) -> str | None:
@@ -251,7 +257,7 @@ def _require_likely_unit(tracks: list[Track], path: str) -> None:
     unit, fall = likely_unit([track.select(track.seen) for track in tracks])
     if unit:
         raise CaromError(
-            f"{path}: expected lengths in m, but then the ball falls with {fall:.3g} m/s^2, {fall / G:.3g} times gravity:"
+            f"{path}: expected lengths in m, but then the ball falls with {fall:.3g} m/s^2, {fall / GRAVITY:.3g} times gravity:"
             f" they are probably in {unit}; give --scale 1{unit} (or --scale 1m if they are in m)"
         )
 

@@ -7,7 +7,9 @@ from dataclasses import replace
 from typing import Any, Literal
 
 import numpy as np
+from numpy.typing import NDArray
 
+from carom.data.cells import parse_numbers
 from carom.data.energy import energy_remarks
 from carom.data.rebounds import Kind, Rebounds, make_rebounds
 from carom.errors import CaromError
@@ -136,6 +138,30 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
         kind, columns, stage=None if planar else [row["stage"] for row in rows], extra=extra, source="tracks"
     )
     return replace(table, notes=(*table.notes, *energy_remarks(table, measured.radius, measured.kappa)))
+
+
+def first_contacts(rebounds: Rebounds) -> NDArray[np.bool_]:
+    """Return which rows (N,) are the first contact of a ball in a film or shot; every row where the table has no such column.
+
+    The column ``bounce`` numbers the contacts of each ball. In a table without it, the first is the one with the lowest number in
+    the column ``contact`` of a film, shot and ball.
+    """
+
+    def numbers(name: str) -> NDArray[np.float64]:
+        return parse_numbers([str(cell) for cell in rebounds.extra[name].tolist()]).values
+
+    every = np.ones(len(rebounds), bool)
+    if "bounce" in rebounds.extra:
+        return np.asarray(~(numbers("bounce") > 1))
+    if "contact" not in rebounds.extra:
+        return every
+    contact = numbers("contact")
+    names = [rebounds.extra[name].astype(str).tolist() for name in ("film", "shot", "ball") if name in rebounds.extra]
+    least: dict[tuple[str, ...], float] = {}
+    keys = list(zip(*names, strict=True)) if names else [()] * len(rebounds)
+    for key, number in zip(keys, contact.tolist(), strict=True):
+        least[key] = min(least.get(key, np.inf), number)
+    return np.array([not number > least[key] for key, number in zip(keys, contact.tolist(), strict=True)], bool)
 
 
 def _row(one: TrackContact, numbers: dict[str, int], stage: str, spin: str) -> dict[str, Any]:
