@@ -95,3 +95,13 @@ def test_overlapping_paths() -> None:
     paths = ["walls.*.friction", "walls.1.friction", "balls.0.velocity", "balls.0.velocity.x", "balls.1.velocity.x"]
     found = overlapping_paths([path_match(scene(), path) for path in paths])
     assert found == [("walls.*.friction", "walls.1.friction"), ("balls.0.velocity", "balls.0.velocity.x")]
+
+
+def test_a_scene_is_not_changed_but_replaced() -> None:
+    """Assignments gave pydantic's text of three lines."""
+    ours = scene()
+    assert carom.replaced(ours, {"run.max_events": 5}) == replaced(ours, {"run.max_events": 5})
+    with pytest.raises(carom.CaromError, match=r"^Run: .*, got max_events = 5; carom\.replaced\(") as caught:
+        ours.run.max_events = 5  # type: ignore[misc]
+    assert "\n" not in str(caught.value)
+    assert ours.run.max_events is None

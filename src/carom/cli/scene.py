@@ -61,8 +61,9 @@ def check(
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
     """Validate a scene and summarise it; or print it in full, in SI units, with every default filled in."""
-    from carom.cli.streams import say
+    from carom.cli.streams import note, say
     from carom.gas.build import is_gas, load_gas
+    from carom.scene.plausible import unit_notes
     from carom.scene.toml import load_scene
 
     if is_gas(file):
@@ -84,6 +85,8 @@ def check(
         _print(scene_dict(scene))
         return
     say(f"{file}: {scene.describe()}: ok")
+    for line in unit_notes(scene):
+        note(f"note: {line}")
 
 
 def _print(found: dict[str, Any]) -> None:

@@ -111,6 +111,7 @@ def simulate(
         given = attempt(found, _scene, scene, allow_own_laws, settings, values)
         if found:
             raise CaromError(*found)
+        _note_units(given)
         run = _run(given, quiet)
         _reached(run, times)
         matters = None if sensitivity is None else run.sensitivity(sensitivity.replace(",", " ").split())
@@ -192,6 +193,14 @@ def _scene(path: Path, allow_own_laws: bool, changes: dict[str, Any], values: di
         return Scene(**{name: getattr(scene, name) for name in Scene.model_fields} | {"run": run})
     except CaromError as error:
         raise CaromError(*(_renamed(fault, {"Scene:": f"{path}:"}) for fault in error.faults)) from None
+
+
+def _note_units(scene: Scene) -> None:
+    from carom.cli.streams import note
+    from carom.scene.plausible import unit_notes
+
+    for line in unit_notes(scene):
+        note(f"note: {line}")
 
 
 def _renamed(fault: str, names: dict[str, str]) -> str:

@@ -146,19 +146,18 @@ def replaced(model: AnyModel, changes: Mapping[str, Any]) -> AnyModel:
 
     Parameters
     ----------
-    model : Model
-        A :class:`carom.Scene`, or a part of one.
+    model : Scene or GasScene, or a part of one
     changes : mapping of paths to values
-        A path with a ``*`` gives all of its places the same value.
+        Such as "balls.white.velocity". A path with a ``*`` gives all of its places the same value.
 
     Raises CaromError, one line per problem: for a path that leads nowhere, and for what the scene refuses.
 
     Examples
     --------
     >>> import carom
-    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0, 0), velocity=(-2, 1, 0))
+    >>> ball = carom.SceneBall(name="white", radius=0.03, mass=0.2, position=(1, 0, 0), velocity=(-2, 1, 0))
     >>> scene = carom.Scene(gravity=0, balls=[ball])
-    >>> replaced(scene, {"balls.0.velocity": (-3, 0), "balls.0.mass": "250 g"}).balls[0].velocity
+    >>> carom.replaced(scene, {"balls.white.velocity": (-3, 0), "balls.0.mass": "250 g"}).balls[0].velocity
     (-3.0, 0.0, 0.0)
     """
     tree: dict[str | int, Any] = {}

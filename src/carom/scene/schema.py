@@ -119,6 +119,13 @@ class Model(BaseModel):
     # Inside another model pydantic makes this one itself, and gathers its faults with all the others.
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
 
+    def __setattr__(self, name: str, value: Any) -> None:
+        """Refuse: a scene is validated as a whole, when it is made."""
+        raise CaromError(
+            f"{type(self).__name__}: expected no assignment, got {name} = {value!r:.60};"
+            " carom.replaced(scene, {PATH: value}) returns a changed copy"
+        )
+
 
 OWN_LAWS = {"own_laws": True}  # pydantic's context, where custom laws may run
 

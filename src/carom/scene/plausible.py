@@ -1,0 +1,40 @@
+"""Numbers of a scene that are more likely meant in another unit: no fault, but said."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from carom.scene.scene import Scene
+
+__all__ = ["unit_notes"]
+
+EARTH = (9.7, 9.9)  # m/s^2: with another gravity, or none, the numbers need not be in SI units
+AIR, OSMIUM = 1.2, 22_600.0  # kg/m^3: density of nearly every ball lies between
+FAST = 100.0  # m/s: faster than any struck ball but one of golf, squash or badminton
+
+
+def unit_notes(scene: Scene) -> list[str]:
+    """Return one line for each ball whose size, mass or speed is hardly one in m, kg and m/s.
+
+    Examples
+    --------
+    >>> import carom
+    >>> ball = carom.SceneBall(radius=28.6, mass=0.17, position=(0, 0, 30))
+    >>> unit_notes(carom.Scene(balls=[ball]))
+    ['balls.0: 0.17 kg with a radius of 28.6 m: lighter than air; is the radius in mm? write "28.6 mm"']
+    """
+    if not EARTH[0] <= math.hypot(*scene.gravity) <= EARTH[1]:
+        return []
+    found = []
+    for i, ball in enumerate(scene.balls):
+        at, density = f"balls.{ball.name or i}", ball.mass / (4 / 3 * math.pi * ball.radius**3)
+        is_ball = f"{at}: {ball.mass:g} kg with a radius of {ball.radius:g} m"
+        if density < AIR:
+            found.append(f'{is_ball}: lighter than air; is the radius in mm? write "{ball.radius:g} mm"')
+        elif density > OSMIUM:
+            found.append(f'{is_ball}: denser than any metal; is the mass in g? write "{ball.mass:g} g"')
+        if (speed := math.hypot(*ball.state.velocity)) > FAST:
+            found.append(f"{at}: a speed of {speed:g} m/s; are the velocities in mm/s or cm/s?")
+    return found
