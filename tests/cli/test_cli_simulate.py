@@ -302,7 +302,7 @@ def test_bounces_on_the_floor_are_one_row_and_complete_in_files(scenes: Path) ->
     lands = run.events.of("floor")
     rising = sum(event.phase in ("flight", "bouncing") for event in lands)
     assert rising > 5
-    assert f"lands, {rising} bounces" in line
+    assert f"lands, {rising} bounces to {lands[-1].t:.4f} s" in line  # (place and velocity are those after the last)
     assert line.split()[0] == f"{lands[0].t:.4f}"
     assert format_number(sum(event.energy_lost for event in lands)) in line.split()
     assert "not shown" not in out

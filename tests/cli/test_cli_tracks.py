@@ -341,7 +341,7 @@ def test_carom_fit_reads_many_films(
     for words, expected in (
         ((str(rebounds), str(files[0])), "rebounds.csv: expected a track, as several files are given"),
         ((str(files[0]), "none.csv"), "none.csv: expected a file, got none"),
-        ((*map(str, files), "--whole"), "--whole: expected one file, got 3"),
+        ((str(files[0]), str(rebounds), "--whole"), "rebounds.csv: expected a track with --whole, got a table"),
     ):
         monkeypatch.setattr("sys.argv", ["carom", "fit", *words, "--radius", "0.02"])
         with pytest.raises(SystemExit):

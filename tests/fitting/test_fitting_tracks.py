@@ -17,6 +17,8 @@ import carom
 from carom.core.jit.dual.numbers import LANES
 from carom.core.jit.dual.records import float_count
 from carom.errors import CaromError
+from carom.fitting.example_films import TRUTH as EXAMPLES
+from carom.fitting.example_films import write_example_films
 from carom.fitting.laws import FITTED
 from carom.fitting.parameters import FORMS
 from carom.fitting.tracks import TrackFit, TrackRanking, TrackSetting, fit_tracks
@@ -265,6 +267,21 @@ def test_from_the_command_line(tmp_path: Path, capsys: pytest.CaptureFixture[str
     code, told, _notes = command(capsys, "fit", *words[:-2], "--where", "shot=shot 1", "--no-report")
     assert code == 0
     assert "1 track segment, " in told
+
+
+def test_films_of_one_camera_are_fitted_together(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    """Several files were refused; and of these four the search missed the best minimum, with a friction of 0.276 for 0.17: only the
+    last contact slides, for frictions of 0.14 to 0.18."""
+    films = list(map(str, write_example_films(tmp_path / "films")[:4]))
+    ball = ("--whole", "--radius", "28.6mm", "--contact-height", "1.2587", "--laws", "two-step", "--json")
+    code, told, notes = command(capsys, "fit", *films, *ball)
+    assert code == 0
+    assert "note: shot01: lengths in the units of Tracker" in notes
+    facts = json.loads(told)
+    assert [one["shot"] for one in facts["tracks"]] == ["shot01", "shot02", "shot03", "shot04"]
+    for name, value in EXAMPLES.items():
+        found = facts["ranking"][0]["parameters"][name]
+        assert abs(found["value"] - value) < 3 * found["stderr"] < 0.006, name
 
 
 @pytest.mark.parametrize(

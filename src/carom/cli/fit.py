@@ -176,7 +176,7 @@ def fit(
     from carom.files import require_library
 
     require_library("scipy", "fit")
-    from carom.cli.fit_tracks import TRACK_NUMBERS, TrackOptions, fit_track_file
+    from carom.cli.fit_tracks import TRACK_NUMBERS, TrackOptions, fit_track_files
     from carom.fitting import Setting, fit_laws
     from carom.fitting.parameters import FORMS, INDEX
     from carom.tracks.formats.text_table import Calibration
@@ -232,7 +232,7 @@ def fit(
     )  # fmt: skip
     if whole:
         frames = TrackOptions(view, where or [], cushions, noise, Calibration(scale=metres, rate=rate))
-        return fit_track_file(file, setting, names, frames, report, as_json, faults, _bar)
+        return fit_track_files(files, setting, names, frames, report, as_json, faults, _bar)
     attempt(faults, _checked, setting)
     console = err()
     if own_faults or (ours and faults):
@@ -260,11 +260,9 @@ def fit(
 
 
 def _several(files: list[Path], whole: bool) -> list[str]:
-    """Return what is wrong with several files: only tracks are fitted together, contact by contact."""
-    if len(files) == 1:
+    """Return what is wrong with several files: only tracks are fitted together."""
+    if len(files) == 1 or whole:  # (with --whole every file is checked there)
         return []
-    if whole:
-        return [f"--whole: expected one file, got {len(files)}; name one, or fit the contacts of all without --whole"]
     faults: list[str] = []
     for file in files:
         if not file.exists():

@@ -1,4 +1,4 @@
-"""``carom fit TRACK --whole``: fit laws to whole tracks, each simulated from its own initial state."""
+"""``carom fit TRACKS --whole``: fit laws to whole tracks, each simulated from its own initial state."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from carom.tracks.formats.text_table import Calibration
     from carom.tracks.track import Track
 
-__all__ = ["TRACK_NUMBERS", "TrackOptions", "fit_track_file"]
+__all__ = ["TRACK_NUMBERS", "TrackOptions", "fit_track_files"]
 
 TRACK_NUMBERS = ("rolling_resistance", "spin_loss", "wall_left", "wall_right", "wall_bottom", "wall_top")
 """Parameters of whole tracks that a table of rebounds does not have."""
@@ -34,8 +34,8 @@ class TrackOptions(NamedTuple):
     reading: Calibration
 
 
-def fit_track_file(
-    file: Path,
+def fit_track_files(
+    files: Sequence[Path],
     given: Setting,
     laws: Sequence[str],
     frames: TrackOptions,
@@ -50,7 +50,6 @@ def fit_track_file(
     from carom.fitting.tracks import TrackSetting, fit_tracks
     from carom.tracks.contact import Settings
     from carom.tracks.measurement import measure
-    from carom.tracks.read import read_tracks
 
     view, where, cushions, noise, reading = frames
     # (a parameter of the table: fitted unless it is given)
@@ -63,26 +62,43 @@ def fit_track_file(
     attempt(faults, setting.check)
     if given.floor_friction is not None and not 0 <= given.floor_friction < float("inf"):
         faults.append(f"floor_friction: expected a number of at least 0, got {given.floor_friction!r}")
-    if file.is_file() and not is_track(file):
-        faults.append(f"{file}: expected a track with --whole, got a table of rebounds; omit --whole")
+    for file in files:
+        if file.is_file() and attempt(faults, is_track, file) is False:
+            faults.append(f"{file}: expected a track with --whole, got a table of rebounds; omit --whole")
     if view == "side":
         faults.append("--view: expected above with --whole (balls on a table), got side")
     if faults:
         raise CaromError(*faults)
     console = err()
     with bar(console) as say:
-        read = read_tracks(file, calibration=reading)
+        every, notes = _read_all(files, reading)
         settings = Settings(radius=setting.radius, kappa=setting.kappa, view="above", noise=setting.noise)
-        with noting(read.notes):
-            tracks = _chosen(read.tracks, where)
+        with noting(notes):
+            tracks = _chosen(every, where)
             measured = measure(tracks, settings, lambda done, total: say("contacts", MEASURING * done / max(total, 1)))
-        measured = replace(measured, notes=(*read.notes, *measured.notes))
+        measured = replace(measured, notes=(*notes, *measured.notes))
         with noting(measured.notes):
             ranking = fit_tracks(
                 measured, setting, laws or None, say=lambda what, done: say(what, MEASURING + (1 - MEASURING) * done)
             )
-        written = None if page is None else write_report_page(lambda: _page(ranking, file, page), say)
+        written = None if page is None else write_report_page(lambda: _page(ranking, files, page), say)
     tell(ranking, _show, as_json, console, written)
+
+
+def _read_all(files: Sequence[Path], reading: Calibration) -> tuple[list[Track], list[str]]:
+    """Return the tracks of all files, and notes. Of several files, each is a shot, and all have the same walls."""
+    from carom.tracks.films import film_names
+    from carom.tracks.read import read_tracks
+
+    faults: list[str] = []
+    found = [attempt(faults, lambda file=file: read_tracks(file, calibration=reading)) for file in files]
+    if faults:
+        raise CaromError(*faults)
+    if len(files) == 1:
+        return list(found[0].tracks), list(found[0].notes)
+    named = list(zip(film_names(files), found, strict=True))
+    tracks = [replace(track, group=f"{name} {track.group}".strip()) for name, film in named for track in film.tracks]
+    return tracks, [f"{name}: {note}" for name, film in named for note in film.notes]
 
 
 def _chosen(tracks: Sequence[Track], where: Sequence[str]) -> list[Track]:
@@ -104,10 +120,10 @@ def _chosen(tracks: Sequence[Track], where: Sequence[str]) -> list[Track]:
     return found
 
 
-def _page(ranking: TrackRanking, file: Path, page: Path) -> Path:
+def _page(ranking: TrackRanking, files: Sequence[Path], page: Path) -> Path:
     from carom.plot.fit_tracks import write_track_report
 
-    return write_track_report(ranking, str(file), page)
+    return write_track_report(ranking, shortened_list([str(file) for file in files]), page)
 
 
 def _show(ranking: TrackRanking) -> None:

@@ -141,7 +141,8 @@ def _event_row(run: Trajectory, features: Any, folded: list[int], several: bool,
     what = " ".join(one for one in (event.kind, event.name, side) if one)
     if len(events) > 1:
         bounces = sum(one.phase in RISES for one in events)
-        what = f"lands, {with_count(bounces, 'bounce')}"
+        until = f" to {_time(event.t)} s" if event.t > first.t else ""
+        what = f"lands, {with_count(bounces, 'bounce')}{until}"
     row = [_time(first.t), *([run.scene.ball_names[event.ball]] if several else []), what]
     row += [_triple(event.after.position, axes), _triple(event.after.velocity, axes)]
     row += [_triple(event.after.spin)] if wide else []

@@ -269,6 +269,8 @@ def system_records(
     if len(set(names)) < len(names):
         faults.add("species", "a different name for each", f"{names}")
     axes = len(container.size)
+    if axes == 3 and (flat := [one.name for one in species if one.ball.planar]):
+        faults.add("species", "carom.Ball in three dimensions", f"a Disc, which spins about z only: {', '.join(flat)}")
     pull = np.array(gravity, dtype=float)
     if pull.shape not in {(3,), (axes,)} or not np.isfinite(pull).all():
         faults.add("gravity", f"{axes} numbers", f"{gravity!r}")

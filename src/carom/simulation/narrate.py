@@ -26,6 +26,7 @@ IMPACT_KINDS = (START, WALL, BALL, LEFT_EVENT, HELD_EVENT, POCKETED_EVENT)
 FIRST, LAST = 6, 3
 # Lower bounces (m) and shorter phases (s) are not mentioned.
 SMALL, SHORT = 1e-6, 1e-4
+NOTABLE = 1e-3  # m: how high a ball bounces is said from here on
 MOST_BALLS = 4  # that are described one by one
 PHASE_VERBS = {
     FLIGHT: "flies",
@@ -320,7 +321,9 @@ def _hop(run: Trajectory, part: Rows, lands: list[int], end: float) -> list[str]
         if ever
         else ""
     )
-    return [*said, f"bounces {_times(len(bounces))} from {_when(first['t'])} on{more}"]
+    rises = float(part["v"][bounces, 2].max()) ** 2 / (2 * g)
+    high = f", up to {format_length(rises)} high" if rises > NOTABLE else ""
+    return [*said, f"bounces {_times(len(bounces))} from {_when(first['t'])} on{high}{more}"]
 
 
 def _times(count: int) -> str:

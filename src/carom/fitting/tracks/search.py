@@ -28,7 +28,7 @@ from carom.fitting.uncertainty import LEVELS, half_width
 
 __all__ = ["fit_track_law"]
 
-FREED = 3  # number of held frictions that are then freed
+FREED = 6  # number of held frictions that are then freed: a narrow minimum can be higher than others at a held friction
 NEW_STARTS = (0.1, 0.3)  # frictions from which the search is repeated
 DISTINCT = 3.0  # error bars: frictions that fit equally well and differ by more are distinct
 
@@ -68,7 +68,8 @@ def fit_track_law(
 def _across_kinks(model: TrackModel, best: TrackFit, noise: float) -> tuple[TrackFit, list[tuple[float, float]]]:
     """Continue the search beyond kinks. Return the best fit, and other frictions, each with its chi^2, of the last round.
 
-    If the law does not follow the frames, widely spread frictions are tried too, with the walls at the measured contacts.
+    Widely spread frictions are tried too, with the walls at the measured contacts: first, and again if the law does not follow the
+    frames.
     """
     walls = {name: one.start for name, one in model.free.items() if name.startswith("wall_")}
     seen: list[tuple[float, float]] = []
@@ -79,11 +80,16 @@ def _across_kinks(model: TrackModel, best: TrackFit, noise: float) -> tuple[Trac
         freed = sorted(_other_minima(best, held) if best.follows else held, key=lambda one: one.chi2)[:FREED]
         others = [finish(model, best.frames, best.starts, one.q, one.numbers, noise, lambda: None) for one in freed]
         seen[:] = [(one.numbers["friction"], one.chi2) for one in held]
-        seen.extend((fit.numbers["friction"], fit.chi2) for fit in others)
+        # (by deviance: each has scatters, and so a chi^2, of its own)
+        seen.extend((fit.numbers["friction"], best.chi2 + fit.deviance - best.deviance) for fit in others)
         return min([best, *others], key=lambda fit: fit.deviance)
 
     best = cross_kinks(
-        best, lambda fit: fit.numbers["friction"], lambda fit: fit.deviance, explore, lambda fit, _turn: not fit.follows
+        best,
+        lambda fit: fit.numbers["friction"],
+        lambda fit: fit.deviance,
+        explore,
+        lambda fit, turn: turn == 0 or not fit.follows,
     )
     return best, seen
 
