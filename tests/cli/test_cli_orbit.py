@@ -295,7 +295,7 @@ BAD = [
     (["circle", "--law", "mirror", "--friction", "0.1"], "--friction: law mirror does not use it; --law contact does"),
     (["circle", "--plot", "a.png", "--boundary", "./a.png"], "--boundary a.png: expected another file than --plot's"),
     (["cylinder:plates"], "orbit: table: expected one of"),
-    (["wedge", "--angle", "400"], "--angle: expected degrees > 0 and < 180, got 400"),
+    (["wedge", "--angle", "400"], "wedge: angle: expected degrees > 0 and < 180, got 400"),
     (["sphere", "--kappa", "0.9"], "got 0.9; a thin shell is 'hollow'; carom.Disc takes up to 1"),
     (["sinai", "--radius", "0.8"], "sinai: scatterers: expected room between them, got one that covers the cell"),
     (["periodic-strip", "--radius", "0.8"], "periodic strip: scatterers: expected room between them"),

@@ -298,3 +298,19 @@ def test_points_without_an_outcome_are_named_with_their_reasons(tmp_path: Path) 
     text = CliRunner().invoke(app, ["sweep", "status", str(tmp_path / "s.zarr")], catch_exceptions=False).stdout
     why = "sinai: scatterers: expected room between them, got one that covers the cell; take a smaller one"
     assert text.splitlines()[1:] == ["  without an outcome: 2 points (refused)", f"    radius = 0.8: {why} (2 times)"]
+
+
+def test_polygons_by_their_corners() -> None:
+    """A corner of an L moves: every point is the orbit in that polygon."""
+    corners = [(0.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (1.0, 2.0), (0.0, 2.0)]
+    case = sweeps.OrbitCase(table="polygon", vertices=corners, bounces=40)
+    found = carom.sweep(carom.Space(case, {"vertices.3.0": [0.9, 1.0, 1.2]}), ["time", "bounces.count"]).run()
+    assert found["bounces.count"].values.tolist() == [40, 40, 40]
+    assert len(set(found["time"].values.tolist())) == 3
+    for given, message in (
+        ({"vertices": corners[:2]}, "vertices: expected three or more points"),
+        ({"vertices": [(0, 0), (1, 1), (1, 0), (0, 1)]}, "vertices: expected sides that do not cross"),
+        ({"vertices": corners, "sides": 4}, "vertices: expected no other size with it, got sides"),
+    ):
+        with pytest.raises(carom.CaromError, match=f"^OrbitCase: {message}"):
+            sweeps.OrbitCase(table="polygon", **given)

@@ -38,13 +38,14 @@ def named_table(kind: str, sizes: Mapping[str, Any], bounds: Any = "centre") -> 
     if kind == "polygon":
         if "vertices" in given:
             if len(given) > 1:
-                raise CaromError("--vertices: expected neither --sides nor --radius with it")
+                others = " and ".join(name for name in given if name != "vertices")
+                raise CaromError(f"polygon: vertices: expected no other size with it, got {others}")
             return tables.polygon(given["vertices"], **b)
         return tables.regular(given.pop("sides", 3), **given, **b)
     if kind == "wedge":
         angle = given.get("angle", 40.0)
         if not 0 < angle < 180:
-            raise CaromError(f"--angle: expected degrees > 0 and < 180, got {angle:g}")
+            raise CaromError(f"wedge: angle: expected degrees > 0 and < 180, got {angle:g}")
         return tables.wedge(math.radians(angle), **b)
     if kind == "periodic-strip":
         r = given.pop("radius", 0.2)

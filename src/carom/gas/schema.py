@@ -7,14 +7,13 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable
 from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import BeforeValidator, model_validator
 
 from carom.bodies import DISC_INERTIAS, INERTIAS, Ball, Disc, Surface
-from carom.errors import CaromError, suggestion
+from carom.errors import suggestion
 from carom.formatting import format_number
 from carom.gas.containers import SHAPES, WALLS, Container, container
 from carom.gas.species import Drive, Species, Thermostat
@@ -32,6 +31,7 @@ from carom.scene.schema import (
     Time,
     Unquoted,
     raise_faults,
+    with_faults_of_part,
 )
 
 __all__ = ["GasContact", "GasContainer", "GasDrive", "GasSettings", "GasSpecies", "GasThermostat"]
@@ -45,20 +45,6 @@ _RATE = Number("a rate > 0: kicks per ball per unit time", "1/s", least=0, above
 _AMPLITUDE = Number("an amplitude >= 0", "m", least=0)
 _COUNT_LIMIT = 2**63  # counts are 64-bit integers
 _ENDINGS = (".csv", ".npz", ".gsd")
-
-
-def _convert(make: Callable[[], Any]) -> Any:
-    """Return what ``make`` makes of a part of the scene; its faults become faults of the part."""
-    try:
-        return make()
-    except CaromError as error:
-        found = []
-        for line in error.faults:
-            _name, field, said = line.split(": ", 2)
-            expected, got = said.removeprefix("expected ").split(", got ", 1)
-            part = field if field.isidentifier() else field.partition("[")[0]
-            found.append(Fault(expected, Unquoted(got), at=(part,)))
-        raise_faults(found)
 
 
 # --- the container -------------------------------------------------------------------------------------------------
@@ -95,7 +81,7 @@ class GasContainer(Model):
     def _check(self) -> GasContainer:
         if self.size is None and self.shape != "polygon":
             raise_faults([Fault(_SIZE.what, Unquoted("nothing"), at=("size",))])
-        _convert(lambda: self.geometry)
+        with_faults_of_part(lambda: self.geometry)
         return self
 
     @functools.cached_property
@@ -231,7 +217,7 @@ class GasDrive(Model):
 
     @model_validator(mode="after")
     def _check(self) -> GasDrive:
-        _convert(lambda: self.drive)
+        with_faults_of_part(lambda: self.drive)
         return self
 
     @property

@@ -6,7 +6,7 @@ A message says where, what was expected, what was found, and how to fix it; all 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from difflib import get_close_matches
 from numbers import Real
@@ -51,6 +51,7 @@ __all__ = [
     "from_file",
     "raise_faults",
     "runs_own_laws",
+    "with_faults_of_part",
 ]
 
 EXPECTED = {
@@ -92,6 +93,20 @@ def raise_faults(faults: list[Fault]) -> None:
     if faults:
         details = [InitErrorDetails(type=fault.error(), loc=fault.at, input=fault.got) for fault in faults]
         raise ValidationError.from_exception_data("scene", details)
+
+
+def with_faults_of_part(make: Callable[[], Any]) -> Any:
+    """Return what ``make`` makes; its faults, "name: field: expected ..., got ...", become faults of a part of a scene."""
+    try:
+        return make()
+    except CaromError as error:
+        found = []
+        for line in error.faults:
+            _name, field, said = line.split(": ", 2)
+            expected, got = said.removeprefix("expected ").split(", got ", 1)
+            part = field if field.isidentifier() else field.partition("[")[0]
+            found.append(Fault(expected, Unquoted(got), at=(part,)))
+        raise_faults(found)
 
 
 class Model(BaseModel):

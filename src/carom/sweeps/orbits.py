@@ -18,7 +18,7 @@ from carom.billiards.tables import Table
 from carom.bodies import Ball, Disc, Surface
 from carom.core.random import threefry
 from carom.errors import suggestion
-from carom.scene.schema import Fault, Friction, Model, Number, Share, Spring, raise_faults
+from carom.scene.schema import Fault, Friction, Length, Model, Number, Share, Spring, raise_faults, with_faults_of_part
 from carom.sweeps.outcomes import Outcome, require_outcomes
 from carom.sweeps.points import PointByPoint
 
@@ -46,6 +46,7 @@ class OrbitCase(Model):
     table : circle, ellipse, stadium, polygon, rectangle, strip, wedge, sinai, periodic-strip, sphere, box, plates
     radius, major, minor, straight, sides, width, height, depth, angle, side, period, distance : sizes of the table, as for
         ``carom orbit``; default: about 1 m
+    vertices : of any polygon, in order, rows of x, y (m), in place of ``sides`` and ``radius``
     law : "no-slip", "mirror", "contact", "rolling"
     kappa : I/(m a^2); default: 0.5 in the plane, 0.4 in space
     restitution, friction, tangential_restitution : of the law "contact"
@@ -68,6 +69,7 @@ class OrbitCase(Model):
     minor: Extent | None = None
     straight: Extent | None = None
     sides: Count | None = None
+    vertices: tuple[tuple[Length, Length], ...] | None = None
     width: Extent | None = None
     height: Extent | None = None
     depth: Extent | None = None
@@ -98,6 +100,7 @@ class OrbitCase(Model):
         sizes = [name for names in SIZES.values() for name in names]
         wrong = [name for name in dict.fromkeys(sizes) if getattr(self, name, None) is not None and name not in own]
         raise_faults([Fault(f"sizes of a {self.table}: {', '.join(own)}", name, at=(name,)) for name in wrong])
+        with_faults_of_part(lambda: self.made)
         return self
 
     @functools.cached_property
