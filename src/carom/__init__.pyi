@@ -66,9 +66,9 @@ from .scene.toml import save_scene as save_scene
 from .simulation.events import Event as Event
 from .simulation.events import Events as Events
 from .simulation.load import load_trajectory as load_trajectory
+from .simulation.many_runs import ManyRuns as ManyRuns
 from .simulation.sensitivity.many import ManySensitivities as ManySensitivities
 from .simulation.sensitivity.many import sensitivities as sensitivities
-from .simulation.simulate import ManyRuns as ManyRuns
 from .simulation.simulate import simulate as simulate
 from .simulation.simulate import simulate_many as simulate_many
 from .simulation.trajectory import Trajectory as Trajectory

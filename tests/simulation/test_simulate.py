@@ -165,6 +165,54 @@ def test_many_starts_are_checked():
         carom.simulate_many(scene, velocity=np.full((5, 3), math.nan))
 
 
+def test_starts_of_several_balls_are_given_ball_by_ball():
+    """Three numbers of each run would be those of all balls, and those of each ball one run."""
+    scene = carom.Scene(gravity=0, balls=[ball((float(x), 0, 0)) for x in range(3)], run=carom.Run(duration=1))
+    for wrong in ([1.0, 0, 0], [[1.0, 0, 0]], [[1.0, 0, 0], [2, 0, 0], [3, 0, 0]], [[[1.0, 0, 0]]]):
+        with pytest.raises(carom.CaromError, match=r"expected states \(N, 3, 3\), runs by balls by axes, got shape"):
+            carom.simulate_many(scene, velocity=wrong)
+    many = carom.simulate_many(scene, velocity=[[[1.0, 0, 0], [0, 1, 0], [0, 0, 1]]])
+    assert many.final.velocity[0].tolist() == [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+
+
+def test_a_run_describes_itself():
+    from carom.simulation.narrate import describe_run
+
+    scene = carom.Scene(gravity=0, walls=[wall()], balls=[ball((1, 0, 0), (-1, 0, 0))], run=carom.Run(duration=1.0))
+    run = carom.simulate(scene)
+    assert run.describe() == describe_run(run)
+    assert run.describe()[0].startswith("ball 0 flies at 1 m/s")
+
+
+def test_strikes_of_many_runs_are_the_scene_s_own():
+    """What the how-to does: the states of strikes as starts."""
+    struck = carom.SceneBall(
+        radius=A, mass=0.2, position=(0, 0), strike={"speed": 2.0, "azimuth": 10.0, "offset": (0.2, 0.1)}
+    )
+    floor = carom.Floor(friction=0.2, rolling_resistance=0.01)
+    scene = carom.Scene(floor=floor, balls=[struck, ball((0.8, 0.1))], run=carom.Run(duration=1.0))
+    start = carom.strike(struck.ball, speed=2.0, azimuth=[10.0, 12.0], offset=(0.2, 0.1)).state
+    velocity, spin = np.zeros((2, 2, 3)), np.zeros((2, 2, 3))
+    velocity[:, 0], spin[:, 0] = start.velocity, start.spin
+    many = carom.simulate_many(scene, velocity=velocity, spin=spin)
+    assert many.final[0] == carom.simulate(scene).final
+    assert many.final[1] == carom.simulate(carom.replaced(scene, {"balls.0.strike.azimuth": 12.0})).final
+
+
+def test_events_of_many_runs_as_a_table():
+    scene = carom.Scene(gravity=0, walls=[wall()], balls=[ball((1, 0, 0))], run=carom.Run(duration=1.0))
+    many = carom.simulate_many(scene, velocity=[[-1.0, 0, 0], [1, 0, 0], [-2, 0, 0]], events=2)
+    table = many.table()
+    one = carom.simulate(carom.replaced(scene, {"balls.0.velocity": (-2, 0, 0)})).events.table()
+    assert table.columns.tolist() == ["run", *one.columns]
+    assert table["run"].tolist() == [0, 2]
+    assert table.iloc[1].drop("run").tolist() == one.iloc[0].tolist()
+    assert table.attrs["units"] == one.attrs["units"]
+    assert many.to_pandas().equals(table)
+    assert np.isnan(many.events["t"][1]).all()  # no event is at no time
+    assert repr(many) == "<ManyRuns: 3 runs of 1 ball, 2 events kept>"
+
+
 def test_what_holds_a_ball_is_named():
     held = carom.simulate(
         carom.Scene(

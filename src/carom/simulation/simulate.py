@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
@@ -22,12 +21,13 @@ from carom.scene.toml import load_scene
 from carom.simulation.compiled import compiled_engine, compiled_many
 from carom.simulation.interpreted import run_interpreted, worth_interpreting
 from carom.simulation.loop import ALL, FULL, LIMIT, PHASES_FROM, QUIET, ROWS
-from carom.simulation.records import KINDS, LOG
+from carom.simulation.many_runs import ManyRuns
+from carom.simulation.records import KINDS, LOG, START
 from carom.simulation.resolve import DONE, REFUSED_ROLLING, REFUSED_STALL, REFUSED_UNDEFINED
 from carom.simulation.setup import set_up
 from carom.simulation.trajectory import Trajectory
 
-__all__ = ["MOST_EVENTS", "REFUSALS", "ManyRuns", "run_limits", "simulate", "simulate_many", "starts_of"]
+__all__ = ["MOST_EVENTS", "REFUSALS", "run_limits", "simulate", "simulate_many", "starts_of"]
 
 Array = NDArray[np.float64]
 # Where a scene names no end: a ball between elastic walls would never stop.
@@ -162,40 +162,6 @@ def _joined(parts: list[NDArray[np.void]]) -> NDArray[np.void]:
     return np.concatenate([part.view(np.uint8) for part in parts]).view(LOG)
 
 
-@dataclass(frozen=True, eq=False)
-class ManyRuns:
-    """Final states of N runs of B balls, and selected events, at most M per run.
-
-    Examples
-    --------
-    >>> import carom
-    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0))
-    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0, 0))
-    >>> scene = carom.Scene(gravity=0, walls=[wall], balls=[ball], run=carom.Run(law="mirror", duration=2))
-    >>> runs = carom.simulate_many(scene, velocity=[[-1, 0, 0], [-2, 0, 0]])
-    >>> runs.final.velocity[:, 0, 0], runs.count
-    (array([1., 2.]), array([1, 1]))
-    """
-
-    final: State
-    """(N, B, 3)."""
-    code: NDArray[np.int64]
-    """(N, B): final phases as numbers; ``phase`` has their names."""
-    end: Array
-    """(N,), s: time up to which each run was followed."""
-    count: NDArray[np.int64]
-    """(N,): number of events."""
-    why: NDArray[np.str_]
-    """(N,): empty, or why a run ended at an event for which a law has no answer."""
-    events: NDArray[np.void]
-    """(N, M) rows of the log: the first M selected events of each run; kind START (0) where there are fewer."""
-
-    @property
-    def phase(self) -> NDArray[np.str_]:
-        """(N, B): flight, sliding, rolling, pivoting, rest, bouncing, held, left, pocketed."""
-        return np.array(PHASES)[self.code]
-
-
 def simulate_many(
     scene: Scene,
     velocity: ArrayLike | None = None,
@@ -211,8 +177,8 @@ def simulate_many(
     Parameters
     ----------
     scene : Scene
-    velocity, spin, position : array (N, B, 3), or (N, 3) for a scene of one ball, optional
-        Initial velocities (m/s), spins (rad/s) and positions (m); default: the scene's. They broadcast.
+    velocity, spin, position : array (N, B, 3), or (N, 3) for a scene of one ball only, optional
+        Initial velocities (m/s), spins (rad/s) and positions (m); default: the scene's. One run's, (1, B, 3), are those of all.
     events : int
         How many events of each run to keep, the first ones; default: none.
     kinds : tuple of str
@@ -253,7 +219,7 @@ def simulate_many(
     faults.raise_if_any()
     balls = starts_of("simulate_many", scene, velocity, spin, position)
     until, most = run_limits(scene)
-    return _run_many(set_up(scene), balls, until, most, events, kinds, progress)
+    return _run_many(scene, balls, until, most, events, kinds, progress)
 
 
 def starts_of(where: str, scene: Scene, velocity: Any, spin: Any, position: Any) -> NDArray[np.void]:
@@ -270,6 +236,11 @@ def starts_of(where: str, scene: Scene, velocity: Any, spin: Any, position: Any)
     if count == 1:
         given = {field: array[:, None, :] if array.ndim == 2 else array for field, array in given.items()}
     for array in given.values():
+        # (broadcast, one row a run would set all balls alike, and one row a ball would be one run)
+        if count > 1 and (array.ndim != 3 or array.shape[1] != count):
+            raise CaromError(
+                f"{where}: expected states (N, {count}, 3), runs by balls by axes, got shape {array.shape}"
+            )
         try:
             shape = np.broadcast_shapes(shape, array.shape[:-1])
         except ValueError:
@@ -315,9 +286,9 @@ def _bits(kinds: tuple[str, ...]) -> int:
 
 
 def _run_many(
-    setup: Any, balls: NDArray[np.void], until: float, most: int, events: int, kinds: tuple[str, ...], progress: Any
+    scene: Scene, balls: NDArray[np.void], until: float, most: int, events: int, kinds: tuple[str, ...], progress: Any
 ) -> ManyRuns:
-    many = compiled_many()
+    many, setup = compiled_many(), set_up(scene)
     total = len(balls)
     ended, slow = np.zeros((total, 3), np.int64), np.full(total, -1.0)
     ended[:, 0] = LIMIT
@@ -337,6 +308,9 @@ def _run_many(
         kept[block] = logs[:, :events]
         if progress is not None:
             progress(block.stop, total)
+    kept["t"][kept["kind"] == START] = math.nan  # (no event is at no time: the least of a column is that of events)
     why = np.array([REFUSALS.get(int(code), "") for code in ended[:, 0]])
     final = State.of(np.array(balls["v"]), np.array(balls["w"]), np.array(balls["x"]))
-    return ManyRuns(final, np.array(balls["phase"]), balls["clock"].max(axis=1), ended[:, 1].copy(), why, kept)
+    return ManyRuns(
+        final, np.array(balls["phase"]), balls["clock"].max(axis=1), ended[:, 1].copy(), why, kept, scene=scene
+    )

@@ -15,13 +15,16 @@ from carom.core.motion.phases import PHASES
 from carom.files import import_optional
 from carom.laws.results import REGIME_NAMES as NAMES
 from carom.scene.scene import Scene
-from carom.simulation.records import BALL, POCKETED_EVENT, WALL, kind_names
+from carom.simulation.records import BALL, POCKETED_EVENT, START, WALL, kind_names
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
-__all__ = ["UNITS", "RunRecord", "event_columns", "events_table", "states_dataset", "states_table"]
+__all__ = [
+    "UNITS", "EventSource", "RunRecord", "event_columns", "events_table", "kinetic_energy", "many_events_table", "states_dataset",
+    "states_table",
+]  # fmt: skip
 
 Columns = dict[str, NDArray[Any]]
 AXES = ("x", "y", "z")
@@ -33,10 +36,22 @@ UNITS = {
 }  # fmt: skip
 
 
-class RunRecord(Protocol):
+class EventSource(Protocol):
+    """What a table of events needs: :class:`carom.Trajectory` and :class:`carom.ManyRuns` offer it."""
+
+    @property
+    def scene(self) -> Scene:
+        """Return the scene."""
+        ...
+
+    def kinetic_energy(self, ball: Any, velocity: NDArray[np.float64], spin: NDArray[np.float64]) -> Any:
+        """Return kinetic energies (N,), J, of balls given by number (N,) at velocities and spins (N, 3)."""
+        ...
+
+
+class RunRecord(EventSource, Protocol):
     """What tables and files need of a run; :class:`carom.Trajectory` offers it."""
 
-    scene: Scene
     log: NDArray[np.void]
     end: float
     ended: str
@@ -57,9 +72,11 @@ class RunRecord(Protocol):
         """Return energies (...), or (..., B) of each ball, J."""
         ...
 
-    def kinetic_energy(self, ball: Any, velocity: NDArray[np.float64], spin: NDArray[np.float64]) -> Any:
-        """Return kinetic energies (N,), J, of balls given by number (N,) at velocities and spins (N, 3)."""
-        ...
+
+def kinetic_energy(balls: NDArray[np.void], ball: Any, velocity: NDArray[np.float64], spin: NDArray[np.float64]) -> Any:
+    """Return the kinetic energy, J, of ball number ``ball`` at a velocity and spin (3,); or of several (N,) at (N, 3)."""
+    m, moment = balls["mass"][ball], (balls["kappa"] * balls["mass"] * balls["radius"] ** 2)[ball]
+    return m * (velocity * velocity).sum(axis=-1) / 2 + moment * (spin * spin).sum(axis=-1) / 2
 
 
 def _parts(columns: Columns, name: str, vectors: NDArray[np.float64], after: str = "") -> None:
@@ -72,7 +89,7 @@ def _names(names: tuple[str, ...], which: NDArray[Any]) -> NDArray[Any]:
     return found
 
 
-def event_columns(run: RunRecord, rows: NDArray[np.void]) -> Columns:
+def event_columns(run: EventSource, rows: NDArray[np.void]) -> Columns:
     """Return rows of a run's log as named columns (N,).
 
     ``vx`` ... ``wz`` are velocity and spin just after the event, ``vx_before`` ... just before; ``other`` is the number of the
@@ -121,6 +138,12 @@ def _frame(columns: Columns, what: str) -> pandas.DataFrame:
 def events_table(run: RunRecord, rows: NDArray[np.void]) -> pandas.DataFrame:
     """Return a DataFrame, one row per event (:func:`event_columns`). Raises CaromError without pandas."""
     return _frame(event_columns(run, rows), "Events.table")
+
+
+def many_events_table(runs: EventSource, rows: NDArray[np.void]) -> pandas.DataFrame:
+    """Return a DataFrame of many runs' events (N, M): :func:`event_columns` after ``run``, without the rows that no event fills."""
+    number, place = np.nonzero(rows["kind"] != START)
+    return _frame({"run": number, **event_columns(runs, rows[number, place])}, "ManyRuns.table")
 
 
 def states_table(run: RunRecord, times: NDArray[np.float64]) -> pandas.DataFrame:

@@ -23,7 +23,7 @@ from carom.simulation.records import START
 from carom.simulation.save import save
 from carom.simulation.setup import set_up
 from carom.simulation.states import orientations, states
-from carom.simulation.tables import states_dataset, states_table
+from carom.simulation.tables import kinetic_energy, states_dataset, states_table
 
 if TYPE_CHECKING:
     import pandas
@@ -71,6 +71,10 @@ class Trajectory:
     def events(self) -> Events:
         """All events, in order of time, without the initial states."""
         return Events(self, self.log[self.log["kind"] != START])
+
+    def describe(self) -> list[str]:
+        """Return the paragraphs of ``carom simulate``: one for each of the first balls that move, one for how the run ended."""
+        return importlib.import_module("carom.simulation.narrate").describe_run(self)  # type: ignore[no-any-return]
 
     # --- states ----------------------------------------------------------------------------------------------------
 
@@ -185,9 +189,7 @@ class Trajectory:
 
     def kinetic_energy(self, ball: Any, velocity: Array, spin: Array) -> Any:
         """Return the kinetic energy, J, of ball number ``ball`` at a velocity and spin (3,); or of several (N,) at (N, 3)."""
-        balls = self._setup.balls
-        m, moment = balls["mass"][ball], (balls["kappa"] * balls["mass"] * balls["radius"] ** 2)[ball]
-        return m * (velocity * velocity).sum(axis=-1) / 2 + moment * (spin * spin).sum(axis=-1) / 2
+        return kinetic_energy(self._setup.balls, ball, velocity, spin)
 
     def energy(self, t: ArrayLike, *, each: bool = False) -> Any:
         """Return kinetic plus potential energy at a time or times, J: of all balls (...), or of each (..., B).

@@ -147,8 +147,8 @@ def sensitivities(
     scene : Scene
     wrt : list of str
         Paths such as ``balls.0.velocity`` and ``walls.*.friction``, as for ``run.sensitivity``.
-    velocity, spin, position : array (N, B, 3), or (N, 3) for a scene of one ball, optional
-        Initial velocities (m/s), spins (rad/s) and positions (m); default: the scene's. They broadcast.
+    velocity, spin, position : array (N, B, 3), or (N, 3) for a scene of one ball only, optional
+        Initial velocities (m/s), spins (rad/s) and positions (m); default: the scene's. One run's, (1, B, 3), are those of all.
 
     Returns
     -------
