@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,8 +12,11 @@ import pytest
 from reference.sweep_scenes import table_scene
 
 import carom
+from carom.core.jit.progress import announce, called_kernels
+from carom.simulation.compiled import loops_of
 from carom.simulation.records import BALL, WALL
-from carom.sweeps.aiming import _Problem
+from carom.simulation.sensitivity.compiled import pass_loop
+from carom.sweeps.aiming import Aim, Aims, _Problem, is_linear
 from carom.sweeps.targets import targets_of
 from carom.sweeps.unknowns import unknowns_of
 
@@ -87,6 +91,56 @@ def test_the_gradient_of_a_miss_is_that_of_differences(reach: object, start: tup
         (above, _d, s1), (below, _e, s2) = miss(x + h), miss(x - h)
         assert s1 == s2 == sequence
         assert slopes[:, k] == pytest.approx((above - below) / 2e-4, rel=1e-4, abs=1e-5 * np.abs(slopes).max())
+
+
+def test_a_spread_that_gradients_cannot_say_is_a_dash() -> None:
+    """As where a start lies close to a graze: huge gradients, and shots that come in all the same."""
+    missed = np.array([0.2, 0.5, 0.9, np.inf])
+    assert is_linear(np.array([[0.3], [-0.4], [1.0], [30.0]]), missed)
+    assert not is_linear(np.array([[30.0], [-40.0], [55.0], [1.0]]), missed)
+    assert not is_linear(np.array([[0.1]]), np.array([np.inf]))  # the gradients of an event that no shot comes to
+    assert is_linear(
+        np.array([[9.0, 0], [0, 11.0]]), np.array([8.0, 12.0])
+    )  # a place that is missed by far, as they say
+    scene = bank()
+    targets = targets_of(scene, {"hit": "red"})
+    one = Aim({"speed": 1.0}, 0.73, np.array([2.655]), np.array([[7.05]]), ("red",), 1.0, scene)
+    unknowns = unknowns_of(scene, ["balls.0.velocity"], {})[:1]
+    assert repr(Aims([one], unknowns, targets)).splitlines()[1].split() == ["1", "73%", "2655", "red"]
+    said = Aims([replace(one, linear=False)], unknowns, targets)
+    row, note = repr(said).splitlines()[1:]
+    assert row.split() == ["1", "73%", "–", "red"]
+    assert (
+        note
+        == said.note
+        == "–: the miss is not linear within the player's errors; success, of shots that were run, holds."
+    )
+    assert said.note in said._repr_html_()
+
+
+def test_what_is_compiled_is_said_in_quarters(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Of the runs and of the derivatives, which are compiled when they are first asked for; without a terminal too."""
+    names = called_kernels(*loops_of(bank()), pass_loop)
+    assert called_kernels(*loops_of(bank())) < names
+
+    def compiling(*_args: object, **_options: object) -> Aims:
+        for name in sorted(names):
+            announce(name, True)
+        return Aims([], [], [])
+
+    from typer.testing import CliRunner
+
+    from carom.cli import app
+
+    monkeypatch.setattr("carom.sweeps.aiming.aim", compiling)
+    carom.save_scene(bank(), tmp_path / "scene.toml")
+    done = CliRunner().invoke(app, ["aim", str(tmp_path / "scene.toml"), "--hit", "red"])
+    lines = done.stderr.splitlines()
+    assert all(line.startswith("compiling, once: ") for line in lines)
+    assert len(lines) == 5
+    assert f"100%, {len(names)} of {len(names)} functions" in lines[-1]
+    quiet = CliRunner().invoke(app, ["aim", str(tmp_path / "scene.toml"), "--hit", "red", "--quiet"])
+    assert quiet.stderr == ""
 
 
 def test_three_cushions() -> None:

@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import contextlib
 import json
 import sys
-from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -130,15 +128,25 @@ def aim(
     errors = attempt(found, lambda: dict(_error(text) for text in error or ()))
     if found or made is None or ranges is None or errors is None:
         raise CaromError(*found)
+    from carom.cli.console import err
+    from carom.cli.progress import show_progress
+    from carom.simulation.compiled import loops_of
+    from carom.simulation.sensitivity.compiled import pass_loop
     from carom.sweeps.aiming import aim as solve
 
-    with _status(quiet or as_json) as progress:
+    # (the many runs are compiled first, then the derivatives)
+    with show_progress(err(), quiet, *loops_of(made), pass_loop) as progress:
         aims = solve(
             made, ranges, target, errors=errors, solutions=solutions, starts=starts, seed=seed, progress=progress
         )
     if as_json:
         plain = [
-            {**one.values, "success": one.chance, "spread_m": one.spread.tolist(), "sequence": list(one.sequence)}
+            {
+                **one.values,
+                "success": one.chance,
+                "spread_m": one.spread.tolist() if one.linear else None,
+                "sequence": list(one.sequence),
+            }
             for one in aims
         ]
         sys.stdout.write(json.dumps(plain, indent=2) + "\n")
@@ -183,19 +191,6 @@ def _error(text: str) -> tuple[str, float]:
         raise CaromError(f"--error: expected NAME=SIGMA, such as angle=0.2, got {text!r:.60}") from None
 
 
-@contextlib.contextmanager
-def _status(quiet: bool) -> Iterator[Callable[[str], None] | None]:
-    """Show what is being done, if standard error is a terminal."""
-    from carom.cli.console import err
-
-    console = err()
-    if quiet or not console.is_terminal:
-        yield None
-        return
-    with console.status("aim") as status:
-        yield status.update
-
-
 def _show(aims: Aims) -> None:
     from rich import box
     from rich.table import Table
@@ -210,3 +205,5 @@ def _show(aims: Aims) -> None:
     for row in body:
         table.add_row(*(Text(cell) for cell in row))
     out().print(table)
+    if aims.note:
+        out().print(aims.note, soft_wrap=True)

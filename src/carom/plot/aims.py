@@ -38,7 +38,7 @@ def plot_aims(aims: Aims, file: str | os.PathLike[str] | None = None, *, solutio
     -------
     matplotlib.figure.Figure
         The ellipse, or for a ball to be hit and a pocket the bar across the ball's path, is twice the standard deviation that
-        the player's errors give, by the gradients.
+        the player's errors give, by the gradients; none where the miss is not linear within them (``Aim.linear``).
 
     Raises CaromError: no solution, a file that cannot be written, or Matplotlib is missing.
 
@@ -98,6 +98,9 @@ def _panel(axes: Any, aims: Aims, one: Aim, run: Any, ways: list[Any], seen: Vie
         first += len(target.windows)
         if target.kind == "point":
             axes.add_patch(Circle(target.point, target.windows[0], fc="none", ec=INK, lw=0.8, ls=(0, (2, 2)), zorder=6))
+        if not one.linear:
+            continue
+        if target.kind == "point":
             axes.plot(*_ellipse(target.point, one.covariance[place, place]), color=INK, lw=1.0, zorder=6)
         else:
             before = run.at(math.nextafter(one.time, 0.0))

@@ -23,7 +23,7 @@ from carom.sweeps.starts import start_states
 from carom.sweeps.targets import EVENTS, TargetEvent, find, misses, residual, targets_of
 from carom.sweeps.unknowns import Unknown, columns_at, slopes_at, unknowns_of, values_at
 
-__all__ = ["Aim", "Aims", "aim"]
+__all__ = ["Aim", "Aims", "aim", "is_linear"]
 
 Array = NDArray[np.float64]
 Signature = tuple[tuple[int, ...], ...]
@@ -32,6 +32,8 @@ KINDS = ("wall", "ball", "pocketed")
 SEQUENCES, STARTS_EACH = 10, 2  # that are refined: sequences of events, and starts of each
 DRAWS = 200  # of the player's errors, for the share of shots that succeed
 STEPS, ENOUGH = 8, 1e-3  # of least squares, at most; and a share of what is allowed that need not be improved on
+LINEAR = 3.0  # times what shots miss by, that gradients say at most
+NOT_LINEAR = "–: the miss is not linear within the player's errors; success, of shots that were run, holds."
 APART = 4.0  # solutions nearer than this, in the player's errors, are one
 LOST = 10.0  # miss, in what is allowed, of a start with another sequence of events
 
@@ -55,6 +57,8 @@ class Aim:
     """When the last target is reached, s."""
     scene: Scene
     """The scene with this start."""
+    linear: bool = True
+    """Whether spread and covariance hold: gradients say of the shots that were run by about how much they miss."""
 
     @property
     def run(self) -> Any:
@@ -96,10 +100,15 @@ class Aims(Sequence[Aim]):
                 format_number(1e3 * s) if unit == "m" else f"{format_number(s)} m/s"
                 for s, unit in zip(one.spread, units, strict=True)
             ]
-            spread = " x ".join(told)
+            spread = " x ".join(told) if one.linear else "–"
             numbers = [format_number(x, 5) for x in one.values.values()]
             body.append([*numbers, f"{one.chance:.0%}", spread, ", ".join(one.sequence)])
         return [*head, "sequence"], body
+
+    @property
+    def note(self) -> str:
+        """What is to be said below the table; empty for nothing."""
+        return "" if all(one.linear for one in self) else NOT_LINEAR
 
     def _names(self) -> list[str]:
         return list(self._solutions[0].values) if self._solutions else []
@@ -108,12 +117,13 @@ class Aims(Sequence[Aim]):
         """Return a table as text."""
         head, body = self.rows()
         widths = [max(len(row[k]) for row in [head, *body]) for k in range(len(head))]
-        return "\n".join(
+        lines = [
             "  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in [head, *body]
-        )
+        ]
+        return "\n".join([*lines, *([self.note] if self.note else [])])
 
     def _repr_html_(self) -> str:
-        return html_table(*self.rows())
+        return html_table(*self.rows()) + (f"<p>{self.note}</p>" if self.note else "")
 
 
 class _Problem:
@@ -340,12 +350,14 @@ def _judged(problem: _Problem, refined: list[tuple[Array, Array, Any]], draws: A
     miss, _rows, _logs = problem.run_many(np.clip(np.concatenate(tried), *_wide(problem)))
     success = (miss <= 1).all(axis=1).reshape(len(refined), len(draws)).mean(axis=1)
     windows = np.concatenate([target.windows for target in problem.targets])
-    for (x, slopes, run), chance in zip(refined, success, strict=True):
+    each = miss.max(axis=1).reshape(len(refined), len(draws))
+    for (x, slopes, run), chance, missed in zip(refined, success, each, strict=True):
         scaled = slopes * problem.sigma(x) * windows[:, None]
         covariance = scaled @ scaled.T
         one = Aim(
             dict(zip(_names(problem.unknowns), problem.wrapped(x).tolist(), strict=True)),
             float(chance), np.sqrt(np.diag(covariance)), covariance, *_sequence(problem, run), run.scene,
+            is_linear(draws * problem.sigma(x) @ slopes.T, missed),
         )  # fmt: skip
         found.append((float(chance), x, one))
     found.sort(key=lambda item: (-item[0], float(item[2].spread.max())))
@@ -355,6 +367,18 @@ def _judged(problem: _Problem, refined: list[tuple[Array, Array, Any]], draws: A
         if not any(near):
             kept.append((x, one))
     return [one for _x, one in kept]
+
+
+def is_linear(predicted: Array, missed: Array) -> bool:
+    """Return whether gradients say by how much shots miss: ``predicted`` (N, R) as shares of what is allowed, ``missed`` (N,).
+
+    Of shots that do not reach the target's event it is not known by how much (inf), and where none does the gradients say nothing.
+    """
+    known = np.isfinite(missed)
+    if not known.any():
+        return False
+    said = np.median(np.abs(predicted[known]).max(axis=1))
+    return bool(said <= LINEAR * max(1.0, float(np.median(missed[known]))))
 
 
 def _turn(problem: _Problem, x: Array) -> Array:
