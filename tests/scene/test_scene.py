@@ -772,3 +772,23 @@ def test_laws_of_a_scene_are_listed_in_one_place():
         assert "carom laws" in line
         assert not [name for name in carom.LAWS if name in line.removeprefix(begin)]
     assert all(carom.Run(law=name).law == name for name in carom.LAWS)
+
+
+def test_no_two_balls_have_one_name():
+    """A path, and a ball in a table, would be either; a number of its own is no other ball's name."""
+
+    def named(*names):
+        balls = [SceneBall(radius=0.03, mass=0.2, position=(0.1 * i, 0, 0), name=name) for i, name in enumerate(names)]
+        return Scene(gravity=0, balls=balls)
+
+    with pytest.raises(carom.CaromError, match=r"^Scene: balls\[2\].name: expected a name that no other ball has, got 'red', as"
+                       r" balls\[0\] is called$"):  # fmt: skip
+        named("red", "white", "red")
+    with pytest.raises(carom.CaromError, match=r"balls\[0\].name: .*got 'ball 1', as balls\[1\] is called"):
+        named("ball 1", None)
+    assert named("1", "0", None, "9").ball_names == (
+        "1",
+        "0",
+        "ball 2",
+        "9",
+    )  # (of a rack: a name goes before a number)

@@ -22,6 +22,7 @@ from carom.formatting import format_length, format_time
 from carom.laws.law import CALLED_WALL, CONTACT_WALL, Law, Meeting
 from carom.laws.registry import laws
 from carom.laws.user import find_law
+from carom.scene.among_balls import TOUCH, name_faults, overlap_faults
 from carom.scene.ball import SceneBall
 from carom.scene.feature_builders import Feature
 from carom.scene.restitution import Bounce, Constant
@@ -283,12 +284,10 @@ def _pinned(contact: ContactParameters, law: Law) -> ContactParameters:
     return ContactParameters(form, e, p.get("friction", contact.mu), p.get("tangential_restitution", contact.beta))
 
 
-TOUCH = 1e-9  # of the radius: what overlaps by less touches
-
-
 def scene_faults(scene: Scene) -> list[Fault]:
     """Return all problems of a scene whose parts are valid."""
-    return [*_floor_faults(scene), *_law_faults(scene), *_wall_overlaps(scene), *_ball_overlaps(scene)]
+    among = [*name_faults(scene.balls, scene.ball_names), *overlap_faults(scene.balls)]
+    return [*_floor_faults(scene), *_law_faults(scene), *_wall_overlaps(scene), *among]
 
 
 # --- floor --------------------------------------------------------------------------------------------------------
@@ -420,31 +419,3 @@ def _overlap(ball: SceneBall, features: list[Feature], name: str, at: tuple[str 
     place = (x[0] - (gap + a) * n[0], x[1] - (gap + a) * n[1], x[2] - (gap + a) * n[2])
     got = Unquoted(f"{format_vector(x)}, which overlaps {name} by {format_length(-gap)} at {format_vector(place)}")
     return [Fault("a place where the ball touches nothing", got, f"move it by {format_length(-gap)} or more", at)]
-
-
-# --- balls --------------------------------------------------------------------------------------------------------
-
-
-def _ball_overlaps(scene: Scene) -> list[Fault]:
-    """Report pairs of balls that overlap, found by sorting along x."""
-    found = []
-    x = np.array([ball.center for ball in scene.balls])
-    a = np.array([ball.radius for ball in scene.balls])
-    order = np.argsort(x[:, 0], kind="stable")
-    x, a = x[order], a[order]
-    last = np.searchsorted(x[:, 0], x[:, 0] + a + a.max(), side="right")
-    for i in range(len(x) - 1):
-        near = slice(i + 1, last[i])
-        gap = np.sqrt(((x[near] - x[i]) ** 2).sum(axis=1)) - a[near] - a[i]
-        for j in np.flatnonzero(gap < -TOUCH * np.minimum(a[near], a[i])):
-            one, two = sorted((int(order[i]), int(order[i + 1 + j])))
-            found.append((one, two, float(-gap[j])))
-    return [
-        Fault(
-            "a place where the ball touches nothing",
-            Unquoted(f"{format_vector(scene.balls[two].center)}, which overlaps balls[{one}] by {format_length(deep)}"),
-            f"move it by {format_length(deep)} or more",
-            ("balls", two, "position"),
-        )
-        for one, two, deep in sorted(found)
-    ]

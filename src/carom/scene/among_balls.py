@@ -1,0 +1,55 @@
+"""Problems of a scene's balls among each other: overlaps, names that several have."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from carom.formatting import format_length
+from carom.scene.ball import SceneBall
+from carom.scene.schema import Fault, Unquoted
+from carom.scene.wall import format_vector
+
+__all__ = ["TOUCH", "name_faults", "overlap_faults"]
+
+TOUCH = 1e-9  # of the radius: what overlaps by less touches
+
+
+def name_faults(balls: Sequence[SceneBall], names: Sequence[str]) -> list[Fault]:
+    """Report names that an earlier ball has: a path, and a ball in a table, would be either. ``names``: "ball 1" for none."""
+    first: dict[str, int] = {}
+    found = []
+    for i, (ball, name) in enumerate(zip(balls, names, strict=True)):
+        one = first.setdefault(name, i)
+        if one != i:
+            named = ball if ball.name else balls[one]
+            at, other = (i, one) if named is ball else (one, i)
+            got = Unquoted(f"{name!r}, as balls[{other}] is called")
+            found.append(Fault("a name that no other ball has", got, at=("balls", at, "name")))
+    return found
+
+
+def overlap_faults(balls: Sequence[SceneBall]) -> list[Fault]:
+    """Report pairs of balls that overlap, found by sorting along x."""
+    found = []
+    x = np.array([ball.center for ball in balls])
+    a = np.array([ball.radius for ball in balls])
+    order = np.argsort(x[:, 0], kind="stable")
+    x, a = x[order], a[order]
+    last = np.searchsorted(x[:, 0], x[:, 0] + a + a.max(), side="right")
+    for i in range(len(x) - 1):
+        near = slice(i + 1, last[i])
+        gap = np.sqrt(((x[near] - x[i]) ** 2).sum(axis=1)) - a[near] - a[i]
+        for j in np.flatnonzero(gap < -TOUCH * np.minimum(a[near], a[i])):
+            one, two = sorted((int(order[i]), int(order[i + 1 + j])))
+            found.append((one, two, float(-gap[j])))
+    return [
+        Fault(
+            "a place where the ball touches nothing",
+            Unquoted(f"{format_vector(balls[two].center)}, which overlaps balls[{one}] by {format_length(deep)}"),
+            f"move it by {format_length(deep)} or more",
+            ("balls", two, "position"),
+        )
+        for one, two, deep in sorted(found)
+    ]
