@@ -575,3 +575,33 @@ def test_ctrl_c_ends_with_130_and_leaves_nothing(scenes: Path, how: str) -> None
     assert done.stdout == ""
     assert done.stderr.endswith("carom: interrupted; nothing was written\n")
     assert sorted(path.name for path in scenes.iterdir()) == ["box.toml", "design.toml", "pair.toml"]
+
+
+def test_laws_that_create_energy_or_pass_the_ball_through_are_noted(tmp_path: Path) -> None:
+    (tmp_path / "laws.py").write_text(
+        "def along(v, w, n, a, kappa, e, mu, beta):\n"
+        "    return (2 * v[0], v[1], v[2]), w\n"
+        "def back(v, w, n, a, kappa, e, mu, beta):\n"
+        "    u = v[0] * n[0] + v[1] * n[1] + v[2] * n[2]\n"
+        "    return (v[0] - 3 * u * n[0], v[1] - 3 * u * n[1], v[2] - 3 * u * n[2]), w\n"
+        "def through(v, w, n, a, kappa, e, mu, beta):\n"
+        "    return v, w\n"
+    )
+    file = tmp_path / "box.toml"
+    file.write_text(BOX)
+
+    def noted(law: str) -> list[str]:
+        done = runner.invoke(app, ["simulate", str(file), "--law", law, "--max-events", "1"])
+        return [
+            line.replace(str(tmp_path / "laws.py"), "laws.py") for line in done.stderr.splitlines() if "note:" in line
+        ]
+
+    # 0.05 kg (4 - 1) of 1 m/s along x
+    (created,) = noted(f"{tmp_path / 'laws.py'}:back")
+    assert created == (
+        "note: law laws.py:back creates energy: first at t = 0.65 s, ball 0 at box 0, 0.15 J; 1 contact, 0.15 J in all"
+    )
+    passes = "leaves the ball moving into the wall: first at t = 0.65 s, ball 0 at box 0; expected n . v >= 0 after it"
+    assert noted(f"{tmp_path / 'laws.py'}:through") == [f"note: law laws.py:through {passes}"]
+    assert len(noted(f"{tmp_path / 'laws.py'}:along")) == 2
+    assert noted("mirror") == []

@@ -113,6 +113,7 @@ def simulate(
             raise CaromError(*found)
         _note_units(given)
         run = _run(given, quiet)
+        _note_laws(run)
         _reached(run, times)
         matters = None if sensitivity is None else run.sensitivity(sensitivity.replace(",", " ").split())
         written = _write(run, quiet, plot, animate, save, table)
@@ -200,6 +201,14 @@ def _note_units(scene: Scene) -> None:
     from carom.scene.plausible import unit_notes
 
     for line in unit_notes(scene):
+        note(f"note: {line}")
+
+
+def _note_laws(run: Trajectory) -> None:
+    from carom.cli.streams import note
+    from carom.simulation.law_notes import law_notes
+
+    for line in law_notes(run):
         note(f"note: {line}")
 
 

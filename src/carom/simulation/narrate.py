@@ -19,7 +19,7 @@ from carom.laws.wall_and_floor.solver import JAM
 from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, POCKETED_EVENT, START, WALL
 from carom.simulation.trajectory import Trajectory
 
-__all__ = ["cushion_side", "describe_run", "with_count"]
+__all__ = ["cushion_side", "describe_run", "wall_normal", "with_count"]
 
 IMPACT_KINDS = (START, WALL, BALL, LEFT_EVENT, HELD_EVENT, POCKETED_EVENT)
 # How many impacts of a ball are described, the first and the last; those between are counted.
@@ -201,7 +201,7 @@ def _spin(row: Any) -> str:
     return f", with {_and(said)}" if said else ""
 
 
-def _normal(features: Any, row: Any, radius: float) -> Any:
+def wall_normal(features: Any, row: Any, radius: float) -> Any:
     """Return the normal of the wall where the ball meets it: of its nearest feature."""
     x = tuple(row["x"].tolist())
     own = [f for f in features if f.wall == row["other"] and f.kind != OVER]
@@ -222,7 +222,7 @@ def cushion_side(run: Trajectory, features: Any, row: Any) -> str:
     """Return which cushion of a table a ball meets, seen from above with x to the right; empty for jaws, and for other walls."""
     if run.scene.walls[row["other"]].kind not in ("table", "box"):
         return ""
-    n = _normal(features, row, run.scene.balls[row["ball"]].radius)
+    n = wall_normal(features, row, run.scene.balls[row["ball"]].radius)
     sides = {"left": n[0], "right": -n[0], "bottom": n[1], "top": -n[1]}
     side = max(sides, key=lambda name: sides[name])
     return side if sides[side] > 0.7 * _speed(np.array(n)) and min(abs(n[0]), abs(n[1])) < 1e-9 else ""
@@ -231,7 +231,7 @@ def cushion_side(run: Trajectory, features: Any, row: Any) -> str:
 def _wall(run: Trajectory, features: Any, row: Any) -> str:
     """Describe an impact on a wall: angle of incidence, sticking or sliding, speed and angle afterwards."""
     wall = int(row["other"])
-    n = _normal(features, row, run.scene.balls[row["ball"]].radius)
+    n = wall_normal(features, row, run.scene.balls[row["ball"]].radius)
     table = run.scene.floor is not None
     came, went = _angle(-row["v_before"], n, table), _angle(row["v"], n, table)
     side = cushion_side(run, features, row)
