@@ -12,6 +12,7 @@ import pytest
 from reference.drawn_scenes import SCENES, gallery, hop, three
 
 import carom
+from carom.simulation.budget import budget
 
 pytest.importorskip("matplotlib")
 from carom.plot.scene_view import CALLED, View, _clipped, colour, last_time, steps, view, walls_in, way
@@ -208,3 +209,16 @@ def test_the_bed_of_a_table_is_one_outline_through_its_pockets() -> None:
         # no step is longer than a nose
         assert np.hypot(*np.diff(table.bed, axis=0).T).max() < table.width
     assert carom.scene.Table(preset="carom").bed is None
+
+
+def test_energy_begins_with_that_of_the_strike() -> None:
+    """What a ball loses as it is driven onto the floor, at t = 0, is a step of the curve."""
+    strike = {"speed": 4.0, "elevation": 40.0}
+    ball = carom.SceneBall(radius=0.03, mass=0.2, position=(0, 0), strike=strike)
+    scene = carom.Scene(floor=carom.Floor(restitution=0.5, friction=0.2), balls=[ball], run=carom.Run(duration=0.5))
+    run = carom.simulate(scene)
+    line = run.plot().axes[-1].lines[-1]
+    t, energy = line.get_xdata()[:2], line.get_ydata()[:2]
+    assert t.tolist() == [0, 0]
+    assert energy == pytest.approx([budget(run).start, run.energy(0.0)])
+    assert energy[0] > 1.2 * energy[1]

@@ -565,14 +565,12 @@ def test_files_that_are_none(tmp_path: Path, capsys: pytest.CaptureFixture[str])
 def test_a_law_file_that_is_none(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file, law = tmp_path / "s.toml", tmp_path / "own.py"
     file.write_text(SOUND + "[run]\nlaw = 'own.py:soft'\n")
-    expected = f"carom: {file}: run.law: {LAW}, got"
+    expected = f"carom: {file}: run.law: expected a law in a Python file, got"
     check = ("scene", "check", str(file), "--allow-own-laws")
-    assert fails(capsys, *check) == [
-        f"{expected} '{law}:soft', and {law}: expected a Python file, got: No such file or directory"
-    ]
+    assert fails(capsys, *check) == [f"{expected} '{law}:soft': expected a Python file, got: No such file or directory"]
     law.write_text("def sift(v, w, n, a, kappa, e, mu, beta):\n    return v, w\n")
     assert fails(capsys, *check) == [
-        f"{expected} '{law}:soft', and {law}:soft: expected 'soft' in the file, got no such name; did you mean 'sift'?"
+        f"{expected} '{law}:soft': expected 'soft' in the file, got no such name; did you mean 'sift'?"
     ]
 
 

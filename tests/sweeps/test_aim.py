@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import math
+import shlex
 from dataclasses import replace
 from pathlib import Path
 
@@ -104,7 +105,7 @@ def test_a_spread_that_gradients_cannot_say_is_a_dash() -> None:
     )  # a place that is missed by far, as they say
     scene = bank()
     targets = targets_of(scene, {"hit": "red"})
-    one = Aim({"speed": 1.0}, 0.73, np.array([2.655]), np.array([[7.05]]), ("red",), 1.0, scene)
+    one = Aim({"speed": 1.0}, 0.73, np.array([2.655]), np.array([[7.05]]), ("red",), 1.0, scene, {})
     unknowns = unknowns_of(scene, ["balls.0.velocity"], {})[:1]
     assert repr(Aims([one], unknowns, targets)).splitlines()[1].split() == ["1", "73%", "2655", "red"]
     said = Aims([replace(one, linear=False)], unknowns, targets)
@@ -249,6 +250,13 @@ def test_a_struck_ball_is_aimed_by_its_strike_and_a_name_of_digits_is_a_name(tmp
     done = CliRunner().invoke(app, ["aim", str(tmp_path / "scene.toml"), "--hit", "8", "--starts", "256", "--json"])
     assert done.exit_code == 0, done.output
     assert json.loads(done.stdout)[0]["azimuth"] == pytest.approx(math.degrees(math.atan2(0.1, 0.7)), abs=2)
+    done = CliRunner().invoke(app, ["aim", str(tmp_path / "scene.toml"), "--hit", "8", "--starts", "256"])
+    (line,) = [line for line in done.stdout.splitlines() if line.startswith("The first one: carom simulate ")]
+    played = CliRunner().invoke(app, [*shlex.split(line)[4:], "--json"])
+    best = carom.aim(
+        carom.load_scene(tmp_path / "scene.toml"), ["balls.cue.strike"], {"ball": 0, "hit": "8"}, starts=256
+    )[0]
+    assert json.loads(played.stdout)["final"][1]["position"] == best.run.final.position[1].tolist()
     scene = carom.load_scene(tmp_path / "scene.toml")
     assert carom.scene.paths.path_match(scene, "balls.8.mass").places == (("balls", 1, "mass"),)
 

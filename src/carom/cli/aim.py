@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -151,7 +152,7 @@ def aim(
         ]
         sys.stdout.write(json.dumps(plain, indent=2) + "\n")
     elif not quiet:
-        _show(aims)
+        _show(aims, scene)
     if plot is not None:
         from carom.plot.aims import plot_aims
 
@@ -191,7 +192,7 @@ def _error(text: str) -> tuple[str, float]:
         raise CaromError(f"--error: expected NAME=SIGMA, such as angle=0.2, got {text!r:.60}") from None
 
 
-def _show(aims: Aims) -> None:
+def _show(aims: Aims, scene: Path) -> None:
     from rich import box
     from rich.table import Table
     from rich.text import Text
@@ -207,3 +208,7 @@ def _show(aims: Aims) -> None:
     out().print(table)
     if aims.note:
         out().print(aims.note, soft_wrap=True)
+    if len(aims):
+        values = (f"{path}={json.dumps(value)}" for path, value in aims[0].changes.items())
+        words = ["carom", "simulate", str(scene), *(word for one in values for word in ("--set", one))]
+        out().print(f"The first one: {shlex.join(words)}", soft_wrap=True)

@@ -15,7 +15,7 @@ from carom.formatting import format_time
 from carom.plot.scene_view import SEEN, View, colour, last_time, steps, view, walls_in, way
 from carom.plot.style import GREY, INK, PALE, drawn, new_figure, spread_apart
 from carom.scene.paths import ball_index
-from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, POCKETED_EVENT, WALL
+from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, POCKETED_EVENT, START, WALL
 from carom.simulation.trajectory import Trajectory
 
 __all__ = ["plot_trajectory"]
@@ -275,6 +275,13 @@ def _height(axes: Any, run: Trajectory, ways: dict[int, list[Any]]) -> None:
 def _energy(axes: Any, run: Trajectory, balls: list[int], until: float) -> None:
     t = steps(run, until)
     each = run.energy(t, each=True)[:, balls]
+    # (what happens at t = 0, as the landing of a ball that is struck downwards, is seen as a step)
+    first = run.log[(run.log["t"] == 0) & (run.log["kind"] != START)]
+    if len(first):
+        lost = run.kinetic_energy(first["ball"], first["v_before"], first["w_before"])
+        lost -= run.kinetic_energy(first["ball"], first["v"], first["w"])
+        start = each[:1] + np.array([lost[first["ball"] == i].sum() for i in balls])
+        t, each = np.concatenate([[0.0], t]), np.concatenate([start, each])
     total = np.nansum(each, axis=1)
     factor, unit = _scaled(float(np.abs(total).max()), "J")
     if len(balls) > 1:

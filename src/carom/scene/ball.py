@@ -13,7 +13,6 @@ from carom.errors import MIN_MAGNITUDE, CaromError, suggestion
 from carom.laws.strike import DEFAULT_CUE, Cue, Strike, strike
 from carom.scene.schema import (
     Angle,
-    Coefficient,
     Components,
     Fault,
     Flag,
@@ -69,6 +68,9 @@ def _on_the_ball(value: tuple[float, float]) -> tuple[float, float]:
 _OFFSET = Components("2 numbers, to the player's right and up in radii, less than 1 from the centre", (2,))
 
 
+_Radii = Annotated[float, BeforeValidator(Number("a number in radii of the ball, such as 0.3"))]
+
+
 class CueStrike(Model):
     """How a cue strikes a ball that is at rest: the arguments of :func:`carom.strike`.
 
@@ -93,7 +95,7 @@ class CueStrike(Model):
     elevation: Annotated[float, BeforeValidator(Number("an angle in degrees, 0 to 90", "degree", least=0, most=90))] = (
         0.0
     )
-    offset: Annotated[tuple[Coefficient, Coefficient], BeforeValidator(_OFFSET), AfterValidator(_on_the_ball)] = (
+    offset: Annotated[tuple[_Radii, _Radii], BeforeValidator(_OFFSET), AfterValidator(_on_the_ball)] = (
         0.0,
         0.0,
     )

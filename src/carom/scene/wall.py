@@ -71,8 +71,9 @@ def _known_law(value: Any, info: ValidationInfo) -> str | Law:
         try:
             find_law(value)
         except CaromError as error:
-            said = error.faults[0].removeprefix("--law ")
-            raise Fault(expected, Unquoted(f"{value!r}, and {said}")).error() from None
+            # (after the file's name)
+            said = "expected " + error.faults[0].partition("expected ")[2]
+            raise Fault("a law in a Python file", Unquoted(f"{value!r}: {said}")).error() from None
     return value
 
 

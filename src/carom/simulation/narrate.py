@@ -26,6 +26,7 @@ IMPACT_KINDS = (START, WALL, BALL, LEFT_EVENT, HELD_EVENT, POCKETED_EVENT)
 FIRST, LAST = 6, 3
 # Lower bounces (m) and shorter phases (s) are not mentioned.
 SMALL, SHORT = 1e-6, 1e-4
+LONG = 1e-3  # s: how long infinitely many bounces last is said from here on
 NOTABLE = 1e-3  # m: how high a ball bounces is said from here on
 MOST_BALLS = 4  # that are described one by one
 PHASE_VERBS = {
@@ -315,12 +316,8 @@ def _hop(run: Trajectory, part: Rows, lands: list[int], end: float) -> list[str]
     if not bounces:
         return [*said, f"lands at {_when(first['t'])}"]
     last = bounces[-1]
-    ever = part["phase"][last] == BOUNCING
-    more = (
-        f", the last time in infinitely many bounces within {format_time(_bouncing_time(part, last, end))}"
-        if ever
-        else ""
-    )
+    ever = _bouncing_time(part, last, end) if part["phase"][last] == BOUNCING else 0.0
+    more = f", the last time in infinitely many bounces within {format_time(ever)}" if ever >= LONG else ""
     rises = float(part["v"][bounces, 2].max()) ** 2 / (2 * g)
     high = f", up to {format_length(rises)} high" if rises > NOTABLE else ""
     return [*said, f"bounces {_times(len(bounces))} from {_when(first['t'])} on{high}{more}"]
@@ -360,7 +357,8 @@ def _outcome(run: Trajectory, rows: Rows) -> str:
     )
     if run.ended == "nothing more happens":
         verb = PHASE_VERBS[phase]
-        on = "goes on spinning on the spot" if phase == PIVOTING else how.replace(verb, f"{verb} on", 1)
+        spot = f"goes on spinning on the spot at {_place(last)} from {_when(last['t'])} on"
+        on = spot if phase == PIVOTING else how.replace(verb, f"{verb} on", 1)
         return f"Then it meets nothing more, and {on}{_direction(v) if _speed(v) else ''}."
     x, y, _z = (format_number(float(c)) for c in final.position[ball])
     return f"At the end, after {_when(run.end)}{after}, it {how} at ({x}, {y}) m."

@@ -57,6 +57,8 @@ class Aim:
     """When the last target is reached, s."""
     scene: Scene
     """The scene with this start."""
+    changes: dict[str, Any]
+    """The numbers of the start by path, as :func:`carom.replaced` and ``carom simulate --set`` take them."""
     linear: bool = True
     """Whether spread and covariance hold: gradients say of the shots that were run by about how much they miss."""
 
@@ -357,6 +359,7 @@ def _judged(problem: _Problem, refined: list[tuple[Array, Array, Any]], draws: A
         one = Aim(
             dict(zip(_names(problem.unknowns), problem.wrapped(x).tolist(), strict=True)),
             float(chance), np.sqrt(np.diag(covariance)), covariance, *_sequence(problem, run), run.scene,
+            values_at(problem.unknowns, x),
             is_linear(draws * problem.sigma(x) @ slopes.T, missed),
         )  # fmt: skip
         found.append((float(chance), x, one))

@@ -105,10 +105,24 @@ def tangents_of(scene: Scene, wrt: Any, phases: Any, setup: SceneArrays) -> tupl
         whole = [found for other, found in zip(columns, slopes, strict=True) if other.path == one.path]
         if slope is None and all(found is None for found in whole):
             raise CaromError(
-                f"{WHERE}: wrt: {one.name}: expected a number that can change a little, got {one.value!r}, which the scene fixes"
+                f"{WHERE}: wrt: {one.name}: expected a number that can change a little, got {one.value!r}, which"
+                f" {_fixed_by(scene, one.path)}"
             )
     kept = [(one, slope) for one, slope in zip(columns, slopes, strict=True) if slope is not None]
     return [one for one, _slope in kept], [slope for _one, slope in kept]
+
+
+def _fixed_by(scene: Scene, path: str) -> str:
+    """Return what fixes a number: the strike has a struck ball's velocity and spin."""
+    for keys in path_match(scene, path).places:
+        if (
+            keys[0] == "balls"
+            and keys[2] in ("velocity", "spin", "spin_z")
+            and scene.balls[int(keys[1])].strike is not None
+        ):
+            ball = path.rpartition(f".{keys[2]}")[0]
+            return f"the cue's strike fixes; take {ball}.strike.speed, {ball}.strike.azimuth, {ball}.strike.offset"
+    return "the scene fixes"
 
 
 def _slopes(scene: Scene, column: Column, setup: SceneArrays) -> Tangents | None:
