@@ -631,3 +631,14 @@ def test_what_a_strike_decides_is_named(tmp_path: Path) -> None:
     file.write_text("[floor]\nfriction = 0.2\n" + ball + '{speed = 1.0, offset = ["5 mm", 0]}\n')
     with pytest.raises(carom.CaromError, match=r"expected a number in radii of the ball, such as 0\.3, got '5 mm'"):
         carom.load_scene(file)
+
+
+def test_two_balls_that_meet_lose_energy_together(tmp_path: Path) -> None:
+    file = tmp_path / "pair.toml"
+    file.write_text(PAIR + "[ball_contact]\nrestitution = 0.9\n[run]\nduration = 1\n")
+    run = carom.simulate(carom.load_scene(file))
+    first, second = run.events.of("ball")
+    assert second.energy_lost < 0 < first.energy_lost + second.energy_lost
+    lines = [line.split() for line in runner.invoke(app, ["simulate", str(file)]).stdout.splitlines()]
+    rows = [words for words in lines if words[2:3] == ["ball"] and words[1] in ("white", "red")]
+    assert [words[-2] for words in rows] == [format_number(first.energy_lost + second.energy_lost), "–"]

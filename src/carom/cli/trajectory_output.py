@@ -147,12 +147,28 @@ def _event_row(run: Trajectory, features: Any, folded: list[int], several: bool,
     row += [_triple(event.after.position, axes), _triple(event.after.velocity, axes)]
     row += [_triple(event.after.spin)] if wide else []
     # energy is lost instantaneously only in contacts
-    lost = sum(one.energy_lost for one in events) if event.kind in ("wall", "floor", "ball") else math.nan
+    lost = sum(one.energy_lost for one in events) if event.kind in ("wall", "floor") else math.nan
+    if event.kind == "ball" and _is_first(run.events.rows, folded[0]):
+        lost = event.energy_lost + run.events[folded[0] + 1].energy_lost
     return [
         *row,
         format_number(0.0 if abs(lost) < ROUNDING else lost),
         "" if event.phase == event.kind else event.phase,
     ]
+
+
+def _is_first(rows: Any, k: int) -> bool:
+    """Return whether a row is the first of the two of a meeting of balls, which has the energy that both lost together."""
+
+    def paired(i: int) -> bool:
+        one, two = rows[i], rows[i + 1]
+        meet = one["kind"] == two["kind"] and (one["ball"], one["other"]) == (two["other"], two["ball"])
+        return bool(meet and one["t"] == two["t"])
+
+    start = k  # (the same balls may meet several times in an instant)
+    while start > 0 and paired(start - 1):
+        start -= 1
+    return (k - start) % 2 == 0 and k + 1 < len(rows) and paired(k)
 
 
 def _states(run: Trajectory, times: list[float], wide: bool) -> Table:
