@@ -95,6 +95,7 @@ def print_tables(scene: GasScene, title: str, tables: list[Table], samples: floa
         console.print(table)
     console.print(Text(f"{UNITS_NOTE} {TEMPERATURES_NOTE}", style="dim"), soft_wrap=True)
     between = "intervals of time" if scene.run.max_events is None else "numbers of collisions"
+    between += ", spread over the phases of the walls" * any(one.amplitude > 0 for one in scene.drives)
     for note in (MEANS_NOTE.format(samples, between), *notes):
         console.print(Text(note, style="dim"), soft_wrap=True)
 

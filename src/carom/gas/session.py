@@ -14,6 +14,7 @@ from carom.gas.build import build
 from carom.gas.gas import Gas, raise_at_rest
 from carom.gas.measures import Measures
 from carom.gas.results import GasRun, Mark
+from carom.gas.sampling import spread_time
 from carom.gas.scene import GasScene
 from carom.gas.state import require_state
 
@@ -21,6 +22,7 @@ __all__ = ["SAMPLES", "Session"]
 
 SAMPLES = 50  # of the gas while it is measured
 PAIR_SAMPLING = 5  # every fifth sample counts pairs
+RATE_SAMPLES = 8  # over which the rate of collisions is taken where walls oscillate: over one it varies with the phase
 CHUNK = 100_000  # collisions between two checks for progress and interrupts: a tenth of a second
 
 State = dict[str, NDArray[Any]]
@@ -39,8 +41,9 @@ class Session:
 
     :meth:`run` continues to the end, or to where it is stopped; neither the gas nor its measures depend on how often it was
     stopped. Samples are taken after about every fiftieth of the events (or of the duration), at times that follow from the rate of
-    collisions; these are no instants of collision, at which two balls are in contact. Raises CaromError for a scene in which
-    nothing can ever happen, and as :class:`carom.gas.Gas` does.
+    collisions; these are no instants of collision, at which two balls are in contact. Where walls oscillate, each sample is taken
+    within its interval at a phase that the earlier ones have left out. Raises CaromError for a scene in which nothing can ever
+    happen, and as :class:`carom.gas.Gas` does.
 
     Examples
     --------
@@ -63,8 +66,9 @@ class Session:
         self.mark: Mark | None = None
         self.measures: Measures | None = None
         self.first_collision = 0  # number of collisions when the measurement began
-        # the next sample is due at a time; the last one was at this time and number of collisions
+        # the interval of the next sample ends at a time; the last one was at this time and number of collisions
         self.sample_due, self.last_sample_time, self.last_sample_collisions = math.inf, 0.0, 0
+        self.next_sample = math.inf
         if self.max_wait == math.inf and (scene.equilibrate > 0 or scene.run.duration is None):
             what = "balls at rest" if scene.count > 1 or scene.container.geometry.faces else "one ball without walls"
             remedy = "add balls or walls" if what.startswith("one") else "give a temperature > 0"
@@ -80,6 +84,7 @@ class Session:
     def _set(self, scene: GasScene, gas: Gas) -> None:
         self.scene, self.gas = scene, gas
         self.max_wait = _max_wait(scene, gas)
+        self.oscillations = sorted({one.frequency or 0.0 for one in scene.drives if one.amplitude > 0})
         # this advances nothing, but compiles the loop, whose time is not measured
         gas.advance(1, until=-1.0)
         self.names = tuple(one.name for one in scene.species)
@@ -159,7 +164,7 @@ class Session:
             if end < until and self.gas.collisions - before <= collisions // 8:
                 self.max_wait *= 2
             self._start_measuring()
-            if self.measures is not None and self.gas.time >= self.sample_due:
+            if self.measures is not None and self.gas.time >= self.next_sample:
                 self._take_sample(self.measures)
 
     def _next_piece(self, every: int | float | None) -> tuple[int, float]:
@@ -167,7 +172,7 @@ class Session:
         run, least = self.scene.run, CHUNK
         if self.mark is None:
             return min(least, self.scene.equilibrate - self.done), math.inf
-        until = self.sample_due
+        until = self.next_sample
         if run.max_events is not None:
             least = min(least, run.max_events - self.done)
         if run.duration is not None:
@@ -205,19 +210,50 @@ class Session:
                 self.sample_due = gas.time + self.sample_interval * gas.time / gas.collisions
         elif self.mark is not None and self.sample_due == math.inf and self.done >= self.sample_interval:
             self.sample_due = gas.time + self.sample_interval * (gas.time - self.mark.time) / self.done
+        else:
+            return
+        self.next_sample = self._time_in_interval()
 
     def _take_sample(self, measures: Measures) -> None:
         """Take a sample, and set the time of the next one."""
         gas, run = self.gas, self.scene.run
         measures.sample(gas, pairs=measures.samples % PAIR_SAMPLING == 0)
-        if run.duration is not None and run.max_events is None:
-            self.sample_due = self.sample_due + run.duration / SAMPLES
+        if self.oscillations or (run.duration is not None and run.max_events is None):
+            self.sample_due += self._interval(measures)
         else:
             events = gas.collisions - self.last_sample_collisions
             self.sample_due = gas.time + (gas.time - self.last_sample_time) * min(
                 self.sample_interval / max(events, 1), 2.0
             )
         self.last_sample_time, self.last_sample_collisions = gas.time, gas.collisions
+        self.next_sample = self._time_in_interval()
+
+    def _interval(self, measures: Measures) -> float:
+        """Return the length of the interval in which a sample is taken after those so far: with a duration a share of it.
+
+        Else it is the time in which so many collisions happen, at the rate since some samples ago.
+        """
+        run, mark = self.scene.run, self.mark
+        assert mark is not None
+        if run.duration is not None and run.max_events is None:
+            return run.duration / SAMPLES
+        rows = measures.series
+        times = np.concatenate([[mark.time], rows["time"]])[-RATE_SAMPLES - 1 :]
+        events = np.concatenate([[self.first_collision], rows["collisions"]])[-RATE_SAMPLES - 1 :]
+        passed = float(times[-1] - times[0]) / (len(times) - 1)
+        share = self.sample_interval * (len(times) - 1) / max(float(events[-1] - events[0]), 1.0)
+        return passed * min(share, 2.0)
+
+    def _time_in_interval(self) -> float:
+        """Return when the next sample is taken: where walls oscillate, within its interval at the phase most needed.
+
+        It follows from what is kept in a checkpoint, so that a run that is continued takes the same samples.
+        """
+        measures = self.measures
+        if not self.oscillations or measures is None or measures.samples == 0:
+            return self.sample_due
+        width, times = self._interval(measures), measures.series["time"]
+        return max(spread_time(self.sample_due, width, self.oscillations, times, PAIR_SAMPLING), self.gas.time)
 
     # --- state ---------------------------------------------------------------------------------------------------
 
@@ -277,6 +313,7 @@ class Session:
                 found.gas.cpu_seconds - cpu,
             )
             found.measures = Measures.restore(found.gas, found.names, scene.container.geometry, measures)
+        found.next_sample = found._time_in_interval()
         return found
 
 
