@@ -19,7 +19,7 @@ from carom.gas.curves import Displacement, Distribution, PairCorrelation
 from carom.gas.edmd.driver import synchronized
 from carom.gas.gas import Gas
 from carom.gas.histograms import add_component_histograms, add_pair_histograms, species_sums
-from carom.gas.profiles import Profile, Profiles, volume_within
+from carom.gas.profiles import Profile, Profiles, layers, volume_within
 from carom.gas.state import require_same_form
 
 __all__ = ["SERIES", "Displacement", "Distribution", "Measures", "PairCorrelation", "mean_square_displacement"]
@@ -99,14 +99,16 @@ class Measures:
         self.width = float(2 * self.radius.min() / GAP_BINS_PER_DIAMETER)
         self.bins = max(min(int((bound - 2 * self.radius.max()) / self.width), MAX_GAP_BINS), 0)
         self.reach = float(2 * self.radius.max()) + self.width * self.bins
-        self.inner = volume_within(self.container, self.reach)
-        self.profiles = None
+        self.profiles, self.depth = None, self.reach
         if self.container.faces:
             faces = gas.arrays.walls.faces
             drives = (faces["amplitude"] > 0) | (faces["temperature"] >= 0)
             driven = {name for name, k in zip(gas.faces, drives, strict=True) if k}
             gravity = one["gravity"].tolist()
-            self.profiles = Profiles(self.container, gravity, driven, self.mass, int(count.sum()))
+            if layers(self.container, gravity, driven)[1]:  # what is counted around a ball is where centres can be
+                self.depth += float(self.radius.max())
+            self.profiles = Profiles(self.container, gravity, driven, self.mass, int(count.sum()), self.depth)
+        self.inner = volume_within(self.container, self.depth)
 
     # --- sampling ----------------------------------------------------------------------------------------------
 
@@ -147,7 +149,7 @@ class Measures:
 
     def _count_pairs(self, motions: Any) -> None:
         x, kinds = _positions(motions), len(self.names)
-        inner = np.flatnonzero(self.container.clearance(np.zeros(len(x)), x) >= self.reach)
+        inner = np.flatnonzero(self.container.clearance(np.zeros(len(x)), x) >= self.depth)
         inside = np.bincount(motions["species"][inner], minlength=kinds)
         # of many balls some, and others in each sample
         step = max(len(inner) / MAX_CENTERS, 1.0)
@@ -225,7 +227,7 @@ class Measures:
         """Return g(r) of two species, or of one with itself.
 
         It is relative to the mean density of the balls far from the walls or, where the gas :attr:`is_layered`, to the mean
-        density at each place according to the :meth:`profile`.
+        density of those far from the side walls in each slice of the :meth:`profile`.
         """
         i, j = self._kind(one), self._kind(two)
         reach = float(self.radius[i] + self.radius[j])

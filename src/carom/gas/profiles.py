@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -20,7 +20,9 @@ Array = NDArray[np.float64]
 MIN_SLICES, MAX_SLICES = 16, 120
 LATTICE_POINTS = 61  # across a slice whose volume is found by counting (a prime: slanted walls pass through few points)
 DIRECTIONS = 32  # in which balls around another one are looked for
-STATE = ("profile_counts", "profile_heat", "profile_centers", "profile_samples", "profile_pair_samples")
+STATE = (
+    "profile_counts", "profile_heat", "profile_centers", "profile_inner", "profile_samples", "profile_pair_samples",
+)  # fmt: skip
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,7 +34,8 @@ class Profile:
     edges: Array
     """Of the slices (m), (B + 1,)."""
     density: Array
-    """Number of balls per volume, of discs per area, (B,); nan in a slice outside the walls."""
+    """Number of balls per volume of the container, of discs per area, (B,); nan in a slice outside the walls. Between side walls,
+    which centres do not reach, it is lower than far from them."""
     temperature: Array
     """Mean of m v^2 along an axis (J), (B,); nan in a slice without balls."""
 
@@ -68,17 +71,29 @@ class Profiles:
     mass : (species,) array
     count : int
         Number of balls, on which the number of slices depends.
+    depth : float
+        Of the balls around which pairs are counted: they are at least so far from the walls.
     """
 
     def __init__(
-        self, container: Container, gravity: Sequence[float], driven: Collection[str], mass: Array, count: int
+        self,
+        container: Container,
+        gravity: Sequence[float],
+        driven: Collection[str],
+        mass: Array,
+        count: int,
+        depth: float,
     ) -> None:
         self.axis, self.layered = layers(container, gravity, driven)
-        self.container, self.mass, self.dimensions = container, mass, len(container.size)
+        self.container, self.mass, self.dimensions, self.depth = container, mass, len(container.size), depth
+        across = [face for face in container.faces if face.form == PLANE and abs(face.vector[self.axis]) == 1]
+        # (what stands along the axis)
+        self.sides = replace(container, faces=tuple(face for face in container.faces if face not in across))
         self.bins = int(np.clip(4 * math.sqrt(count), MIN_SLICES, MAX_SLICES))
         self.edges: Array = np.linspace(0, container.size[self.axis], self.bins + 1)
         shape = (len(mass), self.bins)
         self.profile_counts, self.profile_centers = np.zeros(shape, np.int64), np.zeros(shape, np.int64)
+        self.profile_inner = np.zeros(shape, np.int64)  # of the balls far from the sides, for g(r) in layers
         self.profile_heat = np.zeros(shape)  # sums of m v^2 along an axis
         self.profile_samples = self.profile_pair_samples = 0
 
@@ -89,6 +104,10 @@ class Profiles:
         heat = self.mass[motions["species"]] * square / self.dimensions
         self.profile_counts += self._sums(place).astype(np.int64)
         self.profile_heat += self._sums(place, heat)
+        if self.layered and self.sides.faces:
+            x = np.stack([motions[name] for name in "xyz"], axis=1)
+            place = place[self.sides.clearance(np.zeros(len(x)), x) >= self.depth]
+        self.profile_inner += self._sums(place).astype(np.int64)
         self.profile_samples += 1
 
     def add_centers(self, motions: Any) -> None:
@@ -112,35 +131,48 @@ class Profiles:
         """Return the profile of a species, by its number."""
         counts = self.profile_counts[kind]
         with np.errstate(invalid="ignore", divide="ignore"):
-            density = counts / (self._volumes() * self.profile_samples)
+            density = counts / (self._volumes(0.0) * self.profile_samples)
             return Profile("xyz"[self.axis], self.edges, density, self.profile_heat[kind] / counts)
 
-    def _volumes(self) -> Array:
-        """Return the volume of each slice: of boxes exactly, of others from a lattice of points."""
+    def _volumes(self, depth: float) -> Array:
+        """Return the volume of each slice so far from the sides: of boxes exactly, of others from a lattice of points."""
         container, size = self.container, self.container.size
-        whole = math.prod(size) / self.bins
         if container.shape == "box" and all(face.form == PLANE for face in container.faces):
-            return np.full(self.bins, whole)
+            inner = [
+                length if k == self.axis or container.periodic[k] else max(length - 2 * depth, 0.0)
+                for k, length in enumerate(size)
+            ]
+            return np.full(self.bins, math.prod(inner) / self.bins)
         shape = [LATTICE_POINTS] * self.dimensions
         shape[self.axis] = 4 * self.bins
         middles = [(np.arange(n) + 0.5) * (length / n) for n, length in zip(shape, size, strict=True)]
         x = np.zeros((math.prod(shape), 3))
         for k, grid in enumerate(np.meshgrid(*middles, indexing="ij")):
             x[:, k] = grid.ravel()
-        within = container.clearance(0.0, x) > 0
+        within = (container.clearance(0.0, x) > 0) & (self.sides.clearance(0.0, x) >= depth)
         share = np.moveaxis(within.reshape(shape), self.axis, 0).reshape(self.bins, -1).mean(axis=1)
-        volumes: Array = share * whole
+        volumes: Array = share * (math.prod(size) / self.bins)
         return volumes
+
+    def _density_around(self, kind: int) -> Array:
+        """Return the density of a species far from the sides, (B,), as it is around the balls around which pairs are counted.
+
+        Centres do not reach the sides, and are layered there, so that the mean over a whole slice is another one. It stands only
+        for slices that nowhere are so far from them (at the ends of round containers).
+        """
+        whole, volumes = self.of(kind).density, self._volumes(self.depth)
+        inner = np.divide(self.profile_inner[kind], volumes * self.profile_samples, out=whole.copy(), where=volumes > 0)
+        return np.nan_to_num(inner, posinf=0.0)
 
     def expected_density(self, one: int, two: int, distance: Array) -> Array:
         """Return the sum over the central balls of a species of another one's mean density at some distances from each, (B,)."""
-        other, centers = self.of(two), self.profile_centers[one]
-        density = np.nan_to_num(other.density, posinf=0.0)
+        density, centers = self._density_around(two), self.profile_centers[one]
+        middle = (self.edges[1:] + self.edges[:-1]) / 2
         share = (np.arange(DIRECTIONS) + 0.5) / DIRECTIONS
         # directions at equal shares of the sphere, or of the circle
         cosine = 2 * share - 1 if self.dimensions == 3 else np.cos(math.pi * share)
-        places = other.middle[None, :, None] + distance[:, None, None] * cosine
-        found: Array = np.interp(places, other.middle, density).mean(axis=2) @ centers
+        places = middle[None, :, None] + distance[:, None, None] * cosine
+        found: Array = np.interp(places, middle, density).mean(axis=2) @ centers
         return found
 
     # --- state -------------------------------------------------------------------------------------------------
@@ -156,8 +188,9 @@ class Profiles:
         for name in STATE:
             fresh = np.array(getattr(self, name))
             require_same_form(name, state[name], fresh.dtype, fresh.shape)
-        self.profile_counts, self.profile_heat, self.profile_centers = (state[name].copy() for name in STATE[:3])
-        self.profile_samples, self.profile_pair_samples = (int(state[name]) for name in STATE[3:])
+        for name in STATE[:4]:
+            setattr(self, name, state[name].copy())
+        self.profile_samples, self.profile_pair_samples = (int(state[name]) for name in STATE[4:])
 
 
 def volume_within(container: Container, depth: float) -> float:

@@ -95,8 +95,8 @@ def channels(gas: Gas, since: Mark, names: tuple[str, ...]) -> list[Channel]:
 def report(session: Session) -> dict[str, Any]:
     """Return the results after equilibration: the totals of the run, then each species, each kind of contact, and diffusion.
 
-    All temperatures are means over the time of the measurement: of the whole gas from its energy at every fourth collision per ball or so,
-    a species' share of it by the samples.
+    All temperatures are means over the time of the measurement: of the whole gas from its energy at every fourth collision per
+    ball or so, a species' share of it by the samples.
     """
     mark, measures, run = session.mark, session.measures, session.result
     assert mark is not None
