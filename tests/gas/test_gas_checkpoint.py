@@ -111,7 +111,7 @@ def test_a_checkpoint_without_profiles_goes_on(tmp_path):
     session = Session(scene)
     session.run(stop=stops([8]))
     old = {name: array for name, array in session.state().items() if not name.startswith("measures.profile_")}
-    assert len(old) == len(session.state()) - 5
+    assert len(old) == len(session.state()) - 6
     again = Session.restore(scene, old)
     session.run()
     again.run()
@@ -154,6 +154,18 @@ def refused(path: Path, scene=None) -> str:
 def test_another_scene(tmp_path, kept, old, new, said):
     line = refused(kept, scene_of(tmp_path, ROUGH.replace(old, new)))
     assert f"expected a checkpoint of this scene, got one of another scene: {said}; only run.max_events" in line
+
+
+@pytest.mark.parametrize(
+    ("run", "said"),
+    [
+        ("max_events = 5_000", "a run.max_events of at least 60,000, as in the checkpoint, got 5,000"),
+        ("max_events = 60_000\nduration = 2.5", "no run.duration, as in the checkpoint, got 2.5"),
+    ],
+)
+def test_a_run_cannot_become_shorter(tmp_path, kept, run, said):
+    line = refused(kept, scene_of(tmp_path, ROUGH.replace("max_events = 60_000", run)))
+    assert line == f"{kept}: expected {said}; a run can only be continued for longer"
 
 
 def test_files_that_are_no_checkpoint(tmp_path, kept):

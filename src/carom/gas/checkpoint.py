@@ -164,6 +164,8 @@ def load_checkpoint(
                 f"{path}: expected a checkpoint of this scene, got one of another scene: its {field} is {was}, not {now};"
                 " only run.max_events and run.duration may change"
             )
+        if scene is not None:
+            _require_no_shorter(path, own, scene)
         try:
             return Session.restore(own if scene is None else scene, state, compiling)
         except _DamagedFileError:
@@ -230,6 +232,23 @@ def _fixed(scene: GasScene) -> dict[str, Any]:
     table["run"]["start"] = Path(table["run"]["start"]).name
     table["run"]["equilibrate"] = scene.equilibrate
     return table
+
+
+def _require_no_shorter(path: Path, own: GasScene, scene: GasScene) -> None:
+    """Raise CaromError where a run is to be shorter than the checkpoint's: what lies after its end would still be in it."""
+    for name in CHANGEABLE:
+        was, now = getattr(own.run, name), getattr(scene.run, name)
+        if now is not None and (was is None or now < was):
+            least = "no" if was is None else "a"
+            than = "as in the checkpoint" if was is None else f"at least {_counted(was)}, as in the checkpoint"
+            raise CaromError(
+                f"{path}: expected {least} run.{name}{',' if was is None else ' of'} {than}, got {_counted(now)};"
+                " a run can only be continued for longer"
+            )
+
+
+def _counted(value: float) -> str:
+    return f"{value:,}" if isinstance(value, int) else f"{value:g}"
 
 
 def _difference(one: Any, two: Any, at: str = "") -> tuple[str, Any, Any] | None:

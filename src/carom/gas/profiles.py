@@ -162,7 +162,8 @@ class Profiles:
         """
         whole, volumes = self.of(kind).density, self._volumes(self.depth)
         inner = np.divide(self.profile_inner[kind], volumes * self.profile_samples, out=whole.copy(), where=volumes > 0)
-        return np.nan_to_num(inner, posinf=0.0)
+        found: Array = np.nan_to_num(inner, posinf=0.0)
+        return found
 
     def expected_density(self, one: int, two: int, distance: Array) -> Array:
         """Return the sum over the central balls of a species of another one's mean density at some distances from each, (B,)."""
