@@ -268,7 +268,8 @@ def test_a_signal_ends_it_with_a_checkpoint(folder, which):
 def test_a_signal_without_a_checkpoint_asked_for_makes_one(folder):
     code, _out, err = struck("a frame", 3, signal.SIGINT, "long.toml", "--snapshots", "s.gsd", "--every", "1000 events")
     assert code == 130
-    assert err.splitlines()[-1].endswith("resume with: carom gas long.toml --resume long.checkpoint.npz")
+    again = "resume with: carom gas long.toml --resume long.checkpoint.npz --snapshots s.gsd --every '1000 events'"
+    assert err.splitlines()[-1].endswith(again)
     assert answer("--resume", "long.checkpoint.npz") == answer("long.toml")
 
 
@@ -334,6 +335,39 @@ def test_the_checkpoint_that_is_written_at_the_end_is_named(folder):
     assert done.stderr.splitlines()[-2:] == ["checkpoint written: d.npz", "written: m.json"]
     shown = runner.invoke(app, ["gas", "--help"], env={"COLUMNS": "200"}).stdout
     assert "Without --checkpoint the state of the run is saved to FILE too" in shown
+
+
+def test_files_that_a_resumed_run_does_not_name_again_are_said(folder):
+    """A run resumed without --snapshots wrote none, and said nothing."""
+    import gsd.hoomd
+
+    first = ("--max-events", "2000", "--checkpoint", "c.npz", "--snapshots", "s.gsd", "--every", "200 events")
+    run("rough.toml", *first, "--measures", "m.json", "--quiet")
+    silent = runner.invoke(
+        app, ["gas", "rough.toml", "--resume", "c.npz", "--checkpoint", "d.npz", "--max-events", "3000"]
+    )
+    said = (
+        "this run wrote s.gsd, m.json; repeat --snapshots s.gsd --measures m.json --every '200 events' to continue it"
+    )
+    assert said in silent.stderr.splitlines()
+    more = [
+        "gas",
+        "rough.toml",
+        "--resume",
+        "c.npz",
+        "--max-events",
+        "3000",
+        "--snapshots",
+        "s.gsd",
+        "--measures",
+        "m.json",
+    ]
+    done = runner.invoke(app, more)
+    assert done.exit_code == 0
+    assert "this run wrote" not in done.stderr
+    with gsd.hoomd.open(str(folder / "s.gsd")) as frames:
+        steps = [frame.configuration.step for frame in frames]
+    assert np.diff(steps).tolist() == [200] * 15
 
 
 def test_progress_goes_to_standard_error(folder):

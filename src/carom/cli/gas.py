@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 import signal
 import sys
 from collections.abc import Callable, Iterator
@@ -100,8 +101,11 @@ def gas(
     }
     _check_files(found, plot, measures, snapshots, kept)
     if ensemble is not None:
-        files = {"--snapshots": snapshots, "--every": every, "--checkpoint": checkpoint, "--resume": resume}
-        require_no_files(found, ensemble, files)
+        require_no_files(
+            found,
+            ensemble,
+            {"--snapshots": snapshots, "--every": every, "--checkpoint": checkpoint, "--resume": resume},
+        )
     if snapshots is not None and resume is None and not force and snapshots.is_file():
         found.append(f"--snapshots {snapshots}: expected a new file, got an existing one; --force overwrites it")
     interval = attempt(found, _interval, "--checkpoint-every", checkpoint_every)
@@ -120,6 +124,9 @@ def gas(
     with ExitStack() as stack:
         signals = stack.enter_context(_signals())
         session = _session(scene, given, resume, progress)
+        snapshot_every = _keep_outputs(
+            session, {"--snapshots": snapshots, "--measures": measures, "--plot": plot}, snapshot_every, progress
+        )
         file = None if snapshots is None else _Frames(snapshots, session, resume is not None, found, progress)
         if file is not None:
             stack.callback(file.close)
@@ -133,7 +140,7 @@ def gas(
             finished = session.run(
                 stop=lambda: bool(signals),
                 progress=report_progress,
-                every=None if file is None else _snapshot_interval(snapshot_every, session),
+                every=snapshot_every,
                 snapshot=None if file is None else file.write,
             )
         if not finished and checkpoints.path is None:
@@ -141,8 +148,8 @@ def gas(
         written: list[Path] = []
         _write(found, written, checkpoints.path, checkpoints.save, session)
     if not finished and checkpoints.path in written:
-        _print_faults(found)
-        _stopped(session, scene, checkpoints.path, signals[0])
+        again = {"--max-events": max_events, "--duration": duration, "--snapshots": snapshots, "--every": every}
+        _stopped(session, scene, checkpoints.path, signals[0], again, found)
     if finished:
         # the report is printed even if a file cannot be written
         _write(found, written, plot, _plot, session, plot)
@@ -221,15 +228,31 @@ def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any]) -> G
     return scene.model_copy(update={"run": run}) if isinstance(scene, GasScene) else scene
 
 
-def _snapshot_interval(every: int | float | None, session: Session) -> int | float:
-    """Return the interval of snapshots: as given, or a hundredth of the run."""
+def _keep_outputs(
+    session: Session, outputs: dict[str, Path | None], every: int | float | None, progress: Progress
+) -> int | float | None:
+    """Keep the names of a run's files for those who resume it; say which files of the run resumed are not named again.
+
+    Return the interval of snapshots, if there are any: as given, as before, or a hundredth of the run.
+    """
+    before = session.outputs
+    if missing := {option: name for option, name in before.items() if outputs.get(option, "") is None}:
+        spaced = (
+            f" --every {shlex.quote(before['--every'])}" if "--snapshots" in missing and "--every" in before else ""
+        )
+        options = " ".join(f"{option} {shlex.quote(name)}" for option, name in missing.items()) + spaced
+        progress.say(f"this run wrote {', '.join(missing.values())}; repeat {options} to continue it")
+    session.outputs = before | {option: str(path) for option, path in outputs.items() if path is not None}
+    if outputs["--snapshots"] is None:
+        return None
     run = session.scene.run
-    if every is not None:
-        return every
-    if run.max_events is not None:
-        return max(run.max_events // SNAPSHOTS, 1)
-    assert run.duration is not None
-    return run.duration / SNAPSHOTS
+    if every is None and "--every" in before:
+        every = _interval("--every", before["--every"])
+    elif every is None:
+        every = run.duration / SNAPSHOTS if run.duration and run.max_events is None else 0.0
+        every = every or max((run.max_events or 0) // SNAPSHOTS, 1)
+    session.outputs["--every"] = f"{every} events" if isinstance(every, int) else repr(every)
+    return every
 
 
 # --- run -----------------------------------------------------------------------------------------------------------
@@ -335,14 +358,20 @@ class _Checkpoints:
             save_checkpoint(session, self.path)
 
 
-def _print_faults(faults: list[str]) -> None:
+def _stopped(
+    session: Session,
+    scene: Path | None,
+    checkpoint: Path | None,
+    which: int,
+    options: dict[str, Any],
+    faults: list[str],
+) -> None:
+    """Print faults, where the run was stopped and how to resume it, with the options that it needs again, and exit."""
     for fault in faults:
         note(f"carom: {fault}")
-
-
-def _stopped(session: Session, scene: Path | None, checkpoint: Path | None, which: int) -> None:
-    """Print where the run was stopped and how to resume it, and exit."""
-    command = " ".join(str(part) for part in ("carom gas", scene, "--resume", checkpoint) if part is not None)
+    again = [part for name, value in options.items() if value is not None for part in (name, shlex.quote(str(value)))]
+    parts = ("carom gas", scene, "--resume", checkpoint, *again)
+    command = " ".join(str(part) for part in parts if part is not None)
     note(
         f"carom: stopped after {counted(session.done, 'event')} of the {'run' if session.measuring else 'equilibration'},"
         f" t = {session.gas.time:.6g}; resume with: {command}"

@@ -74,6 +74,7 @@ def save_checkpoint(session: Session, path: str | Path) -> None:
     """
     path = as_path("save_checkpoint", path)
     about = {"format": FORMAT, "carom": version("carom"), "scene": session.scene.model_dump(mode="json")}
+    about["outputs"] = session.outputs
     with atomic_file(path) as file:
         with zipfile.ZipFile(file, "w", allowZip64=True) as archive:
             _write_array(archive, "carom_checkpoint", np.array(json.dumps(about)))
@@ -167,7 +168,10 @@ def load_checkpoint(
         if scene is not None:
             _require_no_shorter(path, own, scene)
         try:
-            return Session.restore(own if scene is None else scene, state, compiling)
+            session = Session.restore(own if scene is None else scene, state, compiling)
+            # (a checkpoint of an earlier version names no files)
+            session.outputs = {str(option): str(name) for option, name in dict(about.get("outputs", {})).items()}
+            return session
         except _DamagedFileError:
             raise
         except (KeyError, ValueError, IndexError, TypeError) as error:

@@ -83,6 +83,7 @@ class Session:
 
     def _set(self, scene: GasScene, gas: Gas) -> None:
         self.scene, self.gas = scene, gas
+        self.outputs: dict[str, str] = {}  # options that name files of the run, for those who resume it
         self.max_wait = _max_wait(scene, gas)
         self.oscillations = sorted({one.frequency or 0.0 for one in scene.drives if one.amplitude > 0})
         # this advances nothing, but compiles the loop, whose time is not measured
