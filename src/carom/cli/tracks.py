@@ -88,6 +88,13 @@ def show(
         float | None, typer.Option(help="Deceleration / g of a rolling ball. Default: fitted.", rich_help_panel=FLOOR)
     ] = None,
     gravity: Annotated[float, shared("gravity")] = 9.80665,
+    drag: Annotated[
+        float | None,
+        typer.Option(
+            help="Air drag k, 1/m: it slows a ball of speed v down by k v^2. Default: from the flights.",
+            rich_help_panel=FLOOR,
+        ),
+    ] = None,
     noise: Annotated[str | None, shared("noise", default="estimated", rich_help_panel=FIT)] = None,
     window: Annotated[
         float,
@@ -134,7 +141,7 @@ def show(
         raise CaromError(*faults)
     settings = Settings(
         radius=radius, kappa=kappa, view=view, noise=lengths["noise"],  # type: ignore[arg-type]
-        cloth=cloth, rolling=rolling, gravity=gravity, window=window, blind=blind, hard=hard,
+        cloth=cloth, rolling=rolling, gravity=gravity, window=window, blind=blind, hard=hard, drag=drag,
     )  # fmt: skip
     console = err()
 

@@ -108,7 +108,7 @@ def tell(console: Console, found: TrackFile, measured: Measured) -> None:
             if abs(n[0]) == 1
             else f"y = {wall.point[1]:.4f} m"
             if abs(n[1]) == 1
-            else "as given"
+            else f"through ({wall.point[0]:.4f}, {wall.point[1]:.4f}) m, {abs(math.degrees(math.atan(n[0] / n[1]))):.3g}° off level"
         )
         rows.add_row("wall", f"{wall.name}: {at}{', positions clamped to it' if wall.clamped else ''}")
     for name, (value, error) in measured.floor.items():

@@ -13,7 +13,7 @@ __all__ = ["SHARED", "Shared", "film_says", "numbers_of", "shared_errors", "shar
 
 Array = NDArray[np.float64]
 # Quantities that a film measures once for all its rows: prefix of the columns, and name
-SHARED = {"cloth": "cloth friction", "rolling": "rolling resistance", "blind": "blind time"}
+SHARED = {"cloth": "cloth friction", "rolling": "rolling resistance", "blind": "blind time", "drag": "air drag"}
 
 
 @dataclass(frozen=True)
@@ -28,7 +28,7 @@ class Shared:
 
 
 def shared_errors(rebounds: Rebounds, names: tuple[str, ...], floor: float) -> tuple[Shared, ...]:
-    """Return the errors that rows share, from the columns cloth_, rolling_ and blind_ of a table that carom made from films.
+    """Return the errors that rows share, from the columns cloth_, rolling_, blind_ and drag_ of a table that carom made from films.
 
     Films measured separately (column ``film``) have an error each. Where a film has one row, nothing is shared: the error is
     part of that of the row. The law's floor friction is the mean of the films, and follows all their errors.

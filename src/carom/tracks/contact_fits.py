@@ -11,8 +11,10 @@ from numpy.typing import NDArray
 from carom.formatting import counted
 from carom.tracks.blind import BlindTime, estimate_blind_time
 from carom.tracks.contact import Settings, TrackContact, TrackedSpin, View, motion_before_resolved
-from carom.tracks.contact_models import fit_flight, fit_table
+from carom.tracks.contact_models import fit_table
 from carom.tracks.events import TrackEvent, WallLine
+from carom.tracks.flight_fits import fit_flight
+from carom.tracks.flights import STILL_AIR, Air
 from carom.tracks.floor import WithError, pool_floor, pool_gravity
 from carom.tracks.hops import hop_notes, with_hops
 from carom.tracks.least_squares import AT_CONTACT, ContactFit, Prior
@@ -49,6 +51,7 @@ class ContactFitter:
     noise: float
     blind: BlindTime = field(default_factory=BlindTime)
     """Times before and after a contact whose frames are excluded."""
+    air: Air = STILL_AIR
     floor: dict[str, WithError] = field(default_factory=dict)
 
     def run(
@@ -194,8 +197,8 @@ class ContactFitter:
             known = None if old is None else old.fit
             fit = fit_table(t, x, middle, self.noise, prior, at, weight, known, self.settings.gravity)
         else:
-            gravity = wall.turned(np.array([0.0, -self.settings.gravity]))
-            fit = fit_flight(t, x, middle, self.noise, gravity, 0.05 * self.settings.gravity, at)
+            gravity = wall.turned(self.settings.gravity * np.array(self.air.down))
+            fit = fit_flight(t, x, middle, self.noise, gravity, 0.05 * self.settings.gravity, at, self.air)
         if (
             not np.isfinite(fit.value[AT_CONTACT]).all()
             or not np.isfinite(fit.covariance[AT_CONTACT, AT_CONTACT]).all()

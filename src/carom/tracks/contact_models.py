@@ -1,6 +1,6 @@
-"""Models of a contact: on a table the ball slides or rolls before it, and slides, then rolls after it; in flight, two parabolas.
+"""Models of a contact on a table: the ball slides or rolls before it, and slides, then rolls after it.
 
-On a table, Coulomb friction while the ball slides and constant resistance while it rolls (:mod:`carom.tracks.table_motion`). Each
+There is Coulomb friction while the ball slides and constant resistance while it rolls (:mod:`carom.tracks.table_motion`). Each
 model is fitted to the frames on both sides of the contact, in the frame of the wall (:mod:`carom.tracks.least_squares`).
 
 A ball that rolls into a wall and touches it at its centre is lifted by the wall's friction, and hops before it slides. Seen from
@@ -21,7 +21,6 @@ from carom.tracks.least_squares import (
     OUTPUTS,
     ContactFit,
     Prior,
-    central_differences,
     contact_fit,
     solve,
     starting_values,
@@ -34,7 +33,7 @@ from carom.tracks.table_motion import (
     slide_then_roll_derivatives,
 )
 
-__all__ = ["fit_flight", "fit_table", "slide_would_show"]
+__all__ = ["fit_table", "slide_would_show"]
 
 Array = NDArray[np.float64]
 Free = NDArray[np.bool_]
@@ -59,8 +58,6 @@ TIED, LOOSE, MAX_SHARE = 0.1, 0.5, 2.0
 TIME, PLACE, DISTANCE, ROLL, SLIP, ANGLE = 0, slice(1, 3), 1, slice(3, 5), 5, 6
 V_OUT, U_OUT, MU_G, C_G, HOP = slice(7, 9), slice(9, 11), 11, 12, 13
 COUNT = 14
-# of a contact in flight, after TIME and PLACE
-FLIGHT_IN, FLIGHT_OUT, FLIGHT_GRAVITY = slice(3, 5), slice(5, 7), slice(7, 9)
 
 # Which parameters are free: for a ball that rolls before the contact, that slides until the contact, that slides and then rolls.
 _NUMBERS = np.arange(COUNT)
@@ -155,7 +152,7 @@ class _TableContact:
         before, after = time < near, time >= near
         self.after, self.interval = int(after.sum()), float(np.median(np.diff(time)))
         start = starting_values(time, position, before, after, near)
-        v_in, v_out = start[FLIGHT_IN], start[FLIGHT_OUT]
+        v_in, v_out = start[3:5], start[5:7]
         self.start = np.concatenate(
             [start[TIME : ROLL.stop], [0.0, 0.0], v_out, [0.0, 0.0], [prior.mu_g, prior.c_g, 0.0]]
         )
@@ -388,45 +385,3 @@ def slide_would_show(frames: int, span: float, noise: float, mu_g: float) -> boo
     """
     bend = mu_g / 2 * span * span / (6 * np.sqrt(5.0))
     return frames >= MIN_FRAMES_SLIDING and bool(frames * (bend / noise) ** 2 > CHI2_DETECTABLE)
-
-
-# --- in flight ---------------------------------------------------------------------------------------------------------
-
-
-def _flight_position(theta: Array, t: Array) -> Array:
-    s = (t - theta[TIME])[:, None]
-    velocity = np.where(s < 0, theta[FLIGHT_IN], theta[FLIGHT_OUT])
-    return np.asarray(theta[PLACE] + velocity * s + theta[FLIGHT_GRAVITY] * (s * s / 2))
-
-
-def _flight_outputs(theta: Array) -> Array:
-    """Return the quantities of OUTPUTS, with the components of gravity for mu_g and c_g."""
-    return np.array([*theta[: FLIGHT_OUT.stop], *[np.nan] * 6, *theta[FLIGHT_GRAVITY], np.nan, np.nan])
-
-
-def fit_flight(
-    time: Array, position: Array, near: float, noise: float, gravity: Array, error: float, wall: float | None = None
-) -> ContactFit:
-    """Fit a contact of a ball in flight: two parabolas that meet.
-
-    Parameters as in :func:`fit_table`; ``gravity`` (2,), m/s^2, is a prior in the frame of the wall with the standard deviation
-    ``error``. In the result the fitted gravity takes the place of mu_g (away from the wall) and c_g (along it).
-    """
-    theta = np.concatenate([starting_values(time, position, time < near, time >= near, near), gravity])
-    scale = np.array([1e-3, 1e-3, 1e-3, *[0.05] * 4, *[0.2] * 2])
-
-    def residual(theta: Array) -> Array:
-        gap = (position - _flight_position(theta, time)) / noise
-        known = list((theta[FLIGHT_GRAVITY] - gravity) / error)
-        if wall is not None:
-            known.append((theta[DISTANCE] - wall) / noise)
-        return np.concatenate([gap.ravel(), known])
-
-    def slope(theta: Array) -> Array:
-        return central_differences(residual, theta, 1e-4 * scale)
-
-    best, _chi2 = solve(residual, slope, theta, scale)
-    return contact_fit(
-        best, np.ones(len(theta), bool), residual, slope(best), _flight_outputs, lambda t: _flight_position(best, t),
-        scale=scale, time=time, noise=noise,
-    )  # fmt: skip

@@ -105,32 +105,38 @@ def turning_points(d: Array, noise: float, reach: int = 3) -> NDArray[np.intp]:
 
 
 def find_walls(
-    tracks: Sequence[Track], noise: float, sides: Sequence[str] = ("left", "right", "bottom", "top")
+    tracks: Sequence[Track],
+    noise: float,
+    sides: Sequence[str] = ("left", "right", "bottom", "top"),
+    down: tuple[float, float] = (0.0, -1.0),
 ) -> list[WallLine]:
     """Find walls parallel to the axes: extremes of all positions near which balls turn sharply.
 
+    ``down``: the direction of gravity in the picture, to which the floor is perpendicular; the other walls turn with it.
     A wall is ``clamped`` if several rows have exactly the extreme value. The line is the extreme itself; the fits may later
     find that the ball turned beyond it.
     """
     x = np.concatenate([track.position[track.seen][:, :2] for track in tracks])
     walls = []
+    axes = np.array([[-down[1], down[0]], [-down[0], -down[1]]])  # of the room: to the right, and up
     for name, axis, sign in SIDES:
         if name not in sides or not len(x):
             continue
-        edge = float((sign * x[:, axis]).min())
-        size = float(np.ptp(x[:, axis]))
+        height = x @ (sign * axes[axis])
+        edge = float(height.min())
+        size = float(np.ptp(height))
         turned = False
         for track in tracks:
-            d = sign * track.position[track.seen][:, axis] - edge
+            d = track.position[track.seen][:, :2] @ (sign * axes[axis]) - edge
             for i in turning_points(d, noise, frames_per_side(track.time[track.seen])).tolist():
                 step = max(abs(d[i] - d[i - 1]), abs(d[i + 1] - d[i]))
                 turned |= bool(d[i] < 0.75 * step + max(0.03 * size, 6 * noise))
         if not turned:
             continue
         # no two measured positions agree to the last digit, except for coarse pixels, where leaving them out costs little
-        clamped = int((sign * x[:, axis] - edge < 1e-9 * (1 + abs(edge))).sum()) >= 2
-        point, normal = [0.0, 0.0], [0.0, 0.0]
-        point[axis], normal[axis] = sign * edge, float(sign)
+        clamped = int((height - edge < 1e-9 * (1 + abs(edge))).sum()) >= 2
+        normal = (sign * axes[axis] + 0.0).tolist()
+        point = (edge * np.array(normal) + 0.0).tolist()
         walls.append(WallLine(name, (point[0], point[1]), (normal[0], normal[1]), clamped=clamped))
     return walls
 

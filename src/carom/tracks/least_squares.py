@@ -105,6 +105,8 @@ class ContactFit:
     """The same contact, of a ball that hops off the wall; None if it cannot, or if this is such a fit."""
     hop_chi2: float = 0.0
     """By how much chi2 is higher if the ball hops for as long as off a wall that it touches at its centre."""
+    drag_shift: Array | None = None
+    """(17,): by how much the values change with one standard deviation more of the air's drag; None where that has no error."""
 
     def __getitem__(self, name: str) -> float:
         """Return a value by its name in OUTPUTS."""

@@ -14,6 +14,7 @@ from carom.tracks.blind import BlindTime
 from carom.tracks.contact import Settings, TrackContact, View
 from carom.tracks.contact_fits import ContactFitter, Progress
 from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
+from carom.tracks.flights import STILL_AIR, air_and_notes
 from carom.tracks.floor import WithError
 from carom.tracks.free_fall import axis_points_down, constant_acceleration, what_would_give
 from carom.tracks.plausibility import GRAVITY_TOLERANCE, MIN_JUDGED, restitution_note, why_implausible
@@ -60,7 +61,8 @@ class Measured:
     blind: BlindTime
     """Times before and after a contact whose frames were excluded, s."""
     floor: dict[str, WithError] = field(default_factory=dict)
-    """Estimates from all contacts: ``cloth friction`` and ``rolling resistance``, or ``gravity`` (m/s^2), with their errors."""
+    """Estimates from all contacts: ``cloth friction`` and ``rolling resistance``, or ``gravity`` (m/s^2) and, if the
+    flights show it, ``air drag`` (1/m), with their errors."""
     notes: tuple[str, ...] = ()
     gravity: float = 9.80665
     """m/s^2, by which decelerations were divided to give the friction of the floor."""
@@ -192,7 +194,14 @@ def _in_view(
     film: Measured, view: View, settings: Settings, groups: dict[str, list[Track]], progress: Progress | None
 ) -> Measured:
     """Find and measure the contacts of a film in a view."""
-    walls = settings.walls if settings.walls is not None else tuple(find_walls(film.tracks, film.noise, SIDES[view]))
+    gravity = _flight_gravity(film.tracks, settings.gravity) if view == "side" else settings.gravity
+    air, notes = STILL_AIR, list[str]()
+    if view == "side":
+        given = settings.walls is not None
+        air, notes = air_and_notes(film.tracks, film.noise, film.interval, gravity, settings.drag, given)
+    walls = settings.walls
+    if walls is None:
+        walls = tuple(find_walls(film.tracks, film.noise, SIDES[view], air.down))
     radii = 2 * settings.radius if settings.radius else None
     events = {
         (track.group, track.name): find_events(
@@ -205,7 +214,6 @@ def _in_view(
         )
         for track in film.tracks
     }
-    gravity = _flight_gravity(film.tracks, settings.gravity) if view == "side" else settings.gravity
     job = ContactFitter(
         replace(settings, gravity=gravity),
         view,
@@ -213,8 +221,8 @@ def _in_view(
         film.interval,
         film.noise,
         film.blind,
+        air,
     )
-    notes: list[str] = []
     contacts = job.run(list(film.tracks), events, notes, progress)
     if not walls:
         notes.append("no wall found: no ball turns back at an extreme of the positions (--wall gives one)")
@@ -224,7 +232,7 @@ def _in_view(
     )
     return replace(
         film, view=view, walls=walls, events=events, contacts=tuple(contacts), noise=job.noise, blind=job.blind,
-        floor=job.floor, notes=tuple(notes),
+        floor=job.floor | ({"air drag": WithError(air.drag, air.drag_error)} if air.drag else {}), notes=tuple(notes),
     )  # fmt: skip
 
 

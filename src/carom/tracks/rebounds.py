@@ -14,6 +14,7 @@ from carom.data.energy import energy_remarks
 from carom.data.rebounds import Kind, Rebounds, make_rebounds
 from carom.errors import CaromError
 from carom.tracks.floor import shared_fraction
+from carom.tracks.least_squares import OUTPUTS
 from carom.tracks.measurement import Measured, TrackContact
 
 __all__ = ["Stage", "to_rebounds", "usable_stages"]
@@ -188,6 +189,10 @@ def _row(one: TrackContact, numbers: dict[str, int], stage: str, spin: str) -> d
         row["covariance_v_n"] += shift["v_n_in"] * shift["v_n_out"]
         row["covariance_v_t"] += shift["v_t_in"] * shift["v_t_out"]
         row |= {f"blind_{name}": change for name, change in shift.items()}
+    if fit.drag_shift is not None:  # part of the error bars of the fit already
+        names = {"v_n_in": "vn_in", "v_t_in": "vt_in", "v_n_out": out[0], "v_t_out": out[1]}
+        shift = {name: float(fit.drag_shift[OUTPUTS.index(inner)]) for name, inner in names.items()}
+        row |= {f"drag_{name}": -change if name == "v_n_in" else change for name, change in shift.items()}
     if not one.planar:
         for side in ("in", "out"):
             for axis in "nt":

@@ -1,0 +1,249 @@
+"""Free flights of a ball filmed from the side: where gravity points in the picture, and how much the air slows the ball down.
+
+Between two contacts the ball moves with the acceleration g - k |v| v, k the drag per mass (1/m): it loses more speed as it rises
+than it gains as it falls. All flights of a film are fitted together, each with its own start, with one g and one k.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.tracks.events import find_events, frames_per_side, turning_points
+from carom.tracks.track import Track
+
+__all__ = ["STILL_AIR", "Air", "Flights", "air_and_notes", "fit_flights", "flight_path"]
+
+Array = NDArray[np.float64]
+STEP_S = 0.05  # of the integration; a ball that turns at the top within one is off by some micrometres
+# Beside a contact the ball is compressed, and the frame nearest to it may lie on either side.
+NEAR_FRAMES, NEAR_S = 1.5, 0.012
+MIN_FRAMES, MIN_FLIGHT_S = 6, 0.1
+GAP_FRAMES = 4.5  # in a gap of so many frames the ball may have met something
+GRAVITY_SHARE = (
+    0.3  # of gravity, by which a flight's own acceleration may differ from it: else the ball is held or rolls
+)
+MAX_SCATTER = 3.0  # times the noise; more is no free flight
+SIGNIFICANT = 4.0  # error bars
+MIN_TILT = np.radians(0.2)
+ROUNDS = 6
+MIN_FLIGHTS_APART = 3  # from which their differences show errors beyond the noise: spin, the lens
+
+
+class Air(NamedTuple):
+    """What acts on a ball in flight besides the size of gravity."""
+
+    down: tuple[float, float] = (0.0, -1.0)
+    """The direction of gravity in the picture."""
+    drag: float = 0.0
+    """1/m: the air slows a ball of speed v down by drag v^2."""
+    drag_error: float = 0.0
+
+
+STILL_AIR = Air()
+
+
+class Flights(NamedTuple):
+    """Gravity and drag from all flights of a film."""
+
+    gravity: Array
+    """(2,) m/s^2."""
+    drag: float
+    """1/m."""
+    covariance: Array
+    """(3, 3), of gravity and drag."""
+
+    @property
+    def tilt(self) -> tuple[float, float]:
+        """By how much gravity points to the right of straight down, and its standard deviation, rad."""
+        x, y = self.gravity
+        across = np.array([-y, x]) / (x * x + y * y)
+        return float(np.arctan2(x, -y)), float(np.sqrt(across @ self.covariance[:2, :2] @ across))
+
+    @property
+    def drag_error(self) -> float:
+        """Standard deviation of the drag, 1/m."""
+        return float(np.sqrt(self.covariance[2, 2]))
+
+
+def flight_path(velocity: Array, gravity: Array, drag: Array | float, s: Array) -> Array:
+    """Return how far a ball with a velocity (..., 2), m/s, has moved after the times s (n,), s, some of them negative: (..., n, 2).
+
+    ``gravity`` (..., 2), m/s^2; ``drag`` (...), 1/m.
+    """
+    v = np.broadcast_to(velocity[..., None, :], (*velocity.shape[:-1], len(s), 2))
+    g, k = np.asarray(gravity)[..., None, :], np.asarray(drag)[..., None, None]
+    x = np.zeros_like(v)
+    count = max(int(np.ceil(np.abs(s).max(initial=0.0) / STEP_S)), 1)
+    h = (s / count)[:, None]
+
+    def acceleration(v: Array) -> Array:
+        return np.asarray(g - k * np.sqrt((v * v).sum(axis=-1, keepdims=True)) * v)
+
+    for _ in range(count):  # Runge and Kutta, fourth order: exact for a parabola
+        a1 = acceleration(v)
+        a2 = acceleration(v + h / 2 * a1)
+        a3 = acceleration(v + h / 2 * a2)
+        a4 = acceleration(v + h * a3)
+        x = x + h * v + h * h / 6 * (a1 + a2 + a3)
+        v = v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)
+    return x
+
+
+def air_and_notes(
+    tracks: Sequence[Track], noise: float, interval: float, gravity: float, drag: float | None, walls_given: bool
+) -> tuple[Air, list[str]]:
+    """Return the direction of gravity and the drag as far as the flights show them, and notes on both.
+
+    ``drag``: 1/m, if it is known. Where nothing is significant, the picture is upright and the air still.
+    """
+    found = fit_flights(tracks, noise, interval, gravity, drag)
+    air = STILL_AIR._replace(drag=drag or 0.0)
+    notes: list[str] = []
+    if found is None:
+        return air, notes
+    angle, error = found.tilt
+    if abs(angle) > max(MIN_TILT, SIGNIFICANT * error):
+        air = air._replace(down=(float(np.sin(angle)), float(-np.cos(angle))))
+        side = "right" if angle > 0 else "left"
+        floor = (
+            "the walls are taken as they were given"
+            if walls_given
+            else "the floor is taken to be perpendicular to it (--wall x1,y1,x2,y2 gives another)"
+        )
+        notes.append(
+            f"the camera is rolled: gravity points {np.degrees(abs(angle)):.2f} ± {np.degrees(error):.1g}° to the {side} of"
+            f" straight down; {floor}"
+        )
+    if drag is None and found.drag > SIGNIFICANT * found.drag_error:
+        air = air._replace(drag=found.drag, drag_error=found.drag_error)
+        notes.append(
+            f"air drag: at the speed v the air slows the ball down by k v^2, k = {found.drag:.3g} ± {found.drag_error:.1g} 1/m, as"
+            " its flights show; the velocities at contacts allow for it (--drag gives k, 0 for none)"
+        )
+    return air, notes
+
+
+def fit_flights(
+    tracks: Sequence[Track], noise: float, interval: float, gravity: float, drag: float | None = None
+) -> Flights | None:
+    """Fit gravity and drag to all free flights of a film; None if there is none.
+
+    Parameters
+    ----------
+    tracks : sequence of Track
+        Frames in which the balls were found, filmed from the side.
+    noise : float
+        Standard deviation of one coordinate, m.
+    interval : float
+        Between frames, s.
+    gravity : float
+        Its approximate size, m/s^2, by which flights are told from other motion.
+    drag : float, optional
+        1/m, if it is known.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.tracks import Track
+    >>> from carom.tracks.flights import fit_flights
+    >>> t = np.arange(80) / 200
+    >>> ball = Track("ball", t, np.stack([t, 1.0 + 2 * t - 9.81 / 2 * t**2], axis=-1))
+    >>> found = fit_flights([ball], 1e-4, 1 / 200, 9.8)
+    >>> found.gravity.round(3) + 0.0, abs(round(found.drag, 6))
+    (array([ 0.  , -9.81]), 0.0)
+    """
+    flights = [one for track in tracks for one in _flights(track, noise, interval, gravity)]
+    shared = np.array([0.0, -gravity, drag or 0.0])
+    free = np.array([True, True, drag is None])
+    for _ in range(2):  # the second time without flights that turn out to be something else
+        if not flights:
+            return None
+        starts = [np.zeros(4) for _ in flights]
+        shared, parts = _fit_together(flights, starts, shared, free, noise)
+        good = [float(r @ r) < MAX_SCATTER**2 * max(len(r) - 4, 1) for _b, r in parts]
+        if all(good):
+            break
+        flights = [one for one, fits in zip(flights, good, strict=True) if fits]
+    else:
+        return None
+    return Flights(shared[:2], float(shared[2]), _covariance(parts, free))
+
+
+def _fit_together(
+    flights: list[tuple[Array, Array]], starts: list[Array], shared: Array, free: NDArray[np.bool_], noise: float
+) -> tuple[Array, list[tuple[Array, Array]]]:
+    """Return gravity and drag (3,), and of each flight the derivatives and residuals, without what its own start can fit.
+
+    ``starts``: place and velocity (4,) in the middle of each flight, relative to the mean of its positions.
+    """
+    parts: list[tuple[Array, Array]] = []
+    for _ in range(ROUNDS):
+        parts, own = [], []
+        for (s, x), start in zip(flights, starts, strict=True):
+            theta = np.concatenate([start, shared])
+            step = np.array([1e-4, 1e-4, 1e-3, 1e-3, 1e-3, 1e-3, 1e-4])
+            several = np.concatenate([[theta], theta + np.diag(step), theta - np.diag(step)])
+            path = several[:, None, :2] + flight_path(several[:, 2:4], several[:, 4:6], several[:, 6], s)
+            r = ((x - path[0]) / noise).ravel()
+            slope = ((path[1:8] - path[8:]) / (2 * step[:, None, None] * noise)).reshape(7, -1).T
+            q, upper = np.linalg.qr(slope[:, :4])
+            parts.append((slope[:, 4:][:, free] - q @ (q.T @ slope[:, 4:][:, free]), r - q @ (q.T @ r)))
+            own.append((q, upper, r, slope[:, 4:][:, free]))
+        change = np.linalg.lstsq(
+            np.concatenate([b for b, _r in parts]), np.concatenate([r for _b, r in parts]), rcond=None
+        )[0]
+        shared = shared.copy()
+        shared[free] += change
+        starts = [
+            start + np.linalg.solve(upper, q.T @ (r - b @ change))
+            for start, (q, upper, r, b) in zip(starts, own, strict=True)
+        ]
+    return shared, parts
+
+
+def _covariance(parts: list[tuple[Array, Array]], free: NDArray[np.bool_]) -> Array:
+    """Return the covariance (3, 3) of gravity and drag: from the residuals, or from how flights differ, if that is more."""
+    slope, r = np.concatenate([b for b, _r in parts]), np.concatenate([r for _b, r in parts])
+    inverse = np.linalg.pinv(slope.T @ slope, hermitian=True)
+    covariance = inverse * max(float(r @ r) / max(len(r) - 4 * len(parts) - int(free.sum()), 1), 1e-12)
+    if len(parts) >= MIN_FLIGHTS_APART:
+        pull = np.array([b.T @ r for b, r in parts])
+        apart = inverse @ (pull.T @ pull) @ inverse * len(parts) / (len(parts) - 1)
+        covariance = covariance * max(1.0, float((np.diag(apart) / np.maximum(np.diag(covariance), 1e-300)).max()))
+    found = np.zeros((3, 3))
+    found[np.ix_(free, free)] = covariance
+    return found
+
+
+def _flights(track: Track, noise: float, interval: float, gravity: float) -> list[tuple[Array, Array]]:
+    """Return the flights of a ball: times (n,) from the middle of each, and positions (n, 2) from their mean."""
+    t, x = track.time, track.position
+    if len(t) < MIN_FRAMES:
+        return []
+    reach = frames_per_side(t)
+    turns = np.concatenate([turning_points(d, noise, reach) for d in (x[:, 1], x[:, 0], -x[:, 0])])
+    onset = [event.high for event in find_events(track, (), (), noise, None, interval) if event.kind == "onset"]
+    cuts = [*t[turns].tolist(), *onset]
+    use = np.ones(len(t), bool)
+    for cut in cuts:
+        use &= np.abs(t - cut) > max(NEAR_FRAMES * interval, NEAR_S)
+    rows = np.flatnonzero(use)
+    breaks = np.flatnonzero(
+        (np.diff(t[rows]) > GAP_FRAMES * interval) | (np.diff(np.searchsorted(np.sort(cuts), t[rows])) > 0)
+    )
+    found = []
+    for some in np.split(rows, breaks + 1):
+        if len(some) < MIN_FRAMES or t[some[-1]] - t[some[0]] < MIN_FLIGHT_S:
+            continue
+        s = t[some] - (t[some[0]] + t[some[-1]]) / 2
+        y = x[some] - x[some].mean(axis=0)
+        curve = np.polynomial.polynomial.polyfit(s, y, 3)  # drag bends a parabola nearly as a cubic
+        scatter = y - np.stack([s**0, s, s**2, s**3], axis=-1) @ curve
+        fall = -2 * np.polynomial.polynomial.polyfit(s, y[:, 1], 2)[2]
+        if abs(fall / gravity - 1) < GRAVITY_SHARE and (scatter**2).mean() < (MAX_SCATTER * noise) ** 2:
+            found.append((s, y))
+    return found
