@@ -80,6 +80,29 @@ def test_tracks_number_the_bounces_of_each_ball() -> None:
     assert found.extra["contact"].tolist() == [1, 2, 3, 4, 5, 6]
 
 
+def test_without_a_spin_the_first_bounces_alone_are_fitted(
+    rebounds: Path, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    words = ("--laws", "sliding,maw", "--no-profiles", "--bootstrap", "0", "--json")
+    rows = {}
+    for more in ((), ("--every-contact",), ("--spin", "normal")):
+        code, out, err = command(capsys, "fit", str(rebounds), *BALL, *words, *more)
+        assert code == 0, err
+        found = json.loads(out)
+        rows[more] = sum("left out (--every-contact keeps them" in note for note in found["notes"])
+        if not more:
+            assert found["ranking"][0]["law"] == "sliding" or "cannot decide" in found["verdict"]
+            (note,) = [note for note in found["notes"] if "--every-contact" in note]
+            assert "the 12 later contacts of 18 rows are left out" in note
+    assert rows == {(): 1, ("--every-contact",): 0, ("--spin", "normal"): 0}
+    few = completed(read_rebounds(rebounds, kind="planar").select(np.arange(9)), None, None, None, first_only=True)
+    assert len(few) == 9
+    assert "film more throws before relying on a verdict" in few.notes[-1]
+    known = read_rebounds(rebounds, kind="planar")
+    known = replace(known, columns=known.columns | {"spin_in": np.zeros(18)})
+    assert len(completed(known, None, None, None, first_only=True)) == 18
+
+
 # --- a ball dropped straight down -------------------------------------------------------------------------------------
 
 

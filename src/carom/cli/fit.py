@@ -134,6 +134,14 @@ def fit(
             rich_help_panel=DATA,
         ),
     ] = None,
+    every_contact: Annotated[
+        bool,
+        typer.Option(
+            "--every-contact",
+            help="Keep later contacts of thrown balls whose spin was not measured; by default only first ones are fitted.",
+            rich_help_panel=DATA,
+        ),
+    ] = False,
     scatter: Annotated[
         str | None,
         typer.Option(
@@ -205,7 +213,8 @@ def fit(
     faults += unused_options(
         whole,
         {"--sigma-v": sigma_v, "--sigma-spin": sigma_spin, "--bootstrap": bootstrap, "--profiles": profiles,
-         "--kind": kind, "--stage": stage, "--seed": seed, "--robust": robust or None, "--scatter": scatter,
+         "--every-contact": every_contact or None, "--kind": kind, "--stage": stage, "--seed": seed,
+         "--robust": robust or None, "--scatter": scatter,
          "--roll": None if roll == 1 else roll},
         {"--noise": noise, "--cushions": cushions if cushions != 3 else None},
     )  # fmt: skip
@@ -247,7 +256,9 @@ def fit(
     rebounds = with_height_note(rebounds, contact_height, ours is not None or "contact_height" in {*extra, *fixed})
 
     def ready(rows: Rebounds) -> Rebounds:
-        return completed(chosen(rows, where or []), sigma_v, sigma_spin, every_spin)
+        return completed(
+            chosen(rows, where or []), sigma_v, sigma_spin, every_spin, first_only=spin is None and not every_contact
+        )
 
     rebounds, shifted = ready(rebounds), [(words, ready(rows)) for words, rows in (ours.shifted if ours else ())]
     with noting(rebounds.notes), _bar(console) as say:

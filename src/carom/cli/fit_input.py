@@ -20,6 +20,8 @@ REBOUND_COLUMNS = (
     " measured (rad/s)"
 )
 
+MIN_FIRST_CONTACTS = 4  # so many are fitted without the later ones, whose spin follows from them
+
 __all__ = ["chosen", "completed", "is_track", "own_set", "read", "with_height_note"]
 
 
@@ -197,9 +199,12 @@ def measured(
     return replace(rebounds, source=source, notes=(*notes, *rebounds.notes))
 
 
-def completed(rebounds: Rebounds, sigma_v: float | None, sigma_spin: float | None, spin: float | None) -> Rebounds:
+def completed(
+    rebounds: Rebounds, sigma_v: float | None, sigma_spin: float | None, spin: float | None, *, first_only: bool = False
+) -> Rebounds:
     """Fill in the error bars and spins given by options, where the table has none.
 
+    ``first_only``: leave out the later contacts of thrown balls, where spins were not measured and enough first ones remain.
     A spin is that before the first contact of a flight or shot: a ball that has met a wall spins differently.
     """
     from dataclasses import replace
@@ -208,6 +213,8 @@ def completed(rebounds: Rebounds, sigma_v: float | None, sigma_spin: float | Non
 
     from carom.tracks.rebounds import first_contacts
 
+    if first_only:
+        rebounds = _without_later_contacts(rebounds)
     columns, sigma = dict(rebounds.columns), dict(rebounds.sigma)
     notes: tuple[str, ...] = ()
     first = first_contacts(rebounds)
@@ -249,3 +256,36 @@ def _spin_note(rows: int, name: str, spin: float, first: int, later: int) -> tup
         f"{name}: --spin {spin:g} holds for the first contact of a ball ({first} of {rows} rows); a ball that has bounced"
         f" spins, so the later contacts ({later}) count as unmeasured",
     )
+
+
+def _without_later_contacts(rebounds: Rebounds) -> Rebounds:
+    """Leave out the later contacts of balls in flight whose spin was not measured, where enough first ones remain; with a note.
+
+    The first contact sets a ball spinning. Spins of later contacts follow from it, in a narrow range that depends on the law, and
+    are no draws of the distribution from which the spins of throws come: fitted as such, they favour wrong laws by large odds.
+    """
+    from dataclasses import replace
+
+    import numpy as np
+
+    from carom.tracks.rebounds import first_contacts
+
+    if rebounds.kind != "planar" or not np.isfinite(rebounds["v_t_in"]).any():
+        return rebounds
+    first, unknown = first_contacts(rebounds), np.isnan(rebounds["spin_in"])
+    later = unknown & ~first
+    if not later.any():
+        return rebounds
+    why = "spin_in: not measured, and a ball that has bounced spins as its first contact left it"
+    if first.sum() < MIN_FIRST_CONTACTS:
+        note = (
+            f"{why}; {later.sum()} of {len(rebounds)} rows are later contacts, and count as if their spins were independent, as"
+            f" there are only {first.sum()} first ones: film more throws before relying on a verdict (--spin 0 if they had none)"
+        )
+        return replace(rebounds, notes=(*rebounds.notes, note))
+    note = (
+        f"{why}: the {later.sum()} later contacts of {len(rebounds)} rows are left out (--every-contact keeps them, as if their"
+        " spins were independent)"
+    )
+    rest = rebounds.select(~later)
+    return replace(rest, notes=(*rest.notes, note))
