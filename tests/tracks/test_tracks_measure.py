@@ -390,6 +390,15 @@ def test_an_even_motion_of_which_frames_are_missing_is_not_rounded() -> None:
     assert rounding_step([np.round(x / 3e-3) * 3e-3 for x in even + others]) == pytest.approx(3e-3, rel=1e-3)
 
 
+def test_a_thrown_ball_of_which_frames_are_missing_is_not_rounded() -> None:
+    rng = np.random.default_rng(4)
+    t = np.arange(240) / 120
+    for _ in range(20):  # slower after the bounce
+        x = np.where(t < 0.54, 2.5 * t, 1.35 + 1.5625 * (t - 0.54)) + rng.normal(0, 5e-4, 240)
+        x = np.round(np.delete(x, np.flatnonzero(rng.random(240) < 0.15)), 6)
+        assert rounding_step([x]) == 0.0
+
+
 @pytest.mark.parametrize("seed", [0, 2])
 def test_the_floor_is_as_sure_as_the_frames(seed: int) -> None:
     """Of 20 films with frames missing (one of seed 2 looks rounded): each frame counts once, and the noise is what it is."""

@@ -29,6 +29,7 @@ Array = NDArray[np.float64]
 MIN_INTERVAL_S = 1e-9  # between two frames: no camera is faster
 # Smallest share of the series (and at least two) that has to show the same rounding step: fast and resting balls show none.
 MIN_AGREEING_SHARE = 0.1
+MAX_OFF_STEP = 0.2  # of a step, by which differences of rounded positions may miss a multiple
 # A position is wrong that lies so many times farther from a parabola through its six neighbours than any of them. Beside a contact
 # between these frames it lies 5.3 times as far at most, beside two contacts 11 times.
 OUTLYING = 12.0
@@ -169,6 +170,9 @@ def _step_of_one(x: Array) -> float:
     again = len(values) < 0.8 * len(x)
     kinds = np.unique(np.round(whole / step), return_counts=True)[1]
     if not again and ((kinds > 0.03 * len(whole)).sum() < 3 or best < (0.6 if len(x) > 250 else 0.95)):
+        return 0.0
+    # the steps of a ball with two even motions, or with frames missing, fit for one of them only; rounding holds for all gaps
+    if not again and np.quantile(np.abs(whole / step - np.round(whole / step)), 0.9) > MAX_OFF_STEP:
         return 0.0
     return float((gaps[good] * count[good]).sum() / (count[good] ** 2).sum()) if good.any() else step
 
