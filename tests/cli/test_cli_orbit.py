@@ -303,7 +303,7 @@ BAD = [
     (["circle", "--orbits", "100000000000"], "starts: count: expected no more than 10,000,000, got 100,000,000,000"),
     (["circle", "--bounds", "center"], "did you mean 'centre'?"),
     (["circle", "--corners", "stop"], "corners: expected 'end' or 'pass', got 'stop'"),
-    (["wedge"], "give a force towards the vertex, or --position and --velocity"),
+    (["wedge"], "give an acceleration towards the vertex (of a wedge such as -9.81,0), or --position and --velocity"),
     (["polygon", "--vertices", "0,0 1,x 2,2"], "--vertices: expected two numbers"),
     (
         ["polygon", "--vertices", "0,0 4,0 4,4 2,4 2,2 2,4 0,4"],
@@ -355,3 +355,12 @@ def test_no_orbit_is_run_that_could_not_be_reversed(
 def test_why_orbits_ended_is_printed_in_words() -> None:
     assert "ended: after all bounces" in run("circle", "--bounces", "3", *START).stdout
     assert "ended: 2 after all bounces" in run("circle", "--bounces", "3", "--orbits", "2").stdout
+
+
+def test_a_wedge_without_a_force_names_one_that_runs():
+    done = runner.invoke(app, ["orbit", "wedge", "--angle", "40"])
+    assert (
+        "got a wedge, whose walls are infinite; give an acceleration towards the vertex (of a wedge such as -9.81,0)"
+        in str(done.exception)
+    )
+    assert runner.invoke(app, ["orbit", "wedge", "--acceleration=-9.81,0", "--bounces", "5"]).exit_code == 0

@@ -134,8 +134,8 @@ def _cut_at_energy(table: Table, shape: Boundary, speed: float) -> Boundary:
             rate = 2 * float(np.dot(table.acceleration[:2], t)) * (1 if corner == begin else -1)
             if not rate < 0:
                 raise CaromError(
-                    f"starts: table: expected a force that brings back every ball, got {table}, whose walls are infinite;"
-                    " give a force towards the vertex, or starts of your own"
+                    f"starts: table: expected a force that brings back every ball, got a {table.name}, whose walls are infinite;"
+                    " give an acceleration towards the vertex (of a wedge such as -9.81,0), or starts of your own"
                 )
             reach = max(left, 0.0) / -rate
             cut = (begin, begin + reach) if corner == begin else (end - reach, end)

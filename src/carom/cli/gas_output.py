@@ -50,7 +50,7 @@ SPECIES_TEMPERATURES = {
 SPECIES_CUMULANTS = {"a₂ of\nvelocity": "a2_translational", "a₂ of\nspin": "a2_rotational"}
 KEPT_IN_SPINS = "of it in spins, which nothing changes, J"
 CONTACT_HEADS = (
-    "contact", "collisions", "collisions per ball\n1/s", "energy lost\n(normal), J", "energy lost\n(tangential), J",
+    "contact", "collisions", "collisions per ball\nof the first, 1/s", "energy lost\n(normal), J", "energy lost\n(tangential), J",
     "energy\nto spin, J",
 )  # fmt: skip
 LINE_INTERVAL = 20.0  # s between lines of progress where there is no terminal

@@ -55,7 +55,10 @@ def orbit(
         _size("Of a rectangle, a box; distance of the lids of a cylinder (except over a rectangle), m.", "--height"),
     ] = None,
     depth: Annotated[float | None, _size("Of a box, in z, m.", "--depth")] = None,
-    angle: Annotated[float | None, _size("Of a wedge, degrees.", "--angle", "degree")] = None,
+    angle: Annotated[
+        float | None,
+        _size("Of a wedge, degrees; it is open along +x: needs e.g. --acceleration=-9.81,0.", "--angle", "degree"),
+    ] = None,
     side: Annotated[float | None, _size("Of Sinai's square cell, m.", "--side")] = None,
     period: Annotated[float | None, _size("Of a periodic strip, m.", "--period")] = None,
     distance: Annotated[float | None, _size("Between plates, m.", "--distance")] = None,
@@ -78,7 +81,11 @@ def orbit(
     ] = None,
     law: Annotated[
         str,
-        typer.Option(help="no-slip, mirror, contact, rolling, or a custom law: my_law.py:law.", rich_help_panel=LAW),
+        typer.Option(
+            help="no-slip, mirror, contact, rolling, another law of carom laws that answers at a wall alone (of two-step the"
+            " part at the wall: there is no floor), or a custom law: my_law.py:law.",
+            rich_help_panel=LAW,
+        ),
     ] = "no-slip",
     restitution: Annotated[float | None, shared("restitution", default="1", rich_help_panel=LAW)] = None,
     friction: Annotated[float | None, shared("friction", default="inf", rich_help_panel=LAW)] = None,

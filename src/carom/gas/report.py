@@ -101,6 +101,7 @@ def report(session: Session) -> dict[str, Any]:
     mark, measures, run = session.mark, session.measures, session.result
     assert mark is not None
     assert measures is not None
+    turns = session.scene.spins_change
     found = {name: value for name, value in run.to_dict().items() if name != "crossings"}
     energy = session.gas.energy()
     found |= {
@@ -110,7 +111,8 @@ def report(session: Session) -> dict[str, Any]:
         "packing_fraction": session.scene.packing_fraction,
         "energy_start": sum(mark.energy),
         "energy_end": sum(energy),
-        "temperature_ratio": _ratio(run.temperature_rotational, run.temperature_translational),
+        # (spins that nothing changes are as at the start)
+        "temperature_ratio": _ratio(run.temperature_rotational, run.temperature_translational) if turns else math.nan,
         "looks": measures.samples,
         "diffusion": measures.displacement().diffusion
         if measures.has_diffusion and measures.is_stationary
@@ -127,9 +129,9 @@ def report(session: Session) -> dict[str, Any]:
         found["species"][name] = {
             "temperature_translational": translational,
             "temperature_rotational": rotational,
-            "temperature_ratio": _ratio(rotational, translational),
+            "temperature_ratio": _ratio(rotational, translational) if turns else math.nan,
             "a2_translational": measures.velocity(name).a2 if sampled else math.nan,
-            "a2_rotational": measures.spin(name).a2 if sampled else math.nan,
+            "a2_rotational": measures.spin(name).a2 if sampled and turns else math.nan,
         }
     return found
 

@@ -91,7 +91,7 @@ def _draw(session: Session, measures: Measures, title: str | None) -> Any:
     panels = [figure.add_subplot(grid[k // 3, k % 3]) for k in range(6)]
     _balls(panels[0], session)
     _distributions(panels[1], measures, "velocity")
-    _distributions(panels[2], measures, "spin")
+    _distributions(panels[2], measures, "spin", session.scene.spins_change)
     _temperatures(panels[3], measures, session.scene.spins_change)
     _pair_correlation(panels[4], measures)
     (_displacement if measures.has_diffusion else _profile)(panels[5], session, measures)
@@ -221,12 +221,12 @@ def _colours(session: Session, species: Any, velocity: Array) -> Array:
 # --- curves --------------------------------------------------------------------------------------------------------
 
 
-def _distributions(axes: Any, measures: Measures, what: str) -> None:
+def _distributions(axes: Any, measures: Measures, what: str, changes: bool = True) -> None:
     draw_maxwell(axes)
     said, shown = [], 0
     for k, name in enumerate(measures.names):
         one: Distribution = getattr(measures, what)(name)
-        if math.isnan(one.a2):
+        if math.isnan(one.a2) or not changes:
             continue
         seen = (one.density > 0) & (np.abs(one.center) < 5)
         many = len(measures.names) > 1
@@ -241,7 +241,8 @@ def _distributions(axes: Any, measures: Measures, what: str) -> None:
     axes.set_xlabel(f"{what} / standard deviation")
     panel_title(axes, what)
     if shown == 0:
-        axes.text(0.5, 0.5, "no spin", transform=axes.transAxes, ha="center", va="center", color=GREY)
+        text = "no spin" if changes else "smooth: no spin changes"
+        axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=GREY)
     for k, line in enumerate(said[:4]):
         colour = COLOURS[k % len(COLOURS)] if len(said) > 1 else INK
         axes.text(0.5, 0.16 - 0.08 * k + 0.08 * (len(said[:4]) - 1), line, transform=axes.transAxes, ha="center", color=colour,
