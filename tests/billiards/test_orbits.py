@@ -358,9 +358,7 @@ BAD = {
     "which keeps none": lambda: billiards.orbit(billiards.circle(), ((0, 0), (0, 1), 0), 10**9),
     "expected a table": lambda: billiards.orbit("circle", ((0, 0), (0, 1), 0), 5),
     "centres within the cell": lambda: billiards.torus((1, 1), ((2, 0, 0.1),)),
-    "brings back every ball, got a wedge, whose walls": lambda: billiards.starts(
-        billiards.wedge(1.0), 5
-    ),
+    "brings back every ball, got a wedge, whose walls": lambda: billiards.starts(billiards.wedge(1.0), 5),
     "whose walls are infinite": lambda: billiards.starts(billiards.under(billiards.wedge(2.0), (-0.2, -1.0)), 5),
     "with which a ball reaches a wall": lambda: billiards.starts(
         billiards.under(billiards.wedge(1.0, bounds="surface"), (-1.0, 0.0)), 5, speed=0.1

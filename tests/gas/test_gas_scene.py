@@ -446,3 +446,19 @@ def test_contacts_that_are_none(contacts):
     (line,) = found.value.faults
     said = "Gas: contacts: expected a carom.Surface, or one for each pair of names, {('a', 'wall'): Surface(...)}, got "
     assert line.startswith(said)
+
+
+def test_a_default_temperature_that_makes_beads_fast_is_said():
+    bead = {"count": 50, "radius": "0.5 mm", "mass": "2.6 mg"}
+    contact = {"between": ("a", "a"), "restitution": 1, "friction": 0}
+
+    def notes(**species):
+        box = {"shape": "periodic", "size": (0.01, 0.01, 0.01)}
+        return GasScene(
+            container=box, species=[bead | species], contacts=[contact], run={"max_events": 10}
+        ).temperature_notes()
+
+    assert notes() == [
+        "species 'a': no temperature, so k_B T = 1 J: 620 m/s along each axis for 2.6e-06 kg; temperature = 2.6e-06 would be 1 m/s"
+    ]
+    assert notes(temperature=2.6e-6) == notes(temperature=1.0) == notes(mass=1.0) == []

@@ -215,6 +215,8 @@ def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any]) -> G
             raise CaromError(f"{options}: expected SCENE.toml as well, got only a checkpoint; name the scene too")
         return None
     scene = load_gas(path)
+    for line in scene.temperature_notes():
+        note(f"note: {line}")
     if not changes:
         return scene
     if "duration" in changes:

@@ -77,6 +77,8 @@ def check(
             _print(plain_model(gas))
             return
         say(f"{file}: {gas.describe()}: ok")
+        for line in gas.temperature_notes():
+            note(f"note: {line}")
         return
     scene = load_scene(file, allow_own_laws=allow_own_laws)
     if as_json:

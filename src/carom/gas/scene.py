@@ -17,10 +17,12 @@ from carom.gas.edmd.records import ELLIPSE, MAX_BALLS
 from carom.gas.initial import DENSEST
 from carom.gas.schema import GasContact, GasContainer, GasDrive, GasSettings, GasSpecies, GasThermostat
 from carom.gas.sizes import LONGEST_SIDE
+from carom.scene.plausible import FAST
 from carom.scene.schema import Components, Fault, Model, Number, Unquoted, raise_faults
 
 __all__ = ["GasScene", "gas_faults"]
 
+SMALL = 0.1  # m: balls of a smaller radius are likely given in SI units
 _CONTACT_TIME = Number("a time >= 0", "s", least=0)
 _GRAVITY = Number("an acceleration downwards, or one number per axis", "m/s^2")
 
@@ -109,6 +111,18 @@ class GasScene(Model):
     def equilibrate(self) -> int:
         """Number of collisions before the measurement."""
         return 40 * self.count if self.run.equilibrate is None else self.run.equilibrate
+
+    def temperature_notes(self) -> list[str]:
+        """Return one line for each species that the default temperature makes fast: k_B T = 1 J is much for balls of a gram."""
+        found = []
+        for one in self.species:
+            speed = math.sqrt(one.temperature / one.mass)
+            if "temperature" not in one.model_fields_set and speed > FAST and one.radius < SMALL:
+                found.append(
+                    f"species {one.name!r}: no temperature, so k_B T = 1 J: {speed:.3g} m/s along each axis for {one.mass:g} kg;"
+                    f" temperature = {one.mass:g} would be 1 m/s"
+                )
+        return found
 
     def describe(self) -> str:
         """Return one line: balls, container, packing fraction, length of the run."""

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from carom.scene.scene import Scene
 
-__all__ = ["unit_notes"]
+__all__ = ["FAST", "unit_notes"]
 
 EARTH = (9.7, 9.9)  # m/s^2: with another gravity, or none, the numbers need not be in SI units
 AIR, OSMIUM = 1.2, 22_600.0  # kg/m^3: density of nearly every ball lies between
