@@ -136,3 +136,32 @@ def test_what_the_command_says(tmp_path: Path, capsys: pytest.CaptureFixture[str
     assert "3 contacts, 3 measured" in out
     assert "bottom: through (" in out
     assert re.search(r"the camera is rolled: gravity points (2.9|3.0)\d ± 0.0\d° to the right of straight down", err)
+
+
+def test_bounces_on_stairs_are_counted() -> None:
+    """Four steps, each 0.15 m below the one before; the lowest is the floor that is found."""
+    t, up, hits, y, x = np.arange(0, 1.85, 1 / 120), 0.0, 0.0, np.zeros(0), 0.05
+    steps = [0.0225 - 0.15 * i for i in range(4)]
+    height = 0.3
+    for level in [*steps, steps[-1]]:
+        down = float(np.sqrt(up**2 + 2 * GRAVITY * (height - level)))
+        end = hits + (up + down) / GRAVITY
+        s = t[(t >= hits) & (t < end)] - hits
+        y = np.concatenate([y, height + up * s - GRAVITY / 2 * s**2])
+        height, up, hits = level, 0.7 * down, end
+    t = t[: len(y)]
+    place = np.stack([x + 0.55 * t, y], axis=-1)
+    track = Track("ball", t, place + np.random.default_rng(1).normal(0, 5e-4, place.shape))
+    found = measure([track], Settings(view="side"))
+    (note,) = [note for note in found.notes if "away from the wall" in note]
+    assert note.startswith("3 bounces away from the wall, at (x, y) = (0.1")
+    assert "--wall y=0.1" in note
+    named = [wall_through(f"step {i}", (0.0, level), (1.0, level), [track]) for i, level in enumerate(steps)]
+    for some, rest in ((named[1:2], "3 bounces away"), (named[:1], "3 bounces away"), (named, "")):
+        found = measure([track], Settings(view="side", walls=tuple(some)))
+        assert rest in " ".join(found.notes)
+        assert ("away" in " ".join(found.notes)) is bool(rest)
+        each, errors = restitutions(found)
+        assert len(each) == len(found.contacts) == len(some)
+        assert (np.abs(each - 0.7) < 4 * errors).all()
+        assert errors.max() < 0.01

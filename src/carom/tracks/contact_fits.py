@@ -14,7 +14,7 @@ from carom.tracks.contact import Settings, TrackContact, TrackedSpin, View, moti
 from carom.tracks.contact_models import fit_table
 from carom.tracks.events import TrackEvent, WallLine
 from carom.tracks.flight_fits import fit_flight
-from carom.tracks.flights import STILL_AIR, Air
+from carom.tracks.flights import BEYOND_WALL_M, STILL_AIR, Air
 from carom.tracks.floor import WithError, pool_floor, pool_gravity
 from carom.tracks.hops import hop_notes, with_hops
 from carom.tracks.least_squares import AT_CONTACT, ContactFit, Prior
@@ -37,7 +37,7 @@ MIN_NOISE_SHARE = 1e-3
 VELOCITIES = ("vn_in", "vt_in", "vn_out", "vt_out", "vn_roll", "vt_roll")
 Progress = Callable[[int, int], None]
 NAMES = {"wall": "the wall {}", "ball": "ball {}", "gap": "a gap", "start": "the start of the track",
-         "end": "the end of the track", "onset": "the ball's start"}  # fmt: skip
+         "end": "the end of the track", "onset": "the ball's start", "turn": "a bounce elsewhere, at {}"}  # fmt: skip
 
 
 @dataclass
@@ -219,7 +219,7 @@ class ContactFitter:
         event, before, after = events[i], events[i - 1], events[i + 1]
         said = [NAMES[other.kind].format(other.what) for other in (before, after)]
         for other, name in zip((before, after), said, strict=True):
-            if other.kind in ("wall", "ball") and other.low <= event.high and event.low <= other.high:
+            if other.kind in ("wall", "ball", "turn") and other.low <= event.high and event.low <= other.high:
                 return np.zeros(
                     0, np.intp
                 ), f"{name} is met within two frames: contacts that the frames cannot separate"
@@ -278,7 +278,9 @@ class ContactFitter:
             before, after = (
                 other.turned(fit[f"vn_{side}"] * n + fit[f"vt_{side}"] * across)[0] for side in ("in", "out")
             )
-            if before < 0 < after and other.frame(place)[0, 0] < -before * gap + 6 * self.noise:
+            slack = abs(before) * gap + 6 * self.noise
+            # far beyond its line, as below a higher stair, there is no wall
+            if before < 0 < after and -slack - BEYOND_WALL_M < other.frame(place)[0, 0] < slack:
                 name = NAMES["wall"].format(other.name)
                 return f"{name} is met within two frames: contacts that the frames cannot separate"
         return ""

@@ -75,12 +75,12 @@ class TrackEvent:
     """
 
     kind: str
-    """wall, ball, gap, onset, start, end."""
+    """wall, ball, gap, onset, start, end; turn: a bounce away from all walls."""
     low: float
     high: float
     """The event lies between these times, s."""
     what: str = ""
-    """Name of the wall or of the other ball."""
+    """Name of the wall or of the other ball; place of a turn."""
 
 
 def frames_per_side(time: Array) -> int:

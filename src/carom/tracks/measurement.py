@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
+from itertools import chain
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +15,7 @@ from carom.tracks.blind import BlindTime
 from carom.tracks.contact import Settings, TrackContact, View
 from carom.tracks.contact_fits import ContactFitter, Progress
 from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
-from carom.tracks.flights import STILL_AIR, air_and_notes
+from carom.tracks.flights import STILL_AIR, air_and_notes, elsewhere_note, facing_up, with_turns
 from carom.tracks.floor import WithError
 from carom.tracks.free_fall import axis_points_down, constant_acceleration, what_would_give
 from carom.tracks.plausibility import GRAVITY_TOLERANCE, MIN_JUDGED, restitution_note, why_implausible
@@ -202,6 +203,8 @@ def _in_view(
     walls = settings.walls
     if walls is None:
         walls = tuple(find_walls(film.tracks, film.noise, SIDES[view], air.down))
+    elif view == "side":
+        walls = tuple(facing_up(wall, film.tracks, film.noise, air.down) for wall in walls)
     radii = 2 * settings.radius if settings.radius else None
     events = {
         (track.group, track.name): find_events(
@@ -214,6 +217,11 @@ def _in_view(
         )
         for track in film.tracks
     }
+    if view == "side":
+        for track in film.tracks:
+            key = track.group, track.name
+            events[key] = with_turns(events[key], track, walls, film.noise, air.down)
+        notes += elsewhere_note(chain.from_iterable(events.values()), len(walls) > 1)
     job = ContactFitter(
         replace(settings, gravity=gravity),
         view,
