@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from reference.commands import command
 
 import carom
 from carom.cli import main
@@ -113,6 +114,42 @@ def test_planar_bounce_of_a_ball_in_flight(tmp_path):
     got = numbers(rows[0], "v_n_out", "v_t_out", "spin_out")
     assert got == pytest.approx([0.8, 1.64, 50 + 0.36 / (2 / 3 * 0.02)], rel=1e-14)
     assert "v_n_rolling" not in rows[0]
+
+
+@pytest.mark.parametrize("large", [False, True])
+def test_empty_spins_are_0_at_the_first_bounce_and_unknown_later(tmp_path, large, monkeypatch):
+    if large:
+        monkeypatch.setattr("carom.data.csv.LARGE_FILE", 1)
+    given = {"restitution": 0.8, "friction": 0.2, "radius": 0.02, "kappa": 2 / 3}
+    for spin in (None, "none"):
+        rows, summary = predict(
+            tmp_path,
+            "bounce,v_n_in,v_t_in,spin_in\n1,1,2,\n2,1,2,\n2,1,2,50\nlast,1,2,\n",
+            "contact",
+            given=given,
+            spin=spin,
+        )
+        assert [row["v_t_out"] != "" for row in rows] == [True, False, True, True]
+        assert numbers(rows[0], "v_t_out") == pytest.approx([1.64])
+        assert "spin before bounce 2: expected a number" in rows[1]["note"]
+        assert "spin_in: 3 empty cells taken as 0, but for later bounces, whose spin is unknown" in summary.notes
+        (tmp_path / "out.csv").unlink()
+    rows, _ = predict(tmp_path, "bounce,v_n_in,v_t_in\n1,1,2\n2,1,2\n", "contact", given=given)
+    assert [row["v_t_out"] != "" for row in rows] == [True, False]
+    (tmp_path / "out.csv").unlink()
+    rows, summary = predict(tmp_path, "v_n_in,v_t_in,spin_z_in\n1,2,\n", given=given)
+    assert rows[0]["v_n_out"]
+    assert "spin_z_in: 1 empty cell taken as 0" in summary.notes
+    (tmp_path / "out.csv").unlink()
+    with pytest.raises(carom.CaromError, match="--spin rolling"):
+        predict(tmp_path, "v_n_in,v_t_in,spin_in\n1,2,\n", "contact", given=given, spin="rolling")
+
+
+def test_no_prediction_at_all_is_an_error(tmp_path, capsys):
+    file = write(tmp_path / "in.csv", "v_n_in,v_t_in\nx,1\n")
+    code, _out, err = command(capsys, "predict", str(file), "--law", "contact", "--out", str(tmp_path / "out.csv"))
+    assert code == 2
+    assert "predictions for 0 of 1 row" in err
 
 
 def test_angle_form_with_speed_from_an_option(tmp_path):

@@ -14,9 +14,9 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.cells import parse_numbers
+from carom.data.cells import EMPTY, parse_numbers
 from carom.data.csv_arrow import LARGE_FILE, arrow_installed, joined_rows, parsed_columns
-from carom.data.plan import TablePlan
+from carom.data.plan import BOUNCE, TablePlan
 from carom.errors import CaromError
 from carom.files import text_encoding
 
@@ -222,7 +222,9 @@ class CsvTable:
                 self.decimal = self._decimal_sign(plan, rows)
             first = False
             columns = {
-                name: self._numbers([row[source.index] for row in rows], source.header, notes)
+                name: self._numbers(
+                    [row[source.index] for row in rows], source.header, notes, name in plan.may_be_empty
+                )
                 for name, source in plan.sources.items()
             }
             yield TableChunk(columns, notes, _line_label(numbers), texts)
@@ -251,9 +253,9 @@ class CsvTable:
         cells = [row[source.index] for source in plan.sources.values() for row in rows[:1000]]
         return "," if any("," in cell for cell in cells) and not any("." in cell for cell in cells) else "."
 
-    def _numbers(self, cells: list[str], header: str, notes: dict[int, str]) -> Array:
-        values, bad = parse_numbers(cells, decimal_comma=self.decimal == ",", missing=())
-        for i in bad:
+    def _numbers(self, cells: list[str], header: str, notes: dict[int, str], may_be_empty: bool) -> Array:
+        values, bad = parse_numbers(cells, decimal_comma=self.decimal == ",", missing=EMPTY if may_be_empty else ())
+        for i in bad if header != BOUNCE else ():  # (words number no bounce)
             got = repr(cells[i]) if cells[i].strip() else "an empty cell"
             fault = f"{header}: expected a number, got {got}"
             notes[i] = f"{notes[i]}; {fault}" if i in notes else fault

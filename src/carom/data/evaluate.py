@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from carom.bodies import Ball, Disc, State, Surface
 from carom.data.limits import CHECKS, FINITE
-from carom.data.plan import PARAMETERS, TablePlan
+from carom.data.plan import BOUNCE, PARAMETERS, TablePlan
 from carom.errors import CaromError
 from carom.laws.arrays import unit_normal
 from carom.laws.law import Answer, Meeting
@@ -30,6 +30,8 @@ def predict_rows(plan: TablePlan, columns: dict[str, Array], notes: Notes) -> li
     count = len(next(iter(columns.values())))
     values = {name: plan.sources[name].unit.to_si(column) for name, column in columns.items()}
     good = np.ones(count, dtype=bool)
+    good[list(notes)] = False
+    _fill_spins(plan, values, notes, good)
     good[list(notes)] = False
     for name, column in values.items():
         holds, expected = CHECKS.get(name, FINITE)
@@ -63,6 +65,22 @@ def predict_rows(plan: TablePlan, columns: dict[str, Array], notes: Notes) -> li
     for column, result in zip(out, _columns(plan, _apply_law(plan, meeting), rows, notes), strict=True):
         column[rows] = result
     return out
+
+
+def _fill_spins(plan: TablePlan, values: dict[str, Array], notes: Notes, good: NDArray[np.bool_]) -> None:
+    """Set spins before that are not in the table to 0, but of later bounces in flight, which get a note."""
+    bounce = values.pop(BOUNCE, None)
+    name = next((name for name in ("spin_in", "spin_z_in") if name in values), None)
+    empty = np.ones(len(good), bool) if name is None else np.isnan(values[name])
+    if bounce is not None:
+        for i in np.flatnonzero(good & empty & (bounce > 1)).tolist():
+            _note(
+                notes,
+                i,
+                f"spin before bounce {bounce[i]:g}: expected a number, as the ball has bounced before, got none",
+            )
+    if name is not None:
+        values[name] = np.where(empty, 0.0, values[name])
 
 
 def _note(notes: Notes, i: int, text: str) -> None:

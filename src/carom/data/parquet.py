@@ -65,7 +65,8 @@ class ParquetTable:
                     continue
                 notes: dict[int, str] = {}
                 columns = {
-                    name: self._numbers(batch.column(s.index), s.header, notes) for name, s in plan.sources.items()
+                    name: self._numbers(batch.column(s.index), s.header, notes, name in plan.may_be_empty)
+                    for name, s in plan.sources.items()
                 }
                 yield TableChunk(columns, notes, _row_label(start), batch)
                 start += batch.num_rows
@@ -75,9 +76,9 @@ class ParquetTable:
                 f"{self.path}: expected a complete Parquet file, got: {str(error).splitlines()[0]}"
             ) from None
 
-    def _numbers(self, column: Any, header: str, notes: dict[int, str]) -> Array:
+    def _numbers(self, column: Any, header: str, notes: dict[int, str], may_be_empty: bool) -> Array:
         values: Array = column.cast(self.pa.float64(), safe=False).to_numpy(zero_copy_only=False)
-        if column.null_count:
+        if column.null_count and not may_be_empty:
             for i in np.flatnonzero(np.asarray(column.is_null())).tolist():
                 fault = f"{header}: expected a number, got an empty cell"
                 notes[i] = f"{notes[i]}; {fault}" if i in notes else fault

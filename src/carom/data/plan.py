@@ -36,6 +36,7 @@ DEFAULTS: dict[str, float] = {
     "height": 0.0, "stiffness_ratio": LIKE_SOLIDS,
 }  # fmt: skip
 PARAMETERS = tuple(DEFAULTS)
+BOUNCE = "bounce"  # the number of a contact of its ball, in tables of carom tracks
 FORMS = (
     "velocity_x, velocity_y (velocity_z, spin_x, spin_y, spin_z)",
     "v_n_in (v_t_in, and spin_in or spin_z_in)",
@@ -103,6 +104,11 @@ class TablePlan:
     notes: list[str]
     """What was assumed."""
 
+    @property
+    def may_be_empty(self) -> tuple[str, ...]:
+        """The columns that are read whose cells may be empty: the spin before, and the number of the bounce."""
+        return tuple(name for name in ("spin_in", "spin_z_in", BOUNCE) if name in self.sources)
+
 
 def make_plan(headers: list[str], settings: PredictSettings) -> TablePlan:
     """Return the plan for a table with these headers. Raises CaromError, one line per problem, if it cannot be read."""
@@ -127,6 +133,8 @@ def make_plan(headers: list[str], settings: PredictSettings) -> TablePlan:
         {name: column for name, column in columns.items() if (name in idle) is one} for one in (False, True)
     )
     sources, constants = _sources(wanted, columns, settings, faults)
+    if air and BOUNCE in headers:  # it says of which contacts a spin that was not measured is not that of the throw
+        sources[BOUNCE] = InputColumn(headers.index(BOUNCE), BOUNCE, Unit(""))
     if faults:
         raise CaromError(*faults)
     rolls = not air and _has_steps(settings.law)
@@ -262,7 +270,7 @@ def _spin(
     if "spin_in" in columns and "spin_z_in" in columns and form != "vector":
         faults.append("columns: expected spin_in (a planar bounce) or spin_z_in (a ball on a table), got both")
     if level or (air and "spin_in" in columns):
-        if settings.spin is not None:
+        if settings.spin is not None and (level or settings.spin == "rolling"):
             faults.append(f"--spin {settings.spin}: expected no such option, the table has the spin; leave it out")
         return "given", []
     rule = settings.spin or ("none" if settings.law.in_flight else "rolling")

@@ -12,11 +12,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from carom.data.csv import CsvTable
 from carom.data.evaluate import predict_rows
-from carom.data.plan import PredictSettings, SpinRule, make_plan
+from carom.data.plan import BOUNCE, PredictSettings, SpinRule, make_plan
 from carom.errors import CaromError, suggestion
 from carom.files import as_path, atomic_file
+from carom.formatting import counted
 
 __all__ = ["PredictSettings", "PredictSummary", "predict_table"]
 
@@ -115,10 +118,12 @@ def predict_table(
         summary.added = [*(added.header for added in plan.added), plan.note]
         for note in plan.notes if say else ():
             say(note)  # type: ignore[misc]
+        empty, spins = 0, [name for name in plan.may_be_empty if name != BOUNCE]
         with atomic_file(target, source=source) as file:
             try:
                 rows.write_head(file, plan)
                 for chunk in rows.chunks(plan):
+                    empty += sum(int(np.isnan(chunk.columns[name]).sum()) for name in spins)
                     added = predict_rows(plan, chunk.columns, chunk.notes)
                     if chunk.notes:
                         _list_faults(summary, chunk.notes, chunk.label)
@@ -131,6 +136,11 @@ def predict_table(
                     if progress:
                         progress(rows.done, rows.size)
                 rows.finish()
+                if empty:
+                    later = ", but for later bounces, whose spin is unknown" if BOUNCE in plan.sources else ""
+                    summary.notes.append(f"{' '.join(spins)}: {counted(empty, 'empty cell')} taken as 0{later}")
+                    if say:
+                        say(summary.notes[-1])
             except BaseException:
                 rows.abort()
                 raise
