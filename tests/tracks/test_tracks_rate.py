@@ -10,6 +10,7 @@ import pytest
 from carom.errors import CaromError
 from carom.tracks import Calibration, Settings, Track, TrackFile, measure, read_tracks
 from carom.tracks.frame_numbers import at_rate, rounding_of_times, without_rounding
+from carom.tracks.preprocess import on_camera_clock
 
 RATE = 119.88
 
@@ -40,6 +41,14 @@ def film(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def speeds(found: TrackFile) -> list[float]:
     contacts = measure(found.tracks, Settings(view="side")).contacts
     return [-one.fit["vn_in"] for one in contacts if one.fit is not None]
+
+
+def test_times_rounded_to_a_hundredth_ask_for_the_rate() -> None:
+    t = np.arange(90) / 60
+    ball = Track("ball", np.round(t, 2), np.stack([t, 1.5 * t - 4.9 * t**2], axis=-1))
+    notes: list[str] = []
+    on_camera_clock([ball], notes)
+    assert "rounded to 0.01 s: --rate gives the frame rate (about 60" in notes[-1]
 
 
 def test_rounded_times_give_way_to_the_rate(film: Path) -> None:

@@ -209,12 +209,17 @@ def on_camera_clock(tracks: Sequence[Track], notes: list[str]) -> tuple[list[Tra
             )
         groups.setdefault(track.group, []).append(track.select(track.seen))
     off = rounded = unsteady = 0
+    hint = ""
     for members in groups.values():
         times = np.unique(np.concatenate([track.time for track in members]))
         clock = camera_clock(times)
         off += int((~clock.frame).sum())
         rounded += clock.rounded > 0
         unsteady += not clock.steady
+        grid = _grid(times)
+        if not clock.steady and len(times) > 3 and np.ptp(times) < 3 * grid * (len(times) - 1):
+            mean = (len(times) - 1) / np.ptp(times)
+            hint = f"; they seem to be rounded to {grid:g} s: --rate gives the frame rate (about {mean:.3g} per second)"
         if np.isfinite(clock.interval):
             intervals.append(clock.interval)
         seen += [_on_clock(track, times, clock) for track in members]
@@ -227,7 +232,7 @@ def on_camera_clock(tracks: Sequence[Track], notes: list[str]) -> tuple[list[Tra
         )
     if unsteady:
         notes.append(
-            f"frames are not evenly spaced in {unsteady} of {len(groups)} files or shots: times are used as given"
+            f"frames are not evenly spaced in {unsteady} of {len(groups)} files or shots: times are used as given{hint}"
         )
     return [track for track in seen if len(track)], interval
 
