@@ -112,3 +112,13 @@ def test_reports_are_drawn_of_what_there_is(tmp_path, keep):
     page = write_report(ranking, tmp_path / "page.html").read_text()
     assert page.count("<svg") == 3
     assert ranking.fits
+
+
+def test_a_table_too_short_for_any_law_is_refused_in_one_line(tmp_path, capsys):
+    """There was a line for each law and each note."""
+    table = tmp_path / "three.csv"
+    table.write_text("v_n_in,v_n_out\n4.4,3.3\n3.9,2.9\n3.1,2.3\n")
+    code, told, notes = command(capsys, "fit", str(table), "--kind", "planar", "--radius", "0.033")
+    assert (code, told) == (2, "")
+    (line,) = [one for one in notes.splitlines() if one.startswith("carom: ")]
+    assert line.endswith("expected 4 measured numbers or more, which mirror needs, got 3; film more")

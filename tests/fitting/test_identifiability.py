@@ -59,3 +59,11 @@ def test_a_level_bottom_with_steep_sides_is_identified(flat: bool) -> None:
 
     found = identify(Profile("tangential_restitution", 1e4, rise, trade_offs=True))
     assert found.untold == (("restitution", "tangential_restitution") if flat else ())
+
+
+def test_a_bound_of_zero_is_said_as_zero() -> None:
+    """Friction was "2.077e-18 (at its lower bound, 2.07717e-18)"."""
+    subject = Profile("friction", 1e4, lambda far: 1e4 * far**2, trade_offs=False)
+    subject.values = np.array([0.8, 2.07717e-18])
+    friction = identify(subject).estimates["friction"]
+    assert (friction.value, friction.note) == (0.0, "at its lower bound, 0")

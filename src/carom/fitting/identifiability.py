@@ -125,7 +125,8 @@ def identify(subject: Subject) -> Identified:
             estimates[name] = Estimate(None, None, NOT_IDENTIFIABLE)
         elif bound[i]:
             which_end = "lower" if values[i] <= low[i] + 1e-9 * ranges[i] else "upper"
-            estimates[name] = Estimate(float(values[i]), None, f"at its {which_end} bound, {values[i]:g}")
+            value = float(values[i]) if abs(values[i]) > 1e-9 * ranges[i] else 0.0
+            estimates[name] = Estimate(value, None, f"at its {which_end} bound, {value:g}")
         else:
             estimates[name] = Estimate(float(values[i]), float(math.sqrt(covariance[i, i])))
     untold = tuple(names[i] for i in np.flatnonzero(concerned))

@@ -212,14 +212,20 @@ def fit_laws(
     notes = [*rebounds.notes, *notes, *remarks]
     notes = [note for note in notes if not note.startswith("no sigma_ columns")]
     tell = say or (lambda _what, _done: None)
-    fits = []
+    fits, needed = [], {}
     for i, law in enumerate(chosen):
         tell(f"fit {law.name}", i / len(chosen) * FIT_SHARE)
         fit = fit_law(law, problem)
-        if not math.isfinite(fit.aicc):
+        if not math.isfinite(fit.aicc):  # (AICc divides by count - k - 1)
+            needed[law.name] = fit.k + 2
             notes.append(f"{law.name}: left out, {fit.k} parameters for {problem.count} measured numbers; film more")
             continue
         fits.append(fit)
+    if not fits and needed:
+        name = min(needed, key=needed.__getitem__)
+        raise CaromError(
+            f"{rebounds.source}: expected {needed[name]} measured numbers or more, which {name} needs, got {problem.count}; film more"
+        )
     if not fits:
         raise CaromError(*(f"{rebounds.source}: {note}" for note in notes))
     fits.sort(key=lambda fit: fit.aicc)
