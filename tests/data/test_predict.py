@@ -12,7 +12,6 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from reference.commands import command
 
 import carom
 from carom.cli import main
@@ -143,13 +142,6 @@ def test_empty_spins_are_0_at_the_first_bounce_and_unknown_later(tmp_path, large
     (tmp_path / "out.csv").unlink()
     with pytest.raises(carom.CaromError, match="--spin rolling"):
         predict(tmp_path, "v_n_in,v_t_in,spin_in\n1,2,\n", "contact", given=given, spin="rolling")
-
-
-def test_no_prediction_at_all_is_an_error(tmp_path, capsys):
-    file = write(tmp_path / "in.csv", "v_n_in,v_t_in\nx,1\n")
-    code, _out, err = command(capsys, "predict", str(file), "--law", "contact", "--out", str(tmp_path / "out.csv"))
-    assert code == 2
-    assert "predictions for 0 of 1 row" in err
 
 
 def test_angle_form_with_speed_from_an_option(tmp_path):

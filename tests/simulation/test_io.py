@@ -148,7 +148,7 @@ def test_a_law_from_a_file_is_kept_by_name(kind: str, tmp_path: Path) -> None:
     assert back.scene.run.law == f"{law}:turned"
     assert back.log.tobytes() == run.log.tobytes()
     law.unlink()
-    assert "law.py: expected a Python file, got" in one_line(tmp_path / f"run{kind}", allow_own_laws=True)
+    assert "law.py:turned': expected a Python file, got" in one_line(tmp_path / f"run{kind}", allow_own_laws=True)
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -125,8 +125,6 @@ def predict(
     if json_:
         print(json.dumps({**vars(summary), "without_answer": summary.without_answer}, indent=2, allow_nan=False))  # noqa: T201
     _report(console, summary)
-    if summary.rows and not summary.answered:
-        raise typer.Exit(2)
 
 
 def _report(console: Console, summary: Any) -> None:

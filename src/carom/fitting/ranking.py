@@ -224,7 +224,8 @@ def fit_laws(
     if not fits and needed:
         name = min(needed, key=needed.__getitem__)
         raise CaromError(
-            f"{rebounds.source}: expected {needed[name]} measured numbers or more, which {name} needs, got {problem.count}; film more"
+            f"{rebounds.source}: expected {needed[name]} measured numbers or more, which {name} needs, got {problem.count};"
+            " film more"
         )
     if not fits:
         raise CaromError(*(f"{rebounds.source}: {note}" for note in notes))
