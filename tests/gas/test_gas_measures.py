@@ -9,6 +9,7 @@ import pytest
 
 from carom import Ball, CaromError, Disc, Surface
 from carom.gas import Drive, Gas, Species, container, lattice
+from carom.gas.curves import PairCorrelation
 from carom.gas.measures import Measures, mean_square_displacement
 from carom.gas.report import channels
 
@@ -32,6 +33,21 @@ def dense():
     gas.run(160_000)
     mark = gas.mark()
     return gas, looked(gas, 60, 1.2, pairs=2), gas.measured_since(mark)
+
+
+def test_g_in_contact_is_not_given_for_few_pairs():
+    """A parabola through the logarithms of some counts ends anywhere: 0.02 ± 0.07 for 1."""
+    distance, unit = 1.0 + 0.01 * (np.arange(40) + 0.5), np.full(40, 0.3)
+    counts = np.zeros(40)
+    counts[[2, 3, 7, 11, 13, 18, 19, 22, 24]] = [2, 4, 2, 2, 4, 2, 2, 4, 2]
+    few = PairCorrelation(distance, counts * unit, np.sqrt(2 * counts) * unit, 1.0, unit)
+    assert math.isnan(few.contact)
+    assert math.isnan(few.contact_error)
+    many = PairCorrelation(
+        distance, np.full(40, 900 * 1e-3), np.sqrt(2 * 900) * np.full(40, 1e-3), 1.0, np.full(40, 1e-3)
+    )
+    assert many.contact == pytest.approx(0.9)
+    assert 0 < many.contact_error < 0.1
 
 
 # --- pair correlation ----------------------------------------------------------------------------------------------

@@ -435,6 +435,8 @@ def test_heat_flows_from_a_warm_wall_to_a_cold_one():
     assert left > 0 > right
     assert abs(left + right) < 0.1 * left
     assert 1.0 < run.temperature_translational < 2.0
+    # (no contact with a heated wall was counted)
+    assert gas.arrays.walls.contacts["collisions"].sum() == gas.arrays.system[0]["wall_collisions"] > 0
     # (a wall that is warm sets the spins free from the contacts' own balance: both temperatures come out alike)
     assert run.temperature_rotational == pytest.approx(run.temperature_translational, rel=0.05)
 

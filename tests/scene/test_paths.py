@@ -105,3 +105,10 @@ def test_a_scene_is_not_changed_but_replaced() -> None:
         ours.run.max_events = 5  # type: ignore[misc]
     assert "\n" not in str(caught.value)
     assert ours.run.max_events is None
+
+
+def test_a_table_does_not_become_another_by_its_preset() -> None:
+    """The name was replaced, and nothing that it stands for: a saved scene was another table."""
+    table = carom.load_scene("pool-9ft")
+    with pytest.raises(carom.CaromError, match=r"^path: walls\.0\.preset: expected .* make another scene$"):
+        carom.replaced(table, {"walls.0.preset": "snooker"})

@@ -213,6 +213,9 @@ def test_nothing_meets_a_ball_that_has_fallen() -> None:
     assert run.final_phase == ["pocketed", "pocketed"]
     assert run.ended == "nothing more happens"
     assert "1 more" not in " ".join(describe_run(run))
+    # (the energy of all balls was NaN from the first pocket on)
+    between = (run.events[0].t + run.events[1].t) / 2
+    assert run.energy(between) == run.energy(between, each=True)[1] > 0
 
 
 def test_a_slow_ball_stops_at_the_edge() -> None:

@@ -112,9 +112,8 @@ def test_a_spread_that_gradients_cannot_say_is_a_dash() -> None:
     row, note = repr(said).splitlines()[1:]
     assert row.split() == ["1", "73%", "–", "red"]
     assert (
-        note
-        == said.note
-        == "–: the miss is not linear within the player's errors; success, of shots that were run, holds."
+        note == said.note == "The player's errors, one standard deviation: speed 3 %."
+        " –: the miss is not linear within the player's errors; success, of shots that were run, holds."
     )
     assert said.note in said._repr_html_()
 

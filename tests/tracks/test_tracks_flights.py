@@ -165,3 +165,17 @@ def test_bounces_on_stairs_are_counted() -> None:
         assert len(each) == len(found.contacts) == len(some)
         assert (np.abs(each - 0.7) < 4 * errors).all()
         assert errors.max() < 0.01
+
+
+@pytest.mark.parametrize("height", [0.982, 1.1316])
+def test_a_contact_between_two_frames_is_no_bounce_elsewhere(height: float) -> None:
+    """The first contact is at frame 26.4 (28.4): the lowest frame is nearly a whole step above the floor, and the next as high; the
+    second is at a frame, which shows where the floor is."""
+    t, fall = np.arange(0, 1.5, 1 / 60), float(np.sqrt(2 * (height - 0.033) / GRAVITY))
+    y = height - GRAVITY / 2 * t**2
+    for hit, up in ((fall, 0.75 * GRAVITY * fall), (2.5 * fall, 0.75**2 * GRAVITY * fall)):
+        y = np.where(t >= hit, 0.033 + up * (t - hit) - GRAVITY / 2 * (t - hit) ** 2, y)
+    place = np.stack([0.3 + t, y], axis=-1) + np.random.default_rng(1).normal(0, 5e-4, (len(t), 2))
+    found = measure([Track("ball", t, place)], Settings(radius=0.033, view="side"))
+    assert not [note for note in found.notes if "away from the wall" in note]
+    assert len(found.measured) == 2

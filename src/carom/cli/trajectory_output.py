@@ -109,7 +109,7 @@ def _folded(run: Trajectory) -> list[list[int]]:
             rows.append(row)
         row.append(k)
         last[ball] = row if kind == "floor" else None
-    return rows
+    return sorted(rows, key=lambda row: row[-1])
 
 
 def _events(run: Trajectory, most: int | None, wide: bool) -> tuple[Table, int]:
@@ -134,16 +134,16 @@ def _events(run: Trajectory, most: int | None, wide: bool) -> tuple[Table, int]:
 
 
 def _event_row(run: Trajectory, features: Any, folded: list[int], several: bool, axes: int, wide: bool) -> list[str]:
-    """Return the cells of one event; of hops the time of the first, the state after the last, and the energy lost in all."""
+    """Return the cells of one event; of hops the time of the last and the state after it, and the energy lost in all."""
     events = [run.events[k] for k in folded]
     first, event = events[0], events[-1]
     side = cushion_side(run, features, run.events.rows[folded[-1]]) if event.kind == "wall" else ""
     what = " ".join(one for one in (event.kind, event.name, side) if one)
     if len(events) > 1:
         bounces = sum(one.phase in RISES for one in events)
-        until = f" to {_time(event.t)} s" if event.t > first.t else ""
-        what = f"lands, {with_count(bounces, 'bounce')}{until}"
-    row = [_time(first.t), *([run.scene.ball_names[event.ball]] if several else []), what]
+        since = f" since {_time(first.t)} s" if event.t > first.t else ""
+        what = f"lands, {with_count(bounces, 'bounce')}{since}"
+    row = [_time(event.t), *([run.scene.ball_names[event.ball]] if several else []), what]
     row += [_triple(event.after.position, axes), _triple(event.after.velocity, axes)]
     row += [_triple(event.after.spin)] if wide else []
     # energy is lost instantaneously only in contacts

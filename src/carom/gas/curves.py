@@ -13,6 +13,7 @@ __all__ = ["Displacement", "Distribution", "PairCorrelation"]
 
 Array = NDArray[np.float64]
 FIT_STEPS, LARGEST_LOG = 50, 30.0  # of the fit of g at contact
+MAX_LOG_ERROR = 0.25  # of log g at contact: with fewer pairs it is not given
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,12 +72,12 @@ class PairCorrelation:
 
     @property
     def contact(self) -> float:
-        """g at contact: a parabola for log g up to 1.25 contact distances, of greatest likelihood; nan with too few bins."""
+        """g at contact: a parabola for log g up to 1.25 contact distances, of greatest likelihood; nan with too few pairs."""
         return self._at_contact()[0]
 
     @property
     def contact_error(self) -> float:
-        """Standard error of :attr:`contact`, from the counts; nan with too few bins."""
+        """Standard error of :attr:`contact`, from the counts; nan with too few pairs."""
         return self._at_contact()[1]
 
     def _at_contact(self) -> tuple[float, float]:
@@ -98,5 +99,6 @@ class PairCorrelation:
             log, before = np.clip(powers @ factors, -LARGEST_LOG, LARGEST_LOG), log
             if np.abs(log - before).max() < 1e-12:
                 break
-        value = math.exp(factors[0])
-        return value, value * math.sqrt(np.linalg.inv(rows.T @ rows)[0, 0])
+        value, error = math.exp(factors[0]), math.sqrt(np.linalg.inv(rows.T @ rows)[0, 0])
+        # (an exponential of so uncertain a logarithm is biased, and far from normally distributed)
+        return (value, value * error) if error < MAX_LOG_ERROR else (math.nan, math.nan)

@@ -325,7 +325,11 @@ def _pair_correlation(axes: Any, measures: Measures) -> None:
         axes.legend(frameon=False, fontsize=7.5, loc="upper right", handlelength=1.2, borderaxespad=0.2)
     else:
         one = measures.pair_correlation(*pairs[0])
-        text = f"at contact: {one.contact:.3f} ± {one.contact_error:.2g}"
+        text = (
+            f"at contact: {one.contact:.3f} ± {one.contact_error:.2g}"
+            if one.contact > 0
+            else "at contact: too few pairs"
+        )
         axes.text(0.97, 0.95, text, transform=axes.transAxes, ha="right", va="top", fontsize=7.5)
 
 

@@ -163,6 +163,11 @@ def replaced(model: AnyModel, changes: Mapping[str, Any]) -> AnyModel:
     tree: dict[str | int, Any] = {}
     for path, value in changes.items():
         for place in path_match(model, path).places:
+            if place[-1] == "preset":
+                raise CaromError(
+                    f"path: {path}: expected a field that stands by itself, got the name that filled the others when the table was"
+                    " made; make another scene"
+                )
             here = tree
             for key in place[:-1]:
                 here = here.setdefault(key, {})

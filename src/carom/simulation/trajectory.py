@@ -194,7 +194,8 @@ class Trajectory:
     def energy(self, t: ArrayLike, *, each: bool = False) -> Any:
         """Return kinetic plus potential energy at a time or times, J: of all balls (...), or of each (..., B).
 
-        The potential energy is measured from the floor's contact (z = a), without a floor from z = 0.
+        The potential energy is measured from the floor's contact (z = a), without a floor from z = 0. A ball that is pocketed has
+        none (NaN), and adds nothing to that of all balls.
         """
         state = self.at(t)
         x, balls = state.position, self._setup.balls
@@ -205,7 +206,10 @@ class Trajectory:
         lift = -((x - base) * np.array(self.scene.gravity)).sum(axis=-1) * balls["mass"]
         found = self.kinetic_energy(slice(None), state.velocity, state.spin) + lift
         if not each:
-            found = found.sum(axis=-1)
+            gone = np.isnan(found)
+            found = np.where(
+                gone.all(axis=-1) & (np.asarray(t) > self.end), np.nan, np.where(gone, 0.0, found).sum(axis=-1)
+            )
         return float(found) if np.ndim(found) == 0 else found
 
     # --- derivatives -------------------------------------------------------------------------------------------------

@@ -109,8 +109,13 @@ class Aims(Sequence[Aim]):
 
     @property
     def note(self) -> str:
-        """What is to be said below the table; empty for nothing."""
-        return "" if all(one.linear for one in self) else NOT_LINEAR
+        """What is to be said below the table: the player's errors, and what a dash means."""
+        each = [
+            f"{one.name} {100 * one.error:g} %" if one.name == "speed" else f"{one.name} {one.error:g}{one.unit}"
+            for one in self._unknowns
+        ]
+        said = f"The player's errors, one standard deviation: {', '.join(dict.fromkeys(each))}."
+        return said if all(one.linear for one in self) else f"{said} {NOT_LINEAR}"
 
     def _names(self) -> list[str]:
         return list(self._solutions[0].values) if self._solutions else []

@@ -153,8 +153,9 @@ def with_turns(
         return events
     t, x, height = track.time, track.position, -track.position @ np.array(down)
     rows = turning_points(height, noise, frames_per_side(t))
-    # it may have been a step away from where it turned
-    reach = np.maximum(NEAR_WALL_M, 6 * noise + np.abs(np.diff(height, append=height[-1:])))
+    # it may have turned as far below as the longer of the steps beside (the shorter one may bridge the contact)
+    step = np.abs(np.diff(height, prepend=height[:1], append=height[-1:]))
+    reach = np.maximum(NEAR_WALL_M, 6 * noise + np.maximum(step[:-1], step[1:]))
     places = {wall.name: wall.frame(x)[:, 0] for wall in walls}
     away = np.all([np.abs(d[rows]) > reach[rows] for d in places.values()], axis=0)
     turns = [

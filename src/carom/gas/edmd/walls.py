@@ -338,6 +338,7 @@ def collide_wall(
         v0 = (v0[0] - speed * n[0], v0[1] - speed * n[1], v0[2] - speed * n[2])
         if face.temperature >= 0.0:
             v, spin, pn = _leave_heated_wall(system, face, body, one, n, v0, w0)
+            contact.collisions += 1  # (what it gives or takes is the wall's energy)
         else:
             v, spin, pn = _bounce(features, system, gravity, face, contact, ball, body, one, n, v0, w0, now)
         v = (v[0] + speed * n[0], v[1] + speed * n[1], v[2] + speed * n[2])
