@@ -179,6 +179,7 @@ def simulate_many(
     scene : Scene
     velocity, spin, position : array (N, B, 3), or (N, 3) for a scene of one ball only, optional
         Initial velocities (m/s), spins (rad/s) and positions (m); default: the scene's. One run's, (1, B, 3), are those of all.
+        A ball that is to roll at another velocity than the scene's needs its spin too: that of :func:`carom.rolling`.
     events : int
         How many events of each run to keep, the first ones; default: none.
     kinds : tuple of str

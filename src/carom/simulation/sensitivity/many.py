@@ -149,6 +149,7 @@ def sensitivities(
         Paths such as ``balls.0.velocity`` and ``walls.*.friction``, as for ``run.sensitivity``.
     velocity, spin, position : array (N, B, 3), or (N, 3) for a scene of one ball only, optional
         Initial velocities (m/s), spins (rad/s) and positions (m); default: the scene's. One run's, (1, B, 3), are those of all.
+        A ball that is to roll at another velocity than the scene's needs its spin too: that of :func:`carom.rolling`.
 
     Returns
     -------
