@@ -56,3 +56,9 @@ def test_the_command_says_it_and_goes_on(verb: list[str], tmp_path: Path) -> Non
         'note: balls.0: 170 kg with a radius of 28.6 m: lighter than air; is the radius in mm? write "28.6 mm"'
         in found.stderr
     )
+
+
+def test_a_comparison_says_it_too() -> None:
+    found = CliRunner().invoke(app, ["compare", "--radius", "28.6"])
+    assert found.exit_code == 0
+    assert "note: ball: 0.1406 kg with a radius of 28.6 m: lighter than air" in found.stderr

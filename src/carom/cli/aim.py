@@ -206,8 +206,7 @@ def _show(aims: Aims, scene: Path) -> None:
     for row in body:
         table.add_row(*(Text(cell) for cell in row))
     out().print(table)
-    if aims.note:
-        out().print(aims.note, soft_wrap=True)
+    out().print(aims.note, soft_wrap=True)
     if len(aims):
         values = (f"{path}={json.dumps(value)}" for path, value in aims[0].changes.items())
         words = ["carom", "simulate", str(scene), *(word for one in values for word in ("--set", one))]

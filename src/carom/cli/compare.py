@@ -18,7 +18,7 @@ from rich.text import Text
 from carom.cli.common import attempt, require_outputs, tick, wrote
 from carom.cli.console import out
 from carom.cli.options import BALL, OUTPUT, comma_separated, quantity, shared
-from carom.cli.streams import note
+from carom.cli.streams import say_notes
 from carom.errors import CaromError
 from carom.formatting import format_length, format_number
 
@@ -27,7 +27,6 @@ if TYPE_CHECKING:
 
 __all__ = ["show"]
 
-LARGE_RADIUS_M = 1.0  # from which a radius is more likely meant in mm
 MIN_WIDTH_WITH_SPIN = 116  # columns of the terminal from which the table has room for the spin
 
 
@@ -106,6 +105,7 @@ def compare(
     """
     from carom.laws import comparison as library
     from carom.laws.user import find_law
+    from carom.scene.plausible import ball_notes
 
     contact: Literal["with", "after"] = floor_contact  # type: ignore[assignment]  # checked by the library
     settings: dict[str, Any] = {
@@ -125,8 +125,7 @@ def compare(
     meeting = attempt(found, lambda: library.incoming(**settings))
     if found:
         raise CaromError(*found)
-    if radius > LARGE_RADIUS_M:
-        note(f"note: a ball of radius {radius:g} m; a radius in mm is given as --radius {radius:g}mm")
+    say_notes(ball_notes("ball", radius, mass, speed, gravity))
     comparison = library.compare(meeting, laws)
     if plot is not None:
         from carom import plot as pictures

@@ -159,19 +159,16 @@ def measured(
     """Measure the rebounds of one or more tracks; those without any are noted."""
     from dataclasses import replace
 
+    from carom.cli.track_files import notes_by_film, read_files
     from carom.tracks.contact import Settings
     from carom.tracks.films import combined_rebounds, film_names, hops_together
     from carom.tracks.measurement import Measured, measure
-    from carom.tracks.read import read_tracks
     from carom.tracks.rebounds import to_rebounds
 
     faults: list[str] = []
-    found = [attempt(faults, lambda file=file: read_tracks(file, calibration=given)) for file in files]
-    if faults:
-        raise CaromError(*faults)
+    found = read_files(files, given)
     settings = Settings(radius=setting.radius, kappa=setting.kappa, view=view)  # type: ignore[arg-type]
     tables: dict[str, Rebounds] = {}
-    notes: list[str] = []
 
     def once(number: int, hops: bool | None = None) -> Measured:
         def progress(done: int, total: int) -> None:
@@ -179,12 +176,11 @@ def measured(
 
         return measure(found[number].tracks, replace(settings, hops=hops), progress)
 
-    names = [f"{name}: " if len(files) > 1 else "" for name in film_names(files)]
-    notes += [start + note for start, film in zip(names, found, strict=True) for note in film.notes]
+    notes = notes_by_film(files, [film.notes for film in found])
     with noting(notes):
         films = hops_together([once(number) for number in range(len(files))], once)
-    for name, start, one in zip(film_names(files), names, films, strict=True):
-        notes += [start + note for note in one.notes]
+    notes += notes_by_film(files, [one.notes for one in films])
+    for name, one in zip(film_names(files), films, strict=True):
         table = attempt(faults, lambda one=one: to_rebounds(one, stage or "best"))  # type: ignore[arg-type]
         if table is not None:
             tables[name] = table

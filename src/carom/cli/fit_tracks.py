@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from carom.fitting import Setting
     from carom.fitting.tracks import TrackRanking
     from carom.tracks.formats.text_table import Calibration
+    from carom.tracks.read import TrackFile
     from carom.tracks.track import Track
 
 __all__ = ["TRACK_NUMBERS", "TrackOptions", "fit_track_files"]
@@ -47,6 +48,7 @@ def fit_track_files(
     """Read, measure, fit, show. ``faults``: of the options, so far."""
     from carom.cli.console import err
     from carom.cli.fit_input import is_track
+    from carom.cli.track_files import notes_by_film, read_files
     from carom.fitting.tracks import TrackSetting, fit_tracks
     from carom.tracks.contact import Settings
     from carom.tracks.measurement import measure
@@ -71,7 +73,8 @@ def fit_track_files(
         raise CaromError(*faults)
     console = err()
     with bar(console) as say:
-        every, notes = _read_all(files, reading)
+        films = read_files(files, reading)
+        every, notes = _shots(files, films), notes_by_film(files, [film.notes for film in films])
         settings = Settings(radius=setting.radius, kappa=setting.kappa, view="above", noise=setting.noise)
         with noting(notes):
             tracks = _chosen(every, where)
@@ -85,20 +88,16 @@ def fit_track_files(
     tell(ranking, _show, as_json, console, written)
 
 
-def _read_all(files: Sequence[Path], reading: Calibration) -> tuple[list[Track], list[str]]:
-    """Return the tracks of all files, and notes. Of several files, each is a shot, and all have the same walls."""
+def _shots(files: Sequence[Path], films: Sequence[TrackFile]) -> list[Track]:
+    """Return all tracks; of several files, each is a shot, and all have the same walls."""
     from carom.tracks.films import film_names
-    from carom.tracks.read import read_tracks
 
-    faults: list[str] = []
-    found = [attempt(faults, lambda file=file: read_tracks(file, calibration=reading)) for file in files]
-    if faults:
-        raise CaromError(*faults)
-    if len(files) == 1:
-        return list(found[0].tracks), list(found[0].notes)
-    named = list(zip(film_names(files), found, strict=True))
-    tracks = [replace(track, group=f"{name} {track.group}".strip()) for name, film in named for track in film.tracks]
-    return tracks, [f"{name}: {note}" for name, film in named for note in film.notes]
+    names = film_names(files) if len(files) > 1 else [""]
+    return [
+        replace(track, group=f"{name} {track.group}".strip())
+        for name, film in zip(names, films, strict=True)
+        for track in film.tracks
+    ]
 
 
 def _chosen(tracks: Sequence[Track], where: Sequence[str]) -> list[Track]:

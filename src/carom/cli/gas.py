@@ -15,7 +15,7 @@ import typer
 
 from carom.cli.common import attempt, require_outputs, wrote
 from carom.cli.options import OUTPUT, RUN, shared
-from carom.cli.streams import note
+from carom.cli.streams import note, say_notes
 from carom.errors import CaromError
 from carom.formatting import counted
 
@@ -215,8 +215,7 @@ def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any]) -> G
             raise CaromError(f"{options}: expected SCENE.toml as well, got only a checkpoint; name the scene too")
         return None
     scene = load_gas(path)
-    for line in scene.temperature_notes():
-        note(f"note: {line}")
+    say_notes(scene.temperature_notes())
     if not changes:
         return scene
     if "duration" in changes:

@@ -61,7 +61,7 @@ def check(
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
     """Validate a scene and summarise it; or print it in full, in SI units, with every default filled in."""
-    from carom.cli.streams import note, say
+    from carom.cli.streams import say, say_notes
     from carom.gas.build import is_gas, load_gas
     from carom.scene.plausible import unit_notes
     from carom.scene.toml import load_scene
@@ -77,8 +77,7 @@ def check(
             _print(plain_model(gas))
             return
         say(f"{file}: {gas.describe()}: ok")
-        for line in gas.temperature_notes():
-            note(f"note: {line}")
+        say_notes(gas.temperature_notes())
         return
     scene = load_scene(file, allow_own_laws=allow_own_laws)
     if as_json:
@@ -87,8 +86,7 @@ def check(
         _print(scene_dict(scene))
         return
     say(f"{file}: {scene.describe()}: ok")
-    for line in unit_notes(scene):
-        note(f"note: {line}")
+    say_notes(unit_notes(scene))
 
 
 def _print(found: dict[str, Any]) -> None:

@@ -97,6 +97,9 @@ def simulate(
     ] = None,
 ) -> None:
     """Simulate a scene event by event; print a description, the events, the final states and the energy budget."""
+    from carom.cli.streams import say_notes
+    from carom.scene.plausible import unit_notes
+    from carom.simulation.law_notes import law_notes
     from carom.simulation.save import FORMATS
 
     try:
@@ -111,9 +114,9 @@ def simulate(
         given = attempt(found, _scene, scene, allow_own_laws, settings, values)
         if found:
             raise CaromError(*found)
-        _note_units(given)
+        say_notes(unit_notes(given))
         run = _run(given, quiet)
-        _note_laws(run)
+        say_notes(law_notes(run))
         _reached(run, times)
         matters = None if sensitivity is None else run.sensitivity(sensitivity.replace(",", " ").split())
         written = _write(run, quiet, plot, animate, save, table)
@@ -194,22 +197,6 @@ def _scene(path: Path, allow_own_laws: bool, changes: dict[str, Any], values: di
         return Scene(**{name: getattr(scene, name) for name in Scene.model_fields} | {"run": run})
     except CaromError as error:
         raise CaromError(*(_renamed(fault, {"Scene:": f"{path}:"}) for fault in error.faults)) from None
-
-
-def _note_units(scene: Scene) -> None:
-    from carom.cli.streams import note
-    from carom.scene.plausible import unit_notes
-
-    for line in unit_notes(scene):
-        note(f"note: {line}")
-
-
-def _note_laws(run: Trajectory) -> None:
-    from carom.cli.streams import note
-    from carom.simulation.law_notes import law_notes
-
-    for line in law_notes(run):
-        note(f"note: {line}")
 
 
 def _renamed(fault: str, names: dict[str, str]) -> str:

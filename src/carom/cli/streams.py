@@ -6,7 +6,7 @@ import errno
 import io
 import os
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from typing import Any
 
@@ -24,6 +24,12 @@ def say(line: str) -> None:
 def note(line: str) -> None:
     """Print a line on standard error, with control characters escaped."""
     sys.stderr.write(escape_controls(line) + "\n")
+
+
+def say_notes(lines: Iterable[str]) -> None:
+    """Print each line as a note."""
+    for line in lines:
+        note(f"note: {line}")
 
 
 @contextmanager

@@ -115,10 +115,10 @@ def show(
 
     carom tracks show films/*.txt --out rebounds.csv
     """
+    from carom.cli.track_files import read_files
     from carom.tracks.films import film_names, hops_together
     from carom.tracks.formats.text_table import Calibration
     from carom.tracks.measurement import Settings, measure
-    from carom.tracks.read import read_tracks
 
     faults: list[str] = []
     lengths = {name: attempt(faults, parse_length, name, text) for name, text in (("scale", scale), ("noise", noise))}
@@ -136,9 +136,7 @@ def show(
     faults = list(dict.fromkeys(faults))
     if faults:
         raise CaromError(*faults)
-    found = [attempt(faults, read_tracks, file, format_, Calibration(lengths["scale"], rate, down)) for file in files]
-    if faults:
-        raise CaromError(*faults)
+    found = read_files(files, Calibration(lengths["scale"], rate, down), format_)
     settings = Settings(
         radius=radius, kappa=kappa, view=view, noise=lengths["noise"],  # type: ignore[arg-type]
         cloth=cloth, rolling=rolling, gravity=gravity, window=window, blind=blind, hard=hard, drag=drag,

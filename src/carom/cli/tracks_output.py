@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from rich.table import Table
 
     from carom.tracks.contact import TrackContact
+    from carom.tracks.events import WallLine
     from carom.tracks.measurement import Measured
     from carom.tracks.read import TrackFile
 
@@ -78,6 +79,15 @@ def _plain(x: Any) -> float | None:
     return float(x) if abs(float(x)) < float("inf") else None
 
 
+def _place_of(wall: WallLine) -> str:
+    (x, y), n = wall.point, wall.normal
+    if abs(n[0]) == 1:
+        return f"x = {x:.4f} m"
+    if abs(n[1]) == 1:
+        return f"y = {y:.4f} m"
+    return f"through ({x:.4f}, {y:.4f}) m, {math.degrees(math.atan2(abs(n[0]), abs(n[1]))):.3g}° from the x axis"
+
+
 def tell(console: Console, found: TrackFile, measured: Measured) -> None:
     """Print the summary of a file."""
     from rich.table import Table
@@ -102,15 +112,7 @@ def tell(console: Console, found: TrackFile, measured: Measured) -> None:
         "filmed from", "above: a ball on a table" if measured.view == "above" else "the side: a ball in flight"
     )
     for wall in measured.walls:
-        n = wall.normal
-        at = (
-            f"x = {wall.point[0]:.4f} m"
-            if abs(n[0]) == 1
-            else f"y = {wall.point[1]:.4f} m"
-            if abs(n[1]) == 1
-            else f"through ({wall.point[0]:.4f}, {wall.point[1]:.4f}) m, {abs(math.degrees(math.atan(n[0] / n[1]))):.3g}° off level"
-        )
-        rows.add_row("wall", f"{wall.name}: {at}{', positions clamped to it' if wall.clamped else ''}")
+        rows.add_row("wall", f"{wall.name}: {_place_of(wall)}{', positions clamped to it' if wall.clamped else ''}")
     for name, (value, error) in measured.floor.items():
         rows.add_row(name, f"{format_number(value)} ± {format_number(error, 1)}")
     console.print(rows)

@@ -229,14 +229,11 @@ def _across_kinks(model: FitModel, best: _Place) -> _Place:
 
     if some is not model:
         found = cross_kinks(
-            _descend(some, best.p[None]), lambda place: float(place.p[i]), lambda place: place.deviance, explore,
-            lambda _place, turn: turn == 0,
-        )  # fmt: skip
+            _descend(some, best.p[None]), lambda place: float(place.p[i]), lambda place: place.deviance, explore
+        )
         freed = _descend(model, found.p[None])
         return freed if freed.deviance < best.deviance else best
-    return cross_kinks(
-        best, lambda place: float(place.p[i]), lambda place: place.deviance, explore, lambda _place, turn: turn == 0
-    )
+    return cross_kinks(best, lambda place: float(place.p[i]), lambda place: place.deviance, explore)
 
 
 def _annealed(model: FitModel, p: Array) -> Array:

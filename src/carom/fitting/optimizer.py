@@ -110,16 +110,17 @@ def damped_step(h: Array, u: Array, active: NDArray[np.bool_], damping: Array) -
 
 def cross_kinks(
     best: Best, friction: Callable[[Best], float], deviance: Callable[[Best], float],
-    explore: Callable[[Best, list[float], list[float]], Best], everywhere: Callable[[Best, int], bool],
+    explore: Callable[[Best, list[float], list[float]], Best], astray: Callable[[Best], bool] = lambda _best: False,
 ) -> Best:  # fmt: skip
     """Continue a search beyond kinks of the deviance, where contacts change between sliding and sticking.
 
-    A descent can end at the bottom of one. So the friction is held at other values, near ones and on request widely spread ones,
-    while all else is fitted, and the most promising are freed (``explore``), until there is no further gain.
+    A descent can end at the bottom of one. So the friction is held at other values, near ones and, first and for a fit that is
+    ``astray``, widely spread ones, while all else is fitted, and the most promising are freed (``explore``), until there is no
+    further gain.
     """
     for turn in range(ROUNDS):
         here = friction(best)
-        found = explore(best, [share * here for share in NEARBY], list(EVERYWHERE) if everywhere(best, turn) else [])
+        found = explore(best, [share * here for share in NEARBY], list(EVERYWHERE) if turn == 0 or astray(best) else [])
         gained = deviance(best) - deviance(found)
         best = found if gained > 0 else best
         if gained < max(0.5, 1e-3 * abs(deviance(best))):

@@ -243,11 +243,9 @@ def _require_no_shorter(path: Path, own: GasScene, scene: GasScene) -> None:
     for name in CHANGEABLE:
         was, now = getattr(own.run, name), getattr(scene.run, name)
         if now is not None and (was is None or now < was):
-            least = "no" if was is None else "a"
-            than = "as in the checkpoint" if was is None else f"at least {_counted(was)}, as in the checkpoint"
+            expected = f"no run.{name}" if was is None else f"a run.{name} of at least {_counted(was)}"
             raise CaromError(
-                f"{path}: expected {least} run.{name}{',' if was is None else ' of'} {than}, got {_counted(now)};"
-                " a run can only be continued for longer"
+                f"{path}: expected {expected}, as in the checkpoint, got {_counted(now)}; a run can only be continued for longer"
             )
 
 

@@ -222,12 +222,13 @@ def _colours(session: Session, species: Any, velocity: Array) -> Array:
 
 
 def _distributions(axes: Any, measures: Measures, what: str, changes: bool = True) -> None:
-    draw_maxwell(axes)
     said, shown = [], 0
     for k, name in enumerate(measures.names):
         one: Distribution = getattr(measures, what)(name)
         if math.isnan(one.a2) or not changes:
             continue
+        if shown == 0:
+            draw_maxwell(axes)
         seen = (one.density > 0) & (np.abs(one.center) < 5)
         many = len(measures.names) > 1
         axes.plot(
@@ -325,12 +326,10 @@ def _pair_correlation(axes: Any, measures: Measures) -> None:
         axes.legend(frameon=False, fontsize=7.5, loc="upper right", handlelength=1.2, borderaxespad=0.2)
     else:
         one = measures.pair_correlation(*pairs[0])
-        text = (
-            f"at contact: {one.contact:.3f} ± {one.contact_error:.2g}"
-            if one.contact > 0
-            else "at contact: too few pairs"
-        )
-        axes.text(0.97, 0.95, text, transform=axes.transAxes, ha="right", va="top", fontsize=7.5)
+        text, y = f"at contact: {one.contact:.3f} ± {one.contact_error:.2g}", 0.95
+        if math.isnan(one.contact):  # (the curve is ragged then, and near the top)
+            text, y = "at contact: too few pairs", 0.12
+        axes.text(0.97, y, text, transform=axes.transAxes, ha="right", va="top", fontsize=7.5)
 
 
 def _displacement(axes: Any, session: Session, measures: Measures) -> None:

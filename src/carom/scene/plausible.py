@@ -8,15 +8,30 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from carom.scene.scene import Scene
 
-__all__ = ["FAST", "unit_notes"]
+__all__ = ["FAST", "ball_notes", "unit_notes"]
 
 EARTH = (9.7, 9.9)  # m/s^2: with another gravity, or none, the numbers need not be in SI units
 AIR, OSMIUM = 1.2, 22_600.0  # kg/m^3: density of nearly every ball lies between
 FAST = 100.0  # m/s: faster than any struck ball but one of golf, squash or badminton
 
 
+def ball_notes(at: str, radius: float, mass: float, speed: float, gravity: float) -> list[str]:
+    """Return one line for each number of a ball that is hardly one in m, kg and m/s; ``at``: what the lines begin with."""
+    if not EARTH[0] <= gravity <= EARTH[1]:
+        return []
+    found, density = [], mass / (4 / 3 * math.pi * radius**3)
+    is_ball = f"{at}: {mass:g} kg with a radius of {radius:g} m"
+    if density < AIR:
+        found.append(f'{is_ball}: lighter than air; is the radius in mm? write "{radius:g} mm"')
+    elif density > OSMIUM:
+        found.append(f'{is_ball}: denser than any metal; is the mass in g? write "{mass:g} g"')
+    if speed > FAST:
+        found.append(f"{at}: a speed of {speed:g} m/s; are the velocities in mm/s or cm/s?")
+    return found
+
+
 def unit_notes(scene: Scene) -> list[str]:
-    """Return one line for each ball whose size, mass or speed is hardly one in m, kg and m/s.
+    """Return these lines for all balls of a scene.
 
     Examples
     --------
@@ -25,16 +40,11 @@ def unit_notes(scene: Scene) -> list[str]:
     >>> unit_notes(carom.Scene(balls=[ball]))
     ['balls.0: 0.17 kg with a radius of 28.6 m: lighter than air; is the radius in mm? write "28.6 mm"']
     """
-    if not EARTH[0] <= math.hypot(*scene.gravity) <= EARTH[1]:
-        return []
-    found = []
-    for i, ball in enumerate(scene.balls):
-        at, density = f"balls.{ball.name or i}", ball.mass / (4 / 3 * math.pi * ball.radius**3)
-        is_ball = f"{at}: {ball.mass:g} kg with a radius of {ball.radius:g} m"
-        if density < AIR:
-            found.append(f'{is_ball}: lighter than air; is the radius in mm? write "{ball.radius:g} mm"')
-        elif density > OSMIUM:
-            found.append(f'{is_ball}: denser than any metal; is the mass in g? write "{ball.mass:g} g"')
-        if (speed := math.hypot(*ball.state.velocity)) > FAST:
-            found.append(f"{at}: a speed of {speed:g} m/s; are the velocities in mm/s or cm/s?")
-    return found
+    gravity = math.hypot(*scene.gravity)
+    return [
+        line
+        for i, ball in enumerate(scene.balls)
+        for line in ball_notes(
+            f"balls.{ball.name or i}", ball.radius, ball.mass, math.hypot(*ball.state.velocity), gravity
+        )
+    ]

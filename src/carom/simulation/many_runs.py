@@ -29,16 +29,15 @@ class ManyRuns:
     Examples
     --------
     >>> import carom
-    >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0))
-    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0, 0))
-    >>> scene = carom.Scene(gravity=0, walls=[wall], balls=[ball], run=carom.Run(law="mirror", duration=2))
-    >>> runs = carom.simulate_many(scene, velocity=[[-1, 0, 0], [-2, 0, 0]], events=1)
+    >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(0, 0))
+    >>> scene = carom.Scene(floor=carom.Floor(friction=0.2, rolling_resistance=0.01), balls=[ball])
+    >>> runs = carom.simulate_many(scene, velocity=[[1, 0, 0], [2, 0, 0]], events=2)
     >>> runs
-    <ManyRuns: 2 runs of 1 ball, 2 events kept>
-    >>> runs.final.velocity[:, 0, 0], runs.count
-    (array([1., 2.]), array([1, 1]))
-    >>> runs.table()[["run", "t", "kind", "name"]].values.tolist()
-    [[0, 0.97, 'wall', 'plane 0'], [1, 0.485, 'wall', 'plane 0']]
+    <ManyRuns: 2 runs of 1 ball, 4 events kept>
+    >>> runs.final.position[:, 0, 0].round(3), runs.count
+    (array([ 2.726, 10.905]), array([2, 2]))
+    >>> runs.table()[["run", "t", "kind"]].round(3).values.tolist()
+    [[0, 0.146, 'rolling'], [0, 7.429, 'rest'], [1, 0.291, 'rolling'], [1, 14.859, 'rest']]
     """
 
     final: State

@@ -111,10 +111,10 @@ class Aims(Sequence[Aim]):
     def note(self) -> str:
         """What is to be said below the table: the player's errors, and what a dash means."""
         each = [
-            f"{one.name} {100 * one.error:g} %" if one.name == "speed" else f"{one.name} {one.error:g}{one.unit}"
+            f"{one.name} {100 * one.error:g} %" if one.name == "speed" else f"{one.name} {one.error:g} {one.unit}"
             for one in self._unknowns
         ]
-        said = f"The player's errors, one standard deviation: {', '.join(dict.fromkeys(each))}."
+        said = f"The player's errors, one standard deviation: {', '.join(dict.fromkeys(each))}.".replace(" °", "°")
         return said if all(one.linear for one in self) else f"{said} {NOT_LINEAR}"
 
     def _names(self) -> list[str]:
@@ -127,10 +127,10 @@ class Aims(Sequence[Aim]):
         lines = [
             "  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in [head, *body]
         ]
-        return "\n".join([*lines, *([self.note] if self.note else [])])
+        return "\n".join([*lines, self.note])
 
     def _repr_html_(self) -> str:
-        return html_table(*self.rows()) + (f"<p>{self.note}</p>" if self.note else "")
+        return f"{html_table(*self.rows())}<p>{self.note}</p>"
 
 
 class _Problem:

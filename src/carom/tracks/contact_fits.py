@@ -12,9 +12,10 @@ from carom.formatting import counted
 from carom.tracks.blind import BlindTime, estimate_blind_time
 from carom.tracks.contact import Settings, TrackContact, TrackedSpin, View, motion_before_resolved
 from carom.tracks.contact_models import fit_table
+from carom.tracks.elsewhere import BEYOND_WALL_M
 from carom.tracks.events import TrackEvent, WallLine
 from carom.tracks.flight_fits import fit_flight
-from carom.tracks.flights import BEYOND_WALL_M, STILL_AIR, Air
+from carom.tracks.flights import STILL_AIR, Air
 from carom.tracks.floor import WithError, pool_floor, pool_gravity
 from carom.tracks.hops import hop_notes, with_hops
 from carom.tracks.least_squares import AT_CONTACT, ContactFit, Prior

@@ -19,6 +19,8 @@ from numpy.typing import NDArray
 from carom.laws.results import GRAVITY
 from carom.tracks.least_squares import (
     OUTPUTS,
+    START_IN,
+    START_OUT,
     ContactFit,
     Prior,
     contact_fit,
@@ -152,7 +154,7 @@ class _TableContact:
         before, after = time < near, time >= near
         self.after, self.interval = int(after.sum()), float(np.median(np.diff(time)))
         start = starting_values(time, position, before, after, near)
-        v_in, v_out = start[3:5], start[5:7]
+        v_in, v_out = start[START_IN], start[START_OUT]
         self.start = np.concatenate(
             [start[TIME : ROLL.stop], [0.0, 0.0], v_out, [0.0, 0.0], [prior.mu_g, prior.c_g, 0.0]]
         )

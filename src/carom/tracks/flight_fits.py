@@ -8,13 +8,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.tracks.flights import STILL_AIR, Air, flight_path
-from carom.tracks.least_squares import ContactFit, central_differences, contact_fit, solve, starting_values
+from carom.tracks.least_squares import (
+    START_IN,
+    START_OUT,
+    ContactFit,
+    central_differences,
+    contact_fit,
+    solve,
+    starting_values,
+)
 
 __all__ = ["fit_flight"]
 
 Array = NDArray[np.float64]
-# The parameters
-TIME, PLACE, DISTANCE, V_IN, V_OUT, GRAVITY = 0, slice(1, 3), 1, slice(3, 5), slice(5, 7), slice(7, 9)
+# The parameters: the starting values, and gravity
+TIME, PLACE, DISTANCE, V_IN, V_OUT, GRAVITY = 0, slice(1, 3), 1, START_IN, START_OUT, slice(7, 9)
 DRAG_STEP = 1e-3  # 1/m, by which the derivative by the drag is taken
 
 

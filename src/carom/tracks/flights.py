@@ -6,28 +6,22 @@ than it gains as it falls. All flights of a film are fitted together, each with 
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import replace
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import shortened_list
-from carom.tracks.events import TrackEvent, WallLine, find_events, frames_per_side, turning_points
+from carom.tracks.events import find_events, frames_per_side, turning_points
 from carom.tracks.track import Track
 
 __all__ = [
-    "BEYOND_WALL_M",
     "STILL_AIR",
     "Air",
     "Flights",
     "air_and_notes",
-    "elsewhere_note",
-    "facing_up",
     "fit_flights",
     "flight_path",
-    "with_turns",
 ]
 
 Array = NDArray[np.float64]
@@ -36,13 +30,10 @@ STEP_S = 0.05  # of the integration; a ball that turns at the top within one is 
 NEAR_FRAMES, NEAR_S = 1.5, 0.012
 MIN_FRAMES, MIN_FLIGHT_S = 6, 0.1
 GAP_FRAMES = 4.5  # in a gap of so many frames the ball may have met something
-GRAVITY_SHARE = (
-    0.3  # of gravity, by which a flight's own acceleration may differ from it: else the ball is held or rolls
-)
+# Of gravity, by which a flight's own acceleration may differ from it: else the ball is held or rolls.
+GRAVITY_SHARE = 0.3
 MAX_SCATTER = 3.0  # times the noise; more is no free flight
 SIGNIFICANT = 4.0  # error bars
-NEAR_WALL_M, BEYOND_WALL_M = 0.01, 0.03  # a wall that gives way, or a line that was given a little off
-LEVEL = 0.5  # component of a normal that points down, from which a wall is a ceiling, or a floor seen from below
 MIN_TILT = np.radians(0.2)
 ROUNDS = 6
 MIN_FLIGHTS_APART = 3  # from which their differences show errors beyond the noise: spin, the lens
@@ -142,60 +133,6 @@ def air_and_notes(
     return air, notes
 
 
-def with_turns(
-    events: list[TrackEvent], track: Track, walls: Sequence[WallLine], noise: float, down: tuple[float, float]
-) -> list[TrackEvent]:
-    """Return the events of a ball in flight with its bounces away from all walls, as on a stair or a hand: each ends a flight.
-
-    Contacts far beyond the line of their wall are left out: they are bounces on a lower stair, below the line of a higher one.
-    """
-    if not walls:
-        return events
-    t, x, height = track.time, track.position, -track.position @ np.array(down)
-    rows = turning_points(height, noise, frames_per_side(t))
-    # it may have turned as far below as the longer of the steps beside (the shorter one may bridge the contact)
-    step = np.abs(np.diff(height, prepend=height[:1], append=height[-1:]))
-    reach = np.maximum(NEAR_WALL_M, 6 * noise + np.maximum(step[:-1], step[1:]))
-    places = {wall.name: wall.frame(x)[:, 0] for wall in walls}
-    away = np.all([np.abs(d[rows]) > reach[rows] for d in places.values()], axis=0)
-    turns = [
-        TrackEvent("turn", float(t[i - 1]), float(t[i + 1]), f"({x[i, 0]:.3f}, {x[i, 1]:.3f})")
-        for i in rows[away].tolist()
-    ]
-    kept = []
-    for event in events:
-        i = int(np.searchsorted(t, (event.low + event.high) / 2))
-        if event.kind != "wall" or places[event.what][min(i, len(t) - 1)] > -(
-            reach[min(i, len(t) - 1)] + BEYOND_WALL_M
-        ):
-            kept.append(event)
-    return sorted([*kept, *turns], key=lambda event: (event.low, event.high))
-
-
-def facing_up(wall: WallLine, tracks: Sequence[Track], noise: float, down: tuple[float, float]) -> WallLine:
-    """Return a wall with its normal turned up, if balls bounce on it: most of a track may lie below, as of a stair."""
-    if np.array(wall.normal) @ np.array(down) < LEVEL:
-        return wall
-    for track in tracks:
-        x = track.position
-        rows = turning_points(-x @ np.array(down), noise, frames_per_side(track.time))
-        if (np.abs(wall.frame(x[rows])[:, 0]) < NEAR_WALL_M + 6 * noise).any():
-            return replace(wall, normal=(0.0 - wall.normal[0], 0.0 - wall.normal[1]))
-    return wall
-
-
-def elsewhere_note(events: Iterable[TrackEvent], several: bool) -> list[str]:
-    """Return a note on bounces away from the wall, or from all ``several`` walls."""
-    found = [event.what for event in events if event.kind == "turn"]
-    if not found:
-        return []
-    count, are = ("1 bounce", "is") if len(found) == 1 else (f"{len(found)} bounces", "are")
-    return [
-        f"{count} away from the wall{'s' * several}, at (x, y) = {shortened_list(found, 4)} m, {are} not measured: --wall y=0.1 or"
-        " --wall x1,y1,x2,y2 names the line at which the ball's centre turns there"
-    ]
-
-
 def fit_flights(
     tracks: Sequence[Track], noise: float, interval: float, gravity: float, drag: float | None = None
 ) -> Flights | None:
@@ -218,12 +155,12 @@ def fit_flights(
     --------
     >>> import numpy as np
     >>> from carom.tracks import Track
-    >>> from carom.tracks.flights import fit_flights
-    >>> t = np.arange(80) / 200
-    >>> ball = Track("ball", t, np.stack([t, 1.0 + 2 * t - 9.81 / 2 * t**2], axis=-1))
-    >>> found = fit_flights([ball], 1e-4, 1 / 200, 9.8)
-    >>> found.gravity.round(3) + 0.0, abs(round(found.drag, 6))
-    (array([ 0.  , -9.81]), 0.0)
+    >>> from carom.tracks.flights import fit_flights, flight_path
+    >>> times = np.arange(80) / 200
+    >>> place = flight_path(np.array([1.0, 2.0]), np.array([0.0, -9.81]), 0.02, times)
+    >>> found = fit_flights([Track("ball", times, place)], 1e-4, 1 / 200, 9.8)
+    >>> found.gravity.round(3) + 0.0, round(found.drag, 5)
+    (array([ 0.  , -9.81]), 0.02)
     """
     flights = [one for track in tracks for one in _flights(track, noise, interval, gravity)]
     shared = np.array([0.0, -gravity, drag or 0.0])

@@ -37,6 +37,7 @@ OUTPUTS = (
 )  # fmt: skip
 # Of these, time, place and velocities of the contact itself, which every fit has.
 AT_CONTACT = slice(OUTPUTS.index("t"), OUTPUTS.index("vt_out") + 1)
+START_IN, START_OUT = slice(3, 5), slice(5, 7)  # velocities of :func:`starting_values`
 
 
 @dataclass(frozen=True)
@@ -231,5 +232,5 @@ def starting_values(
     t = float(np.clip(t, time[near[-1]] - near_time, time[then[0]] - near_time))
     theta[0] = near_time + t
     theta[1:3] = (x0 + v0 * t + x1 + v1 * t) / 2
-    theta[3:5], theta[5:7] = v0, v1
+    theta[START_IN], theta[START_OUT] = v0, v1
     return theta

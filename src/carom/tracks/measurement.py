@@ -14,8 +14,9 @@ from carom.files import require_library
 from carom.tracks.blind import BlindTime
 from carom.tracks.contact import Settings, TrackContact, View
 from carom.tracks.contact_fits import ContactFitter, Progress
+from carom.tracks.elsewhere import elsewhere_note, facing_up, with_turns
 from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
-from carom.tracks.flights import STILL_AIR, air_and_notes, elsewhere_note, facing_up, with_turns
+from carom.tracks.flights import STILL_AIR, air_and_notes
 from carom.tracks.floor import WithError
 from carom.tracks.free_fall import axis_points_down, constant_acceleration, what_would_give
 from carom.tracks.plausibility import GRAVITY_TOLERANCE, MIN_JUDGED, restitution_note, why_implausible

@@ -85,11 +85,7 @@ def _across_kinks(model: TrackModel, best: TrackFit, noise: float) -> tuple[Trac
         return min([best, *others], key=lambda fit: fit.deviance)
 
     best = cross_kinks(
-        best,
-        lambda fit: fit.numbers["friction"],
-        lambda fit: fit.deviance,
-        explore,
-        lambda fit, turn: turn == 0 or not fit.follows,
+        best, lambda fit: fit.numbers["friction"], lambda fit: fit.deviance, explore, lambda fit: not fit.follows
     )
     return best, seen
 
