@@ -165,6 +165,39 @@ def test_into_equals_the_full_answer():
         np.testing.assert_array_equal(why == 0, full.rolls)
 
 
+@pytest.mark.parametrize("count", [3, 1000])
+def test_into_what_cannot_be_written_into(count):
+    """A short array of reasons was written beyond its end, and pressed balls were computed from others' results."""
+    ball, some = carom.Ball(), many_states()[:count]
+    out, why = carom.State(np.zeros((count, 3)), np.zeros((count, 3))), np.zeros(count, np.int8)
+    several = np.tile([1.0, 0.0, 0.0], (count, 1))
+    for wrong in (
+        why[:-1],
+        np.zeros(count),
+        np.zeros((count, 1), np.int8),
+        np.zeros(2 * count, np.int8)[::2],
+        [0] * count,
+    ):
+        with pytest.raises(
+            carom.CaromError, match=rf"why: expected a contiguous array of shape \({count},\) and type int8"
+        ):
+            carom.two_step_into(out, wrong, ball, some)
+    with pytest.raises(
+        carom.CaromError, match="out: expected arrays apart from those of the state, got the same memory"
+    ):
+        carom.two_step_into(some, why, ball, some)
+    short = carom.State(np.zeros((count - 1, 3)), np.zeros((count - 1, 3)))
+    for into in (carom.impact_into, lambda out, *rest, **more: carom.two_step_into(out, why, *rest, **more)):
+        with pytest.raises(carom.CaromError, match="out: velocity: expected a contiguous array of shape"):
+            into(short, ball, some)
+        with pytest.raises(carom.CaromError, match="normal: expected 3 numbers, the same for all balls"):
+            into(out, ball, some, normal=several)
+    assert not out.velocity.any()
+    expected = carom.impact(ball, some).after
+    carom.impact_into(some, ball, some)  # (row by row: in place)
+    assert some == expected
+
+
 def test_one_as_many():
     """What one state gives is what it gives among a thousand, bit for bit, in every field."""
     ball, states = carom.Ball(), many_states()

@@ -86,7 +86,7 @@ def answer_many_rows() -> None:
     for law in carom.LAWS.values():
         if law.name != "two-step":
             law.answer(carom.Meeting(ball, state, wall=surface))
-    out = carom.State(np.empty((MANY, 3)), np.empty((MANY, 3)))
+    out = carom.State(np.zeros((MANY, 3)), np.zeros((MANY, 3)))
     carom.impact(ball, state, surface=surface)
     carom.impact_into(out, ball, state, surface=surface)
     carom.collide(ball, state, ball, carom.State(-state.velocity, state.spin), np.array([1.0, 0.0, 0.0]), surface)
@@ -100,8 +100,8 @@ def settle_many_rows() -> None:
 
     ball, surface, state = carom.Ball(1.0, 1.0), carom.Surface(0.8, 0.2), _states()
     carom.two_step(ball, state, wall=surface, floor=surface)
-    out = carom.State(np.empty((MANY, 3)), np.empty((MANY, 3)))
-    carom.two_step_into(out, np.empty(MANY, np.int8), ball, state, surface, surface)
+    out = carom.State(np.zeros((MANY, 3)), np.zeros((MANY, 3)))
+    carom.two_step_into(out, np.zeros(MANY, np.int8), ball, state, surface, surface)
 
 
 def _states() -> State:

@@ -30,8 +30,8 @@ from carom.errors import (
 )
 
 __all__ = [
-    "FEW", "RESOLVED", "answer_rows", "approaching", "loop_for", "motion_resolved", "require_approach", "require_resolved",
-    "state_arrays", "unit_normal", "wall_law_rows",
+    "FEW", "RESOLVED", "answer_rows", "approaching", "loop_for", "motion_resolved", "one_normal", "reason_array",
+    "require_approach", "require_resolved", "state_arrays", "unit_normal", "wall_law_rows",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -219,13 +219,36 @@ def answer_rows(
 
 def state_arrays(state: State, out: State) -> list[Array]:
     """Return velocities and spins of both states as flat views (3 N,); CaromError if ``out`` is not contiguous."""
+    require_type("", "state", state, State)
+    require_type("", "out", out, State)
     for name, array in (("velocity", out.velocity), ("spin", out.spin)):
-        if not array.flags.c_contiguous or array.shape != state.velocity.shape:
-            raise CaromError(
-                f"out: {name}: expected a contiguous array of shape {state.velocity.shape}, got"
-                f" {'shape ' + str(array.shape) if array.shape != state.velocity.shape else 'one that is not contiguous'}"
-            )
+        _require_room(f"out: {name}", array, state.velocity.shape, np.dtype(float))
     return [x.reshape(-1) for x in (state.velocity, state.spin, out.velocity, out.spin)]
+
+
+def reason_array(state: State, why: Any) -> Any:
+    """Return the array that receives a reason for each ball as a flat view (N,); CaromError if it does not fit the state."""
+    _require_room("why", why, state.shape, np.dtype(np.int8))
+    return why.reshape(-1)
+
+
+def _require_room(field: str, array: Any, shape: tuple[int, ...], dtype: np.dtype[Any]) -> None:
+    """Raise CaromError unless results can be written into an array: compiled loops write beyond the end of a short one."""
+    expected = f"{field}: expected a contiguous array of shape {shape} and type {dtype}, to be written into"
+    if not isinstance(array, np.ndarray):
+        raise CaromError(f"{expected}, got {type(array).__name__}")
+    if array.shape != shape or array.dtype != dtype:
+        raise CaromError(f"{expected}, got shape {array.shape} and type {array.dtype}")
+    if not (array.flags.c_contiguous and array.flags.writeable):
+        raise CaromError(f"{expected}, got one that is {'read-only' if array.flags.c_contiguous else 'not contiguous'}")
+
+
+def one_normal(normal: ArrayLike) -> Array:
+    """Return a unit normal (3,), the same for all balls; CaromError for several normals."""
+    unit = unit_normal(normal)
+    if unit.ndim != 1:
+        raise CaromError(f"normal: expected 3 numbers, the same for all balls, got shape {unit.shape}")
+    return unit
 
 
 @functools.cache

@@ -14,7 +14,7 @@ from carom.bodies import Ball, State, Surface
 from carom.core.contact import wall_contact
 from carom.core.jit.kernel import Vec, kernel, prange
 from carom.errors import require_type
-from carom.laws.arrays import answer_rows, loop_for, require_approach, state_arrays, unit_normal
+from carom.laws.arrays import answer_rows, loop_for, one_normal, require_approach, state_arrays, unit_normal
 from carom.laws.law import (
     CONTACT_WALL,
     ON_WALL,
@@ -103,7 +103,8 @@ def impact_into(
     Parameters
     ----------
     out : State
-        Receives velocities (m/s) and spins (rad/s) after the contact, contiguous arrays of shape (N, 3).
+        Receives velocities (m/s) and spins (rad/s) after the contact, contiguous arrays of shape (N, 3); ``state`` itself is
+        written over. Begin with zeros: a State is not made of what ``np.empty`` leaves, which need not be a finite number.
     ball : Ball
         The same for all; its numbers are scalars.
     state : State
@@ -121,7 +122,7 @@ def impact_into(
     Raises
     ------
     CaromError
-        If an array of ``out`` has another shape or is not contiguous, or if the normal has zero length.
+        If an array of ``out`` has another shape or is not contiguous, for several normals, or one of zero length.
 
     Examples
     --------
@@ -134,7 +135,7 @@ def impact_into(
     """
     parameters = (ball.radius, ball.kappa, surface.restitution, surface.friction, surface.tangential_restitution)
     v, w, v1, w1 = state_arrays(state, out)
-    loop_for(contact_final_rows, len(state.velocity))(v, w, unit_normal(normal), np.array(parameters), v1, w1)
+    loop_for(contact_final_rows, len(v) // 3)(v, w, one_normal(normal), np.array(parameters), v1, w1)
 
 
 def contact_rows(

@@ -16,7 +16,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Ball, State, Surface
 from carom.core.jit.kernel import Vec, kernel, prange
-from carom.laws.arrays import loop_for, state_arrays, unit_normal
+from carom.errors import CaromError
+from carom.laws.arrays import loop_for, one_normal, reason_array, state_arrays
 from carom.laws.landing import landing_settings, rolling_after
 from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact
 from carom.laws.two_step import two_step_final, two_step_plain
@@ -48,8 +49,16 @@ ROOM = HELD * LANES
 
 @kernel
 def _steps(s: Array, lanes: int, q: Couplings, e: float) -> None:
-    """Take one step in each lane. In one flat array with fixed strides the compiler can see that lanes do not overlap."""
-    for i in range(lanes):
+    """Take one step in each lane. In one flat array with fixed strides the compiler can see that lanes do not overlap.
+
+    Steps are taken in whole groups of lanes. The lanes that fill the last group are copies of the first lane: what they held
+    before, memory that nobody wrote or a ball that is done, need not be a state from which a step can be taken.
+    """
+    whole = (lanes + TOGETHER - 1) // TOGETHER * TOGETHER
+    for i in range(lanes, whole):
+        for r in range(HELD):
+            s[i + r * LANES] = s[r * LANES]
+    for i in range(whole):
         state = (s[i], s[i + LANES], s[i + 2 * LANES], s[i + 3 * LANES], s[i + 4 * LANES], s[i + 5 * LANES])
         dw, df = (s[i + _DW], s[i + _DW + LANES]), (s[i + _DF], s[i + _DF + LANES])
         y, compressed, peak, reach, goes = glide(
@@ -131,8 +140,7 @@ def pressed_block(
                 if pressed_down(x, y, n, a, mu, h) and _enters(s, lanes, ball, x, y, n, a, kappa, muw, ef, muf, betaf):
                     lanes += 1
             ball += 1
-        # (the unused lanes at the end of the last group hold their previous contents)
-        _steps(s, (lanes + TOGETHER - 1) // TOGETHER * TOGETHER, q, e)
+        _steps(s, lanes, q, e)
         i = 0
         while i < lanes:
             if s[i + _GOES] == GOES:
@@ -225,7 +233,8 @@ def two_step_into(
     Parameters
     ----------
     out : State
-        Receives velocities (m/s) and spins (rad/s), contiguous arrays of shape (N, 3); NaN where the ball never rolls.
+        Receives velocities (m/s) and spins (rad/s), contiguous arrays of shape (N, 3); NaN where the ball never rolls. Begin with
+        zeros: a State is not made of what ``np.empty`` leaves, which need not be a finite number.
     why : array (N,) of int8
         Receives 0 where the ball rolls; elsewhere ``carom.laws.landing.REASONS[why]`` is the reason.
     ball : Ball
@@ -251,7 +260,8 @@ def two_step_into(
     Raises
     ------
     CaromError
-        If an array of ``out`` has another shape or is not contiguous, or for an invalid normal, gravity or height.
+        If ``why`` or an array of ``out`` has another shape or type, is not contiguous, or shares its memory with ``state``; for
+        several normals; for an invalid normal, gravity or height.
 
     Examples
     --------
@@ -269,5 +279,10 @@ def two_step_into(
         floor.restitution, floor.friction, floor.tangential_restitution, g, h,
     )  # fmt: skip
     v, w, v3, w3 = state_arrays(state, out)
-    loop = loop_for(two_step_final_rows, len(state.velocity))
-    loop(v, w, unit_normal(normal), np.array(parameters), together, v3, w3, why)
+    # (pressed balls are computed when the other balls of their block have been written)
+    if any(np.may_share_memory(x, y) for x in (v, w) for y in (v3, w3)):
+        raise CaromError(
+            "out: expected arrays apart from those of the state, got the same memory; write into a State of zeros"
+        )
+    loop = loop_for(two_step_final_rows, len(v) // 3)
+    loop(v, w, one_normal(normal), np.array(parameters), together, v3, w3, reason_array(state, why))
