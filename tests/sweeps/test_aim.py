@@ -17,8 +17,9 @@ from carom.core.jit.progress import announce, called_kernels
 from carom.simulation.compiled import loops_of
 from carom.simulation.records import BALL, WALL
 from carom.simulation.sensitivity.compiled import pass_loop
-from carom.sweeps.aiming import Aim, Aims, _Problem, is_linear
-from carom.sweeps.targets import targets_of
+from carom.sweeps.aim_problem import AimProblem
+from carom.sweeps.aiming import Aim, Aims, is_linear
+from carom.sweeps.targets import is_reached, sizes, targets_of
 from carom.sweeps.unknowns import unknowns_of
 
 GRAVITY = 9.80665
@@ -75,7 +76,7 @@ def test_a_ball_that_is_to_stop_at_a_place_has_the_speed_that_rolling_takes() ->
 )
 def test_the_gradient_of_a_miss_is_that_of_differences(reach: object, start: tuple[float, float]) -> None:
     scene = table_scene(duration=20.0)
-    problem = _Problem(scene, unknowns_of(scene, ["balls.0.velocity"], {}), targets_of(scene, reach))
+    problem = AimProblem(scene, unknowns_of(scene, ["balls.0.velocity"], {}), targets_of(scene, reach))
     x = np.array(start)
 
     def miss(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, object]:
@@ -143,6 +144,78 @@ def test_what_is_compiled_is_said_in_quarters(tmp_path: Path, monkeypatch: pytes
     assert quiet.stderr == ""
 
 
+def pool_pair(**run: float) -> carom.Scene:
+    """A table with pockets, the cue ball at its centre, and another ball."""
+    balls = [
+        carom.SceneBall(radius=0.028575, mass=0.17, position=(0, 0), velocity=(1, 0), rolling=True, name="cue"),
+        carom.SceneBall(radius=0.028575, mass=0.17, position=(0.9, 0.45), name="one"),
+    ]
+    floor = carom.Floor(restitution=0.5, friction=0.2, rolling_resistance=0.01, spin_friction=0.044)
+    contact = carom.BallContact(restitution=0.95, friction=0.06)
+    table = {"shape": "table", "preset": "pool-9ft"}
+    return carom.Scene(floor=floor, walls=[table], balls=balls, ball_contact=contact, run=carom.Run(**run))
+
+
+def test_a_ball_in_a_pocket_or_under_way_does_not_end_at_a_place() -> None:
+    place = (1.2, 0.58)  # in front of a corner pocket
+    best = carom.aim(pool_pair(duration=60), ["balls.0.velocity"], {"point": place, "within": 0.1}, starts=1024)
+    for one in best:
+        run = one.run
+        assert run.final_phase[0] in ("rest", "pivoting")
+        assert math.dist(run.final.position[0, :2], place) <= 0.1
+    with pytest.raises(carom.CaromError, match=r"the ball still moves when the run ends: a longer run\.duration"):
+        carom.aim(pool_pair(duration=1.0), {"balls.0.velocity": (2, 4)}, {"point": (0.5, 0), "within": 2.0}, starts=64)
+
+
+def test_a_solution_is_a_shot_that_counts_and_success_is_of_shots_that_count() -> None:
+    """Solutions and success, each told from runs by themselves: pot a ball, and leave the other within a distance of a place."""
+    scene, place, within = pool_pair(duration=60), (0.4, 0.1), 0.4
+
+    def counts(run: carom.Trajectory) -> bool:
+        apart = math.dist(run.final.position[0, :2], place)
+        return run.final_phase[1] == "pocketed" and run.final_phase[0] == "rest" and apart <= within
+
+    reach = [{"ball": "one", "pocket": "any"}, {"ball": "cue", "point": place, "within": within}]
+    best = carom.aim(scene, ["balls.0.velocity"], reach, starts=1 << 12, seed=3)
+    assert all(counts(one.run) for one in best)
+    one = best[0]
+    draws = np.random.default_rng(3).normal(size=(200, 2)) * [0.03 * one.values["speed"], 0.2]
+    shots = np.array(list(one.values.values())) + draws
+    starts = [(v * math.cos(math.radians(a)), v * math.sin(math.radians(a))) for v, a in shots]
+    runs = [carom.simulate(carom.replaced(scene, {"balls.0.velocity": start})) for start in starts]
+    assert one.chance == pytest.approx(np.mean([counts(run) for run in runs]), abs=0.0051)
+
+
+def test_within_is_a_distance() -> None:
+    (target,) = targets_of(bank(), {"point": (1.0, 0.0), "within": 0.1})
+    missed = np.array([[0.8, 0.8], [0.6, -0.6], [1.0, 0.0], [np.inf, np.inf]])
+    assert is_reached(target, missed).tolist() == [False, True, True, False]
+    assert sizes(target, missed)[0] == pytest.approx(math.hypot(0.8, 0.8))
+
+
+def test_a_target_that_is_reached_late_is_reached() -> None:
+    """After 30 cushions: more events than the coarse sweep looks at."""
+    walls = [carom.scene.Plane(point=(x, 0, 0), normal=(-x, 0, 0), law="mirror") for x in (-1.0, 1.0)]
+    places = {"white": (0.0, 0.0), "red": (0.0, 6.15)}
+    balls = [
+        carom.SceneBall(radius=0.05, mass=0.2, position=place, name=name, velocity=(0, 0), rolling=True)
+        for name, place in places.items()
+    ]
+    scene = carom.Scene(floor=carom.Floor(friction=0), walls=walls, balls=balls, run=carom.Run(duration=100))
+    targets = targets_of(scene, {"hit": "red"})
+    problem = AimProblem(scene, unknowns_of(scene, ["balls.0.velocity"], {}), targets)
+    x = np.array([[2.0, math.degrees(math.atan2(6.15, 60 * 0.95))], [2.0, 180.0]])
+    assert [event.kind for event in problem.follow(x[0])[0].events][:31] == ["wall"] * 30 + ["ball"]
+    assert problem.run_many(x)[1].tolist() == [False, False]
+    assert problem.judge(x)[1].tolist() == [True, False]
+
+
+def test_a_player_without_errors() -> None:
+    best = carom.aim(bank(), ["balls.0.velocity"], {"hit": "red"}, errors={"speed": 0, "angle": 0}, starts=256)
+    assert best[0].chance == 1.0
+    assert best[0].spread.tolist() == [0.0]
+
+
 def test_three_cushions() -> None:
     scene = table_scene(duration=20.0)
     best = carom.aim(scene, ["balls.0.velocity"], {"hit": ("red", "yellow"), "cushions": 3}, starts=4096, solutions=3)
@@ -207,6 +280,71 @@ def test_bad_input_is_said_at_once() -> None:
     assert len(error.value.faults) == 3
     with pytest.raises(carom.CaromError, match="free more numbers"):
         carom.aim(scene, ["balls.0.velocity"], {"hit": (1, 2), "cushions": 30}, starts=64)
+
+
+@pytest.mark.parametrize(
+    ("reach", "said"),
+    [
+        *[({"point": (1, 0), "within": bad}, "within: expected a length in m, > 0, got ") for bad in (-1, 0, math.nan, True)],
+        *[({"point": bad}, "point") for bad in ((math.nan, 0), (1,), 5, "1,0", (True, 0))],
+        *[({"hit": bad}, "hit: expected a ball") for bad in (True, -1, 7, 1.0, "", "blue", (), (True,), [[1]], {"red": 1})],
+        *[({"ball": bad, "hit": 1}, "ball: expected a ball of white, red") for bad in (False, -1, None, 0.0, [0])],
+        *[({"hit": 1, "cushions": bad}, "cushions: expected a whole number >= 0") for bad in (-1, True, 1.5, "2", None)],
+        *[({"hit": 1, "speed": bad}, "speed: expected a number > 0") for bad in (0, math.nan, math.inf, True)],
+        *[({"hit": 1, "speed": 1, "speed_within": bad}, "speed_within: expected a number > 0") for bad in (0, math.nan)],
+        *[({"pocket": bad}, "pocket: expected text") for bad in (3, True, b"any")],
+        ({"hit": (1, "red")}, "hit: expected each ball once, got red, red"),
+        ({"hit": 1, "within": 0.1}, "expected within with point only, got within = 0.1 with hit"),
+        ({"hit": 1, "speed_within": 0.1}, "expected speed_within with speed only"),
+        ({"point": (1, 0), "cushions": 1}, "expected cushions with hit only"),
+        *[(bad, "expected a target such as") for bad in (5, None, "red", [], [[]], {1: 2}, np.array(3))],
+    ],
+)  # fmt: skip
+def test_a_wrong_target_is_one_line(reach: object, said: str) -> None:
+    with pytest.raises(carom.CaromError) as error:
+        carom.aim(bank(), ["balls.0.velocity"], reach)
+    assert str(error.value).startswith("aim: reach: ")
+    assert said in str(error.value)
+    assert len(str(error.value).splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        *[{"errors": {"angle": bad}} for bad in (-1, math.nan, math.inf, True, "x", None)],
+        {"errors": 5}, {"errors": {3: 1}}, {"seed": -1}, {"starts": 10**12}, {"starts": True}, {"solutions": 1.5},
+        *[{"free": bad} for bad in (5, None, ["balls.0.velocity", "balls.white.velocity"], ["balls.0.spin_z"] * 2, [3])],
+        *[{"free": {"balls.0.velocity": bad}} for bad in (5, "ab", (1, 2, 3), (True, 2), (0, 1), (1, math.inf), None)],
+    ],
+)  # fmt: skip
+def test_a_wrong_setting_is_one_line(settings: dict[str, object]) -> None:
+    given = {"free": ["balls.0.velocity"], **settings}
+    with pytest.raises(carom.CaromError, match=rf"^aim: {next(iter(settings))}: .*expected .*, got ") as error:
+        carom.aim(bank(), reach={"hit": 1}, **given)  # type: ignore[arg-type]
+    assert len(str(error.value).splitlines()) == 1
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        ("--point 0,0 --within -1", "aim: reach: within: expected a length in m, > 0, got -1.0"),
+        ("--point 0,0 --within nan", "aim: reach: within: expected a length in m, > 0, got nan"),
+        ("--point nan,0", "aim: reach: point[0]: expected a length in m, got nan"),
+        ("--hit red --within 0.1", "aim: reach: expected within with point only, got within = 0.1 with hit"),
+        ("--hit red --pocket any", "aim: reach: expected one of point, pocket and hit, got pocket, hit"),
+        ("", "aim: reach: expected one of point, pocket and hit, got none of them"),
+        ("--hit red --error angle=nan", "aim: errors: angle: expected a number >= 0, got nan"),
+    ],
+)
+def test_the_command_refuses_as_the_library_does(tmp_path: Path, options: str, said: str) -> None:
+    from typer.testing import CliRunner
+
+    from carom.cli import app
+
+    carom.save_scene(bank(), tmp_path / "scene.toml")
+    done = CliRunner().invoke(app, ["aim", str(tmp_path / "scene.toml"), *options.split()])
+    assert isinstance(done.exception, carom.CaromError)
+    assert done.exception.faults == (said,)
 
 
 def test_the_command_line(tmp_path: Path) -> None:

@@ -110,19 +110,16 @@ def aim(
     found: list[str] = []
     require_outputs(found, {"--plot": plot})
     made = attempt(found, lambda: load_scene(scene, allow_own_laws=allow_own_laws))
-    target: dict[str, Any] = {"ball": ball}
-    if hit:
-        target |= {"hit": tuple(hit), "cushions": cushions}
-    elif cushions:
-        found.append("--cushions: expected --hit with it, got none")
-    if pocket is not None:
-        target["pocket"] = pocket
-    if point is not None:
-        target |= {"point": attempt(found, lambda: _numbers("--point", point, ",")), "within": within}
-    if sum(one is not None for one in (hit or None, pocket, point)) != 1:
-        found.append("aim: expected one of --hit, --pocket and --point")
-    if speed is not None:
-        target["speed"] = speed
+    place = None if point is None else attempt(found, lambda: _numbers("--point", point, ","))
+    target: dict[str, Any] = {
+        "ball": ball,
+        "hit": tuple(hit) if hit else None,
+        "cushions": cushions,
+        "pocket": pocket,
+        "point": place,
+        "within": within,
+        "speed": speed,
+    }
     struck = [i for i, one in enumerate(made.balls) if one.strike is not None] if made is not None else []
     usual = f"balls.{struck[0]}.strike" if struck else "balls.0.velocity"
     ranges = attempt(found, lambda: _ranges(free or [usual]))

@@ -6,6 +6,7 @@ import itertools
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from numbers import Integral
 from typing import Any
 
 import numpy as np
@@ -14,22 +15,18 @@ from numpy.typing import NDArray
 from carom.errors import CaromError, require_type
 from carom.files import import_optional
 from carom.formatting import format_number, html_table
-from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
 from carom.simulation.records import BALL, POCKETED_EVENT, WALL
-from carom.simulation.setup import SceneArrays, set_up
-from carom.simulation.simulate import simulate, simulate_many
-from carom.sweeps.starts import start_states
-from carom.sweeps.targets import EVENTS, TargetEvent, find, misses, residual, targets_of
-from carom.sweeps.unknowns import Unknown, columns_at, slopes_at, unknowns_of, values_at
+from carom.simulation.simulate import simulate
+from carom.sweeps.aim_problem import AimProblem, CoarseSweep, Signature, signature
+from carom.sweeps.targets import EVENTS, TargetEvent, find, targets_of
+from carom.sweeps.unknowns import Unknown, unknowns_of, values_at
 
 __all__ = ["Aim", "Aims", "aim", "is_linear"]
 
 Array = NDArray[np.float64]
-Signature = tuple[tuple[int, ...], ...]
-FOLLOWED = 20  # of walls, balls and pockets, that a run is followed for in the coarse sweep
-KINDS = ("wall", "ball", "pocketed")
 SEQUENCES, STARTS_EACH = 10, 2  # that are refined: sequences of events, and starts of each
+MOST_STARTS = 1 << 20
 DRAWS = 200  # of the player's errors, for the share of shots that succeed
 STEPS, ENOUGH = 8, 1e-3  # of least squares, at most; and a share of what is allowed that need not be improved on
 LINEAR = 3.0  # times what shots miss by, that gradients say at most
@@ -133,62 +130,6 @@ class Aims(Sequence[Aim]):
         return f"{html_table(*self.rows())}<p>{self.note}</p>"
 
 
-class _Problem:
-    """A scene, its unknowns, and its targets."""
-
-    def __init__(self, scene: Scene, unknowns: list[Unknown], targets: list[TargetEvent]) -> None:
-        self.scene, self.unknowns, self.targets = scene, unknowns, targets
-        self.low = np.array([one.low for one in unknowns])
-        self.high = np.array([one.high for one in unknowns])
-        self.paths = list(values_at(unknowns, self.low))
-
-    def sigma(self, x: Array) -> Array:
-        """Return the player's errors (U,) at a start."""
-        return np.array([one.sigma(value) for one, value in zip(self.unknowns, x, strict=True)])
-
-    def wrapped(self, x: Array) -> Array:
-        """Return starts with angles that go round within their range."""
-        circular = np.array([one.circular for one in self.unknowns])
-        return np.where(circular, self.low + np.mod(x - self.low, 360.0), x)
-
-    # --- many runs ---------------------------------------------------------------------------------------------------
-
-    def run_many(self, x: Array) -> tuple[Array, NDArray[np.int64], NDArray[np.void]]:
-        """Return by what (N, T) starts (N, U) miss the targets, the rows (N, T) of their events, and the logs (N, FOLLOWED)."""
-        setup = set_up(self.scene)
-        arrays = SceneArrays(setup.world, setup.features, np.tile(setup.balls, (len(x), 1)), setup.users)
-        columns = {path_match(self.scene, path): column for path, column in columns_at(self.unknowns, x).items()}
-        doubtful = start_states(self.scene, columns, arrays)
-        many = simulate_many(self.scene, arrays.balls["v"], arrays.balls["w"], events=FOLLOWED, kinds=KINDS)
-        miss, rows = np.full((len(x), len(self.targets)), np.inf), np.full((len(x), len(self.targets)), -1)
-        for k, target in enumerate(self.targets):
-            reached, rows[:, k] = find(target, many.events)
-            found = misses(target, many.events, rows[:, k], np.asarray(many.final.position)[:, target.ball])
-            miss[:, k] = np.where(reached & ~doubtful & (many.why == ""), found, np.inf)
-        return miss, rows, many.events
-
-    # --- one run -----------------------------------------------------------------------------------------------------
-
-    def follow(self, x: Array) -> tuple[Any, Signature, list[int]]:
-        """Run a start; return the run, the sequence of its events up to the last target, and the rows of the targets."""
-        run = simulate(replaced(self.scene, values_at(self.unknowns, x)))
-        rows = run.log[np.isin(run.log["kind"], EVENTS)]
-        found = [int(find(target, rows[None, :])[1][0]) for target in self.targets]
-        return run, signature(rows, self.targets, found), found
-
-    def miss(self, run: Any, found: list[int], derivatives: Any, x: Array) -> tuple[Array, Array]:
-        """Return what a run misses the targets by, as shares of what is allowed (R,), and its derivatives (R, U)."""
-        parts = [residual(target, run, row, derivatives) for target, row in zip(self.targets, found, strict=True)]
-        slopes = slopes_at(self.unknowns, x, derivatives.columns)
-        return np.concatenate([r for r, _d in parts]), np.concatenate([d for _r, d in parts]) @ slopes
-
-
-def signature(rows: Any, targets: Sequence[TargetEvent], found: Sequence[int]) -> Signature:
-    """Return the events that the targets depend on: all of them for a place, those up to the target's else."""
-    last = len(rows) - 1 if any(target.kind == "point" for target in targets) else max(found, default=-1)
-    return tuple((int(row["kind"]), int(row["ball"]), int(row["other"])) for row in rows[: last + 1])
-
-
 def aim(
     scene: Scene,
     free: Sequence[str] | Mapping[str, tuple[float, float]],
@@ -209,7 +150,8 @@ def aim(
         What may be chosen: a ball's ``velocity`` on the floor (speed 0.5 to 6 m/s, or the range given, and all directions),
         ``strike`` (speed and azimuth), ``strike.offset`` (side and top, up to half a radius), ``strike.elevation``, ``spin_z``.
     reach : mapping, or several
-        ``{"ball": 2, "point": (1.2, 0.4)}``: where it ends, within its radius, or ``"within"`` m; ``{"ball": 1, "pocket": "any"}``;
+        ``{"ball": 2, "point": (1.2, 0.4)}``: where it comes to rest, within its radius, or ``"within"`` m;
+        ``{"ball": 1, "pocket": "any"}``: it falls into a pocket, of that name or any;
         ``{"ball": 0, "hit": ("yellow", "red"), "cushions": 3}``: it touches both, and at least three cushions before the last one.
         ``"speed": 0.8``: and comes there with this speed (m/s), within a tenth, or ``"speed_within"`` m/s.
         Several must all be met: pot a ball and leave the cue ball at a place.
@@ -229,7 +171,7 @@ def aim(
     Aims
         Distinct solutions, each centred within its sequence of events; ordered by the share of shots that succeed.
 
-    Raises CaromError: unknown paths, balls and pockets; no start that reaches the target.
+    Raises CaromError: unknown paths, balls and pockets, numbers out of range; no start that reaches the target.
 
     Examples
     --------
@@ -246,23 +188,27 @@ def aim(
     unknowns: list[Unknown] = []
     targets: list[TargetEvent] = []
     try:
-        unknowns = unknowns_of(scene, free, errors or {})
+        unknowns = unknowns_of(scene, free, {} if errors is None else errors)
     except CaromError as error:
         faults += error.faults
     try:
         targets = targets_of(scene, reach)
     except CaromError as error:
         faults += error.faults
-    for name, value in (("solutions", solutions), ("starts", starts)):
-        if isinstance(value, bool) or not isinstance(value, int) or value < 1:
-            faults.append(f"aim: {name}: expected a whole number > 0, got {value!r:.60}")
+    for name, value, least, most in (
+        ("solutions", solutions, 1, math.inf), ("starts", starts, 1, MOST_STARTS), ("seed", seed, 0, math.inf)
+    ):  # fmt: skip
+        if isinstance(value, bool) or not isinstance(value, Integral) or not least <= value <= most:
+            span = f"from {least} to {most:,}" if most < math.inf else f">= {least}"
+            faults.append(f"aim: {name}: expected a whole number {span}, got {value!r:.60}")
     if faults:
         raise CaromError(*faults)
-    problem = _Problem(scene, unknowns, targets)
+    problem = AimProblem(scene, unknowns, targets)
     say = progress or (lambda _text: None)
     say(f"{starts:,} starts")
     refined: list[tuple[Array, Array, Any]] = []
-    for x0, sequence in _candidates(problem, starts):
+    sweep = _coarse(problem, starts)
+    for x0, sequence in _candidates(problem, sweep):
         say(f"refining, {len(refined)} so far")
         found = _refined(problem, x0, sequence)
         if found is not None:
@@ -271,42 +217,43 @@ def aim(
     say("the player's errors")
     made = _judged(problem, refined, draws)
     if not made:
-        raise CaromError(
-            f"aim: reach: expected a target that some of {starts:,} starts come near, got none; free more numbers, widen their"
-            " ranges, or try more starts"
-        )
+        advice = "free more numbers, widen their ranges, or try more starts"
+        if moving := int(sweep.moves.sum()):
+            advice += f"; in {moving:,} of them the ball still moves when the run ends: a longer run.duration"
+        raise CaromError(f"aim: reach: expected a target that some of {starts:,} starts come near, got none; {advice}")
     return Aims(made[:solutions], unknowns, targets)
 
 
-def _candidates(problem: _Problem, starts: int) -> Iterator[tuple[Array, Signature]]:
-    """Yield starts to be refined, with their sequences: of those that come nearest to the targets, some of each sequence."""
+def _coarse(problem: AimProblem, starts: int) -> CoarseSweep:
+    """Run starts that are spread over the ranges."""
     qmc = import_optional("scipy.stats.qmc", "aim")
     power = math.ceil(math.log2(starts))
     points = qmc.Sobol(len(problem.unknowns), scramble=False).random_base2(power)[:starts]
-    x = problem.low + points * (problem.high - problem.low)
-    miss, rows, logs = problem.run_many(x)
-    worst = miss.max(axis=1)
+    return problem.sweep(problem.low + points * (problem.high - problem.low))
+
+
+def _candidates(problem: AimProblem, sweep: CoarseSweep) -> Iterator[tuple[Array, Signature]]:
+    """Yield starts to be refined, with their sequences: of those that come nearest to the targets, some of each sequence."""
+    x, worst, reached = sweep.x, sweep.miss, sweep.reached
     groups: dict[Signature, list[int]] = {}
     for n in np.argsort(worst, kind="stable").tolist():
         if not math.isfinite(worst[n]):
             break
-        log = logs[n]
-        sequence = signature(log[np.isin(log["kind"], EVENTS)], problem.targets, rows[n].tolist())
-        groups.setdefault(sequence, []).append(n)
+        groups.setdefault(signature(sweep.codes[n], problem.targets, sweep.rows[n].tolist()), []).append(n)
     # (a sequence that many starts have is one that is easily kept; a place is mostly come near by a few)
-    reaches = {sequence: sum(worst[n] <= 1 for n in group) for sequence, group in groups.items()}
+    reaches = {sequence: int(reached[group].sum()) for sequence, group in groups.items()}
     order = sorted(groups, key=lambda one: (-reaches[one], worst[groups[one][0]]))
     for sequence in order[:SEQUENCES]:
         chosen: list[int] = []
         for n in groups[sequence]:
-            if all((np.abs(x[n] - x[k]) > APART * problem.sigma(x[n])).any() for k in chosen):
+            if all((np.abs(x[n] - x[k]) > APART * problem.scale(x[n])).any() for k in chosen):
                 chosen.append(n)
                 yield x[n], sequence
             if len(chosen) == STARTS_EACH:
                 break
 
 
-def _refined(problem: _Problem, x0: Array, sequence: Signature) -> tuple[Array, Array, Any] | None:
+def _refined(problem: AimProblem, x0: Array, sequence: Signature) -> tuple[Array, Array, Any] | None:
     """Bring a start to the middle of its target, within its sequence; return it, its miss's derivatives (R, U), and its run."""
     optimize = import_optional("scipy.optimize", "aim")
     known: dict[bytes, tuple[Array, Array, Any]] = {}
@@ -317,13 +264,16 @@ def _refined(problem: _Problem, x0: Array, sequence: Signature) -> tuple[Array, 
             size = sum(len(target.windows) for target in problem.targets)
             lost = np.full(size, LOST), np.zeros((size, len(x))), None
             known[key] = lost
-            run, its, found = problem.follow(x)
-            if its == sequence:
-                try:
-                    derivatives = run.sensitivity(problem.paths)
-                    known[key] = (*problem.miss(run, found, derivatives, x), run)
-                except CaromError:  # (a graze: no derivative exists)
-                    known[key] = lost
+            try:
+                run, its, found = problem.follow(x)
+                if its == sequence:
+                    miss, derivatives = problem.miss(run, found, run.sensitivity(problem.paths), x)
+                    if np.isfinite(miss).all() and np.isfinite(derivatives).all():
+                        known[key] = miss, derivatives, (run, found)
+            except (
+                CaromError
+            ):  # (a start that the scene refuses, an event without an answer, a graze without a derivative)
+                pass
         return known[key]
 
     if at(x0)[2] is None:
@@ -336,7 +286,7 @@ def _refined(problem: _Problem, x0: Array, sequence: Signature) -> tuple[Array, 
             x0,
             jac=lambda x: at(x)[1],
             bounds=bounds,
-            x_scale=problem.sigma(x0),
+            x_scale=problem.scale(x0),
             max_nfev=STEPS,
             ftol=ENOUGH,
             xtol=ENOUGH,
@@ -344,18 +294,18 @@ def _refined(problem: _Problem, x0: Array, sequence: Signature) -> tuple[Array, 
         )
     except ValueError:  # (a start on the border of its range)
         return None
-    miss, slopes, run = at(found.x)
-    return None if run is None or np.abs(miss).max() > 1 else (found.x, slopes, run)
+    _miss, slopes, followed = at(found.x)
+    return (found.x, slopes, followed[0]) if followed is not None and problem.reaches(*followed) else None
 
 
-def _judged(problem: _Problem, refined: list[tuple[Array, Array, Any]], draws: Array) -> list[Aim]:
+def _judged(problem: AimProblem, refined: list[tuple[Array, Array, Any]], draws: Array) -> list[Aim]:
     """Return distinct solutions with the share of shots that succeed, in its order."""
     found: list[tuple[float, Array, Aim]] = []
     if not refined:
         return []
     tried = [x + draws * problem.sigma(x) for x, _slopes, _run in refined]
-    miss, _rows, _logs = problem.run_many(np.clip(np.concatenate(tried), *_wide(problem)))
-    success = (miss <= 1).all(axis=1).reshape(len(refined), len(draws)).mean(axis=1)
+    miss, reached = problem.judge(np.clip(np.concatenate(tried), *_wide(problem)))
+    success = reached.reshape(len(refined), len(draws)).mean(axis=1)
     windows = np.concatenate([target.windows for target in problem.targets])
     each = miss.max(axis=1).reshape(len(refined), len(draws))
     for (x, slopes, run), chance, missed in zip(refined, success, each, strict=True):
@@ -371,7 +321,7 @@ def _judged(problem: _Problem, refined: list[tuple[Array, Array, Any]], draws: A
     found.sort(key=lambda item: (-item[0], float(item[2].spread.max())))
     kept: list[tuple[Array, Aim]] = []
     for _chance, x, one in found:
-        near = [(np.abs(_turn(problem, x - other)) <= APART * problem.sigma(x)).all() for other, _aim in kept]
+        near = [(np.abs(_turn(problem, x - other)) <= APART * problem.scale(x)).all() for other, _aim in kept]
         if not any(near):
             kept.append((x, one))
     return [one for _x, one in kept]
@@ -389,13 +339,13 @@ def is_linear(predicted: Array, missed: Array) -> bool:
     return bool(said <= LINEAR * max(1.0, float(np.median(missed[known]))))
 
 
-def _turn(problem: _Problem, x: Array) -> Array:
+def _turn(problem: AimProblem, x: Array) -> Array:
     """Return differences of starts, of angles that go round the shorter one."""
     circular = np.array([one.circular for one in problem.unknowns])
     return np.where(circular, (x + 180.0) % 360.0 - 180.0, x)
 
 
-def _wide(problem: _Problem) -> tuple[Array, Array]:
+def _wide(problem: AimProblem) -> tuple[Array, Array]:
     """Return limits of starts that a player's errors may reach: speeds stay positive, and miscues are left to the scene."""
     low = np.array([1e-3 if one.name == "speed" else -np.inf for one in problem.unknowns])
     return low, np.full(len(low), np.inf)
@@ -407,11 +357,11 @@ def _names(unknowns: Sequence[Unknown]) -> list[str]:
     return [name if names.count(name) == 1 else f"{one.path}.{name}" for name, one in zip(names, unknowns, strict=True)]
 
 
-def _sequence(problem: _Problem, run: Any) -> tuple[tuple[str, ...], float]:
+def _sequence(problem: AimProblem, run: Any) -> tuple[tuple[str, ...], float]:
     """Return what the balls of the targets meet, up to the last target, and the time of that."""
     scene = problem.scene
     rows = run.log[np.isin(run.log["kind"], EVENTS)]
-    found = [int(find(target, rows[None, :])[1][0]) for target in problem.targets]
+    found = [int(find(target, rows[None, :])[0]) for target in problem.targets]
     to_the_end = any(target.kind == "point" for target in problem.targets)
     last = len(rows) if to_the_end else max(found) + 1
     balls = {target.ball for target in problem.targets}

@@ -1,32 +1,70 @@
 """Targets of a shot: a place, a pocket, balls to be hit after so many cushions; found in the logs of many runs, and in one run.
 
 What a shot misses by is a number that varies smoothly with its start while the sequence of events stays: for a ball that is to be
-hit, the impact parameter (offset of the balls' centres across their relative motion); for a pocket, that of the ball and the
-pocket's centre; for a place, the distance along x and y. The speed with which a ball comes there may be a second one.
+hit, the impact parameter (offset of the balls' centres across their relative motion); for a pocket, the impact parameter of the
+ball and the pocket's centre; for a place, the distances along x and y. The speed with which a ball comes there may be a second one.
+
+Many runs and one run are judged by the same functions (``find``, ``residuals``, ``is_reached``): a solution that is returned is a
+shot that counts as a success.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any, Literal, NamedTuple
+from numbers import Integral
+from typing import Annotated, Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, PlainValidator, Strict, model_validator
 
+from carom.core.motion.phases import HELD, PHASES, PIVOTING, REST
 from carom.errors import CaromError, did_you_mean
 from carom.scene.paths import ball_index
 from carom.scene.scene import Scene
-from carom.scene.schema import Model
+from carom.scene.schema import Fault, Model, Number, Place, Size, Unquoted
 from carom.simulation.records import BALL, POCKETED_EVENT, WALL
 
-__all__ = ["EVENTS", "Target", "TargetEvent", "find", "misses", "residual", "targets_of"]
+__all__ = [
+    "EVENTS", "Outcomes", "Target", "TargetEvent", "find", "is_reached", "residuals", "sizes", "slopes", "targets_of",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 WHERE = "aim: reach"
+EXAMPLE = "a target such as {'ball': 0, 'hit': 1}"
 # Kinds of events among which targets are looked for.
 EVENTS = (WALL, BALL, POCKETED_EVENT)
+# Phases in which a ball ends at a place: in flight, in a pocket, beside the table and while it rolls it does not.
+LYING = (REST, PIVOTING, HELD)
+
+
+def _several(value: Any) -> tuple[Any, ...] | None:
+    """Return several things as a tuple; None for one."""
+    if isinstance(value, str | bytes | Mapping | Target):
+        return None
+    try:
+        return tuple(value)
+    except TypeError:  # (no sequence, or an array without axes, which says that it is one)
+        return None
+
+
+def _hits(value: Any) -> Any:
+    """Return balls to be hit: one, or a tuple of several (``ball_index`` says of each whether it is a ball)."""
+    if (several := _several(value)) is None:
+        return value
+    if not several:
+        raise Fault("a ball, or several of them", value).error()
+    return several
+
+
+def _cushions(value: Any) -> int:
+    if isinstance(value, bool) or not isinstance(value, Integral) or value < 0:
+        raise Fault("a whole number >= 0", value).error()
+    return int(value)
+
+
+PositiveSpeed = Annotated[float, BeforeValidator(Number("a number > 0", "m/s", least=0, above=True))]
 
 
 class Target(Model):
@@ -35,8 +73,8 @@ class Target(Model):
     Parameters
     ----------
     ball : number or name of the ball; default: 0
-    point : (x, y), m, where it is to end
-    within : m: how far from there it may end; default: its radius
+    point : (x, y), m, where it is to come to rest, on the table
+    within : m: how far from there it may lie; default: its radius
     pocket : name of a pocket, or "any"
     hit : number or name of a ball that it is to touch, or several of them, in any order
     cushions : number of cushions that it touches before the last of them, at least; default: 0
@@ -44,25 +82,28 @@ class Target(Model):
     speed_within : m/s: by how much the speed may be another; default: a tenth of it
     """
 
-    ball: int | str = 0
-    point: tuple[float, float] | None = None
-    within: float | None = None
-    pocket: str | None = None
-    hit: int | str | tuple[int | str, ...] | None = None
-    cushions: int = 0
-    speed: float | None = Field(default=None, gt=0, allow_inf_nan=False)
-    speed_within: float | None = Field(default=None, gt=0, allow_inf_nan=False)
+    ball: Annotated[int | str, PlainValidator(lambda value: value)] = 0
+    point: Place | None = None
+    within: Size | None = None
+    pocket: Annotated[str, Strict()] | None = None
+    hit: Annotated[int | str | tuple[int | str, ...] | None, PlainValidator(_hits)] = None
+    cushions: Annotated[int, BeforeValidator(_cushions)] = 0
+    speed: PositiveSpeed | None = None
+    speed_within: PositiveSpeed | None = None
 
     @model_validator(mode="after")
     def _one_aim(self) -> Target:
-        if sum(one is not None for one in (self.point, self.pocket, self.hit)) != 1:
-            raise ValueError("expected one of point, pocket and hit")
-        if self.cushions and self.hit is None:
-            raise ValueError("expected cushions with hit only")
-        if self.speed is not None and self.point is not None:
-            raise ValueError("expected speed with hit or pocket: at its place the ball ends at rest")
-        if self.speed_within is not None and self.speed is None:
-            raise ValueError("expected speed_within with speed only")
+        aims = {name: value for name in ("point", "pocket", "hit") if (value := getattr(self, name)) is not None}
+        if len(aims) != 1:
+            raise Fault("one of point, pocket and hit", Unquoted(", ".join(aims) or "none of them")).error()
+        for name, fits, expected in (
+            ("within", "point" in aims, "within with point only"),
+            ("cushions", "hit" in aims, "cushions with hit only"),
+            ("speed", "point" not in aims, "speed with hit or pocket: at its place the ball ends at rest"),
+            ("speed_within", self.speed is not None, "speed_within with speed only"),
+        ):
+            if getattr(self, name) and not fits:
+                raise Fault(expected, Unquoted(f"{name} = {getattr(self, name):g} with {', '.join(aims)}")).error()
         return self
 
 
@@ -92,16 +133,21 @@ def targets_of(scene: Scene, reach: Any) -> list[TargetEvent]:
     """Return targets in numbers. CaromError for balls and pockets that are not there, all at once."""
     found: list[TargetEvent] = []
     faults: list[str] = []
-    given = [reach] if isinstance(reach, Mapping | Target) else list(reach)
+    several = _several(reach)
+    given = (reach,) if several is None else several
     for k, one in enumerate(given):
         where = WHERE if len(given) == 1 else f"{WHERE}[{k}]"
+        if not isinstance(one, Target) and not (
+            isinstance(one, Mapping) and all(isinstance(name, str) for name in one)
+        ):
+            faults.append(f"{where}: expected {EXAMPLE}, got {' '.join(repr(one).split()):.60}")
+            continue
         try:
-            target = one if isinstance(one, Target) else Target(**dict(one))
-            found.append(_event_of(scene, target, where))
+            found.append(_event_of(scene, one if isinstance(one, Target) else Target(**one), where))
         except CaromError as error:
             faults += [fault.replace("Target:", f"{where}:", 1) for fault in error.faults]
     if not given:
-        faults.append(f"{WHERE}: expected a target such as {{'ball': 0, 'hit': 1}}, got none")
+        faults.append(f"{WHERE}: expected {EXAMPLE}, got none")
     if faults:
         raise CaromError(*faults)
     return found
@@ -131,6 +177,8 @@ def _event_of(scene: Scene, target: Target, where: str) -> TargetEvent:
     assert target.hit is not None
     hits = target.hit if isinstance(target.hit, tuple) else (target.hit,)
     others = tuple(ball_index(scene, one, f"{where}: hit") for one in hits)
+    if len(set(others)) < len(others):
+        raise CaromError(f"{where}: hit: expected each ball once, got {', '.join(scene.ball_names[k] for k in others)}")
     if ball in others:
         raise CaromError(
             f"{where}: hit: expected balls other than the one that hits them, got {scene.ball_names[ball]} itself"
@@ -139,18 +187,32 @@ def _event_of(scene: Scene, target: Target, where: str) -> TargetEvent:
     return TargetEvent("hit", ball, others, target.cushions, point, (width, *more), none, speed)
 
 
-# --- in logs ----------------------------------------------------------------------------------------------------------
+# --- what runs did ----------------------------------------------------------------------------------------------------
 
 
-def find(target: TargetEvent, log: NDArray[np.void]) -> tuple[NDArray[np.bool_], NDArray[np.int64]]:
-    """Return which of N runs reach a target, and the row of the event at which they do, for logs (N, M).
+class Outcomes(NamedTuple):
+    """What N runs did, as far as targets ask for it."""
 
-    Rows are of walls, balls and pockets; a meeting of two balls has two rows, one for each, one after the other. A place has no
-    event: all runs reach it somewhere.
-    """
+    log: NDArray[np.void]
+    """(N, M): rows of walls, balls and pockets; a meeting of two balls has two rows, one for each, one after the other."""
+    position: Array
+    """(N, B, 3), m: where the balls are at the end."""
+    phase: NDArray[np.int64]
+    """(N, B): the balls' phases at the end."""
+
+    @classmethod
+    def of_run(cls, run: Any) -> Outcomes:
+        """Return the outcome of one run: N = 1."""
+        log = run.log[np.isin(run.log["kind"], EVENTS)]
+        phase = np.array([PHASES.index(name) for name in run.final_phase])
+        return cls(log[None, :], run.final.position[None, :], phase[None, :])
+
+
+def find(target: TargetEvent, log: NDArray[np.void]) -> NDArray[np.int64]:
+    """Return the row (N,) of the event at which runs reach a target, for logs (N, M); -1 where none does. A place has no event."""
     count, width = log.shape
     if target.kind == "point" or width == 0:
-        return np.full(count, target.kind == "point"), np.full(count, -1)
+        return np.full(count, -1)
     mine = log["ball"] == target.ball
     far = width + 1
     if target.kind == "pocket":
@@ -160,74 +222,94 @@ def find(target: TargetEvent, log: NDArray[np.void]) -> tuple[NDArray[np.bool_],
         row = np.zeros(count, np.int64)
         for other in target.others:
             there = (log["kind"] == BALL) & mine & (log["other"] == other)
+            if width > 1:  # (a log that is cut off between the two rows of a meeting does not have it)
+                there[:, -1] &= (log["ball"][:, -2] == other) & (log["t"][:, -2] == log["t"][:, -1])
             row = np.maximum(row, np.where(there.any(axis=1), there.argmax(axis=1), far))
         cushions = ((log["kind"] == WALL) & mine).cumsum(axis=1)
         before = cushions[np.arange(count), np.minimum(row, width - 1)]
         row = np.where(before >= target.cushions, row, far)
-    return row < far, np.where(row < far, row, -1)
+    return np.where(row < far, row, -1)
 
 
-def misses(target: TargetEvent, log: NDArray[np.void], rows: NDArray[np.int64], final: Array) -> Array:
-    """Return by what N runs miss a target, as shares of what is allowed: (N,); infinite where it is not reached.
+def residuals(target: TargetEvent, done: Outcomes, rows: NDArray[np.int64]) -> Array:
+    """Return by what N runs miss a target, as shares of what is allowed: (N, R); infinite where they do not come to it.
 
-    ``final`` (N, 3): the ball's final places.
+    ``rows`` (N,): of the target's events. A run comes to an event where that happens, and to a place, be it near or far, where the
+    ball lies at the end.
     """
-    if target.kind == "point":
-        apart = final[:, :2] - np.array(target.point)
-        return np.asarray(np.linalg.norm(apart, axis=1) / target.windows[0])
-    found = np.full(len(log), np.inf)
-    n = np.flatnonzero(rows >= 0)
-    own = log[n, rows[n]]
-    if target.kind == "pocket":
-        r, u = target.centers[own["other"]] - own["x"][:, :2], own["v_before"][:, :2]
-    else:
-        after = np.minimum(rows[n] + 1, log.shape[1] - 1)
-        other = np.where((log[n, after]["ball"] == own["other"]) & (log[n, after]["t"] == own["t"]), after, rows[n] - 1)
-        met = log[n, other]
-        r, u = (met["x"] - own["x"])[:, :2], (own["v_before"] - met["v_before"])[:, :2]
-    found[n] = np.abs(r[:, 0] * u[:, 1] - r[:, 1] * u[:, 0]) / np.hypot(u[:, 0], u[:, 1]) / target.windows[0]
-    if target.speed is not None:
-        off = np.abs(np.hypot(own["v_before"][:, 0], own["v_before"][:, 1]) - target.speed)
-        found[n] = np.maximum(found[n], off / target.windows[1])
-    return found
-
-
-# --- in one run -------------------------------------------------------------------------------------------------------
-
-
-def residual(target: TargetEvent, run: Any, row: int, derivatives: Any) -> tuple[Array, Array]:
-    """Return by what a run misses a target, as shares of what is allowed (R,), and its derivatives (R, p).
-
-    ``row``: of the target's event among the log's rows of walls, balls and pockets; ``derivatives``: the run's sensitivity.
-    """
-    if target.kind == "point":
-        at = run.final.position[target.ball, :2]
-        return (at - np.array(target.point)) / target.windows[0], derivatives.final.position[
-            target.ball, :2
-        ] / target.windows[0]
-    log = run.log
-    k = int(np.flatnonzero(np.isin(log["kind"], EVENTS))[row])
-    x, dx, v, dv = _arrival(run, k, derivatives)
-    if target.kind == "pocket":
-        r, u, dr, du = target.centers[int(log["other"][k])] - x, v, -dx, dv
-    else:
-        # (a meeting of two balls has two rows, one after the other)
-        after = k + 1 < len(log) and log["ball"][k + 1] == log["other"][k] and log["t"][k + 1] == log["t"][k]
-        y, dy, w, dw = _arrival(run, k + 1 if after else k - 1, derivatives)
-        r, u, dr, du = y - x, v - w, dy - dx, dv - dw
-    size = math.hypot(*u)
-    b = (r[0] * u[1] - r[1] * u[0]) / size
-    cross = dr[0] * u[1] - dr[1] * u[0] + r[0] * du[1] - r[1] * du[0]
-    db = cross / size - b * (u[0] * du[0] + u[1] * du[1]) / size**2
-    miss, slopes = [b], [db]
-    if target.speed is not None:
-        speed = math.hypot(*v)
-        miss, slopes = [b, speed - target.speed], [db, (v[0] * dv[0] + v[1] * dv[1]) / speed]
     windows = np.array(target.windows)
-    return np.array(miss) / windows, np.stack(slopes) / windows[:, None]
+    if target.kind == "point":
+        lies = np.isin(done.phase[:, target.ball], LYING)
+        apart = done.position[:, target.ball, :2] - np.array(target.point)
+        return np.where(lies[:, None], apart / windows, np.inf)
+    found = np.full((len(rows), len(windows)), np.inf)
+    n = np.flatnonzero(rows >= 0)
+    r, u, v, _other = _meeting(target, done.log, n, rows[n])
+    found[n, 0] = _impact_parameter(r, u)
+    if target.speed is not None:
+        found[n, 1] = np.hypot(v[:, 0], v[:, 1]) - target.speed
+    return np.asarray(found / windows)
 
 
-def _arrival(run: Any, k: int, derivatives: Any) -> tuple[Array, Array, Array, Array]:
-    """Return place and velocity (2,) with which the ball of a row comes to its event, and their derivatives (2, p) there."""
-    row, event = run.log[k], derivatives.events[k - len(run.scene.balls)]
-    return row["x"][:2], event.position[:2], row["v_before"][:2], event.velocity_before[:2]
+def sizes(target: TargetEvent, missed: Array) -> Array:
+    """Return residuals (N, R) as one number each (N,): the distance from a place, the largest of others."""
+    if target.kind == "point":
+        return np.asarray(np.hypot(missed[:, 0], missed[:, 1]))
+    return np.asarray(np.abs(missed).max(axis=1))
+
+
+def is_reached(target: TargetEvent, missed: Array) -> NDArray[np.bool_]:
+    """Return which of N runs with residuals (N, R) reach a target: at a place within the distance, at an event with the speed."""
+    asked = missed if target.kind == "point" else missed[:, 1:]
+    within = sizes(target, asked) <= 1 if asked.shape[1] else True
+    return np.asarray(np.isfinite(missed[:, 0]) & within)
+
+
+def slopes(target: TargetEvent, run: Any, row: int, derivatives: Any) -> Array:
+    """Return the derivatives (R, p) of the residuals of a run that comes to the target; ``derivatives``: the run's sensitivity."""
+    windows = np.array(target.windows)[:, None]
+    if target.kind == "point":
+        return np.asarray(derivatives.final.position[target.ball, :2] / windows)
+    places = np.flatnonzero(np.isin(run.log["kind"], EVENTS))
+    (r,), (u,), (v,), (other,) = _meeting(target, run.log[places][None, :], np.array([0]), np.array([row]))
+    dx, dv = _slopes_at(run, places[row], derivatives)
+    if target.kind == "pocket":
+        dr, du = -dx, dv
+    else:
+        dy, dw = _slopes_at(run, places[other], derivatives)
+        dr, du = dy - dx, dv - dw
+    size, b = math.hypot(*u), float(_impact_parameter(r, u))
+    cross = dr[0] * u[1] - dr[1] * u[0] + r[0] * du[1] - r[1] * du[0]
+    found = [cross / size - b * (u[0] * du[0] + u[1] * du[1]) / size**2]
+    if target.speed is not None:
+        found.append((v[0] * dv[0] + v[1] * dv[1]) / math.hypot(*v))
+    return np.asarray(np.stack(found) / windows)
+
+
+def _meeting(
+    target: TargetEvent, log: NDArray[np.void], n: NDArray[np.int64], rows: NDArray[np.int64]
+) -> tuple[Array, Array, Array, NDArray[np.int64]]:
+    """Return r, u, v (K, 2) just before the target's events, rows of runs ``n`` (K,), and the rows of the other ball (K,).
+
+    r: from the ball to the ball or pocket that it meets; u: its velocity relative to it; v: its velocity.
+    """
+    own = log[n, rows]
+    v = own["v_before"][:, :2]
+    if target.kind == "pocket":
+        return target.centers[own["other"]] - own["x"][:, :2], v, v, rows
+    after = np.minimum(rows + 1, log.shape[1] - 1)
+    follows = (log[n, after]["ball"] == own["other"]) & (log[n, after]["t"] == own["t"])
+    other = np.where(follows, after, rows - 1)
+    met = log[n, other]
+    return (met["x"] - own["x"])[:, :2], v - met["v_before"][:, :2], v, other
+
+
+def _impact_parameter(r: Array, u: Array) -> Array:
+    across, size = r[..., 0] * u[..., 1] - r[..., 1] * u[..., 0], np.hypot(u[..., 0], u[..., 1])
+    return np.asarray(np.divide(across, size, out=np.zeros_like(across), where=size > 0))
+
+
+def _slopes_at(run: Any, k: int, derivatives: Any) -> tuple[Array, Array]:
+    """Return the derivatives (2, p) of place and velocity with which the ball of a row of the log comes to its event."""
+    event = derivatives.events[k - len(run.scene.balls)]
+    return event.position[:2], event.velocity_before[:2]

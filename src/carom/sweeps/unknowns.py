@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.geometry.angles import direction
-from carom.errors import CaromError, shortened_list
+from carom.errors import MAX_MAGNITUDE, CaromError, float_or_nan, shortened_list
 from carom.scene.paths import path_match
 from carom.scene.scene import Scene
 
@@ -38,7 +38,13 @@ PARTS = {
     "offset": ("side", "top"),
     **{name: (name,) for name in ("azimuth", "elevation", "spin_z")},
 }
+# Within what a range may lie.
+LIMITS = {"speed": (0.0, MAX_MAGNITUDE), "elevation": (0.0, 90.0), "side": (-1.0, 1.0), "top": (-1.0, 1.0)}
 WHERE = "aim: free"
+EXPECTED = (
+    "expected one ball's velocity, spin_z, strike, or strike.offset, .azimuth, .elevation, .speed, such as"
+    " 'balls.0.velocity'"
+)
 
 
 class Unknown(NamedTuple):
@@ -73,8 +79,11 @@ def unknowns_of(
     """Return the unknowns that paths stand for. CaromError for paths that are no part of a ball's start, all at once."""
     ranges = dict(free) if isinstance(free, Mapping) else {}
     found: list[Unknown] = []
-    known = shortened_list(list(ERRORS))
-    faults = [f"aim: errors: expected names of {known}, got {name!r:.60}" for name in sorted(set(errors) - set(ERRORS))]
+    faults = _faults_of_errors(errors)
+    if isinstance(free, bytes) or not isinstance(free, Iterable):
+        faults.append(f"{WHERE}: {EXPECTED}, got {free!r:.60}")
+        free = ()
+    freed: dict[tuple[Any, str], str] = {}  # which path frees a number of a ball
     for path in [free] if isinstance(free, str) else free:
         try:
             (keys, *others) = path_match(scene, path, WHERE).places
@@ -88,25 +97,53 @@ def unknowns_of(
         if last == "strike" and getattr(scene.balls[int(keys[1])], "strike", None) is None:
             parts = ()
         if not parts:
-            faults.append(
-                f"{WHERE}: expected one ball's velocity, spin_z, strike, or strike.offset, .azimuth, .elevation, .speed, such as"
-                f" 'balls.0.velocity', got {path!r:.60}"
-            )
+            faults.append(f"{WHERE}: {EXPECTED}, got {path!r:.60}")
         if not scene.floor and "velocity" in keys:
             faults.append(
                 f"{WHERE}: {path}: expected a scene with a floor, got one without; free the ball's strike there"
             )
         for part in parts:
-            low, high = ranges.get(path, RANGES[part]) if part not in ("angle", "azimuth") or len(parts) == 1 else ANGLE
+            if (keys[1], part) in freed:
+                faults.append(f"{WHERE}: expected each number once, got {part} by {freed[keys[1], part]} and {path}")
+                break
+            freed[keys[1], part] = path
+            given = ranges.get(path, RANGES[part]) if part not in ("angle", "azimuth") or len(parts) == 1 else ANGLE
             own = path if last != "strike" else f"{path}.{part}"
-            if not (math.isfinite(low) and math.isfinite(high) and low < high) or (part == "speed" and low <= 0):
-                faults.append(f"{WHERE}: {path}: expected a range (low, high) of {part}, got ({low!r}, {high!r})")
-            found.append(Unknown(part, own, float(low), float(high), float(errors.get(part, ERRORS[part]))))
+            least, most = LIMITS.get(part, (-math.inf, math.inf))
+            low, high = _range(given)
+            if not (low < high and least <= low and high <= most and (part != "speed" or low > 0)):
+                span = "" if part not in LIMITS else " > 0" if part == "speed" else f" from {least:g} to {most:g}"
+                faults.append(f"{WHERE}: {path}: expected a range (low, high) of {part}{span}, got {given!r:.60}")
+                continue
+            found.append(Unknown(part, own, low, high, errors.get(part, ERRORS[part]) if not faults else 0.0))
     if not found and not faults:
         faults.append(f"{WHERE}: expected paths such as ['balls.0.velocity'], got none")
     if faults:
         raise CaromError(*faults)
     return found
+
+
+def _faults_of_errors(errors: Any) -> list[str]:
+    """Return what is wrong with the player's errors."""
+    known = shortened_list(list(ERRORS))
+    if not isinstance(errors, Mapping):
+        return [f"aim: errors: expected a mapping of {known} to numbers, got {errors!r:.60}"]
+    faults = []
+    for name, value in errors.items():
+        if name not in ERRORS:
+            faults.append(f"aim: errors: expected names of {known}, got {name!r:.60}")
+        elif isinstance(value, bool) or not 0 <= float_or_nan(value) <= MAX_MAGNITUDE:
+            faults.append(f"aim: errors: {name}: expected a number >= 0, got {value!r:.60}")
+    return faults
+
+
+def _range(given: Any) -> tuple[float, float]:
+    """Return low and high of a range; NaN where it is not one."""
+    pair = tuple(given) if isinstance(given, Iterable) and not isinstance(given, str) else ()
+    low, high = (
+        (math.nan if isinstance(x, bool) else float_or_nan(x) for x in pair) if len(pair) == 2 else (math.nan,) * 2
+    )
+    return (low, high) if max(abs(low), abs(high)) <= MAX_MAGNITUDE else (math.nan, math.nan)
 
 
 def _polar(unknowns: Sequence[Unknown]) -> list[tuple[int, int]]:
