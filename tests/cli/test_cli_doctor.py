@@ -33,6 +33,8 @@ def test_doctor_says_what_is_there() -> None:
     assert found["optional"]["scipy"]["extra"] == "fit"
     assert found["cores"] >= found["threads"] >= 1
     assert Path(found["cache"]["folder"]).name
+    assert found["cache"]["versions"] >= 1
+    assert found["cache"]["all_megabytes"] >= found["cache"]["megabytes"]
     table = carom_command("doctor", COLUMNS="60")
     assert table.returncode == 0
     assert "numba" in table.stdout

@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 
 from carom.core.jit.compile import is_cached
-from carom.core.jit.shared_cache import Locator, _locked
+from carom.core.jit.file_locks import locked
+from carom.core.jit.shared_cache import Locator
 
 # A module of carom's, at a path of its own; it prints how often its loop was compiled, and how often it was loaded.
 MODULE = """
@@ -47,17 +48,17 @@ def test_two_installations_compile_a_loop_once(tmp_path: Path) -> None:
 
 
 def test_functions_of_others_keep_numbas_own_place(monkeypatch: pytest.MonkeyPatch) -> None:
-    assert isinstance(Locator.from_function(_locked, __file__), Locator)
+    assert isinstance(Locator.from_function(locked, __file__), Locator)
     monkeypatch.setattr("numba.config.CACHE_DIR", "")
     assert Locator.from_function(lambda x: x, __file__) is None
 
 
 def test_a_lock_that_cannot_be_had_is_done_without(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("carom.core.jit.shared_cache.LONGEST_WAIT", 0.1)
+    monkeypatch.setattr("carom.core.jit.file_locks.LONGEST_WAIT", 0.1)
     (tmp_path / "file").touch()
-    with _locked(tmp_path / "file" / "below"):  # no folder can be made there
+    with locked(tmp_path / "file" / "below"):  # no folder can be made there
         pass
-    with _locked(tmp_path / "lock"), _locked(tmp_path / "lock"):  # held for longer than anybody waits
+    with locked(tmp_path / "lock"), locked(tmp_path / "lock"):  # held for longer than anybody waits
         pass
 
 

@@ -47,6 +47,8 @@ def doctor(as_json: Annotated[bool, shared("json")] = False) -> None:
     ready = "ready" if cache["engine_ready"] else "the event loop is compiled when it is first needed"
     state = f"{cache['megabytes']:.1f} MB, {ready}"
     table.add_row("cache", f"{cache['folder']}: {state}")
+    if cache["versions"] > 1:
+        table.add_row("", f"compiled code of {cache['versions']} versions, {cache['all_megabytes']:.1f} MB in all")
     table.add_row("cores", f"{found['cores']}, of which compiled loops use {found['threads']} at once")
     table.add_row("GPU", found["gpu"])
     console.print(table)
@@ -60,13 +62,15 @@ def report() -> dict[str, Any]:
     """Return what the installation has."""
     import carom
     from carom.core.jit.background import core_count
+    from carom.core.jit.cache import cache_base
     from carom.core.jit.compile import cache_folder, thread_count
     from carom.core.jit.cuda import why_no_gpu
+    from carom.core.jit.generations import generations
     from carom.files import OPTIONAL
     from carom.simulation.compiled import compiled_before
 
     folder = cache_folder()
-    size = sum(path.stat().st_size for path in folder.rglob("*") if path.is_file()) if folder.exists() else 0
+    sizes = {one.folder: one.size / 1e6 for one in generations(cache_base())}
     return {
         "carom": carom.__version__,
         "commit": commit(),
@@ -76,7 +80,13 @@ def report() -> dict[str, Any]:
         "optional": {
             name: {"version": _version(name), "extra": extra} for name, (_prose, extra) in sorted(OPTIONAL.items())
         },
-        "cache": {"folder": str(folder), "megabytes": size / 1e6, "engine_ready": compiled_before()},
+        "cache": {
+            "folder": str(folder),
+            "megabytes": sizes.get(folder, 0.0),
+            "engine_ready": compiled_before(),
+            "versions": len(sizes),
+            "all_megabytes": sum(sizes.values()),
+        },
         "cores": core_count(),
         "threads": thread_count(),
         "gpu": why_no_gpu() or "ready for sweeps (--on cuda)",

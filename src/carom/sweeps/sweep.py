@@ -134,9 +134,9 @@ class Sweep:
             parts = [name for name in here if name not in ("identity", "versions") and there.get(name) != here[name]]
             if parts == ["sources"]:
                 raise CaromError(
-                    f"{self.store.name}: expected a store of this version of carom, got one computed by other code (carom"
-                    f" {there.get('versions', {}).get('carom', '?')}, sources {there.get('sources')}; here {here['sources']});"
-                    " name a new store, or go on with that version"
+                    f"{self.store.name}: expected a store of this version of carom, got one computed by other code"
+                    f" (or by another version of Python or Numba; carom {there.get('versions', {}).get('carom', '?')}, sources"
+                    f" {there.get('sources')}; here {here['sources']}); name a new store, or go on with that version"
                 )
             raise CaromError(
                 f"{self.store.name}: expected the store of this sweep, got that of another, which differs in"
@@ -428,7 +428,7 @@ def _opened(place: str, identity: str, own_laws: bool) -> Sweep:
     if found.specification["identity"] != identity:
         raise CaromError(
             f"{place}: expected workers with the same version of carom as here, got other sources"
-            f" ({found.specification['sources']}); install the same version everywhere"
+            f" ({found.specification['sources']}); install the same versions of carom, Python and Numba everywhere"
         )
     return found
 

@@ -5,14 +5,17 @@ from __future__ import annotations
 import contextlib
 import functools
 import hashlib
+import importlib.util
 import json
 import os
-import shutil
 import sys
+import time
 from pathlib import Path
 from types import CodeType
 
-__all__ = ["cache_folder", "source_hash"]
+from carom.core.jit.generations import MARK_SECONDS, use_generation
+
+__all__ = ["cache_base", "cache_folder", "source_hash"]
 
 # Rooms that hold no compiled code: what changes there leaves compiled loops as they are.
 PLAIN_ROOMS = {"cli", "data", "derive", "explorer", "plot", "public"}
@@ -20,34 +23,50 @@ PLAIN_ROOMS = {"cli", "data", "derive", "explorer", "plot", "public"}
 
 @functools.cache
 def source_hash() -> str:
-    """Hash of the code of all modules that may hold kernels, without comments and docstrings, and of the interpreter's version.
+    """Hash of the code of all modules that may hold kernels (no comments, no docstrings), and of Python's and Numba's versions."""
+    return hash_of(Path(__file__).parents[2], cache_base())
 
-    Compiling a module to bytecode takes milliseconds: each one's hash is kept beside the cache, under its time and size.
+
+def hash_of(root: Path, base: Path) -> str:
+    """Return the hash of the modules below ``root``.
+
+    Compiling a module to bytecode takes milliseconds: each one's hash is kept in the folder ``base``, under its time and size, in a
+    file for this installation alone.
     """
-    root = Path(__file__).parents[2]
-    store = _cache_base() / "sources.json"
+    place = hashlib.sha256(f"{root} {sys.version}".encode()).hexdigest()[:16]
+    store = base / f"sources-{place}.json"
     try:
         known = json.loads(store.read_text(encoding="utf-8"))
+        aged = time.time() - store.stat().st_mtime > MARK_SECONDS
     except (OSError, ValueError):
-        known = {}
-    digest, changed = hashlib.sha256(sys.version.encode()), False
+        known, aged = {}, False
+    digest, found = hashlib.sha256(sys.version.encode() + _numba_version()), {}
     for path in sorted(root.rglob("*.py")):
         name = path.relative_to(root)
         if name.parts[0] in PLAIN_ROOMS:
             continue
         about = path.stat()
-        key = f"{path} {about.st_mtime_ns} {about.st_size}"
-        if key not in known:
-            known = {k: v for k, v in known.items() if not k.startswith(f"{path} ")}
-            known[key], changed = _code_hash(path), True
-        digest.update(f"{name.as_posix()} {known[key]}".encode())
-    if changed:
-        with contextlib.suppress(OSError):
+        key = f"{name.as_posix()} {about.st_mtime_ns} {about.st_size}"
+        found[key] = known.get(key) or _code_hash(path)
+        digest.update(f"{name.as_posix()} {found[key]}".encode())
+    with contextlib.suppress(OSError):
+        if found != known:
             store.parent.mkdir(parents=True, exist_ok=True)
-            part = store.with_name(f"sources.{os.getpid()}.json")
-            part.write_text(json.dumps(known), encoding="utf-8")
+            part = store.with_name(f"{store.stem}.{os.getpid()}.json")
+            part.write_text(json.dumps(found), encoding="utf-8")
             part.replace(store)
+        elif aged:  # (what is not used for long is removed)
+            store.touch()
     return digest.hexdigest()[:16]
+
+
+def _numba_version() -> bytes:
+    """Contents of the file that says Numba's version: Numba itself takes half a second to import."""
+    try:
+        spec = importlib.util.find_spec("numba")
+        return (Path(spec.origin or "").parent / "_version.py").read_bytes() if spec is not None else b""
+    except (OSError, ImportError, ValueError):
+        return b""
 
 
 def _code_hash(path: Path) -> str:
@@ -69,20 +88,15 @@ def _code_hash(path: Path) -> str:
     return digest.hexdigest()[:16]
 
 
-def _cache_base() -> Path:
-    """CAROM_CACHE, else ``carom`` in the user's ordinary cache folder."""
+def cache_base() -> Path:
+    """Return CAROM_CACHE, else ``carom`` in the user's ordinary cache folder."""
     own = os.environ.get("CAROM_CACHE")
     return Path(own) if own else Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "carom"
 
 
 @functools.cache
 def cache_folder() -> Path:
-    """Where compiled loops are kept: CAROM_CACHE, else ``carom`` in the user's ordinary cache folder."""
-    base = _cache_base()
-    here = base / source_hash()
-    if not here.exists():
-        # one generation is enough: what older sources left is never read again
-        for old in base.glob("*/") if base.is_dir() else ():
-            if len(old.name) == 16:
-                shutil.rmtree(old, ignore_errors=True)
+    """Return where the compiled loops of this version of carom are kept: a folder in :func:`cache_base`, in use from now on."""
+    here = cache_base() / source_hash()
+    use_generation(here)
     return here

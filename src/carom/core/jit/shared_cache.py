@@ -10,19 +10,16 @@ from __future__ import annotations
 
 import contextlib
 import pickle
-import time
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from carom.core.jit.cache import cache_folder
+from carom.core.jit.file_locks import locked
 
 __all__ = ["LOCATOR", "Locator", "compile_in_one_process", "go_on_without_disk"]
 
 LOCATOR = f"{__name__}.Locator"
-LONGEST_WAIT = 300.0  # s; longer than any loop takes to compile, after which a process compiles it itself
-POLL_INTERVAL = 0.05  # s
 
 
 class Locator:
@@ -73,7 +70,7 @@ def compile_in_one_process(dispatcher: Any, folder: Path) -> None:
     def load_or_wait(signature: Any, context: Any) -> Any:
         found = load(signature, context)
         if found is None:
-            held.enter_context(_locked(path))
+            held.enter_context(locked(path))
             found = load(signature, context)
         return found
 
@@ -105,24 +102,3 @@ def go_on_without_disk(dispatcher: Any) -> None:
             save(signature, compiled)
 
     dispatcher._cache.load_overload, dispatcher._cache.save_overload = load_if_possible, save_if_possible
-
-
-@contextmanager
-def _locked(path: Path) -> Iterator[None]:
-    """Hold the lock of a file; where there is none to be had, go on without it."""
-    with contextlib.ExitStack() as stack:
-        with contextlib.suppress(ImportError, OSError):
-            import fcntl
-
-            path.parent.mkdir(parents=True, exist_ok=True)
-            file = stack.enter_context(path.open("w"))
-            give_up = time.monotonic() + LONGEST_WAIT
-            while time.monotonic() < give_up:
-                try:
-                    fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                except BlockingIOError:
-                    time.sleep(POLL_INTERVAL)
-                else:
-                    stack.callback(fcntl.flock, file, fcntl.LOCK_UN)
-                    break
-        yield
