@@ -1,4 +1,4 @@
-"""Analyse orbits: periods, caustics, Poincaré sections, drift, escape, uniformity of the invariant measure."""
+"""Analyse orbits: periods, caustics, Poincaré sections, drift, uniformity of the invariant measure."""
 
 from __future__ import annotations
 
@@ -10,16 +10,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer
-from carom.billiards.records import DONE, ESCAPED, POSITION, SPIN, TIME, VELOCITY
+from carom.billiards.orbits import Orbit, orbit_from_setup
 from carom.billiards.sampling import starts
 from carom.billiards.setup import orbit_setup
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
-from carom.errors import CaromError, float_array
+from carom.errors import CaromError
 
 __all__ = [
-    "Caustics", "Drift", "Escape", "Section", "Uniformity", "caustics", "drift", "escape", "period", "section", "uniformity",
+    "Caustics", "Drift", "Section", "Uniformity", "caustics", "drift", "period", "section", "uniformity",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -258,99 +257,6 @@ def drift(found: Orbit, axis: int | None = None) -> Drift:
             extent(coordinate), (ends[:, 1] - ends[:, 0]).reshape(span.shape) / span,
             2 * np.array(bend).reshape(span.shape) / span**2, extent(coordinate) / extent(coordinate[..., :half]),
         )  # fmt: skip
-
-
-@dataclass(frozen=True, eq=False)
-class Escape:
-    """When orbits leave a table.
-
-    Examples
-    --------
-    >>> from carom import billiards
-    >>> found = billiards.escape(billiards.circle(), ((0.0, 0.0), (1.0, 0.0), 0.0), holes=[(0.0, 0.1)], law="mirror")
-    >>> bool(found.escaped), float(found.t), int(found.bounces)
-    (True, 1.0, 1)
-    """
-
-    t: Array
-    """(...): time at which the orbit enters a hole, or of its last bounce before it leaves an open table; NaN where it stays."""
-    bounces: NDArray[np.int64]
-    """(...): number of bounces until then; where it stays, those made."""
-    escaped: NDArray[np.bool_]
-    """(...): whether it left."""
-
-
-def escape(
-    table: Table, start: Any, bounces: int = 10_000, *, holes: Sequence[Sequence[float]] = (), ball: Ball | None = None,
-    law: Any = "no-slip", surface: Surface | None = None,
-) -> Escape:  # fmt: skip
-    """Find when orbits leave an open table (a wedge) for good, or a closed table through holes in its wall.
-
-    Parameters
-    ----------
-    table, start, ball, law, surface
-        As for :func:`orbit`.
-    bounces : int
-        Greatest number of bounces.
-    holes : sequence of (from, to)
-        Intervals of arc length; a ball that would bounce there has left.
-
-    Returns
-    -------
-    Escape
-
-    Examples
-    --------
-    A wedge of 60 degrees, elastic and smooth, releases every ball after at most three bounces:
-
-    >>> import math
-    >>> from carom import billiards
-    >>> found = billiards.escape(billiards.wedge(math.pi / 3), ((1.0, 0.0), (-1.0, 0.2), 0.0), law="mirror")
-    >>> bool(found.escaped), int(found.bounces)
-    (True, 3)
-    """
-    setup = orbit_setup(table, ball, law, surface, "end")
-    bounces = require_integer("bounces", bounces)
-    intervals = float_array(holes).reshape(-1, 2) if len(holes) else np.empty((0, 2))
-    if not (intervals[:, 0] < intervals[:, 1]).all():
-        raise CaromError(f"escape: holes: expected intervals (from, to) of arc length with from < to, got {holes!r}")
-    first = orbit_from_setup(setup, start, 1)  # validates the starts
-    shape = np.shape(first.count)
-    n = int(np.prod(shape))
-    t, count, gone = np.full(n, np.nan), np.full(n, bounces), np.zeros(n, bool)
-    block = max(1, min(bounces, MAX_BOUNCES_AT_ONCE // max(n, 1)))
-    now = first.start
-    d = table.dimension
-    left = np.arange(n)
-    clock = np.zeros(n)
-    x, v = (np.asarray(a).reshape(n, d) for a in (now.position, now.velocity))
-    w = np.asarray(now.spin).reshape(n, *(() if setup.planar else (3,)))
-    done = 0
-    while done < bounces and len(left):
-        share = min(block, bounces - done)
-        run = orbit_from_setup(setup, (x, v, w), share)
-        s = run.arc
-        through = np.zeros(s.shape, bool)
-        for low, high in intervals:
-            through |= (s >= low) & (s <= high)
-        hit = np.asarray(through.any(1))
-        k = np.asarray(np.where(hit, np.argmax(through, 1), run.count))
-        off = ~hit & (np.asarray(run.ending) == ESCAPED)
-        out = hit | off
-        row = np.arange(len(left))
-        at = np.where(hit, run.t[row, np.minimum(k, share - 1)], run.last[:, TIME])
-        t[left[out]] = clock[left[out]] + at[out]
-        count[left[out]] = done + k[out] + hit[out]
-        gone[left[out]] = True
-        stuck: NDArray[np.bool_] = ~out & (np.asarray(run.ending) != DONE)
-        count[left[stuck]] = done + np.asarray(run.count)[stuck]
-        on = ~out & ~stuck
-        clock[left] += run.last[:, TIME]
-        left = left[on]
-        x, v = run.last[on, POSITION][:, :d], run.last[on, VELOCITY][:, :d]
-        w = run.last[on, SPIN][:, 2] if setup.planar else run.last[on, SPIN]
-        done += share
-    return Escape(t.reshape(shape), count.reshape(shape), gone.reshape(shape))
 
 
 @dataclass(frozen=True)

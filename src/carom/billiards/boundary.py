@@ -14,7 +14,7 @@ from carom.billiards.elliptic_boundary import EllipticArc, arc_along, arc_length
 from carom.billiards.records import PIECES, WORLD
 from carom.core.geometry.polygon import ellipse_depth, polygon_depth
 
-__all__ = ["Boundary", "face"]
+__all__ = ["Boundary", "ConnectedWall", "face"]
 
 Array = NDArray[np.float64]
 INF = math.inf
@@ -89,6 +89,19 @@ class InsetEllipse(NamedTuple):
     """Half axis in y."""
     inset: float
     """Distance of the parallel curve from the ellipse, inwards."""
+
+
+class ConnectedWall(NamedTuple):
+    """Pieces of a boundary that follow each other without a gap."""
+
+    pieces: tuple[int, ...]
+    """Their indices, without windows."""
+    first: float
+    """Arc length at its beginning, m; -infinity for a wall without an end."""
+    last: float
+    """Arc length at its end, m."""
+    closed: bool
+    """Whether its end is its beginning."""
 
 
 NO_ELLIPSE = InsetEllipse(1.0, 1.0, 0.0)
@@ -238,35 +251,73 @@ class Boundary:
         k = order[np.clip(np.searchsorted(starts[order], s, side="right") - 1, 0, len(order) - 1)]
         along = s - starts[k]
         x, n = np.empty((*s.shape, 2)), np.empty((*s.shape, 2))
-        m = 0
-        for normal, c, _r, begin, _end, _low, _high in self.faces:
+        for m in range(len(lengths)):
             here = k == m
-            t = np.array([normal[1], -normal[0]])
-            x[here] = np.multiply(normal[:2], c) + np.multiply.outer(along[here] + begin, t)
-            n[here] = normal[:2]
-            m += 1
-        for cx, cy, r, half in self.inside:
-            here = k == m
-            angle = along[here] / r - half * math.pi / 2
-            n[here] = -np.stack([np.cos(angle), np.sin(angle)], axis=-1)
-            x[here] = np.array([cx, cy]) - r * n[here]
-            m += 1
-        for cx, cy, r, first, _span in self.outside:
-            here = k == m
-            angle = first - along[here] / r
-            n[here] = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
-            x[here] = np.array([cx, cy]) + r * n[here]
-            m += 1
-        for arc in self.arcs:
-            here = k == m
-            x[here], n[here] = arc_place(*(self.ellipse or NO_ELLIPSE), arc, along[here])
-            m += 1
+            x[here], n[here] = self._place_on(m, along[here])
         piece = np.where(k >= len(self.faces), k + len(self.windows), k)
         return (
             np.where(k >= len(self.faces) + len(self.inside) + len(self.outside), piece + len(self.images), piece),
             x,
             n,
         )
+
+    def _place_on(self, k: int, along: Array) -> tuple[Array, Array]:
+        """Return points and normals (N, 2) of a piece, by its index without windows, at lengths (N,) from its beginning."""
+        if k < len(self.faces):
+            normal, c, _r, begin, *_ends = self.faces[k]
+            t = np.array([normal[1], -normal[0]])
+            return np.multiply(normal[:2], c) + np.multiply.outer(along + begin, t), np.tile(
+                normal[:2], (len(along), 1)
+            )
+        k -= len(self.faces)
+        if k < len(self.inside):
+            cx, cy, r, half = self.inside[k]
+            angle = along / r - half * math.pi / 2
+            n = -np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+            return np.array([cx, cy]) - r * n, n
+        k -= len(self.inside)
+        if k < len(self.outside):
+            cx, cy, r, first, _span = self.outside[k]
+            angle = first - along / r
+            n = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+            return np.array([cx, cy]) + r * n, n
+        return arc_place(*(self.ellipse or NO_ELLIPSE), self.arcs[k - len(self.outside)], along)
+
+    def connected(self) -> list[ConnectedWall]:
+        """Return the walls whose pieces follow each other without a gap, in the order of their arc lengths; no lids.
+
+        Walls without an end share one coordinate, and are one.
+        """
+        lengths, starts = self.lengths, self.starts
+        endless = [k for k, one in enumerate(self.faces) if math.isinf(one.length) and not one.is_lid]
+        found = [ConnectedWall(tuple(endless), -INF, INF, False)] if endless else []
+        order = range(len(lengths)) if self.order is None else self.order
+        pieces: list[int] = []
+        ends: dict[int, Array] = {}
+        for k in [k for k in order if math.isfinite(lengths[k])]:
+            ends[k] = self._place_on(k, np.array([0.0, lengths[k]]))[0]
+            if pieces and not self._together(ends[pieces[-1]][1], ends[k][0]):
+                found.append(self._wall_of(pieces, ends, starts, lengths))
+                pieces = []
+            pieces.append(k)
+        return [*found, self._wall_of(pieces, ends, starts, lengths)] if pieces else found
+
+    def _wall_of(self, pieces: list[int], ends: dict[int, Array], starts: Array, lengths: Array) -> ConnectedWall:
+        first, last = pieces[0], pieces[-1]
+        closed = self._together(ends[last][1], ends[first][0])
+        return ConnectedWall(tuple(pieces), float(starts[first]), float(starts[last] + lengths[last]), closed)
+
+    def _together(self, x: Array, y: Array) -> bool:
+        """Return whether two points (2,) are the same one, or images of it."""
+        return bool(np.abs(self.folded(x - y)).max() < 1e-9 * self.size)
+
+    def wall_numbers(self, met: Any) -> NDArray[np.int64]:
+        """Return which of the connected walls pieces (...) belong to; -1 for lids, spheres and none."""
+        pieces = np.full(len(self.lengths) + 2, -1)  # (beyond them a sphere; the last entry is for piece -1, none)
+        for number, wall in enumerate(self.connected()):
+            pieces[list(wall.pieces)] = number
+        found: NDArray[np.int64] = pieces[self._number(np.asarray(met, int))]
+        return found
 
     def normals(self, met: Any, x: Any) -> Array:
         """Return normals (..., 3) towards the ball at points (..., 2 or 3) on pieces (...); NaN where the piece is -1."""

@@ -168,7 +168,8 @@ def _on_the_wall(shape: Boundary, count: int, rng: np.random.Generator) -> tuple
         out /= np.linalg.norm(out, axis=1, keepdims=True)
         return shape.sphere * out, -out
     lids = [f for f in shape.faces if f.is_lid]
-    side = replace(shape, faces=[f for f in shape.faces if not f.is_lid])
+    # (without lids the pieces have other numbers; starts are drawn in the order of these)
+    side = replace(shape, faces=[f for f in shape.faces if not f.is_lid], order=None if lids else shape.order)
     if side.faces and not np.isfinite(side.lengths).any():
         return _on_infinite_walls(side.faces, lids, count, rng)
     around = float(side.lengths.sum())

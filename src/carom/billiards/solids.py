@@ -141,8 +141,10 @@ def cylinder(section: Table | float = 1.0, height: float | None = None, *, accel
         if height is not None:
             require_room("cylinder", height / 2 - inset, "between the lids", inset)
             c = inset - height / 2
+            if shape.order is not None:  # (the lids come after the other faces, and last along the wall)
+                shape.order = [k + 2 * (k >= len(shape.faces)) for k in shape.order]
+                shape.order += [len(shape.faces), len(shape.faces) + 1]
             shape.faces = [*shape.faces, face(0, 0, c, nz=1.0), face(0, 0, c, nz=-1.0)]
-            shape.order = None
         return shape
 
     sizes = {"section": section.name, **section.sizes}
