@@ -13,11 +13,14 @@ import pytest
 import sympy as sp
 from typer.testing import CliRunner
 
+import carom as carom_package
 import carom.derive as carom_derive
 from carom.cli import app
 from carom.derive.linear import is_zero
 from carom.derive.paper import as_record, as_tex, derive_paper, find_entries, judge
+from carom.derive.paper import model as k
 from carom.derive.paper.ledger import Branch, Entry, poles, says_nothing, true_of
+from carom.derive.paper.model import INSIDE, OUTSIDE
 from carom.errors import CaromError
 
 NUMBERED = [str(k) for k in range(1, 42)]
@@ -65,11 +68,48 @@ def test_conditions(statuses, rows):
     assert "kappa/(kappa + 1)" in notes["26"]
 
 
+def test_what_rests_on_a_sticking_wall_is_conditional(rows):
+    """(31) follows from (29) and (30), which are conditions; so do the lines of (33), (40) and (41) that use it."""
+    verdicts = {entry.id: verdict for entry, verdict in rows}
+    stick = [
+        "31",
+        *(f"31{x}" for x in "bcefhi"),
+        "33",
+        "40",
+        *(f"40{x}" for x in "bcef"),
+        *(f"41{x}" for x in "abdf"),
+        "s4-2",
+    ]
+    for name in ("30", *stick):
+        assert verdicts[name].status == "conditional", name
+        assert (verdicts[name].true_in, verdicts[name].false_in) == ((INSIDE,), (OUTSIDE,)), name
+    # the normal motion, the spin about the normal and the energy before do not ask how the contact ends
+    for name in ("28", "31a", "31d", "31g", "32", "39", "40a", "40d", "41c"):
+        assert verdicts[name].status == "holds", name
+    for name in ("s3-4", "s3-5"):
+        assert verdicts[name].false_in == ("at a wall without friction",), name
+    assert verdicts["s4-3"].false_in == ("at a wall without friction (66.8 degrees)",)
+
+
+def test_sliding_case_is_that_of_the_law():
+    """The facts of the case outside the cone, with numbers, against the compiled law at a friction too small to stick."""
+    numbers = {k.I: sp.Rational(2, 5), k.m: 1, k.a: 1, k.mu: 0.1, k.e: 0.8, k.x0: -1.0, k.y0: 0.7, k.wz0: -0.4}
+    ball = carom_package.Ball(radius=1.0, mass=1.0)
+    state = carom_package.rolling(ball, velocity=(-1.0, 0.7), spin_z=-0.4)
+    two = carom_package.two_step(ball, state, wall=carom_package.Surface(0.8, 0.1))
+    assert two.wall.regime == "slide"
+    expected = [*two.after_wall.velocity, *two.after_wall.spin]
+    facts = k.sliding_facts()
+    assert [float(facts[q].subs(numbers)) for q in k.FIRST] == pytest.approx(expected, abs=1e-14)
+
+
 def test_what_is_derived_holds_by_the_same_judge(rows):
     for entry, verdict in rows:
         if verdict.status == "misprint" and entry.id[0].isdigit():
-            mended = dataclasses.replace(entry, printed=entry.derived)
-            assert judge(mended).status == "holds", entry.id
+            mended = judge(dataclasses.replace(entry, printed=entry.derived))
+            assert mended.status != "misprint", entry.id
+            # (41) rests on (31): the right form fails too where the wall's friction does not suffice
+            assert set(mended.false_in) == ({OUTSIDE} if entry.id.startswith("41") else set()), entry.id
 
 
 def test_every_verdict_moves_when_the_print_does(rows):
@@ -154,11 +194,13 @@ def test_one_equation_with_its_steps():
     assert done.returncode == 0, done.stderr
     assert "R_z = -I*m*xdot0/(I + a**2*m)" in done.stdout
     assert "steps" in done.stdout
-    assert "(31i)  holds" in done.stdout
+    assert "(31g)  holds" in done.stdout
+    assert "(31i)  conditional" in done.stdout
     only = carom("--equation", "s4-3", "--json")
     assert "angles" in only.stderr
     (record,) = json.loads(only.stdout)["equations"]
-    assert record["note"].startswith("51.5198")
+    assert record["status"] == "conditional"
+    assert record["note"].endswith("51.519802 degrees.")
 
 
 @pytest.mark.parametrize(

@@ -212,6 +212,19 @@ def first_facts() -> dict[Expr, Expr]:
 
 
 @cache
+def sliding_facts() -> dict[Expr, Expr]:
+    """Return the same outside the friction cone, where B slides throughout and the impulse lies on the cone."""
+    motion, jump = sliding_impact()
+    facts = after(jump, FIRST)
+    facts |= {Rx: jump.impulses["B.n"], Ry: jump.impulses["B.t1"], Rz: jump.impulses["B.t2"]}
+    return facts | motion.pre_relations
+
+
+# The two cases of the first impact; what rests on (30) holds in the first only
+INSIDE, OUTSIDE = "where the impulse stays within the cone (29)", "where it slides throughout, on the cone"
+
+
+@cache
 def second_facts() -> dict[Expr, Expr]:
     """Return the speeds after the second impact in terms of those before it (1), for any state that lands."""
     _, jump = second_impact()
@@ -220,10 +233,10 @@ def second_facts() -> dict[Expr, Expr]:
 
 
 @cache
-def example_facts() -> dict[Expr, Expr]:
-    """Return both impacts of section 4: (-u0, v0, 0) without side spin, e = 1, a solid ball."""
+def example_facts(slides: bool = False) -> dict[Expr, Expr]:
+    """Return both impacts of section 4: (-u0, v0, 0) without side spin, e = 1, a solid ball; B sticks, or slides throughout."""
     given = {x0: -u0, y0: v0, wz0: sp.S.Zero, e: sp.S.One, I: SOLID}
-    first = {k: tidy(v.subs(given)) for k, v in first_facts().items()}
+    first = {k: tidy(v.subs(given)) for k, v in (sliding_facts() if slides else first_facts()).items()}
     second = {k: tidy(v.subs(first).subs(given)) for k, v in second_facts().items()}
     return {**given, **first, **second}
 

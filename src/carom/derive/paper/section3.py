@@ -14,6 +14,7 @@ from carom.derive.paper.model import I, a, dx, dy, dz, e, eq, m, mu
 
 LETTERS = "abcdefghijklmnopqrstuvwxyz"
 COMING = {k.x0: -k.u0}  # the ball comes to the wall: x' < 0
+SMOOTH = "at a wall without friction"
 
 
 def one(facts: dict[Expr, Expr]) -> tuple[Branch, ...]:
@@ -62,8 +63,8 @@ def wall() -> list[Entry]:
     spare = sp.Symbol("spare", positive=True)
     stuck = {q: v.subs(COMING) for q, v in facts.items()}
     least = need.subs({k.wz0: 0, k.y0: 0, e: 1, I: k.SOLID})
-    _, slides = k.sliding_impact()
-    slide = {**k.after(slides, k.FIRST), **before}
+    slide = k.sliding_facts()
+    cases = (Branch(k.INSIDE, facts), Branch(k.OUTSIDE, slide))
     lower = I + m * a**2
     answer = [
         eq(k.x1, -e * k.x0),
@@ -126,10 +127,7 @@ def wall() -> list[Entry]:
             "B at rest along the wall afterwards",
             (eq(k.y1 - a * k.wz1, sp.S.Zero), eq(k.z1 + a * k.wy1, sp.S.Zero)),
             (eq(k.y1, facts[k.y1]), eq(k.z1, facts[k.z1])),
-            (
-                Branch("where the impulse stays within the cone (29)", facts),
-                Branch("where it slides throughout, on the cone", slide),
-            ),
+            cases,
             steps=(
                 Step(
                     "After an impact that slides throughout, y1' - a omega_z1 is", tidy((k.y1 - a * k.wz1).subs(slide))
@@ -142,8 +140,9 @@ def wall() -> list[Entry]:
             answer,
             [eq(q.lhs, facts[q.lhs]) for q in answer],
             facts,
+            branches=cases,
             steps=solve,
-            note=f"Holds within the cone (29) and where the wall lifts the ball. As I -> 0: y1' = {smooth[k.y1]}, "
+            note=f"Of its lines only x1', omega_x1 and R_x hold on the cone too. As I -> 0: y1' = {smooth[k.y1]}, "
             f"z1' = {smooth[k.z1]}, "
             "R_y = R_z = 0: the smooth mirror.",
         ),
@@ -169,6 +168,8 @@ def lifting(facts: dict[Expr, Expr]) -> list[Entry]:
     back = {k.wy0: k.u0 / a, k.z0: sp.S.Zero}  # rolling as if it came from the other side
     skid = {k.wy0: sp.S.Zero, k.z0: sp.S.Zero}
     rolls = {q: v.subs(COMING) for q, v in facts.items()}
+    along = sp.Symbol("u_y", real=True)  # the slip along the wall, y0' - a omega_z0
+    slid = tidy(k.sliding_facts()[k.z1].subs(COMING).subs(k.wz0, (k.y0 - along) / a))
     speed = k.z0 + a * k.wy0
     step = Step("For any state before, R_z is", any_z)
     # a cushion that touches above the centre has a normal (n_x, 0, -n_z): it pushes the ball down even without friction
@@ -181,7 +182,7 @@ def lifting(facts: dict[Expr, Expr]) -> list[Entry]:
             (sp.Gt(k.Rz, 0),),
             (eq(k.Rz, any_z),),
             (
-                Branch("for a rolling ball at a vertical wall", {k.Rz: rolls[k.Rz]}),
+                Branch("for a rolling ball at a vertical wall with friction", {k.Rz: rolls[k.Rz]}),
                 Branch("for a sliding ball without spin", {k.Rz: any_z.subs(skid)}),
                 Branch("for backspin", {k.Rz: any_z.subs(back)}),
                 Branch("for a smooth cushion that touches above the centre", {k.Rz: -down * push}),
@@ -195,7 +196,7 @@ def lifting(facts: dict[Expr, Expr]) -> list[Entry]:
             (sp.Gt(k.z1, 0),),
             (eq(k.z1, any_rise),),
             (
-                Branch("for a rolling ball", {k.z1: rolls[k.z1]}),
+                Branch("for a rolling ball and a wall with friction", {k.z1: rolls[k.z1]}),
                 Branch("for a sliding ball without spin", {k.z1: any_rise.subs(skid)}),
                 Branch("for backspin", {k.z1: any_rise.subs(back).subs(COMING)}),
             ),
@@ -208,8 +209,12 @@ def lifting(facts: dict[Expr, Expr]) -> list[Entry]:
             "the ball leaves the floor, z1' > 0 for x0' < 0",
             (sp.Gt(k.z1, 0),),
             (eq(k.z1, facts[k.z1]),),
-            one({k.z1: rolls[k.z1]}),
-            steps=(Step("(31) with x0' = -u_0.", eq(k.z1, rolls[k.z1])),),
+            (
+                Branch(k.INSIDE, {k.z1: rolls[k.z1]}),
+                Branch(k.OUTSIDE, {k.z1: slid}),
+                Branch(SMOOTH, {k.z1: slid.subs(mu, 0)}),
+            ),
+            steps=(Step("(31) with x0' = -u_0.", eq(k.z1, rolls[k.z1])), Step("On the cone it is", slid)),
         ),
     ]
 
@@ -220,10 +225,18 @@ def energies() -> list[Entry]:
     facts = k.first_facts()
     case = {e: sp.S.One, k.wz0: sp.S.Zero}
     t0 = tidy(motion.energy(motion.u0).subs(case))
-    t1 = tidy(motion.energy(sp.Matrix([facts[q] for q in k.FIRST])).subs(case))
+    t1, t1_slide = (
+        tidy(motion.energy(sp.Matrix([state[q] for q in k.FIRST])).subs(case)) for state in (facts, k.sliding_facts())
+    )
     loss = tidy(t0 - t1)
     coming = {k.x0: -k.u0}
-    values = {k.T0: t0.subs(coming), k.T1: t1.subs(coming)}
+    spare = sp.Symbol("spare", positive=True)
+    need = sp.sqrt(k.u0**2 + k.y0**2) * I / (2 * k.u0 * (I + m * a**2))  # (29) for e = 1 without side spin
+    energies_of = {
+        k.INSIDE: t1.subs(coming),
+        k.OUTSIDE: tidy(t1_slide.subs(coming).subs(mu, need / (1 + spare))),
+        SMOOTH: tidy(t1_slide.subs(coming).subs(mu, 0)),
+    }
     spring = k.first_impact(tangential=k.beta)[1].energy_change
     no_slip = tidy(spring.subs({**case, k.beta: 1}).subs(coming))
     dead = tidy(spring.subs({**case, k.beta: 0}).subs(coming))
@@ -250,18 +263,18 @@ def energies() -> list[Entry]:
             "energy after (e = 1, no side spin)",
             (eq(k.T1, with_t1),),
             (eq(k.T1, t1),),
-            one({k.T1: t1}),
+            (Branch(k.INSIDE, {k.T1: t1}), Branch(k.OUTSIDE, {k.T1: t1_slide})),
             steps=(Step("The same with (31).", t1), step),
-            note=f"The loss is {loss}.",
+            note=f"The loss is then {loss}.",
         ),
         Entry(
             "s3-5",
             "'it is clear that T1 < T0'",
             (sp.Lt(k.T1, k.T0),),
             (eq(k.T0 - k.T1, loss),),
-            one(values),
+            tuple(Branch(name, {k.T0: t0.subs(coming), k.T1: value}) for name, value in energies_of.items()),
             steps=(step,),
-            note="Strict for every ball that reaches the wall (x0' < 0).",
+            note="A ball that rolls into the wall slips at B, so any friction there takes energy.",
         ),
         Entry(
             "s3-6",

@@ -8,7 +8,7 @@ from carom.derive.linear import Expr, tidy
 from carom.derive.paper import model as k
 from carom.derive.paper.ledger import Branch, Entry, Step
 from carom.derive.paper.model import I, a, e, eq, m, u0, v0
-from carom.derive.paper.section3 import one, parts
+from carom.derive.paper.section3 import SMOOTH, one, parts
 
 R = sp.Rational
 
@@ -16,6 +16,7 @@ R = sp.Rational
 def example() -> list[Entry]:
     """(40), (41) and the printed initial condition."""
     facts = k.example_facts()
+    cases = (Branch(k.INSIDE, facts), Branch(k.OUTSIDE, k.example_facts(slides=True)))
     lower = I + m * a**2
     printed40 = [
         (eq(k.x1, u0),),
@@ -57,7 +58,7 @@ def example() -> list[Entry]:
             "state after the first impact",
             flat40,
             tuple(derived40),
-            one(facts),
+            cases,
             steps=(put, *(Step("", q) for q in derived40)),
         ),
         *(
@@ -66,7 +67,7 @@ def example() -> list[Entry]:
                 f"state after the first impact: line {i + 1}",
                 lines,
                 (derived40[i],),
-                one(facts),
+                cases,
                 steps=(put, Step("", derived40[i])),
             )
             for i, (letter, lines) in enumerate(zip("abcdef", printed40, strict=True))
@@ -77,6 +78,7 @@ def example() -> list[Entry]:
             printed41,
             derived41,
             facts,
+            branches=cases,
             steps=step41,
             note=slip,
             line_notes={4: slip},
@@ -86,22 +88,24 @@ def example() -> list[Entry]:
 
 def angles() -> list[Entry]:
     """The angles of section 4, by both models."""
-    facts = k.example_facts()
+    facts, slid = k.example_facts(), k.example_facts(slides=True)
     given = {k.x0: -u0, k.y0: v0, k.wz0: sp.S.Zero, e: sp.S.One, I: k.SOLID}
     conventional = {q: tidy(v.subs(given)) for q, v in k.reversed_root().items()}
     tan_i, tan_r, deg = sp.symbols("tan_tau_i tan_tau_r tau_r_deg", real=True)
     incoming = tidy(given[k.y0] / -given[k.x0])
-    outgoing = tidy(facts[k.y2] / facts[k.x2])
+    outgoing, on_cone = (tidy(state[k.y2] / state[k.x2]) for state in (facts, slid))
     two, old = (sp.deg(sp.atan(t.subs(v0, u0))) for t in (outgoing, tidy(conventional[k.y1] / conventional[k.x1])))
 
-    def rounded(name: str, value: Expr, printed: Expr) -> Entry:
-        """A figure printed to one decimal."""
+    smooth = sp.deg(sp.atan(on_cone.subs({v0: u0, k.mu: 0})))
+
+    def rounded(name: str, value: Expr, printed: Expr, *others: Branch) -> Entry:
+        """A figure printed to one decimal, in the paper's case and in others that its words admit."""
         return Entry(
             name,
             f"the angle of reflection is about {printed} degrees",
             (sp.Le(sp.Abs(deg - printed), R(1, 20)),),
             (eq(deg, sp.N(value, 6)),),
-            one({deg: sp.N(value, 20)}),
+            (Branch(k.INSIDE if others else "", {deg: sp.N(value, 20)}), *others),
             steps=(Step("In degrees, for u_0 = v_0.", eq(value, sp.N(value, 8))),),
             note=f"{sp.N(value, 8)} degrees.",
         )
@@ -112,10 +116,18 @@ def angles() -> list[Entry]:
             "the angles from the normal",
             (eq(tan_i, v0 / u0), eq(tan_r, R(39, 31) * v0 / u0)),
             (eq(tan_i, incoming), eq(tan_r, outgoing)),
-            one({tan_i: incoming, tan_r: outgoing}),
-            steps=(Step("y2' / x2' by (41).", outgoing),),
+            (
+                Branch(k.INSIDE, {tan_i: incoming, tan_r: outgoing}),
+                Branch(k.OUTSIDE, {tan_i: incoming, tan_r: on_cone}),
+            ),
+            steps=(Step("y2' / x2' by (41).", outgoing), Step("On the cone it is", on_cone)),
         ),
-        rounded("s4-3", two, R(515, 10)),
+        rounded(
+            "s4-3",
+            two,
+            R(515, 10),
+            Branch(f"{SMOOTH} ({sp.N(smooth, 3)} degrees)", {deg: sp.N(smooth, 20)}),
+        ),
         Entry(
             "s4-4",
             "the conventional answer",
