@@ -41,6 +41,9 @@ def test_readme_names_every_extra_and_those_outside_all() -> None:
     (everything,) = extras["all"]
     in_all = set(re.findall(r"\w+", everything)) - {"carom"}
     assert {name for name, use in rows.items() if "not in `all`" in use} == set(rows) - in_all - {"all", "docs", "dev"}
+    # `make docs` needs this extra and no other: pages run the optional parts, and the reference imports JAX's
+    assert "(extra `docs`, which brings all others but `torch` and `cuda`)" in " ".join(text("README.md").split())
+    assert "carom[all,jax]" in extras["docs"]
 
 
 def test_recipe_needs_what_the_package_needs() -> None:

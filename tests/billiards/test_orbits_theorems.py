@@ -17,6 +17,36 @@ def disc(kappa, radius=1.0):
     return carom.Disc(radius, 1.0, kappa)
 
 
+# --- the collision ------------------------------------------------------------------------------------------------------------
+
+
+def test_mirror_and_no_slip_alone_conserve_energy_in_the_plane_not_in_space():
+    """A tangential impulse J changes the energy by J u + J^2/2 m_t: two roots in the plane, a circle of them in space."""
+    ball, wall = carom.Ball(1.0, 1.0), (1.0, 0.0, 0.0)
+    state = carom.State((-1.0, 0.6, 0.3), (0.2, -0.5, 0.4))
+    slip, m_t = carom.slip(ball, state, wall)[1:], ball.kappa / (1 + ball.kappa)
+
+    def energy_after(push):
+        """What the wall's impulse (2, *push) at the contact point leaves; its normal part reverses the normal velocity."""
+        impulse = np.array([2.0, *push])
+        spin = np.add(state.spin, np.cross([-1.0, 0.0, 0.0], impulse) / ball.kappa)
+        return carom.kinetic_energy(ball, carom.State(np.add(state.velocity, impulse), spin))
+
+    before, along = carom.kinetic_energy(ball, state), slip / np.hypot(*slip)
+    # along the slip, as in the plane: one parabola in J, so at most two roots
+    pushes = np.linspace(-3.0, 1.0, 9) * m_t * np.hypot(*slip)
+    changes = [energy_after(push * along) - before for push in pushes]
+    curve = np.polyfit(pushes, changes, 2)
+    np.testing.assert_allclose(np.polyval(curve, pushes), changes, atol=1e-14)
+    np.testing.assert_allclose(np.sort(np.roots(curve)), [-2 * m_t * np.hypot(*slip), 0.0], atol=1e-13)
+    # in space also a wall that is rough in one direction only
+    for angle in np.linspace(0, math.pi, 7):
+        rough = np.array([math.cos(angle), math.sin(angle)])
+        assert energy_after(-2 * m_t * (slip @ rough) * rough) == pytest.approx(before, abs=1e-14)
+    both = carom.no_slip(ball, state, wall)
+    np.testing.assert_allclose(both.velocity[1:] - np.array(state.velocity[1:]), -2 * m_t * slip, atol=1e-14)
+
+
 # --- strip and plates ---------------------------------------------------------------------------------------------------------
 
 
@@ -127,6 +157,34 @@ def test_wedge_periods(n):
     assert set(periods) == {2 * n}
 
 
+@pytest.mark.parametrize("angle", [0.6, 0.75])
+def test_least_period_12_needs_a_narrower_wedge(angle):
+    """For pi/6 < angle <= pi/4 no kappa of a disc gives the least period 12: what comes back after 12 bounces has 4 or 6."""
+    least = {}
+    for m in range(1, 6):
+        cos = math.cos(math.pi * m / 6)
+        kappa = (math.cos(angle) + cos) / (1 - cos)
+        if not 0 < kappa <= 1:
+            continue
+        begin = there_and_back(angle, kappa)
+        start = (begin[0], np.add(begin[1], [[0.01, 0.02]]), [begin[2] + 0.01])
+        least[m] = billiards.period(billiards.orbit(billiards.wedge(angle), start, 400, ball=disc(kappa)))[0]
+    assert least == {3: 4, 4: 6}
+
+
+@pytest.mark.parametrize("kappa", KAPPAS)
+def test_only_the_orbit_straight_across_a_wedge_is_periodic_where_the_rotation_is_irrational(kappa):
+    """r |x_2| is conserved, so the distance from the corner returns with the velocity, and not otherwise."""
+    angle = 1.0
+    begin = there_and_back(angle, kappa)
+    start = (begin[0], np.add(begin[1], [[0, 0], [0.01, 0.02]]), np.add(begin[2], [0, 0.01]))
+    found = billiards.orbit(billiards.wedge(angle), start, 5_000, ball=disc(kappa))
+    assert billiards.period(found).tolist() == [2, 0]
+    p, v = found.position[1, 1:], found.velocity[1, 1:]
+    momentum = np.abs(p[:, 0] * v[:, 1] - p[:, 1] * v[:, 0])
+    assert np.ptp(momentum) < 1e-10 * momentum[0]
+
+
 # --- circle -------------------------------------------------------------------------------------------------------------------
 
 
@@ -176,6 +234,34 @@ def test_regular_polygons_with_periodic_orbits_only(sides):
     other = disc(0.9 * kappa)
     found = billiards.orbit(table, billiards.starts(table, 200, 3, ball=other), 240, ball=other)
     assert (billiards.period(found) == 0).mean() > 0.9
+
+
+@pytest.mark.parametrize(("sides", "elements"), [(3, 4), (4, 24), (5, 60)])
+def test_velocities_of_these_polygons_are_finitely_many(sides, elements):
+    """The half turns of their sides generate Klein's four-group, the rotations of an octahedron and of an icosahedron."""
+    kappa, _ = PUBLISHED[sides]
+    b = math.acos((1 - kappa) / (1 + kappa))
+    turns = 2 * np.pi * np.arange(sides) / sides
+    axes = np.stack(
+        [np.full(sides, -math.sin(b / 2)), math.cos(b / 2) * np.cos(turns), math.cos(b / 2) * np.sin(turns)], axis=1
+    )
+    half_turns = [2 * np.outer(a, a) - np.eye(3) for a in axes]
+    group, new = [np.eye(3)], [np.eye(3)]
+    while new and len(group) <= elements:
+        products = [h @ g for g in new for h in half_turns]
+        new = []
+        for m in products:
+            if np.min(np.abs(np.array(group) - m).max(axis=(1, 2))) > 1e-9:
+                group.append(m)
+                new.append(m)
+    assert len(group) == elements
+    # so an orbit has at most so many velocities with spins, and some orbits of the triangle have them all
+    table, ball = billiards.regular(sides), disc(kappa)
+    found = billiards.orbit(table, billiards.starts(table, 20, 5, ball=ball), 240, ball=ball)
+    states = np.concatenate([found.velocity, found.spin[..., None]], axis=2).round(9)
+    counts = [len(np.unique(one, axis=0)) for one in states]
+    assert max(counts) <= elements
+    assert sides != 3 or max(counts) == elements
 
 
 def test_the_pentagons_period_18_is_no_accident():

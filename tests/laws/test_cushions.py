@@ -196,6 +196,15 @@ def test_mathavan_s_law_is_the_limit_of_his_steps() -> None:
     assert errors[0] / errors[1] == pytest.approx(5, rel=0.4)
 
 
+def test_mathavan_s_own_step_gives_his_law_to_three_or_four_digits() -> None:
+    """The paper takes 5,000 steps of the impulse (1 + e) M V0 sin(alpha), so its step scales with the speed."""
+    theta = math.asin(SINE)
+    for v, w in random_shots(13, 12):
+        v1, w1 = mathavan2010(v, w, NOSE, RADIUS, 2 / 5, E, MU_W, MU_S)
+        there = stepped(in_mathavan_s_frame(v, w), theta, E, MU_W, MU_S, (1 + E) * abs(v[0]) / 5000)
+        assert np.abs(there - in_mathavan_s_frame(v1, w1)).max() < 5e-4 * math.hypot(*v)
+
+
 def test_mathavan_s_law_is_the_two_step_law_of_a_pressed_ball() -> None:
     for v, w in random_shots(12, 10):
         two = carom.two_step(
