@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 from reference.sweep_scenes import table_scene
@@ -40,6 +42,107 @@ def test_batches() -> None:
         x = points[k].detach().requires_grad_()
         place(x)[0, 0].backward()
         assert points.grad[k].numpy() == pytest.approx(x.grad.numpy(), abs=1e-14)
+
+
+def gradient_twice(of: Any, x: Any) -> Any:
+    """Differentiate a gradient by ``torch.autograd.grad``."""
+    (first,) = torch.autograd.grad(of(x), x, create_graph=True)
+    return torch.autograd.grad(first.sum(), x)
+
+
+def dual_of_gradient(of: Any, x: Any) -> Any:
+    """Differentiate a gradient forwards, by ``torch.autograd.forward_ad``."""
+    with torch.autograd.forward_ad.dual_level():
+        dual = torch.autograd.forward_ad.make_dual(x, torch.ones_like(x))
+        (first,) = torch.autograd.grad(of(dual), dual, create_graph=True)
+        return torch.autograd.forward_ad.unpack_dual(first).tangent
+
+
+SECOND = {
+    "hessian": lambda of, x: torch.func.hessian(of)(x),
+    "jacrev of jacrev": lambda of, x: torch.func.jacrev(torch.func.jacrev(of))(x),
+    "jacfwd of jacfwd": lambda of, x: torch.func.jacfwd(torch.func.jacfwd(of))(x),
+    "jacrev of jacfwd": lambda of, x: torch.func.jacrev(torch.func.jacfwd(of))(x),
+    "grad of grad": lambda of, x: torch.func.grad(lambda y: torch.func.grad(of)(y).sum())(x),
+    "jvp of grad": lambda of, x: torch.func.jvp(torch.func.grad(of), (x,), (torch.ones_like(x),)),
+    "hessians of a batch": lambda of, x: torch.func.vmap(torch.func.hessian(of))(x[None]),
+    "functional.hessian": torch.autograd.functional.hessian,
+    "functional.hessian, forwards": lambda of, x: torch.autograd.functional.hessian(
+        of, x, vectorize=True, outer_jacobian_strategy="forward-mode"
+    ),
+    "functional.hvp": lambda of, x: torch.autograd.functional.hvp(of, x, torch.ones_like(x)),
+    "functional.vhp": lambda of, x: torch.autograd.functional.vhp(of, x, torch.ones_like(x)),
+    "grad, twice": lambda of, x: gradient_twice(of, x.requires_grad_()),
+    "grad, then forwards": lambda of, x: dual_of_gradient(of, x.requires_grad_()),
+    "backward, twice": lambda of, x: (
+        torch.autograd.grad(of(x.requires_grad_()), x, create_graph=True)[0].sum().backward()
+    ),
+    "gradgradcheck": lambda of, x: torch.autograd.gradgradcheck(of, (x.requires_grad_(),)),
+}
+
+
+@pytest.mark.parametrize("way", SECOND)
+@pytest.mark.parametrize("wrt", [["balls.0.velocity"], ["walls.*.friction"]])
+def test_second_derivatives_are_refused(way: str, wrt: list[str]) -> None:
+    place = carom.interop.torch.function(table_scene(duration=0.5), wrt)
+    with pytest.raises(
+        carom.CaromError, match=r"^interop.torch.function: expected first derivatives, got a second one"
+    ):
+        SECOND[way](lambda y: place(y).sum(), torch.tensor(place.start, dtype=torch.float64))
+
+
+def test_first_derivatives_in_every_way() -> None:
+    """Also the ways that differentiate a gradient with respect to what it is multiplied by, and linear functions of a run."""
+    scene = table_scene(duration=1.5)
+    place = carom.interop.torch.function(scene, ["balls.0.velocity"])
+    exact = torch.tensor(carom.simulate(scene).sensitivity(["balls.0.velocity"]).final.position)
+    x, along = torch.tensor(place.start), torch.tensor([0.3, -0.7], dtype=torch.float64)
+    functional = torch.autograd.functional
+    with torch.autograd.forward_ad.dual_level():
+        dual = place(torch.autograd.forward_ad.make_dual(x, along))
+        forwards = torch.autograd.forward_ad.unpack_dual(dual).tangent
+    for found in (
+        functional.jvp(place, x, along)[1],
+        functional.jvp(place, x, along, create_graph=True)[1].detach(),
+        torch.func.jvp(place, (x,), (along,))[1],
+        forwards,
+    ):
+        assert torch.allclose(found, exact @ along, atol=1e-14)
+    for found in (
+        functional.jacobian(place, x),
+        functional.jacobian(place, x, vectorize=True),
+        functional.jacobian(place, x, vectorize=True, strategy="forward-mode"),
+        functional.jacobian(place, x, create_graph=True).detach(),
+        torch.func.jacrev(place)(x),
+        torch.func.jacfwd(place)(x),
+        torch.func.vmap(torch.func.jacfwd(place))(x[None])[0],
+        torch.func.vmap(torch.func.jacrev(place))(x[None])[0],
+    ):
+        assert torch.allclose(found, exact, atol=1e-14)
+    # of a function of the run and its derivative only the run's part is differentiated where the derivative is taken as a number
+    y = x.clone().requires_grad_()
+    (slope,) = torch.autograd.grad(place(y).sum(), y)
+    (place(y).sum() * slope.sum()).backward()
+    assert torch.allclose(y.grad, exact.sum(dim=(0, 1)) * slope.sum())
+
+
+@pytest.mark.parametrize("wrt", [["balls.0.velocity"], ["walls.*.friction"]])
+def test_an_empty_batch_is_empty(wrt: list[str]) -> None:
+    place = carom.interop.torch.function(table_scene(duration=0.5), wrt)
+    for before in ((0,), (3, 0), (0, 2)):
+        x = torch.zeros((*before, len(place.start)), dtype=torch.float64, requires_grad=True)
+        found = place(x)
+        assert found.shape == (*before, 3, 3)
+        found.sum().backward()
+        assert x.grad.shape == x.shape
+
+
+@pytest.mark.parametrize("dtype", [torch.complex128, torch.complex64, torch.int64, torch.bool])
+def test_numbers_are_real(dtype: Any) -> None:
+    place = carom.interop.torch.function(table_scene(duration=0.5), ["walls.*.friction"])
+    with pytest.raises(carom.CaromError, match="expected a tensor of real floating-point numbers, got torch"):
+        place(torch.ones(1, dtype=dtype))
+    assert place(torch.tensor(place.start, dtype=torch.float32)).dtype == torch.float32
 
 
 def test_refused() -> None:

@@ -59,9 +59,11 @@ class RunFunction:
         )
 
     def evaluate(self, x: Array) -> Array:
-        """Return the outcome (..., B, 3) at points (..., p). CaromError where a scene or its run is refused."""
+        """Return the outcome (..., B, 3) at points (..., p), of none for none. CaromError where a scene or its run is refused."""
         rows = self._rows(x)
-        if self._starts:
+        if not len(rows):
+            found = np.zeros(0)
+        elif self._starts:
             many = simulate_many(self.scene, *self._motion(rows))
             self._require_answers(many.why)
             found = np.asarray(getattr(many.final, self.part))
@@ -72,7 +74,9 @@ class RunFunction:
     def differentiate(self, x: Array) -> tuple[Array, Array]:
         """Return the outcome (..., B, 3) and its derivatives (..., B, 3, p)."""
         rows = self._rows(x)
-        if self._starts:
+        if not len(rows):
+            found, slopes = np.zeros(0), np.zeros(0)
+        elif self._starts:
             many = sensitivities(self.scene, self.wrt, *self._motion(rows))
             self._require_answers(many.why)
             found, slopes = np.asarray(getattr(many.final, self.part)), getattr(many.derivatives, self.part)

@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 from typing import Any
 
+from carom.errors import CaromError
 from carom.files import import_optional
 from carom.interop.run_function import RunFunction
 from carom.scene.scene import Scene
 
 __all__ = ["function"]
+
+WHERE = "interop.torch.function"
+NOT_TWICE = f"{WHERE}: expected first derivatives, got a second one, which is not followed through a run; take differences of the gradient"
 
 
 def function(scene: Scene, wrt: str | Iterable[str], of: str = "final.position") -> Callable[[Any], Any]:
@@ -26,38 +30,60 @@ def function(scene: Scene, wrt: str | Iterable[str], of: str = "final.position")
     -------
     function of a tensor (..., p)
         Returns (..., B, 3); a batch is run at once, on all cores. ``backward``, ``torch.autograd.functional.jacobian`` and
-        ``torch.func.jvp`` go through it, ``torch.func.vmap`` makes a batch of it. Second derivatives are refused.
+        ``torch.func.jvp`` go through it, ``torch.func.vmap`` makes a batch of it. An empty batch gives an
+        empty result. Second derivatives are refused.
 
-    Raises CaromError for paths that are refused, without PyTorch, and in a call where a scene or its run is refused.
+    Raises CaromError for paths that are refused, without PyTorch, and in a call where a scene or its run is refused, for numbers
+    that are not real floating-point ones, and where a derivative is differentiated again.
     """
     torch = import_optional("torch", "interop.torch")
-    run = RunFunction(scene, wrt, of, "interop.torch.function")
+    run = RunFunction(scene, wrt, of, WHERE)
+
+    class SlopesOf(torch.autograd.Function):  # type: ignore[misc, name-defined]
+        """The derivatives as a function of the numbers: what is differentiated a second time passes through here."""
+
+        generate_vmap_rule = True
+
+        @staticmethod
+        def forward(_x: Any, slopes: Any) -> Any:
+            return slopes.clone()
+
+        @staticmethod
+        def setup_context(ctx: Any, inputs: Any, output: Any) -> None:
+            del ctx, inputs, output
+
+        @staticmethod
+        def backward(_ctx: Any, _gradient: Any) -> Any:
+            raise CaromError(NOT_TWICE)
+
+        @staticmethod
+        def jvp(_ctx: Any, _x: Any, _slopes: Any) -> Any:
+            raise CaromError(NOT_TWICE)
 
     class FinalState(torch.autograd.Function):  # type: ignore[misc, name-defined]
         """Final state and derivatives (not an output that is differentiated again)."""
 
         @staticmethod
         def forward(x: Any) -> tuple[Any, Any]:
-            found, slopes = run.differentiate(x.detach().cpu().numpy())
+            found, slopes = run.differentiate(x.detach().cpu().double().numpy())
             return tuple(torch.as_tensor(one, dtype=x.dtype, device=x.device) for one in (found, slopes))
 
         @staticmethod
         def setup_context(ctx: Any, inputs: Any, output: Any) -> None:
-            del inputs
             ctx.mark_non_differentiable(output[1])
-            ctx.save_for_backward(output[1])
-            ctx.save_for_forward(output[1])
+            ctx.save_for_backward(*inputs, output[1])
+            ctx.save_for_forward(*inputs, output[1])
 
         @staticmethod
-        @torch.autograd.function.once_differentiable  # type: ignore[untyped-decorator]
         def backward(ctx: Any, gradient: Any, _slopes: Any) -> Any:
-            (slopes,) = ctx.saved_tensors
-            return (gradient.unsqueeze(-1) * slopes).sum(dim=(-3, -2))
+            return (gradient.unsqueeze(-1) * SlopesOf.apply(*ctx.saved_tensors)).sum(dim=(-3, -2))
 
         @staticmethod
         def jvp(ctx: Any, tangent: Any) -> tuple[Any, None]:
-            (slopes,) = ctx.saved_tensors
-            return (slopes * tangent[..., None, None, :]).sum(dim=-1), None
+            x, slopes = ctx.saved_tensors
+            # (without the tangent that is followed now; one of another level is that of a second derivative)
+            x = torch.autograd.forward_ad.unpack_dual(x).primal
+            return (SlopesOf.apply(x, slopes) * tangent[..., None, None, :]).sum(dim=-1), None
 
         @staticmethod
         def vmap(_info: Any, dims: Any, x: Any) -> tuple[Any, Any]:
@@ -65,7 +91,10 @@ def function(scene: Scene, wrt: str | Iterable[str], of: str = "final.position")
             return FinalState.apply(batch), (0, 0)
 
     def call(x: Any) -> Any:
-        return FinalState.apply(torch.as_tensor(x))[0]
+        x = torch.as_tensor(x)
+        if not x.dtype.is_floating_point:
+            raise CaromError(f"{WHERE}: expected a tensor of real floating-point numbers, got {x.dtype}")
+        return FinalState.apply(x)[0]
 
     call.columns, call.start = run.columns, run.start  # type: ignore[attr-defined]
     return call
