@@ -13,7 +13,10 @@ from carom.scene.scene import Scene
 __all__ = ["function"]
 
 WHERE = "interop.torch.function"
-NOT_TWICE = f"{WHERE}: expected first derivatives, got a second one, which is not followed through a run; take differences of the gradient"
+NOT_TWICE = (
+    f"{WHERE}: expected first derivatives, got a second one, which is not followed through a run;"
+    " take differences of the gradient"
+)
 
 
 def function(scene: Scene, wrt: str | Iterable[str], of: str = "final.position") -> Callable[[Any], Any]:
