@@ -381,7 +381,8 @@ def kinetic_energy(ball: Ball, state: State) -> Any:
     require_type("kinetic_energy", "state", state, State)
     broadcast_shape(state.shape, np.shape(ball.mass), np.shape(ball.moment))
     v, w = state.velocity, state.spin
-    # (20)
+    # (20), (34)
+    # (32), (33) are its values before and after the wall (31)
     energy = ball.mass * (v * v).sum(axis=-1) / 2 + ball.moment * (w * w).sum(axis=-1) / 2
     return float(energy) if np.ndim(energy) == 0 else energy
 

@@ -49,8 +49,8 @@ def contact(
     hold = (1 + beta) * mt
     # One way out for all cases and no branch that a processor would have to guess: c is the tangential impulse per slip.
     cap = mu * pn / slip if slip > 0 else mu
-    # (29): inside the friction cone the contact holds (a bare product: mu may be infinite); (30) for beta = 0: the contact
-    # point is left without slip. On the cone the impulse is mu P_n against the slip.
+    # (29): inside the friction cone the contact holds (a bare product: mu may be infinite)
+    # (30), for beta = 0: the contact point is left without slip. On the cone the impulse is mu P_n against the slip.
     holds = hold * slip <= mu * pn
     # (a smooth contact without slip: no impulse either way, but its derivative is that of no friction)
     c = -hold if holds and mu > 0 else -cap
@@ -85,6 +85,7 @@ def wall_contact(
     pn, f, required, regime = contact(un, ut, 1, kappa / (1 + kappa), e, mu, beta)
     j = (pn * n[0] + f[0], pn * n[1] + f[1], pn * n[2] + f[2])
     # (28): m dv = R, I d(omega) = CB x R = -a n x R, of which only the tangential part counts
+    # (31) is the result for mu infinite and beta = 0
     t = cross(n, f)
     c = 1 / (kappa * a)
     return (

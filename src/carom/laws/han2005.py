@@ -45,8 +45,8 @@ CARD = Card(
 @kernel
 def han2005(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float) -> tuple[Vec, Vec]:
     """Velocity and spin after the cushion; beta is not read."""
-    # (14)-(25) are one contact whose friction stops the slip at most, beta = 0: (14) slip s_0 and speed of approach c = -u_n;
-    # (17) P_z = (1 + e) c; (18) P_E = s_0/A, A = 1 + 1/kappa, if the friction suffices, else (19) P_E = mu P_zE s_0/|s_0|
+    # Han (14)-(25) are one contact whose friction stops the slip at most, beta = 0: (14) slip s_0 and speed of approach c = -u_n;
+    # Han (17) P_z = (1 + e) c; (18) P_E = s_0/A, A = 1 + 1/kappa, if the friction suffices, else (19) P_E = mu P_zE s_0/|s_0|
     v1, w1 = contact_kernel(v, w, n, a, kappa, e, mu, 0 * beta)
     return stays_on_table(v, v1, n), w1
 

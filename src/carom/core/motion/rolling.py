@@ -15,7 +15,7 @@ def rolls_at_last(v: Vec, w: Vec, a: float, kappa: float) -> tuple[Vec, Vec]:
 
     Friction at the floor's contact point conserves the angular momentum about that point and omega_z.
     """
-    # (39), with I = kappa m a^2
+    # (37), (38), solved for velocity and spin: (39), with I = kappa m a^2
     c, d = 1 / (1 + kappa), 1 / a
     x = (v[0] + kappa * a * w[1]) * c
     y = (v[1] - kappa * a * w[0]) * c

@@ -1,0 +1,100 @@
+"""Write the table of the paper's equations: the functions that compute each, and the one that derives it.
+
+    python docs/dev/equations.py             # writes docs/reference/equations.md
+    python docs/dev/equations.py --check     # exit status 1 if that page is not of today's sources
+
+A function computes an equation if a comment that begins with its number, ``# (31)``, stands in it, and derives it if it makes the
+entry of that number in :mod:`carom.derive.paper`. Numbers of other papers stand in docstrings, with their authors.
+"""
+
+from __future__ import annotations
+
+import ast
+import io
+import re
+import sys
+import tokenize
+from collections import defaultdict
+from collections.abc import Iterator
+from pathlib import Path
+
+ROOT = Path(__file__).parents[2]
+SOURCE = ROOT / "src" / "carom"
+PAGE = ROOT / "docs" / "reference" / "equations.md"
+LAST = 41  # of the paper
+LIST = r"(?:\(\d+[a-z]?\)(?:-\(\d+\))?(?:, | and | with )?)+"
+CITED = re.compile(rf"(?:^#\s*|: |; )({LIST})")
+NUMBER = re.compile(r"\((\d+)[a-z]?\)(?:-\((\d+)\))?")
+HEAD = """# Equations
+
+The equations of the paper, and the functions of `src/carom` that compute them: the number stands in a comment above the lines
+that do. The last column has the function that derives the equation and judges the printed form (`carom derive --equation 31`
+shows its steps). An equation that names a quantity or is a step of a derivation is computed nowhere. `python
+docs/dev/equations.py` writes this page.
+
+| equation | computed by | derived by |
+|---|---|---|
+"""
+
+
+def functions(tree: ast.Module) -> list[tuple[int, int, str]]:
+    """Return first line, last line and name of all functions, inner ones after those around them."""
+    kinds = (ast.FunctionDef, ast.ClassDef)
+    return [(one.lineno, one.end_lineno or 0, one.name) for one in ast.walk(tree) if isinstance(one, kinds)]
+
+
+def computed() -> dict[int, list[str]]:
+    """Return file:function of each equation that a comment cites."""
+    found: dict[int, list[str]] = defaultdict(list)
+    for path in sorted(SOURCE.rglob("*.py")):
+        name = path.relative_to(SOURCE).as_posix()
+        text = path.read_text(encoding="utf-8")
+        if name.startswith("derive/") or "# (" not in text:
+            continue
+        around = functions(ast.parse(text))
+        for token in tokenize.generate_tokens(io.StringIO(text).readline):
+            if token.type == tokenize.COMMENT and re.match(rf"#\s*{LIST}", token.string):
+                line = token.start[0]
+                inside = [one for low, high, one in around if low <= line <= high]
+                place = f"{name}: {inside[-1]}" if inside else name
+                for number in cited(" ".join(CITED.findall(token.string))):
+                    if place not in found[number]:
+                        found[number].append(place)
+    return found
+
+
+def cited(text: str) -> Iterator[int]:
+    """Yield the numbers of a list such as (19), (28)-(31)."""
+    for low, high in NUMBER.findall(text):
+        yield from range(int(low), int(high or low) + 1)
+
+
+def derived() -> dict[int, list[str]]:
+    """Return file:function of each entry of the paper's derivation."""
+    found: dict[int, list[str]] = defaultdict(list)
+    for path in sorted((SOURCE / "derive" / "paper").glob("*.py")):
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        for function in (one for one in tree.body if isinstance(one, ast.FunctionDef)):
+            for call in ast.walk(function):
+                first = call.args[0] if isinstance(call, ast.Call) and call.args else None
+                number = re.match(r"(\d+)[a-z]?$", str(getattr(first, "value", "")))
+                place = f"derive/paper/{path.name}: {function.name}"
+                if number and isinstance(first.value, str) and place not in found[int(number[1])]:
+                    found[int(number[1])].append(place)
+    return found
+
+
+def page() -> str:
+    """Return the page."""
+    left, right = computed(), derived()
+    rows = [
+        f"| ({n}) | {', '.join(f'`{x}`' for x in left[n]) or '–'} | {', '.join(f'`{x}`' for x in right[n]) or '–'} |\n"
+        for n in range(1, LAST + 1)
+    ]
+    return HEAD + "".join(rows)
+
+
+if __name__ == "__main__":
+    if "--check" in sys.argv[1:]:
+        sys.exit(PAGE.read_text(encoding="utf-8") != page())
+    PAGE.write_text(page(), encoding="utf-8")
