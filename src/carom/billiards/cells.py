@@ -5,14 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
+from numpy.typing import NDArray
 
 from carom.billiards.boundary import Boundary, Obstacle, ObstacleImage, face
-from carom.billiards.tables import Bounds, Table, positive_number, require_bounds, require_room
+from carom.billiards.checks import Bounds, positive_number, require_bounds, require_room
+from carom.billiards.tables import Table
 from carom.errors import CaromError, FaultList, float_array
 
 __all__ = ["periodic_strip", "sinai", "torus"]
+
+Array = NDArray[np.float64]
 
 
 def torus(
@@ -115,6 +120,40 @@ def periodic_strip(
     return _cell("periodic strip", (period, width), scatterers, bounds, periodic=(True, False))
 
 
+def _cell_boundary(
+    name: str, w: float, h: float, circles: Array, periodic: tuple[bool, bool], inset: float
+) -> Boundary:
+    """Return the boundary of a cell with circular scatterers for a centre that stays ``inset`` away from the wall."""
+    found = Boundary(size=2 * max(w, h), cell=(2 * w, 2 * h if periodic[1] else math.inf))
+    along = [(2 * w, 0.0)]
+    if periodic[1]:
+        along += [(0.0, 2 * h), (2 * w, 2 * h), (2 * w, -2 * h)]
+    else:
+        c = inset - h
+        require_room(name, -c, "between the walls", inset)
+        # their length is one period; there are no corners at the windows
+        found.faces = [
+            face(0, 1, c, -w, w, low=-math.inf, high=math.inf),
+            face(0, -1, c, -w, w, low=-math.inf, high=math.inf),
+        ]
+    found.windows = [face(1, 0, -w), face(-1, 0, -w)] + ([face(0, 1, -h), face(0, -1, -h)] if periodic[1] else [])
+    found.windows = [one._replace(separation=2 * (w if one.normal[0] else h)) for one in found.windows]
+    for k, (x, y, r) in enumerate(circles.tolist()):
+        r += inset  # noqa: PLW2901
+        if r >= math.hypot(w, h if periodic[1] else h - inset + abs(y)):
+            what = (
+                "one that covers the cell"
+                if not inset
+                else f"one that, with a ball of radius {inset:g}, covers the cell"
+            )
+            raise CaromError(f"{name}: scatterers: expected room between them, got {what}; take a smaller one")
+        found.outside.append(Obstacle(x, y, r, 0.0, math.tau))
+        for dx, dy in along + [(-dx, -dy) for dx, dy in along]:
+            if abs(x + dx) < w + r and abs(y + dy) < h + r:
+                found.images.append(ObstacleImage(x + dx, y + dy, r, k))
+    return found
+
+
 def _cell(
     name: str, cell: Sequence[float], scatterers: Sequence[Sequence[float]], bounds: str, periodic: tuple[bool, bool]
 ) -> Table:
@@ -148,34 +187,5 @@ def _cell(
         faults.add("scatterers", f"centres within the cell, |x| <= {w:.6g} and |y| <= {h:.6g}", repr(scatterers))
     faults.raise_if_any()
 
-    def make(inset: float) -> Boundary:
-        found = Boundary(size=float(side.max()), cell=(2 * w, 2 * h if periodic[1] else math.inf))
-        along = [(2 * w, 0.0)]
-        if periodic[1]:
-            along += [(0.0, 2 * h), (2 * w, 2 * h), (2 * w, -2 * h)]
-        else:
-            c = inset - h
-            require_room(name, -c, "between the walls", inset)
-            # their length is one period; there are no corners at the windows
-            found.faces = [
-                face(0, 1, c, -w, w, low=-math.inf, high=math.inf),
-                face(0, -1, c, -w, w, low=-math.inf, high=math.inf),
-            ]
-        found.windows = [face(1, 0, -w), face(-1, 0, -w)] + ([face(0, 1, -h), face(0, -1, -h)] if periodic[1] else [])
-        found.windows = [one._replace(separation=2 * (w if one.normal[0] else h)) for one in found.windows]
-        for k, (x, y, r) in enumerate(circles.tolist()):
-            r += inset  # noqa: PLW2901
-            if r >= math.hypot(w, h if periodic[1] else h - inset + abs(y)):
-                what = (
-                    "one that covers the cell"
-                    if not inset
-                    else f"one that, with a ball of radius {inset:g}, covers the cell"
-                )
-                raise CaromError(f"{name}: scatterers: expected room between them, got {what}; take a smaller one")
-            found.outside.append(Obstacle(x, y, r, 0.0, math.tau))
-            for dx, dy in along + [(-dx, -dy) for dx, dy in along]:
-                if abs(x + dx) < w + r and abs(y + dy) < h + r:
-                    found.images.append(ObstacleImage(x + dx, y + dy, r, k))
-        return found
-
+    make = partial(_cell_boundary, name, w, h, circles, periodic)
     return Table(name, bounds, 2, make, {"cell": [2 * w, 2 * h], "scatterers": circles.tolist()})

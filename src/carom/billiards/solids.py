@@ -4,24 +4,22 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
 from carom.billiards.boundary import Boundary, face
-from carom.billiards.tables import (
-    Bounds,
-    Table,
-    checked_acceleration,
-    circle,
-    positive_number,
-    rectangle,
-    require_bounds,
-    require_room,
-    strip,
-)
+from carom.billiards.checks import Bounds, checked_acceleration, positive_number, require_bounds, require_room
+from carom.billiards.tables import Table, circle, rectangle, strip
 from carom.errors import FaultList, float_array
 
 __all__ = ["box", "cylinder", "plates", "sphere"]
+
+
+def _sphere_boundary(radius: float, inset: float) -> Boundary:
+    """Return the boundary of a sphere for a centre that stays ``inset`` away from the wall."""
+    require_room("sphere", radius - inset, "in the sphere", inset)
+    return Boundary(sphere=radius - inset, size=radius)
 
 
 def sphere(radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
@@ -54,11 +52,7 @@ def sphere(radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
     require_bounds(faults, bounds)
     faults.raise_if_any()
 
-    def make(inset: float) -> Boundary:
-        require_room("sphere", radius - inset, "in the sphere", inset)
-        return Boundary(sphere=radius - inset, size=radius)
-
-    return Table("sphere", bounds, 3, make, {"radius": radius})
+    return Table("sphere", bounds, 3, partial(_sphere_boundary, radius), {"radius": radius})
 
 
 def plates(distance: float = 1.0, *, bounds: Bounds = "centre", acceleration: Sequence[float] = (0.0, 0.0)) -> Table:
@@ -95,6 +89,19 @@ def plates(distance: float = 1.0, *, bounds: Bounds = "centre", acceleration: Se
     faults.raise_if_any()
     sizes = {"distance": distance} | ({"acceleration": list(g)} if any(g) else {})
     return Table("plates", bounds, 3, strip(distance).make, sizes, (g[0], 0.0, g[1]))
+
+
+def _cylinder_boundary(section: Table, height: float | None, inset: float) -> Boundary:
+    """Return the boundary of a cylinder for a centre that stays ``inset`` away from the wall."""
+    shape = section.make(inset)
+    if height is not None:
+        require_room("cylinder", height / 2 - inset, "between the lids", inset)
+        c = inset - height / 2
+        if shape.order is not None:  # (the lids come after the other faces, and last along the wall)
+            shape.order = [k + 2 * (k >= len(shape.faces)) for k in shape.order]
+            shape.order += [len(shape.faces), len(shape.faces) + 1]
+        shape.faces = [*shape.faces, face(0, 0, c, nz=1.0), face(0, 0, c, nz=-1.0)]
+    return shape
 
 
 def cylinder(section: Table | float = 1.0, height: float | None = None, *, acceleration: float = 0.0) -> Table:
@@ -136,21 +143,11 @@ def cylinder(section: Table | float = 1.0, height: float | None = None, *, accel
     (g,) = checked_acceleration(faults, acceleration)
     faults.raise_if_any()
 
-    def make(inset: float) -> Boundary:
-        shape = section.make(inset)
-        if height is not None:
-            require_room("cylinder", height / 2 - inset, "between the lids", inset)
-            c = inset - height / 2
-            if shape.order is not None:  # (the lids come after the other faces, and last along the wall)
-                shape.order = [k + 2 * (k >= len(shape.faces)) for k in shape.order]
-                shape.order += [len(shape.faces), len(shape.faces) + 1]
-            shape.faces = [*shape.faces, face(0, 0, c, nz=1.0), face(0, 0, c, nz=-1.0)]
-        return shape
-
     sizes = {"section": section.name, **section.sizes}
     sizes |= ({} if height is None else {"height": height}) | ({"acceleration": g} if g else {})
     if any(section.acceleration):
         sizes["acceleration"] = [section.acceleration[0], section.acceleration[1], g]
+    make = partial(_cylinder_boundary, section, height)
     return Table("cylinder", section.bounds, 3, make, sizes, (section.acceleration[0], section.acceleration[1], g))
 
 

@@ -5,28 +5,24 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, Literal
+from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.billiards.boundary import Boundary, Face, InsetEllipse, Obstacle, RoundWall, face
+from carom.billiards.checks import Bounds, checked_acceleration, positive_number, require_bounds, require_room
 from carom.core.geometry.polygon import outline_faults
-from carom.errors import CaromError, FaultList, checked_number, float_array, suggestion
+from carom.errors import FaultList, float_array
 
 __all__ = [
-    "BOUNDS",
-    "Bounds",
     "Table",
-    "checked_acceleration",
     "circle",
     "ellipse",
     "polygon",
-    "positive_number",
     "rectangle",
     "regular",
-    "require_bounds",
-    "require_room",
     "stadium",
     "strip",
     "under",
@@ -34,8 +30,6 @@ __all__ = [
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
-Bounds = Literal["centre", "surface"]
-BOUNDS = ("centre", "surface")
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,40 +104,11 @@ def under(table: Table, acceleration: Sequence[float]) -> Table:
     return replace(table, sizes=sizes, acceleration=(g[0], g[1], g[2] if table.dimension == 3 else 0.0))
 
 
-def positive_number(faults: FaultList, field: str, value: Any, most: float = math.inf) -> float:
-    """Return a length > 0 (or a number > 0 and < ``most``); add a fault for anything else."""
-    what = "a length > 0" if most == math.inf else f"a number > 0 and < {most:.6g}"
-    found = checked_number(faults, field, value, what, lambda x: (x > 0) & (x < most))
-    if isinstance(found, float):
-        return found
-    faults.add(field, "one number", repr(value))
-    return 1.0
-
-
-def checked_acceleration(faults: FaultList, value: Any, count: int = 1) -> tuple[float, ...]:
-    """Return ``count`` components of an acceleration; add a fault for anything else."""
-    try:
-        array = np.atleast_1d(float_array(value))
-    except (TypeError, ValueError):
-        array = np.full(1, np.nan)
-    if array.shape != (count,) or not np.isfinite(array).all():
-        faults.add("acceleration", "a number" if count == 1 else f"{count} numbers", repr(value))
-        return (0.0,) * count
-    return tuple(float(x) for x in array)
-
-
-def require_bounds(faults: FaultList, bounds: str) -> None:
-    """Add a fault where ``bounds`` is neither "centre" nor "surface"."""
-    if bounds not in BOUNDS:
-        faults.add("bounds", "'centre' or 'surface'", f"{bounds!r}; {suggestion(str(bounds), list(BOUNDS))}")
-
-
-def require_room(name: str, left: float, what: str, inset: float) -> None:
-    """Raise CaromError where a ball does not fit."""
-    if not left > 0:
-        raise CaromError(
-            f"{name}: radius of the ball: expected one that fits {what}, got {inset!r}; take a smaller ball"
-        )
+def _strip_boundary(width: float, inset: float) -> Boundary:
+    """Return the boundary of a strip for a centre that stays ``inset`` away from the wall."""
+    require_room("strip", width / 2 - inset, "between the walls", inset)
+    c = inset - width / 2
+    return Boundary(faces=[face(0, 1, c), face(0, -1, c)], size=width)
 
 
 def strip(width: float = 1.0, *, bounds: Bounds = "centre", acceleration: float = 0.0) -> Table:
@@ -171,13 +136,17 @@ def strip(width: float = 1.0, *, bounds: Bounds = "centre", acceleration: float 
     (g,) = checked_acceleration(faults, acceleration)
     faults.raise_if_any()
 
-    def make(inset: float) -> Boundary:
-        require_room("strip", width / 2 - inset, "between the walls", inset)
-        c = inset - width / 2
-        return Boundary(faces=[face(0, 1, c), face(0, -1, c)], size=width)
-
     sizes = {"width": width} | ({"acceleration": g} if g else {})
-    return Table("strip", bounds, 2, make, sizes, (g, 0.0, 0.0))
+    return Table("strip", bounds, 2, partial(_strip_boundary, width), sizes, (g, 0.0, 0.0))
+
+
+def _wedge_boundary(angle: float, inset: float) -> Boundary:
+    """Return the boundary of a wedge for a centre that stays ``inset`` away from the wall."""
+    cos, sin = math.cos(angle / 2), math.sin(angle / 2)
+    # the wedge of the centre has its vertex at (inset/sin, 0)
+    tip = cos * inset / sin
+    # arc length, with the ball on the left: inwards along the upper wall, outwards along the lower
+    return Boundary(faces=[face(sin, cos, inset, tip), face(sin, -cos, inset, end=-tip)], size=1.0 + inset)
 
 
 def wedge(angle: float, *, bounds: Bounds = "centre") -> Table:
@@ -202,15 +171,43 @@ def wedge(angle: float, *, bounds: Bounds = "centre") -> Table:
     angle = positive_number(faults, "angle", angle, math.pi)
     require_bounds(faults, bounds)
     faults.raise_if_any()
-    cos, sin = math.cos(angle / 2), math.sin(angle / 2)
+    return Table("wedge", bounds, 2, partial(_wedge_boundary, angle), {"angle": angle})
 
-    def make(inset: float) -> Boundary:
-        # the wedge of the centre has its vertex at (inset/sin, 0)
-        tip = cos * inset / sin
-        # arc length, with the ball on the left: inwards along the upper wall, outwards along the lower
-        return Boundary(faces=[face(sin, cos, inset, tip), face(sin, -cos, inset, end=-tip)], size=1.0 + inset)
 
-    return Table("wedge", bounds, 2, make, {"angle": angle})
+def _polygon_boundary(name: str, corners: Array, inset: float) -> Boundary:
+    """Return the boundary of a polygon (corners counterclockwise) for a centre that stays ``inset`` away from the wall."""
+    sides = np.roll(corners, -1, axis=0) - corners
+    lengths = np.hypot(sides[:, 0], sides[:, 1])
+    t = sides / lengths[:, None]
+    turn = t[:, 0] * np.roll(t[:, 1], -1) - t[:, 1] * np.roll(t[:, 0], -1)  # at the end of each side
+    reflex = turn < -1e-12
+    smooth = np.abs(turn) <= 1e-12
+    # a convex corner shortens both its sides by inset/tan(half the inner angle)
+    cos = (t * np.roll(t, -1, axis=0)).sum(-1)
+    cut = np.where(reflex | smooth, 0.0, inset * turn / (1 + cos))
+    faces: list[Face] = []
+    outside: list[Obstacle] = []
+    order: list[int] = []
+    for k in range(len(corners)):
+        (tx, ty), before = t[k], k - 1
+        x0 = tx * corners[k, 0] + ty * corners[k, 1]
+        begin, end = float(x0 + cut[before]), float(x0 + lengths[k] - cut[k])
+        require_room(name, end - begin, f"to touch side {k + 1}", inset)
+        # around a reflex vertex the centre moves on a circle
+        low = -math.inf if smooth[before] or (reflex[before] and inset) else begin
+        high = math.inf if smooth[k] or (reflex[k] and inset) else end
+        c = -ty * corners[k, 0] + tx * corners[k, 1] + inset
+        faces.append(face(-float(ty), float(tx), float(c), begin, end, low=low, high=high))
+        order.append(k)
+        if reflex[k] and inset:
+            x, y = corners[(k + 1) % len(corners)]
+            span = math.acos(max(-1.0, min(1.0, float(cos[k]))))
+            order.append(len(corners) + len(outside))
+            outside.append(Obstacle(float(x), float(y), inset, math.atan2(tx, -ty), span))
+    return Boundary(
+        faces=faces, outside=outside, order=order, finite_faces=bool(reflex.any()), size=float(lengths.max()),
+        vertices=corners if reflex.any() else None, clearance=inset,
+    )  # fmt: skip
 
 
 def polygon(vertices: ArrayLike, *, bounds: Bounds = "centre", name: str = "polygon") -> Table:
@@ -248,42 +245,7 @@ def polygon(vertices: ArrayLike, *, bounds: Bounds = "centre", name: str = "poly
     x, y = (corners - corners[0]).T
     if np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) < 0:
         corners = corners[::-1].copy()
-    sides = np.roll(corners, -1, axis=0) - corners
-    lengths = np.hypot(sides[:, 0], sides[:, 1])
-    t = sides / lengths[:, None]
-    turn = t[:, 0] * np.roll(t[:, 1], -1) - t[:, 1] * np.roll(t[:, 0], -1)  # at the end of each side
-    reflex = turn < -1e-12
-    smooth = np.abs(turn) <= 1e-12
-    size = float(lengths.max())
-
-    def make(inset: float) -> Boundary:
-        # a convex corner shortens both its sides by inset/tan(half the inner angle)
-        cos = (t * np.roll(t, -1, axis=0)).sum(-1)
-        cut = np.where(reflex | smooth, 0.0, inset * turn / (1 + cos))
-        faces: list[Face] = []
-        outside: list[Obstacle] = []
-        order: list[int] = []
-        for k in range(len(corners)):
-            (tx, ty), before = t[k], k - 1
-            x0 = tx * corners[k, 0] + ty * corners[k, 1]
-            begin, end = float(x0 + cut[before]), float(x0 + lengths[k] - cut[k])
-            require_room(name, end - begin, f"to touch side {k + 1}", inset)
-            # around a reflex vertex the centre moves on a circle
-            low = -math.inf if smooth[before] or (reflex[before] and inset) else begin
-            high = math.inf if smooth[k] or (reflex[k] and inset) else end
-            c = -ty * corners[k, 0] + tx * corners[k, 1] + inset
-            faces.append(face(-float(ty), float(tx), float(c), begin, end, low=low, high=high))
-            order.append(k)
-            if reflex[k] and inset:
-                x, y = corners[(k + 1) % len(corners)]
-                span = math.acos(max(-1.0, min(1.0, float(cos[k]))))
-                order.append(len(corners) + len(outside))
-                outside.append(Obstacle(float(x), float(y), inset, math.atan2(tx, -ty), span))
-        return Boundary(
-            faces=faces, outside=outside, order=order, finite_faces=bool(reflex.any()), size=size,
-            vertices=corners if reflex.any() else None, clearance=inset,
-        )  # fmt: skip
-
+    make = partial(_polygon_boundary, name, corners)
     return Table(name, bounds, 2, make, {"vertices": [[float(x), float(y)] for x, y in corners]})
 
 
@@ -342,6 +304,12 @@ def rectangle(width: float = 2.0, height: float = 1.0, *, bounds: Bounds = "cent
     return replace(made, sizes={"width": 2 * x, "height": 2 * y})
 
 
+def _circle_boundary(radius: float, inset: float) -> Boundary:
+    """Return the boundary of a circle for a centre that stays ``inset`` away from the wall."""
+    require_room("circle", radius - inset, "in the circle", inset)
+    return Boundary(inside=[RoundWall(0.0, 0.0, radius - inset, 0)], size=radius)
+
+
 def circle(radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
     """Return a circle about the origin.
 
@@ -365,11 +333,13 @@ def circle(radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
     require_bounds(faults, bounds)
     faults.raise_if_any()
 
-    def make(inset: float) -> Boundary:
-        require_room("circle", radius - inset, "in the circle", inset)
-        return Boundary(inside=[RoundWall(0.0, 0.0, radius - inset, 0)], size=radius)
+    return Table("circle", bounds, 2, partial(_circle_boundary, radius), {"radius": radius})
 
-    return Table("circle", bounds, 2, make, {"radius": radius})
+
+def _ellipse_boundary(p: float, q: float, inset: float) -> Boundary:
+    """Return the boundary of an ellipse for a centre that stays ``inset`` away from the wall."""
+    require_room("ellipse", min(p, q) - inset, "in the ellipse", inset)
+    return Boundary(ellipse=InsetEllipse(p, q, inset), size=max(p, q))
 
 
 def ellipse(major: float = 1.0, minor: float = 0.8, *, bounds: Bounds = "centre") -> Table:
@@ -400,11 +370,22 @@ def ellipse(major: float = 1.0, minor: float = 0.8, *, bounds: Bounds = "centre"
     require_bounds(faults, bounds)
     faults.raise_if_any()
 
-    def make(inset: float) -> Boundary:
-        require_room("ellipse", min(p, q) - inset, "in the ellipse", inset)
-        return Boundary(ellipse=InsetEllipse(p, q, inset), size=max(p, q))
+    return Table("ellipse", bounds, 2, partial(_ellipse_boundary, p, q), {"major": p, "minor": q})
 
-    return Table("ellipse", bounds, 2, make, {"major": p, "minor": q})
+
+def _stadium_boundary(straight: float, radius: float, inset: float) -> Boundary:
+    """Return the boundary of a stadium for a centre that stays ``inset`` away from the wall."""
+    r, x = radius - inset, straight / 2
+    require_room("stadium", r, "in the stadium", inset)
+    sides = [
+        face(0, 1, -r, -x, x, low=-math.inf, high=math.inf),
+        face(0, -1, -r, -x, x, low=-math.inf, high=math.inf),
+    ]
+    # the parallel curve of a stadium is a stadium
+    return Boundary(
+        faces=sides, inside=[RoundWall(x, 0.0, r, 1), RoundWall(-x, 0.0, r, -1)], order=[0, 2, 1, 3], finite_faces=True,
+        size=radius + x,
+    )  # fmt: skip
 
 
 def stadium(straight: float = 2.0, radius: float = 1.0, *, bounds: Bounds = "centre") -> Table:
@@ -430,17 +411,6 @@ def stadium(straight: float = 2.0, radius: float = 1.0, *, bounds: Bounds = "cen
     require_bounds(faults, bounds)
     faults.raise_if_any()
 
-    def make(inset: float) -> Boundary:
-        r, x = radius - inset, straight / 2
-        require_room("stadium", r, "in the stadium", inset)
-        sides = [
-            face(0, 1, -r, -x, x, low=-math.inf, high=math.inf),
-            face(0, -1, -r, -x, x, low=-math.inf, high=math.inf),
-        ]
-        # the parallel curve of a stadium is a stadium
-        return Boundary(
-            faces=sides, inside=[RoundWall(x, 0.0, r, 1), RoundWall(-x, 0.0, r, -1)], order=[0, 2, 1, 3], finite_faces=True,
-            size=radius + x,
-        )  # fmt: skip
-
-    return Table("stadium", bounds, 2, make, {"straight": straight, "radius": radius})
+    return Table(
+        "stadium", bounds, 2, partial(_stadium_boundary, straight, radius), {"straight": straight, "radius": radius}
+    )

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any, Literal, NamedTuple
 
 import numpy as np
@@ -315,14 +316,19 @@ def wall_law(
     63.43
     """
 
-    def answer(meeting: Meeting) -> Answer:
-        last = {"stiffness_ratio": meeting.stiffness_ratio, "floor_friction": meeting.floor.friction}
-        return wall_then_floor(meeting, respond(kernel, meeting, last.get(more.get("last", ""))))
+    answer = partial(_answer_of_kernel, kernel, more.get("last", ""))
+    return Law(card, answer, conditions or approaches, partial(_against, objections), kernel, reads=reads, **more)
 
-    def against(meeting: Meeting, answer: Answer) -> list[str]:
-        return [*impossible(meeting, answer), *(objections(meeting, answer) if objections else [])]
 
-    return Law(card, answer, conditions or approaches, against, kernel, reads=reads, **more)
+def _answer_of_kernel(kernel: WallKernel, last: str, meeting: Meeting) -> Answer:
+    """Return the answer of a law that is a kernel of the wall; ``last`` names the kernel's last argument."""
+    value = {"stiffness_ratio": meeting.stiffness_ratio, "floor_friction": meeting.floor.friction}.get(last)
+    return wall_then_floor(meeting, respond(kernel, meeting, value))
+
+
+def _against(objections: Callable[[Meeting, Answer], list[str]] | None, meeting: Meeting, answer: Answer) -> list[str]:
+    """Return the objections to energy gained and to passing through the wall, and a law's own."""
+    return [*impossible(meeting, answer), *(objections(meeting, answer) if objections else [])]
 
 
 # --- conditions and objections common to several laws ---------------------------------------------------------------

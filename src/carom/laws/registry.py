@@ -5,6 +5,7 @@ A file added to the package is found here, and so by `carom laws`, `compare`, `p
 
 from __future__ import annotations
 
+import copyreg
 import functools
 import importlib
 import pkgutil
@@ -45,6 +46,14 @@ def law_named(name: str) -> Law:
         if name == law.name or name in law.aliases:
             return law
     raise CaromError(f"law: expected one of {', '.join(laws())}, got {name!r}{did_you_mean(name, list(laws()))}")
+
+
+def _pickled(law: Law) -> Any:
+    """Pickle a law of this package by its name, and a custom one by its fields (its functions have to be importable)."""
+    return (law_named, (law.name,)) if laws().get(law.name) is law else law.__reduce_ex__(2)
+
+
+copyreg.pickle(Law, _pickled)
 
 
 def one_or_several(where: str, laws: str | Law | Iterable[str | Law]) -> list[Any]:

@@ -211,6 +211,11 @@ class Scene(Model):
         """Laws by what walls call them: a custom law's file is run once. (A copy with other walls shares them.)"""
         return {}
 
+    def __getstate__(self) -> dict[Any, Any]:
+        """Pickle and copy what was declared: laws are found again by their names."""
+        state = super().__getstate__()
+        return {**state, "__dict__": {k: v for k, v in state["__dict__"].items() if k != "found_laws"}}
+
     @property
     def laws(self) -> tuple[Law, ...]:
         """The law of each wall."""

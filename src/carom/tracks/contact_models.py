@@ -11,6 +11,7 @@ ones. So each contact is fitted without a hop and with one, and all contacts wit
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from typing import NamedTuple
 
 import numpy as np
@@ -336,7 +337,7 @@ def _fitted(job: _TableContact, chosen: _Candidate) -> ContactFit:
     best, k, since, noise, time = chosen.theta, job.k, job.since, job.noise, job.time
     fitted = contact_fit(
         best, chosen.free, job.residual, job.slope(best), lambda theta: _table_outputs(theta, since, k),
-        lambda t: _table_position(best, since, t, k), scale=job.scale, time=time, noise=noise,
+        partial(_table_position, best, since, k=k), scale=job.scale, time=time, noise=noise,
         slid_before=bool(chosen.free[ANGLE]), slid_until_contact=chosen.slid_until_contact,
     )  # fmt: skip
     fitted = replace(fitted, theta=best)

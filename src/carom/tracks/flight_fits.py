@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,7 +69,7 @@ def fit_flight(
     best, _chi2 = solve(residual, slope, theta, scale)
     rates = slope(best)
     fit = contact_fit(
-        best, np.ones(len(theta), bool), residual, rates, _outputs, lambda t: _position(best, t, air.drag),
+        best, np.ones(len(theta), bool), residual, rates, _outputs, partial(_position, best, drag=air.drag),
         scale=scale, time=time, noise=noise,
     )  # fmt: skip
     if not air.drag_error:

@@ -75,7 +75,7 @@ class _Displacements(Parameters):
                     Column(f"balls.{i}.position.{'xyz'[k]}", f"balls.{i}.position", k, (tuple(setup.balls["x"][i]),))
                 )
                 slopes.append(made)
-        super().__init__(scene, columns, slopes)
+        super().__init__(scene, tuple(f"balls.{i}.position" for i in range(len(phases))), columns, slopes)
 
 
 def lyapunov(run: Any) -> DisplacementGrowth:

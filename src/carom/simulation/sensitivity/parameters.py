@@ -25,9 +25,9 @@ ARRAYS = ("world", "features", "balls")
 class Parameters:
     """Columns, and the derivatives of the arrays of a scene with respect to each."""
 
-    def __init__(self, scene: Scene, columns: list[Column], slopes: list[Tangents]) -> None:
+    def __init__(self, scene: Scene, wrt: tuple[str, ...], columns: list[Column], slopes: list[Tangents]) -> None:
         setup = set_up(scene, compiled=False)
-        self.columns, self.slopes = columns, slopes
+        self.wrt, self.columns, self.slopes = wrt, columns, slopes
         self._dtypes = {name: getattr(setup, name).dtype for name in ARRAYS}
 
     def __len__(self) -> int:
@@ -83,4 +83,4 @@ def parameters_of(scene: Scene, wrt: Any, phases: list[int]) -> Parameters:
 
 
 def _made(scene: Scene, wrt: Any, phases: list[int]) -> Parameters:
-    return Parameters(scene, *tangents_of(scene, wrt, phases, set_up(scene, compiled=False)))
+    return Parameters(scene, wrt, *tangents_of(scene, wrt, phases, set_up(scene, compiled=False)))

@@ -64,6 +64,10 @@ class Sensitivity:
         self.values = np.array([one.value for one in columns])
         """Their values in the scene (p,)."""
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the run and the parameters: the derivatives are computed again, with the same bits."""
+        return sensitivity, (self._run, self._parameters.wrt)
+
     @property
     def events(self) -> list[EventSensitivity]:
         """Derivatives of each event, in the order of ``run.events``."""
