@@ -122,3 +122,146 @@ def test_all_faults_at_once() -> None:
     with pytest.raises(carom.CaromError) as caught:
         carom.Space(table_scene(), {"walls.*.frction": [0.1], "floor.friction": []}, repeats=0, seed=-1)
     assert len(caught.value.faults) == 4
+
+
+KINDS = {
+    "number": 0.1, "numbers": [0.1, 0.2], "pairs": [[0.1, 0.2], [0.3, 0.4]], "vectors": [[0.1, 0.2, 0.3], [0.3, 0.4, 0.5]],
+    "names": ["mirror", "no-slip"], "uniform": sweeps.uniform(0, 1), "normal": sweeps.normal(0.5, 0.1),
+    "sobol": sweeps.sobol(0, 1, 4), "hypercube": sweeps.latin_hypercube(0, 1, 4), "polar": carom.polar([1, 2], [100, 120]),
+    "drawn polar": carom.polar(sweeps.uniform(0, 1), 90), "along": sweeps.along("axis", [1, 2]), "infinite": [1, np.inf],
+}  # fmt: skip
+PLACES = {
+    "scene": (
+        "floor.friction",
+        "balls.0.velocity",
+        "balls.0.velocity.x",
+        "balls.0",
+        "balls",
+        "balls.*.spin",
+        "run.law",
+        "gravity",
+    ),
+    "cylinder": ("walls.0.axis", "walls.0.axis.x", "walls.0.radius"),
+    "impact": ("angle", "law", "inertia", "spin_x"),
+    "orbit": ("law", "bounces", "vertices", "vertices.0", "vertices.0.x", "kappa"),
+}
+
+
+def subject(name: str) -> tuple[object, list[str]]:
+    """A subject, and outcomes with dimensions of their own."""
+    if name == "impact":
+        return sweeps.ImpactCase(), ["reflection_angle", "final.velocity"]
+    if name == "orbit":
+        return sweeps.OrbitCase(table="polygon", vertices=[(0, 0), (1, 0), (0, 1)], bounces=3), ["time"]
+    if name == "scene":
+        return table_scene(duration=0.1), ["final.position"]
+    wall = {
+        "shape": "cylinder",
+        "inside": True,
+        "point": (0, 0, 0),
+        "axis": (0, 0, 1),
+        "radius": 2.0,
+        "restitution": 0.9,
+        "friction": 0.1,
+    }
+    ball = {"radius": 0.03, "mass": 0.2, "position": (0, 0, 0), "velocity": (1, 0, 0)}
+    return carom.Scene(gravity=0, walls=[wall], balls=[ball], run={"duration": 0.1}), ["final.position"]
+
+
+@pytest.mark.parametrize("name", PLACES)
+@pytest.mark.filterwarnings("error")
+def test_every_kind_of_values_in_every_place(name: str) -> None:
+    """Computed, or refused in one line: draws in the place of a vector, vectors in the place of a number ended in IndexErrors."""
+    given, keep = subject(name)
+    computed = 0
+    for path in PLACES[name]:
+        for kind, values in KINDS.items():
+            try:
+                found = carom.sweep(carom.Space(given, {path: values}), keep).run()
+            except carom.CaromError as error:
+                unclear = [fault for fault in error.faults if not fault.startswith("Space: ")]
+                assert unclear == [], (path, kind)
+            else:
+                computed += int((found["failed"] == 0).any())
+    assert computed >= {"scene": 20, "cylinder": 6, "impact": 10, "orbit": 6}[name]
+
+
+@pytest.mark.parametrize(
+    ("path", "values", "said"),
+    [
+        ("balls.0.velocity", sweeps.uniform(0, 1), r"expected .*, got 0\.5"),
+        ("balls.0.velocity.x", np.ones((4, 3)), "expected a speed in m/s, got"),
+        ("floor.friction", carom.polar(1, [0, 90]), "expected"),
+        ("balls.0", [[0, 1, 2]], "expected"),
+    ],
+)
+def test_what_cannot_stand_in_a_place_is_refused(path: str, values: object, said: str) -> None:
+    with pytest.raises(carom.CaromError, match=f"Space: {path}: .*{said}"):
+        carom.Space(table_scene(), {path: values})
+
+
+def test_points_that_a_scene_refuses_are_no_reason_to_refuse_a_space() -> None:
+    places = [[0.29, 0.2], [0.31, 0.2], [0.3, 0.21], [-0.6, 0.0]]  # (the first three in another ball)
+    found = carom.sweep(carom.Space(table_scene(duration=0.1), {"balls.0.position": places}), ["final.time"]).run()
+    assert (found["failed"].values == 0).tolist() == [False, False, False, True]
+    carom.Space(table_scene(), {"floor.friction": sweeps.uniform(-0.5, 0.5)})
+
+
+@pytest.mark.parametrize("dim", ["axis", "ball", "failed", "blocks", "repeat", "events.count"])
+@pytest.mark.parametrize("make", [sweeps.along, lambda dim, values: sweeps.sobol(values[0], values[1], 2, dim)])
+def test_a_dimension_with_a_name_of_the_result(dim: str, make: object) -> None:
+    def run() -> None:
+        axis = make(dim, [0.1, 0.2])  # type: ignore[operator]
+        carom.sweep(carom.Space(table_scene(), {"floor.friction": axis}), ["final.position", "events.count"])
+
+    with pytest.raises(carom.CaromError, match="expected a name"):
+        run()
+
+
+def test_names_that_two_things_would_have() -> None:
+    case = sweeps.ImpactCase()
+    with pytest.raises(carom.CaromError, match=r"Space: angle: expected a name .*, got 'energy_ratio'"):
+        carom.sweep(carom.Space(case, {"angle": sweeps.along("energy_ratio", [1.0, 2.0])}), ["energy_ratio"])
+    together = {"angle": sweeps.along("k", [1.0, 2.0]), "speed": sweeps.along("k", [1.0, 2.0])}
+    with pytest.raises(carom.CaromError, match=r"Space: angle: expected a name .*, got 'angle'"):
+        carom.Space(case, {**together, "spin_z": sweeps.along("angle", [1.0, 2.0, 3.0])})
+
+
+def test_a_list_has_a_dimension_of_its_own() -> None:
+    """A dimension that somebody else had named so, or an axis given twice, made two parameters vary together."""
+    named = sweeps.along("friction", [0.1, 0.2])
+    space = carom.Space(table_scene(), {"floor.friction": named, "walls.0.friction": [0.3, 0.4]})
+    assert space.dims == {"friction": 2, "walls_0_friction": 2}
+    aim = carom.polar([1.0, 2.0], [0.0, 90.0])
+    space = carom.Space(table_scene(), {"balls.0.velocity": aim, "balls.1.velocity": aim})
+    assert len(space.dims) == 4
+    points = {str(space.point(k)) for k in range(space.size)}
+    assert len(points) == space.size == 16
+    assert list(
+        carom.Space(sweeps.ImpactCase(), {"angle": sweeps.along("speed", [1, 2]), "speed": [1, 2]}).dims.values()
+    ) == [2, 2]
+    with pytest.raises(carom.CaromError, match="along: values: expected values, got"):
+        sweeps.along("k", sweeps.uniform(0, 1))
+    with pytest.raises(carom.CaromError, match="sobol: dim: expected a name"):
+        sweeps.sobol(0, 1, 4, dim=3)
+
+
+def test_points_that_no_impact_has_are_refused_alone() -> None:
+    """One ball of kappa above 2/3, or a negative friction, ended the whole sweep."""
+    for path, values, good in (
+        ("inertia", sweeps.sobol(0.3, 1.0, 64), 2 / 3),
+        ("friction", sweeps.sobol(-0.2, 0.5, 64), None),
+        ("gravity", [9.8, 1.6], None),
+    ):
+        space = carom.Space(sweeps.ImpactCase(friction=0.2), {path: values})
+        found = carom.sweep(space, ["final.velocity"]).run()
+        given = found[path if path == "gravity" else "sample"].values
+        accepted = given <= good if good else given >= 0
+        assert (found["failed"].values == 0).tolist() == accepted.tolist()
+        alone = carom.Space(
+            sweeps.ImpactCase(**{"friction": 0.2, path: given[-1 if accepted[-1] else accepted.argmax()]}),
+            {"angle": 45.0},
+        )
+        number = len(given) - 1 if accepted[-1] else int(accepted.argmax())
+        expected = carom.sweep(alone, ["final.velocity"]).run()["final.velocity"].values
+        assert found["final.velocity"].values[number].tolist() == expected.tolist()

@@ -79,10 +79,16 @@ def along(dim: str, values: ArrayLike) -> Values:
     'table'
     """
     found = as_axis(values, "along: values")
+    if not isinstance(found, Values):
+        raise CaromError(f"along: values: expected values, got {found!r:.60}, which is drawn or made of two parameters")
+    return replace(found, dim=_dimension("along", dim))
+
+
+def _dimension(where: str, dim: Any) -> str:
+    """Return the name of a dimension; CaromError for what is no name."""
     if not isinstance(dim, str) or not dim.isidentifier():
-        raise CaromError(f"along: dim: expected a name such as 'table', got {dim!r:.60}")
-    assert isinstance(found, Values)
-    return replace(found, dim=dim)
+        raise CaromError(f"{where}: dim: expected a name such as 'table', got {dim!r:.60}")
+    return dim
 
 
 def polar(speed: Any, angle: Any) -> Polar:
@@ -156,7 +162,8 @@ def sobol(low: float, high: float, count: int, dim: str = "sample") -> Design:
     >>> sweeps.sobol(0.1, 0.3, 256).count
     256
     """
-    return Design("sobol", *_two("sobol", ("low", low), ("high", high)), _count("sobol", count), dim)
+    ends = _two("sobol", ("low", low), ("high", high))
+    return Design("sobol", *ends, _count("sobol", count), _dimension("sobol", dim))
 
 
 def latin_hypercube(low: float, high: float, count: int, dim: str = "sample") -> Design:
@@ -171,7 +178,7 @@ def latin_hypercube(low: float, high: float, count: int, dim: str = "sample") ->
     'sample'
     """
     ends = _two("latin_hypercube", ("low", low), ("high", high))
-    return Design("latin-hypercube", *ends, _count("latin_hypercube", count), dim)
+    return Design("latin-hypercube", *ends, _count("latin_hypercube", count), _dimension("latin_hypercube", dim))
 
 
 def _two(where: str, *given: tuple[str, Any]) -> tuple[float, float]:
@@ -324,5 +331,5 @@ def axis_from_data(data: Any, where: str) -> Axis:
     if isinstance(made, Values):
         return along(dim, made.values)
     if isinstance(made, Design):
-        return replace(made, dim=dim)
+        return replace(made, dim=_dimension(where, dim))
     raise CaromError(f"{where}: dim: expected none with {name}, which is drawn anew at every point, got {dim!r}")

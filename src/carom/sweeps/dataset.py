@@ -30,12 +30,9 @@ def _about(outcome: Outcome) -> dict[str, Any]:
 
 def _coordinates(sweep: Any) -> dict[str, Any]:
     found: dict[str, Any] = {}
-    coordinates = sweep.space.coordinates
-    for one in coordinates:
-        alone = sum(other.dim == one.dim for other in coordinates) == 1
-        name = one.dim if alone and one.values.ndim == 1 else one.path
+    for one in sweep.space.coordinates:
         about = {"path": one.path, **({"units": one.units} if one.units != "1" else {})}
-        found[name] = (one.dims, one.values, about)
+        found[one.name] = (one.dims, one.values, about)
     for outcome in sweep.outcomes:
         for dim, labels in outcome.dims.items():
             found.setdefault(dim, ((dim,), np.array(labels)))

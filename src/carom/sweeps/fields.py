@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
+import numpy as np
+
 from carom.errors import CaromError
-from carom.scene.paths import overlapping_paths, path_match, replaced
+from carom.scene.paths import PathMatch, overlapping_paths, path_match, replaced
 from carom.scene.schema import Model
-from carom.sweeps.axes import Axis, Values
+from carom.sweeps.axes import Axis, Design, Draw, Polar, Values
+from carom.sweeps.draws import polar_rows
 
 __all__ = ["check_paths", "ends_of", "plain_value", "unit_of"]
 
@@ -33,9 +36,11 @@ def check_paths(model: Model, parameters: Mapping[str, Axis]) -> None:
     matches = []
     for path, axis in parameters.items():
         try:
-            matches.append(path_match(model, path, "Space"))
+            match = path_match(model, path, "Space")
+            matches.append(match)
             for value in ends_of(axis):
                 replaced(model, {path: value})
+            _require_kind(model, match, axis)
         except CaromError as error:
             fault = error.faults[0]
             found.append(fault if fault.startswith("Space:") else f"Space: {path}: {fault}")
@@ -48,12 +53,54 @@ def check_paths(model: Model, parameters: Mapping[str, Axis]) -> None:
 
 
 def ends_of(axis: Axis) -> list[Any]:
-    """Return the values of an axis that a model is asked about beforehand: the ends of numbers, all names."""
+    """Return the values of an axis that a model has to take: the ends of numbers, all names."""
     if not isinstance(axis, Values) or axis.values.ndim > 1:
         return []
     if axis.values.dtype.kind == "U":
         return list(dict.fromkeys(axis.values.tolist()))
     return [plain_value(axis.values.min()), plain_value(axis.values.max())]
+
+
+def _require_kind(model: Model, match: PathMatch, axis: Axis) -> None:
+    """Raise CaromError for numbers where a vector stands, vectors where a number stands, and other things that no point can have.
+
+    A model may refuse some of the points (a ball in a wall), which then have no outcome: a value of the right kind is asked about
+    only if it may be the only one.
+    """
+    vectors = isinstance(axis, Polar) or (isinstance(axis, Values) and axis.values.ndim > 1)
+    if isinstance(axis, Values) and not vectors:
+        return  # (its ends were taken)
+    stands, fault = match.values[0], None
+    same = isinstance(stands, tuple) and _is_number(stands[:1]) if vectors else _is_number((stands,))
+    for value in _some_of(axis):
+        try:
+            replaced(model, {match.path: value})
+        except CaromError as error:
+            fault = fault or error
+        else:
+            return
+    if fault is not None and not same:
+        raise fault
+
+
+def _is_number(values: tuple[Any, ...]) -> bool:
+    return any(isinstance(one, int | float) and not isinstance(one, bool) for one in values)
+
+
+def _some_of(axis: Axis) -> list[Any]:
+    """Return a few of the values of an axis, of draws the middle and the ends."""
+    match axis:
+        case Polar():
+            sizes, angles = (np.array(_some_of(part), dtype=float) for part in (axis.speed, axis.angle))
+            return [row.tolist() for angle in angles for row in polar_rows(sizes, np.full(len(sizes), angle))]
+        case Draw("normal"):
+            return [axis.first, axis.first - axis.second, axis.first + axis.second]
+        case Draw():
+            return [(axis.first + axis.second) / 2, axis.first, axis.second]
+        case Design():
+            return [(axis.low + axis.high) / 2, axis.low, axis.high]
+    places = np.unique(np.linspace(0, len(axis.values) - 1, 3).astype(int))
+    return [plain_value(axis.values[k]) for k in places]
 
 
 def plain_value(value: Any) -> Any:

@@ -131,17 +131,30 @@ class Impacts:
         count = len(next(iter(columns.values())))
         found = {outcome.name: blank(outcome, count) for outcome in outcomes}
         failed = np.full(count, REFUSED, np.int8)
-        named = {name: column for name, column in columns.items() if column.dtype.kind == "U"}
+        # (a law takes many balls at once, in one field of gravity)
+        shared = {name: column for name, column in columns.items() if column.dtype.kind == "U" or name == "gravity"}
         labels = np.array(
-            ["\0".join(parts) for parts in zip(*(column.tolist() for column in named.values()), strict=True)]
+            ["\0".join(map(str, parts)) for parts in zip(*(column.tolist() for column in shared.values()), strict=True)]
             or [""] * count
         )
         for label in dict.fromkeys(labels.tolist()):
             rows = np.flatnonzero(labels == label)
-            case = self.case.model_copy(update={name: str(column[rows[0]]) for name, column in named.items()})
-            given = {name: column[rows] for name, column in columns.items() if name not in named}
-            self._answer(case, given, rows, outcomes, found, failed)
+            case = self.case.model_copy(update={name: column[rows[0]].tolist() for name, column in shared.items()})
+            given = {name: column[rows] for name, column in columns.items() if name not in shared}
+            self._answer_accepted(case, given, rows, outcomes, found, failed)
         return found, failed
+
+    def _answer_accepted(
+        self, case: ImpactCase, given: Columns, rows: Array, outcomes: list[Outcome], found: Columns, failed: Array
+    ) -> None:
+        """Answer all points but those that no impact has, such as a kappa above 2/3: the halves are asked until these are alone."""
+        try:
+            self._answer(case, given, rows, outcomes, found, failed)
+        except CaromError:
+            half = len(rows) // 2
+            for part in (slice(half), slice(half, None)) if half else ():
+                own = {name: column[part] for name, column in given.items()}
+                self._answer_accepted(case, own, rows[part], outcomes, found, failed)
 
     def _answer(
         self, case: ImpactCase, given: Columns, rows: Array, outcomes: list[Outcome], found: Columns, failed: Array

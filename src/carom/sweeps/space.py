@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import zlib
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any
 
 import numpy as np
@@ -19,6 +20,7 @@ __all__ = ["Coordinate", "Space"]
 
 Columns = dict[str, NDArray[Any]]
 REPEAT = "repeat"
+VECTOR_DIMS = {2: "component", 3: "axis"}  # of the components of vectors
 
 
 class Coordinate:
@@ -26,13 +28,13 @@ class Coordinate:
 
     def __init__(self, dim: str, values: NDArray[Any], path: str, units: str) -> None:
         self.dim, self.values, self.path, self.units = dim, values, path, units
+        self.name = path
+        """In a result: the dimension's where that has no other values, else the path."""
 
     @property
     def dims(self) -> tuple[str, ...]:
         """The dimension, and for vectors that of their components."""
-        return (
-            (self.dim,) if self.values.ndim == 1 else (self.dim, "axis" if self.values.shape[1] == 3 else "component")
-        )
+        return (self.dim, *(VECTOR_DIMS[size] for size in self.values.shape[1:]))
 
 
 class Space:
@@ -93,7 +95,7 @@ class Space:
             raise CaromError(*found)
         self.repeats, self.seed = int(repeats), int(seed)
         self.coordinates: list[Coordinate] = []
-        self._columns: dict[int, tuple[str, NDArray[Any]]] = {}
+        self._columns: dict[str, tuple[str, NDArray[Any]]] = {}
         self.dims: dict[str, int] = {}
         self._lay_out()
 
@@ -131,14 +133,18 @@ class Space:
             for _path, name, axis in parts
             if isinstance(axis, Values) and axis.dim is None and len(axis.values) > 1
         ]
+        taken = {REPEAT, *VECTOR_DIMS.values(), *(axis.dim for _path, _name, axis in parts if hasattr(axis, "dim"))}
         designs: dict[str, list[tuple[str, str, Design]]] = {}
         for path, name, axis in parts:
             if isinstance(axis, Values):
                 if len(axis.values) == 1 and axis.dim is None:
                     continue
-                dim = axis.dim or (name if own.count(name) == 1 else path.replace(".", "_").replace("*", "all"))
+                whole = path.replace(".", "_").replace("*", "all")
+                more = (f"{whole}_{name}{k or ''}" for k in itertools.count())
+                names = itertools.chain([name] if own.count(name) == 1 else [], [whole], more)
+                dim = axis.dim or next(one for one in names if one not in taken)
+                taken.add(dim)
                 found += self._add(dim, axis.values, path, name)
-                self._columns[id(axis)] = dim, axis.values
             elif isinstance(axis, Design):
                 designs.setdefault(axis.dim, []).append((path, name, axis))
         for dim, group in designs.items():
@@ -150,23 +156,40 @@ class Space:
                 continue
             key = zlib.crc32(dim.encode())
             columns = design_columns([axis for _path, _name, axis in group], self.seed << 32 | key)
-            for (path, name, axis), values in zip(group, columns, strict=True):
+            for (path, name, _axis), values in zip(group, columns, strict=True):
                 found += self._add(dim, values, path, name)
-                self._columns[id(axis)] = dim, values
+        dims = [one.dim for one in self.coordinates]
+        for one in self.coordinates:
+            if dims.count(one.dim) == 1 and one.values.ndim == 1:
+                one.name = one.dim
         if found:
             raise CaromError(*found)
+        self.require_names({name for one in self.coordinates for name in one.dims[1:]} | {REPEAT})
         if self.repeats > 1:
             self.dims[REPEAT] = self.repeats
 
     def _add(self, dim: str, values: NDArray[Any], path: str, name: str) -> list[str]:
         size = self.dims.setdefault(dim, len(values))
         units = {"speed": "m/s", "angle": "degree"}.get(name) if isinstance(self.parameters[path], Polar) else None
-        self.coordinates.append(
-            Coordinate(dim, values, path if units is None else f"{path}.{name}", units or self.subject.units(path))
-        )
+        part = path if units is None else f"{path}.{name}"
+        self.coordinates.append(Coordinate(dim, values, part, units or self.subject.units(path)))
+        self._columns[part] = dim, values
         if size != len(values):
             return [f"Space: {path}: expected {size} values, as the dimension {dim} has, got {len(values)}"]
         return []
+
+    def require_names(self, used: Collection[str]) -> None:
+        """Raise CaromError where a dimension, or the values along it, would have a name that the result uses for something else."""
+        found = []
+        for one in self.coordinates:
+            name = one.dim if one.dim in used else one.name
+            if name in used or (name != one.dim and name in self.dims):
+                found.append(
+                    f"Space: {one.path}: expected a name that the result does not use for something else, got {name!r}; give the"
+                    f" dimension another name, such as sweeps.along('{one.path.rpartition('.')[2]}_values', ...)"
+                )
+        if found:
+            raise CaromError(*found)
 
     # --- the points ------------------------------------------------------------------------------------------------
 
@@ -190,8 +213,8 @@ class Space:
         if isinstance(axis, Draw):
             draws = uniform_draws if axis.kind == "uniform" else normal_draws
             return draws(self.seed, zlib.crc32(name.encode()), first, count, axis.first, axis.second)
-        if id(axis) in self._columns:
-            dim, values = self._columns[id(axis)]
+        if name in self._columns:
+            dim, values = self._columns[name]
             return values[index[dim]]  # type: ignore[no-any-return]
         assert isinstance(axis, Values)
         return np.repeat(axis.values, count, axis=0)

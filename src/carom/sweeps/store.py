@@ -27,10 +27,11 @@ from carom.files import import_optional
 from carom.sweeps.outcomes import FAILED, FAILURES, NOT_DONE, Outcome
 from carom.sweeps.space import Coordinate
 
-__all__ = ["Blocks", "Store", "blocks_of", "checksum"]
+__all__ = ["BLOCKS", "Blocks", "Store", "blocks_of", "checksum"]
 
 Array = NDArray[Any]
 ATTRIBUTE = "carom"
+BLOCKS = "blocks"  # the group of what is known of blocks
 INNER_POINTS = 8192  # of a chunk within a shard: what a reader of a few points has to read
 
 
@@ -162,7 +163,7 @@ class Store:
     def checksums(self) -> Array:
         """Return (blocks,) the checksums: 0 where a block is not done."""
         with self._explaining("read"):
-            found: Array = self.zarr.open_group(self.place, mode="r", zarr_format=3)["blocks/checksum"][:]
+            found: Array = self.zarr.open_group(self.place, mode="r", zarr_format=3)[f"{BLOCKS}/checksum"][:]
         return found
 
     def read(self, name: str, region: tuple[slice, ...]) -> Array:
@@ -208,11 +209,9 @@ class Store:
                 for dim, labels in outcome.dims.items():
                     self._coordinate(group, dim, (dim,), np.array(labels), {})
             for one in coordinates:
-                alone = sum(other.dim == one.dim for other in coordinates) == 1
-                name = one.dim if alone and one.values.ndim == 1 else one.path
                 about = {"path": one.path, **({"units": one.units} if one.units != "1" else {})}
-                self._coordinate(group, name, one.dims, one.values, about)
-            inside = group.require_group("blocks")
+                self._coordinate(group, one.name, one.dims, one.values, about)
+            inside = group.require_group(BLOCKS)
             self._array(
                 inside,
                 "checksum",
@@ -261,7 +260,7 @@ class Store:
                 array = values[name].reshape((*shape, *values[name].shape[1:]))
                 group[name][region if region else ...] = array if region else array.reshape(tuple(group[name].shape))
             found = checksum(outcomes, values)
-            group["blocks/checksum"][block] = found
+            group[f"{BLOCKS}/checksum"][block] = found
             return found
 
 

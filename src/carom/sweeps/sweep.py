@@ -24,7 +24,7 @@ from carom.sweeps.dataset import dataset_of, open_dataset
 from carom.sweeps.gpu import require_gpu
 from carom.sweeps.outcomes import FAILED, FAILURES, NOT_DONE, Outcome
 from carom.sweeps.space import Space
-from carom.sweeps.store import Blocks, Store, blocks_of, checksum, identity
+from carom.sweeps.store import BLOCKS, Blocks, Store, blocks_of, checksum, identity
 
 __all__ = ["Sweep", "SweepPlan", "sweep"]
 
@@ -74,6 +74,7 @@ class Sweep:
     ) -> None:
         self.space = space
         self.outcomes: list[Outcome] = space.subject.outcomes(keep)
+        space.require_names({FAILED, BLOCKS, *keep, *(dim for one in self.outcomes for dim in one.dims)})
         self.store = store
         self.blocks = blocks
         self.own_laws = own_laws
