@@ -8,21 +8,24 @@ it printed into docs/campaigns.md, with date, commit and time taken; the tests r
 from __future__ import annotations
 
 import argparse
+import io
 import json
+import signal
 import subprocess
 import sys
 import time
 from collections.abc import Callable, Iterable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO
 
 import numpy as np
 from rich.console import Console
 from rich.progress import track
 
 Row = dict[str, Any]
+Mapping = Callable[..., Iterable[Row]]
 SHARES = (0.6827, 0.95)
 ROOT = Path(__file__).parents[1]
 RESULTS = ROOT / "docs" / "campaigns.md"
@@ -43,11 +46,36 @@ class Campaign:
         self.small: bool = given.small
         self.rows = Rows(given.rows)
         self.lines: list[str] = []
+        self.ended = False
+        """Whether it was ended before all was counted: what was counted is reported, and is no complete result."""
 
     def say(self, *cells: object) -> None:
         """Print a line of the result."""
         self.lines += " ".join(map(str, cells)).split("\n")
         print(*cells, flush=True)
+
+    def go_through(
+        self,
+        wanted: Sequence[tuple[str, int]],
+        one: Callable[[str, int], Row],
+        *,
+        again: Callable[[Row], bool] = lambda _row: False,
+        many: Mapping = map,
+    ) -> list[Row]:
+        """Return the rows of runs by kind and seed; ``one`` computes those that are not known yet, or are wanted ``again``.
+
+        ``many`` maps ``one`` over kinds and seeds, in order. Where it is ended by Ctrl-C or by SIGTERM, the rows that are known by
+        then are returned, and with ``--rows`` another call computes the others.
+        """
+        with _terminated_as_interrupted():
+            try:
+                self.rows.go_through(wanted, one, again, many)
+            except KeyboardInterrupt:
+                self.ended = True
+        found = [self.rows.known[key] for key in wanted if key in self.rows.known]
+        if self.ended:
+            self.say(f"ended after {len(found):,} of {len(wanted):,}")
+        return found
 
     def wants(self, name: str, names: Iterable[str] = ()) -> bool:
         """Return whether ``--only`` means this kind: it names one of ``names``, or all that begin so; with --small the first."""
@@ -80,7 +108,7 @@ def campaign(
     run = Campaign(given, given.count or (small if given.small else count))
     begin = time.monotonic()
     yield run
-    if not given.small and not given.only and given.count is None:
+    if not given.small and not given.only and given.count is None and not run.ended:
         write_result(given.results, name, doc, run.lines, time.monotonic() - begin)
 
 
@@ -122,21 +150,60 @@ class Rows:
         self.known: dict[tuple[str, int], Row] = {}
         if path and path.exists():
             for line in path.read_text().splitlines():
-                if line.endswith("}"):  # not one that was broken off
+                with suppress(json.JSONDecodeError):  # (of a line that was broken off)
                     row = json.loads(line)
                     self.known[row["kind"], row["seed"]] = row
 
     def fill(self, kind: str, seeds: Iterable[int], run: Callable[[int], Row]) -> list[Row]:
         """Return one row for each seed; ``run`` computes those that are not known yet."""
-        seeds = list(seeds)
-        missing = [seed for seed in seeds if (kind, seed) not in self.known]
-        for seed in track(missing, kind, console=Console(stderr=True), transient=True):
-            row = {"kind": kind, "seed": seed, **run(seed)}
-            self.known[kind, seed] = row
-            if self.path:
-                with self.path.open("a") as file:
-                    file.write(json.dumps(row) + "\n")
-        return [self.known[kind, seed] for seed in seeds]
+        wanted = [(kind, seed) for seed in seeds]
+        self.go_through(wanted, lambda _kind, seed: run(seed))
+        return [self.known[key] for key in wanted]
+
+    def go_through(
+        self,
+        wanted: Sequence[tuple[str, int]],
+        one: Callable[[str, int], Row],
+        again: Callable[[Row], bool] = lambda _row: False,
+        many: Mapping = map,
+    ) -> None:
+        """Compute rows by kind and seed that are not known yet, or are wanted ``again``, and keep each as soon as it is there."""
+        missing = [key for key in wanted if key not in self.known or again(self.known[key])]
+        if not missing:
+            return
+        found = many(one, *(list(column) for column in zip(*missing, strict=True)))
+        with self._file() as file:
+            keys = track(missing, missing[0][0], console=Console(stderr=True), transient=True)
+            for (kind, seed), its in zip(keys, found, strict=True):
+                row = self.known[kind, seed] = {"kind": kind, "seed": seed, **its}
+                file.write(json.dumps(row) + "\n")
+                file.flush()
+
+    def _file(self) -> TextIO:
+        """Return the file to write rows to, on a new line."""
+        if self.path is None:
+            return io.StringIO()
+        file = self.path.open("a+")
+        file.seek(max(file.tell() - 1, 0))
+        if file.read(1) not in ("", "\n"):
+            file.write("\n")
+        return file
+
+
+@contextmanager
+def _terminated_as_interrupted() -> Iterator[None]:
+    """Take SIGTERM as Ctrl-C: ``timeout`` and ``kill`` end a campaign with what it has counted."""
+    before = signal.signal(signal.SIGTERM, signal.default_int_handler)
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)
+
+
+def left_to_the_parent() -> None:
+    """Let a worker's parent decide what Ctrl-C means: for the worker's process."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
 
 
 def counting_errors(count: int) -> tuple[float, float]:

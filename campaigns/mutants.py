@@ -86,20 +86,14 @@ def try_all(run: Campaign, rooms: Sequence[str], copied: Copy) -> None:
         print(f"{room} {number}: {mutant.about}: {fate}", file=sys.stderr, flush=True)
         return {"mutant": mutant.about, "text": mutant.text, "fate": fate}
 
-    def to_do(room: str, number: int) -> bool:
-        row = run.rows.known.get((room, number))
-        return row is None or (run.given.again and row["fate"] == "survived")
-
-    for number in numbers(run):
-        for room in rooms:
-            if to_do(room, number):
-                run.rows.known.pop((room, number), None)
-                run.rows.fill(room, [number], lambda seed, room=room: one(room, seed))
+    wanted = [(room, number) for number in numbers(run) for room in rooms]
+    run.go_through(wanted, one, again=lambda row: bool(run.given.again) and row["fate"] == "survived")
 
 
 def report(run: Campaign, room: str) -> None:
     """A line for a room, and one for each survivor."""
-    known, rows = judged_equivalent(), [run.rows.known[room, number] for number in numbers(run)]
+    known = judged_equivalent()
+    rows = [run.rows.known[room, number] for number in numbers(run) if (room, number) in run.rows.known]
     survived = [row for row in rows if row["fate"] == "survived"]
     left = [row["mutant"] for row in survived if identity(row) not in known]
     killed, same = len(rows) - len(survived), len(survived) - len(left)

@@ -1,12 +1,12 @@
 """Mutated files, to every command that reads files: an answer or one clear refusal, never a traceback, a hang or a warning.
 
-    python campaigns/mutated_files.py [N] [--only COMMAND] [--first 0] [--limit 20] [--keep FOLDER]
+    python campaigns/mutated_files.py [N] [--only COMMAND] [--first 0] [--limit 20] [--keep FOLDER] [--rows FILE]
 
-N files (2,500) from the seed ``first`` on: tracks of all formats, tables of rebounds and states, scenes, gases and their
+N files (100,000) from the seed ``first`` on: tracks of all formats, tables of rebounds and states, scenes, gases and their
 checkpoints, with bytes flipped, cut, moved and repeated, lines inserted, encodings swapped, cells of 200,000 characters, and
-numbers such as 1e-320, 1e308, nan and inf. Each goes to one command, in a process of its own that is ended after ``limit`` seconds.
+numbers such as 1e-320, 1e308, nan and inf. Each goes to one command, in a process that is ended after ``limit`` seconds.
 A fault is anything but success, or exit code 2 with clean lines on standard error and nothing on standard output; --keep saves such
-files. Ends with 1 if there is a fault.
+files. The commands take turns, so that a run that is ended has files of each. Ends with 1 if there is a fault.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from campaign import ROOT, Row, campaign
+from campaign import ROOT, Row, campaign, left_to_the_parent
 
 FILES = ROOT / "tests" / "tracks" / "files"
 # Each command with the kinds of files that it reads; FILE stands for the file.
@@ -442,6 +442,7 @@ class Worker:
 
 
 def _serve(line: Connection, limit: float, keep: Path | None) -> None:
+    left_to_the_parent()
     compiled = set()
     with contextlib.suppress(EOFError):
         while True:
@@ -475,29 +476,29 @@ def main(words: Sequence[str] | None = None) -> int:
         "keep": {"type": Path},
     }
     faults = Counter[str]()
-    with campaign("mutated_files", __doc__, words, count=2_500, small=120, **options) as run:
+    with campaign("mutated_files", __doc__, words, count=100_000, small=120, **options) as run:
         keep = run.given.keep
         if keep is not None:
             keep.mkdir(parents=True, exist_ok=True)
-        wanted = [name for name in COMMANDS if not run.given.only or name.startswith(run.given.only)]
-        whole = sum(SLOW.get(name, 1.0) for name in wanted)
-        total = 0
+        names = [name for name in COMMANDS if not run.given.only or name.startswith(run.given.only)]
+        whole = sum(SLOW.get(name, 1.0) for name in names)
+        if run.small:
+            names = [name for name in names if SLOW.get(name, 1.0) >= 0.1]
+        counts = {name: max(1, round(run.count * SLOW.get(name, 1.0) / whole)) for name in names}
+        turns = sorted(((k + 0.5) / counts[name], name, k) for name in names for k in range(counts[name]))
         with runner(run.given.limit, keep, run.small) as send:
-            for name in wanted:
-                if run.small and SLOW.get(name, 1.0) < 0.1:
-                    continue
-                count = max(1, round(run.count * SLOW.get(name, 1.0) / whole))
-                seeds = range(run.given.first, run.given.first + count)
-                rows = run.rows.fill(name, seeds, lambda seed, name=name: send(seed, name))
-                found = Counter(row["outcome"] for row in rows)
-                bad = {key: n for key, n in found.items() if key not in ("answered", "refused")}
-                total += count
-                faults.update(bad)
-                run.say(f"{name:24} {count:6,} files, {found['answered']:6,} answered, {found['refused']:6,} refused")
-                for key, n in bad.items():
-                    first = next(row["seed"] for row in rows if row["outcome"] == key)
-                    run.say(f"    {n} × {key} (seed {first})")
-        run.say(f"{total:,} files, {sum(faults.values()):,} faults")
+            wanted = [(name, run.given.first + k) for _turn, name, k in turns]
+            found = run.go_through(wanted, lambda name, seed: send(seed, name))
+        for name in names:
+            rows = [row for row in found if row["kind"] == name]
+            each = Counter(row["outcome"] for row in rows)
+            bad = {key: n for key, n in each.items() if key not in ("answered", "refused")}
+            faults.update(bad)
+            run.say(f"{name:24} {len(rows):6,} files, {each['answered']:6,} answered, {each['refused']:6,} refused")
+            for key, n in bad.items():
+                first = min(row["seed"] for row in rows if row["outcome"] == key)
+                run.say(f"    {n} × {key} (seed {first})")
+        run.say(f"{len(found):,} files, {faults.total():,} faults")
     return 1 if faults else 0
 
 

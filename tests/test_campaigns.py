@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import importlib
+import os
 import re
+import signal
+import time
 from contextlib import closing
 from pathlib import Path
 
@@ -68,6 +71,61 @@ def test_a_complete_run_is_written(tmp_path: Path, capsys: pytest.CaptureFixture
     assert "second 1" in text
     assert not re.search("first|small|seven|\\na 1", text)
     assert len(capsys.readouterr().out.splitlines()) == 5
+
+
+def test_a_run_that_is_ended_reports_and_goes_on_from_its_rows(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    page, kept = tmp_path / "page.md", tmp_path / "rows.jsonl"
+    page.write_text("# Campaigns\n")
+    wanted, done = [(kind, seed) for seed in range(4) for kind in ("a", "b")], []
+
+    def one(kind: str, seed: int) -> dict[str, int]:
+        if len(done) == 5:
+            os.kill(os.getpid(), signal.SIGTERM)  # (as timeout does)
+            time.sleep(30)
+        done.append((kind, seed))
+        return {"square": seed**2}
+
+    def go() -> list[dict[str, int]]:
+        with campaign("one", "What it counts.", ["--rows", str(kept), "--results", str(page)]) as run:
+            return run.go_through(wanted, one)
+
+    before = signal.getsignal(signal.SIGTERM)
+    assert [row["square"] for row in go()] == [0, 0, 1, 1, 4]
+    assert signal.getsignal(signal.SIGTERM) is before
+    assert capsys.readouterr().out == "ended after 5 of 8\n"
+    assert "## one" not in page.read_text()  # what was ended is no result
+    with kept.open("a") as file:
+        file.write('{"kind": "b", "se')  # a line that was broken off
+    done.append(("a line", 0))
+    assert [row["square"] for row in go()] == [0, 0, 1, 1, 4, 4, 9, 9]
+    assert done[6:] == wanted[5:]
+    assert "## one" in page.read_text()
+    done.clear()
+    assert len(go()) == 8
+    assert done == []  # all rows are in the file, after the broken line too
+    with campaign("one", "What it counts.", ["--rows", str(kept), "--results", str(page)]) as run:
+        run.go_through(wanted, one, again=lambda row: row["square"] == 4)
+    assert done == [("a", 2), ("b", 2)]
+
+
+def test_scenes_are_judged_once(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    module = importlib.import_module("no_event_missed")
+    words = ["4", "--first", "100", "--processes", "1", "--rows", str(tmp_path / "rows.jsonl")]
+    assert module.main(words) == 0
+    first = capsys.readouterr().out
+    assert re.match(r"4 scenes, [1-9]\d* events, [1-9][\d,]+ steps", first)
+    monkeypatch.setattr(module, "random_scene", None)
+    assert module.main(words) == 0
+    assert capsys.readouterr().out == first
+    monkeypatch.setattr(
+        module, "look", lambda _kind, seed: {"fault": "deep in a wall", "row": 3, "size": 0.1, "events": {}, "steps": 1}
+    )
+    assert module.main(["2", "--first", "7", "--processes", "1"]) == 1
+    assert "scene 8: deep in a wall, row 3, 0.1" in capsys.readouterr().out
 
 
 def test_shares_and_their_counting_errors() -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import importlib
 import os
 import signal
@@ -63,11 +64,17 @@ def main() -> None:
     sys.exit(code)
 
 
-def _run() -> int:
+@functools.cache
+def _command() -> Any:
+    """Return the whole command, which takes longer to make than most verbs to run (a process may run several)."""
     from carom.cli.help import prepare_help
 
+    return prepare_help(typer.main.get_command(app))
+
+
+def _run() -> int:
     try:
-        return int(prepare_help(typer.main.get_command(app))(standalone_mode=False) or 0)
+        return int(_command()(standalone_mode=False) or 0)
     except CaromError as error:
         return _report(error)
     except KeyboardInterrupt:
