@@ -1,4 +1,4 @@
-"""``carom compare``: every law's prediction for one incoming ball, as a table and one sentence per law."""
+"""``carom compare``: predictions of laws for one incoming ball, as a table and one sentence per law."""
 
 from __future__ import annotations
 
@@ -99,7 +99,7 @@ def compare(
     as_json: Annotated[bool, shared("json")] = False,
     plot: Annotated[Path | None, shared("plot")] = None,
 ) -> None:
-    """Compare every law's prediction for one incoming ball, and say which are admissible.
+    """Compare the predictions of laws for one incoming ball, and say which are admissible.
 
     The defaults are the paper's example.
     """

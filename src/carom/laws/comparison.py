@@ -1,4 +1,4 @@
-"""Compare every law's prediction for one incoming ball, and say which laws are admissible and why others are not.
+"""Compare the predictions of laws for one incoming ball, and say which laws are admissible and why others are not.
 
 :func:`incoming` makes a :class:`~carom.laws.law.Meeting` from a speed, an angle and a spin; :func:`compare` evaluates every
 law; :mod:`carom.laws.remarks` describes a prediction in sentences. All of it runs as plain Python, so nothing is compiled.
