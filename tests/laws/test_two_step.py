@@ -3,6 +3,7 @@
 import math
 import random
 from fractions import Fraction
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,6 +20,28 @@ STICKS = (math.inf, 0)
 
 
 # --- the paper ------------------------------------------------------------------------------------------------------
+
+
+def test_why_a_ball_comes_back_at_52_degrees():
+    """Topspin turns it on the cloth, and the wall's friction takes most of that topspin: docs/faq.md says it with numbers."""
+    before = carom.rolling(BALL, (-1.0, 1.0))
+    smooth = carom.two_step(BALL, before, wall=carom.Surface(1.0, 0.0))
+    rough = carom.two_step(BALL, before, wall=carom.Surface(1.0, math.inf))
+    # without friction at the wall: 45 degrees and all the topspin, which the cloth turns into 66.8 degrees
+    assert smooth.after_wall.velocity == pytest.approx([1, 1, 0])
+    assert smooth.after_wall.spin == pytest.approx(before.spin)
+    assert smooth.rolling.velocity[0] == pytest.approx(3 / 7)
+    # with a friction that stops the slip 5/7 of the topspin and 2/7 of the velocity along the wall are gone
+    assert rough.after_wall.spin[1] == pytest.approx(2 / 7 * before.spin[1])
+    assert rough.after_wall.velocity[1] == pytest.approx(5 / 7)
+    angles = [math.degrees(two.reflection_angle) for two in (smooth, rough)]
+    just_after = math.degrees(math.atan2(*rough.after_wall.velocity[1::-1]))
+    page = Path(__file__).parents[2] / "docs" / "faq.md"
+    if page.exists():  # (the tests may be run without the docs)
+        said = " ".join(page.read_text(encoding="utf-8").split())
+        assert f"slow the normal velocity to 3/7 until the ball rolls, at {angles[0]:.1f} degrees" in said
+        assert "takes 5/7 of that topspin and 2/7 of the velocity along the wall" in said
+        assert f"from {just_after:.1f} degrees just after the wall to {angles[1]:.1f}" in said
 
 
 @pytest.mark.parametrize(("u0", "v0"), [(Fraction(1), Fraction(1)), (Fraction(3, 7), Fraction(-11, 5))])
