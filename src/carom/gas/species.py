@@ -123,8 +123,8 @@ class Drive:
 class Thermostat:
     """Andersen's thermostat: each ball, at random instants, gets a new velocity and spin from a Maxwellian.
 
-    The instants are those of a Poisson process, and events like all others, exact. The gas approaches the canonical
-    distribution, positions included, whatever its contacts conserve; momentum is not conserved (H. C. Andersen,
+    The instants are those of a Poisson process, and events like all others. Where contacts conserve energy, the gas
+    approaches the canonical distribution, positions included; momentum is not conserved (H. C. Andersen,
     J. Chem. Phys. 72, 2384 (1980)).
 
     Parameters
