@@ -9,7 +9,8 @@ import pytest
 
 from carom.errors import CaromError
 from carom.tracks import Calibration, Settings, Track, TrackFile, measure, read_tracks
-from carom.tracks.frame_numbers import at_rate, rounding_of_times, without_rounding
+from carom.tracks.frame_clock import rounding_of_times
+from carom.tracks.frame_numbers import at_rate, without_rounding
 from carom.tracks.preprocess import on_camera_clock
 
 RATE = 119.88
