@@ -108,12 +108,13 @@ def test_back_in_time(axes):
 
 
 def test_the_same_bits_however_it_is_cut_into_chunks_saved_and_restored():
-    whole, *_ = box(periodic=(True, False, True), gravity=(0, -1, 0), seed=4)
-    parts, *_ = box(periodic=(True, False, True), gravity=(0, -1, 0), seed=4)
-    whole.run(4000)
-    parts.run(1234, chunk=7)
+    # (after 1338 collisions a ball lies on the wall: an inelastic collapse)
+    whole, *_ = box(periodic=(True, False, True), gravity=(0, -1, 0), seed=5)
+    parts, *_ = box(periodic=(True, False, True), gravity=(0, -1, 0), seed=5)
+    whole.run(1300)
+    parts.run(432, chunk=7)
     parts = Gas.restore(parts.state())
-    parts.run(4000 - 1234, chunk=1000)
+    parts.run(1300 - 432, chunk=100)
     for name, array in whole.state().items():
         assert array.tobytes() == parts.state()[name].tobytes() or name == "system", name
     one, other = whole.state()["system"], parts.state()["system"]

@@ -137,12 +137,7 @@ def gas(
             checkpoints.save_if_due(now)
 
         with progress:
-            finished = session.run(
-                stop=lambda: bool(signals),
-                progress=report_progress,
-                every=snapshot_every,
-                snapshot=None if file is None else file.write,
-            )
+            finished = _run(session, signals, report_progress, snapshot_every, file, found)
         if not finished and checkpoints.path is None:
             checkpoints.path = Path(f"{(scene or resume or Path('gas')).stem}.checkpoint.npz")
         written: list[Path] = []
@@ -270,6 +265,27 @@ def _session(path: Path | None, scene: GasScene | None, resume: Path | None, pro
     assert scene is not None
     progress.note_compiling()
     return Session(scene, str(path), progress.growing)
+
+
+def _run(
+    session: Session,
+    signals: list[int],
+    progress: Callable[[Session], None],
+    every: int | float | None,
+    file: _Frames | None,
+    found: list[str],
+) -> bool:
+    """Run a session; return whether it is over. Why a gas ended early while it was measured is added to ``found``."""
+    from carom.gas.endings import EndedEarlyError
+
+    write = None if file is None else file.write
+    try:
+        return session.run(stop=lambda: bool(signals), progress=progress, every=every, snapshot=write)
+    except EndedEarlyError as error:
+        if not session.measuring:
+            raise
+        found[:0] = error.faults
+        return True
 
 
 class _Frames:

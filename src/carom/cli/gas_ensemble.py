@@ -61,16 +61,21 @@ def run_ensemble(
     quiet: bool,
 ) -> None:
     """Simulate an ensemble; print it, plot it, and write its measures."""
+    from carom.gas.endings import EndedEarlyError
     from carom.gas.ensembles import simulate_ensemble
 
     progress.note_compiling()
+    found: list[str] = []
     try:
         with progress:
             ensemble = simulate_ensemble(scene, members, where=where, progress=_Bar(progress, members).show)
+    except EndedEarlyError as error:
+        if error.result is None:
+            raise
+        ensemble, found = error.result, [*error.faults]
     except KeyboardInterrupt:
         note("carom: interrupted; nothing was saved")
         raise
-    found: list[str] = []
     written: list[Path] = []
     for path, action in ((plot, _plot), (measures, _write)):
         if path is not None:
@@ -83,6 +88,8 @@ def run_ensemble(
     elif not quiet:
         undefined = not scene.container.geometry.faces and math.isnan(ensemble.mean["diffusion"])
         notes = [no_diffusion("displacement" in ensemble.curves or not ensemble.curves)] if undefined else []
+        if ensemble.ended_early:
+            notes.append(f"{len(ensemble.ended_early)} of {members} gases ended early; each counts up to its end.")
         print_tables(scene, f"{members} gases: {scene.describe()}", _tables(ensemble), ensemble.mean["looks"], notes)
         out().print(Text("In brackets: standard error of the mean, in units of the last digits."), soft_wrap=True)
     wrote(*(() if quiet else written))
@@ -120,6 +127,7 @@ def _numbers(ensemble: Ensemble) -> dict[str, Any]:
     """Return what ``--json`` prints."""
     return {
         "ensemble": len(ensemble.seeds), "seeds": list(ensemble.seeds), "mean": ensemble.mean, "error": ensemble.error,
+        "ended_early": {str(seed): end.to_dict() for seed, end in ensemble.ended_early.items()},
     }  # fmt: skip
 
 

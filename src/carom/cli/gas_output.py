@@ -78,7 +78,20 @@ def show(session: Session) -> None:
     assert measures is not None
     undefined = measures.has_diffusion and math.isnan(found["diffusion"])
     notes = [no_diffusion(measures.is_stationary)] if undefined else []
+    if found["ended_early"] is not None:
+        notes.append(_until(found["ended_early"]))
     print_tables(session.scene, f"Gas: {session.scene.describe()}", tables, found["looks"], notes)
+
+
+def _until(end: dict[str, Any]) -> str:
+    """Return until when a gas was measured that ended early."""
+    if end["kind"] != "inelastic collapse":
+        return f"Measured until t = {format_number(end['time'], 6)}, where the gas ended: {end['kind']}."
+    said = f"Measured until an inelastic collapse at t = {format_number(end['time'], 6)}"
+    if end["collisions"] is None:
+        return f"{said}; mean free time: none, since too many of the balls took part."
+    left_out = counted(end["collisions"], "collision")
+    return f"{said}; about {left_out} of the balls that took part are left out of the mean free time."
 
 
 def no_diffusion(stationary: bool) -> str:

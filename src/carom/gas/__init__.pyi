@@ -6,6 +6,8 @@ from .containers import SHAPES as SHAPES
 from .containers import WALLS as WALLS
 from .containers import Container as Container
 from .containers import container as container
+from .endings import EarlyEnd as EarlyEnd
+from .endings import EndedEarlyError as EndedEarlyError
 from .ensembles import Ensemble as Ensemble
 from .ensembles import simulate_ensemble as simulate_ensemble
 from .gas import Gas as Gas

@@ -21,6 +21,7 @@ from carom.core.jit.compile import thread_count
 from carom.errors import CaromError, FaultList, require_type
 from carom.gas import histograms, initial, overlaps
 from carom.gas.edmd import driver
+from carom.gas.endings import EarlyEnd, EndedEarlyError
 from carom.gas.report import report
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
@@ -60,6 +61,8 @@ class Ensemble:
     between walls the number ``density.NAME`` along gravity or across the walls; and without walls the mean square ``displacement``
     over the lag time or, where the temperature of a gas changes by more than a factor of two, ``displacement_by_collisions``: since
     the first sample, over the collisions per ball."""
+    ended_early: dict[int, EarlyEnd]
+    """Of the gases that ended before the collisions or the time asked for, by their seeds: why. They count up to there."""
 
 
 def simulate_ensemble(
@@ -92,7 +95,8 @@ def simulate_ensemble(
     Raises
     ------
     CaromError
-        For a scene whose members would all be the same, and as :class:`Session` does, with the member's seed.
+        For a scene whose members would all be the same, and as :class:`Session` does, with the member's seed. Where gases end
+        early, it is an EndedEarlyError that holds the ensemble: each of them counts up to its end.
 
     Examples
     --------
@@ -123,12 +127,19 @@ def simulate_ensemble(
             raise
         found = [run.result() for run in runs]
     reports = tuple(one[0] for one in found)
-    mean, error = _statistics(reports)
-    names = [name for name in found[0][1] if all(name in one[1] for one in found)]
+    mean, error = _statistics([{name: x for name, x in one.items() if name != "ended_early"} for one in reports])
+    names = [name for name in found[0][1] if all(name in one[1] and len(one[1][name][0]) for one in found)]
     if "displacement" in names:  # (not of some gases only)
         names.remove("displacement_by_collisions")
     curves = {name: _mean_curve([one[1][name] for one in found]) for name in names}
-    return Ensemble(scene, work.seeds, reports, mean, error, curves)
+    ended = {seed: one[2].end for seed, one in zip(work.seeds, found, strict=True) if one[2] is not None}
+    ensemble = Ensemble(scene, work.seeds, reports, mean, error, curves, ended)
+    for seed, (*_, why) in zip(work.seeds, found, strict=True):
+        if why is not None:
+            *others, last = why.faults
+            said = f"{last}; {len(ended)} of {members} gases ended early (the gas with seed {seed})"
+            raise EndedEarlyError(why.end, *others, said, result=ensemble)
+    return ensemble
 
 
 def member_scene(scene: GasScene, seed: int) -> GasScene:
@@ -178,12 +189,17 @@ class _Work:
         self.scene, self.where, self.seeds, self.stop = scene, where, seeds, threading.Event()
         self.shares, self.events = np.zeros(len(seeds)), np.zeros(len(seeds), np.int64)
 
-    def run(self, k: int) -> tuple[dict[str, Any], dict[str, tuple[Array, Array]]]:
-        """Simulate member k; return its report and its curves."""
+    def run(self, k: int) -> tuple[dict[str, Any], dict[str, tuple[Array, Array]], EndedEarlyError | None]:
+        """Simulate member k; return its report, its curves, and why it ended early if it did."""
         try:
-            session = Session(member_scene(self.scene, self.seeds[k]), self.where, self._growing)
-            session.run(stop=self.stop.is_set, progress=lambda now: self._note(k, now))
-            return report(session), _curves(session)
+            session, early = Session(member_scene(self.scene, self.seeds[k]), self.where, self._growing), None
+            try:
+                session.run(stop=self.stop.is_set, progress=lambda now: self._note(k, now))
+            except EndedEarlyError as error:
+                if not session.measuring:
+                    raise
+                early = error
+            return report(session), _curves(session), early
         except CaromError as error:
             raise CaromError(*(f"{fault} (the gas with seed {self.seeds[k]})" for fault in error.faults)) from None
 
@@ -275,5 +291,7 @@ def _mean_curve(curves: Sequence[tuple[Array, Array]]) -> Curve:
         count = min(len(one[0]) for one in curves)
         x = np.median([one[0][:count] for one in curves], axis=0)
         low, high = max(one[0][0] for one in curves), min(one[0][-1] for one in curves)
-        x = x[(x >= low) & (x <= high)]
+        shared = (x >= low) & (x <= high)
+        # (gases that end early may have no time in common: their first samples then stand for each other)
+        x = x[shared] if shared.any() else x[:1]
     return Curve(x, *_mean_and_error(np.array([np.interp(x, *one) for one in curves])))

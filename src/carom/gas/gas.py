@@ -16,11 +16,12 @@ from carom.gas.containers import Container, as_container
 from carom.gas.edmd import driver as engine
 from carom.gas.edmd.driver import GasArrays
 from carom.gas.edmd.records import COLLAPSED, DONE, UNDERFLOW
+from carom.gas.endings import AT_REST, COLLAPSE, TOO_SLOW, EarlyEnd, EndedEarlyError, collapse_of
 from carom.gas.results import GasBalls, GasRun, Mark
 from carom.gas.species import Contacts, Drive, Species, Thermostat, system_records
 from carom.gas.starts import TOUCH, draw_thermal, require_no_overlap, start_positions, vectors
 
-__all__ = ["Gas", "raise_at_rest"]
+__all__ = ["Gas"]
 
 Array = NDArray[np.float64]
 CHUNK = 200_000  # collisions between two checks for progress and interrupts: some tenths of a second
@@ -152,6 +153,7 @@ class Gas:
         self.arrays = arrays  # of the engine; not to be changed from outside
         self._time = engine.time_of_last_event(self.arrays)
         self.cpu_seconds = 0.0  # of the event loop
+        self.ended_early: EarlyEnd | None = None  # why the last run ended before the collisions or the time asked for
 
     @property
     def walls(self) -> tuple[str, ...]:
@@ -231,11 +233,16 @@ class Gas:
         """Advance by so many collisions (with walls included) or to a time, whichever comes first, and measure meanwhile.
 
         ``progress`` is called after every ``chunk`` collisions with the gas and the number of collisions. An interrupt ends
-        the run between chunks; the gas can continue from there. Raises CaromError for an inelastic collapse (infinitely many
-        collisions in a finite time), and where all balls are at rest, or too slow for double precision.
+        the run between chunks; the gas can continue from there. Raises :class:`carom.gas.EndedEarlyError`, a CaromError that holds
+        what was measured until then, for an inelastic collapse (a few balls collide infinitely often in a finite time), and where
+        all balls are at rest, or too slow for double precision.
         """
         mark = self.mark()
-        self.advance(collisions, until, progress=progress, chunk=chunk)
+        try:
+            self.advance(collisions, until, progress=progress, chunk=chunk)
+        except EndedEarlyError as error:
+            error.result = self.measured_since(mark)
+            raise
         return self.measured_since(mark)
 
     def mark(self) -> Mark:
@@ -273,7 +280,7 @@ class Gas:
                 faults.add(name, f"a whole number >= {least}", f"{count!r}")
         faults.raise_if_any()
         most = 1 << 62 if collisions is None else int(collisions)
-        before, done = self.collisions, 0
+        before, done, self.ended_early = self.collisions, 0, None
         while done < most:
             begin = clocks.thread_time()
             engine.advance(self.arrays, until, min(chunk, most - done))
@@ -283,10 +290,26 @@ class Gas:
             if progress is not None:
                 progress(self, done)
             status = int(self.arrays.system[0]["status"])
-            _raise_if_ended(status, self._time, until)
+            self._raise_if_ended(status, until)
             if status == DONE:
                 self._time = max(self._time, until if until < math.inf else self._time)
                 break
+
+    def _raise_if_ended(self, status: int, until: float) -> None:
+        """Raise EndedEarlyError where the engine cannot continue, or will never have the collisions asked for."""
+        if status == COLLAPSED:
+            self.raise_early(collapse_of(self.arrays, self._time))
+        elif status == UNDERFLOW:
+            self.raise_early(EarlyEnd(TOO_SLOW, self._time))
+        elif status == DONE and until == math.inf:
+            self.raise_early(EarlyEnd(AT_REST, self._time))
+
+    def raise_early(self, end: EarlyEnd) -> None:
+        """Note why the run ends early, and raise EndedEarlyError."""
+        self.ended_early = end
+        one = self.arrays.system[0]
+        pairs = int(one["pair_collisions"]) - (end.collisions or 0)
+        raise EndedEarlyError.of(end, float(one["balls"]) * self._time / (2 * pairs) if pairs > 0 else math.inf)
 
     @property
     def at_rest(self) -> bool:
@@ -330,7 +353,7 @@ class Gas:
             wall_collisions=int(one["wall_collisions"] - before["wall_collisions"]),
             simulated_time=t,
             cpu_seconds=self.cpu_seconds - since.cpu,
-            mean_free_time=count * t / (2 * pairs) if pairs else math.inf,
+            mean_free_time=_mean_free_time(count, t, pairs, self.ended_early),
             pressure=(means[0] + float(one["virial"] - before["virial"]) / t) / (axes * volume) if t > 0 else math.nan,
             wall_pressure={k: pushes[k] / (areas[k] * t) if t > 0 else math.nan for k in areas},
             energy_from_walls=feeds,
@@ -340,28 +363,14 @@ class Gas:
             temperature_rotational=means[1] / (about * count),
             max_overlap=max(float(one["overlap"]), 0.0),
             crossings=int(one["crossings"] - before["crossings"]),
+            ended_early=self.ended_early,
         )
 
 
-def raise_at_rest(time: float) -> None:
-    """Raise CaromError: nothing will ever happen any more."""
-    faults = FaultList("Gas.run")
-    faults.add("collisions", "a gas with collisions to come", f"a gas at rest at t = {time!r}")
-    faults.add_remedy("collisions", "run to a time, not to a number of collisions; or supply energy")
-    faults.raise_if_any()
-
-
-def _raise_if_ended(status: int, time: float, until: float) -> None:
-    """Raise CaromError where the engine says that a gas cannot continue, or will never have the collisions asked for."""
-    faults = FaultList("Gas.run")
-    if status == COLLAPSED:
-        what = f"an inelastic collapse at t = {time!r}: ever more collisions in no time"
-        faults.add("contact_time", "a finite number of collisions", what)
-        faults.add_remedy("contact_time", "give a contact_time > 0, a small part of the mean free time")
-    elif status == UNDERFLOW:
-        what = f"slower balls at t = {time!r}, whose squared speeds double precision cannot hold"
-        faults.add("collisions", "speeds above 1e-140", what)
-        faults.add_remedy("collisions", "end the run earlier, or start with larger speeds")
-    elif status == DONE and until == math.inf:
-        raise_at_rest(time)
-    faults.raise_if_any()
+def _mean_free_time(count: int, t: float, pairs: int, end: EarlyEnd | None) -> float:
+    """Return the mean free time of a ball, without the collisions of a collapse; nan where these cannot be told from the others."""
+    if end is not None and end.kind == COLLAPSE:
+        if end.collisions is None or end.collisions >= pairs > 0:
+            return math.nan
+        pairs -= end.collisions
+    return count * t / (2 * pairs) if pairs > 0 else math.inf

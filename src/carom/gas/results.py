@@ -8,6 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.gas.endings import EarlyEnd
+
 __all__ = ["GasBalls", "GasRun", "Mark"]
 
 Array = NDArray[np.float64]
@@ -76,7 +78,8 @@ class GasRun:
     cpu_seconds: float
     """Processor time of the event loop alone."""
     mean_free_time: float
-    """Of a ball, between collisions with others: N t / (2 pair collisions)."""
+    """Of a ball, between collisions with others: N t / (2 pair collisions), those of an inelastic collapse left out (nan where they
+    cannot be told from the others)."""
     pressure: float
     """From the virial: (2 K + sum of impulse times distance / t) / (dimensions volume)."""
     wall_pressure: dict[str, float]
@@ -95,7 +98,11 @@ class GasRun:
     """Largest overlap at a contact by rounding, relative to the distance of the centres."""
     crossings: int = field(repr=False)
     """Events in which a ball only crossed the border of a cell."""
+    ended_early: EarlyEnd | None = None
+    """Why the run ended before the collisions or the time asked for: in an inelastic collapse (which balls, when), at rest, or too
+    slow; None if it did not."""
 
     def to_dict(self) -> dict[str, Any]:
         """Return the results as plain numbers."""
-        return asdict(self)
+        end = self.ended_early
+        return asdict(self) | {"ended_early": None if end is None else end.to_dict()}

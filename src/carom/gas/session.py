@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.gas.build import build
-from carom.gas.gas import Gas, raise_at_rest
+from carom.gas.endings import AT_REST, EarlyEnd, EndedEarlyError
+from carom.gas.gas import Gas
 from carom.gas.measures import Measures
 from carom.gas.results import GasRun, Mark
 from carom.gas.sampling import spread_time
@@ -144,9 +145,31 @@ class Session:
 
         ``progress`` is called some ten times per second. ``snapshot`` is called when the measurement begins, and then every so many
         collisions (``every`` an int) or every so much simulated time (a float). What these raise ends the run.
+
+        Raises EndedEarlyError as :meth:`carom.gas.Gas.run` does; :attr:`result` and :attr:`measures` then hold what was measured
+        until then.
         """
         if every is not None and not (isinstance(every, int | float) and 0 < every < math.inf):
             raise CaromError(f"Session.run: every: expected a whole number >= 1, or a time > 0, got {every!r}")
+        try:
+            return self._run(stop, progress, every, snapshot)
+        except EndedEarlyError as error:
+            if self.mark is None:
+                *others, last = error.faults
+                said = "nothing was measured, since the gas was still equilibrating"
+                raise EndedEarlyError(error.end, *others, f"{last}; {said}") from None
+            if self.measures is not None and self.measures.samples == 0:
+                self.measures.sample(self.gas, pairs=False)  # (those that collide ever faster are in contact)
+            error.result = self.result
+            raise
+
+    def _run(
+        self,
+        stop: Callable[[], bool],
+        progress: Callable[[Session], None] | None,
+        every: int | float | None,
+        snapshot: Callable[[Session], None] | None,
+    ) -> bool:
         while True:
             if snapshot is not None and every is not None and self.mark is not None:
                 self._take_snapshot(every, snapshot)
@@ -158,7 +181,7 @@ class Session:
                 return False
             collisions, until = self._next_piece(every)
             if self.gas.at_rest and (self.mark is None or self.scene.run.duration is None):
-                raise_at_rest(self.gas.time)
+                self.gas.raise_early(EarlyEnd(AT_REST, self.gas.time))
             before, end = self.gas.collisions, self.gas.time + self.max_wait
             self.gas.advance(collisions, min(until, end))
             # a cooling gas slows down without limit: after few collisions in a piece, take longer ones

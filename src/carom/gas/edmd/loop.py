@@ -26,7 +26,14 @@ from carom.gas.edmd.calendar import (
     unschedule,
 )
 from carom.gas.edmd.cells import Block, cell_index, gather_neighbours, insert, remove, set_images
-from carom.gas.edmd.collisions import collide_balls, earliest_collision, free_flight, next_cell_crossing
+from carom.gas.edmd.collisions import (
+    PATIENCE,
+    QUICK,
+    collide_balls,
+    earliest_collision,
+    free_flight,
+    next_cell_crossing,
+)
 from carom.gas.edmd.housekeeping import (
     SORT_INTERVAL,
     check_progress,
@@ -140,8 +147,15 @@ def _reads_bodies(system: Any, pairs: Any) -> bool:
     """Return whether collisions of balls read their spins or last contacts."""
     rough = system.contact_time > 0.0
     for k in range(pairs.shape[0]):
-        rough = rough or pairs[k].smooth == 0
+        rough = rough or pairs[k].smooth == 0 or pairs[k].e < 1.0
     return rough  # type: ignore[no-any-return]
+
+
+@hot_kernel
+def _has_collapsed(system: Any, body: Any, now: float) -> bool:
+    """Return whether a ball has had so many feeble contacts in quick succession that they will never end."""
+    ahead = body.last_contact - now
+    return system.contact_time == 0.0 and ahead > PATIENCE * QUICK * system.bin_width * system.balls  # type: ignore[no-any-return]
 
 
 @kernel
@@ -169,6 +183,7 @@ def run(  # noqa: PLR0915  (the loop)
     last = system.pair_collisions + system.wall_collisions + max_collisions
     flat, threshold, scale, growth = system.dimensions == 2, system.threshold, system.scale, system.growth
     far, spins = count > CACHED_BALLS, _reads_bodies(system, pairs)
+    bodies = balls.bodies
     virial = system.virial  # (accumulated here, so that the sum is the same in one piece or in many)
     status, steps = LIMIT, 0
     ahead = (0, 0, 0)
@@ -236,7 +251,7 @@ def run(  # noqa: PLR0915  (the loop)
             ball, plan = motions[U64(i)], plans[U64(i)]
             free_flight(grid, ball, now)
             if features is not None and kicked:
-                thermostat_kick(system, species, ball, balls.bodies[U64(i)])
+                thermostat_kick(system, species, ball, bodies[U64(i)])
             elif plan.collision_time == at:
                 k = plan.partner
                 if motions[U64(k)].collisions == plan.partner_collisions:
@@ -245,6 +260,10 @@ def run(  # noqa: PLR0915  (the loop)
                     virial += collide_balls(system, grid, balls, materials, i, j, now)
                     system.pair_collisions += 1
                     unschedule(plans, calendar, j)
+                    if spins and (
+                        _has_collapsed(system, bodies[U64(i)], now) or _has_collapsed(system, bodies[U64(j)], now)
+                    ):
+                        status = COLLAPSED
                 else:
                     system.invalidated += 1
             else:
@@ -269,10 +288,12 @@ def run(  # noqa: PLR0915  (the loop)
                         walls,
                         species,
                         ball,
-                        balls.bodies[U64(i)],
+                        bodies[U64(i)],
                         which - FIRST_WALL,
                         now,
                     )
+                    if _has_collapsed(system, bodies[U64(i)], now):
+                        status = COLLAPSED
             collisions = system.pair_collisions + system.wall_collisions
             if now - system.progress_time > STILL_SHARE * width:
                 system.progress_time, system.progress_collisions = now, collisions

@@ -20,7 +20,7 @@ from carom.core.jit.kernel import Vec, dot, kernel
 from carom.core.random import exponential, normals, uniform
 from carom.core.roots.first_root import hit2, hit4, next_hit4
 from carom.gas.edmd.calendar import I64, U64
-from carom.gas.edmd.collisions import add_energies, set_velocity, square
+from carom.gas.edmd.collisions import add_energies, count_if_feeble, set_velocity, square
 from carom.gas.edmd.records import ELLIPSE, OUTSIDE, PLANE
 
 __all__ = [
@@ -303,6 +303,8 @@ def _bounce(
             e, least = 1.0, _release_speed(features, face, contact, gravity, ball, n, system.contact_time)
             least += LEAST_RELEASE * math.sqrt(square(v0))
         body.last_contact = now
+    elif e < 1.0:
+        count_if_feeble(system, body, now, e, -dot(v0, n), one.radius)
     v, spin, j, _required, _regime = one_contact(v0, w0, n, one.radius, one.kappa, e, contact.mu, contact.beta)
     un, pn, half = dot(v0, n), dot(j, n), one.mass / 2.0
     translational = half * (j[0] * (v0[0] + v[0]) + j[1] * (v0[1] + v[1]) + j[2] * (v0[2] + v[2]))
