@@ -94,10 +94,10 @@ def _interval_with_gaps(
     ``known``, ``whole``: the number of missing frames and the interval, s, of the first two.
     """
     most = len(time) / 4
-    if known[0] < most and float(step.max()) < FINE_ROUNDING * known[1]:
-        return known[1]
     if whole[0] <= min(most, known[0]):
         return whole[1]
+    if known[0] < most and float(step.max()) < FINE_ROUNDING * known[1]:
+        return known[1]
     found = _slowest_clock(time, step)
     if float(step.max()) > FINE_ROUNDING * found[1] and whole[0] < np.inf:  # (which fits many clocks)
         found = whole
