@@ -21,6 +21,7 @@ from carom.cli.options import BALL, OUTPUT, comma_separated, quantity, shared
 from carom.cli.streams import say_notes
 from carom.errors import CaromError
 from carom.formatting import format_length, format_number
+from carom.public.own_laws import with_own_laws
 
 if TYPE_CHECKING:
     from carom.laws.comparison import Comparison, Verdict
@@ -121,7 +122,7 @@ def compare(
     names = [name for text in law or [] for name in comma_separated(text)]
     if law and not names:
         found.append("--law: expected names of laws, NAME,NAME, got none; omit the option to compare all laws")
-    laws = [attempt(found, find_law, name) for name in names] or None
+    laws = [attempt(found, find_law, with_own_laws(name)) for name in names] or None
     meeting = attempt(found, lambda: library.incoming(**settings))
     if found:
         raise CaromError(*found)

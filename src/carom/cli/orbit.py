@@ -13,6 +13,7 @@ from carom.cli.common import attempt, require_outputs, working, wrote
 from carom.cli.options import BALL, OUTPUT, quantity, shared
 from carom.cli.orbit_output import every_bounce, orbit_facts, print_orbit
 from carom.errors import CaromError
+from carom.public.own_laws import with_own_laws
 
 if TYPE_CHECKING:
     from carom.billiards import Orbit, Table
@@ -142,6 +143,7 @@ def orbit(
     }  # fmt: skip
     made = attempt(faults, _table, table, {k: v for k, v in given.items() if v is not None}, bounds)
     before = len(faults)
+    law = with_own_laws(law)
     surface = attempt(faults, _surface, law, restitution, friction, tangential_restitution)
     ball = None if made is None else attempt(faults, _ball, made, kappa, ball_radius)
     together = len(faults) == before  # else each of these faults would be reported again below

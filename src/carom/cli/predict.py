@@ -14,6 +14,7 @@ from carom.cli.common import attempt, require_outputs, working, wrote
 from carom.cli.console import err
 from carom.cli.options import WALL, parse_inertia, quantity, shared
 from carom.errors import CaromError
+from carom.public.own_laws import with_own_laws
 
 if TYPE_CHECKING:
     from carom.laws.law import Law
@@ -95,7 +96,7 @@ def predict(
         numbers["kappa"] = kappa
     values: dict[str, Any] = {"given": numbers, "contact_height": contact_height, "gravity": gravity, "suffix": suffix}
     for name, make in (
-        ("law", lambda: find_law(law)),
+        ("law", lambda: find_law(with_own_laws(law))),
         ("spin", lambda: spin_rule(spin)),
         ("normal", lambda: None if normal is None else _vector(normal)),
         ("floor_contact", lambda: _floor_contact(floor_contact)),

@@ -18,6 +18,7 @@ import typer
 from carom.cli.common import attempt, require_outputs, wrote
 from carom.cli.options import OUTPUT, RUN, shared
 from carom.errors import CaromError
+from carom.public.own_laws import with_own_laws
 
 if TYPE_CHECKING:
     from carom.scene.scene import Scene
@@ -109,8 +110,8 @@ def simulate(
         require_outputs(found, {"--plot": plot, "--animate": animate, "--save": save, "--table": table}, kinds)
         values: dict[str, Any] = {}
         for text in set_ or []:
-            values |= attempt(found, _assigned, text) or {}
-        settings = {"law": law, "duration": duration, "max_events": max_events}
+            values |= with_own_laws(attempt(found, _assigned, text) or {})
+        settings = {"law": with_own_laws(law), "duration": duration, "max_events": max_events}
         given = attempt(found, _scene, scene, allow_own_laws, settings, values)
         if found:
             raise CaromError(*found)

@@ -15,18 +15,31 @@ from carom.errors import CaromError, require_type, suggestion
 from carom.laws.arrays import WallKernel
 from carom.laws.law import Answer, Card, Law, Meeting, wall_law
 from carom.laws.registry import law_named
+from carom.public.callers import called_from_outside
+from carom.public.own_laws import OwnLaw
 
-__all__ = ["find_law"]
+__all__ = ["FORBIDDEN", "find_law"]
+
+FORBIDDEN = (
+    "one of carom's laws, as opening a file runs no code",
+    "to run that Python file, if you trust it: --allow-own-laws, or allow_own_laws=True in Python",
+)
+"""Expected, and what to do, where a text from a file names a Python file."""
 
 
 def find_law(name: str) -> Law:
     """Return a law by its name, or a custom law by ``file.py:name``.
 
-    The file defines a :class:`carom.Law`, or a kernel of the wall, (v, w, n, a, kappa, e, mu, beta) -> (v, w).
+    The file defines a :class:`carom.Law`, or a kernel of the wall, (v, w, n, a, kappa, e, mu, beta) -> (v, w). This is the only
+    place in carom that runs it; it runs none for a text out of a file (:mod:`carom.public.own_laws`).
 
-    Raises CaromError for an unknown name (with the nearest one), and for a file that does not run or lacks the name.
+    Raises CaromError for an unknown name (with the nearest one), for a file that does not run or lacks the name, and for a custom
+    law that nobody has typed or allowed.
     """
     require_type("find_law", "name", name, str)
+    if ".py" in name and not isinstance(name, OwnLaw) and not called_from_outside():
+        expected, advice = FORBIDDEN
+        raise CaromError(f"law: expected {expected}, got {Path(name).name!r:.100}; {advice}")
     file, colon, what = name.rpartition(":")
     if not colon or not file.endswith(".py"):
         if name.endswith(".py"):

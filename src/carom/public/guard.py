@@ -22,14 +22,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from carom.errors import CaromError, did_you_mean, float_array
+from carom.public.callers import called_from_outside, is_the_users
+from carom.public.own_laws import with_own_laws
 
 __all__ = ["guarded"]
 
-LIBRARIES = frozenset({
-    "carom", "dask", "distributed", "gsd", "h5netcdf", "h5py", "imageio_ffmpeg", "lazy_loader", "llvmlite", "matplotlib",
-    "mpl_toolkits", "numba", "numpy", "pandas", "pint", "pyarrow", "pydantic", "pydantic_core", "rich", "scipy", "sympy",
-    "typer", "xarray", "zarr",
-})  # fmt: skip
+LAWS = frozenset(
+    {"law", "laws", "changes", "parameters", "values"}
+)  # parameters of functions in which a law may be named
 SEQUENCES = (collections.abc.Sequence, collections.abc.Iterable)
 _done: dict[Any, Any] = {}
 
@@ -69,8 +69,15 @@ def _guard(function: Callable[..., Any], where: str) -> Callable[..., Any]:
     if inspect.isgeneratorfunction(function):
         return function
 
+    places = [
+        i for i, name in enumerate(function.__code__.co_varnames[: function.__code__.co_argcount]) if name in LAWS
+    ]
+
     @functools.wraps(function)
     def call(*args: Any, **options: Any) -> Any:
+        if (places or not LAWS.isdisjoint(options)) and called_from_outside():
+            args = tuple(with_own_laws(one) if i in places else one for i, one in enumerate(args))
+            options = {name: with_own_laws(one) if name in LAWS else one for name, one in options.items()}
         try:
             return function(*args, **options)
         except CaromError:
@@ -138,8 +145,7 @@ def _is_the_callers(error: Exception) -> bool:
     trace = error.__traceback__
     trace = trace.tb_next if trace is not None else None  # (the first frame is the guard's)
     while trace is not None:
-        room = str(trace.tb_frame.f_globals.get("__name__", "")).partition(".")[0]
-        if room not in LIBRARIES and (room == "__main__" or room not in sys.stdlib_module_names):
+        if is_the_users(trace.tb_frame):
             return True
         trace = trace.tb_next
     return False

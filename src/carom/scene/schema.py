@@ -19,6 +19,7 @@ from pydantic_core.core_schema import ValidationInfo
 
 from carom.core.units import parse_quantity
 from carom.errors import MAX_MAGNITUDE, MIN_MAGNITUDE, CaromError, suggestion, with_size_limit
+from carom.public.callers import called_from_outside
 
 __all__ = [
     "Acceleration",
@@ -125,9 +126,10 @@ class Model(BaseModel):
             raise CaromError(
                 f"{own}: expected fields by name, of {', '.join(names)}, got {unnamed[0]!r:.60} without one"
             )
-        # (in Python a law is named by who writes the program; a file that is opened has to be allowed to, `from_file`)
+        # (who writes a program may name a file with a law in it; carom itself makes models of what came from anywhere)
+        context = OWN_LAWS if called_from_outside() else None
         try:
-            self.__pydantic_validator__.validate_python(fields, self_instance=self, context=OWN_LAWS)
+            self.__pydantic_validator__.validate_python(fields, self_instance=self, context=context)
         except ValidationError as error:
             raise CaromError(*fault_lines(type(self).__name__, error, type(self))) from None
 

@@ -9,19 +9,29 @@ from typing import Annotated, Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BeforeValidator, PlainSerializer
+from pydantic import PlainSerializer, PlainValidator
 from pydantic_core.core_schema import ValidationInfo
 
 from carom.core.motion.restitution import CONSTANT
 from carom.errors import CaromError, suggestion
 from carom.laws.law import LIKE_SOLIDS, Law
 from carom.laws.registry import laws
-from carom.laws.user import find_law
+from carom.laws.user import FORBIDDEN, find_law
+from carom.public.own_laws import OwnLaw
 from carom.scene.feature_builders import Feature, Flat
 from carom.scene.restitution import Bounce, Constant, Restitution
 from carom.scene.schema import Fault, Friction, Model, PositiveNumber, Spring, Unquoted, Vector, runs_own_laws
 
-__all__ = ["ContactParameters", "LawChoice", "Pocket", "WallShape", "contact", "format_vector", "law_name"]
+__all__ = [
+    "ContactParameters",
+    "LawChoice",
+    "Pocket",
+    "WallShape",
+    "contact",
+    "format_vector",
+    "law_name",
+    "permitted_law",
+]
 
 Outline = list[NDArray[np.float64]]
 
@@ -64,17 +74,25 @@ def _known_law(value: Any, info: ValidationInfo) -> str | Law:
     if value not in known:
         if ".py" not in value:
             raise Fault(expected, value, suggestion(value, known)).error()
-        if not runs_own_laws(info):
-            advice = "to run that Python file, if you trust it: --allow-own-laws, or allow_own_laws=True in Python"
-            # (its name alone: a long path would be cut off before it)
-            raise Fault("one of carom's laws, as opening a file runs no code", Path(value).name, advice).error()
-        try:
-            find_law(value)
-        except CaromError as error:
-            # (after the file's name)
-            said = "expected " + error.faults[0].partition("expected ")[2]
-            raise Fault("a law in a Python file", Unquoted(f"{value!r}: {said}")).error() from None
+        return permitted_law(value, info)
     return value
+
+
+def permitted_law(name: str, info: ValidationInfo) -> OwnLaw:
+    """Return the name of a custom law that may be run; a fault where nobody has typed or allowed it, and where it is no law."""
+    if runs_own_laws(info):
+        name = OwnLaw(name)
+    if not isinstance(name, OwnLaw):
+        expected, advice = FORBIDDEN
+        # (its name alone: a long path would be cut off before it)
+        raise Fault(expected, Path(name).name, advice).error()
+    try:
+        find_law(name)
+    except CaromError as error:
+        # (after the file's name)
+        said = "expected " + error.faults[0].partition("expected ")[2]
+        raise Fault("a law in a Python file", Unquoted(f"{name!r}: {said}")).error() from None
+    return name
 
 
 def law_name(law: str | Law) -> str:
@@ -82,7 +100,8 @@ def law_name(law: str | Law) -> str:
     return law.name if isinstance(law, Law) else law
 
 
-LawChoice = Annotated[str | Law, BeforeValidator(_known_law), PlainSerializer(law_name)]
+# (no validator of pydantic's after it: one of texts would take an OwnLaw's mark off)
+LawChoice = Annotated[str | Law, PlainValidator(_known_law), PlainSerializer(law_name)]
 
 
 def format_vector(v: tuple[float, ...]) -> str:

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.errors import CaromError, suggestion
 from carom.files import import_optional
+from carom.public.own_laws import OwnLaw
 
 __all__ = [
     "Axis", "Design", "Draw", "Polar", "Values", "along", "as_axis", "axis_from_data", "axis_to_data", "from_plain",
@@ -29,6 +30,12 @@ class Values:
     values: NDArray[Any]
     dim: str | None = None
     """Name of the dimension; parameters of one dimension vary together. Default: a dimension of its own."""
+    own_laws: frozenset[OwnLaw] = frozenset()
+    """The texts among the values that name a custom law which may be run."""
+
+    def named(self, text: str) -> str:
+        """Return a text of the values, as an OwnLaw if it is one: an array of texts does not keep that."""
+        return OwnLaw(text) if text in self.own_laws else text
 
 
 @dataclass(frozen=True)
@@ -240,7 +247,8 @@ def as_axis(value: Any, where: str) -> Axis:
     if array.ndim > 2 or (array.ndim == 2 and array.shape[1] not in (2, 3)):
         raise CaromError(f"{where}: expected values (N,) or vectors (N, 2) or (N, 3), got shape {array.shape}")
     if array.dtype.kind == "U":
-        return Values(array)
+        given = np.ravel(np.array(value, dtype=object)).tolist()
+        return Values(array, own_laws=frozenset(one for one in given if isinstance(one, OwnLaw)))
     array = array.astype(float)
     if np.isnan(array).any():
         raise CaromError(f"{where}: expected numbers, got NaN at index {int(np.argwhere(np.isnan(array))[0][0])}")
@@ -329,7 +337,7 @@ def axis_from_data(data: Any, where: str) -> Axis:
     if dim is None:
         return made  # type: ignore[no-any-return]
     if isinstance(made, Values):
-        return along(dim, made.values)
+        return replace(along(dim, made.values), own_laws=made.own_laws)
     if isinstance(made, Design):
         return replace(made, dim=_dimension(where, dim))
     raise CaromError(f"{where}: dim: expected none with {name}, which is drawn anew at every point, got {dim!r}")

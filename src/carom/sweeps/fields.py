@@ -57,7 +57,7 @@ def ends_of(axis: Axis) -> list[Any]:
     if not isinstance(axis, Values) or axis.values.ndim > 1:
         return []
     if axis.values.dtype.kind == "U":
-        return list(dict.fromkeys(axis.values.tolist()))
+        return [axis.named(text) for text in dict.fromkeys(axis.values.tolist())]
     return [plain_value(axis.values.min()), plain_value(axis.values.max())]
 
 
@@ -105,5 +105,5 @@ def _some_of(axis: Axis) -> list[Any]:
 
 def plain_value(value: Any) -> Any:
     """Return one value as Python's own: whole numbers as int, for fields that count."""
-    found = value.tolist()
+    found = value.tolist() if isinstance(value, np.generic | np.ndarray) else value  # (a text in a column is Python's)
     return int(found) if isinstance(found, float) and found.is_integer() and abs(found) < 2**53 else found

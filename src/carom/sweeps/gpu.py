@@ -50,5 +50,5 @@ def _called_laws(scene: Scene, space: Space) -> list[str]:
         if isinstance(axis, Values) and axis.values.dtype.kind == "U":
             for name in np.unique(axis.values).tolist():
                 with contextlib.suppress(CaromError):  # (such points fail one by one)
-                    made.append(replaced(scene, {path: name}))
+                    made.append(replaced(scene, {path: axis.named(name)}))
     return list(dict.fromkeys(law.card.name for one in made or [scene] for law in one.called_laws))

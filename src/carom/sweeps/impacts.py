@@ -132,14 +132,14 @@ class Impacts:
         found = {outcome.name: blank(outcome, count) for outcome in outcomes}
         failed = np.full(count, REFUSED, np.int8)
         # (a law takes many balls at once, in one field of gravity)
-        shared = {name: column for name, column in columns.items() if column.dtype.kind == "U" or name == "gravity"}
+        shared = {name: column for name, column in columns.items() if column.dtype.kind == "O" or name == "gravity"}
         labels = np.array(
             ["\0".join(map(str, parts)) for parts in zip(*(column.tolist() for column in shared.values()), strict=True)]
             or [""] * count
         )
         for label in dict.fromkeys(labels.tolist()):
             rows = np.flatnonzero(labels == label)
-            case = self.case.model_copy(update={name: column[rows[0]].tolist() for name, column in shared.items()})
+            case = self.case.model_copy(update={name: plain_value(column[rows[0]]) for name, column in shared.items()})
             given = {name: column[rows] for name, column in columns.items() if name not in shared}
             self._answer_accepted(case, given, rows, outcomes, found, failed)
         return found, failed

@@ -6,7 +6,8 @@ import functools
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import BeforeValidator, model_validator
+from pydantic import BeforeValidator, PlainValidator, model_validator
+from pydantic_core.core_schema import ValidationInfo
 
 from carom.billiards.named import SIZES, named_table
 from carom.billiards.orbits import orbit
@@ -18,7 +19,9 @@ from carom.billiards.tables import Table
 from carom.bodies import Ball, Disc, Surface
 from carom.core.random import threefry
 from carom.errors import suggestion
+from carom.laws.registry import laws
 from carom.scene.schema import Fault, Friction, Length, Model, Number, Share, Spring, raise_faults, with_faults_of_part
+from carom.scene.wall import permitted_law
 from carom.sweeps.outcomes import Outcome, require_outcomes
 from carom.sweeps.points import PointByPoint
 
@@ -36,6 +39,16 @@ def _count(value: Any) -> int:
 
 
 Count = Annotated[int, BeforeValidator(_count)]
+
+
+def _orbit_law(value: Any, info: ValidationInfo) -> str:
+    """Validate the law of a billiard's wall."""
+    if isinstance(value, str) and ".py" in value:
+        return permitted_law(value, info)
+    known = [name for law in laws().values() if law.kernel is not None for name in (law.name, *law.aliases)]
+    if value not in known:
+        raise Fault(f"one of {', '.join(known)}, or file.py:name", value, suggestion(str(value), known)).error()
+    return str(value)
 
 
 class OrbitCase(Model):
@@ -78,7 +91,7 @@ class OrbitCase(Model):
     period: Extent | None = None
     distance: Extent | None = None
     bounds: Literal["centre", "surface"] = "centre"
-    law: str = "no-slip"
+    law: Annotated[str, PlainValidator(_orbit_law)] = "no-slip"
     kappa: (
         Annotated[float, BeforeValidator(Number("kappa = I/(m a^2), > 0, at most 1", least=0, most=1, above=True))]
         | None

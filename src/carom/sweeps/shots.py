@@ -321,7 +321,8 @@ def _split(rows: Array, columns: list[Array]) -> list[Array]:
         return [rows]
     label = np.zeros(len(rows), np.int64)
     for column in columns:
-        _unique, which = np.unique(column[rows], axis=0, return_inverse=True)
+        values = column[rows].astype(str) if column.dtype.kind == "O" else column[rows]
+        _unique, which = np.unique(values, axis=0, return_inverse=True)
         _unique, label = np.unique(label * (int(which.max()) + 1) + which.reshape(-1), return_inverse=True)
     order = np.argsort(label, kind="stable")
     return np.split(rows[order], np.flatnonzero(np.diff(label[order])) + 1)

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
+from carom.public.own_laws import holds_own_laws
 from carom.sweeps.axes import Axis, Design, Draw, Polar, Values, as_axis, axis_to_data, design_columns
 from carom.sweeps.draws import normal_draws, polar_rows, uniform_draws
 from carom.sweeps.subjects import SweepSubject, subject_of
@@ -94,6 +95,7 @@ class Space:
         if found:
             raise CaromError(*found)
         self.repeats, self.seed = int(repeats), int(seed)
+        self.has_own_laws = holds_own_laws([subject, *map(vars, self.parameters.values())])
         self.coordinates: list[Coordinate] = []
         self._columns: dict[str, tuple[str, NDArray[Any]]] = {}
         self.dims: dict[str, int] = {}
@@ -215,13 +217,19 @@ class Space:
             return draws(self.seed, zlib.crc32(name.encode()), first, count, axis.first, axis.second)
         if name in self._columns:
             dim, values = self._columns[name]
-            return values[index[dim]]  # type: ignore[no-any-return]
-        assert isinstance(axis, Values)
-        return np.repeat(axis.values, count, axis=0)
+            found: NDArray[Any] = values[index[dim]]
+        else:
+            assert isinstance(axis, Values)
+            found = np.repeat(axis.values, count, axis=0)
+        if found.dtype.kind == "U":
+            assert isinstance(axis, Values)
+            found = np.array([axis.named(text) for text in found.tolist()], dtype=object)
+        return found
 
     def point(self, index: int) -> dict[str, Any]:
         """Return the values at one point, by path."""
-        return {path: column[0].tolist() for path, column in self.columns(index, index + 1).items()}
+        columns = self.columns(index, index + 1)
+        return {path: column[0] if column.dtype.kind == "O" else column[0].tolist() for path, column in columns.items()}
 
     def to_data(self) -> dict[str, Any]:
         """Return the space as plain data, the same for the same space."""

@@ -19,6 +19,7 @@ from carom.core.jit.cache import source_hash
 from carom.core.jit.cuda import computing_on_gpu
 from carom.errors import CaromError
 from carom.formatting import format_bytes, format_time
+from carom.public.own_laws import with_own_laws
 from carom.sweeps.cluster import run_on_cluster
 from carom.sweeps.dataset import dataset_of, open_dataset
 from carom.sweeps.gpu import require_gpu
@@ -69,15 +70,14 @@ class Sweep:
     array([1, 1, 1, 1, 1])
     """
 
-    def __init__(
-        self, space: Space, keep: tuple[str, ...], store: Store | None, blocks: Blocks, own_laws: bool = False
-    ) -> None:
+    def __init__(self, space: Space, keep: tuple[str, ...], store: Store | None, blocks: Blocks) -> None:
         self.space = space
         self.outcomes: list[Outcome] = space.subject.outcomes(keep)
         space.require_names({FAILED, BLOCKS, *keep, *(dim for one in self.outcomes for dim in one.dims)})
         self.store = store
         self.blocks = blocks
-        self.own_laws = own_laws
+        # (a worker of a cluster reads the names of laws from the store, where they have no mark)
+        self.own_laws = space.has_own_laws
         self.on_gpu = False
 
     def __repr__(self) -> str:
@@ -404,10 +404,11 @@ def _from_store(store: Store, allow_own_laws: bool) -> Sweep:
         )
     try:
         subject = subject_from_data(from_plain(data["subject"]), store.name, allow_own_laws=allow_own_laws)
-        parameters = {path: axis_from_data(one, f"{store.name}: {path}") for path, one in data["parameters"].items()}
+        given = with_own_laws(data["parameters"]) if allow_own_laws else data["parameters"]
+        parameters = {path: axis_from_data(one, f"{store.name}: {path}") for path, one in given.items()}
         space = Space(subject, parameters, data["repeats"], data["seed"])
         shape, axis, rows = data["block"]
-        found = Sweep(space, tuple(data["keep"]), store, Blocks(tuple(shape), axis, rows), allow_own_laws)
+        found = Sweep(space, tuple(data["keep"]), store, Blocks(tuple(shape), axis, rows))
     except (KeyError, TypeError, ValueError) as error:
         if isinstance(error, CaromError):
             raise

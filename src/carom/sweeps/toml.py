@@ -11,6 +11,7 @@ from carom.errors import CaromError, did_you_mean
 from carom.files import as_path
 from carom.gas.build import load_gas
 from carom.gas.scene import GasScene
+from carom.public.own_laws import with_own_laws
 from carom.scene.toml import load_scene, read_toml
 from carom.sweeps.axes import Axis, axis_from_data
 from carom.sweeps.space import Space
@@ -87,20 +88,14 @@ def load_sweep(path: str | Path, store: Any = None, *, allow_own_laws: bool = Fa
     else:
         for name, data in table["parameters"].items():
             try:
-                parameters[name] = axis_from_data(data, f"{path}: {name}")
+                parameters[name] = axis_from_data(with_own_laws(data) if allow_own_laws else data, f"{path}: {name}")
             except CaromError as error:
                 found += error.faults
     made = None
     if subject is not None and parameters:  # (what is sound is looked at even where something is not)
         try:
             space = Space(subject, parameters, table.get("repeats", 1), table.get("seed", 0))
-            made = sweep(
-                space,
-                table.get("keep", ()),
-                store,
-                block=table.get("block", BLOCK_POINTS),
-                allow_own_laws=allow_own_laws,
-            )
+            made = sweep(space, table.get("keep", ()), store, block=table.get("block", BLOCK_POINTS))
         except CaromError as error:
             found += [f"{path}: {fault.partition(': ')[2]}" for fault in error.faults]
     if found or made is None:
