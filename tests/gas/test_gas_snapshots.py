@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import os
 import stat
+from types import SimpleNamespace
 
 import gsd.hoomd
 import numpy as np
 import pytest
 from reference.gases import MIXED, ROUGH
+from typer.testing import CliRunner
 
 from carom import CaromError
+from carom.cli import app
+from carom.gas import GasScene, Session
 from carom.gas.build import build, load_gas
+from carom.gas.snapshot_sizes import expected_snapshots, require_size
 from carom.gas.snapshots import Snapshots, spins_of
 
 
@@ -141,3 +146,73 @@ def test_a_gas_starts_from_the_last_frame(gas, tmp_path):
     )
     with pytest.raises(CaromError, match="expected the box of the container"):
         build(load_gas(tmp_path / "again.toml"))
+
+
+# --- how large they become -----------------------------------------------------------------------------------------
+
+
+def cooling(**run):
+    contact = {"between": ("a", "a"), "restitution": 0.95, "friction": 0, "tangential_restitution": -1}
+    return GasScene(
+        container={"shape": "periodic", "size": (60, 60)}, species=[{"count": 400, "radius": 0.5}], contacts=[contact],
+        run={"equilibrate": 0, "seed": 1, **run},
+    )  # fmt: skip
+
+
+def test_the_size_of_a_file_is_estimated(tmp_path):
+    scene = cooling(max_events=20_000)
+    for every in (100, 20.0):  # of collisions, and of time: the gas cools, and takes ever longer between collisions
+        size, session = expected_snapshots(scene, every), Session(scene)
+        file = Snapshots(tmp_path / "s.gsd", session.names)
+        session.run(every=every, snapshot=lambda now, file=file: file.write(now.gas))
+        file.close()
+        assert size.frames == pytest.approx(session.snapshots_taken, rel=0.1)
+        assert size.total == pytest.approx((tmp_path / "s.gsd").stat().st_size, rel=0.2)
+
+
+def test_an_interval_of_time_counts_collisions_by_kinetic_theory():
+    scene = cooling(duration=200.0)
+    session = Session(scene)
+    session.run()
+    assert expected_snapshots(scene, 10).frames == pytest.approx(session.gas.collisions / 10, rel=0.05)
+
+
+def test_no_frame_makes_a_file_larger_than_allowed(tmp_path):
+    session = Session(cooling(max_events=2000))
+    file = Snapshots(tmp_path / "s.gsd", session.names, max_bytes=200_000)
+    with pytest.raises(
+        CaromError, match=r"s.gsd: expected snapshots of at most 200 kB, got \d+ frames with .*max_bytes"
+    ):
+        session.run(every=10, snapshot=lambda now: file.write(now.gas))
+    file.close()
+    assert 100_000 < (tmp_path / "s.gsd").stat().st_size < 250_000
+
+
+def test_a_disk_without_room_is_said_beforehand(tmp_path, monkeypatch):
+    monkeypatch.setattr("shutil.disk_usage", lambda _path: SimpleNamespace(free=10_000_000))
+    size = expected_snapshots(cooling(max_events=200_000), 100)
+    with pytest.raises(
+        CaromError, match=r"fit on the disk, where 10 MB are free, got about 2\d(\.\d)? MB: 2,001 frames"
+    ):
+        require_size(tmp_path / "s.gsd", size, 400, 1e9)
+
+
+def test_the_command_refuses_large_files_in_one_line(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "gas.toml").write_text(
+        '[container]\nshape = "periodic"\nsize = [60, 60]\n[[species]]\ncount = 400\nradius = 0.5\n[[contacts]]\n'
+        'between = ["a", "a"]\nrestitution = 0.95\nfriction = 0.0\ntangential_restitution = -1\n'
+        "[run]\nmax_events = 100_000\nequilibrate = 0\n"
+    )
+    words = ["gas", "gas.toml", "--quiet", "--snapshots", "s.gsd", "--every"]
+    done = CliRunner().invoke(app, [*words, "20"])  # (13 GB)
+    (line,) = done.exception.faults
+    assert line.startswith("--snapshots s.gsd: expected snapshots of at most 1 GB, got about 13")
+    assert line.endswith("choose a larger --every, or allow more with --max-size")
+    assert not (tmp_path / "s.gsd").exists()
+    done = CliRunner().invoke(app, [*words, "50000 events", "--max-size", "0.00001GB"])
+    assert done.exit_code == 1
+    assert "at most 10 kB" in str(done.exception)
+    assert CliRunner().invoke(app, [*words, "50000 events", "--max-size", "1 MB"]).exit_code == 0
+    done = CliRunner().invoke(app, [*words, "20", "--force", "--max-size", "much"])
+    assert str(done.exception) == "--max-size: expected a size > 0, such as '20 GB' or '500 MB', got 'much'"

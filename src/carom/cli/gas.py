@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.common import attempt, require_outputs, wrote
+from carom.cli.gas_snapshots import Frames, open_frames, size_limit
 from carom.cli.options import OUTPUT, RUN, shared
 from carom.cli.streams import note, say_notes
 from carom.errors import CaromError
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
     from carom.cli.gas_output import Progress
     from carom.gas.scene import GasScene
     from carom.gas.session import Session
-    from carom.gas.snapshots import Snapshots
 
 RESUME = "Stop and resume"
 CHECKPOINT_INTERVAL = "10 min"
@@ -70,6 +70,12 @@ def gas(
         str | None,
         typer.Option(metavar="T", help="Time between snapshots, or '5000 events'.", rich_help_panel=OUTPUT),
     ] = None,
+    max_size: Annotated[
+        str | None,
+        typer.Option(
+            metavar="SIZE", help="Largest size of the snapshots: '20 GB'. Default: 1 GB.", rich_help_panel=OUTPUT
+        ),
+    ] = None,
     force: Annotated[bool, shared("force", help="Overwrite snapshots that exist.")] = False,
     checkpoint: Annotated[
         Path | None,
@@ -104,7 +110,13 @@ def gas(
         require_no_files(
             found,
             ensemble,
-            {"--snapshots": snapshots, "--every": every, "--checkpoint": checkpoint, "--resume": resume},
+            {
+                "--snapshots": snapshots,
+                "--every": every,
+                "--checkpoint": checkpoint,
+                "--resume": resume,
+                "--max-size": max_size,
+            },
         )
     if snapshots is not None and resume is None and not force and snapshots.is_file():
         found.append(f"--snapshots {snapshots}: expected a new file, got an existing one; --force overwrites it")
@@ -113,9 +125,7 @@ def gas(
         found.append("--checkpoint-every: expected --checkpoint FILE as well, got none")
     changes = {"max_events": max_events, "duration": duration, "seed": seed}
     given = attempt(found, _scene, scene, resume, changes)
-    snapshot_every = attempt(found, _interval, "--every", every) if every is not None else None
-    if every is not None and snapshots is None:
-        found.append("--every: expected --snapshots FILE.gsd as well, got none")
+    snapshot_every, most = _snapshot_options(found, snapshots, every, max_size)
     if found:
         raise CaromError(*found)
     progress = Progress(quiet)
@@ -127,8 +137,9 @@ def gas(
         snapshot_every = _keep_outputs(
             session, {"--snapshots": snapshots, "--measures": measures, "--plot": plot}, snapshot_every, progress
         )
-        file = None if snapshots is None else _Frames(snapshots, session, resume is not None, found, progress)
-        if file is not None:
+        file = None
+        if snapshots is not None and snapshot_every is not None:
+            file = open_frames(snapshots, session, resume is not None, snapshot_every, most, found, progress)
             stack.callback(file.close)
         checkpoints = _Checkpoints(checkpoint or resume, interval, file, progress)
 
@@ -143,7 +154,13 @@ def gas(
         written: list[Path] = []
         _write(found, written, checkpoints.path, checkpoints.save, session)
     if not finished and checkpoints.path in written:
-        again = {"--max-events": max_events, "--duration": duration, "--snapshots": snapshots, "--every": every}
+        again = {
+            "--max-events": max_events,
+            "--duration": duration,
+            "--snapshots": snapshots,
+            "--every": every,
+            "--max-size": max_size,
+        }
         _stopped(session, scene, checkpoints.path, signals[0], again, found)
     if finished:
         # the report is printed even if a file cannot be written
@@ -174,6 +191,17 @@ def _check_files(
         faults: list[str] = []
         attempt(faults, require_checkpoint, checkpoint)
         found += [f"--checkpoint {fault}" for fault in faults]
+
+
+def _snapshot_options(
+    found: list[str], snapshots: Path | None, every: str | None, max_size: str | None
+) -> tuple[int | float | None, float | None]:
+    """Return the interval of snapshots and their largest size in bytes, None if not given; add faults to ``found``."""
+    interval = attempt(found, _interval, "--every", every) if every is not None else None
+    for option, value in (("--every", every), ("--max-size", max_size)):
+        if value is not None and snapshots is None:
+            found.append(f"{option}: expected --snapshots FILE.gsd as well, got none")
+    return interval, attempt(found, size_limit, max_size)
 
 
 def _interval(option: str, text: str) -> int | float:
@@ -272,7 +300,7 @@ def _run(
     signals: list[int],
     progress: Callable[[Session], None],
     every: int | float | None,
-    file: _Frames | None,
+    file: Frames | None,
     found: list[str],
 ) -> bool:
     """Run a session; return whether it is over. Why a gas ended early while it was measured is added to ``found``."""
@@ -285,43 +313,6 @@ def _run(
         if not session.measuring:
             raise
         found[:0] = error.faults
-        return True
-
-
-class _Frames:
-    """Writes snapshots; where that fails, the run goes on without them, and the fault is told at its end, too."""
-
-    def __init__(self, path: Path, session: Session, resumed: bool, found: list[str], progress: Progress) -> None:
-        from carom.gas.snapshots import Snapshots
-
-        self.taken = session.snapshots_taken if resumed else 0
-        self.file: Snapshots | None = Snapshots(path, session.names, self.taken or None)
-        self.found, self.progress, self.failed = found, progress, False
-
-    def write(self, session: Session) -> None:
-        """Write a frame."""
-        if self._attempted(lambda file: file.write(session.gas)):
-            self.taken += 1
-        session.snapshots_taken = self.taken  # as many as a run that resumes finds
-
-    def flush(self) -> None:
-        """Write all frames to disk."""
-        self._attempted(lambda file: file.flush())
-
-    def close(self) -> None:
-        """Write all frames to disk, and close the file."""
-        self._attempted(lambda file: file.close())
-
-    def _attempted(self, action: Callable[[Snapshots], None]) -> bool:
-        if self.file is None:
-            return False
-        try:
-            action(self.file)
-        except CaromError as error:
-            self.file, self.failed = None, True
-            self.found += error.faults
-            self.progress.say(f"carom: {error}; the run goes on without snapshots")
-            return False
         return True
 
 
@@ -347,7 +338,7 @@ def _signals() -> Iterator[list[int]]:
 class _Checkpoints:
     """Writes checkpoints at intervals."""
 
-    def __init__(self, path: Path | None, every: int | float, file: _Frames | None, progress: Progress) -> None:
+    def __init__(self, path: Path | None, every: int | float, file: Frames | None, progress: Progress) -> None:
         import time
 
         self.path, self.every, self.file, self.progress, self.clock = path, every, file, progress, time.monotonic

@@ -25,6 +25,7 @@ from carom.errors import CaromError, suggestion
 from carom.files import atomic_path, cannot_write, import_optional, read_text
 from carom.gas.gas import Gas
 from carom.gas.results import GasBalls
+from carom.gas.snapshot_sizes import INDEX, MAX_BYTES, format_bytes
 
 __all__ = ["InitialState", "Snapshots", "read_initial_state", "spins_of"]
 
@@ -47,8 +48,11 @@ class Snapshots:
     names : names of the species
     keep : int, optional
         How many frames of an existing file to keep and append to; default: a new file.
+    max_bytes : float, optional
+        A frame that would make the file larger is refused. Default: 1 GB.
 
-    Raises CaromError where the file cannot be written, or has fewer frames than are to be kept, and where GSD is not installed.
+    Raises CaromError where the file cannot be written, becomes too large, or has fewer frames than are to be kept, and where GSD
+    is not installed.
 
     Examples
     --------
@@ -65,14 +69,18 @@ class Snapshots:
     True
     """
 
-    def __init__(self, path: Path, names: tuple[str, ...], keep: int | None = None) -> None:
+    def __init__(
+        self, path: Path, names: tuple[str, ...], keep: int | None = None, *, max_bytes: float = MAX_BYTES
+    ) -> None:
         self.path, self.names, gsd = path, names, _gsd(path)
+        self.max_bytes, self._bytes, self._last_frame = max_bytes, 0, 0
         self._first: dict[str, str] = {}  # digests of the chunks of the first frame
         try:
             if keep is not None:
                 self._truncate(gsd, keep)
             self._file = _opened(gsd, path, "w" if keep is None else "r+")
             if keep:
+                self._bytes = path.stat().st_size
                 names_there = self._file.find_matching_chunk_names("")
                 self._first = {
                     name: _digest(self._file.read_chunk(0, name))
@@ -102,8 +110,13 @@ class Snapshots:
 
     def write(self, gas: Gas) -> None:
         """Append the gas as it is now: one quantity after the other, so that no copy of the whole gas is in memory."""
+        if self._bytes + self._last_frame > self.max_bytes:
+            raise CaromError(
+                f"{self.path}: expected snapshots of at most {format_bytes(self.max_bytes)}, got {self._file.nframes:,} frames"
+                f" with {format_bytes(self._bytes)}; choose a longer interval, or allow more with max_bytes"
+            )
         with self._writing():
-            starts = self._file.nframes == 0
+            starts, before = self._file.nframes == 0, self._bytes
             for name, make, default in _chunks(gas, self.names):
                 data = make()
                 digest = _digest(data)
@@ -114,10 +127,13 @@ class Snapshots:
                     written = default is None or not np.array_equiv(data, np.asarray(default, data.dtype))
                 if written:
                     self._file.write_chunk(name, data)
+                    self._bytes += data.nbytes
                     if starts:
                         self._first[name] = digest
                 del data
             self._file.end_frame()
+            self._bytes += INDEX
+            self._last_frame = self._bytes - before
             if starts:
                 self._file.flush()
 
