@@ -11,6 +11,7 @@ import numpy as np
 from carom.errors import FaultList
 from carom.tracks.contact_models import slide_would_show
 from carom.tracks.events import WallLine
+from carom.tracks.free_motion import VelocityJump
 from carom.tracks.least_squares import ContactFit, Prior
 
 __all__ = [
@@ -144,6 +145,8 @@ class TrackContact:
     """Whether the ball is in flight, not on a table."""
     prior: Prior = field(default_factory=Prior)
     """Prior knowledge of the floor that the fit used."""
+    jump: VelocityJump | None = None
+    """How much of the jump of the velocity the frames near the contact show; None if it was not fitted."""
     hop: HopVerdict = "none"
     """Whether the contacts with this wall show that a ball on a table hops off it, or may hop."""
 

@@ -17,8 +17,10 @@ from carom.tracks.events import TrackEvent, WallLine
 from carom.tracks.flight_fits import fit_flight
 from carom.tracks.flights import STILL_AIR, Air
 from carom.tracks.floor import WithError, pool_floor, pool_gravity
+from carom.tracks.free_motion import flight_ends, velocity_jump
 from carom.tracks.hops import hop_notes, with_hops
 from carom.tracks.least_squares import AT_CONTACT, ContactFit, Prior
+from carom.tracks.smooth_turns import without_smooth_turns
 from carom.tracks.track import Track
 
 __all__ = ["ContactFitter"]
@@ -36,6 +38,7 @@ ROUNDS = 3
 # The noise that the residuals of a round show is at least this share of what was assumed in it.
 MIN_NOISE_SHARE = 1e-3
 VELOCITIES = ("vn_in", "vt_in", "vn_out", "vt_out", "vn_roll", "vt_roll")
+UNFOUND = "a bounce that is too low or too short to be found"
 Progress = Callable[[int, int], None]
 NAMES = {"wall": "the wall {}", "ball": "ball {}", "gap": "a gap", "start": "the start of the track",
          "end": "the end of the track", "onset": "the ball's start", "turn": "a bounce elsewhere, at {}"}  # fmt: skip
@@ -54,6 +57,12 @@ class ContactFitter:
     """Times before and after a contact whose frames are excluded."""
     air: Air = STILL_AIR
     floor: dict[str, WithError] = field(default_factory=dict)
+    frame_noise: float = 0.0
+    """From frame to frame, m: what differences of neighbouring positions show, whatever the paths are."""
+
+    def __post_init__(self) -> None:
+        """Keep the noise before any fit."""
+        self.frame_noise = self.noise
 
     def run(
         self,
@@ -152,6 +161,7 @@ class ContactFitter:
             found.append(old if old is not None and old.fit is None else self._contact(*job, prior, old))
             if progress:
                 progress(done * len(jobs) + number + 1, ROUNDS * len(jobs))
+        found = without_smooth_turns(found, MAX_EXCESS_SCATTER * self.frame_noise)
         if self.settings.noise is None:
             self.noise = pooled_noise(with_hops(found, self.settings.hops, doubtful=False), self.noise)
         return found
@@ -206,8 +216,11 @@ class ContactFitter:
         ):
             return replace(bare, why="the fit did not converge for these frames")
         scatter = fit.noise * float(np.sqrt(fit.chi2 / max(fit.dof, 1)))
+        # (only frames that were fitted one by one: near the contact all are)
+        jump = velocity_jump(track.time[rows], wall.frame(track.position[rows]), fit, self.frame_noise, self.interval)
         return replace(
             bare,
+            jump=jump,
             time=fit["t"],
             fit=fit,
             last=float(track.time[rows[-1]]),
@@ -235,6 +248,19 @@ class ContactFitter:
             if other_wall.clamped or other_wall.found:
                 use &= other_wall.frame(x)[:, 0] > 1e-6
         first, second = rows[use & (t < 0)], rows[use & (t >= 0)]
+        if self.view == "side":
+            wall, down = self.walls[event.what], np.array(self.air.down)
+            pull = -self.settings.gravity * float(np.array(wall.normal) @ down)
+            d = wall.frame(track.position)[:, 0]
+
+            def ends(part: NDArray[np.intp]) -> float:
+                return flight_ends(np.abs(track.time[part] - middle), d[part], pull, self.frame_noise, self.interval)
+
+            since, until = middle - ends(first[::-1]), middle + ends(second)
+            if since > before.high + self.interval:
+                first, said[0] = first[track.time[first] > since + self.interval / 2], UNFOUND
+            if until < after.low - self.interval:
+                second, said[1] = second[track.time[second] < until - self.interval / 2], UNFOUND
         rows = np.concatenate([first[-MAX_FRAMES:], second[:MAX_FRAMES]])
         for part, between, least in (
             (first, f"{said[0]} and the wall", MIN_FRAMES_BEFORE),

@@ -21,6 +21,7 @@ from carom.tracks.floor import WithError
 from carom.tracks.free_fall import axis_points_down, constant_acceleration, what_would_give
 from carom.tracks.plausibility import GRAVITY_TOLERANCE, MIN_JUDGED, restitution_note, why_implausible
 from carom.tracks.preprocess import guess_view, initial_noise, on_camera_clock, rounding_step, without_outliers
+from carom.tracks.smooth_turns import certainly_sharp, turns_smoothly
 from carom.tracks.track import Track
 
 __all__ = ["Measured", "Settings", "TrackContact", "measure"]
@@ -180,6 +181,8 @@ def _in_likely_view(
     if wrong:
         second = _in_view(film, other, settings, groups, progress)
         wrong_too = why_implausible(second.contacts, other, second.floor, gravity)
+        if not wrong_too and turns_smoothly(found.contacts) and not certainly_sharp(second.contacts):
+            wrong_too = "the frames show no velocity that jumps"
         if not wrong_too and len(second.measured) >= MIN_JUDGED:
             found, view, other, why, wrong = second, other, view, f"{OF_VIEW[view]}, {wrong}", ""
         else:

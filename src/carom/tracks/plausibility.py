@@ -9,6 +9,7 @@ import numpy as np
 from carom.tracks.contact import TrackContact, View
 from carom.tracks.floor import WithError
 from carom.tracks.least_squares import ContactFit
+from carom.tracks.smooth_turns import SMOOTH_TURN
 
 __all__ = ["GRAVITY_TOLERANCE", "MIN_JUDGED", "impossible", "restitution_note", "why_implausible"]
 
@@ -53,9 +54,8 @@ def why_implausible(
     if len(judged) < MIN_JUDGED:
         return ""
     fits = [one.fit for one in judged if one.fit is not None]
-    scattered = len(judged) - len(fits)
-    if scattered > MAX_SHARE_SCATTERED * len(judged):
-        return f"{scattered} of {len(judged)} contacts scatter far more than free motion beside a wall"
+    if len(judged) - len(fits) > MAX_SHARE_SCATTERED * len(judged):
+        return _why_not_free(judged)
     bad = sum(map(_gains, fits))
     if bad >= max(MIN_JUDGED, MAX_SHARE_IMPOSSIBLE * len(judged)):
         return f"{bad} of {len(fits)} restitutions are above 1 beyond their error bars"
@@ -66,3 +66,12 @@ def why_implausible(
     if view == "side" and found is not None and abs(found.value / gravity - 1) > GRAVITY_TOLERANCE:
         return f"gravity comes out as {found.value:.3g} m/s^2"
     return ""
+
+
+def _why_not_free(judged: Sequence[TrackContact]) -> str:
+    """Return why most contacts are none: the ball turns smoothly in most places, or scatters."""
+    smooth = sum(one.why == SMOOTH_TURN for one in judged)
+    if smooth > MAX_SHARE_SCATTERED * len(judged):
+        return f"the ball turns in a smooth curve in {smooth} of {len(judged)} places: no contacts"
+    lost = sum(one.fit is None for one in judged)
+    return f"{lost} of {len(judged)} contacts scatter far more than free motion beside a wall"
