@@ -294,3 +294,34 @@ def test_the_impulse_of_a_wall_is_the_change_of_momentum(law: str) -> None:
     expected = 0.2 * (hit.after.velocity - hit.before.velocity)
     assert abs(expected[0]) > 0.1
     np.testing.assert_allclose(hit.impulse, expected, rtol=1e-12, atol=1e-14)
+
+
+def test_more_events_than_memory_has_places_for(monkeypatch: pytest.MonkeyPatch) -> None:
+    """``events=10**9`` asked for 240 GB a run at once; memory is taken as events happen."""
+    wall = {"shape": "box", "corner": (0, 0, 0), "size": (9, 9, 9), "inside": True}
+    ball = {"radius": 0.1, "mass": 1, "position": (1, 1, 1)}
+    starts = np.random.default_rng(2).normal(size=(40, 3)) * np.geomspace(1, 100, 40)[:, None]
+    scene = carom.Scene(gravity=0, walls=[wall], balls=[ball], run={"law": "mirror", "duration": 200})
+    for block in (16_384, 7):
+        monkeypatch.setattr("carom.simulation.simulate.BLOCK", block)
+        many = carom.simulate_many(scene, velocity=starts, events=10**9)
+        assert many.events.shape == (40, many.count.max())
+        assert many.count.min() < 100
+        assert many.count.max() > 4000
+        assert (many.events["kind"] != 0).sum(axis=1).tolist() == many.count.tolist()
+        few = carom.simulate_many(scene, velocity=starts, events=1000)
+        assert few.events.shape == (40, 1000)
+        assert few.events.tobytes() == many.events[:, :1000].tobytes()
+        some = carom.simulate_many(scene, velocity=starts, events=np.int64(1500))
+        assert some.events.tobytes() == many.events[:, :1500].tobytes()
+        assert carom.simulate_many(scene, velocity=starts, events=10**9, kinds=("rest",)).events.shape == (40, 0)
+    longest = int(many.count.argmax())
+    ball["velocity"] = starts[longest].tolist()
+    log = carom.simulate(carom.Scene(gravity=0, walls=[wall], balls=[ball], run=scene.run)).log
+    assert log["t"][1:].tolist() == many.events["t"][longest].tolist()
+    assert carom.simulate_many(scene, velocity=starts[:0], events=10**9).events.shape == (0, 0)
+    monkeypatch.setattr("carom.simulation.simulate.MAX_KEPT_BYTES", 240 * 40 * 2000)
+    with pytest.raises(
+        carom.CaromError, match=r"events: expected runs of no more than 2,000 events, .* of 40 runs, got one with"
+    ):
+        carom.simulate_many(scene, velocity=starts, events=10**9)

@@ -295,7 +295,11 @@ def loop_for(loop: Callable[..., None], rows: int) -> Callable[..., None]:
     """Return the loop: in Python for a few rows, compiled and in slices for many; or on the GPU, where that is asked for."""
     if computes_on_gpu():
         return _on_gpu(loop)
-    return _quiet(loop) if rows < FEW else sliced(_compiled(loop), rows)
+    if rows < FEW:
+        return _quiet(loop)
+    from carom.core.jit.compile import compiler_is_off
+
+    return _quiet(loop) if compiler_is_off() else sliced(_compiled(loop), rows)
 
 
 def _quiet(loop: Callable[..., None]) -> Callable[..., None]:

@@ -51,7 +51,8 @@ class ManyRuns:
     why: NDArray[np.str_]
     """(N,): empty, or why a run ended at an event for which a law has no answer."""
     events: NDArray[np.void]
-    """(N, M) rows of the log, the first M selected events of each run: ``t``, ``ball``, ``x``, ``v_before``, ``w_before``, ``v``,
+    """(N, M) rows of the log, the first M selected events of each run (M: ``events``; above a thousand, what the longest has):
+    ``t``, ``ball``, ``x``, ``v_before``, ``w_before``, ``v``,
     ``w`` and more; :meth:`table` has names for what is a number here. ``kind``: 1 wall, 2 floor, 3 ball, 4 another phase begins,
     5 settled, 6 left, 7 held, 9 pocketed; 0, with ``t`` NaN, where a run has fewer events. ``other``: number of the wall, ball or
     pocket, or -1. ``phase``, ``phase_before``: 0 flight, 1 sliding, 2 rolling, 3 pivoting, 4 rest, 5 bouncing, 6 held, 7 left,

@@ -14,6 +14,7 @@ from carom.bodies import State, vectors
 from carom.core.jit.slices import Pace, block_slices
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, FaultList, require_type
+from carom.formatting import counted
 from carom.laws.law import Law
 from carom.scene.paths import replaced
 from carom.scene.scene import Run, Scene
@@ -181,7 +182,8 @@ def simulate_many(
         Initial velocities (m/s), spins (rad/s) and positions (m); default: the scene's. One run's, (1, B, 3), are those of all.
         A ball that is to roll at another velocity than the scene's needs its spin too: that of :func:`carom.rolling`.
     events : int
-        How many events of each run to keep, the first ones; default: none.
+        How many events of each run to keep, the first ones; default: none. Of more than a thousand only those take memory that
+        the longest run has.
     kinds : tuple of str
         Kinds of events to keep, such as "wall"; default: all.
     progress : function of (runs done, runs in total), optional
@@ -194,7 +196,7 @@ def simulate_many(
     Raises
     ------
     CaromError
-        For initial states that overlap a wall or another ball, and for unknown kinds.
+        For initial states that overlap a wall or another ball, for unknown kinds, and for events that would fill 8 GB.
 
     Examples
     --------
@@ -207,7 +209,7 @@ def simulate_many(
     """
     require_type("simulate_many", "scene", scene, Scene)
     faults = FaultList("simulate_many")
-    if not isinstance(events, int) or events < 0:
+    if isinstance(events, bool) or not isinstance(events, int | np.integer) or events < 0:
         faults.add("events", "a whole number >= 0", repr(events))
     names = [*KINDS, *PHASES]
     for kind in kinds:
@@ -220,7 +222,7 @@ def simulate_many(
     faults.raise_if_any()
     balls = starts_of("simulate_many", scene, velocity, spin, position)
     until, most = run_limits(scene)
-    return _run_many(scene, balls, until, most, events, kinds, progress)
+    return _run_many(scene, balls, until, most, int(events), kinds, progress)
 
 
 def starts_of(where: str, scene: Scene, velocity: Any, spin: Any, position: Any) -> NDArray[np.void]:
@@ -276,6 +278,11 @@ def _check_starts(where: str, scene: Scene, balls: NDArray[np.void], given: dict
 
 # Runs that are done in one go: enough to keep all cores busy, few enough that memory stays small.
 BLOCK = 16_384
+# So many events of each run have their places from the beginning; of more, those that happen.
+WHOLE_EVENTS = 1000
+# For how many events the logs have room when the loop is called, at least.
+LEAST_SHARE = 64
+MAX_KEPT_BYTES = 8e9
 
 
 def _bits(kinds: tuple[str, ...]) -> int:
@@ -293,25 +300,58 @@ def _run_many(
     total = len(balls)
     ended, slow = np.zeros((total, 3), np.int64), np.full(total, -1.0)
     ended[:, 0] = LIMIT
-    kept = np.zeros((total, events), LOG)
+    kept: list[NDArray[np.void]] = []
     room = events + ROWS - 1 if events else 0
+    rows = room if events <= WHOLE_EVENTS else FIRST_ROWS
     for block in block_slices(total, BLOCK):
-        logs = np.zeros((block.stop - block.start, room), LOG)
-        pace, goes_on = Pace(FIRST_EVENTS), True
-        while goes_on:  # (a few events of every run at a time)
-            share = pace.begin()
+        logs, here = np.zeros((block.stop - block.start, rows), LOG), ended[block]
+        pace, goes_on = Pace(FIRST_EVENTS), np.ones(len(logs), bool)
+        while goes_on.any():  # (a few events of every run at a time)
+            share = max(pace.begin() // len(logs), 1)
+            if logs.shape[1] < room:
+                logs = _with_room(logs, int(here[goes_on, 2].max()), room, total)
+                if logs.shape[1] < room:
+                    share = min(share, (logs.shape[1] - int(here[goes_on, 2].max())) // ROWS)
             many(
-                setup.world, setup.features, balls[block], logs, slow[block], until, most, max(share // len(logs), 1),
-                setup.users, _bits(kinds), ended[block],
+                setup.world, setup.features, balls[block], logs, slow[block], until, most, share, setup.users, _bits(kinds), here,
             )  # fmt: skip
-            pace.done(share)
-            goes_on = bool(((ended[block, 0] == LIMIT) & (ended[block, 1] < most)).any())
-        kept[block] = logs[:, :events]
+            pace.done(share * len(logs))
+            goes_on = (here[:, 0] == LIMIT) & (here[:, 1] < most)
+        used = events if events <= WHOLE_EVENTS else min(events, int(here[:, 2].max()))
+        kept.append(np.ascontiguousarray(logs[:, :used]))
         if progress is not None:
             progress(block.stop, total)
-    kept["t"][kept["kind"] == START] = math.nan  # (no event is at no time: the least of a column is that of events)
+    first = _side_by_side(kept) if kept else np.zeros((0, events if events <= WHOLE_EVENTS else 0), LOG)
+    first["t"][first["kind"] == START] = math.nan  # (no event is at no time: the least of a column is that of events)
     why = np.array([REFUSALS.get(int(code), "") for code in ended[:, 0]])
     final = State.of(np.array(balls["v"]), np.array(balls["w"]), np.array(balls["x"]))
     return ManyRuns(
-        final, np.array(balls["phase"]), balls["clock"].max(axis=1), ended[:, 1].copy(), why, kept, scene=scene
+        final, np.array(balls["phase"]), balls["clock"].max(axis=1), ended[:, 1].copy(), why, first, scene=scene
     )
+
+
+def _with_room(logs: NDArray[np.void], written: int, room: int, total: int) -> NDArray[np.void]:
+    """Return logs with room for events after ``written`` rows, at most ``room`` rows; CaromError where they would be too large."""
+    if logs.shape[1] - written >= ROWS * LEAST_SHARE:
+        return logs
+    rows = min(room, 4 * logs.shape[1], int(MAX_KEPT_BYTES / LOG.itemsize / total))
+    if rows < min(room, written + ROWS * LEAST_SHARE):
+        raise CaromError(
+            f"simulate_many: events: expected runs of no more than {rows:,} events, which fill {MAX_KEPT_BYTES / 1e9:g} GB, of"
+            f" {counted(total, 'run')}, got one with more than {written:,}; keep fewer, choose kinds, or run the starts in parts"
+        )
+    found = np.zeros((len(logs), rows), LOG)
+    found[:, : logs.shape[1]] = logs
+    return found
+
+
+def _side_by_side(parts: list[NDArray[np.void]]) -> NDArray[np.void]:
+    """Return the logs of all blocks as one array, as wide as the widest."""
+    if len(parts) == 1:
+        return parts[0]
+    found = np.zeros((sum(map(len, parts)), max(part.shape[1] for part in parts)), LOG)
+    first = 0
+    for part in parts:
+        found[first : first + len(part), : part.shape[1]] = part
+        first += len(part)
+    return found

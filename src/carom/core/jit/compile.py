@@ -14,6 +14,7 @@ from __future__ import annotations
 
 import functools
 import inspect
+import os
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, NamedTuple
@@ -24,11 +25,12 @@ from carom.core.jit.cache import cache_folder, source_hash
 from carom.core.jit.kernel import HOT, KERNELS, found_root, root_of
 from carom.core.jit.progress import listen
 from carom.core.jit.shared_cache import LOCATOR, compile_in_one_process
+from carom.errors import CaromError
 
 __all__ = [
-    "ArrayOf", "array_of", "cache_folder", "call_compiled", "cfunc", "compiling_failed", "function_type", "is_cached",
-    "limit_threads", "named_tuple_type", "njit", "numba_type", "parallel_range", "plain_numbers", "signature", "source_hash",
-    "thread_count",
+    "ArrayOf", "array_of", "cache_folder", "call_compiled", "cfunc", "compiler_is_off", "compiling_failed",
+    "function_type", "is_cached", "limit_threads", "named_tuple_type", "njit", "numba_type", "parallel_range",
+    "plain_numbers", "signature", "source_hash", "thread_count",
 ]  # fmt: skip
 
 _registered: set[Callable[..., Any]] = set()
@@ -198,13 +200,31 @@ def compiling_failed() -> type[Exception]:
     return NumbaError
 
 
+def compiler_is_off() -> bool:
+    """Return whether Numba was told to compile nothing."""
+    import numba
+
+    return bool(numba.config.DISABLE_JIT)
+
+
+def _require_compiler() -> None:
+    """Raise CaromError where nothing is compiled: loops read records, and count in 32 and 64 bits, as compiled code does."""
+    if compiler_is_off():
+        raise CaromError(
+            "NUMBA_DISABLE_JIT: expected 0, or no such variable, for what runs as compiled code, got"
+            f" {os.environ.get('NUMBA_DISABLE_JIT', '1')}; unset it (single impacts, arrays of them, and short runs are computed in"
+            " Python)"
+        )
+
+
 def njit(function: Callable[..., Any], signature: Any = None, **options: Any) -> Callable[..., Any]:
     """Compile a loop over kernels; fastmath stays off, so that it gives the same bits as Python.
 
-    With a signature it is compiled, or loaded, at once and for nothing else.
+    With a signature it is compiled, or loaded, at once and for nothing else. CaromError where Numba was told to compile nothing.
     """
     import numba
 
+    _require_compiler()
     register_kernels()
     listen()
     options = {"error_model": "numpy", "cache": True, **options}
@@ -225,6 +245,7 @@ def cfunc(function: Callable[..., Any], numbers: int, keep: bool = False, places
     import numba
     from numba import types
 
+    _require_compiler()
     register_kernels()
     signature = types.void(*[types.float64] * numbers, *[types.CPointer(types.float64)] * places)
     with _numba_cache():
