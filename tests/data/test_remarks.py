@@ -64,6 +64,17 @@ def test_energy() -> None:
     assert energy(0.0, 0.0, 1.6, "table") != []
 
 
+@pytest.mark.filterwarnings("error")
+def test_energy_of_a_ball_that_hardly_moves() -> None:
+    """The square of its speed is zero: a file may say 1e-320."""
+    columns = {"v_n_in": [1e-320, 1.0], "v_t_in": [0.0, 0.5], "spin_in": [0.0, 0.0], "v_n_out": [1.0, 0.8], "v_t_out": [0.0, 0.4],
+               "spin_out": [0.0, 0.0]}  # fmt: skip
+    (said,) = energy_remarks(make_rebounds("planar", columns), 0.02, 0.4)
+    assert "1 of 2 rebounds have more energy" in said
+    columns["v_n_out"][0] = 0.0
+    assert energy_remarks(make_rebounds("planar", columns), 0.02, 0.4) == []
+
+
 def test_fits_warn() -> None:
     n = 12
     rng = np.random.default_rng(1)

@@ -38,7 +38,8 @@ def energy_remarks(rebounds: Rebounds, radius: float | None, kappa: float, roll:
         rolls[:, 0], rolls[:, 1] = roll**2, rebounds.stage == "rolling"
     spin = next(name.removesuffix("_in") for name in columns if name.startswith("spin"))
     energy, error = np.zeros((2, len(rows))), np.zeros((2, len(rows)))
-    with np.errstate(over="ignore"):  # (numbers that large are refused elsewhere)
+    # (numbers that are too large are refused elsewhere; the square of one that is hardly more than zero is zero)
+    with np.errstate(over="ignore", divide="ignore", invalid="ignore"):
         for k, side in enumerate(("in", "out")):
             for name, factor in ((f"v_n_{side}", 1 + kappa * rolls[:, k]), (f"v_t_{side}", 1 + kappa * rolls[:, k]),
                                  (f"{spin}_{side}", kappa * (radius or 0.0) ** 2)):  # fmt: skip
