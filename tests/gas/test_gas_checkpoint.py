@@ -225,6 +225,31 @@ def test_checkpoints_of_a_later_carom(tmp_path, kept):
     assert told == ["now"]
 
 
+@pytest.mark.parametrize(
+    ("about", "said"),
+    [
+        ({"format": 3}, "expected a checkpoint of format 6, got format 3 of carom of an unknown version"),
+        ({"format": 3, "carom": None, "scene": 5}, "expected a checkpoint of format 6, got format 3"),
+        ({"format": 6}, "got a file that cannot be read (it holds no scene)"),
+        ({"format": 6, "scene": []}, "got a file that cannot be read (it holds no scene)"),
+        ({"format": 6, "scene": {}, "outputs": [1]}, "got a file that cannot be read (it holds no scene)"),
+        ({"format": 6, "scene": {}}, "container: "),
+        ({"format": True, "scene": {}}, "got a file that cannot be read (it does not say its format)"),
+        ({"format": "6"}, "got a file that cannot be read (it does not say its format)"),
+        ([], "got a file that cannot be read (it does not say its format)"),
+        (None, "got a file that cannot be read (it does not say its format)"),
+    ],
+)
+def test_a_stub_of_a_checkpoint(tmp_path, about, said):
+    """A file that says a format and nothing else ended in a KeyError."""
+    stub = tmp_path / "stub.npz"
+    np.savez(stub, carom_checkpoint=np.array(json.dumps(about)))
+    with pytest.raises(CaromError) as caught:
+        load_checkpoint(stub)
+    assert caught.value.faults[0].startswith(str(stub))
+    assert said in str(caught.value)
+
+
 def _spoiled(array: np.ndarray, how: str) -> np.ndarray:
     """An array with another type, another shape, or a NaN, or numbers out of range; itself where it cannot have that."""
     if how == "type":

@@ -260,6 +260,9 @@ def test_another_description_or_other_columns(runs: dict[str, carom.Trajectory],
     one_line(changed(path, tmp_path, scene=None))
     assert "no number of its format" in one_line(changed(path, tmp_path, carom_format="1"))
     table = pq.read_table(path)
+    for text in ("[" * 100_000, "7" * 5000, "[]", "no JSON"):
+        pq.write_table(table.replace_schema_metadata({"carom": text}), tmp_path / "other.parquet")
+        assert "unreadable description" in one_line(tmp_path / "other.parquet")
     pq.write_table(table.drop_columns(["vx"]), tmp_path / "less.parquet")
     assert "vx" in one_line(tmp_path / "less.parquet")
     kinds = pa.array(["unheard of"] * len(table))

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import json
 import os
 import signal
 import subprocess
@@ -245,3 +246,33 @@ def test_sweeps_of_impacts_orbits_and_gases_are_taken_up(tmp_path: Path) -> None
     orbit = sweeps.OrbitCase(table="stadium", bounces=50)
     carom.sweep(carom.Space(orbit, {"straight": [0.5, 1.0]}), ["time"], store=tmp_path / "o.zarr").run()
     assert carom.sweep(tmp_path / "o.zarr").verify(2) == []
+
+
+@pytest.mark.parametrize(
+    "part", ["subject", "parameters", "repeats", "seed", "keep", "block", "complete", "all but identity"]
+)
+def test_a_stub_of_a_store(tmp_path: Path, part: str) -> None:
+    """Attributes that are missing, or of another kind: one line, or the sweep is taken up; a missing word ended in a KeyError."""
+    store = tmp_path / "s.zarr"
+    carom.sweep(
+        carom.Space(table_scene(duration=0.1), {"floor.friction": [0.1, 0.2]}), ["final.time"], store=store
+    ).run()
+    file = store / "zarr.json"
+    whole = json.loads(file.read_text())
+    about = whole["attributes"]["carom"]
+    kinds = ("missing", [], 7, "x", None, {}, [[1], 0, 1]) if part in about else ("missing",)
+    taken_up = 0
+    for value in kinds:
+        changed = {name: one for name, one in about.items() if name != part} if part in about else {"identity": "x"}
+        if value != "missing":
+            changed[part] = value
+        whole["attributes"]["carom"] = changed
+        file.write_text(json.dumps(whole))
+        try:
+            carom.sweep(store).status()
+        except carom.CaromError as error:
+            unclear = [fault for fault in error.faults if "fit its documentation" in fault]
+            assert unclear == []
+        else:
+            taken_up += 1
+    assert taken_up <= (len(kinds) if part == "complete" else 2)

@@ -35,7 +35,10 @@ def test_missing_rows_stay_missing_at_any_rate(interval: float, decimals: int, s
     rng = np.random.default_rng(int(1e6 * interval) + decimals)
     coarse = 0.5 * 10.0**-decimals / interval > 0.4  # rounded to more than a frame: which one it was is lost
     for rows, rate, start in zip(
-        rng.integers(40, 400, 6), [240.0, 1 / interval, 30.0, 120.0, 60.0, 100.0], rng.choice([0, 17, 1234], 6), strict=True
+        rng.integers(40, 400, 6),
+        [240.0, 1 / interval, 30.0, 120.0, 60.0, 100.0],
+        rng.choice([0, 17, 1234], 6),
+        strict=True,
     ):
         number = np.flatnonzero(rng.random(rows) >= share)
         found = frames(np.round((start + number) * interval, decimals), rate)

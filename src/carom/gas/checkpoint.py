@@ -169,8 +169,7 @@ def load_checkpoint(
             _require_no_shorter(path, own, scene)
         try:
             session = Session.restore(own if scene is None else scene, state, compiling)
-            # (a checkpoint of an earlier version names no files)
-            session.outputs = {str(option): str(name) for option, name in dict(about.get("outputs", {})).items()}
+            session.outputs = {str(option): str(name) for option, name in about["outputs"].items()}
             return session
         except _DamagedFileError:
             raise
@@ -195,9 +194,7 @@ class _Arrays(Mapping[str, NDArray[Any]]):
             if not isinstance(file, np.lib.npyio.NpzFile) or "carom_checkpoint" not in file:
                 raise CaromError(f"{path}: expected a checkpoint of carom gas, got another file")
             self._file = file
-            self.about: dict[str, Any] = json.loads(str(file["carom_checkpoint"]))
-            if not isinstance(self.about["format"], int):
-                raise ValueError("no format")
+            self.about = _description(json.loads(str(file["carom_checkpoint"])))
 
     def __getitem__(self, name: str) -> NDArray[Any]:
         if name not in self._file:
@@ -227,6 +224,17 @@ class _Arrays(Mapping[str, NDArray[Any]]):
             raise _DamagedFileError(
                 f"{self.path}: expected an intact checkpoint of carom gas, got a file that cannot be read ({said})"
             ) from None
+
+
+def _description(about: Any) -> dict[str, Any]:
+    """Return what a checkpoint says of itself: format, carom's version, scene, and names of files; ValueError for what is none."""
+    if not isinstance(about, dict) or type(about.get("format")) is not int:
+        raise ValueError("it does not say its format")
+    # (a checkpoint of an earlier version names no files, and one of another format may hold anything else)
+    about = {"carom": "of an unknown version", "outputs": {}, **about}
+    if about["format"] == FORMAT and not all(isinstance(about.get(name), dict) for name in ("scene", "outputs")):
+        raise ValueError("it holds no scene")
+    return about
 
 
 def _fixed(scene: GasScene) -> dict[str, Any]:

@@ -109,7 +109,9 @@ def _from_parquet(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
             table = file.read()
     except (pa.ArrowException, OSError) as error:
         raise CaromError(f"{path}: expected an undamaged Parquet file, got: {str(error).splitlines()[0]}") from None
-    except (json.JSONDecodeError, AttributeError):
+    except (ValueError, RecursionError, AttributeError) as error:  # (no JSON, too deep, too long a number, no table)
+        if isinstance(error, CaromError | UnicodeDecodeError):
+            raise
         raise _damaged(path, "one with an unreadable description") from None
     names = list(log_columns(np.zeros(0, LOG)))
     if missing := [name for name in names if name not in table.column_names]:

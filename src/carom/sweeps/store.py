@@ -147,7 +147,7 @@ class Store:
         if not isinstance(found, dict) or "identity" not in found:
             raise CaromError(f"{self.name}: expected a store of a sweep, got a Zarr group without one; name a new one")
         # (the metadata of all arrays, in one place, are what is written last)
-        return found | {"complete": found["complete"] and group.metadata.consolidated_metadata is not None}
+        return found | {"complete": found.get("complete") is True and group.metadata.consolidated_metadata is not None}
 
     def _require_empty(self) -> None:
         import os

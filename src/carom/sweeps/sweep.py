@@ -409,7 +409,7 @@ def _from_store(store: Store, allow_own_laws: bool) -> Sweep:
         space = Space(subject, parameters, data["repeats"], data["seed"])
         shape, axis, rows = data["block"]
         found = Sweep(space, tuple(data["keep"]), store, Blocks(tuple(shape), axis, rows))
-    except (KeyError, TypeError, ValueError) as error:
+    except (AttributeError, KeyError, TypeError, ValueError) as error:
         if isinstance(error, CaromError):
             raise
         raise CaromError(
