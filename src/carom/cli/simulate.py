@@ -100,6 +100,7 @@ def simulate(
     """Simulate a scene event by event; print a description, the events, the final states and the energy budget."""
     from carom.cli.streams import say_notes
     from carom.scene.plausible import unit_notes
+    from carom.simulation.contacts_in_time import overlap_note
     from carom.simulation.law_notes import law_notes
     from carom.simulation.save import FORMATS
 
@@ -117,11 +118,14 @@ def simulate(
             raise CaromError(*found)
         say_notes(unit_notes(given))
         run = _run(given, quiet)
-        say_notes(law_notes(run))
+        notes = law_notes(run)
+        if as_json and (overlap := overlap_note(run)) is not None:  # (else the description has it)
+            notes.append(overlap)
+        say_notes(notes)
         _reached(run, times)
         matters = None if sensitivity is None else run.sensitivity(sensitivity.replace(",", " ").split())
         written = _write(run, quiet, plot, animate, save, table)
-        _tell(run, times, most, as_json, quiet, matters)
+        _tell(run, times, most, as_json, quiet, notes, matters)
         wrote(*(() if quiet else written))
     except KeyboardInterrupt:
         sys.stderr.write("carom: interrupted; nothing was written\n")
@@ -316,12 +320,18 @@ def _animate(run: Trajectory, path: Path, quiet: bool) -> None:
 
 
 def _tell(
-    run: Trajectory, times: list[float], most: int | None, as_json: bool, quiet: bool, matters: Any = None
+    run: Trajectory,
+    times: list[float],
+    most: int | None,
+    as_json: bool,
+    quiet: bool,
+    notes: list[str],
+    matters: Any = None,
 ) -> None:
     from carom.cli import trajectory_output as tables
 
     if as_json:
-        sys.stdout.write(tables.as_json(run, times, matters))
+        sys.stdout.write(tables.as_json(run, times, notes, matters))
     elif not quiet:
         tables.show(run, times, most)
         if matters is not None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import math
 import textwrap
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -211,7 +212,7 @@ def _energy(run: Trajectory) -> str:
 # --- as JSON -------------------------------------------------------------------------------------------------------
 
 
-def as_json(run: Trajectory, times: list[float], matters: Any = None) -> str:
+def as_json(run: Trajectory, times: list[float], notes: Sequence[str] = (), matters: Any = None) -> str:
     """Return events and final states as JSON in full precision, one event per line; infinite and undefined numbers are null."""
     columns = {name: values.tolist() for name, values in event_columns(run, run.events.rows).items()}
     vectors = {
@@ -236,6 +237,7 @@ def as_json(run: Trajectory, times: list[float], matters: Any = None) -> str:
         rows = [{"parameter": name, "value": value, "mm_per_cent": by_ball} for name, value, by_ball in moved]
         parts.append(f'"sensitivity": {_listed([_line(one) for one in rows])}')
     parts += [f'"end": {_line(run.end)}', f'"ended": {_line(run.ended)}']
+    parts += [f'"notes": {_line(list(notes))}'] if notes else []
     return "{\n" + ",\n".join(parts) + "\n}\n"
 
 

@@ -69,7 +69,7 @@ def expected_snapshots(scene: GasScene, every: int | float) -> SnapshotSize:
     (101, 2804)
     """
     run = scene.run
-    lengths = []
+    lengths: list[float] = []
     if isinstance(every, int):
         lengths += [run.max_events] if run.max_events is not None else []
         lengths += [_collisions(scene, run.duration)] if run.duration is not None else []

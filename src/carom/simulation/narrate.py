@@ -16,6 +16,7 @@ from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, PIVOTING, POC
 from carom.formatting import format_length, format_number, format_time
 from carom.laws.law import CONTACT_WALL, TWO_STEP_WALL
 from carom.laws.wall_and_floor.solver import JAM
+from carom.simulation.contacts_in_time import overlap_note
 from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, POCKETED_EVENT, START, WALL
 from carom.simulation.trajectory import Trajectory
 
@@ -45,6 +46,8 @@ Rows = NDArray[np.void]
 def describe_run(run: Trajectory) -> list[str]:
     """Describe a run: a paragraph for each of the first balls that move, one for all others, one for how it ended.
 
+    A line before the last one says where contacts of balls overlap in time, which the run resolves one pair at a time.
+
     Of a ball with many impacts, the first and the last are described and the others counted.
     """
     rows = [run.log[run.log["ball"] == i] for i in range(len(run.scene.balls))]
@@ -60,6 +63,8 @@ def describe_run(run: Trajectory) -> list[str]:
             found.append(f"{_and([names[i] for i in still])} {'stays' if len(still) == 1 else 'stay'} at rest.")
         else:
             found.append(f"{len(still)} balls stay at rest.")
+    if (note := overlap_note(run)) is not None:
+        found.append(f"{note}.")
     if run.ended == "duration":
         found.append(
             f"The run ends after its duration, {format_time(run.end)}, and {with_count(len(run.events), 'event')}."
