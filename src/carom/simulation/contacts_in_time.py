@@ -39,7 +39,7 @@ def contact_duration(mass: float, radius: float, speed: float) -> float:
     pair, ``speed`` is that of approach.
 
     >>> round(1e6 * contact_duration(0.17 / 2, 0.028575 / 2, 1.0))
-    390
+    389
     """
     stiffness = 4 / 3 * YOUNG / (2 * (1 - POISSON**2)) * radius**0.5
     return float(HERTZ * (5 * mass / (4 * stiffness)) ** 0.4 * speed**-0.2)
