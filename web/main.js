@@ -3,6 +3,7 @@
 /** @import { LawCard, Preset, Rebound, Scene } from "./state/types.js" */
 /** @import { Engine } from "./state/compute.js" */
 /** @import { Box, Palette, View } from "./view/shot.js" */
+import { requireTime } from "./engine/arguments.js";
 import { incidenceAt } from "./engine/compare.js";
 import { loadEngine } from "./engine/engine.js";
 import { loadRecorded } from "./engine/recorded.js";
@@ -312,6 +313,7 @@ function show(data, engine) {
   document.documentElement.dataset.ready = "true";
   /** All balls and their energy, J, at a time under the law that is followed; q: orientation, a quaternion w, x, y, z. @param {number} t s */
   function at(t) {
+    requireTime(t);
     const run = outcome.runs.get(state.followed);
     if (!run) return null;
     return { energy: energyAt(state.scene, run, t), balls: run.balls.map(({ pieces }) => ({ ...stateAt(pieces, t), q: new Orientation(pieces).at(t) })) };

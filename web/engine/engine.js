@@ -4,12 +4,14 @@
 /** @import { Meeting } from "./meeting.js" */
 /** @import { Law, Layout, Limits, Run, Verdict } from "./types.js" */
 /** @import { Module } from "./module.js" */
+import { requireLaw, requireLimits } from "./arguments.js";
 import { reflections, verdicts } from "./compare.js";
 import { firstMeeting } from "./meeting.js";
 import { loadModule } from "./module.js";
 import { reportOf } from "./report.js";
 import { runScene } from "./run.js";
 import { sceneFaults } from "../scene/check.js";
+import { isTable } from "../scene/fields.js";
 
 /** Compile the module. @param {Uint8Array} wasm engine.wasm @param {Layout} layout engine.json @returns {Promise<Engine>} */
 export async function loadEngine(wasm, layout) {
@@ -43,6 +45,8 @@ export class Engine {
    * @returns {Run}
    */
   run(scene, law, limits = {}) {
+    requireLimits(limits);
+    if (law !== undefined) requireLaw(law, this.laws);
     return runScene(this.module, this.checked(law === undefined ? scene : withLaw(scene, law)), limits);
   }
 
@@ -97,15 +101,15 @@ export class Engine {
 
   /** The same of a meeting. @param {string} law @param {Meeting} meeting @param {number[]} incidences @param {"final" | "wall"} [stage] */
   curveAt(law, meeting, incidences, stage = "final") {
-    const found = this.laws.find((one) => one.name === law);
-    if (found === undefined) throw new Error(`law: expected one of ${this.laws.map((one) => one.name).join(", ")}, got ${law}`);
+    requireLaw(law, this.laws);
+    const found = /** @type {Law} */ (this.laws.find((one) => one.name === law));
     return reflections(this.module, found, meeting, incidences, stage);
   }
 }
 
+/** Whether something has walls and a run whose law can be replaced: of anything else a check says what is wrong. @param {unknown} scene */
+const hasWalls = (scene) => isTable(scene) && isTable(scene.run) && Array.isArray(scene.walls) && scene.walls.every(isTable);
+
 /** The scene with one law at all walls. @param {Scene} scene @param {string} law @returns {Scene} */
-export const withLaw = (scene, law) => ({
-  ...scene,
-  run: { ...scene.run, law },
-  walls: scene.walls.map((wall) => ({ ...wall, law: null })),
-});
+export const withLaw = (scene, law) =>
+  hasWalls(scene) ? { ...scene, run: { ...scene.run, law }, walls: scene.walls.map((wall) => ({ ...wall, law: null })) } : scene;

@@ -5,6 +5,7 @@
 /** @import { Layout, Recording, Run } from "./types.js" */
 import { Engine } from "./engine.js";
 import { loadModule } from "./module.js";
+import { reportOf } from "./report.js";
 import { runOf } from "./run.js";
 import { setUp } from "../scene/setup.js";
 
@@ -37,6 +38,7 @@ export class Recorded extends Engine {
     /** @type {Run} */
     this.found = runOf(module, scene, { world, balls, logs, status: record.status, end: record.end });
     this.why = record.why;
+    this.scene = scene;
   }
 
   /** @override @returns {string[]} */
@@ -47,6 +49,11 @@ export class Recorded extends Engine {
   /** @override @returns {Run} */
   run() {
     return this.found;
+  }
+
+  /** @override */
+  report() {
+    return reportOf(this.scene, this.found);
   }
 
   /** @override @param {Scene} scene */

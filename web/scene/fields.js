@@ -28,13 +28,23 @@ const ACCELERATION = { kind: "number", what: "an acceleration in m/s^2" };
 const KAPPA = "'solid', 'hollow', or kappa = I/(m a^2) in (0, 2/3]";
 
 /** @param {unknown} value */
-function shown(value) {
-  const text = value === undefined || value === null ? "nothing" : (JSON.stringify(value) ?? String(value));
+function textOf(value) {
+  if (typeof value === "number") return String(value); // (JSON has no NaN)
+  try {
+    return JSON.stringify(value) ?? String(value);
+  } catch {
+    return String(value); // (what refers to itself)
+  }
+}
+
+/** What a user has given, in a message. @param {unknown} value */
+export function shown(value) {
+  const text = value === undefined || value === null ? "nothing" : textOf(value);
   return text.length > LONGEST_SHOWN ? `${text.slice(0, LONGEST_SHOWN - 3)}...` : text;
 }
 
 /** @param {unknown} value @returns {value is Record<string, unknown>} */
-const isTable = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
+export const isTable = (value) => typeof value === "object" && value !== null && !Array.isArray(value);
 
 /** @param {unknown} value @param {Field} field */
 function isNumber(value, field) {
@@ -67,7 +77,7 @@ class FieldChecker {
       return;
     }
     for (const name of Object.keys(value)) {
-      if (!Object.hasOwn(fields, name)) this.fault(at, "a field that is known here", name);
+      if (!Object.hasOwn(fields, name)) this.fault(at || "scene", "a field that is known here", name);
     }
     for (const [name, field] of Object.entries(fields)) {
       if (field.kind !== "part") this.field(at === "" ? name : `${at}.${name}`, value[name], field);

@@ -37,7 +37,7 @@ export function flat(host, drag) {
     const strip = Math.min(0.3 * height, 150);
     const k = Math.min((width - 40) / (high[0] - low[0]), (height - strip - 50) / (high[1] - low[1]));
     const [cx, cy] = [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2];
-    const tall = Math.max(high[2] - low[2], 1e-6);
+    const tall = Math.max(high[2] - low[2], 1e-30);
     const up = Math.min(k, (strip - 50) / tall);
     return {
       width, height, k, up, strip,
@@ -147,8 +147,9 @@ export function flat(host, drag) {
     if (shot.scene.floor) {
       c.strokeStyle = palette.edge;
       c.beginPath();
-      c.moveTo(...pair(view.side(shot.box.low[0] - 1e3, 0)));
-      c.lineTo(...pair(view.side(shot.box.high[0] + 1e3, 0)));
+      const ground = view.side(shot.box.low[0], 0)[1];
+      c.moveTo(0, ground);
+      c.lineTo(view.width, ground);
       c.stroke();
     }
     for (const { law, ball, turns } of balls) {

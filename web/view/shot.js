@@ -40,7 +40,10 @@ export const VIEWS = [
   { name: "along", label: "Along the wall" },
 ];
 
+/** What is further away than this, relative to a metre or to where the balls start, is not looked at. */
 const FAR = 1e4;
+/** How far that is, m. @param {Scene} scene */
+const farIn = (scene) => FAR * Math.max(1, ...scene.balls.flatMap(({ position, radius }) => [...position.map(Math.abs), radius]));
 /** Width of a cushion, in radii of the largest ball. */
 export const RAIL = 2.2;
 
@@ -48,7 +51,7 @@ export const RAIL = 2.2;
 export const arrowTime = (shot) => (0.16 * sizeOf(shot.box)) / Math.max(1, Math.hypot(...shot.scene.balls[shot.ball].velocity) / 2 || 1);
 
 /** @param {Box} box */
-export const sizeOf = ({ low, high }) => Math.max(high[0] - low[0], high[1] - low[1], 1e-3);
+export const sizeOf = ({ low, high }) => Math.max(high[0] - low[0], high[1] - low[1], 1e-30);
 /** @param {Box} box @returns {Vec} */
 export const middleOf = ({ low, high }) => [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, (low[2] + high[2]) / 2];
 
@@ -141,9 +144,9 @@ export function boxOf(wall) {
 
 const BOUNDED = ["table", "box", "segment", "polygon", "sphere", "arc", "stadium"];
 
-/** Whether a wall is finite as seen from above. @param {Wall} wall */
-const bounded = (wall) =>
-  BOUNDED.includes(wall.shape) || (wall.shape === "cylinder" && Math.abs(unit(wall.axis)[2]) > 0.99 && wall.radius < FAR);
+/** Whether a wall is finite as seen from above. @param {Wall} wall @param {number} far m */
+const bounded = (wall, far) =>
+  BOUNDED.includes(wall.shape) || (wall.shape === "cylinder" && Math.abs(unit(wall.axis)[2]) > 0.99 && wall.radius < far);
 
 /** Largest radius of the balls. @param {Scene} scene */
 const largest = (scene) => Math.max(...scene.balls.map((ball) => ball.radius));
@@ -157,20 +160,21 @@ const rail = (wall, scene) => (wall.shape === "table" ? RAIL * largest(scene) : 
  * @param {{from: number, until: number}} span @returns {Box}
  */
 export function boxAround(scene, runs, followed, span) {
+  const far = farIn(scene);
   /** @type {Vec} */
   const low = [Infinity, Infinity, scene.floor ? 0 : Infinity];
   /** @type {Vec} */
   const high = [-Infinity, -Infinity, -Infinity];
   const add = (/** @type {number[]} */ x, margin = 0) => {
     for (let k = 0; k < x.length; k++) {
-      if (Math.abs(x[k]) > FAR) continue;
+      if (Math.abs(x[k]) > far) continue;
       low[k] = Math.min(low[k], x[k] - margin);
       high[k] = Math.max(high[k], x[k] + margin);
     }
   };
   const none = /** @type {Box} */ ({ low: [0, 0, 0], high: [0, 0, 0] });
-  const enclosed = scene.walls.some((wall) => bounded(wall) && wall.shape !== "segment");
-  for (const wall of scene.walls) if (bounded(wall)) for (const line of outline(wall, none)) for (const p of line) add(p, rail(wall, scene));
+  const enclosed = scene.walls.some((wall) => bounded(wall, far) && wall.shape !== "segment");
+  for (const wall of scene.walls) if (bounded(wall, far)) for (const line of outline(wall, none)) for (const p of line) add(p, rail(wall, scene));
   scene.balls.forEach((ball) => add(ball.position, ball.radius));
   // the law that is followed first: the others widen the box to no more than twice its size
   const reach = (/** @type {number[]} */ x) => x.map((value, k) => Math.max(low[k] - wide, Math.min(high[k] + wide, value)));

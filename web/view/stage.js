@@ -10,6 +10,7 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { Orientation, stateAt } from "../state/motion.js";
 import { unit } from "../state/vectors.js";
+import { lengthText } from "../panels/dom.js";
 import { BallMesh, ballColour } from "./balls.js";
 import { oncePerFrame } from "./frames.js";
 import { arrowTime, middleOf, sizeOf } from "./shot.js";
@@ -24,6 +25,12 @@ export function roundLength(value) {
   const power = 10 ** Math.floor(Math.log10(value));
   const first = value / power;
   return (first >= 5 ? 5 : first >= 2 ? 2 : 1) * power;
+}
+
+/** A round length with its unit. @param {number} metres */
+export function roundText(metres) {
+  const [size, unit] = /** @type {[number, string]} */ ([[1e3, "km"], [1, "m"], [1e-3, "mm"], [1e-6, "µm"], [1e-9, "nm"]].find(([least]) => metres >= Number(least) * (1 - 1e-9)) ?? [1e-9, "nm"]);
+  return `${Number((metres / size).toPrecision(1))} ${unit}`;
 }
 
 /** Whether the processor draws, for want of a graphics card: smooth edges would make it three times as slow. */
@@ -69,7 +76,13 @@ export function stage(host, drag, labels) {
   let balls = [];
   const trails = new Trails();
   const arrow = makeArrow();
-  scene.add(arrow.group, trails.group);
+  // All that is drawn, in metres. The camera's own units are others where the scene is very small, very large or far away: its
+  // controls and the depth of the picture have fixed numbers.
+  const world = new Group();
+  world.add(arrow.group, trails.group);
+  scene.add(world);
+  /** Where a point of the scene is for the camera. @param {Vector3} p */
+  const seenAt = (p) => p.clone().multiplyScalar(world.scale.x).add(world.position);
   const size = { width: 1, height: 1 }; // of the canvas, in pixels of the page
 
   // --- dragging: before the controls hear of it ------------------------------------------------------------------
@@ -85,7 +98,7 @@ export function stage(host, drag, labels) {
   };
   /** @param {Vector3} p */
   const project = (p) => {
-    const q = p.clone().project(camera);
+    const q = seenAt(p).project(camera);
     return new Vector2(((q.x + 1) / 2) * size.width, ((1 - q.y) / 2) * size.height);
   };
   /** Where a pixel meets the horizontal plane of the edited ball's centre. @param {Vector2} at */
@@ -94,7 +107,8 @@ export function stage(host, drag, labels) {
     const z = shot.scene.balls[shot.ball].position[2];
     caster.setFromCamera(new Vector2((at.x / size.width) * 2 - 1, 1 - (at.y / size.height) * 2), camera);
     if (Math.abs(caster.ray.direction.z) < 0.03) return null; // seen along the floor
-    return caster.ray.intersectPlane(new Plane(new Vector3(0, 0, 1), -z), new Vector3());
+    const hit = caster.ray.intersectPlane(new Plane(new Vector3(0, 0, 1), -seenAt(new Vector3(0, 0, z)).z), new Vector3());
+    return hit && hit.sub(world.position).divideScalar(world.scale.x);
   };
   /** What a pixel grasps. @param {Vector2} at @returns {"ball" | "velocity" | null} */
   const handle = (at) => {
@@ -174,15 +188,15 @@ export function stage(host, drag, labels) {
     const of = JSON.stringify([next.scene.walls, Boolean(next.scene.floor), next.box, palette, next.scene.balls.map(({ radius }) => radius)]);
     if (of !== fixed.of) {
       const groups = [floorGrid(next, palette), wallMeshes(next.scene, next.box, palette)];
-      scene.add(...groups);
+      world.add(...groups);
       for (const group of fixed.groups) {
-        scene.remove(group);
+        world.remove(group);
         dispose(group);
       }
       fixed = { groups, of };
     }
     trace(next.span);
-    for (const { mesh } of balls) scene.remove(mesh.group);
+    for (const { mesh } of balls) world.remove(mesh.group);
     balls = [];
     for (const [law, run] of next.runs) {
       const leads = law === next.followed;
@@ -197,7 +211,7 @@ export function stage(host, drag, labels) {
         const mesh = meshes.get(key) ?? new BallMesh(body, mark, look);
         meshes.set(key, mesh);
         mesh.resize(next.scene.balls[i].radius);
-        scene.add(mesh.group);
+        world.add(mesh.group);
         balls.push({ mesh, turns: new Orientation(pieces), law, ball: i });
       });
     }
@@ -247,18 +261,21 @@ export function stage(host, drag, labels) {
   function label(x) {
     if (!shot) return;
     const away = camera.position.distanceTo(controls.target);
-    const perMetre = size.height / (2 * away * Math.tan((camera.fov * Math.PI) / 360));
+    const perMetre = (size.height * world.scale.x) / (2 * away * Math.tan((camera.fov * Math.PI) / 360));
     const bar = roundLength(110 / perMetre);
     const wide = `${(bar * perMetre).toFixed(1)}px`;
     if (labels.scale.style.width !== wide) {
       labels.scale.style.width = wide;
-      labels.scale.textContent = bar >= 1 ? `${bar} m` : `${Number((bar * 1e3).toPrecision(1))} mm`;
+      labels.scale.textContent = roundText(bar);
     }
-    const lift = x && shot.scene.floor ? x[2] - shot.scene.balls[shot.ball].radius : 0;
-    labels.height.hidden = !(x && lift > 2e-5);
-    if (x && lift > 2e-5) {
-      const at = project(new Vector3(x[0], x[1], x[2] + shot.scene.balls[shot.ball].radius));
-      labels.height.textContent = `${lift < 0.1 ? `${(lift * 1e3).toPrecision(2)} mm` : `${lift.toPrecision(3)} m`} up`;
+    const { radius } = shot.scene.balls[shot.ball];
+    const lift = x && shot.scene.floor ? x[2] - radius : 0;
+    const shown = lift > Math.min(2e-5, 2e-3 * radius);
+    labels.height.hidden = !(x && shown);
+    if (x && shown) {
+      const at = project(new Vector3(x[0], x[1], x[2] + radius));
+      const usual = lift < 0.1 ? `${(lift * 1e3).toPrecision(2)} mm` : `${lift.toPrecision(3)} m`;
+      labels.height.textContent = `${lift < 1e-5 || lift >= 1e3 ? lengthText(lift) : usual} up`;
       labels.height.style.transform = `translate(${at.x.toFixed(1)}px, ${(at.y - 26).toFixed(1)}px) translateX(-50%)`;
     }
   }
@@ -290,12 +307,19 @@ export function stage(host, drag, labels) {
     else if (name === "above") way.set(0, -0.0005, 1);
     else way.copy(out).multiplyScalar(plane ? 0.8 : 1).addScaledVector(along, plane ? -0.75 : 0.2).setZ(plane ? 0.8 : 1.05);
     way.normalize();
-    const away = distanceFor(seen, target, way);
-    camera.near = Math.max(away / 200, 1e-4);
+    const metres = distanceFor(seen, target, way);
+    // (float32 has no place for a scene beside coordinates that are much larger than it is)
+    const usual = metres > 0.01 && metres < 1e4;
+    world.scale.setScalar(usual ? 1 : 1 / metres);
+    world.position.set(0, 0, 0);
+    if (target.length() > 1e3 * metres) world.position.copy(target).multiplyScalar(-world.scale.x);
+    world.updateMatrixWorld(true);
+    const away = metres * world.scale.x;
+    camera.near = away / 200;
     camera.far = away * 60;
     camera.updateProjectionMatrix();
-    controls.target.copy(target);
-    camera.position.copy(target).addScaledVector(way, away);
+    controls.target.copy(seenAt(target));
+    camera.position.copy(controls.target).addScaledVector(way, away);
     controls.minDistance = away / 40;
     controls.maxDistance = away * 8;
     controls.update();
@@ -353,8 +377,10 @@ function floorGrid(shot, palette) {
   group.add(floor);
   const step = roundLength(size / 6);
   const points = [];
-  for (let k = Math.ceil((x - half) / step); k * step <= x + half; k++) points.push(k * step, y - half, 0, k * step, y + half, 0);
-  for (let k = Math.ceil((y - half) / step); k * step <= y + half; k++) points.push(x - half, k * step, 0, x + half, k * step, 0);
+  // (counted: far from the origin a coordinate plus a step may be the same number)
+  const [columns, rows] = [x, y].map((at) => Array.from({ length: Math.ceil((2 * half) / step) }, (_, k) => (Math.ceil((at - half) / step) + k) * step));
+  for (const at of columns) if (at <= x + half) points.push(at, y - half, 0, at, y + half, 0);
+  for (const at of rows) if (at <= y + half) points.push(x - half, at, 0, x + half, at, 0);
   const lines = new BufferGeometry();
   lines.setAttribute("position", new Float32BufferAttribute(points, 3));
   group.add(new LineSegments(lines, new LineBasicMaterial({ color: palette.grid })));
@@ -388,7 +414,7 @@ function makeArrow() {
       const cone = Math.min(6 * thick, 0.6 * long);
       shaft.position.set(...from);
       shaft.quaternion.copy(turn);
-      shaft.scale.set(thick, thick, Math.max(long - cone, 1e-9));
+      shaft.scale.set(thick, thick, Math.max(long - cone, 1e-3 * long));
       head.position.copy(tip);
       head.quaternion.copy(turn);
       head.scale.set(2.4 * thick, 2.4 * thick, cone);

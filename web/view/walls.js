@@ -186,10 +186,19 @@ export function wallMeshes(scene, box, palette) {
         polygonOffset: !hole, polygonOffsetFactor: 1, polygonOffsetUnits: 1,
       });
       group.add(new Mesh(faces, material));
-      group.add(new LineSegments(lines ?? new EdgesGeometry(faces, 25), edge));
+      group.add(new LineSegments(lines ?? edgesOf(faces, sizeOf(box)), edge));
     }
   }
   return group;
+}
+
+/** The edges of faces. (Three rounds places to 1e-4 to find them: a very small or large scene is brought to a size of 1 for it.) @param {BufferGeometry} faces @param {number} size */
+function edgesOf(faces, size) {
+  if (size > 0.01 && size < 1e4) return new EdgesGeometry(faces, 25);
+  const scaled = faces.clone().scale(1 / size, 1 / size, 1 / size);
+  const found = new EdgesGeometry(scaled, 25).scale(size, size, size);
+  scaled.dispose();
+  return found;
 }
 
 /** Free the memory of all that is in a group. @param {import("three").Object3D} group */

@@ -1,0 +1,33 @@
+// What the engine's functions are given, before they look into it: a page's console and a user's script call them.
+
+/** @import { Law, Limits } from "./types.js" */
+import { shown } from "../scene/fields.js";
+
+/** Throw an Error, one line, unless a law has one of the names. @param {unknown} law @param {Law[]} laws */
+export function requireLaw(law, laws) {
+  const names = laws.map(({ name }) => name);
+  if (typeof law !== "string" || !names.includes(law)) throw new Error(`law: expected one of ${names.join(", ")}, got ${shown(law)}`);
+}
+
+const LEAST = { events: 1, until: 0, milliseconds: 0 };
+
+/** Throw an Error, one line per problem, unless limits are numbers by their names. @param {unknown} limits @returns {asserts limits is Limits} */
+export function requireLimits(limits) {
+  if (typeof limits !== "object" || limits === null || Array.isArray(limits)) {
+    throw new Error(`limits: expected an object such as { events: 500, until: 2 }, got ${shown(limits)}`);
+  }
+  const wrong = Object.entries(limits).flatMap(([name, value]) => {
+    if (name === "enough") return []; // (the page's own)
+    if (!Object.hasOwn(LEAST, name)) return [`limits: expected ${Object.keys(LEAST).join(", ")}, got ${shown(name)}`];
+    const least = LEAST[/** @type {keyof typeof LEAST} */ (name)];
+    const whole = name !== "events" || Number.isInteger(value) || value === Infinity;
+    if (value === undefined || (typeof value === "number" && value >= least && whole)) return [];
+    return [`limits.${name}: expected a ${name === "events" ? "whole " : ""}number >= ${least}, got ${shown(value)}`];
+  });
+  if (wrong.length > 0) throw new Error(wrong.join("\n"));
+}
+
+/** Throw an Error, one line, unless a time is a number. @param {unknown} t */
+export function requireTime(t) {
+  if (typeof t !== "number" || Number.isNaN(t)) throw new Error(`t: expected a time in s, such as 0.5, got ${shown(t)}`);
+}
