@@ -176,7 +176,7 @@ def test_a_guess_can_be_overruled() -> None:
     assert "expected the frame rate" in faults(HERE / "trackpy.csv", format="columns")[0]
     assert "did you mean 'tracker'" in faults(HERE / "tracker_multi.csv", format="traker")[0]
     assert set(FORMATS) == {
-        "tracker", "kinovea", "deeplabcut", "carom-table", "trackpy", "trackmate", "mtrack2", "idtracker", "columns"
+        "tracker", "kinovea", "deeplabcut", "carom-table", "trackpy", "trackmate", "mtrack2", "idtracker", "sleap", "columns"
     }  # fmt: skip
 
 
@@ -295,7 +295,8 @@ def test_a_film_in_centimetres_is_asked_about(tmp_path: Path) -> None:
 def test_not_a_file(tmp_path: Path) -> None:
     assert "a folder" in faults(tmp_path)[0]
     assert "No such file" in faults(tmp_path / "none.csv")[0]
-    assert "binary" in faults(put(tmp_path, b"\x89PNG\0\0\0\0"))[0]
+    assert "got a picture (PNG)" in faults(put(tmp_path, b"\x89PNG\0\0\0\0"))[0]
+    assert "binary" in faults(put(tmp_path, b"\x01PNG\0\0\0\0"))[0]
 
 
 def test_many_rows(tmp_path: Path) -> None:

@@ -126,9 +126,12 @@ def is_track(file: Path) -> bool:
     wanted = f"{file}: expected a table of rebounds or a track, as text"
     if not raw.strip():
         raise CaromError(f"{wanted}, got an empty file")
+    from carom.tracks.read import require_text
+
+    require_text(file, "a table of rebounds or a track")
     codec = text_encoding(raw).codec
     if b"\0" in raw and codec == "utf-8":
-        raise CaromError(f"{wanted}, got {_what(raw)}; export it as CSV from the program that made it")
+        raise CaromError(f"{wanted}, got bytes that are not text; export it as CSV from the program that made it")
     text = raw.decode(codec, errors="replace")
     if any(name in text.lower() for name in ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in")):
         return False
@@ -142,15 +145,6 @@ def is_track(file: Path) -> bool:
             f" {HEADER_EXAMPLE!r} (carom tracks show --help)"
         )
     return True
-
-
-def _what(raw: bytes) -> str:
-    """Return the kind of a binary file, from its first bytes."""
-    kinds = {b"\x89PNG": "a picture (PNG)", b"\xff\xd8\xff": "a picture (JPEG)", b"GIF8": "a picture (GIF)",
-             b"PK\x03\x04": "a spreadsheet or another archive (zip)", b"\xd0\xcf\x11\xe0": "an old spreadsheet (xls)"}  # fmt: skip
-    if raw[4:8] == b"ftyp":
-        return "a film (MP4)"
-    return next((words for start, words in kinds.items() if raw.startswith(start)), "bytes that are not text")
 
 
 def measured(

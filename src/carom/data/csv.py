@@ -14,7 +14,7 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.cells import EMPTY, parse_numbers
+from carom.data.cells import EMPTY, decimal_commas, parse_numbers
 from carom.data.csv_arrow import LARGE_FILE, arrow_installed, joined_rows, parsed_columns
 from carom.data.plan import BOUNCE, TablePlan
 from carom.errors import CaromError
@@ -218,7 +218,7 @@ class CsvTable:
             for i, row in enumerate(rows):
                 if len(row) != width:
                     texts[i] = self._repaired(i, row, texts[i], notes)
-            if first and self.delimiter != ",":
+            if first:
                 self.decimal = self._decimal_sign(plan, rows)
             first = False
             columns = {
@@ -249,8 +249,13 @@ class CsvTable:
         return self.delimiter.join(map(self.quoted, row))
 
     def _decimal_sign(self, plan: TablePlan, rows: list[list[str]]) -> str:
-        """Return the decimal sign: a comma if the columns that are read have commas and no points."""
+        """Return the decimal sign: a comma if the columns that are read have commas and no points.
+
+        Between commas a cell with a comma is in quotes, and may also be a number with a separator of thousands.
+        """
         cells = [row[source.index] for source in plan.sources.values() for row in rows[:1000]]
+        if self.delimiter == ",":
+            return "," if decimal_commas(cells) else "."
         return "," if any("," in cell for cell in cells) and not any("." in cell for cell in cells) else "."
 
     def _numbers(self, cells: list[str], header: str, notes: dict[int, str], may_be_empty: bool) -> Array:
@@ -295,7 +300,7 @@ class CsvTable:
     def _cells(self, column: Array) -> list[str]:
         cells = list(map(repr, column.tolist()))
         if self.decimal == ",":
-            cells = [cell.replace(".", ",") for cell in cells]
+            cells = [self.quoted(cell.replace(".", ",")) for cell in cells]
         for i in np.flatnonzero(np.isnan(column)).tolist():
             cells[i] = ""
         return cells

@@ -22,7 +22,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.data.cells import parse_numbers
+from carom.data.cells import decimal_commas, number_advice, parse_numbers
 from carom.data.csv import CsvTable
 from carom.data.headers import BRACKETS, ColumnNames, missing_unit
 from carom.data.remarks import speed_remarks, which_rows
@@ -403,14 +403,16 @@ def _read_csv(path: Path, faults: list[str]) -> Reader:
         got = len(records[np.flatnonzero(wrong)[0]][2])
         faults.append(f"{path}: rows: expected {width} fields, as the header has, got {got} {which_rows(wrong, lines)}")
 
+    commas = semicolons or decimal_commas([cell for row in rows for cell in row])
+
     def number(i: int, header: str) -> Array:
         cells = [row[i] for row in rows]
-        values, bad = parse_numbers(cells, decimal_comma=semicolons)
+        values, bad = parse_numbers(cells, decimal_comma=commas)
         if bad:
-            unit = BRACKETS.match(header)
+            unit, got = BRACKETS.match(header), cells[bad[0]].strip()
             faults.append(
-                f"{path}: {header if unit else header.strip()}: expected a number, got {cells[bad[0]].strip()!r}"
-                f" {which_rows(bad, lines)}; write units in the header"
+                f"{path}: {header if unit else header.strip()}: expected a number, got {got!r}"
+                f" {which_rows(bad, lines)}; {number_advice(got)}"
             )
         return values
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import re
 from collections.abc import Callable
 from dataclasses import dataclass, replace
@@ -20,17 +21,19 @@ from carom.tracks.formats import (
     idtracker,
     kinovea,
     mtrack2,
+    sleap,
     tracker,
     trackmate,
     trackpy,
 )
+from carom.tracks.formats.projects import START, foreign_file
 from carom.tracks.formats.text_table import Calibration, first_rows
 from carom.tracks.frame_numbers import at_rate, without_rounding
 from carom.tracks.free_fall import likely_unit
 from carom.tracks.preprocess import MIN_INTERVAL_S, position_noise
 from carom.tracks.track import Track
 
-__all__ = ["FORMATS", "Format", "TrackFile", "format_of", "got_instead", "read_tracks", "track_text"]
+__all__ = ["FORMATS", "Format", "TrackFile", "format_of", "got_instead", "read_tracks", "require_text", "track_text"]
 
 MIN_POSITIONS = 9  # fewer cannot hold a contact
 # Beyond these a number is damaged, or its unit wrong.
@@ -56,6 +59,7 @@ FORMATS = {
     "tracker": Format("Tracker (Open Source Physics)", tracker.matches, tracker.read),
     "kinovea": Format("Kinovea", kinovea.matches, kinovea.read),
     "deeplabcut": Format("DeepLabCut", deeplabcut.matches, deeplabcut.read),
+    "sleap": Format("SLEAP analysis", sleap.matches, sleap.read),
     "carom-table": Format("carom table (JSON)", carom_table.matches, carom_table.read),
     "trackpy": Format("trackpy data frame", trackpy.matches, trackpy.read),
     "trackmate": Format("TrackMate spots", trackmate.matches, trackmate.read),
@@ -129,6 +133,7 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
         raise CaromError(
             f"--format: expected one of {', '.join(FORMATS)}, got {format!r}; {suggestion(format, list(FORMATS))}"
         )
+    require_text(path, "positions")
     text = track_text(path)
     if not text.strip():
         raise CaromError(f"{path}: expected a track, got an empty file")
@@ -158,6 +163,14 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
         notes += [note for note in track.notes if note not in notes]
     _plausibility_notes(checked, notes)
     return TrackFile(path, name, tuple(checked), tuple(notes))
+
+
+def require_text(path: Path, wanted: str) -> None:
+    """Raise CaromError for a file that is a project, a picture or a spreadsheet, with the menu that exports a table of text."""
+    with contextlib.suppress(OSError), path.open("rb") as file:
+        foreign = foreign_file(path, file.read(START))
+        if foreign is not None:
+            raise CaromError(f"{path}: expected {wanted}, as text, got {foreign.what}; {foreign.advice}")
 
 
 def track_text(path: Path) -> str:

@@ -7,7 +7,15 @@ import re
 import numpy as np
 
 from carom.errors import CaromError
-from carom.tracks.formats.text_table import Calibration, first_rows, numbers, require_calibration, split_rows
+from carom.tracks.formats.text_table import (
+    Calibration,
+    first_rows,
+    numbers,
+    require_calibration,
+    split_rows,
+    time_codes,
+    time_column,
+)
 from carom.tracks.track import Track
 
 __all__ = ["matches", "read"]
@@ -36,7 +44,8 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     clock = next((i for i, cell in enumerate(header) if cell.lower().startswith("time")), None)
     if clock is None:
         raise CaromError(f"{name}: {PROGRAM}: expected a column Time, got {', '.join(header)}")
-    time = table.column(clock, 1, "Time")
+    notes: list[str] = []
+    time = time_column(table, clock, 1, "Time", notes)
     points: dict[str, dict[str, int]] = {}
     for i, cell in enumerate(header):
         if found := COLUMN.match(cell.strip()):
@@ -47,39 +56,42 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
             table.faults.append(f"{name}: {PROGRAM}: {point}: expected columns X and Y, got {', '.join(columns)} only")
             continue
         position = np.stack([table.column(columns[axis], 1, f"{point}/{axis}") for axis in "XY"], axis=-1)
-        tracks.append(Track(point.removesuffix("/0"), time, position * scale * flip))
+        tracks.append(Track(point.removesuffix("/0"), time, position * scale * flip, notes=tuple(notes)))
     table.raise_faults()
     return tracks
 
 
 def _trajectories(name: str, text: str, scale: np.ndarray) -> list[Track]:
-    """Read blocks of rows "T X Y", each after a line with its label."""
+    """Read blocks of rows "T X Y", each after a line with its label, or after an empty line."""
     faults: list[str] = []
     blocks: list[tuple[str, list[tuple[int, list[str]]]]] = []
+    begins = True
     for number, line in enumerate(text.splitlines(), 1):
         words = line.split()
-        if not words or line.startswith(("#Kinovea", "#T ")):
-            continue
-        if line.startswith("#"):
-            blocks.append((line.lstrip("# ").strip() or PROGRAM, []))
+        if not words or line.startswith(("#Kinovea", "#T")):
+            begins = True
+        elif line.startswith("#"):
+            blocks.append((line.lstrip("# ").strip(), []))
+            begins = False
         else:
-            if not blocks:
-                blocks.append((PROGRAM, []))
+            if begins and (not blocks or blocks[-1][1]):
+                blocks.append(("", []))
+            begins = False
             blocks[-1][1].append((number, words))
     tracks = []
-    for title, rows in blocks:
+    for index, (label, rows) in enumerate(blocks, 1):
+        title = label or (f"track {index}" if len(blocks) > 1 else PROGRAM)
         lines = [number for number, _words in rows]
+        cells = [[words[i] if i < len(words) else "" for _n, words in rows] for i in range(3)]
+        notes: list[str] = []
+        time = time_codes(cells[0], notes)
         columns = [
-            numbers(
-                [words[i] if i < len(words) else "" for _n, words in rows],
-                True,
-                lines.__getitem__,
-                f"{name}: {title}: {label}",
-                faults,
-            )
-            for i, label in enumerate(("T", "X", "Y"))
+            numbers(some, True, lines.__getitem__, f"{name}: {title}: {axis}", faults)
+            for axis, some in zip("TXY", cells, strict=True)
+            if time is None or axis != "T"
         ]
-        tracks.append(Track(title, columns[0], np.stack(columns[1:], axis=-1) * scale))
+        time, places = (columns[0], columns[1:]) if time is None else (time, columns)
+        tracks.append(Track(title, time, np.stack(places, axis=-1) * scale, notes=tuple(notes)))
     if faults:
         raise CaromError(*faults)
     return tracks

@@ -13,14 +13,31 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.cells import parse_numbers
+from carom.data.cells import SIGNS, decimal_commas, number_advice, parse_numbers, plain_number
 from carom.errors import MAX_MAGNITUDE, CaromError
 
-__all__ = ["Calibration", "TextTable", "first_rows", "numbers", "require_calibration", "require_sizes", "split_rows"]
+__all__ = [
+    "Calibration",
+    "TextTable",
+    "first_rows",
+    "is_number",
+    "numbers",
+    "require_calibration",
+    "require_sizes",
+    "split_rows",
+    "time_codes",
+    "time_column",
+]
 
 Array = NDArray[np.float64]
-DELIMITERS = "\t;,"
-DELIMITER_NAMES = {"\t": "tabs", ";": "semicolons", ",": "commas"}
+DELIMITERS = "\t;,|"
+DELIMITER_NAMES = {"\t": "tabs", ";": "semicolons", ",": "commas", "|": "bars"}
+SPREADSHEET = re.compile(r"sep=(.)\s*\n", re.IGNORECASE)  # the first line with which spreadsheets name the delimiter
+# h:mm:ss:cc, h:mm:ss.ccc, mm:ss:cc; the last number counts hundredths, thousandths or frames
+TIME_CODE = re.compile(
+    r"^(?:(?P<clock>\d+:(?:\d{2}:)?\d{2})[.,](?P<decimals>\d+)|(?P<whole>\d+:(?:\d{2}:)?\d{2})[:;](?P<last>\d{2,3}))$"
+)
+FRAME_RATES = (24, 25, 30, 48, 50, 60, 100, 120, 240)
 HEAD_CHARACTERS = 4000  # in which the format and the delimiter show
 
 
@@ -54,19 +71,19 @@ class TextTable:
     lines: list[int]
     """Line number of each row."""
     delimiter: str
+    decimal_comma: bool = False
+    """Whether a lone comma is a decimal sign."""
     notes: list[str] = field(default_factory=list)
     faults: list[str] = field(default_factory=list)
 
     def column(self, i: int, first: int, label: str) -> Array:
         """Return column ``i`` from row ``first`` on as numbers (n,); missing ones are NaN, other texts are faults."""
         cells = [row[i] if i < len(row) else "" for row in self.rows[first:]]
-        return numbers(
-            cells, self.delimiter != ",", lambda k: self.lines[first + k], f"{self.name}: {label}", self.faults
-        )
+        return numbers(cells, self.decimal_comma, lambda k: self.lines[first + k], f"{self.name}: {label}", self.faults)
 
     def between(self, low: int, high: int) -> TextTable:
         """Return some of the rows as a table of their own, without faults."""
-        return TextTable(self.name, self.rows[low:high], self.lines[low:high], self.delimiter)
+        return TextTable(self.name, self.rows[low:high], self.lines[low:high], self.delimiter, self.decimal_comma)
 
     def raise_faults(self) -> None:
         """Raise CaromError with all faults, if there are any."""
@@ -75,7 +92,7 @@ class TextTable:
 
 
 def split_rows(name: str, text: str, delimiter: str | None = None) -> TextTable:
-    """Split a text into rows of cells, at tabs, semicolons or commas, whichever occurs first in this list, else at spaces.
+    """Split a text into rows of cells, at tabs, semicolons, commas or bars, whichever occurs first in this list, else at spaces.
 
     Raises CaromError for a quote that is not closed, and for a cell that is too long for any table.
     """
@@ -84,6 +101,7 @@ def split_rows(name: str, text: str, delimiter: str | None = None) -> TextTable:
     for number, row in _rows(name, text, delimiter):
         table.rows.append(row)
         table.lines.append(number)
+    table.decimal_comma = delimiter != "," or decimal_commas([cell for row in table.rows[:1000] for cell in row])
     return table
 
 
@@ -97,7 +115,14 @@ def first_rows(text: str, count: int, delimiter: str | None = None) -> list[list
     return found
 
 
+def is_number(cell: str) -> bool:
+    """Return whether a cell is a number, as any language writes it."""
+    return not parse_numbers([plain_number(cell, decimal_comma=True)], missing=()).bad
+
+
 def _delimiter(text: str) -> str:
+    if named := SPREADSHEET.match(text):
+        return named[1]
     head = text[:HEAD_CHARACTERS].splitlines()[:20]
     delimiter = next((sign for sign in DELIMITERS if any(sign in line for line in head)), " ")
     return " " if delimiter == "," and _spaced(head) else delimiter  # decimal commas between spaces
@@ -105,25 +130,86 @@ def _delimiter(text: str) -> str:
 
 def _rows(name: str, text: str, delimiter: str) -> Iterator[tuple[int, list[str]]]:
     """Iterate over the rows that are not empty, with the numbers of their lines; a lone carriage return ends a line too."""
-    lines = io.StringIO(text, newline=None)
+    lines: Iterator[str] = io.StringIO(text, newline=None)
+    skipped = 0
+    if SPREADSHEET.match(text):
+        next(lines)
+        skipped = 1
     if delimiter == " ":
-        yield from ((n, row) for n, row in enumerate((line.split() for line in lines), 1) if row)
+        yield from ((n, row) for n, row in enumerate((line.split() for line in lines), 1 + skipped) if row)
         return
+    if delimiter != "\t":  # (a quote that blanks precede or follow is one all the same)
+        after = re.compile(rf'"[ \t]+(?={re.escape(delimiter)})')
+        lines = (after.sub('"', line) if '"' in line else line for line in lines)
     # strict: text after a closing quote is the sign of a quote that was never closed
-    reader = csv.reader(lines, delimiter=delimiter, strict=True)
+    reader = csv.reader(lines, delimiter=delimiter, strict=True, skipinitialspace=delimiter != "\t")
     try:
-        yield from ((reader.line_num, row) for row in reader if any(cell.strip() for cell in row))
+        yield from ((reader.line_num + skipped, row) for row in reader if any(cell.strip() for cell in row))
     except csv.Error as error:
         raise CaromError(
-            f"{name}: line {reader.line_num}: expected cells between {DELIMITER_NAMES.get(delimiter, delimiter)}, got: {error};"
-            " is a quote missing?"
+            f"{name}: line {reader.line_num + skipped}: expected cells between {DELIMITER_NAMES.get(delimiter, delimiter)},"
+            f" got: {error}; is a quote missing?"
         ) from None
 
 
 def _spaced(head: Sequence[str]) -> bool:
     """Return whether rows look like "0,0083 12,9 40,1"."""
-    rows = [line for line in head if re.match(r"^\s*[-+\d]", line)]
-    return bool(rows) and all(re.fullmatch(r"\s*[-+\d,.eE]+(\s+[-+\d,.eE]+)+\s*", line) for line in rows)
+    rows = [line.split() for line in head if re.match(r"^\s*[-+\u2212\d]", line)]
+    return bool(rows) and all(len(row) > 1 and all(map(_number_alone, row)) for row in rows)
+
+
+def _number_alone(word: str) -> bool:
+    """Return whether a word is one number, with a decimal comma perhaps: no list of numbers, and no comma at its end."""
+    return word[-1:].isdigit() and word.count(",") <= 1 and word[:1] != "," and is_number(word)
+
+
+def time_column(table: TextTable, i: int, first: int, label: str, notes: list[str]) -> Array:
+    """Return a column of times as numbers (n,), time codes such as ``0:00:01:25`` in seconds; add a note on these."""
+    cells = [row[i] if i < len(row) else "" for row in table.rows[first:]]
+    coded = time_codes(cells, notes)
+    return table.column(i, first, label) if coded is None else coded
+
+
+def time_codes(cells: Sequence[str], notes: list[str]) -> Array | None:
+    """Return time codes (n,), s, NaN where a cell is empty; None if the cells are no time codes. Add a note on the last field.
+
+    It counts frames where it runs through all numbers up to a usual frame rate; else hundredths, or thousandths with three digits.
+
+    Examples
+    --------
+    >>> time_codes(["0:00:01:25", "0:00:01:26"], []), time_codes(["00:01:02.5"], []), time_codes(["1.5"], [])
+    (array([1.25, 1.26]), array([62.5]), None)
+    """
+    found = [TIME_CODE.match(cell.translate(SIGNS).strip()) for cell in cells]
+    if not any(found) or any(one is None and cell.strip() for one, cell in zip(found, cells, strict=True)):
+        return None
+    last = np.array([float(one["last"]) if one and one["last"] else np.nan for one in found])
+    share, of = _last_field(last, [one["last"] for one in found if one and one["last"]])
+    if of:
+        notes.append(
+            f"times are codes such as {next(cell.strip() for cell in cells if cell.strip())}: their last number is taken as {of}"
+        )
+    values = []
+    for one, part in zip(found, last, strict=True):
+        if one is None:
+            values.append(np.nan)
+            continue
+        whole = [float(x) for x in (one["clock"] or one["whole"]).split(":")]
+        seconds = sum(x * 60**k for k, x in enumerate(reversed(whole))) + float(f"0.{one['decimals'] or 0}")
+        values.append(seconds + (share * part if one["last"] else 0.0))
+    return np.array(values)
+
+
+def _last_field(last: Array, texts: Sequence[str]) -> tuple[float, str]:
+    """Return the length of one unit of the last numbers (n,) of time codes, s, and how it is called."""
+    if not texts:
+        return 0.0, ""
+    most = int(np.nanmax(last)) + 1
+    steps = np.diff(last)
+    if most in FRAME_RATES and (steps < 0).sum() > 1 and np.nanmedian(steps) == 1:
+        return 1 / most, f"frames, {most} per second"
+    digits = max(map(len, texts))
+    return (1e-3, "thousandths of a second") if digits == 3 else (1e-2, "hundredths of a second")
 
 
 def numbers(
@@ -136,7 +222,8 @@ def numbers(
     values, bad = parse_numbers(cells, decimal_comma=decimal_comma)
     if bad:
         faults.append(
-            f"{label}: expected a number, got {cells[bad[0]].strip()[:40]!r}{_at_line(bad, line)}; write units in the header"
+            f"{label}: expected a number, got {cells[bad[0]].strip()[:40]!r}{_at_line(bad, line)};"
+            f" {number_advice(cells[bad[0]])}"
         )
     require_sizes(values, label, faults, lambda where: _at_line(where, line))
     return values

@@ -20,14 +20,20 @@ PROGRAM = "Tracker"
 
 
 def matches(text: str) -> bool:
-    """Return whether the text has a ``#multi:`` line, or a line with only a track's name before the header t, x, y."""
+    """Return whether the text has a ``#multi:`` line, or a line with only names of tracks before the header t, x, y."""
     if text.lstrip().lower().startswith("#multi"):
         return True
     rows = first_rows(text, 2)
     if len(rows) < 2:
         return False
-    names = {_name_and_unit(cell)[0] for cell in rows[1]}
-    return sum(bool(cell.strip()) for cell in rows[0]) == 1 and "t" in names and bool({"x", "pixelx"} & names)
+    names = [_name_and_unit(cell)[0] for cell in rows[1]]
+    titles = [cell.strip() for cell in rows[0] if cell.strip()]
+    balls = max(names.count("x"), names.count("pixelx"))
+    return (
+        "t" in names
+        and 1 <= len(titles) <= balls
+        and not any(_name_and_unit(cell)[0] in ("t", "x", "y") for cell in titles)
+    )
 
 
 def read(name: str, text: str, calibration: Calibration) -> list[Track]:
@@ -46,9 +52,14 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
         )
     time = _in_si(table, header.index("t"), "t", units, "time")
     starts = [i for i, cell in enumerate(titles) if cell.strip()]
+    names = [titles[i].strip() for i in starts]
+    if not multi and header.count("x") > 1:  # side by side without that mark: each begins after the y of the one before
+        starts = [0, *(i + 1 for i, cell in enumerate(header) if cell == "y")][:-1]
+        names += [f"track {k + 1}" for k in range(len(names), len(starts))]
+        multi = True
     parts = list(pairwise([*starts, len(header)])) if multi else [(0, len(header))]
     tracks = []
-    for title, (start, end) in zip((titles[i].strip() for i in starts), parts, strict=False):
+    for title, (start, end) in zip(names, parts, strict=False):
         columns = {header[i]: i for i in reversed(range(start, min(end, len(header))))}
         tracks.append(_one(table, title, time, columns, units, calibration))
     frame = _frames(table, header)

@@ -1,0 +1,103 @@
+"""One film in the layouts of all programs: the places and times are the film's, and what is taken for granted is said."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from reference.film_layouts import HEIGHT, LAYOUTS, PIXEL, RATE, RESTITUTION, film
+
+from carom.errors import CaromError
+from carom.tracks import Calibration, Settings, measure, read_tracks
+
+
+@pytest.mark.parametrize("name", LAYOUTS)
+def test_the_film_comes_back(tmp_path: Path, name: str) -> None:
+    layout, one = LAYOUTS[name], film()
+    path = tmp_path / "film.txt"
+    path.write_bytes(layout.write(one).encode(layout.encoding))
+    found = read_tracks(path, calibration=Calibration(layout.scale, layout.rate, layout.down))
+    assert len(found.tracks) == layout.tracks
+    shift = np.array([300 * PIXEL, -(HEIGHT - 100) * PIXEL]) if layout.scale == PIXEL else np.zeros(2)
+    for k, track in enumerate(found.tracks):
+        np.testing.assert_allclose(track.time - track.time[0], one.time, atol=6e-4)
+        seen = ~one.gone if layout.missing else np.ones(len(one.time), bool)
+        np.testing.assert_array_equal(track.seen, seen)
+        aside = [0.5 * k, 0.0] if layout.scale is None else [40 * PIXEL * k, 0.0]
+        np.testing.assert_allclose(track.position[seen], one.place[seen] + shift + aside, atol=2e-5)
+    assert any(layout.note in note for note in found.notes) or not layout.note
+
+
+def test_the_restitution_of_a_film_with_marks(tmp_path: Path) -> None:
+    path = tmp_path / "film.csv"
+    path.write_text(LAYOUTS["minus one"].write(film()))
+    found = read_tracks(path, calibration=Calibration(PIXEL, RATE, down=True))
+    (contact,) = measure(found.tracks, Settings(view="side")).measured
+    assert contact.fit is not None
+    assert contact.fit["vn_out"] / -contact.fit["vn_in"] == pytest.approx(RESTITUTION, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("name", "content", "what", "menu"),
+    [
+        (
+            "a.trk",
+            b'<?xml version="1.0"?><object class="org.opensourcephysics.cabrillo.tracker">',
+            "Tracker",
+            "File > Export > Data",
+        ),
+        (
+            "a.xml",
+            b'<?xml version="1.0"?><object class="org.opensourcephysics.cabrillo.tracker">',
+            "Tracker",
+            "File > Export > Data",
+        ),
+        ("a.kva", b"\xef\xbb\xbf<?xml version='1.0'?><KinoveaVideoAnalysis>", "Kinovea", "Export to spreadsheet"),
+        ("a.xml", b'<?xml version="1.0"?>\n<TrackMate version="7.6.1">', "TrackMate", "Export to CSV"),
+        ("a.slp", b"\x89HDF\r\n\x1a\n\0\0", "SLEAP", "Export Analysis CSV"),
+        ("a.h5", b"\x89HDF\r\n\x1a\n\0\0df_with_missing", "DeepLabCut", "analyze_videos_converth5_to_csv"),
+        ("a.h5", b"\x89HDF\r\n\x1a\n\0\0", "HDF5", "as a table of text"),
+        ("a.mat", b"MATLAB 5.0 MAT-file\0\0", "MATLAB", "writetable"),
+        ("a.pkl", b"\x80\x04\x95", "pickle", "to_csv"),
+        ("a.cmbl", b"<?xml version='1.0'?><Document>", "Logger Pro", "File > Export As > CSV"),
+        ("a.xlsx", b"PK\x03\x04", "a spreadsheet", "save the sheet as CSV"),
+        ("a.mp4", b"\0\0\0\x18ftypmp42", "a film", "track the ball first"),
+    ],
+)
+def test_projects_are_refused_with_the_menu_that_exports(
+    tmp_path: Path, name: str, content: bytes, what: str, menu: str
+) -> None:
+    path = tmp_path / name
+    path.write_bytes(content)
+    with pytest.raises(CaromError) as error:
+        read_tracks(path)
+    (fault,) = error.value.faults
+    assert what in fault
+    assert menu in fault
+
+
+@pytest.mark.parametrize("text", ['"t","x","y"\n"0,001","1,234","2,345"\n', "t,x,y\n0,1.5,2\n1,2.2.2,3\n"])
+def test_numbers_that_may_be_two_are_refused(tmp_path: Path, text: str) -> None:
+    path = tmp_path / "film.csv"
+    path.write_text(text.replace('"0,001"', '"1,001"'))
+    with pytest.raises(CaromError, match="expected a number"):
+        read_tracks(path)
+
+
+def test_a_ball_that_lies_at_the_origin_is_no_missing_frame(tmp_path: Path) -> None:
+    path = tmp_path / "film.csv"
+    place = np.maximum(np.arange(40) - 10, 0) * 2
+    path.write_text("frame,x,y\n" + "".join(f"{k},{x},{x}\n" for k, x in enumerate(place)))
+    (track,) = read_tracks(path, calibration=Calibration(1.0, 100)).tracks
+    assert track.seen.all()
+
+
+def test_rebounds_with_the_minus_of_another_language(tmp_path: Path) -> None:
+    from carom.data import read_rebounds
+
+    path = tmp_path / "rebounds.csv"
+    path.write_text("v_n_in,v_t_in,spin_in,v_n_out\n3.0,\u22121.0,0,2.4\n", encoding="utf-8")
+    assert read_rebounds(path)["v_t_in"].tolist() == [-1.0]
+    path.write_text('v_n_in,v_t_in,spin_in,v_n_out\n"3,0","\u20131,5","0","2,4"\n', encoding="utf-8")
+    assert read_rebounds(path)["v_t_in"].tolist() == [-1.5]
