@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import math
 import os
 import stat
+from pathlib import Path
 from types import SimpleNamespace
 
 import gsd.hoomd
@@ -175,6 +177,14 @@ def test_an_interval_of_time_counts_collisions_by_kinetic_theory():
     session = Session(scene)
     session.run()
     assert expected_snapshots(scene, 10).frames == pytest.approx(session.gas.collisions / 10, rel=0.05)
+
+
+def test_nothing_is_known_of_a_gas_that_starts_at_rest():
+    scene = cooling(max_events=2000)
+    scene = scene.model_copy(update={"species": (scene.species[0].model_copy(update={"temperature": 0.0}),)})
+    size = expected_snapshots(scene, 20.0)
+    assert math.isnan(size.frames)
+    require_size(Path("s.gsd"), size, 400, 1e3)  # (the limit on the file itself holds)
 
 
 def test_no_frame_makes_a_file_larger_than_allowed(tmp_path):

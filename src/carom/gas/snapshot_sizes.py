@@ -8,10 +8,10 @@ from pathlib import Path
 from typing import NamedTuple
 
 from carom.errors import CaromError
-from carom.formatting import format_number
+from carom.formatting import format_bytes, format_number
 from carom.gas.scene import GasScene
 
-__all__ = ["MAX_BYTES", "SnapshotSize", "expected_snapshots", "format_bytes", "require_size"]
+__all__ = ["MAX_BYTES", "SnapshotSize", "expected_snapshots", "require_size"]
 
 MAX_BYTES = 1e9  # of a file of snapshots, unless a user allows more
 # Per ball and frame, in single precision: position and velocity; angular momentum; the periods crossed. Per frame: the index.
@@ -19,7 +19,7 @@ MOVING, SPINNING, PERIODIC, INDEX = 24, 16, 12, 500
 
 
 class SnapshotSize(NamedTuple):
-    """Expected number of frames, and bytes of each."""
+    """Expected number of frames (nan where nothing is known of it), and bytes of each."""
 
     frames: float
     frame_bytes: float
@@ -34,20 +34,6 @@ class SnapshotSize(NamedTuple):
         frames = f"{self.frames:,.0f}" if self.frames < 1e12 else format_number(self.frames, 2)
         each = f"{frames} frames of {balls:,} balls, {format_bytes(self.frame_bytes)} each"
         return f"about {format_bytes(self.total)}: {each}"
-
-
-def format_bytes(count: float) -> str:
-    """Return a number of bytes for people.
-
-    >>> format_bytes(7.7e9), format_bytes(480_000), format_bytes(12)
-    ('7.7 GB', '480 kB', '12 bytes')
-    """
-    if count < 1e3:
-        return f"{count:.0f} bytes"
-    unit, name = next(
-        (unit, name) for unit, name in ((1e12, "TB"), (1e9, "GB"), (1e6, "MB"), (1e3, "kB")) if count >= unit
-    )
-    return f"{format_number(count / unit, 3)} {name}"
 
 
 def expected_snapshots(scene: GasScene, every: int | float) -> SnapshotSize:
@@ -77,7 +63,7 @@ def expected_snapshots(scene: GasScene, every: int | float) -> SnapshotSize:
         lengths += [run.duration] if run.duration is not None else []
         lengths += [_duration(scene, run.max_events)] if run.max_events is not None else []
     per_ball = MOVING + SPINNING * scene.spins_change + PERIODIC * any(scene.container.geometry.periodic)
-    frames = min(lengths) / every
+    frames = min((one for one in lengths if not math.isnan(one)), default=math.nan) / every
     return SnapshotSize(math.floor(frames) + 1 if frames < 1e15 else frames, scene.count * per_ball + INDEX)
 
 
@@ -110,8 +96,8 @@ def _duration(scene: GasScene, collisions: float) -> float:
     """Return the expected time of so many collisions."""
     rate, cooling = _rate(scene), _cooling(scene)
     each = 2 * collisions / scene.count
-    if rate == 0:
-        return math.inf
+    if rate == 0:  # (a gas that starts at rest)
+        return math.nan
     if cooling == 0:
         return each / rate
     return math.expm1(cooling * each) / (cooling * rate) if cooling * each < 700 else math.inf
@@ -120,6 +106,8 @@ def _duration(scene: GasScene, collisions: float) -> float:
 def _collisions(scene: GasScene, time: float) -> float:
     """Return the expected number of collisions in so much time."""
     rate, cooling = _rate(scene), _cooling(scene)
+    if rate == 0:
+        return math.nan
     each = rate * time if cooling == 0 else math.log1p(cooling * rate * time) / cooling
     return each * scene.count / 2
 

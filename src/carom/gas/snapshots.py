@@ -23,9 +23,10 @@ from numpy.typing import NDArray
 from carom.data.cells import parse_numbers
 from carom.errors import CaromError, suggestion
 from carom.files import atomic_path, cannot_write, import_optional, read_text
+from carom.formatting import format_bytes
 from carom.gas.gas import Gas
 from carom.gas.results import GasBalls
-from carom.gas.snapshot_sizes import INDEX, MAX_BYTES, format_bytes
+from carom.gas.snapshot_sizes import INDEX, MAX_BYTES
 
 __all__ = ["InitialState", "Snapshots", "read_initial_state", "spins_of"]
 
