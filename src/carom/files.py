@@ -25,6 +25,7 @@ from pathlib import Path
 from typing import Any, BinaryIO, NamedTuple
 
 from carom.errors import CaromError, MissingLibraryError, did_you_mean
+from carom.formatting import format_bytes
 
 __all__ = [
     "TextEncoding",
@@ -36,6 +37,7 @@ __all__ = [
     "install_command",
     "read_text",
     "require_library",
+    "require_unpacked_size",
     "require_writable",
     "text_encoding",
     "write_text",
@@ -335,6 +337,25 @@ def write_text(target: Path | None, text: str) -> None:
     """Write text in UTF-8, with line ends as they are, as with :func:`atomic_path`."""
     with atomic_file(target) as file:
         file.write(text.encode())
+
+
+# --- how large a file becomes --------------------------------------------------------------------------------------
+
+MOST_UNPACKED = 1 << 28  # bytes in memory that the arrays of any file may take,
+MOST_TIMES = 100  # and how many times those of the file itself: measured data and checkpoints stay far below
+
+
+def require_unpacked_size(path: Path, declared: float) -> None:
+    """Raise CaromError where the arrays that a file declares, in bytes, would be far larger in memory than the file.
+
+    A few megabytes can unpack to terabytes. What is asked is what a header says, before anything is unpacked.
+    """
+    packed = path.stat().st_size
+    if declared > max(MOST_UNPACKED, MOST_TIMES * packed):
+        raise CaromError(
+            f"{path}: expected arrays of at most {MOST_TIMES} times the size of their file, got {format_bytes(declared)} in"
+            f" {format_bytes(packed)}: it is damaged, or meant to fill the memory; if it is yours, save it without compression"
+        )
 
 
 # --- reading text --------------------------------------------------------------------------------------------------

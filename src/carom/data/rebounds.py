@@ -27,7 +27,7 @@ from carom.data.csv import CsvTable
 from carom.data.headers import BRACKETS, ColumnNames, missing_unit
 from carom.data.remarks import speed_remarks, which_rows
 from carom.errors import MAX_MAGNITUDE, CaromError, shortened_list, suggestion
-from carom.files import as_path, atomic_file, import_optional
+from carom.files import as_path, atomic_file, import_optional, require_unpacked_size
 
 if TYPE_CHECKING:
     import pandas as pd
@@ -37,6 +37,7 @@ __all__ = ["COLUMNS", "KINDS", "STAGES", "Kind", "Rebounds", "make_rebounds", "r
 Array = NDArray[np.float64]
 Kind = Literal["planar", "table"]
 KINDS: tuple[Kind, ...] = ("planar", "table")
+CELL_BYTES = 8  # of a number in memory
 STAGES = ("after_wall", "rolling")
 COLUMNS: dict[Kind, tuple[str, ...]] = {
     "planar": ("v_n_in", "v_t_in", "spin_in", "v_n_out", "v_t_out", "spin_out"),
@@ -423,6 +424,7 @@ def _read_parquet(path: Path, faults: list[str]) -> Reader:
     from carom.data.parquet import ParquetTable
 
     with ParquetTable(path) as table:
+        require_unpacked_size(path, CELL_BYTES * table.file.metadata.num_rows * len(table.headers))
         arrow = table.file.read()
     lines = [f"row {i + 1}" for i in range(arrow.num_rows)]
 

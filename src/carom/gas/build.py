@@ -60,7 +60,12 @@ def build(scene: GasScene, where: str = "gas", progress: Callable[[float], None]
 def _from_file(scene: GasScene, where: str) -> dict[str, Any]:
     """Return what the start's file gives, as options of Gas."""
     axes, path = scene.container.dimensions, Path(scene.run.start)
-    start = read_initial_state(path, axes, scene.container.geometry.size)
+    try:
+        start = read_initial_state(path, axes, scene.container.geometry.size, scene.count)
+    except CaromError as error:
+        raise CaromError(
+            *(f"{where}: {one}" if one.startswith("run.start: ") else one for one in error.faults)
+        ) from None
     order = _order_by_species(scene, where, start, path)
     found: dict[str, Any] = {"position": start.position[order]}
     for name, values in (("velocity", start.velocity), ("spin", start.spin)):

@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.files import as_path, atomic_file
 from carom.gas.edmd.driver import STATE, saved_blocks
+from carom.gas.npz import npz_headers, require_npz_size
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
 from carom.scene.schema import from_file
@@ -190,6 +191,9 @@ class _Arrays(Mapping[str, NDArray[Any]]):
     def __init__(self, path: Path, raw: BinaryIO) -> None:
         self.path = path
         with self._reading():
+            if zipfile.is_zipfile(raw):
+                require_npz_size(path, npz_headers(path, raw))
+            raw.seek(0)
             file = np.load(raw, allow_pickle=False)
             if not isinstance(file, np.lib.npyio.NpzFile) or "carom_checkpoint" not in file:
                 raise CaromError(f"{path}: expected a checkpoint of carom gas, got another file")

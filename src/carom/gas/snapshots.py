@@ -12,6 +12,7 @@ from __future__ import annotations
 import csv
 import hashlib
 import io
+import math
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -22,9 +23,10 @@ from numpy.typing import NDArray
 
 from carom.data.cells import parse_numbers
 from carom.errors import CaromError, suggestion
-from carom.files import atomic_path, cannot_write, import_optional, read_text
+from carom.files import atomic_path, cannot_write, import_optional, read_text, require_unpacked_size
 from carom.formatting import format_bytes
 from carom.gas.gas import Gas
+from carom.gas.npz import ArrayHeader, npz_headers, require_npz_size
 from carom.gas.results import GasBalls
 from carom.gas.snapshot_sizes import INDEX, MAX_BYTES
 
@@ -32,6 +34,7 @@ __all__ = ["InitialState", "Snapshots", "read_initial_state", "spins_of"]
 
 
 Array = NDArray[np.float64]
+GSD_BYTES = 100  # of a particle or bond of a frame, as the library has it in memory
 VECTORS = {"position": ("x", "y", "z"), "velocity": ("vx", "vy", "vz"), "spin": ("wx", "wy", "wz")}
 
 
@@ -237,9 +240,10 @@ class InitialState(NamedTuple):
     species: list[str] | None
 
 
-def read_initial_state(path: Path, axes: int, size: tuple[float, ...]) -> InitialState:
+def read_initial_state(path: Path, axes: int, size: tuple[float, ...], count: int | None = None) -> InitialState:
     """Read balls from the rows of a CSV file, the arrays of an NPZ file, or the last frame of a GSD file.
 
+    With the number of balls that is expected, arrays of another number are refused by their headers, before they are unpacked.
     Raises CaromError, one line, for what is missing or not a finite number.
     """
     try:
@@ -249,7 +253,11 @@ def read_initial_state(path: Path, axes: int, size: tuple[float, ...]) -> Initia
         raise CaromError(f"{path}: expected a file with positions, got: {error.strerror}") from None
     kind = path.suffix.lower()
     start = (
-        _read_csv(path, axes) if kind == ".csv" else _read_npz(path) if kind == ".npz" else _read_gsd(path, axes, size)
+        _read_csv(path, axes)
+        if kind == ".csv"
+        else _read_npz(path, count)
+        if kind == ".npz"
+        else _read_gsd(path, axes, size, count)
     )
     for name, values in zip(VECTORS, start[:3], strict=True):
         if values is not None and not np.isfinite(values).all():
@@ -291,11 +299,34 @@ def _read_csv(path: Path, axes: int) -> InitialState:
     return InitialState(position, velocity, spin, table.get("species"))
 
 
-def _read_npz(path: Path) -> InitialState:
+def _require_count(path: Path, found: int, count: int | None) -> None:
+    """Raise CaromError where a file has another number of balls than the scene."""
+    if count is not None and found != count:
+        raise CaromError(f"run.start: expected {count} balls, the sum over the species, got {found} in {path.name}")
+
+
+def _require_headers(path: Path, headers: dict[str, ArrayHeader], count: int | None) -> None:
+    """Raise CaromError for arrays that cannot be the start of so many balls."""
+    for name in (*VECTORS, "species"):
+        if name not in headers:
+            continue
+        shape, dtype = headers[name]
+        flat = name == "species" or (name == "spin" and len(shape) == 1)  # (of discs: about z)
+        if not flat and (len(shape) != 2 or shape[1] not in {2, 3} or dtype.kind not in "iuf"):
+            raise CaromError(f"{path}: {name}: expected numbers of shape (N, 3) or (N, 2), got {shape}")
+        _require_count(path, math.prod(shape[:1]), count)
+
+
+def _read_npz(path: Path, count: int | None) -> InitialState:
     try:
         with path.open("rb") as raw:
+            headers = npz_headers(path, raw)
+            _require_headers(path, headers, count)
+            require_npz_size(path, headers)
             file = np.load(raw, allow_pickle=False)
             arrays = {name: file[name] for name in (*VECTORS, "species") if name in file}
+    except CaromError:
+        raise
     except Exception:  # zip, pickles, short files: many classes, and a remedy of NumPy's that would be unsafe
         raise CaromError(f"{path}: expected arrays saved by NumPy, got another file, or a damaged one") from None
     if "position" not in arrays:
@@ -306,8 +337,6 @@ def _read_npz(path: Path) -> InitialState:
         if values is not None:
             if values.ndim == 1 and name == "spin":  # of discs: about z
                 values = np.stack([np.zeros(len(values)), np.zeros(len(values)), values], axis=1)
-            if values.ndim != 2 or values.shape[1] not in {2, 3} or values.dtype.kind not in "iuf":
-                raise CaromError(f"{path}: {name}: expected numbers of shape (N, 3) or (N, 2), got {values.shape}")
             values = np.pad(values.astype(float), ((0, 0), (0, 3 - values.shape[1])))
         found.append(values)
     position, velocity, spin = found
@@ -316,11 +345,27 @@ def _read_npz(path: Path) -> InitialState:
     return InitialState(position, velocity, spin, None if species is None else [str(name) for name in species])
 
 
-def _read_gsd(path: Path, axes: int, size: tuple[float, ...]) -> InitialState:
+def _require_gsd_counts(path: Path, count: int | None) -> None:
+    """Raise CaromError for numbers of particles and bonds that a file declares, for which the library would make arrays."""
+    with _gsd(path).open(name=str(path), mode="r") as file:
+        last = file.nframes - 1
+        for part in ("particles", "bonds", "angles", "dihedrals", "impropers", "constraints", "pairs"):
+            for frame in {0, last}:  # (what a frame leaves out is that of the first)
+                if file.chunk_exists(frame=frame, name=f"{part}/N"):
+                    found = int(file.read_chunk(frame=frame, name=f"{part}/N")[0])
+                    if part == "particles" and frame == last:
+                        _require_count(path, found, count)
+                    require_unpacked_size(path, found * GSD_BYTES)
+
+
+def _read_gsd(path: Path, axes: int, size: tuple[float, ...], count: int | None) -> InitialState:
     gsd = import_optional("gsd.hoomd", path.name)
     try:
+        _require_gsd_counts(path, count)
         with gsd.open(str(path), "r") as file:
             frame = file[-1]
+    except CaromError:
+        raise
     except Exception as error:  # the library raises OSError, RuntimeError and others
         raise CaromError(f"{path}: expected a GSD file of HOOMD's schema, got: {error}") from None
     particles = frame.particles

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.errors import CaromError
-from carom.files import as_path, import_optional
+from carom.files import as_path, import_optional, require_unpacked_size
 from carom.scene.scene import Scene
 from carom.scene.schema import from_file
 from carom.simulation.records import LOG
@@ -106,16 +106,17 @@ def _from_parquet(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
                 raise _foreign(path, "a Parquet file")
             about = json.loads(text)
             _known_format(path, about)
-            table = file.read()
+            require_unpacked_size(path, file.metadata.num_rows * LOG.itemsize)
+            names = list(log_columns(np.zeros(0, LOG)))
+            if missing := [name for name in names if name not in file.schema_arrow.names]:
+                raise _damaged(path, f"none of the column{'s' if len(missing) > 1 else ''} {', '.join(missing)}")
+            table = file.read(names)
     except (pa.ArrowException, OSError) as error:
         raise CaromError(f"{path}: expected an undamaged Parquet file, got: {str(error).splitlines()[0]}") from None
     except (ValueError, RecursionError, AttributeError) as error:  # (no JSON, too deep, too long a number, no table)
         if isinstance(error, CaromError | UnicodeDecodeError):
             raise
         raise _damaged(path, "one with an unreadable description") from None
-    names = list(log_columns(np.zeros(0, LOG)))
-    if missing := [name for name in names if name not in table.column_names]:
-        raise _damaged(path, f"none of the column{'s' if len(missing) > 1 else ''} {', '.join(missing)}")
     fields: dict[str, Any] = {}
     for field in LOG.names or ():
         if field in VECTORS:
@@ -145,7 +146,9 @@ def _from_netcdf(path: Path) -> tuple[dict[str, Any], dict[str, Any]]:
             if "carom_format" not in about:
                 raise _foreign(path, "a NetCDF file")
             _known_format(path, about)
-            found = {name: (file[name][()], file[name].attrs.get("flag_meanings")) for name in file}
+            known = [name for name in file if name in (LOG.names or ())]
+            require_unpacked_size(path, sum(file[name].nbytes for name in known))
+            found = {name: (file[name][()], file[name].attrs.get("flag_meanings")) for name in known}
     except CaromError:
         raise
     except Exception as error:  # HDF5 tells of damage in many classes

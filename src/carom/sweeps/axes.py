@@ -304,6 +304,17 @@ def from_plain(value: Any) -> Any:
     return float(value) if value in ("inf", "-inf") else value
 
 
+def _require_few(where: str, name: str, given: list[Any]) -> None:
+    """Raise CaromError for more values than one dimension may have, before they are made."""
+    first, *rest = map(float, given)
+    last, step = (rest[0] if rest else 0.0), (rest[1] if len(rest) > 1 else 1.0)
+    count = step if name != "arange" else (last - first) / step if rest else first
+    if not count <= MAX_VALUES:
+        raise CaromError(
+            f"{where}: {name}: expected at most {MAX_VALUES:,} values, got {count:,.6g}; take fewer, or draws"
+        )
+
+
 def axis_from_data(data: Any, where: str) -> Axis:
     """Return the axis that plain data stand for: a value, a list, or a table with one of FORMS. CaromError, one line."""
     if not isinstance(data, Mapping):
@@ -325,6 +336,7 @@ def axis_from_data(data: Any, where: str) -> Axis:
         if name == "values":
             made = as_axis(from_plain(given), where)
         elif name in ("linspace", "geomspace", "arange"):
+            _require_few(where, name, given)
             made = as_axis(getattr(np, name)(*given), where)
         else:
             makers = {"uniform": uniform, "normal": normal, "sobol": sobol, "latin_hypercube": latin_hypercube}

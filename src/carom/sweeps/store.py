@@ -32,6 +32,7 @@ __all__ = ["BLOCKS", "Blocks", "Store", "blocks_of", "checksum"]
 Array = NDArray[Any]
 ATTRIBUTE = "carom"
 BLOCKS = "blocks"  # the group of what is known of blocks
+MOST_BLOCKS = 1 << 25  # of a sweep: one number each lies in memory
 INNER_POINTS = 8192  # of a chunk within a shard: what a reader of a few points has to read
 
 
@@ -86,6 +87,14 @@ def blocks_of(shape: tuple[int, ...], points: int) -> Blocks:
             return Blocks(shape, axis, rows if rows <= chunk else rows - rows % chunk)
         inner *= shape[axis]
     return Blocks(shape, 0, 1)
+
+
+def require_few(blocks: Blocks) -> None:
+    """Raise CaromError for more blocks than lists of them may have in memory."""
+    if blocks.number > MOST_BLOCKS:
+        raise CaromError(
+            f"sweep: block: expected at most {MOST_BLOCKS:,} blocks, got {blocks.number:,}; take larger blocks, or fewer points"
+        )
 
 
 def _inner(blocks: Blocks) -> tuple[int, ...]:
@@ -158,6 +167,29 @@ class Store:
             if any(not name.endswith(".partial") for name in os.listdir(self.place)):
                 raise CaromError(
                     f"{self.name}: expected a store of a sweep, got a folder with other things; name a new one"
+                )
+
+    def require_arrays(self, blocks: Blocks, outcomes: list[Outcome]) -> None:
+        """Raise CaromError for arrays that are not as :meth:`create` makes them: of another size, nothing of them is read."""
+        with self._explaining("read"):
+            group = self.zarr.open_group(self.place, mode="r", zarr_format=3)
+            expected: dict[str, tuple[Any, ...]] = {
+                one.name: (np.dtype(one.dtype), (*blocks.shape, *one.shape), (*_inner(blocks), *one.shape))
+                for one in [*outcomes, Outcome(FAILED, "i1")]
+            }
+            expected[f"{BLOCKS}/checksum"] = np.dtype("u8"), (blocks.number,), (1,)
+            for name, (dtype, shape, chunks) in expected.items():
+                array = group.get(name)
+                got = "nothing" if array is None else "an array" if hasattr(array, "shape") else "a group"
+                if got == "an array" and (array.dtype, array.shape) == (dtype, shape):
+                    if array.chunks == chunks or math.prod(array.chunks) <= max(math.prod(shape), 1):
+                        continue
+                    got = f"chunks of {array.chunks}"
+                elif got == "an array":
+                    got = f"{array.dtype} {array.shape}"
+                raise CaromError(
+                    f"{self.name}: expected {name} as this sweep makes it, {dtype} {shape}, got {got}: the store is damaged; name a"
+                    " new one"
                 )
 
     def checksums(self) -> Array:

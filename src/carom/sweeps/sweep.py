@@ -25,7 +25,7 @@ from carom.sweeps.dataset import dataset_of, open_dataset
 from carom.sweeps.gpu import require_gpu
 from carom.sweeps.outcomes import FAILED, FAILURES, NOT_DONE, Outcome
 from carom.sweeps.space import Space
-from carom.sweeps.store import BLOCKS, Blocks, Store, blocks_of, checksum, identity
+from carom.sweeps.store import BLOCKS, Blocks, Store, blocks_of, checksum, identity, require_few
 
 __all__ = ["Sweep", "SweepPlan", "sweep"]
 
@@ -74,6 +74,7 @@ class Sweep:
         self.space = space
         self.outcomes: list[Outcome] = space.subject.outcomes(keep)
         space.require_names({FAILED, BLOCKS, *keep, *(dim for one in self.outcomes for dim in one.dims)})
+        require_few(blocks)
         self.store = store
         self.blocks = blocks
         # (a worker of a cluster reads the names of laws from the store, where they have no mark)
@@ -125,6 +126,7 @@ class Sweep:
         self._require_same(there)
         if there is None or not there["complete"]:
             return np.zeros(self.blocks.number, np.uint64)
+        self.store.require_arrays(self.blocks, self.outcomes)
         return self.store.checksums()
 
     def _require_same(self, there: dict[str, Any] | None) -> None:
