@@ -8,7 +8,11 @@
 The public names stand in ``__init__.pyi``; each is imported when it is first used, so that ``import carom`` is quick.
 """
 
-from carom.public.names import attach_public as _attach_public
+from carom.public.interrupts import end_at_once_while_starting as _end_at_once_while_starting
+
+_end_at_once_while_starting()
+
+from carom.public.names import attach_public as _attach_public  # noqa: E402
 
 __getattr__, __dir__, __all__ = _attach_public(__name__, __file__)
 __version__ = "0.2.0"

@@ -89,5 +89,37 @@ def test_what_is_refused() -> None:
         place(jax.numpy.array([-1.0]))
     with pytest.raises(Exception, match=r"expected 1 numbers"):
         place(jax.numpy.array([0.1, 0.2]))
-    with pytest.raises(ValueError, match="do not support JVP"):
-        jax.hessian(lambda x: place(x).sum())(jax.numpy.array(place.start))
+
+
+@pytest.mark.parametrize("again", ["hessian", "grad", "jacfwd", "jacrev", "vmap", "jit"])
+def test_second_derivatives_are_refused(again: str) -> None:
+    place = carom.interop.jax.function(shot(), ["balls.0.velocity"])
+
+    def number(x: object) -> object:
+        return place(x).sum()
+
+    start = jax.numpy.array(place.start)
+    ways = {
+        "hessian": lambda: jax.hessian(number)(start),
+        "grad": lambda: jax.grad(lambda x: jax.grad(number)(x)[0])(start),
+        "jacfwd": lambda: jax.jacfwd(jax.jacfwd(number))(start),
+        "jacrev": lambda: jax.jacrev(jax.jacfwd(number))(start),
+        "vmap": lambda: jax.vmap(jax.hessian(number))(start[None]),
+        "jit": lambda: jax.jit(jax.hessian(number))(start),
+    }
+    with pytest.raises(carom.CaromError, match="expected first derivatives, got a derivative of one"):
+        ways[again]()
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+def test_what_no_run_has_is_refused_in_one_line(bad: float) -> None:
+    """JAX's own error of a callback was eighty lines long."""
+    for wrt in ("balls.0.velocity", "walls.*.restitution"):
+        place = carom.interop.jax.function(shot(), [wrt])
+        x = jax.numpy.array(place.start).at[0].set(bad)
+        for way in (place, jax.grad(lambda x, place=place: place(x).sum()), jax.jacfwd(place), jax.jacrev(place)):
+            with pytest.raises(carom.CaromError, match="expected"):
+                way(x)
+        for other in (x * 1j, "text", None, 1.0, x[None], x > 0):
+            with pytest.raises(carom.CaromError, match=r"interop\.jax\.function: expected"):
+                place(other)

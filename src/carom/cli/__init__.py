@@ -5,13 +5,14 @@ from __future__ import annotations
 import functools
 import importlib
 import os
-import signal
 import sys
 from typing import Annotated, Any
 
 import typer
 
+from carom.cli.interrupts import noticed_interrupts, say_interrupted
 from carom.errors import CaromError
+from carom.public.interrupts import INTERRUPTED
 
 app = typer.Typer(
     name="carom",
@@ -52,16 +53,25 @@ def root(
 
 def main() -> None:
     """Run the command; each problem is one line on standard error, and the exit code is 2."""
+    with noticed_interrupts() as asked:
+        try:
+            code = _guarded(asked)
+        except KeyboardInterrupt:
+            code = _interrupted()
+    sys.exit(code)
+
+
+def _guarded(asked: list[bool]) -> int:
     from carom.cli.streams import guarded_streams
 
     with guarded_streams():
-        code = _run()
+        code = _run(asked)
         try:
             sys.stdout.flush()
         except CaromError as error:
             code = _report(error)
         sys.stderr.flush()
-    sys.exit(code)
+    return code
 
 
 @functools.cache
@@ -72,15 +82,17 @@ def _command() -> Any:
     return prepare_help(typer.main.get_command(app))
 
 
-def _run() -> int:
+def _run(asked: list[bool]) -> int:
     try:
-        return int(_command()(standalone_mode=False) or 0)
+        code = int(_command()(standalone_mode=False) or 0)
+        return _interrupted() if asked and code == INTERRUPTED else code  # (some versions of Typer end by themselves)
     except CaromError as error:
-        return _report(error)
+        return _interrupted() if asked else _report(error)
     except KeyboardInterrupt:
         return _interrupted()
     except Exception as error:  # usage errors: Typer's own classes have no public name in all its versions
-        if type(error).__name__ == "Abort":  # (what Typer makes of Ctrl-C)
+        # (what Typer makes of Ctrl-C, and what becomes of an import in the middle of which it comes)
+        if type(error).__name__ == "Abort" or asked:
             return _interrupted()
         if not hasattr(error, "format_message"):
             raise
@@ -111,8 +123,8 @@ def _usage(error: Any) -> str:
 
 
 def _interrupted() -> int:
-    sys.stderr.write("carom: interrupted\n")
-    return 128 + signal.SIGINT
+    say_interrupted()
+    return INTERRUPTED
 
 
 def _report(error: CaromError) -> int:

@@ -25,7 +25,7 @@ from carom.cli.gas_output import (
     print_tables,
     species_columns,
 )
-from carom.cli.streams import note
+from carom.cli.interrupts import say_interrupted
 from carom.errors import CaromError
 from carom.formatting import format_uncertain
 from carom.gas.report import pressure_unit
@@ -74,7 +74,7 @@ def run_ensemble(
             raise
         ensemble, found = error.result, [*error.faults]
     except KeyboardInterrupt:
-        note("carom: interrupted; nothing was saved")
+        say_interrupted("carom: interrupted; nothing was saved")
         raise
     written: list[Path] = []
     for path, action in ((plot, _plot), (measures, _write)):

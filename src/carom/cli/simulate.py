@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import _thread
 import contextlib
 import csv
 import math
-import signal
 import sys
 import tomllib
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from carom.cli.common import attempt, require_outputs, wrote
+from carom.cli.interrupts import noticed_interrupts, say_interrupted
 from carom.cli.options import OUTPUT, RUN, shared
 from carom.errors import CaromError
 from carom.public.own_laws import with_own_laws
@@ -128,8 +127,8 @@ def simulate(
         _tell(run, times, most, as_json, quiet, notes, matters)
         wrote(*(() if quiet else written))
     except KeyboardInterrupt:
-        sys.stderr.write("carom: interrupted; nothing was written\n")
-        raise typer.Exit(130) from None
+        say_interrupted("carom: interrupted; nothing was written")
+        raise
 
 
 # --- options -------------------------------------------------------------------------------------------------------
@@ -220,41 +219,17 @@ def _run(scene: Scene, quiet: bool) -> Trajectory:
     from carom.simulation.compiled import loops_of
     from carom.simulation.simulate import simulate as follow
 
-    with show_progress(err(), quiet, *loops_of(scene)) as say, _interruptible() as asked:
+    with show_progress(err(), quiet, *loops_of(scene)) as say, noticed_interrupts(always=True) as asked:
 
         def on_the_way(events: int, t: float) -> None:
             if asked:  # an interrupt was swallowed
                 raise KeyboardInterrupt
             say(f"simulating: {events:,} events, {t:.4g} s")
 
-        return follow(scene, on_the_way)
-
-
-@contextlib.contextmanager
-def _interruptible() -> Iterator[list[bool]]:
-    """Record Ctrl-C in a list and make it end compilation and run: Python swallows exceptions raised while objects of LLVM
-    are finalised, and the run would continue until memory is exhausted."""
-    asked: list[bool] = []
-
-    def note(_signal: int, _frame: Any) -> None:
-        asked.append(True)
-        raise KeyboardInterrupt
-
-    def again(fault: Any) -> None:
-        if issubclass(fault.exc_type, KeyboardInterrupt):
-            _thread.interrupt_main()
-        else:
-            hook(fault)
-
-    hook, sys.unraisablehook = sys.unraisablehook, again
-    before = signal.signal(signal.SIGINT, note)
-    try:
-        yield asked
-    finally:
-        signal.signal(signal.SIGINT, before)
-        sys.unraisablehook = hook
+        found = follow(scene, on_the_way)
     if asked:  # the exception was swallowed elsewhere
         raise KeyboardInterrupt
+    return found
 
 
 def _reached(run: Trajectory, times: list[float]) -> None:

@@ -108,7 +108,7 @@ def run(
     quiet: Annotated[bool, shared("quiet")] = False,
 ) -> None:
     """Compute what is missing of a sweep, block by block; stopped, by Ctrl-C or kill, it goes on where it was."""
-    from carom.cli.streams import note
+    from carom.cli.interrupts import say_interrupted
 
     part = None if block is None else _part(block)
     place = on.removeprefix("dask:")
@@ -120,7 +120,7 @@ def run(
         with _progress(quiet or as_json) as report:
             made.run(on=place, part=part, progress=report)
     except KeyboardInterrupt:
-        note(f"carom: stopped; what is done stays in {made.store.name}: the same command goes on")
+        say_interrupted(f"carom: stopped; what is done stays in {made.store.name}: the same command goes on")
         raise
     _report(made, as_json, quiet)
 

@@ -235,10 +235,10 @@ def _description(about: Any) -> dict[str, Any]:
     if not isinstance(about, dict) or type(about.get("format")) is not int:
         raise ValueError("it does not say its format")
     # (a checkpoint of an earlier version names no files, and one of another format may hold anything else)
-    about = {"carom": "of an unknown version", "outputs": {}, **about}
-    if about["format"] == FORMAT and not all(isinstance(about.get(name), dict) for name in ("scene", "outputs")):
+    found: dict[str, Any] = {"carom": "of an unknown version", "outputs": {}} | about
+    if found["format"] == FORMAT and not all(isinstance(found.get(name), dict) for name in ("scene", "outputs")):
         raise ValueError("it holds no scene")
-    return about
+    return found
 
 
 def _fixed(scene: GasScene) -> dict[str, Any]:

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from carom.errors import CaromError
 from carom.files import import_optional
 from carom.interop.run_function import RunFunction
 from carom.scene.scene import Scene
@@ -29,9 +30,10 @@ def function(scene: Scene, wrt: str | Iterable[str], of: str = "final.position")
     function of an array (p,)
         Returns (B, 3). ``jax.jacfwd``, ``jax.grad`` and ``jax.vmap`` go through it (a batch is run at once, on all cores),
         ``jax.jit`` goes round it: the run itself is a callback. It is computed in double precision and returned in JAX's default
-        one, which is single unless ``jax_enable_x64`` is set. Second derivatives are refused by JAX.
+        one, which is single unless ``jax_enable_x64`` is set.
 
-    Raises CaromError for paths that are refused, or without JAX; in a call, JAX wraps it in an error of its own.
+    Raises CaromError for paths that are refused, or without JAX; in a call for another shape, for numbers that the scene refuses
+    (NaN, say), and for second derivatives. Under ``jax.jit`` and ``jax.vmap`` what the scene refuses is wrapped in an error of JAX.
 
     Examples
     --------
@@ -49,19 +51,31 @@ def function(scene: Scene, wrt: str | Iterable[str], of: str = "final.position")
 
     def value(x: Any) -> Any:
         kind = numbers.result_type(x, float)
+        if not isinstance(x, jax.core.Tracer):  # (outside of jit and vmap: what is refused is not wrapped by JAX)
+            return numbers.asarray(run.evaluate(np.asarray(x)).astype(kind))
         shape = jax.ShapeDtypeStruct(run.shape, kind)
         return jax.pure_callback(
             lambda x: run.evaluate(np.asarray(x)).astype(kind), shape, x, vmap_method="broadcast_all"
         )
 
+    @jax.custom_jvp  # type: ignore[untyped-decorator]
     def both(x: Any) -> tuple[Any, Any]:
         kind = numbers.result_type(x, float)
+        if not isinstance(x, jax.core.Tracer):
+            return tuple(numbers.asarray(one.astype(kind)) for one in run.differentiate(np.asarray(x)))
         shapes = (jax.ShapeDtypeStruct(run.shape, kind), jax.ShapeDtypeStruct((*run.shape, len(run.columns)), kind))
         return jax.pure_callback(  # type: ignore[no-any-return]
             lambda x: tuple(one.astype(kind) for one in run.differentiate(np.asarray(x))),
             shapes,
             x,
             vmap_method="broadcast_all",
+        )
+
+    @both.defjvp  # type: ignore[untyped-decorator]
+    def second(_primals: Any, _tangents: Any) -> Any:
+        raise CaromError(
+            "interop.jax.function: expected first derivatives, got a derivative of one (jax.hessian, a gradient of a gradient):"
+            " they are exact, but do not support JVP themselves; take differences of the gradient"
         )
 
     @jax.custom_jvp  # type: ignore[untyped-decorator]
@@ -75,7 +89,21 @@ def function(scene: Scene, wrt: str | Iterable[str], of: str = "final.position")
         return found, slopes @ tangents[0]
 
     def call(x: Any) -> Any:
-        return final(numbers.asarray(x, dtype=numbers.result_type(numbers.asarray(x), float)))
+        try:
+            given = numbers.asarray(x)
+        except (TypeError, ValueError) as error:
+            said = str(error).splitlines()[0]
+            raise CaromError(
+                f"interop.jax.function: expected an array ({len(run.columns)},) of numbers, got {said}"
+            ) from None
+        if given.dtype.kind not in "iuf" and not numbers.issubdtype(given.dtype, numbers.floating):
+            raise CaromError(f"interop.jax.function: expected real numbers, got {given.dtype}")
+        if given.shape != (len(run.columns),):
+            raise CaromError(
+                f"interop.jax.function: expected {len(run.columns)} numbers ({', '.join(run.columns)}), got shape {given.shape};"
+                " jax.vmap takes many"
+            )
+        return final(numbers.asarray(given, dtype=numbers.result_type(given, float)))
 
     call.columns, call.start = run.columns, run.start  # type: ignore[attr-defined]
     return call
