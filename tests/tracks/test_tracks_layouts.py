@@ -101,3 +101,29 @@ def test_rebounds_with_the_minus_of_another_language(tmp_path: Path) -> None:
     assert read_rebounds(path)["v_t_in"].tolist() == [-1.0]
     path.write_text('v_n_in,v_t_in,spin_in,v_n_out\n"3,0","\u20131,5","0","2,4"\n', encoding="utf-8")
     assert read_rebounds(path)["v_t_in"].tolist() == [-1.5]
+
+
+def test_particles_of_trackpy_that_number_the_rows(tmp_path: Path) -> None:
+    path = tmp_path / "film.csv"
+    path.write_text("frame,x,y,particle\n" + "".join(f"{k},{10 + k},{20 + k},{k}\n" for k in range(30)))
+    found = read_tracks(path, calibration=Calibration(1.0, 100))
+    assert [len(track) for track in found.tracks] == [30]
+    assert "column 'particle' numbers the rows: not taken for names of shots or balls" in found.notes
+
+
+@pytest.mark.parametrize("mark", ["-1", "0"])
+def test_marks_of_missing_frames_in_files_of_programs(tmp_path: Path, mark: str) -> None:
+    path = tmp_path / "film.txt"
+    rows = [(f"{k}", mark, mark) if k % 7 == 3 else (f"{k}", f"{300 + 2 * k}", f"{200 + k}") for k in range(60)]
+    path.write_text("Frame\tX1\tY1\tFlag1\n" + "".join("\t".join(row) + "\t \n" for row in rows))
+    found = read_tracks(path, calibration=Calibration(0.001, 100))
+    assert (~found.tracks[0].seen).sum() == 9
+    assert f"object 1: {mark}, {mark} in 9 frames: taken as missing" in found.notes
+
+
+def test_tracks_of_kinovea_begin_where_the_times_begin_anew(tmp_path: Path) -> None:
+    path = tmp_path / "film.txt"
+    rows = "".join(f"{k / 50:.2f} {k} {2 * k}\n" for k in range(20))
+    path.write_text(f"#Kinovea Trajectory data export\n#T X Y\n{rows}{rows}")
+    found = read_tracks(path, calibration=Calibration(0.01))
+    assert [(track.name, len(track)) for track in found.tracks] == [("track 1", 20), ("track 2", 20)]

@@ -26,6 +26,7 @@ from carom.tracks.formats import (
     trackmate,
     trackpy,
 )
+from carom.tracks.formats.missing import without_marked_places
 from carom.tracks.formats.projects import START, foreign_file
 from carom.tracks.formats.text_table import Calibration, first_rows
 from carom.tracks.frame_numbers import at_rate, without_rounding
@@ -146,6 +147,8 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
     tracks = FORMATS[name].read(str(path), text, calibration)
     if not tracks or not any(track.seen.any() for track in tracks):
         raise CaromError(f"{path}: {FORMATS[name].title}: expected positions of a ball, got none")
+    if name != "columns":  # (which does so before its units are converted)
+        tracks = [without_marked_places(track, calibration.scale or 1.0) for track in tracks]
     notes: list[str] = []
     faults: list[str] = []
     checked = [_in_order(track, str(path), notes, faults) for track in tracks]

@@ -11,13 +11,12 @@ from numpy.typing import NDArray
 
 from carom.data.headers import Heading
 from carom.errors import suggestion
-from carom.tracks.formats.headers import MOST_ABOVE, Header, Series, header_of, series_of
+from carom.tracks.formats.headers import MOST_ABOVE, ROW_NUMBERS, Header, Series, header_of, numbers_rows, series_of
 from carom.tracks.formats.missing import without_invisible, without_markers
 from carom.tracks.formats.text_table import (
     Calibration,
     TextTable,
     first_rows,
-    is_number,
     require_calibration,
     split_rows,
     time_column,
@@ -28,8 +27,6 @@ __all__ = ["HEADER_EXAMPLE", "matches", "read"]
 
 PROGRAM = "columns"
 HEADER_EXAMPLE = "t [s],x [cm],y [cm]"
-# Fewer rows on average for a name, in a table that is not tiny: the column numbers the rows.
-ROWS_PER_NAME, MIN_NUMBERED = 2.0, 9
 
 
 def matches(text: str) -> bool:
@@ -162,11 +159,8 @@ def _labels(table: TextTable, header: Header, who: dict[str, list[int]], notes: 
     for kind, columns in who.items():
         for i in columns:
             cells = [row[i].strip() if i < len(row) else "" for row in rows]
-            pairs = set(zip(cells, found.get("group", cells), strict=True))
-            if len(rows) >= MIN_NUMBERED and len(rows) < ROWS_PER_NAME * len(pairs) and all(map(is_number, cells)):
-                notes.append(
-                    f"column {header.cells[i].strip()!r} numbers the rows: not taken for names of shots or balls"
-                )
+            if numbers_rows(cells, found.get("group")):
+                notes.append(ROW_NUMBERS.format(header.cells[i].strip()))
             elif kind not in found:
                 found[kind] = cells
     return found

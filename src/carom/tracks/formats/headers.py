@@ -9,15 +9,15 @@ from dataclasses import dataclass, field
 from carom.data.headers import ColumnNames, Heading
 from carom.tracks.formats.text_table import is_number
 
-__all__ = ["GROUPS", "NAMES", "Header", "Series", "header_of", "series_of"]
+__all__ = ["GROUPS", "NAMES", "Header", "Series", "header_of", "numbers_rows", "series_of"]
 
 # Used only in a table without a column x or y: a table with them may have a height, or a distance, besides.
 X_WORDS = ("horizontal", "distance", "weite", "strecke", "abscisse", "abszisse")
 Y_WORDS = ("vertical", "height", "höhe", "hoehe", "hauteur", "altura", "altezza", "ordonnée", "ordinate")
 NAMED = ColumnNames({
     "time": ("time", ("t", "seconds", "zeit", "temps", "tiempo", "tempo", "timestamp")),
-    "x": ("length", ("x_long", "pos_x", "position_x", "x_pos", "x_position", "x_coordinate", "x_coord", "x_coordinaat", *X_WORDS)),
-    "y": ("length", ("y_short", "pos_y", "position_y", "y_pos", "y_position", "y_coordinate", "y_coord", "y_coordinaat", *Y_WORDS)),
+    "x": ("length", ("x_long", "pos_x", "position_x", "x_pos", "x_position", "x_coordinate", "x_coord", "x-coordinate", *X_WORDS)),
+    "y": ("length", ("y_short", "pos_y", "position_y", "y_pos", "y_position", "y_coordinate", "y_coord", "y-coordinate", *Y_WORDS)),
     "z": ("length", ("pos_z", "position_z")),
     "angle": ("angle", ("theta", "orientation")),
     "spin": ("spin", ("omega", "spin_z")),
@@ -33,12 +33,16 @@ PIXELS = re.compile(r"^(x|y)\s*(?:[\[(_ /,]|in\s)?\s*(px|pix|pixels?)\s*[\])]?$"
 PIXEL_UNIT = re.compile(r"^[\[(]?\s*(px|pix|pixels?)\s*[\])]?$", re.IGNORECASE)
 COMMENT = re.compile(r"^\s*(#|%|//)+\s*")
 RUN = re.compile(r"^\s*([^:()\[\]]{1,60}?)\s*:\s*(\S.*)$")  # "Latest: X (m)"
+RUN_BEHIND = re.compile(r"^\s*(\S.*?)[\s,]+((?:run|set)\s*#?\s*\d+)\s*$", re.IGNORECASE)  # "X (m) Run #1"
 NUMBERED = re.compile(r"^\s*([a-z](?:[a-z ]*[a-z])?)[ _.]?(\d{1,3})\s*([\[(].*[\])])?\s*$", re.IGNORECASE)  # "x1 [mm]"
 BEHIND = re.compile(r"^\s*(.+?)[ _./-]+([xy])\s*([\[(].*[\])])?\s*$", re.IGNORECASE)  # "white ball x (cm)"
 # of a ball's motion, or of its picture, but no place
 NO_PLACE = re.compile(
     r"^(v|vel|velocity|speed|a|acc|accel|acceleration|force|f|d|delta|std|sigma|err|error|size|width|w|p|momentum|flow|grad)$"
 )
+# Fewer rows on average for a name, in a table that is not tiny: the column numbers the rows.
+ROWS_PER_NAME, MIN_NUMBERED = 2.0, 9
+ROW_NUMBERS = "column {!r} numbers the rows: not taken for names of shots or balls"
 MOST_ABOVE, MOST_BELOW = 30, 3  # rows above a header that are no table yet, and rows of names and units below it
 
 
@@ -77,6 +81,15 @@ def header_of(rows: Sequence[Sequence[str]]) -> Header | None:
             first += 1
         return Header(list(cells), at, first)
     return None
+
+
+def numbers_rows(cells: Sequence[str], groups: Sequence[str] | None = None) -> bool:
+    """Return whether a column (n,) numbers the rows, as a table of some length shows: it names no balls, nor shots.
+
+    ``groups``: the shot of each row, in each of which the numbers may begin anew.
+    """
+    pairs = set(zip(cells, groups or cells, strict=True))
+    return MIN_NUMBERED <= len(cells) < ROWS_PER_NAME * len(pairs) and all(map(is_number, cells))
 
 
 def _names_or_units(row: Sequence[str], used: Sequence[int]) -> bool:
@@ -144,6 +157,8 @@ def _meaning(text: str) -> tuple[str, str, str, Heading | None]:
         return "", "", heading.quantity, heading
     if (run := RUN.match(text)) and (inner := _meaning(run[2]))[2]:
         return run[1], *inner[1:]
+    if (behind := RUN_BEHIND.match(text)) and (inner := _meaning(behind[1]))[2]:
+        return behind[2], *inner[1:]
     if (number := NUMBERED.match(text)) and (inner := _meaning(number[1] + (number[3] or "")))[2] in ("x", "y", "time"):
         return "", number[2], *inner[2:]
     return "", "", "", None

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from itertools import pairwise
 
 import numpy as np
 
@@ -78,6 +79,7 @@ def _trajectories(name: str, text: str, scale: np.ndarray) -> list[Track]:
                 blocks.append(("", []))
             begins = False
             blocks[-1][1].append((number, words))
+    blocks = [(label, part) for label, rows in blocks for part in _where_times_begin_anew(rows)]
     tracks = []
     for index, (label, rows) in enumerate(blocks, 1):
         title = label or (f"track {index}" if len(blocks) > 1 else PROGRAM)
@@ -95,3 +97,11 @@ def _trajectories(name: str, text: str, scale: np.ndarray) -> list[Track]:
     if faults:
         raise CaromError(*faults)
     return tracks
+
+
+def _where_times_begin_anew(rows: list[tuple[int, list[str]]]) -> list[list[tuple[int, list[str]]]]:
+    """Return the rows of a block in parts: a time that comes again is that of the first row of another track."""
+    starts = [k for k, (_n, words) in enumerate(rows) if k == 0 or words[0] == rows[0][1][0]]
+    spaced = len(starts) > 1 and min(np.diff(starts)) > 1
+    edges = [*(starts if spaced else starts[:1]), len(rows)]
+    return [rows[low:high] for low, high in pairwise(edges)]

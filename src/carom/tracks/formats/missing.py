@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["without_invisible", "without_markers"]
+from carom.tracks.track import Track
+
+__all__ = ["without_invisible", "without_marked_places", "without_markers"]
 
 Array = NDArray[np.float64]
 MARKERS = (-1.0, 0.0, -999.0, -9999.0, 9999.0, -99.0)  # in both columns
@@ -30,11 +34,26 @@ def without_markers(place: Array, label: str, notes: list[str]) -> Array:
         away = [
             np.linalg.norm(found[seen[np.clip(side, 0, len(seen) - 1)], :2] - marker, axis=1) for side in (at - 1, at)
         ]
-        gone = rows[np.minimum(*away) > least]
+        far = np.minimum(*away) > least
+        gone = rows if far.mean() > 0.5 else rows[far]  # (a ball may pass by the place of a marker)
         if len(gone):
             found[gone] = np.nan
             notes.append(f"{label}{marker:g}, {marker:g} in {_frames(len(gone))}: taken as missing")
     return found
+
+
+def without_marked_places(track: Track, scale: float) -> Track:
+    """Return a track without places that were markers in the file, whose unit is ``scale``, m, and with a note on them."""
+    notes: list[str] = []
+    raw = np.round(track.position / scale, 9)
+    for sign in (1.0, -1.0):  # (the second axis may have been turned over)
+        raw[:, 1] *= sign
+        raw = without_markers(raw, f"{track.name}: ", notes)
+        raw[:, 1] *= sign
+    if not notes:
+        return track
+    place = np.where(np.isfinite(raw).all(axis=1)[:, None], track.position, np.nan)
+    return replace(track, position=place, notes=(*track.notes, *notes))
 
 
 def without_invisible(place: Array, visible: Array, label: str, notes: list[str]) -> Array:

@@ -53,8 +53,11 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     time = _in_si(table, header.index("t"), "t", units, "time")
     starts = [i for i, cell in enumerate(titles) if cell.strip()]
     names = [titles[i].strip() for i in starts]
-    if not multi and header.count("x") > 1:  # side by side without that mark: each begins after the y of the one before
-        starts = [0, *(i + 1 for i, cell in enumerate(header) if cell == "y")][:-1]
+    last = "y" if "y" in header else "pixely"
+    if (
+        not multi and header.count(last) > 1
+    ):  # side by side without that mark: each begins after the y of the one before
+        starts = [0, *(i + 1 for i, cell in enumerate(header) if cell == last)][:-1]
         names += [f"track {k + 1}" for k in range(len(names), len(starts))]
         multi = True
     parts = list(pairwise([*starts, len(header)])) if multi else [(0, len(header))]

@@ -6,6 +6,7 @@ from itertools import pairwise
 
 import numpy as np
 
+from carom.tracks.formats.headers import ROW_NUMBERS, numbers_rows
 from carom.tracks.formats.text_table import Calibration, first_rows, require_calibration, split_rows
 from carom.tracks.track import Track
 
@@ -34,6 +35,9 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     x, y, frame = (table.column(header.index(one), 1, one) for one in ("x", "y", "frame"))
     particle = table.column(header.index("particle"), 1, "particle") if "particle" in header else np.zeros(len(x))
     table.raise_faults()
+    notes: tuple[str, ...] = ()
+    if numbers_rows([f"{one:g}" for one in particle.tolist()]):
+        particle, notes = np.zeros(len(x)), (ROW_NUMBERS.format("particle"),)
     order = np.lexsort((frame, particle))
     edges = np.flatnonzero(np.diff(particle[order], prepend=np.nan, append=np.nan) != 0)
     sign = -1.0 if calibration.down in (None, True) else 1.0
@@ -42,5 +46,7 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     for low, high in pairwise(edges.tolist()):
         rows = order[low:high]
         place = scale * np.stack([x[rows], sign * y[rows]], axis=-1)
-        tracks.append(Track(f"particle {particle[rows[0]]:.0f}", frame[rows] / rate, place, frame=frame[rows]))
+        tracks.append(
+            Track(f"particle {particle[rows[0]]:.0f}", frame[rows] / rate, place, frame=frame[rows], notes=notes)
+        )
     return tracks
