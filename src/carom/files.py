@@ -13,6 +13,7 @@ import functools
 import glob
 import importlib
 import importlib.util
+import io
 import os
 import platform
 import shlex
@@ -25,7 +26,7 @@ from pathlib import Path
 from typing import Any, BinaryIO, NamedTuple
 
 from carom.errors import CaromError, MissingLibraryError, did_you_mean
-from carom.formatting import format_bytes
+from carom.formatting import escape_controls, format_bytes
 
 __all__ = [
     "TextEncoding",
@@ -322,6 +323,12 @@ def _copy(part: Path, device: Path | None) -> None:
             return
         # a reader that closes the pipe early, such as `head`, is not an error
         with contextlib.suppress(BrokenPipeError):
+            if (
+                sys.stdout.isatty()
+            ):  # (a pipe gets the bytes as they are; a terminal is not steered by cells of a table)
+                for line in io.TextIOWrapper(file, "utf-8", "replace", newline=""):
+                    sys.stdout.write(escape_controls(line.replace("\r\n", "\n")))
+                return
             shutil.copyfileobj(file, sys.stdout.buffer)
             sys.stdout.buffer.flush()
 

@@ -35,6 +35,9 @@ class TextConsole(Console):
         if soft_wrap and (self.is_terminal or "COLUMNS" in os.environ):
             soft_wrap = False
             settings.setdefault("overflow", "fold")
+        for table in objects:
+            if isinstance(table, Table):
+                _escape_cells(table)
         width = self.width
         self.width = max([width, *(self._fit(table) for table in objects if isinstance(table, Table))])
         try:
@@ -71,6 +74,14 @@ class TextConsole(Console):
                 yield piece
             else:
                 yield piece._replace(text=escape_controls(piece.text))
+
+
+def _escape_cells(table: Table) -> None:
+    """Write out control characters in a table's texts, before the widths of its columns are found."""
+    for column in table.columns:
+        column._cells = [escape_controls(cell) if isinstance(cell, str) else cell for cell in column._cells]
+        if isinstance(column.header, str):
+            column.header = escape_controls(column.header)
 
 
 def _least_width(column: Column, longest: int) -> int:

@@ -6,6 +6,7 @@ import errno
 import io
 import os
 import sys
+import warnings
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from typing import Any
@@ -36,15 +37,20 @@ def say_notes(lines: Iterable[str]) -> None:
 def guarded_streams() -> Iterator[None]:
     """While inside, what cannot be written to standard output is a CaromError, and what standard error cannot take is dropped.
 
+    Warnings of libraries, which may quote names, have their control characters escaped.
+
     A reader that closes the pipe early, such as `head`, is not an error: the rest of the output is dropped, and files are written.
     """
     before = sys.stdout, sys.stderr
+    said = warnings.formatwarning
     _fill_closed_descriptors()
+    warnings.formatwarning = lambda *about, **more: escape_controls(said(*about, **more))
     sys.stdout, sys.stderr = _Stream(before[0], _unless_closed_early), _Stream(before[1], lambda _error: None)
     try:
         yield
     finally:
         sys.stdout, sys.stderr = before
+        warnings.formatwarning = said
 
 
 def _fill_closed_descriptors() -> None:

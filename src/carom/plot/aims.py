@@ -11,7 +11,7 @@ import numpy as np
 from carom.errors import CaromError
 from carom.formatting import format_number
 from carom.plot.scene_view import View, colour, view, walls_in, way
-from carom.plot.style import INK, drawn, new_figure
+from carom.plot.style import INK, drawn, literal, new_figure
 from carom.plot.trajectory import CUSHION, FILLS
 from carom.sweeps.unknowns import UNITS
 
@@ -111,7 +111,7 @@ def _panel(axes: Any, aims: Aims, one: Aim, run: Any, ways: list[Any], seen: Vie
     numbers = ", ".join(
         f"{name} {format_number(x, 4)} {UNITS[name.rpartition('.')[2]]}" for name, x in one.values.items()
     )
-    axes.set_title(f"{numbers.replace(' °', '°')}: {one.chance:.0%}", fontsize=8, color=INK, pad=3)
+    axes.set_title(f"{literal(numbers.replace(' °', '°'))}: {one.chance:.0%}", fontsize=8, color=INK, pad=3)
     axes.set(xlim=seen.x, ylim=seen.y, aspect="equal")
     axes.axis("off")
 

@@ -19,7 +19,7 @@ from carom.formatting import format_length, format_number
 from carom.laws import comparison as laws_compared
 from carom.laws.landing import fall
 from carom.laws.law import Answer, Meeting
-from carom.plot.style import GREY, INK, PALE, arrow, law_styles, new_figure, spread_apart, style
+from carom.plot.style import GREY, INK, PALE, arrow, law_styles, literal, new_figure, spread_apart, style
 
 __all__ = ["PathAfterWall", "compare", "path_after_wall"]
 
@@ -149,11 +149,11 @@ def _above(
                 _circle(axes, point, a, ink, 0.7)
                 axes.plot(*point, "o", ms=2.6, color=ink, zorder=7)
         ends.append(line[-1])
-        words.append(f"{verdict.law}  {_angle(verdict)}")
+        words.append(f"{literal(verdict.law)}  {_angle(verdict)}")
     bottom = -HALF_HEIGHT_OVER_WIDTH * r
     missing = [v.law for v in comparison.verdicts if v.after_wall is None]
     if missing:  # below the labels
-        text = "no prediction:\n" + "\n".join(missing)
+        text = "no prediction:\n" + "\n".join(map(literal, missing))
         axes.text(
             1.06 * r, 0.98 * bottom, text, ha="left", va="bottom", size=8, color=GREY, linespacing=1.4, clip_on=False
         )
@@ -302,7 +302,7 @@ def _side(
             if end[0] <= r:
                 _circle(axes, end, a, ink, 0.7)
                 axes.plot([end[0], end[0]], [-0.03 * r, 0], color=ink, lw=1.2, zorder=4)
-            hops.append((ink, f"{verdict.law}  {format_number(top)} mm"))
+            hops.append((ink, f"{literal(verdict.law)}  {format_number(top)} mm"))
     for i, (ink, word) in enumerate([(GREY, "flight heights"), *hops] if hops else []):
         axes.text(1.06 * r, up - (0.03 + 0.075 * i) * r, word, color=ink, ha="left", va="center", size=8, clip_on=False)
     axes.text(0.5 * r, -0.06 * r, "floor", ha="center", va="center", size=8, color=GREY)

@@ -12,7 +12,7 @@ import numpy as np
 from carom.fitting.evidence import aicc_note
 from carom.fitting.result import with_error_bar
 from carom.plot.fit import PAGE, SHOWN, listed, svg, tabled
-from carom.plot.style import GREY, INK, law_styles, new_figure, style
+from carom.plot.style import GREY, INK, law_styles, literal, new_figure, style
 
 if TYPE_CHECKING:
     from carom.fitting.tracks import TrackFit, TrackRanking
@@ -42,7 +42,7 @@ def plot_tracks(ranking: TrackRanking) -> Any:
             _from_above(axes, best, shot, names)
         left.subplots_adjust(left=0.02, right=0.98, top=0.91, bottom=0.03, wspace=0.08, hspace=0.2)
         more = f", {len(shown)} of {len(shots)} shots" if len(shots) > len(shown) else ""
-        left.suptitle(f"Tracked (dots) and simulated by {best.law.name} (lines){more}", fontsize=9)
+        left.suptitle(f"Tracked (dots) and simulated by {literal(best.law.name)} (lines){more}", fontsize=9)
         upper, lower = right.subplots(2, 1, height_ratios=[1, 1])
         _by_shot(upper, ranking)
         _over_time(lower, best)
@@ -78,7 +78,7 @@ def _from_above(axes: Any, fit: TrackFit, shot: str, names: list[str]) -> None:
     axes.set(xticks=[], yticks=[])
     for spine in axes.spines.values():
         spine.set_visible(False)
-    axes.set_title(f"{shot or 'track'}: {1e3 * fit.rms(which):.2g} mm", fontsize=8)
+    axes.set_title(f"{literal(shot or 'track')}: {1e3 * fit.rms(which):.2g} mm", fontsize=8)
 
 
 def _by_shot(axes: Any, ranking: TrackRanking) -> None:

@@ -17,7 +17,7 @@ from carom.gas.measures import Measures
 from carom.gas.report import UNITS_NOTE
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
-from carom.plot.style import GREY, INK, PALE, drawn, new_figure
+from carom.plot.style import GREY, INK, PALE, drawn, literal, new_figure
 
 __all__ = [
     "COLOURS",
@@ -105,7 +105,7 @@ def _draw(session: Session, measures: Measures, title: str | None) -> Any:
 
 def heading(figure: Any, words: str) -> None:
     """Write what a figure of a gas is about, and its units."""
-    figure.text(0.0135, 0.985, words, ha="left", va="top", fontsize=8, color=GREY)
+    figure.text(0.0135, 0.985, literal(words), ha="left", va="top", fontsize=8, color=GREY)
     figure.text(0.0135, 0.955, UNITS_NOTE, ha="left", va="top", fontsize=7, color=GREY)
 
 
@@ -160,7 +160,7 @@ def _balls(axes: Any, session: Session) -> None:
     part = ", part of the box" if window[0] < size[pair][0] else ""
     text = what + part if len(kinds) == 1 else f"{'discs' if flat else 'cross-section'}{part}: {_listed(session)}"
     place = axes.get_subplotspec().get_position(axes.figure)  # (the panel itself is as narrow as the box)
-    axes.figure.text(place.x0, place.y1 + 0.012, text, fontsize=8.5, color=INK, va="bottom")
+    axes.figure.text(place.x0, place.y1 + 0.012, literal(text), fontsize=8.5, color=INK, va="bottom")
     if len(kinds) == 1:
         axes.text(
             0.5, -0.02, "darker: faster", transform=axes.transAxes, ha="center", va="top", fontsize=7.5, color=GREY
@@ -234,7 +234,7 @@ def _distributions(axes: Any, measures: Measures, what: str, changes: bool = Tru
         axes.plot(
             one.center[seen], one.density[seen], ".", markersize=2.6, color=COLOURS[k % len(COLOURS)], zorder=2 + k
         )
-        said.append((f"{name}: " if many else "") + f"$a_2$ = {one.a2:+.4f}".replace("-", "−"))
+        said.append((f"{literal(name)}: " if many else "") + f"$a_2$ = {one.a2:+.4f}".replace("-", "−"))
         shown += 1
     axes.set_yscale("log")
     axes.set_xlim(-5, 5)
@@ -315,7 +315,7 @@ def _pair_correlation(axes: Any, measures: Measures) -> None:
         weight = one.distance[:whole] ** (measures.dimensions - 1)
         g = (one.g[:whole] * weight).reshape(-1, step).sum(axis=1) / weight.reshape(-1, step).sum(axis=1)
         r = one.distance[:whole].reshape(-1, step).mean(axis=1)
-        axes.plot(r, g, linewidth=1.0, color=COLOURS[k % len(COLOURS)], label=f"{a} – {b}" if many else None)
+        axes.plot(r, g, linewidth=1.0, color=COLOURS[k % len(COLOURS)], label=literal(f"{a} – {b}") if many else None)
         top, drawn = max(top, float(g.max())), drawn + 1
     axes.axhline(1, color=GREY, linewidth=0.6, dashes=(4, 2), zorder=1)
     axes.set_xlim(left=0)
@@ -360,7 +360,9 @@ def _profile(axes: Any, session: Session, measures: Measures) -> None:
     """Plot the mean number density along gravity, or between the walls."""
     for k, name in enumerate(session.names):
         one = measures.profile(name)
-        axes.stairs(one.density, one.edges, baseline=None, color=COLOURS[k % len(COLOURS)], linewidth=1.0, label=name)
+        axes.stairs(
+            one.density, one.edges, baseline=None, color=COLOURS[k % len(COLOURS)], linewidth=1.0, label=literal(name)
+        )
     axes.set_xlim(0, one.edges[-1])
     axes.set_ylim(bottom=0)
     axes.set_xlabel(f"{one.axis}, m")

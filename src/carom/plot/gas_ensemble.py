@@ -22,7 +22,7 @@ from carom.plot.gas import (
     panel_title,
     scale_temperatures,
 )
-from carom.plot.style import GREY, drawn, new_figure
+from carom.plot.style import GREY, drawn, literal, new_figure
 
 __all__ = ["plot_ensemble"]
 
@@ -112,7 +112,7 @@ def _panel(axes: Any, title: str, curves: dict[str, Curve], label: str) -> None:
         colour = COLOURS[k % len(COLOURS)]
         # (a bin that no ball of any member was in has no place on a logarithmic axis)
         mean = np.where(one.mean == 0, np.nan, one.mean)
-        axes.plot(one.x, mean, color=colour, linewidth=0.9, label=name)
+        axes.plot(one.x, mean, color=colour, linewidth=0.9, label=literal(name))
         axes.fill_between(one.x, mean - one.error, mean + one.error, color=colour, alpha=BAND, linewidth=0)
     panel_title(axes, title)
     axes.set_xlabel(label)

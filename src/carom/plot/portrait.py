@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from carom.billiards import Orbit
 from carom.errors import CaromError
 from carom.formatting import format_number
-from carom.plot.style import GREY, INK, new_figure, style
+from carom.plot.style import GREY, INK, literal, new_figure, style
 
 __all__ = ["on_curves", "plot_boundary", "plot_portrait"]
 
@@ -80,7 +80,7 @@ def _title(found: Orbit) -> str:
     count = int(np.size(found.count))
     orbits = f"{count:,} orbits" if count > 1 else "1 orbit"
     return (
-        f"{', '.join([table.name, *sizes])}; bounds the {table.bounds}\n{found.setup.law},"
+        f"{literal(', '.join([table.name, *sizes]))}; bounds the {table.bounds}\n{literal(found.setup.law)},"
         f" $\\kappa$ = {format_number(float(found.setup.ball.kappa), 4)}; {orbits} of {found.t.shape[-1]:,} bounces"
     )
 

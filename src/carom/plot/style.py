@@ -8,12 +8,15 @@ from __future__ import annotations
 import io
 import math
 import os
-from collections.abc import Callable, Sequence
+import warnings
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 from carom import files
 from carom.files import as_path, atomic_path, require_library
+from carom.formatting import escape_controls
 from carom.laws.registry import law_styles
 
 __all__ = [
@@ -22,6 +25,7 @@ __all__ = [
     "PALE",
     "arrow",
     "law_styles",
+    "literal",
     "new_figure",
     "require_matplotlib",
     "require_writable",
@@ -78,12 +82,32 @@ def require_writable(path: str | os.PathLike[str]) -> None:
     files.require_writable(as_path("plot", path), [f".{kind}" for kind in METADATA])
 
 
-def style() -> Any:
-    """Return the context in which figures are drawn and written: carom's settings on Matplotlib's defaults, not the user's."""
+@contextmanager
+def style() -> Iterator[None]:
+    """Draw and write figures with carom's settings on Matplotlib's defaults, not the user's.
+
+    A character that the font lacks is drawn as a box; Matplotlib's warning of it, once for each, says nothing that a user can mend.
+    """
     require_matplotlib()
     import matplotlib.style
 
-    return matplotlib.style.context(["default", str(Path(__file__).with_name("carom.mplstyle"))])
+    look = matplotlib.style.context(["default", str(Path(__file__).with_name("carom.mplstyle"))])
+    with warnings.catch_warnings(), look:
+        warnings.filterwarnings("ignore", message="Glyph .* missing from")
+        yield
+
+
+def literal(text: object) -> str:
+    r"""Return what a user has named, as Matplotlib is to draw it: as it stands.
+
+    A dollar sign would begin a formula, a control character is none, and what begins with an underscore has no place in a legend.
+    All names of balls, walls, species, tracks, shots, laws and dimensions, and all titles, come to a figure through here.
+
+    >>> print(literal("$x$ \x1b[31m"))
+    \$x\$ \x1b[31m
+    """
+    found = escape_controls(str(text).replace("\r\n", "\n")).replace("$", r"\$")
+    return f" {found}" if found.startswith("_") else found
 
 
 def drawn(draw: Callable[[], Any], file: str | os.PathLike[str] | None) -> Any:

@@ -10,7 +10,7 @@ import numpy as np
 
 from carom.errors import CaromError, did_you_mean
 from carom.formatting import format_number
-from carom.plot.style import INK, new_figure, style
+from carom.plot.style import INK, literal, new_figure, style
 
 __all__ = ["plot_sweep"]
 
@@ -148,7 +148,7 @@ def _text(value: Any, coordinate: Any) -> str:
 
 def _label(array: Any, dim: str) -> str:
     units = array[dim].attrs.get("units", "") if dim in array.coords else ""
-    return f"{dim} ({units})" if units else dim
+    return literal(f"{dim} ({units})" if units else dim)
 
 
 def _draw(array: Any, error: Any, x: str, y: str | None, panels: str | None, title: str) -> Any:
@@ -175,7 +175,9 @@ def _draw(array: Any, error: Any, x: str, y: str | None, panels: str | None, tit
             axes = flat[k]
             if panels is not None:
                 coordinate = array[panels] if panels in array.coords else None
-                axes.set_title(f"{panels} {k if coordinate is None else _text(coordinate.values[k], coordinate)}")
+                axes.set_title(
+                    literal(f"{panels} {k if coordinate is None else _text(coordinate.values[k], coordinate)}")
+                )
             if y is None:
                 _line(axes, one, bars, x, limits)
             else:
@@ -185,23 +187,25 @@ def _draw(array: Any, error: Any, x: str, y: str | None, panels: str | None, tit
                 axes.tick_params(labelbottom=True)
             if k % columns == 0:
                 units = array.attrs.get("units", "")
-                axes.set_ylabel(_label(array, y) if y is not None else f"{array.name}{f' ({units})' if units else ''}")
+                axes.set_ylabel(
+                    _label(array, y) if y is not None else literal(f"{array.name}{f' ({units})' if units else ''}")
+                )
         for axes in flat[count:]:
             axes.set_visible(False)
         units = array.attrs.get("units", "")
-        figure.suptitle(title, fontsize=10)
+        figure.suptitle(literal(title), fontsize=10)
         if y is not None and names:
             _legend(figure, names, {int(value) for value in np.unique(numbers)})
         elif y is not None:
             bar = figure.colorbar(drawn, ax=flat[:count], fraction=0.05, pad=0.02)
-            bar.set_label(f"{array.name}{f' ({units})' if units else ''}")
+            bar.set_label(literal(f"{array.name}{f' ({units})' if units else ''}"))
         return figure
 
 
 def _line(axes: Any, one: Any, error: Any, x: str, limits: tuple[float, float]) -> None:
     place = one[x].values if x in one.coords and one[x].dtype.kind not in "UO" else np.arange(one.sizes[x])
     if x in one.coords and one[x].dtype.kind in "UO":
-        axes.set_xticks(place, [str(name) for name in one[x].values], rotation=30, ha="right")
+        axes.set_xticks(place, [literal(name) for name in one[x].values], rotation=30, ha="right")
     few = len(place) <= 40
     values = one.values.astype(float)
     axes.plot(place, values, color=INK, lw=1.2, marker="o" if few else None, ms=3)
@@ -236,12 +240,12 @@ def _map(axes: Any, one: Any, x: str, y: str, limits: tuple[float, float], names
     drawn = axes.pcolormesh(_edges(one, x), _edges(one, y), values, cmap=colours, norm=norm, rasterized=True)
     for dim, axis in ((x, axes.xaxis), (y, axes.yaxis)):
         if dim in one.coords and one[dim].dtype.kind in "UO":
-            axis.set_ticks(np.arange(one.sizes[dim]), [str(name) for name in one[dim].values])
+            axis.set_ticks(np.arange(one.sizes[dim]), [literal(name) for name in one[dim].values])
     return drawn
 
 
 def _legend(figure: Any, names: list[str], there: set[int]) -> None:
     from matplotlib.patches import Patch
 
-    parts = [Patch(color=NAMED[k % len(NAMED)], label=names[k]) for k in sorted(there) if k < len(names)]
+    parts = [Patch(color=NAMED[k % len(NAMED)], label=literal(names[k])) for k in sorted(there) if k < len(names)]
     figure.legend(handles=parts, loc="outside lower center", ncols=min(len(parts), 6), frameon=False, fontsize=8)

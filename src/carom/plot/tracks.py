@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.plot.style import GREY, INK, new_figure, style
+from carom.plot.style import GREY, INK, literal, new_figure, style
 from carom.tracks.contact import TrackContact
 from carom.tracks.measurement import Measured
 from carom.tracks.rebounds import usable_stages
@@ -69,7 +69,7 @@ def _plot_paths(axes: Any, measured: Measured) -> None:
         colour = COLOURS[names.index(track.name) % len(COLOURS)]
         axes.plot(*track.position.T, "-", color=colour, lw=0.4 if many else 0.6, alpha=0.35 if many else 0.8, zorder=2)
         if not many:
-            axes.plot(*track.position.T, "o", color=colour, ms=2.0, mec="none", zorder=3, label=track.name)
+            axes.plot(*track.position.T, "o", color=colour, ms=2.0, mec="none", zorder=3, label=literal(track.name))
     x = np.concatenate([track.position for track in measured.tracks])
     low, high = x.min(axis=0), x.max(axis=0)
     reach = float((high - low).max())
@@ -168,7 +168,7 @@ def _plot_speeds(axes: Any, measured: Measured) -> None:
             label = None
         axes.axvline(fit["t"], ymax=LINE_TOP, color=INK, lw=0.5, ls=(0, (2, 2)))
     label_of_track = " ".join(filter(None, (track.group, track.name)))
-    axes.set_title(f"Speed of {label_of_track}", loc="left")
+    axes.set_title(f"Speed of {literal(label_of_track)}", loc="left")
     axes.set(
         xlabel="time, s",
         ylabel="speed, m/s",

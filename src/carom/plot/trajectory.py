@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from carom.core.motion.phases import BOUNCING, FLIGHT, REST, ROLLING, SLIDING
 from carom.formatting import format_time
 from carom.plot.scene_view import SEEN, View, colour, last_time, steps, view, walls_in, way
-from carom.plot.style import GREY, INK, PALE, drawn, new_figure, spread_apart
+from carom.plot.style import GREY, INK, PALE, drawn, literal, new_figure, spread_apart
 from carom.scene.paths import ball_index
 from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, POCKETED_EVENT, START, WALL
 from carom.simulation.trajectory import Trajectory
@@ -135,7 +135,7 @@ def _draw(run: Trajectory, balls: list[int], title: str | None) -> Any:
     said = f"{run.scene.describe()}; {len(run.events)} events in {format_time(run.end)}" if title is None else title
     # (a letter of this size takes a fifteenth of an inch)
     size = 9.5 * min(1.0, 15 * (width - left - 0.1) / max(len(said), 1))
-    figure.text(left / width, 1 - 0.16 / height, said[:1].upper() + said[1:], va="top", fontsize=size)
+    figure.text(left / width, 1 - 0.16 / height, literal(said[:1].upper() + said[1:]), va="top", fontsize=size)
     _legend(figure, run, ways, balls, (left / width, 1 - 0.34 / height))
     return figure
 
@@ -172,7 +172,7 @@ def _above(axes: Any, run: Trajectory, shown: View, ways: dict[int, list[Any]], 
             axes.text(
                 end[0],
                 end[1],
-                name,
+                literal(name),
                 fontsize=min(7.0, 1.1 * a * points),
                 color="white",
                 ha="center",
@@ -303,7 +303,9 @@ def _legend(
     entries: list[Any] = []
     if 1 < len(balls) <= MOST_LEGEND:
         names = run.scene.ball_names
-        entries += [Line2D([], [], color=colour(run, i), marker="o", ms=5, lw=1.5, label=names[i]) for i in balls]
+        entries += [
+            Line2D([], [], color=colour(run, i), marker="o", ms=5, lw=1.5, label=literal(names[i])) for i in balls
+        ]
     moved = {MOTION[phase] for pieces in ways.values() for phase, _t, _x in pieces if phase in MOTION}
     if len(moved) > 1:
         entries += [Line2D([], [], color=INK, ls=STYLES[m], lw=1.4, label=m) for m in STYLES if m in moved]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from carom.formatting import format_length
 from carom.plot.scene_view import colour, steps, view, walls_in, way
-from carom.plot.style import GREY, INK, PALE
+from carom.plot.style import GREY, INK, PALE, literal
 from carom.simulation.records import BALL, WALL
 from carom.simulation.trajectory import Trajectory
 
@@ -177,7 +177,7 @@ class Film:
         self.head.set_data([x, x], [0.012 * wide, 0.012 * wide + self.lane])
         self.said[0].set_text(f"{t:.2f} s")
         for text, (k, *_rest) in zip(self.said[1:], self._cards(), strict=True):
-            text.set_text(f"{self.run.scene.ball_names[k]}: {WORDS[str(self.phases[n][k])]}{self._lift(n, k)}")
+            text.set_text(f"{literal(self.run.scene.ball_names[k])}: {WORDS[str(self.phases[n][k])]}{self._lift(n, k)}")
         self.canvas.restore_region(self.background)
         for artist in (self.faint, self.strong, self.balls, self.head, *self.said):
             self.axes.draw_artist(artist)

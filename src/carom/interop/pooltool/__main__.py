@@ -9,6 +9,7 @@ import typer
 
 from carom.bodies import Surface
 from carom.errors import CaromError
+from carom.formatting import escape_controls
 from carom.interop.pooltool.engine import engine, use_as_default
 
 app = typer.Typer(add_completion=False, no_args_is_help=True)
@@ -41,5 +42,5 @@ if __name__ == "__main__":
         app()
     except CaromError as error:
         for fault in error.faults:
-            print(fault, file=sys.stderr)  # noqa: T201
+            print(escape_controls(fault), file=sys.stderr)  # noqa: T201
         sys.exit(2)
