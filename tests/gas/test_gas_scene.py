@@ -125,7 +125,8 @@ rate = 0.25
 temperature_rotational = 0.5
 [run]""",
     )
-    scene = load(tmp_path, text)
+    # (without it a ball soon slides along the side: ever more collisions in no time)
+    scene = load(tmp_path, "contact_time = 1e-4\n" + text)
     assert scene.container.geometry.volume == pytest.approx(math.pi * 4.5**2 * 12 - 4 / 3 * math.pi)
     gas = build(scene)
     assert gas.walls == ("side", "bottom", "top", "scatterer")
@@ -138,6 +139,7 @@ temperature_rotational = 0.5
     run = gas.run(20_000)
     assert run.energy_from_thermostat != 0
     assert run.energy_from_walls["bottom"] > 0
+    assert run.pair_collisions > 1000
 
 
 def test_a_dense_random_start(tmp_path):

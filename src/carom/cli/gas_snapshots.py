@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import typer
 
 from carom.errors import CaromError
+from carom.formatting import format_bytes
 
 if TYPE_CHECKING:
     from carom.cli.gas_output import Progress
@@ -49,7 +50,7 @@ def _allowed_size(path: Path, scene: GasScene, every: int | float, most: float |
     except CaromError as error:
         faults = [f"--snapshots {_in_options(fault)}" for fault in error.faults]
         asked = most is None and size.total > limit and progress.console.is_terminal and sys.stdin.isatty()
-        if not asked or not typer.confirm("Write them all the same?", err=True):
+        if not asked or not typer.confirm(f"Write {format_bytes(size.total)} of snapshots to {path}?", err=True):
             raise CaromError(*faults) from None
         require_size(path, size, scene.count, size.total)  # (the disk still needs room)
         return float("inf")
