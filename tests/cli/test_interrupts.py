@@ -65,6 +65,22 @@ def test_while_the_command_is_imported(tmp_path: Path, how: str, stage: str) -> 
     assert said[0] in ("carom: interrupted", "carom: interrupted; nothing was written")
 
 
+def test_the_exit_code_is_that_of_the_command(tmp_path: Path) -> None:
+    """Where the interrupt comes while a text is executed (a namedtuple is made so), ``python -m`` killed itself at the end."""
+    (tmp_path / "interrupted.py").write_text(
+        "import signal, sys, carom.laws.registry\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+        "from carom.cli import main\n"
+        "carom.laws.registry.card_named = lambda *words: exec('import signal; signal.raise_signal(signal.SIGINT)')\n"
+        "sys.argv = ['carom', 'laws', 'maw']\n"
+        "main()\n"
+    )
+    environment = {**os.environ, "PYTHONPATH": str(Path(carom.__file__).parents[1])}
+    order = [sys.executable, "-m", "interrupted"]
+    done = subprocess.run(order, cwd=tmp_path, capture_output=True, text=True, check=False, env=environment)
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "carom: interrupted\n")
+
+
 def test_one_line_is_enough(capsys: pytest.CaptureFixture[str]) -> None:
     with noticed_interrupts():
         say_interrupted("carom: interrupted; nothing was written\n")

@@ -58,6 +58,9 @@ def main() -> None:
             code = _guarded(asked)
         except KeyboardInterrupt:
             code = _interrupted()
+    if code == INTERRUPTED:
+        # (after an interrupt in a text that is executed, of a namedtuple, python -m ends by the signal itself; another text helps)
+        exec("pass")
     sys.exit(code)
 
 
