@@ -87,6 +87,16 @@ def test_a_header_that_is_not_of_its_data(capsys: pytest.CaptureFixture[str]) ->
     )
 
 
+def test_a_member_without_a_header(capsys: pytest.CaptureFixture[str]) -> None:
+    """NumPy finds it under the name of an array, and reads all of it."""
+    np.savez("start.npz", velocity=np.zeros((8, 3)))
+    with zipfile.ZipFile("start.npz", "a", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("position", bytes(MANY))
+    assert "start.npz: expected arrays saved by NumPy, got another file, or a damaged one" in start_of(
+        "start.npz", capsys
+    )
+
+
 def test_a_checkpoint() -> None:
     save_checkpoint(Session(GasScene(**tomllib.loads(GAS))), "gas.npz")
     with np.load("gas.npz") as file:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,8 @@ import pytest
 import carom
 from carom import billiards, plot
 from carom.cli.streams import guarded_streams
-from carom.plot.style import literal, style
+from carom.plot.fit_tracks import _from_above
+from carom.plot.style import literal, new_figure, style
 from carom.plot.video import Film
 
 pytest.importorskip("matplotlib")
@@ -61,6 +63,33 @@ def gas(_folder: Path) -> Any:
     return plot.plot_gas(session, title=NAME)
 
 
+def ensemble(_folder: Path) -> Any:
+    species = [{"name": name, "count": 8, "radius": 0.3, "temperature": 1.0} for name in (NAME, "b")]
+    contacts = [
+        {"between": pair, "restitution": 1, "friction": 0.1} for pair in ((NAME, NAME), (NAME, "b"), ("b", "b"))
+    ]
+    made = carom.gas.GasScene(
+        container={"shape": "periodic", "size": (4, 4, 4)}, species=species, contacts=contacts, run={"max_events": 200}
+    )
+    return plot.plot_ensemble(carom.gas.simulate_ensemble(made, 2), title=NAME)
+
+
+def whole_tracks(_folder: Path) -> Any:
+    """The panel of a shot: of a fit only what it draws."""
+    place, time = np.array([[0.0, 0.0], [0.1, 0.1]]), np.array([0.0, 1.0])
+    frames = SimpleNamespace(
+        segments=[SimpleNamespace(group=NAME, name=NAME, position=place, time=time)], count=np.array([2])
+    )
+    run = SimpleNamespace(end=1.0, at=lambda t: SimpleNamespace(position=np.zeros((len(t), 1, 3))))
+    fit: Any = SimpleNamespace(
+        frames=frames, model=SimpleNamespace(held={}), numbers={}, simulate=lambda _n: run, rms=lambda _which: 1e-3
+    )
+    with style():
+        figure = new_figure(3, 3)
+        _from_above(figure.subplots(), fit, NAME, [NAME])
+    return figure
+
+
 def comparison(_folder: Path) -> Any:
     def kernel(v: Any, w: Any, n: Any, a: Any, kappa: Any, e: Any, mu: Any, beta: Any) -> Any:
         return (-v[0], v[1], v[2]), w
@@ -87,7 +116,7 @@ def sweep(_folder: Path) -> Any:
     return plot.plot_sweep(made, "final.velocity", panels="ball")
 
 
-@pytest.mark.parametrize("draw", [trajectory, many_balls, film, gas, comparison, orbit, sweep])
+@pytest.mark.parametrize("draw", [trajectory, many_balls, film, gas, ensemble, whole_tracks, comparison, orbit, sweep])
 def test_names_are_drawn_as_they_are(draw: Any, tmp_path: Path) -> None:
     with warnings.catch_warnings():
         warnings.simplefilter("error")

@@ -35,20 +35,20 @@ def npz_headers(path: Path, raw: BinaryIO) -> dict[str, ArrayHeader]:
     with zipfile.ZipFile(raw) as archive:
         found = {}
         for one in archive.infolist():
-            if one.filename.endswith(".npy"):
-                with archive.open(one) as part:
-                    version = np.lib.format.read_magic(part)
-                    if version != (1, 0):  # (whose headers may be as large as the array)
-                        require_unpacked_size(path, one.file_size)
-                    v1 = version == (1, 0)
-                    read = np.lib.format.read_array_header_1_0 if v1 else np.lib.format.read_array_header_2_0
-                    shape, _order, dtype = read(part)
-                    header = ArrayHeader(shape, dtype)
-                    if (
-                        header.nbytes != one.file_size - part.tell() and not dtype.hasobject
-                    ):  # (objects are refused by np.load)
-                        raise ValueError(f"{one.filename}: an array {shape} of another size than its data")
-                found[one.filename.removesuffix(".npy")] = header
+            name, _dot, ending = one.filename.rpartition(".")
+            if ending != "npy":  # (NumPy hands out such a member as a whole)
+                raise ValueError(f"{one.filename}: no array")
+            with archive.open(one) as part:
+                version = np.lib.format.read_magic(part)
+                if version != (1, 0):  # (whose headers may be as large as the array)
+                    require_unpacked_size(path, one.file_size)
+                v1 = version == (1, 0)
+                read = np.lib.format.read_array_header_1_0 if v1 else np.lib.format.read_array_header_2_0
+                shape, _order, dtype = read(part)
+                found[name] = ArrayHeader(shape, dtype)
+                # (np.load refuses objects)
+                if not dtype.hasobject and found[name].nbytes != one.file_size - part.tell():
+                    raise ValueError(f"{one.filename}: an array {shape} of another size than its data")
     raw.seek(0)
     return found
 
