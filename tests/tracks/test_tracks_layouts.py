@@ -111,6 +111,14 @@ def test_particles_of_trackpy_that_number_the_rows(tmp_path: Path) -> None:
     assert "column 'particle' numbers the rows: not taken for names of shots or balls" in found.notes
 
 
+def test_one_ball_among_many_false_finds_keeps_its_name(tmp_path: Path) -> None:
+    path = tmp_path / "film.csv"
+    rows = [f"{k},{10 + k},{20 + k},0\n{k},5,{k},{k + 1}\n" for k in range(60)]
+    path.write_text("frame,x,y,particle\n" + "".join(rows))
+    found = read_tracks(path, calibration=Calibration(1.0, 100))
+    assert max(len(track) for track in found.tracks) == 60
+
+
 @pytest.mark.parametrize("mark", ["-1", "0"])
 def test_marks_of_missing_frames_in_files_of_programs(tmp_path: Path, mark: str) -> None:
     path = tmp_path / "film.txt"

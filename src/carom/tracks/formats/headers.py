@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
@@ -40,8 +41,8 @@ BEHIND = re.compile(r"^\s*(.+?)[ _./-]+([xy])\s*([\[(].*[\])])?\s*$", re.IGNOREC
 NO_PLACE = re.compile(
     r"^(v|vel|velocity|speed|a|acc|accel|acceleration|force|f|d|delta|std|sigma|err|error|size|width|w|p|momentum|flow|grad)$"
 )
-# Fewer rows on average for a name, in a table that is not tiny: the column numbers the rows.
-ROWS_PER_NAME, MIN_NUMBERED = 2.0, 9
+# So many numbers at least, and none in more rows (of several shots): the column numbers the rows. No ball is measured in so few.
+MIN_NUMBERED, MOST_ROWS = 9, 3
 ROW_NUMBERS = "column {!r} numbers the rows: not taken for names of shots or balls"
 MOST_ABOVE, MOST_BELOW = 30, 3  # rows above a header that are no table yet, and rows of names and units below it
 
@@ -88,8 +89,9 @@ def numbers_rows(cells: Sequence[str], groups: Sequence[str] | None = None) -> b
 
     ``groups``: the shot of each row, in each of which the numbers may begin anew.
     """
-    pairs = set(zip(cells, groups or cells, strict=True))
-    return MIN_NUMBERED <= len(cells) < ROWS_PER_NAME * len(pairs) and all(map(is_number, cells))
+    rows = Counter(zip(cells, groups or cells, strict=True))
+    most = max(rows.values(), default=0)
+    return len(rows) >= MIN_NUMBERED and most <= min(MOST_ROWS, len(rows) / 4) and all(map(is_number, cells))
 
 
 def _names_or_units(row: Sequence[str], used: Sequence[int]) -> bool:
@@ -130,7 +132,9 @@ def series_of(header: Sequence[str]) -> tuple[list[Series], dict[str, list[int]]
         run, name, quantity, heading = _meaning(text)
         if not quantity:
             behind = BEHIND.match(text)
-            if behind and not NO_PLACE.match(re.split(r"[ _./-]", behind[1].lower())[-1]):
+            if behind and (
+                f"{behind[1]}.{behind[2]}" in text or not NO_PLACE.match(re.split(r"[ _./-]", behind[1].lower())[-1])
+            ):
                 _run, _name, axis, heading = _meaning(behind[2] + (behind[3] or ""))
                 named.setdefault(behind[1], Series("", behind[1])).columns.setdefault(axis, (i, heading))
             continue

@@ -34,7 +34,7 @@ def without_markers(place: Array, label: str, notes: list[str]) -> Array:
         away = [
             np.linalg.norm(found[seen[np.clip(side, 0, len(seen) - 1)], :2] - marker, axis=1) for side in (at - 1, at)
         ]
-        far = np.minimum(*away) > least
+        far = np.asarray(np.minimum(*away)) > least
         gone = rows if far.mean() > 0.5 else rows[far]  # (a ball may pass by the place of a marker)
         if len(gone):
             found[gone] = np.nan
@@ -52,7 +52,8 @@ def without_marked_places(track: Track, scale: float) -> Track:
         raw[:, 1] *= sign
     if not notes:
         return track
-    place = np.where(np.isfinite(raw).all(axis=1)[:, None], track.position, np.nan)
+    seen = np.asarray(np.isfinite(raw).all(axis=1))
+    place = np.where(seen[:, None], track.position, np.nan)
     return replace(track, position=place, notes=(*track.notes, *notes))
 
 
