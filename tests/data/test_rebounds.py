@@ -185,3 +185,38 @@ def test_datasets_of_carom_are_rebound_tables() -> None:
     assert rackets.kind == "planar"
     assert rackets["spin_in"][0] == 147.25
     assert rackets.extra["racket"][0] == "10_antispin"
+
+
+@pytest.mark.parametrize(
+    ("text", "encoding"),
+    [
+        ("v_n_in,v_t_in,spin_in,v_n_out\n3.0,\u22121.25,0,2.4\n", "utf-8"),
+        ("v_n_in,v_t_in,spin_in,v_n_out\n3.0,\u20131.25,0,2.4\n", "cp1252"),
+        ('v_n_in, v_t_in, spin_in, v_n_out\n"3,0", "\u22121,25", "0", "2,4"\n', "utf-8"),
+        ("sep=;\nv_n_in;v_t_in;spin_in;v_n_out\n3,0;-1,25;0;2,4\n", "utf-8-sig"),
+        ("v_n_in,v_t_in,spin_in,v_n_out\nm/s,m/s,rad/s,m/s\n3.0,-1.25,0,2.4\n", "utf-8"),
+        (
+            "v_n_in;v_t_in;spin_in;v_n_out\n\u0663\u066b\u0660;\u061c-\u0661\u066b\u0662\u0665;\u0660;\u0662\u066b\u0664\n",
+            "utf-8",
+        ),
+    ],
+)
+def test_numbers_and_headers_of_spreadsheets_in_any_language(tmp_path: Path, text: str, encoding: str) -> None:
+    path = tmp_path / "rebounds.csv"
+    path.write_bytes(text.encode(encoding))
+    found = read_rebounds(path)
+    assert [found[name].tolist() for name in ("v_n_in", "v_t_in", "spin_in", "v_n_out")] == [
+        [3.0],
+        [-1.25],
+        [0.0],
+        [2.4],
+    ]
+
+
+def test_a_comma_that_may_separate_thousands_is_refused(tmp_path: Path) -> None:
+    path = tmp_path / "rebounds.csv"
+    path.write_text('v_n_in [mm/s],v_t_in [mm/s],spin_in,v_n_out [mm/s]\n"3,000","-1,250",0,"2,400"\n')
+    with pytest.raises(
+        CaromError, match="may be a decimal sign or separate thousands: write numbers with a decimal point"
+    ):
+        read_rebounds(path)

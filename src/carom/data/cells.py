@@ -31,10 +31,12 @@ PLUS = "\ufe62\uff0b"
 INVISIBLE = "\u200b\u200c\u200d\u200e\u200f\u061c\u202a\u202b\u202c\u202d\u202e\u2066\u2067\u2068\u2069\ufeff"
 SIGNS = {
     **dict.fromkeys(map(ord, MINUS), "-"), **dict.fromkeys(map(ord, PLUS), "+"), **dict.fromkeys(map(ord, INVISIBLE)),
+    0x96: "-", 0x97: "-", 0xDC96: "-", 0xDC97: "-", 0xDCA0: " ",  # (of Windows' code page, read as another)
     0x066B: ".", 0x066C: "'", 0x2019: "'", 0x00A0: " ", 0x202F: " ", 0x2009: " ", 0x2007: " ",
 }  # fmt: skip
 # Exponents in the languages that do not write E: Swedish and others x10^, Arabic the word for exponent
 EXPONENT = re.compile(r"\s*(?:[\u00d7\u00b7*]\s*10\s*\^|\u0623\u0633|\u0627\u0633|[eE])\s*(?=[-+]?\d+$)")
+SPREADSHEET = re.compile(r"sep=(.)\s*\n", re.IGNORECASE)  # the first line with which spreadsheets name the delimiter
 GROUPED = re.compile(r"[-+]?\d{1,3}(?:([ ',.])\d{3})(?:\1\d{3})*(?!\d)")
 COMMA = re.compile(r"[-+]?(\d*),(\d+)(?:[eE][-+]?\d+)?")
 

@@ -14,7 +14,7 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.cells import EMPTY, decimal_commas, parse_numbers
+from carom.data.cells import EMPTY, SPREADSHEET, decimal_commas, parse_numbers
 from carom.data.csv_arrow import LARGE_FILE, arrow_installed, joined_rows, parsed_columns
 from carom.data.plan import BOUNCE, TablePlan
 from carom.errors import CaromError
@@ -108,14 +108,17 @@ class CsvTable:
         first = next((line for line in self.lines if line.strip()), "")
         if not first:
             raise CaromError(f"{path}: expected a header line and rows, got an empty file")
+        named = SPREADSHEET.match(first)
+        if named:
+            first = next((line for line in self.lines if line.strip()), "")
         if any(sign < " " and sign not in "\t\r\n" for sign in first):
             raise CaromError(f"{path}: expected a CSV file, a line of text with names first, got a binary file")
         self.end = first[len(first.rstrip("\r\n")) :] or "\n"
-        self.delimiter = max(DELIMITERS, key=first.count)
+        self.delimiter = named[1] if named else max(DELIMITERS, key=first.count)
         self.lines.push_back([first])
         self.lines.consumed()
         # strict: text after a closing quote is the sign of a quote that was never closed
-        self.reader = csv.reader(self.lines, delimiter=self.delimiter, strict=True)
+        self.reader = csv.reader(self.lines, delimiter=self.delimiter, strict=True, skipinitialspace=True)
         try:
             self.headers = next(self.reader)
         except csv.Error as error:

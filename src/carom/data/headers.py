@@ -8,7 +8,7 @@ Case does not matter, nor does a space for an underscore.
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Literal
 
@@ -22,6 +22,7 @@ __all__ = [
     "header_with_unit",
     "missing_unit",
     "parse_header",
+    "with_units_below",
     "without_unit",
 ]
 
@@ -119,6 +120,21 @@ class ColumnNames:
         dimension = self.names[name][0]
         unit = unit_named(found[2], dimension)
         return None if unit is None else Heading(name, _normalized(found[1]), unit, "bracket", dimension)
+
+
+def with_units_below(names: ColumnNames, headers: Sequence[str], row: Sequence[str]) -> list[str] | None:
+    """Return the headers with the units of a row below them, in brackets; None unless all known columns have one."""
+    found = list(headers)
+    for i, header in enumerate(headers):
+        meaning = names.parse(header)
+        if meaning is None:
+            continue
+        unit = row[i].strip().strip("()[]") if i < len(row) else ""
+        said = names.parse(f"{header.strip()} [{unit}]") if unit and meaning.style == "plain" else None
+        if said is None or said.unit is None:
+            return None
+        found[i] = f"{header.strip()} [{unit}]"
+    return found if found != list(headers) else None
 
 
 _STATE_NAMES = ColumnNames(STATE_COLUMNS)

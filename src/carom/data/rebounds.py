@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.data.cells import decimal_commas, number_advice, parse_numbers
 from carom.data.csv import CsvTable
-from carom.data.headers import BRACKETS, ColumnNames, missing_unit
+from carom.data.headers import BRACKETS, ColumnNames, missing_unit, with_units_below
 from carom.data.remarks import speed_remarks, which_rows
 from carom.errors import MAX_MAGNITUDE, CaromError, shortened_list, suggestion
 from carom.files import as_path, atomic_file, import_optional, require_unpacked_size
@@ -395,6 +395,9 @@ def _read_csv(path: Path, faults: list[str]) -> Reader:
         headers = table.headers
         records = list(table.records())
         semicolons = table.delimiter != ","
+    units = with_units_below(NAMED, headers, records[0][2]) if records else None
+    if units is not None:
+        headers, records = units, records[1:]
     lines = [f"line {number}" for number, _text, _fields in records]
     width = len(headers)
     wrong = np.array([len(fields) > width or len(fields) < width for _n, _t, fields in records], bool)

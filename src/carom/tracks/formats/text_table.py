@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.cells import SIGNS, decimal_commas, number_advice, parse_numbers, plain_number
+from carom.data.cells import SIGNS, SPREADSHEET, decimal_commas, number_advice, parse_numbers, plain_number
 from carom.errors import MAX_MAGNITUDE, CaromError
 
 __all__ = [
@@ -32,7 +32,6 @@ __all__ = [
 Array = NDArray[np.float64]
 DELIMITERS = "\t;,|"
 DELIMITER_NAMES = {"\t": "tabs", ";": "semicolons", ",": "commas", "|": "bars"}
-SPREADSHEET = re.compile(r"sep=(.)\s*\n", re.IGNORECASE)  # the first line with which spreadsheets name the delimiter
 # h:mm:ss:cc, h:mm:ss.ccc, mm:ss:cc; the last number counts hundredths, thousandths or frames
 TIME_CODE = re.compile(
     r"^(?:(?P<clock>\d+:(?:\d{2}:)?\d{2})[.,](?P<decimals>\d+)|(?P<whole>\d+:(?:\d{2}:)?\d{2})[:;](?P<last>\d{2,3}))$"
