@@ -300,6 +300,7 @@ def _plausibility_notes(tracks: list[Track], notes: list[str]) -> None:
     if len(steps) and not 1e-5 < float(np.median(steps)) < 0.5:
         notes.append(
             f"one frame every {np.median(steps):.3g} s: is the unit right? write it in the header, as in 't [ms]'"
+            + ("; or are these frame numbers? then give the frame rate" if (steps == np.round(steps)).all() else "")
         )
     most = max(int(track.seen.sum()) for track in tracks)
     if most < MIN_POSITIONS:
