@@ -68,6 +68,33 @@ def test_against_small_steps() -> None:
     assert missed > 20
 
 
+def test_a_ball_that_rolls_along_the_inside_of_a_rim_does_not_pass_through_it() -> None:
+    """It leaves the rim by ever less, at last by less than rounding, and the rim turns towards it: it comes back at once."""
+    rng = np.random.default_rng(4)
+    a, z = 0.05, -0.02  # below the rim, which presses it outwards and down
+    for _ in range(400):
+        radius, speed, leaving = (
+            float(rng.uniform(0.2, 1)),
+            float(rng.uniform(0.1, 2)),
+            float(10 ** rng.uniform(-13, -6)),
+        )
+        rho = radius - math.sqrt(a * a - z * z)
+        angle = float(rng.uniform(-math.pi, math.pi))
+        out, along = np.array([math.cos(angle), math.sin(angle), 0]), np.array([-math.sin(angle), math.cos(angle), 0])
+        x, v = rho * out + [0, 0, z], speed * (along - leaving * out)
+        slow = 1e-14 * speed
+        s = rim_hit((0, 0, 0), (0, 0, 1), radius, (1, 0, 0), -1.0, a, tuple(x), tuple(v), (0, 0, 0), 10.0, slow)
+        back = 2 * leaving * rho / speed  # when the chord ends
+        assert 0 <= s <= 1.001 * back + 1e-7 * rho / speed  # (a gap of rounding)
+
+
+def test_a_run_along_the_inside_of_a_rim_that_gives_nothing_back() -> None:
+    scene = random_scene(533_443)
+    run = carom.simulate(scene)
+    fault, *_where = judge(run)
+    assert fault == ""
+
+
 def test_normal_and_way_in_are_the_slopes_of_the_gap() -> None:
     rng = np.random.default_rng(2)
     p = (0.0, 0.0, 0.0)

@@ -217,7 +217,9 @@ def rim_hit(
         # (not where the farthest point is a radius away: that is in reach of no ball that the nearest keeps out)
         if rim_gap(zero, d, radius, y) >= (1 - BEHIND) * a and _on_arc(d, u, cosine, y):
             rate, bend = rim_way_in(zero, d, radius, y, w, acc)
-            if rate < 0 and not rate * rate <= 2 * bend * GRAZE * a:
+            # (a gap that has not opened by more than rounding when it turns down has there a rate of rounding)
+            comes = rate < 0 or (rate <= slow and bend < 0)
+            if comes and not rate * rate <= 2 * bend * GRAZE * a:
                 found = s
                 break
         s = next_hit8(c, s, until)
