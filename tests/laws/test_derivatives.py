@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
@@ -83,6 +84,71 @@ def test_wall_and_floor_at_once() -> None:
             errors.append(error)
     assert len(errors) > 200
     assert np.median(errors) < 1e-9
+
+
+def nose(seed: int) -> tuple[Any, Any]:
+    """Return a ball that rolls without sidespin to the nose of a cushion, and changes with which it goes on rolling (13, 2)."""
+    rng = np.random.default_rng([2, seed])
+    v = np.array([-1.0, rng.uniform(-0.6, 0.6), 0.0])
+    w = np.array([-v[1], v[0], 0.0]) / RADIUS
+    d = np.zeros((13, 2))
+    d[0, 0] = d[1, 1] = 1.0
+    d[3], d[4] = -d[1] / RADIUS, d[0] / RADIUS
+    lean = rng.uniform(0.2, 0.4)
+    n = [math.sqrt(1 - lean * lean), 0.0, -lean]
+    z = np.array([*v, *w, *n, rng.uniform(0.6, 1), rng.uniform(0.14, 0.25), 0.5, rng.uniform(0.05, 0.6)])
+    return z, d
+
+
+def told_and_expected(z: Any, d: Any) -> Iterator[tuple[Any, Any, float]]:
+    """Yield for each direction the derivatives of an impact, those of differences, and the doubt of these."""
+    p = d.shape[1]
+    dual = [Dual(x, g) for x, g in zip(z.tolist(), d, strict=True)]
+    v, w, n = tuple(dual[:3]), tuple(dual[3:6]), tuple(dual[6:9])
+    with np.errstate(invalid="ignore"):
+        v1, w1, j, jf, *_rest = lifted(first_impact)(
+            v, w, n, RADIUS, KAPPA, dual[9], dual[10], 0.0, dual[11], dual[12], 0.0, 0.0, True
+        )
+    told = np.array([derivative(x, p) for x in (*v1, *(RADIUS * x for x in w1), *j, *jf)])
+    for k in range(p):
+        yield told[:, k], *differences(pressed, z, d[:, k], 1.0, NOISE)
+
+
+def worst_error(z: Any, d: Any) -> float:
+    """Return the largest error of an impact's derivatives, over the largest, beyond three times the doubt of the differences."""
+    cases = list(told_and_expected(z, d))
+    assert all(doubt < 1e-3 for _told, _expected, doubt in cases)
+    return max(float(np.abs(told - one).max() / np.abs(one).max()) - 3 * doubt for told, one, doubt in cases)
+
+
+# (values follow such a slip exactly in steps of any length; its derivatives across it were magnified at each, by up to 1e56)
+@pytest.mark.parametrize("seed", [0, 5, 17, 24])
+def test_a_slip_that_ends_straight(seed: int) -> None:
+    assert worst_error(*nose(seed)) < 1e-9
+
+
+# Numbers: v, a w, n_z, e, mu, floor's mu; the wall's normal is along x.
+ENDS = {
+    "the approach ends with the slip": ((-1.0, 0.22), (-0.22, -1.0, 0.0), -0.434, 0.62, 0.45, 0.16),
+    "a slip that turns to its end": ((-1.0, 0.3), (0.5, -0.6, 0.9), -0.239, 0.92, 0.43, 0.37),
+}
+
+
+@pytest.mark.parametrize("name", list(ENDS))
+def test_other_ends_of_a_slip(name: str) -> None:
+    v, w, lean, e, mu, cloth = ENDS[name]
+    z = np.array([*v, 0.0, *np.divide(w, RADIUS), math.sqrt(1 - lean * lean), 0.0, lean, e, mu, 0.5, cloth])
+    d = np.zeros((13, 3))
+    d[0, 0] = d[1, 1] = 1.0
+    d[3], d[4] = -d[1] / RADIUS, d[0] / RADIUS
+    d[10, 2] = 0.1
+    assert worst_error(z, d) < 1e-8
+
+
+def test_a_contact_that_does_not_slip_and_would_has_no_derivative() -> None:
+    z, d = nose(0)
+    d[3:6] = 0.0  # (with another velocity and the same spin the ball slides)
+    assert all(np.isnan(told).any() for told, _expected, _doubt in told_and_expected(z, d))
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,8 @@ from reference.identities import floor_invariants, mirrored, rotation
 import carom
 from carom.core.contact import GRAZE, SLIDE, STICK
 from carom.core.jit.compile import njit
-from carom.laws.wall_and_floor.solver import JAM, STALL, pressed_down, wall_and_floor
+from carom.laws.wall_and_floor.impact import wall_and_floor
+from carom.laws.wall_and_floor.solver import JAM, STALL, pressed_down
 
 COUNT = 50_000
 # Of the speeds. A slip counts as ended at 3e-9 of them, and a step's error is kept below 1e-10 over some hundred steps.

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from reference.pressed_shots import LIMIT, compare_shot
 from reference.sensitivity_differences import compare
 
 import carom
@@ -160,3 +161,31 @@ def test_a_law_that_is_defined_again_has_its_own_derivative(interpreted: bool, m
         law = carom.wall_law(carom.Card("own", "A test.", (), "", "", ""), space["own"])
         found = _meets(law).sensitivity(["balls.0.velocity.x"]).final.velocity[0, 0]
         assert found == pytest.approx([-gain], rel=1e-12)
+
+
+# A slip that ends straight (off by 1e10 and by 50 before), after low hops, and any others.
+@pytest.mark.parametrize("seed", [1075, 147, 1087, 0, 14])
+def test_shots_at_a_nose_against_differences(seed: int) -> None:
+    cases = compare_shot(seed)
+    assert any(case.verdict == "compared" for case in cases)
+    assert all(case.worst < LIMIT for case in cases)
+
+
+def test_a_whole_shot_against_differences() -> None:
+    assert [case.worst < LIMIT for case in compare_shot(0, whole=True)] == [True, True]
+
+
+def test_a_spin_has_three_columns_on_the_floor_too() -> None:
+    wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
+    ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0), velocity=(-2, 0.3), spin=(1.0, 0.5, 20.0))
+    floor = carom.Floor(friction=0.2, restitution=0.5)
+    scene = carom.Scene(floor=floor, walls=[wall], balls=[ball], run=carom.Run(duration=1.5))
+    found = carom.simulate(scene).sensitivity(["balls.0.velocity", "balls.0.spin"])
+    names = ["velocity.x", "velocity.y", "spin.x", "spin.y", "spin.z"]
+    assert found.columns == [f"balls.0.{name}" for name in names]
+    alone = carom.simulate(scene).sensitivity("balls.0.spin.2")
+    assert np.array_equal(found.final.velocity[..., 4], alone.final.velocity[..., 0])
+    assert np.any(alone.final.velocity)
+    many = carom.sensitivities(scene, "balls.*.spin")
+    assert many.columns == [f"balls.*.spin.{name}" for name in "xyz"]
+    assert np.array_equal(many.derivatives.velocity[0, ..., 2], alone.final.velocity[..., 0])

@@ -13,7 +13,7 @@ from reference.sensitivity_differences import paths_of
 
 import carom
 from carom.core.jit.compile import limit_threads, thread_count
-from carom.core.jit.dual.numbers import LANES, lane_of
+from carom.core.jit.dual.numbers import LANES, seeded
 from carom.scene.paths import replaced
 from carom.simulation.sensitivity.compiled import follow_compiled
 from carom.simulation.sensitivity.interpreted import follow_interpreted
@@ -219,5 +219,5 @@ def test_a_law_of_ones_own_is_compiled_too() -> None:
 
 
 def test_what_only_compiled_code_has_says_so() -> None:
-    with pytest.raises(TypeError, match="lane_of: expected a call from compiled code"):
-        lane_of(1.0, 0)
+    with pytest.raises(TypeError, match="seeded: expected a call from compiled code"):
+        seeded(1.0, 0, 1.0)

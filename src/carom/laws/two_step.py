@@ -38,11 +38,12 @@ from carom.laws.law import (
     respond,
 )
 from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact, Impact, TwoStep, times_mass
-from carom.laws.wall_and_floor.solver import LEAST_FIRM, STALL, pressed_down, wall_and_floor
+from carom.laws.wall_and_floor.impact import impact_and_way
+from carom.laws.wall_and_floor.solver import LEAST_FIRM, STALL, pressed_down
 
 __all__ = [
-    "CARD", "LAW", "UNDEFINED", "WALL_AND_FLOOR", "answer_two_step", "first_impact", "two_step", "two_step_conditions",
-    "two_step_final", "two_step_plain",
+    "CARD", "LAW", "UNDEFINED", "WALL_AND_FLOOR", "answer_two_step", "first_impact", "first_impact_and_way", "two_step",
+    "two_step_conditions",    "two_step_final", "two_step_plain",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -90,23 +91,36 @@ Impulsive = tuple[Vec, Vec, Vec, Vec, float, int]
 def _pressed(
     v: Vec, w: Vec, n: Vec, a: float, kappa: float,
     e: float, mu: float, beta: float, ef: float, muf: float, betaf: float,
-) -> Impulsive:  # fmt: skip
-    """:func:`first_impact` of a ball that the wall presses on the floor."""
+) -> tuple[Vec, Vec, Vec, Vec, float, int, int]:  # fmt: skip
+    """:func:`first_impact_and_way` of a ball that the wall presses on the floor."""
     smooth = beta == -1 or mu == 0
     if not smooth and beta != 0:
         x = math.nan
-        return (x, x, x), (x, x, x), (x, x, x), (x, x, x), x, UNDEFINED
-    v1, w1, j, jf, regime = wall_and_floor(v, w, n, a, kappa, e, 0 * e if smooth else mu, ef, muf, betaf)
+        return (x, x, x), (x, x, x), (x, x, x), (x, x, x), x, UNDEFINED, 0
+    v1, w1, j, jf, regime, way = impact_and_way(v, w, n, a, kappa, e, 0 * e if smooth else mu, ef, muf, betaf)
     if regime == STALL:
         x = math.nan
-        return (x, x, x), (x, x, x), j, jf, x, regime
+        return (x, x, x), (x, x, x), j, jf, x, regime, way
     # If the floor acts too, no single friction is the least one that sticks: the friction that was mobilised is returned.
     jn = dot(j, n)
     ft = (j[0] - jn * n[0], j[1] - jn * n[1], j[2] - jn * n[2])
     rubbed = math.sqrt(dot(ft, ft))
     if rubbed > 0 and not rubbed < LEAST_FIRM / 2 * jn:  # only an infinite friction suffices
-        return v1, w1, j, jf, math.inf, regime
-    return v1, w1, j, jf, rubbed / jn if rubbed > 0 else rubbed, regime
+        return v1, w1, j, jf, math.inf, regime, way
+    return v1, w1, j, jf, rubbed / jn if rubbed > 0 else rubbed, regime, way
+
+
+@hot_kernel
+def first_impact_and_way(
+    v: Vec, w: Vec, n: Vec, a: float, kappa: float,
+    e: float, mu: float, beta: float, ef: float, muf: float, betaf: float, h: float, together: bool,
+) -> tuple[Vec, Vec, Vec, Vec, float, int, int]:  # fmt: skip
+    """:func:`first_impact`, and which sequence of sticking and slipping led to it: a number that only two of them may share."""
+    if together and pressed_down(v, w, n, a, mu, h):
+        return _pressed(v, w, n, a, kappa, e, mu, beta, ef, muf, betaf)
+    zero = v[0] - v[0]
+    v1, w1, j, required, regime = wall_contact(v, w, n, a, kappa, e, mu, beta)
+    return v1, w1, j, (zero, zero, zero), required, regime, -1 - regime
 
 
 @hot_kernel
@@ -115,11 +129,10 @@ def first_impact(
     e: float, mu: float, beta: float, ef: float, muf: float, betaf: float, h: float, together: bool,
 ) -> Impulsive:  # fmt: skip
     """Velocity and spin after the wall, impulse (per mass) of the wall and of the floor, required friction, regime."""
-    if together and pressed_down(v, w, n, a, mu, h):
-        return _pressed(v, w, n, a, kappa, e, mu, beta, ef, muf, betaf)
-    zero = v[0] - v[0]
-    v1, w1, j, required, regime = wall_contact(v, w, n, a, kappa, e, mu, beta)
-    return v1, w1, j, (zero, zero, zero), required, regime
+    v1, w1, j, jf, required, regime, _way = first_impact_and_way(
+        v, w, n, a, kappa, e, mu, beta, ef, muf, betaf, h, together
+    )
+    return v1, w1, j, jf, required, regime
 
 
 @hot_kernel

@@ -155,9 +155,9 @@ def pressed_block(
             if (
                 not found
             ):  # on its own for a while, or to the end; a ball that made no progress is not put back in a lane
-                slips, up, p, regime, compressed, peak, dw, df = go_on(
+                slips, up, p, regime, compressed, peak, dw, df, _way = go_on(
                     slips, up, q, e, kappa, ef, muf, betaf, met[6], met[7],
-                    p, s[i + _COMPRESSED] > 0, s[i + _PEAK], p > s[i + _CAME],
+                    p, s[i + _COMPRESSED] > 0, s[i + _PEAK], p > s[i + _CAME], 0,
                 )  # fmt: skip
                 if regime == AGAIN:
                     _stand(s, i, slips, p, dw, df, compressed, peak)

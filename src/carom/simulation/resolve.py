@@ -131,7 +131,7 @@ def meet_wall(world: Any, f: Any, ball: Any, users: Any) -> Impulse:
         j = (v1[0] - v[0], v1[1] - v[1], v1[2] - v[2])
     else:  # (last, as the compiler takes them in this order, and another process is at work on this one)
         ef = restitution(world.floor_form, vector(world.floor_p), 0.0)
-        v1, w1, j, jf, required, regime = joint_impact(
+        v1, w1, j, jf, required, regime, _way = joint_impact(
             v, w, n, a, kappa, e, mu, beta, ef, world.floor_mu, world.floor_beta, world.together != 0
         )
         if regime == STALL:

@@ -13,7 +13,7 @@ from typing import Any
 from carom.core.jit.background import wait_for
 from carom.core.jit.compile import call_compiled, njit, numba_type
 from carom.core.jit.kernel import ON_GPU, Vec
-from carom.laws.two_step import first_impact
+from carom.laws.two_step import first_impact_and_way
 
 __all__ = ["PART", "compiled_joint_impact", "joint_impact", "register_joint_impact"]
 
@@ -24,9 +24,9 @@ PART = f"{__name__}:compiled_joint_impact"
 def joint_impact(
     v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float,
     floor_e: float, floor_mu: float, floor_beta: float, together: bool,
-) -> tuple[Vec, Vec, Vec, Vec, float, int]:  # fmt: skip
+) -> tuple[Vec, Vec, Vec, Vec, float, int, int]:  # fmt: skip
     """A wall meets a ball that lies on the floor (carom.laws.two_step); compiled code calls :func:`compiled_joint_impact`."""
-    return first_impact(v, w, n, a, kappa, e, mu, beta, floor_e, floor_mu, floor_beta, 0.0, together)
+    return first_impact_and_way(v, w, n, a, kappa, e, mu, beta, floor_e, floor_mu, floor_beta, 0.0, together)
 
 
 ON_GPU[joint_impact] = joint_impact

@@ -22,7 +22,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from carom.core.jit.cache import cache_folder, source_hash
-from carom.core.jit.kernel import HOT, KERNELS, found_root, root_of
+from carom.core.jit.kernel import DERIVED, HOT, KERNELS, PLAIN
 from carom.core.jit.progress import listen
 from carom.core.jit.shared_cache import LOCATOR, compile_in_one_process
 from carom.errors import CaromError
@@ -57,25 +57,39 @@ def _numba_cache() -> Iterator[None]:
 
 def register_kernels() -> None:
     """Make every kernel marked so far callable from compiled code."""
-    from numba.extending import register_jitable
+    from numba.extending import overload, register_jitable
 
     from carom.core.jit.link import linked_only
 
-    _register_root()
+    _register_plain()
     for function in KERNELS:
         if function not in _registered:
             # (a law of a user's own may do whatever Numba can)
             own = str(function.__module__).startswith("carom.")
             options = {**KERNEL_OPTIONS, **linked_only(cache_folder())} if own else {**KERNEL_OPTIONS, "_nrt": True}
-            register_jitable(forceinline=function in HOT, **options)(function)
+            if function in DERIVED:
+                overload(function, jit_options=options, strict=False)(_for_plain_numbers(function))
+            else:
+                register_jitable(forceinline=function in HOT, **options)(function)
             _registered.add(function)
 
 
+def _for_plain_numbers(function: Callable[..., Any]) -> Callable[..., Any]:
+    return lambda *types: function if plain_numbers(*types) else None
+
+
 @functools.cache
-def _register_root() -> None:
+def _register_plain() -> None:
+    """Tell the compiler what the functions of numbers with derivatives are of plain numbers."""
     from numba.extending import overload
 
-    overload(root_of, strict=False)(lambda x, gap, rate: found_root if plain_numbers(x, gap, rate) else None)
+    def typed(work: Callable[..., Any], arguments: int) -> Callable[..., Any]:
+        if arguments == 1:
+            return lambda x: work if plain_numbers(x) else None
+        return lambda x, gap, rate: work if plain_numbers(x, gap, rate) else None
+
+    for function, work in PLAIN.items():
+        overload(function, strict=False)(typed(work, len(inspect.signature(work).parameters)))
 
 
 # --- types, without an import of Numba by those who need them -----------------------------------------------------------

@@ -13,18 +13,23 @@ from collections.abc import Callable
 from typing import Any, TypeVar
 
 __all__ = [
+    "DERIVED",
     "HOT",
     "KERNELS",
     "ON_GPU",
+    "PLAIN",
     "Vec",
+    "carries_slopes",
     "cross",
+    "derived_by",
     "dot",
-    "found_root",
     "hot_kernel",
     "kernel",
     "prange",
     "root_of",
+    "steepest",
     "vector",
+    "without_slopes",
 ]
 
 Vec = tuple[float, float, float]
@@ -50,6 +55,20 @@ def hot_kernel(function: Function) -> Function:
     """Mark a kernel that runs for every ball: it is inlined into its caller, which halves the time of a short loop."""
     HOT.add(function)
     return kernel(function)
+
+
+# Kernels whose derivatives are not those of their steps, with the kernels that have them.
+DERIVED: dict[Callable[..., Any], Callable[..., Any]] = {}
+
+
+def derived_by(of_duals: Callable[..., Any]) -> Callable[[Function], Function]:
+    """Mark a kernel in whose place another one takes dual numbers: what is integrated needs other steps for its derivatives."""
+
+    def mark(function: Function) -> Function:
+        DERIVED[function] = of_duals
+        return kernel(function)
+
+    return mark
 
 
 @hot_kernel
@@ -81,9 +100,42 @@ def root_of(x: Number, gap: Any, rate: Any) -> Number:
     return type(moved)(getattr(x, "x", x), moved.d)  # type: ignore[no-any-return]
 
 
-def found_root(x: Any, gap: Any, rate: Any) -> Any:
-    """Return x: :func:`root_of` plain numbers, as it is compiled."""
+def carries_slopes(x: Any) -> bool:
+    """Return whether x is a dual number, whose derivatives have to be followed as accurately as its value."""
+    return hasattr(x, "d")
+
+
+def steepest(x: Any) -> float:
+    """Return the largest size of the derivatives of x; 0 for a plain number."""
+    return float(abs(x.d).max()) if hasattr(x, "d") else 0.0
+
+
+def without_slopes(x: Any) -> Any:
+    """Return the value of x: that of a number whose derivatives are of no meaning, such as the length of a step."""
+    return getattr(x, "x", x)
+
+
+def _found_root(x: Any, gap: Any, rate: Any) -> Any:
     return x
 
 
-ON_GPU[root_of] = found_root
+def _no_slopes(x: Any) -> bool:
+    return False
+
+
+def _no_slope(x: Any) -> float:
+    return 0.0
+
+
+def _itself(x: Any) -> Any:
+    return x
+
+
+# The functions above of plain numbers, as they are compiled.
+PLAIN: dict[Callable[..., Any], Callable[..., Any]] = {
+    root_of: _found_root,
+    carries_slopes: _no_slopes,
+    steepest: _no_slope,
+    without_slopes: _itself,
+}
+ON_GPU.update(PLAIN)

@@ -10,10 +10,10 @@ from __future__ import annotations
 import math
 
 from carom.core.contact import SLIDE, STICK
-from carom.core.jit.kernel import kernel
+from carom.core.jit.kernel import kernel, steepest, without_slopes
 from carom.laws.wall_and_floor.rates import FLOOR_SLIP, Couplings, Pair, Slips, rates, size
 
-__all__ = ["creep", "hop", "mix", "stride"]
+__all__ = ["creep", "hop", "mix", "steepest_of", "stride", "without_slopes_of"]
 
 ORDER = 6  # of the extrapolation in `creep`
 
@@ -42,8 +42,11 @@ def hop(y: Slips, k1: Slips, h: float, q: Couplings, wall: int, floor: int, dw: 
 @kernel
 def stride(
     y: Slips, k1: Slips, h: float, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, tiny: float
-) -> tuple[Slips, float]:
-    """Take one step of Dormand & Prince 8(5,3) (Hairer, Norsett & Wanner, Solving ODEs I, II.5) from y with rates k1."""
+) -> tuple[Slips, float, float]:
+    """Take one step of Dormand & Prince 8(5,3) (Hairer, Norsett & Wanner, Solving ODEs I, II.5) from y with rates k1.
+
+    Returns its error, and that of its derivatives (of order 5).
+    """
     x = mix(y, h, 0.05260015195876773, k1, 0, k1, 0, k1)
     k2, _spare = rates(x, q, wall, floor, dw, df, tiny)
     x = mix(y, h, 0.0197250569845379, k1, 0.0591751709536137, k2, 0, k1)
@@ -89,7 +92,19 @@ def stride(
     e5 = size(size(fifth[0], fifth[1]), size(fifth[2], fifth[3]))
     e3 = size(size(third[0], third[1]), size(third[2], third[3]))
     whole = math.sqrt(e5 * e5 + e3 * e3 / 100)
-    return x, e5 * e5 / whole if whole > 0 else zero
+    return x, e5 * e5 / whole if whole > 0 else zero, steepest_of(fifth)
+
+
+@kernel
+def steepest_of(y: Slips) -> float:
+    """Return the largest derivative of slips and energy; 0 of plain numbers."""
+    return max(steepest(y[0]), steepest(y[1]), steepest(y[2]), steepest(y[3]), steepest(y[4]))
+
+
+@kernel
+def without_slopes_of(y: Slips) -> Slips:
+    """Return the values of slips and energy, or of their rates."""
+    return without_slopes(y[0]), without_slopes(y[1]), without_slopes(y[2]), without_slopes(y[3]), without_slopes(y[4])
 
 
 @kernel
@@ -161,8 +176,9 @@ def _implicit(
 @kernel
 def creep(
     y: Slips, h: float, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, tiny: float
-) -> tuple[Slips, float, bool]:
-    """Take an implicit Euler step extrapolated from 1 to 6 substeps; return its error, and False if it does not converge.
+) -> tuple[Slips, float, float, bool]:
+    """Take an implicit Euler step extrapolated from 1 to 6 substeps; return its error, that of its derivatives, and False if
+    it does not converge.
 
     dw and df are the directions in which a slip starts from zero.
     """
@@ -179,7 +195,7 @@ def creep(
         for _ in range(j):
             new, a, b, goes = _implicit(new, h / j, q, wall, floor, a, b)
             if not goes:
-                return y, math.inf, False
+                return y, math.inf, 0.0, False
         weight = 1 + zero
         for i in range(2, ORDER + 1):
             if i != j:
@@ -192,5 +208,5 @@ def creep(
             for i in range(2, ORDER + 1):
                 weight = weight / (1 - i)
         sums = mix(sums, weight, 1, new, 0, new, 0, new)
-    error = size(size(sums[0] - less[0], sums[1] - less[1]), size(sums[2] - less[2], sums[3] - less[3]))
-    return sums, error, True
+    wrong = (sums[0] - less[0], sums[1] - less[1], sums[2] - less[2], sums[3] - less[3], sums[4] - less[4])
+    return sums, size(size(wrong[0], wrong[1]), size(wrong[2], wrong[3])), steepest_of(wrong), True

@@ -17,10 +17,10 @@ from __future__ import annotations
 
 import math
 
-from carom.core.jit.kernel import hot_kernel, kernel
+from carom.core.jit.kernel import carries_slopes, hot_kernel, kernel, steepest, without_slopes
 from carom.laws.wall_and_floor.rates import LEVEL, Couplings, Pair
 
-__all__ = ["DONE", "GOES", "REACH", "Glide", "glide", "slide"]
+__all__ = ["DONE", "GOES", "REACH", "SLOPE_ERROR", "Glide", "glide", "slide"]
 
 # The slips u_t, u_y, f_x, f_y, the energy in the wall's spring, the wall's impulse.
 Glide = tuple[float, float, float, float, float, float]
@@ -38,6 +38,7 @@ SAFE, FADE_SAFE = 0.8, 0.85  # of the step that the error would allow
 # The error estimate is that of order 5, an upper bound: the true error is 10 to 10,000 times smaller. (Hairer's combination with
 # the one of order 3 is closer on average, but passes zero in one of some hundred steps, and is then 1e5 times too small.)
 ESTIMATE = 30_000
+SLOPE_ERROR = 1e-10  # of the derivatives, for a change of the slips by 1
 NEVER_ZERO = 1e-250  # added to what is divided by
 SHORT = 0.02  # in s: balls that need shorter steps are left to the solver
 
@@ -102,10 +103,16 @@ def _flow(y: Glide, h: float, q: Couplings, by: By, fades: bool) -> Glide:
 
 
 @hot_kernel
+def _steepest(y: Glide) -> float:
+    return max(steepest(y[0]), steepest(y[1]), steepest(y[2]), steepest(y[3]), steepest(y[4]), steepest(y[5]))
+
+
+@hot_kernel
 def _stride(
     y: Glide, k1: Glide, h: float, w: float, dw: float, q: Couplings, by: By, long: float, fades: bool
-) -> tuple[Glide, float]:
+) -> tuple[Glide, float, float]:
     """Take one step of Dormand & Prince 8(5,3) (Hairer, Norsett & Wanner, Solving ODEs I, II.5); return its error of order 5.
+    The last result is the error of its derivatives.
 
     k1 is h times the rates at y; the rates are multiplied by a w that grows linearly by dw. For slips shorter than ``long``
     the error is weighted by the square root of the error in direction.
@@ -153,7 +160,7 @@ def _stride(
     u, f = math.sqrt(x[0] * x[0] + x[1] * x[1]), math.sqrt(x[2] * x[2] + x[3] * x[3])
     u, f = long / (u + NEVER_ZERO), long / (f + NEVER_ZERO)
     u, f = (u if u > 1 else 1 + zero), (f if f > 1 else 1 + zero)
-    return x, math.sqrt(_squares(fifth, u, f) + fifth[4] * fifth[4] / (long * long))
+    return x, math.sqrt(_squares(fifth, u, f) + fifth[4] * fifth[4] / (long * long)), _steepest(fifth)
 
 
 @kernel
@@ -193,7 +200,7 @@ def fade(
     h = share * rho
     g = h * 2 * rho / fades
     by = (fades / 2, zero, zero, zero, zero)
-    new, error = _stride(y, (g * r0, g * r1, g * r2, g * r3, -g * un, g), h, one, zero, q, by, long, True)
+    new, error, _wrong = _stride(y, (g * r0, g * r1, g * r2, g * r3, -g * un, g), h, one, zero, q, by, long, True)
     error = error / ESTIMATE
     un1 = lever * (new[0] + new[2])
     ahead = (px * new[0] + py * new[1] > 0) & (qx * new[2] + qy * new[3] > 0)
@@ -248,8 +255,8 @@ def glide(  # noqa: PLR0915  (one step for all balls, without branches)
     lever = q[0] / (1 - q[1])
     un, along = lever * (y[0] + y[2]), lever * (r0 + r2)
     # (a, b, base): the rate at which the slips lose their directions, per P
-    a = zero if starts_w else _pace(abs(px * r1 - py * r0), -(px * r0 + py * r1))
-    b = zero if starts_f else _pace(abs(qx * r3 - qy * r2), -(qx * r2 + qy * r3))
+    a = without_slopes(zero if starts_w else _pace(abs(px * r1 - py * r0), -(px * r0 + py * r1)))
+    b = without_slopes(zero if starts_f else _pace(abs(qx * r3 - qy * r2), -(qx * r2 + qy * r3)))
     # (where the wall does not push the ball back, or a phase is over, the answer is LEAVES; until then nothing is divided by zero)
     pushed = along if along > 0 else one
     root = un + math.sqrt(un * un + 2 * pushed * y[4])
@@ -264,7 +271,10 @@ def glide(  # noqa: PLR0915  (one step for all balls, without branches)
     fresh = y[4] >= peak
     last = (loses <= LAST * reach) & (compressing | fresh | (w > FIRST * whole))
     back = last & (not compressing)
-    h = min(reach, NEAR * need if need <= reach else need / 2)
+    h = without_slopes(min(reach, NEAR * need if need <= reach else need / 2))
+    base = without_slopes(base)
+    if carries_slopes(y[0]):  # (the same function of the slips as in the step's other stages)
+        rate = a * iu + b * jf + base
     by = (
         zero if last else a, zero if last else b, zero if last else base,
         lever if last & compressing else zero, one if back else zero,
@@ -273,7 +283,7 @@ def glide(  # noqa: PLR0915  (one step for all balls, without branches)
     per = (pushed if compressing else (math.sqrt(pushed) if fresh else un / w)) if last else rate
     per = per if lasting else one
     g = step / per
-    new, error = _stride(
+    new, error, wrong = _stride(
         y,
         (g * r0, g * r1, g * r2, g * r3, -g * un, g),
         step,
@@ -285,6 +295,8 @@ def glide(  # noqa: PLR0915  (one step for all balls, without branches)
         False,
     )
     error = error / ESTIMATE
+    if carries_slopes(y[0]):
+        error = max(error, wrong / ESTIMATE * (allowed / (SLOPE_ERROR * max(1.0, _steepest(y)))))
     u1, f1 = math.sqrt(new[0] * new[0] + new[1] * new[1]), math.sqrt(new[2] * new[2] + new[3] * new[3])
     un1 = lever * (new[0] + new[2])
     ahead = (px * new[0] + py * new[1] > 0) & (qx * new[2] + qy * new[3] > 0)
@@ -330,7 +342,8 @@ def slide(
     zero = 0 * long
     reach, share, status = REACH + zero, FIRST_SHARE + zero, GOES
     while status == GOES:
-        fading = GOES
+        # (the steps of a slip that vanishes see nothing of what its derivatives across it do)
+        fading = LEAVES if carries_slopes(y[0]) else GOES
         while fading == GOES:
             y, share, fading = fade(y, compressing, share, allowed, long, q)
         if fading == DONE:  # the wall's slip has vanished

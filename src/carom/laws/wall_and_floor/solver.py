@@ -14,10 +14,9 @@ from __future__ import annotations
 
 import math
 
-from carom.core.contact import GRAZE, SLIDE, STICK, contact, slip_velocity
-from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel
-from carom.laws.wall_and_floor.frame import meet, part
-from carom.laws.wall_and_floor.integrator import creep, hop, stride
+from carom.core.contact import SLIDE, STICK, contact, slip_velocity
+from carom.core.jit.kernel import Vec, carries_slopes, dot, hot_kernel, kernel, without_slopes
+from carom.laws.wall_and_floor.integrator import creep, hop, steepest_of, stride, without_slopes_of
 from carom.laws.wall_and_floor.rates import (
     ENDLESS,
     FLOOR_JUMP,
@@ -32,11 +31,12 @@ from carom.laws.wall_and_floor.rates import (
     rates,
     size,
 )
-from carom.laws.wall_and_floor.sliding import slide
+from carom.laws.wall_and_floor.sliding import SLOPE_ERROR
 from carom.laws.wall_and_floor.spring import gap_growth, remaining, touch_down
 
 __all__ = [
-    "AGAIN", "JAM", "LEAST_SLIP", "STALL", "error_allowed", "go_on", "pressed_down", "slides_at_both", "wall_and_floor"
+    "AGAIN", "GRAZING", "JAM", "LEAST_SLIP", "STALL", "at_rest", "error_allowed", "go_on", "pressed_down", "slides_at_both",
+    "then",
 ]  # fmt: skip
 
 JAM, STALL, AGAIN = 3, 4, 6  # (5 is two_step.UNDEFINED)
@@ -52,10 +52,15 @@ AT_REST = 1e-10  # of the speeds: a slip below this is zero
 STEP_ERROR = 1e-10  # of the speed of approach: error of one step
 ESTIMATE = 30  # the error of an explicit step is smaller than its estimate by at least this factor
 NEARLY = 1e-5  # of the speeds: a slip that vanishes within this distance is integrated in one step to its end
+# Of derivatives, where they are followed: by how much the error estimate of an explicit step is too large at least; the share of a
+# slip that a step may take away; and the distance, over the speeds, within which a slip is integrated in one step to its end.
+SLOPE_ESTIMATE, MOST_FADING, NEARLY_SLOPES = 100, 0.7, 3e-8
 # Above these rates friction turns a slip too fast for an explicit step: a slip of some size, and one that starts from zero.
 STIFF, STARTS = 60, 4
 LONG = 500  # steps: an impact that takes more is stiff somewhere, and uses implicit steps from then on
 MOST_STEPS = 100_000
+# What a sequence of modes has beside 4 wall + floor: the ball lands; the wall is compressed once more. All are below MOST_WAYS.
+LANDS, AGAIN_IN, MOST_WAYS = 15, 14, 1 << 52
 HUMS = 10_000  # a ball that lands more often than this during one contact is taken to be pressed on the floor
 
 
@@ -79,6 +84,18 @@ def pressed_down(v: Vec, w: Vec, n: Vec, a: float, mu: float, h: float) -> bool:
 def error_allowed(speed: float, scale: float) -> float:
     """Return the error allowed in one step."""
     return STEP_ERROR * (speed if speed > scale / 100 else scale / 100)
+
+
+@kernel
+def then(way: int, mode: int) -> int:
+    """Append a mode to a sequence of them, of which the last thirteen are kept, unless it is the last one's again."""
+    return way if way % 16 == mode else (16 * way + mode) % MOST_WAYS
+
+
+@hot_kernel
+def at_rest(scale: float) -> float:
+    """Return the slip below which a contact does not slip."""
+    return AT_REST * scale
 
 
 @kernel
@@ -112,7 +129,7 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
 ) -> tuple[Slips, float, float, bool, bool]:  # fmt: skip
     """Take a step of a pressed ball; return its length, the next one's, whether the mode has ended, and whether it succeeded."""
     c, m, _b, _k, _d, _e, _drive, muw, muf, heed = q
-    zero = 0 * c
+    zero, follows = 0 * c, carries_slopes(c)
     tiny, allowed = AT_REST * scale, error_allowed(speed, scale)
     k1, spare = rates(y, q, wall, floor, dw, df, zero)
     un, along = _speed_of_approach(y, zero, q), c / (1 - m) * (k1[0] + k1[2])
@@ -129,6 +146,7 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
         straight = fading_w < 0 and turns_w <= 1e-9 * -fading_w
     else:  # all in one plane
         straight = y[1] == 0 and y[3] == 0 and k1[1] == 0 and k1[3] == 0
+    straight = straight and not follows  # (what is straight for the values is not for their derivatives across)
     if straight:
         if heed > 0:
             goal = remaining(un, along, y[4], peak, compressing)
@@ -139,29 +157,37 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
         ends = ends and dies * (turns_w if dies_w <= dies_f else turns_f) <= allowed
         other, turn = (uf, turns_f) if dies_w <= dies_f else (uw, turns_w)
         ends = ends and dies * dies * turn * (muw + muf) <= allowed * other
+        if follows:  # (the direction of the rest of the slip has derivatives of its own)
+            # (with a floor that sticks the approach ends where the slip does: whichever comes first by a rounding)
+            ends = dies < math.inf and (dies <= goal or compressing)
+            if ends and not (uw if dies_w <= dies_f else uf) <= 100 * tiny:
+                ends = dies * (size(k1[0], k1[1]) + size(k1[2], k1[3])) < NEARLY_SLOPES * scale
         if not ends:
-            goal = min(goal, 0.99 * dies)
+            goal = min(goal, (MOST_FADING if follows else 0.99) * dies)
             far = min(goal, 10 * speed)  # stiffness is measured over the remaining path, not over one step
             turn = math.inf  # the impulse over which a slip turns by 1, or vanishes
             if slips_w:
                 turn = uw / size(k1[0], k1[1])
             if slips_f:
                 turn = min(turn, uf / size(k1[2], k1[3]))
-            goes, order = True, 8
+            goes, order, wrong = True, 8, 0.0
             if _creeps(y, q, wall, floor, dw, df, far, fading_w, fading_f, patience):
                 order = 6
-                h = min(far, pace)
-                new, error, goes = creep(y, h, q, wall, floor, dw, df, zero)
+                h = without_slopes(min(far, pace))
+                new, error, wrong, goes = creep(y, h, q, wall, floor, dw, df, zero)
             else:
-                h = min(far, pace, turn / 4) if pace == math.inf and turn > 0 else min(far, pace)
+                h = without_slopes(min(far, pace, turn / 4) if pace == math.inf and turn > 0 else min(far, pace))
                 if h < turn / 100:
                     new, error = hop(y, k1, h, q, wall, floor, dw, df, zero), zero
                 else:
-                    new, error = stride(y, k1, h, q, wall, floor, dw, df, zero)
+                    new, error, wrong = stride(y, k1, h, q, wall, floor, dw, df, zero)
                     # (the direction of a small slip has to be accurate, too)
                     slip = size(new[0], new[1]) if slips_w else math.inf
                     slip = min(slip, size(new[2], new[3])) if slips_f else slip
+                    wrong = wrong / SLOPE_ESTIMATE
                     error = max(error / ESTIMATE, error * 30 * allowed / slip) if slip > 0 else math.inf
+            if follows:
+                error = max(error, wrong * (allowed / (SLOPE_ERROR * max(1.0, steepest_of(y)))))
             grow = 0.85 * (allowed / error) ** (1 / order) if error > 0 else 4 + zero
             if not (goes and error <= allowed):
                 return y, zero, h * (max(0.1, grow) if goes and error < math.inf else 0.25), False, False
@@ -192,6 +218,10 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
             grow = h * min(grow, 4 + zero)
             return new, h, max(grow, pace) if h < pace < math.inf else grow, over, True
     h = min(goal, dies)
+    if follows and ends:
+        # (along the flow the slip ends at the same impulse; a change across it decays with the slip: only its size matters)
+        h = uw / without_slopes(fading_w) if dies_w <= dies_f else uf / without_slopes(fading_f)
+        k1 = without_slopes_of(k1)
     work = y[4] - heed * h * (un + along * h / 2)
     new = (y[0] + h * k1[0], y[1] + h * k1[1], y[2] + h * k1[2], y[3] + h * k1[3], work)
     if ends and dies_w <= dies_f:
@@ -200,6 +230,35 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
         new = (new[0], new[1], zero, zero, work)
     ends = ends or (fading_w > 0 and size(new[0], new[1]) <= tiny) or (fading_f > 0 and size(new[2], new[3]) <= tiny)
     return new, h, math.inf, ends, h < math.inf
+
+
+@kernel
+def _moved_end(
+    y: Slips, vz: float, p: float, un: float, e: float, law: Couplings, wall: int, floor: int, dw: Pair, df: Pair,
+    touching: bool,
+) -> tuple[Slips, float, float]:  # fmt: skip
+    """Move the end of the wall contact by what the derivatives of its condition ask for; the values stay.
+
+    The condition is that no energy is left, or for e = 0 that the approach has ended.
+    """
+    c, m, _b, k, d, ee, _drive, muw, _muf, _heed = law
+    zero, rise = 0 * c, 0 * c
+    if floor == OFF:
+        slip = size(y[0], y[1])
+        slides = wall == SLIDE and slip > 0
+        fx, fy = (-muw * y[0] / slip, -muw * y[1] / slip) if slides else (zero, zero)
+        k1 = (k * fx, k * fy, c - ee * fx, d * fy, -un)
+        rise = zero if touching else m + c * fx
+    else:
+        k1, _spare = rates(y, law, wall, floor, dw, df, zero)
+    if e > 0:
+        h = -y[4] / k1[4] if k1[4] < 0 else zero
+    else:  # (the impulse returned is e (2 E u_n')^(1/2) / u_n')
+        along = c / (1 - m) * (k1[0] + k1[2] - c * rise) + m * rise
+        h = (-un + e * math.sqrt(2 * y[4] * along)) / along if along > 0 else zero
+    h = h - without_slopes(h)
+    y = (y[0] + h * k1[0], y[1] + h * k1[1], y[2] + h * k1[2], y[3] + h * k1[3], y[4])
+    return y, vz + h * rise, p + h if law[6] > 0 and floor != FLOOR_JUMP else p
 
 
 @kernel
@@ -260,15 +319,16 @@ def _creeps(
 @kernel
 def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
     y: Slips, vz: float, q: Couplings, e: float, kappa: float, ef: float, muf: float, betaf: float, speed: float, scale: float,
-    p: float, compressing: bool, peak: float, waits: bool,
-) -> tuple[Slips, float, float, int, bool, float, Pair, Pair]:  # fmt: skip
+    p: float, compressing: bool, peak: float, waits: bool, way: int,
+) -> tuple[Slips, float, float, int, bool, float, Pair, Pair, int]:  # fmt: skip
     """Integrate to the end of the wall contact; return slips, vertical velocity, the wall's normal impulse and regime.
 
     The integration begins at the wall's impulse p, in compression or not, with the energy ``peak`` to return. With ``waits``
-    it stops where a contact at rest begins to slip and both then slip (AGAIN); the last four results describe that state.
+    it stops where a contact at rest begins to slip and both then slip (AGAIN); the next four results describe that state. The last
+    one is the sequence of modes, appended to that of ``way``.
     """
     c, m, b, k, d, ee, _drive, muw, _muf, _heed = q
-    zero = 0 * vz
+    zero, follows = 0 * vz, carries_slopes(vz)
     rough_wall, rough_floor = muw >= ENDLESS, q[8] >= ENDLESS
     tiny = AT_REST * scale
     touching, decide = vz <= tiny, True
@@ -286,6 +346,7 @@ def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
                 y = (y[0], y[1], zero, zero, y[4])
             wall, floor, level, dw, df = decide_mode(y, q, rough_wall, rough_floor, touching, tiny)
             decide, pace = False, math.inf
+            way = then(way, 4 * wall + floor)
             if wall == STICK and floor == FLOOR_STICK:
                 regime = JAM
                 break
@@ -300,13 +361,17 @@ def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
         if rank == grade:
             if compressing and un >= -max(1e-12 * speed, ROUNDING * scale):
                 # Stronge: the wall returns e^2 of the work done on it
+                if follows and e == 0:
+                    y, vz, p = _moved_end(y, vz, p, un, e, law, wall, floor, dw, df, touching)
                 compressing, peak = False, e * e * y[4]
                 y = (y[0], y[1], y[2], y[3], peak)
             elif not compressing and e > 0 and un < -max(1e-12 * speed, ROUNDING * scale) and y[4] >= peak * (1 - TINY):
                 # Walton & Braun: reloading follows the unloading line, and beyond the previous maximum the loading line
-                compressing = True
+                compressing, way = True, then(way, AGAIN_IN)
                 y = (y[0], y[1], y[2], y[3], y[4] / (e * e))
             if not compressing and y[4] <= TINY * peak:
+                if follows and e > 0:
+                    y, vz, p = _moved_end(y, vz, p, un, e, law, wall, floor, dw, df, touching)
                 regime = STICK if size(y[0], y[1]) <= tiny else SLIDE
                 break
         if floor == OFF and level == 1:  # an infinitely rough wall removes the slip, and may lift the ball
@@ -314,7 +379,7 @@ def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
             touching, decide = touching and vz <= tiny, True
             if hit:
                 y, vz = _lands(y, vz, q, kappa, ef, muf, betaf)
-                landings += 1
+                landings, way = landings + 1, then(way, LANDS)
                 touching = vz <= 1e-9 * scale or landings > HUMS
             continue
         if waits and wall == SLIDE and floor == FLOOR_SLIP and (size(y[0], y[1]) == 0 or size(y[2], y[3]) == 0):
@@ -358,9 +423,9 @@ def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
         vz, p, decide = vz + h * rise, p + h, True
         if hit:
             y, vz = _lands(y, vz, q, kappa, ef, muf, betaf)
-            landings += 1
+            landings, way = landings + 1, then(way, LANDS)
             touching = vz <= 1e-9 * scale or landings > HUMS
-    return y, zero if touching else vz, p, regime, compressing, peak, dw, df
+    return y, zero if touching else vz, p, regime, compressing, peak, dw, df, way
 
 
 @kernel
@@ -377,35 +442,3 @@ def slides_at_both(y: Slips, vz: float, q: Couplings, scale: float) -> tuple[boo
     wall, floor, level, dw, df = decide_mode(y, q, False, False, True, tiny)
     slips = y[2] != 0 or y[3] != 0 or muf > 0
     return wall == SLIDE and floor == FLOOR_SLIP and level == 0 and slips, y, dw, df
-
-
-@kernel
-def wall_and_floor(
-    v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, muw: float, ef: float, muf: float, betaf: float
-) -> tuple[Vec, Vec, Vec, Vec, int]:
-    """Velocity, spin, impulses (per unit mass) of wall and floor, and regime of the wall contact (or JAM, STALL)."""
-    met = meet(v, w, n, a, kappa, muw, ef, muf, betaf)
-    v1, s1, j, _frame, q, before, speed, scale = met
-    if not speed > 0:
-        zero = 0 * a
-        return v1, (s1[0] / a, s1[1] / a, s1[2] / a), (zero, zero, zero), j, GRAZE
-    zero = 0 * a
-    slides, after, dw, df = slides_at_both(before, v1[2], q, scale)
-    up, p, compressing, peak, regime = v1[2], zero, True, zero, AGAIN
-    if not (slides and speed > GRAZING * scale):
-        after, up, p, regime, compressing, peak, dw, df = go_on(
-            before, up, q, e, kappa, ef, muf, betaf, speed, scale, p, compressing, peak, False
-        )
-    while regime == AGAIN:
-        came, up, least = p, zero, LEAST_SLIP * scale
-        y = (after[0], after[1], after[2], after[3], after[4], p)
-        y, compressing, peak, ends = slide(
-            y, dw, df, compressing, peak, error_allowed(speed, scale), speed, least, q, e
-        )
-        after, p, regime = (y[0], y[1], y[2], y[3], y[4]), y[5], SLIDE
-        if not ends:  # on its own to where both slide again, or to the end
-            after, up, p, regime, compressing, peak, dw, df = go_on(
-                after, up, q, e, kappa, ef, muf, betaf, speed, scale, p, compressing, peak, p > came
-            )
-    v2, w2, wall, floor = part(v, w, a, kappa, met, after, up, p)
-    return v2, w2, wall, floor, regime

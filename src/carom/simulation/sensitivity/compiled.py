@@ -18,7 +18,7 @@ from carom.core.jit.dual.records import dual_records, float_count, float_places,
 from carom.core.jit.kernel import Vec, kernel
 from carom.core.motion.phases import HELD
 from carom.laws.callbacks import NUMBERS, WallKernel, register_calls
-from carom.laws.two_step import first_impact
+from carom.laws.two_step import first_impact_and_way
 from carom.simulation.compiled import compiled_engine
 from carom.simulation.loop import move_by
 from carom.simulation.records import BALLS, LOG, WORLD
@@ -80,7 +80,7 @@ def _joint_impact(
     floor_e: float, floor_mu: float, floor_beta: float, together: bool,
 ) -> Any:  # fmt: skip
     """:func:`joint_impact` of dual numbers; that of floats is compiled by itself."""
-    return first_impact(v, w, n, a, kappa, e, mu, beta, floor_e, floor_mu, floor_beta, 0.0, together)
+    return first_impact_and_way(v, w, n, a, kappa, e, mu, beta, floor_e, floor_mu, floor_beta, 0.0, together)
 
 
 @functools.cache

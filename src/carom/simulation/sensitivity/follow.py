@@ -13,6 +13,7 @@ from carom.core.motion.restitution import CONSTANT
 from carom.errors import CaromError
 from carom.simulation.compiled import is_loaded
 from carom.simulation.interpreted import BEFORE_COMPILING, BEFORE_LOADING, MOST_RESTITUTION
+from carom.simulation.records import WALL
 from carom.simulation.sensitivity.compiled import compiled_follow, follow_compiled, pass_loop
 from carom.simulation.sensitivity.interpreted import follow_interpreted
 from carom.simulation.sensitivity.parameters import Parameters
@@ -47,9 +48,12 @@ def follow(scene: Any, parameters: Parameters, log: NDArray[np.void], end: float
     passages, graze = follow_to_graze(scene, parameters, log, end)
     if graze >= 0:
         row = log[graze]
+        pressed = row["kind"] == WALL and np.any(row["floor_impulse"])
+        border = ", or a ball that is pressed on the floor at a border of regimes" if pressed else ""
         raise CaromError(
             f"sensitivity: events[{graze - len(scene.balls)}] ({row['t']:.9g} s, ball {int(row['ball'])}): expected an impact, got"
-            " a graze (or the last of ever lower bounces), where no derivative exists; move a start a little, or end the run before"
+            f" a graze (or the last of ever lower bounces{border}), where no derivative exists; move a start a little, or end the"
+            " run before"
         )
     return passages
 

@@ -14,6 +14,11 @@ from collections.abc import Callable
 from types import FunctionType
 from typing import Any
 
+import numpy as np
+
+from carom.core.jit.dual.numbers import LANES, seeded
+from carom.core.jit.kernel import DERIVED
+from carom.laws.callbacks import call_user
 from carom.simulation.sensitivity.dual import DUAL_MATH, Dual
 
 __all__ = ["lifted"]
@@ -33,6 +38,16 @@ def _call_law(law: Any, *numbers: Any) -> Any:
     return lifted(law)(*numbers)
 
 
+def _seeded(value: float, k: int, slope: float) -> Dual:
+    """In the place of carom.core.jit.dual.numbers.seeded."""
+    slopes = np.zeros(LANES)
+    slopes[k] = slope
+    return Dual(value, slopes)
+
+
+_INSTEAD: dict[Any, Any] = {call_user: _call_law, seeded: _seeded}
+
+
 def _space(names: dict[str, Any], module: str, spaces: dict[Any, dict[str, Any]], key: Any) -> dict[str, Any]:
     """Return the globals of a module with derived functions in the place of its own and of those that it has imported."""
     if key in spaces:
@@ -42,8 +57,8 @@ def _space(names: dict[str, Any], module: str, spaces: dict[Any, dict[str, Any]]
     for name, one in names.items():
         if one is math:
             space[name] = DUAL_MATH
-        elif name == "call_user":
-            space[name] = _call_law
+        elif isinstance(one, FunctionType) and one in _INSTEAD:
+            space[name] = _INSTEAD[one]
         elif isinstance(one, FunctionType) and _is_kernel(one, module):
             space[name] = lifted(one, None if spaces is _spaces else spaces)
         elif callable(one) and not isinstance(one, type) and _BY_FUNCTION.get(one) is not None:
@@ -63,6 +78,7 @@ def lifted(function: Callable[..., Any], own: dict[Any, dict[str, Any]] | None =
     """
     if not isinstance(function, FunctionType) or hasattr(function, "__wrapped__"):
         return function
+    function = DERIVED.get(function, function)
     module, names = function.__module__, function.__globals__
     if module.startswith("carom."):
         space = _space(vars(sys.modules[module]) if module in sys.modules else names, module, _spaces, module)

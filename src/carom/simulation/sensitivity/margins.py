@@ -164,14 +164,12 @@ class _JointImpacts:
             *one.before.v, *one.before.w, *n, ball.radius, ball.kappa, e, f.mu, f.beta, ef, world.floor_mu, world.floor_beta,
         ]  # fmt: skip
 
-    def _sequence(self, x: Array) -> tuple[int, bool, bool]:
-        """Return what an impact does: regime at the wall, whether the ball leaves the floor, whether it slips there."""
+    def _sequence(self, x: Array) -> tuple[int, int]:
+        """Return what happens in an impact: the regime at the wall, and all modes of both contacts, one after the other."""
         y = x.tolist()
         v, w, n, rest = tuple(y[:3]), tuple(y[3:6]), tuple(y[6:9]), y[9:]
-        v1, w1, _j, _jf, _required, regime = self.impact(v, w, n, *rest, True)
-        a = rest[0]
-        slip = math.hypot(v1[0] - a * w1[1], v1[1] + a * w1[0])
-        return int(regime), v1[2] > 0, slip > 1e-9 * math.sqrt(sum(c * c for c in v1))
+        *_after, regime, way = self.impact(v, w, n, *rest, True)
+        return int(regime), int(way)
 
 
 def _first_change(sequence: Callable[[Array], Any], now: Array, slope: Array) -> float:

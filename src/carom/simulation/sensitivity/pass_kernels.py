@@ -19,7 +19,7 @@ import numpy as np
 
 from carom.core.geometry.features import FALLS, OVER, distance
 from carom.core.jit.dual.numbers import as_dual, depends, scaled, value_of, with_value
-from carom.core.jit.kernel import Vec, dot, kernel, vector
+from carom.core.jit.kernel import Vec, dot, kernel, steepest, vector
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, POCKETED, REST, SLIDING, grounded, next_phase
 from carom.simulation.loop import move_by
 from carom.simulation.predict import begin, put
@@ -214,6 +214,15 @@ def _act(world: Any, features: Any, balls: Any, users: Any, row: Any, i: int, k:
 
 
 @kernel
+def _has_slopes(ball: Any) -> bool:
+    """Return whether velocity and spin have derivatives: a law answers NaN where it has none."""
+    slopes = 0.0
+    for k in range(3):
+        slopes = slopes + steepest(ball.v[k]) + steepest(ball.w[k])
+    return not math.isnan(slopes)
+
+
+@kernel
 def _leave(world: Any, ball: Any, row: Any, out: Any, approach: Any, required: Any, friction: Any) -> None:
     _pin(ball, row)
     begin(world, ball)
@@ -256,7 +265,7 @@ def state_at_time(world: Any, ball: Any, first: Any, passage: Any, phase: int, t
 def follow_log(world: Any, features: Any, walls: Any, balls: Any, plain: Any, log: Any, users: Any, out: Any) -> int:
     """Follow a run again, from the START rows of its log on: ``out`` are its passages, ``balls`` are at their last events.
 
-    Returns -1, or the row of a graze, where no derivative exists.
+    Returns -1, or the row of a graze, or of a pressed ball at a border of regimes, where no derivative exists.
     """
     count, rows, last = balls.shape[0], log.shape[0], out.shape[0] - 1
     _begin_all(world, balls, log, out, last)
@@ -288,6 +297,8 @@ def follow_log(world: Any, features: Any, walls: Any, balls: Any, plain: Any, lo
             _pin_before(balls[k], log[n + 1])
             _note_before(out[min(n + 1, last)], balls[k])
         approach, required, friction = _act(world, features, balls, users, row, i, k, f)
+        if kind == WALL and not _has_slopes(ball):
+            return int(n)
         _leave(world, ball, row, one, approach, required, friction)
         _note_slip(one, ball)
         if k != i:

@@ -63,8 +63,10 @@ def _columns_of(scene: Scene, wrt: Any, phases: Any) -> list[Column]:
         )
         first = match.values[0]
         if isinstance(first, tuple) and first and all(isinstance(one, int | float) for one in first):
-            flies = _flies(match.places, phases)
-            names = ("x", "y", "z")[: len(first) if len(first) < 3 or flies else 2]
+            # (position and velocity of a ball on the floor have two components, a spin has three everywhere)
+            turns = all(keys[0] == "balls" and keys[-1] == "spin" for keys in match.places)
+            whole = len(first) < 3 or turns or _flies(match.places, phases)
+            names = ("x", "y", "z")[: len(first) if whole else 2]
             if len(first) > 3:
                 raise CaromError(f"{WHERE}: wrt: {path}: expected a number or a vector, got {len(first)} numbers")
             found += [Column(f"{path}.{name}", path, k, match.values) for k, name in enumerate(names)]

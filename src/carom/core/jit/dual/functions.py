@@ -12,8 +12,8 @@ import operator
 from collections.abc import Callable
 from typing import Any
 
-from carom.core.jit.dual.numbers import as_dual, dual_type, scaled, value_of, with_value
-from carom.core.jit.kernel import root_of
+from carom.core.jit.dual.numbers import LANES, as_dual, dual_type, lane_of, scaled, value_of, with_value
+from carom.core.jit.kernel import DERIVED, carries_slopes, root_of, steepest, without_slopes
 
 __all__ = ["overload_for_duals", "register_functions"]
 
@@ -51,6 +51,11 @@ def register_functions() -> None:
     _power()
     kind = dual_type()
     _overload(root_of, lambda x, gap, rate: _implicit if kind in (x, gap, rate) else None)
+    _instead(carries_slopes, 1, lambda x: True)
+    _instead(steepest, 1, _steepest)
+    _instead(without_slopes, 1, _value)
+    for function, of_duals in DERIVED.items():
+        overload_for_duals(function, of_duals)
 
 
 def _overload(function: Any, typed: Any) -> None:
@@ -112,6 +117,20 @@ def _angle(y: Any, x: Any) -> Any:
 
 def _implicit(x: Any, gap: Any, rate: Any) -> Any:
     return with_value(as_dual(x) - gap / value_of(rate), value_of(x))
+
+
+def _value(x: Any) -> Any:
+    return value_of(x)
+
+
+def _steepest(x: Any) -> Any:
+    # (a NaN is the largest, as NumPy has it)
+    most = 0.0
+    for k in range(LANES):
+        slope = abs(lane_of(x, k))
+        if not slope <= most and not math.isnan(most):
+            most = slope
+    return most
 
 
 def _power() -> None:

@@ -14,7 +14,7 @@ from typing import Any
 
 __all__ = [
     "LANES", "as_dual", "declare", "depends", "dual_type", "lane_of", "lanes_type", "make_dual", "parts_of", "register_numbers",
-    "scaled", "value_of", "with_lane", "with_value",
+    "scaled", "seeded", "value_of", "with_lane", "with_value",
 ]  # fmt: skip
 
 # Derivatives in one number: one register of AVX-512, two of AVX2, four of NEON. More parameters are more passes.
@@ -60,9 +60,14 @@ def compiled_only(described: Callable[..., Any]) -> Callable[..., Any]:
     return refuse
 
 
-@compiled_only
 def lane_of(x: Any, k: int) -> Any:
     """Return derivative k of a dual number."""
+    return float(x.d[k])
+
+
+@compiled_only
+def seeded(value: float, k: int, slope: float) -> Any:
+    """Return a dual number with one derivative, number k. (Python's are made by :mod:`carom.simulation.sensitivity.lift`.)"""
 
 
 @compiled_only
@@ -309,6 +314,11 @@ def _parts() -> None:
 
     function(value_of, types.float64, (), lambda builder, x, d: x)
     function(with_value, kind, (types.float64,), lambda builder, x, d, value: (value, d))
+
+    def seed(builder: Any, x: Any, d: Any, k: Any, slope: Any) -> Any:
+        return x, builder.insert_element(_zeros(), slope, builder.trunc(k, index))
+
+    function(seeded, kind, (types.int64, types.float64), seed)
     function(as_dual, kind, (), lambda builder, x, d: (x, d))
     function(depends, types.boolean, (), differs)
     function(
