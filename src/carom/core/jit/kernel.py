@@ -25,6 +25,7 @@ __all__ = [
     "dot",
     "hot_kernel",
     "kernel",
+    "only_slopes",
     "prange",
     "root_of",
     "steepest",
@@ -115,6 +116,11 @@ def without_slopes(x: Any) -> Any:
     return getattr(x, "x", x)
 
 
+def only_slopes(x: Any) -> Any:
+    """Return zero with the derivatives of x (whose value may be infinite)."""
+    return type(x)(0.0, x.d) if hasattr(x, "d") else 0.0
+
+
 def _found_root(x: Any, gap: Any, rate: Any) -> Any:
     return x
 
@@ -136,6 +142,7 @@ PLAIN: dict[Callable[..., Any], Callable[..., Any]] = {
     root_of: _found_root,
     carries_slopes: _no_slopes,
     steepest: _no_slope,
+    only_slopes: _no_slope,
     without_slopes: _itself,
 }
 ON_GPU.update(PLAIN)

@@ -22,7 +22,7 @@ import math
 
 from carom.core.contact import GRAZE, SLIDE
 from carom.core.jit.dual.numbers import lane_of, seeded
-from carom.core.jit.kernel import Vec, carries_slopes, derived_by, kernel, steepest, without_slopes
+from carom.core.jit.kernel import Vec, carries_slopes, derived_by, kernel, only_slopes, steepest, without_slopes
 from carom.laws.wall_and_floor.frame import meet, part
 from carom.laws.wall_and_floor.integrator import without_slopes_of
 from carom.laws.wall_and_floor.rates import ENDLESS, FLOOR_SLIP, Couplings, Slips, size
@@ -129,12 +129,6 @@ def _applied(
 
 
 @kernel
-def _own(x: float) -> float:
-    """Return x less its value: its derivatives alone."""
-    return x - without_slopes(x)
-
-
-@kernel
 def _plain(q: Couplings) -> Couplings:
     return (
         without_slopes(q[0]), without_slopes(q[1]), without_slopes(q[2]), without_slopes(q[3]), without_slopes(q[4]),
@@ -182,10 +176,10 @@ def _of_duals(
     known = same and not _starts_from_rest(before, v1, s1, _steepest(n) * scale, muw0, muf0, at_rest(scale))
     one = 1.0 if known else math.nan
     by = (
-        one * _own(before[0]), one * _own(before[1]), one * _own(before[2]), one * _own(before[3]),
-        _own(q[1]) * scale, _own(e) * scale, _own(muw) * scale, _own(muf) * scale,
+        one * only_slopes(before[0]), one * only_slopes(before[1]), one * only_slopes(before[2]), one * only_slopes(before[3]),
+        only_slopes(q[1]) * scale, only_slopes(e) * scale, only_slopes(muw) * scale, only_slopes(muf) * scale,
     )  # fmt: skip
-    by2 = (_own(v1[2]), _own(kappa) * scale, _own(ef) * scale, _own(betaf) * scale)
+    by2 = (only_slopes(v1[2]), only_slopes(kappa) * scale, only_slopes(ef) * scale, only_slopes(betaf) * scale)
     after = (
         _applied(end[0], found[0], by, more[0], by2, both), _applied(end[1], found[1], by, more[1], by2, both),
         _applied(end[2], found[2], by, more[2], by2, both), _applied(end[3], found[3], by, more[3], by2, both), zero,

@@ -13,7 +13,7 @@ from collections.abc import Callable
 from typing import Any
 
 from carom.core.jit.dual.numbers import LANES, as_dual, dual_type, lane_of, scaled, value_of, with_value
-from carom.core.jit.kernel import DERIVED, carries_slopes, root_of, steepest, without_slopes
+from carom.core.jit.kernel import DERIVED, carries_slopes, only_slopes, root_of, steepest, without_slopes
 
 __all__ = ["overload_for_duals", "register_functions"]
 
@@ -53,6 +53,7 @@ def register_functions() -> None:
     _overload(root_of, lambda x, gap, rate: _implicit if kind in (x, gap, rate) else None)
     _instead(carries_slopes, 1, lambda x: True)
     _instead(steepest, 1, _steepest)
+    _instead(only_slopes, 1, _only_slopes)
     _instead(without_slopes, 1, _value)
     for function, of_duals in DERIVED.items():
         overload_for_duals(function, of_duals)
@@ -117,6 +118,10 @@ def _angle(y: Any, x: Any) -> Any:
 
 def _implicit(x: Any, gap: Any, rate: Any) -> Any:
     return with_value(as_dual(x) - gap / value_of(rate), value_of(x))
+
+
+def _only_slopes(x: Any) -> Any:
+    return with_value(x, 0.0)
 
 
 def _value(x: Any) -> Any:
