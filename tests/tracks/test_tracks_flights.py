@@ -93,7 +93,7 @@ def test_rows_of_a_film_share_the_error_of_the_drag() -> None:
 def test_still_air_and_a_level_camera_are_left_alone(speed: float) -> None:
     found = measure([film(thrown(speed, 1.2), rate=120)], Settings(view="side"))
     assert "air drag" not in found.floor
-    assert not [note for note in found.notes if "drag" in note or "rolled" in note]
+    assert not [note for note in found.notes if "slows the ball down by" in note or "rolled" in note]
     assert found.walls[0].normal == (0.0, 1.0)
 
 

@@ -213,6 +213,8 @@ def _notes(
     table: Rebounds | None,
 ) -> None:
     """Print the notes of all films, each once, and of their rebounds what the contacts alone do not show."""
+    from carom.tracks.oblique import oblique_note
+
     films: dict[str, list[str]] = {}
     for name, film, one in zip(names, found, measured, strict=True):
         for note in dict.fromkeys((*film.notes, *one.notes)):
@@ -226,6 +228,8 @@ def _notes(
     if bare and len(names) > 1:
         notes.append(f"{shortened_list(bare)}: no contact measured")
     notes += [] if table is None else [note for note in table.notes if note.startswith("energy:")]
+    if any(oblique_note(one.contacts) for one in measured):
+        notes.append("--wall x1,y1,x2,y2 gives the line of a wall by two points (m), and may be repeated")
     for note in notes:
         console.print(note, style="dim", soft_wrap=True)
 

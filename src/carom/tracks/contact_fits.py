@@ -12,6 +12,7 @@ from carom.formatting import counted
 from carom.tracks.blind import BlindTime, estimate_blind_time
 from carom.tracks.contact import Settings, TrackContact, TrackedSpin, View, motion_before_resolved
 from carom.tracks.contact_models import fit_table
+from carom.tracks.correlation import WHITE, Correlation, FrameGroups, estimate_correlation, whitening
 from carom.tracks.elsewhere import BEYOND_WALL_M
 from carom.tracks.events import TrackEvent, WallLine
 from carom.tracks.flight_fits import fit_flight
@@ -20,6 +21,7 @@ from carom.tracks.floor import WithError, pool_floor, pool_gravity
 from carom.tracks.free_motion import flight_ends, velocity_jump
 from carom.tracks.hops import hop_notes, with_hops
 from carom.tracks.least_squares import AT_CONTACT, ContactFit, Prior
+from carom.tracks.oblique import oblique_note, without_oblique
 from carom.tracks.smooth_turns import without_smooth_turns
 from carom.tracks.track import Track
 
@@ -35,6 +37,7 @@ MAX_SINGLE_FRAMES, GROUPS, NEAR_FRAMES = 160, 56, 8
 MAX_EXCESS_SCATTER = 3.0
 # The first round has no noise estimate and takes the floor from the literature; the second estimates the floor from good starts.
 ROUNDS = 3
+MAX_ROUNDS = 5  # where the noise turns out to be correlated
 # The noise that the residuals of a round show is at least this share of what was assumed in it.
 MIN_NOISE_SHARE = 1e-3
 VELOCITIES = ("vn_in", "vt_in", "vn_out", "vt_out", "vn_roll", "vt_roll")
@@ -57,6 +60,7 @@ class ContactFitter:
     """Times before and after a contact whose frames are excluded."""
     air: Air = STILL_AIR
     floor: dict[str, WithError] = field(default_factory=dict)
+    correlation: Correlation = WHITE
     frame_noise: float = 0.0
     """From frame to frame, m: what differences of neighbouring positions show, whatever the paths are."""
 
@@ -82,11 +86,15 @@ class ContactFitter:
         known = [prior] * len(jobs)
         together = pool_floor if self.view == "above" else pool_gravity
         found: list[TrackContact] | None = None
-        for number in range(ROUNDS):
+        number, rounds = 0, ROUNDS
+        while number < rounds:
             found = self._round(jobs, known, found, number, progress)
             if number == 0 and self.settings.blind is None:
                 self.blind = self._blind_time(found)
-            if number < ROUNDS - 1:
+            if number in (ROUNDS - 1, ROUNDS) and self._estimated_correlation(found):
+                rounds = MAX_ROUNDS  # with frames weighted anew
+            number += 1
+            if number < rounds:
                 owners = [(one.group, one.track) for one in found]
                 hopping = with_hops(found, self.settings.hops, doubtful=False)
                 fits = [one.fit for one in hopping]
@@ -94,12 +102,27 @@ class ContactFitter:
                 usable = [_determines_floor(one) for one in hopping]
                 self.floor, known = together(fits, owners, known, prior, self.settings.gravity, usable)
         done = [self._checked(one) for one in with_hops(found or [], self.settings.hops)]
+        if self.view == "above":
+            done = without_oblique(done, prior.k)
+            notes += oblique_note(done)
         notes += hop_notes(done)
+        if self.correlation != WHITE:
+            notes.append(
+                f"the noise is correlated from frame to frame, by {self.correlation.neighbours:.2f} between neighbours: a tracker"
+                " that follows a shadow or an edge, smooths, or rounds. Fits weight their frames accordingly, and the error bars"
+                " allow for it"
+            )
         if not any(self.blind[:2]):
             return done
         shifted = self._with_blind_error(jobs, known, found or [], done) if any(self.blind[2:]) else done
         notes.append(self._blind_note(shifted))
         return shifted
+
+    def _estimated_correlation(self, found: list[TrackContact]) -> bool:
+        """Estimate the correlation of the noise from all contacts; return whether it is significant."""
+        fits = [one.fit.fitted for one in found if one.fit is not None and one.fit.fitted is not None]
+        self.correlation = estimate_correlation(fits, self.interval)
+        return self.correlation != WHITE
 
     def _blind_time(self, found: list[TrackContact]) -> BlindTime:
         """Estimate the blind time; frames that a hop explains are not left out."""
@@ -160,7 +183,7 @@ class ContactFitter:
             old = before[number] if before else None
             found.append(old if old is not None and old.fit is None else self._contact(*job, prior, old))
             if progress:
-                progress(done * len(jobs) + number + 1, ROUNDS * len(jobs))
+                progress(min(done, ROUNDS - 1) * len(jobs) + number + 1, ROUNDS * len(jobs))
         found = without_smooth_turns(found, MAX_EXCESS_SCATTER * self.frame_noise)
         if self.settings.noise is None:
             self.noise = pooled_noise(with_hops(found, self.settings.hops, doubtful=False), self.noise)
@@ -204,12 +227,17 @@ class ContactFitter:
         x = wall.frame(track.position[rows])
         at = 0.0 if self.settings.hard else None
         if self.view == "above":
-            t, x, weight = averaged_frames(t, x, middle)
+            single = t, x
+            t, x, frames = averaged_frames(t, x, middle)
             known = None if old is None else old.fit
-            fit = fit_table(t, x, middle, self.noise, prior, at, weight, known, self.settings.gravity)
+            fit = fit_table(
+                t, x, middle, self.noise, prior, at, np.sqrt(frames.number), known, self.settings.gravity,
+                self._whitening(frames), single,
+            )  # fmt: skip
         else:
             gravity = wall.turned(self.settings.gravity * np.array(self.air.down))
-            fit = fit_flight(t, x, middle, self.noise, gravity, 0.05 * self.settings.gravity, at, self.air)
+            white = self._whitening(FrameGroups(t, t, np.ones(len(t))))
+            fit = fit_flight(t, x, middle, self.noise, gravity, 0.05 * self.settings.gravity, at, self.air, white)
         if (
             not np.isfinite(fit.value[AT_CONTACT]).all()
             or not np.isfinite(fit.covariance[AT_CONTACT, AT_CONTACT]).all()
@@ -227,6 +255,10 @@ class ContactFitter:
             scatter=scatter,
             spin=_tracked_spin(track, rows, fit["t"]),
         )
+
+    def _whitening(self, frames: FrameGroups) -> Array | None:
+        """Return the matrix that makes the errors of frames independent; None where they are."""
+        return None if self.correlation == WHITE else whitening(frames, self.correlation, self.interval)
 
     def _rows(self, track: Track, events: list[TrackEvent], i: int, middle: float) -> tuple[NDArray[np.intp], str]:
         """Return the frames of free motion on both sides, and why they do not suffice."""
@@ -325,14 +357,14 @@ def _determines_floor(one: TrackContact) -> bool:
     return one.fit is not None and motion_before_resolved(one, one.fit) and not one.fit.slid_until_contact
 
 
-def averaged_frames(t: Array, x: Array, middle: float) -> tuple[Array, Array, Array]:
-    """Average neighbouring frames if a side of the contact has more than MAX_SINGLE_FRAMES: times, positions and weights.
+def averaged_frames(t: Array, x: Array, middle: float) -> tuple[Array, Array, FrameGroups]:
+    """Average neighbouring frames if a side of the contact has more than MAX_SINGLE_FRAMES: times, positions, and which they are.
 
     The frames next to the contact are kept. Over a few ms the path of a ball is straight to some micrometres, so a mean is as
     good as its frames; and if their errors are not independent (pixels without noise), the means show it: they scatter more
     than independent errors would.
     """
-    times, places, weights = [], [], []
+    times, places, ends = [], [], []
     for side in (t < middle, t >= middle):
         s, y = t[side], x[side]
         size = max(1, (len(s) - NEAR_FRAMES) // GROUPS) if len(s) > MAX_SINGLE_FRAMES else 1
@@ -346,8 +378,9 @@ def averaged_frames(t: Array, x: Array, middle: float) -> tuple[Array, Array, Ar
         rows = np.argsort(means[0])
         times.append(means[0][rows])
         places.append(np.stack(means[1:], axis=-1)[rows])
-        weights.append(np.sqrt(count[keep][rows]))
-    return np.concatenate(times), np.concatenate(places), np.concatenate(weights)
+        last = np.append(np.flatnonzero(np.diff(group)), len(s) - 1)  # of each group, in order of time
+        ends.append(FrameGroups(s[np.append(0, last[:-1] + 1)], s[last], count[keep][rows].astype(float)))
+    return np.concatenate(times), np.concatenate(places), FrameGroups(*map(np.concatenate, zip(*ends, strict=True)))
 
 
 def pooled_noise(contacts: Sequence[TrackContact], otherwise: float) -> float:

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.laws.results import GRAVITY
+from carom.tracks.correlation import FittedFrames, nearest_frames
 from carom.tracks.least_squares import (
     OUTPUTS,
     START_IN,
@@ -147,10 +148,12 @@ class _TableContact:
     """The least-squares problem of one contact."""
 
     def __init__(
-        self, time: Array, position: Array, near: float, noise: float, prior: Prior, wall: float | None, weight: Array
-    ) -> None:
-        self.weight = np.repeat(weight, 2)
+        self, time: Array, position: Array, near: float, noise: float, prior: Prior, wall: float | None, weight: Array,
+        whiten: Array | None = None,
+    ) -> None:  # fmt: skip
+        self.weight, self.whiten = np.repeat(weight, 2), whiten
         self.time, self.position, self.noise = time, position, noise
+        self.single = time, position
         self.k, self.since = prior.k, float(time[0])
         before, after = time < near, time >= near
         self.after, self.interval = int(after.sum()), float(np.median(np.diff(time)))
@@ -187,7 +190,7 @@ class _TableContact:
         gap = (self.position - _table_position(theta, self.since, self.time, self.k)) / self.noise
         return np.concatenate(
             [
-                gap.ravel() * self.weight,
+                gap.ravel() * self.weight if self.whiten is None else (self.whiten @ gap).ravel(),
                 [(theta[i] - value) / error for i, value, error in self.known],
                 self.lift[0] @ theta - self.lift[1],
             ]
@@ -196,7 +199,10 @@ class _TableContact:
     def slope(self, theta: Array) -> Array:
         """Return the derivatives of the residuals (rows, COUNT)."""
         places = _table_slope(theta, self.since, self.time, self.k)
-        frames = places.reshape(-1, COUNT) * (self.weight / -self.noise)[:, None]
+        if self.whiten is None:
+            frames = places.reshape(-1, COUNT) * (self.weight / -self.noise)[:, None]
+        else:
+            frames = np.tensordot(self.whiten, places, 1).reshape(-1, COUNT) / -self.noise
         return np.concatenate([frames, self.known_slope, self.lift[0]])
 
     def solve(self, start: Array, free: Free) -> tuple[Array, float]:
@@ -290,6 +296,7 @@ class _TableContact:
 def fit_table(
     time: Array, position: Array, near: float, noise: float, prior: Prior, wall: float | None = None,
     weight: Array | None = None, old: ContactFit | None = None, gravity: float = GRAVITY,
+    whiten: Array | None = None, single: tuple[Array, Array] | None = None,
 ) -> ContactFit:  # fmt: skip
     """Fit a contact of a ball on a table.
 
@@ -312,9 +319,14 @@ def fit_table(
         An earlier fit, with another floor or noise, to start from.
     gravity : float
         m/s^2, which a hop depends on.
+    whiten : (n, n), optional
+        Makes the errors of the rows independent, where they are correlated; it takes the place of ``weight``.
+    single : (m,) s and (m, 2) m, optional
+        The frames themselves, where rows are means.
     """
     weight = np.ones(len(time)) if weight is None else weight
-    job = _TableContact(time, position, near, noise, prior, wall, weight)
+    job = _TableContact(time, position, near, noise, prior, wall, weight, whiten)
+    job.single = single or job.single
     k, since = job.k, job.since
     first, rolling = job.rolling(old)
     candidates = [rolling]
@@ -340,7 +352,17 @@ def _fitted(job: _TableContact, chosen: _Candidate) -> ContactFit:
         partial(_table_position, best, since, k=k), scale=job.scale, time=time, noise=noise,
         slid_before=bool(chosen.free[ANGLE]), slid_until_contact=chosen.slid_until_contact,
     )  # fmt: skip
-    fitted = replace(fitted, theta=best)
+    rows = nearest_frames(job.single[0], best[TIME])
+    t, x = job.single[0][rows], job.single[1][rows]
+    slope, known = _table_slope(best, since, t, k), job.slope(best)[2 * len(time) :]
+    fitted = replace(
+        fitted,
+        theta=best,
+        residuals=(job.position - _table_position(best, since, time, k)) * job.weight.reshape(-1, 2),
+        fitted=FittedFrames(
+            t, x - _table_position(best, since, t, k), slope[:, :, chosen.free], known[:, chosen.free], noise
+        ),
+    )
     if chosen.slid_until_contact:
         # it may have begun to roll so shortly before the wall that no frame shows it
         late = best[MU_G] * unresolved_time(best[MU_G], noise, time)

@@ -8,6 +8,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.tracks.correlation import FittedFrames, nearest_frames
 from carom.tracks.flights import STILL_AIR, Air, flight_path
 from carom.tracks.least_squares import (
     START_IN,
@@ -45,19 +46,24 @@ def _outputs(theta: Array) -> Array:
 
 def fit_flight(
     time: Array, position: Array, near: float, noise: float, gravity: Array, error: float, wall: float | None = None,
-    air: Air = STILL_AIR,
+    air: Air = STILL_AIR, whiten: Array | None = None,
 ) -> ContactFit:  # fmt: skip
     """Fit a contact of a ball in flight.
 
     Parameters as in :func:`carom.tracks.contact_models.fit_table`; ``gravity`` (2,), m/s^2, is a prior in the frame of the wall
-    with the standard deviation ``error``; of ``air`` the drag counts, and its error is part of those of the result. In the
-    result the fitted gravity takes the place of mu_g (away from the wall) and c_g (along it).
+    with the standard deviation ``error``; ``whiten`` (n, n) makes the errors of the frames independent; of ``air`` the drag
+    counts, and its error is part of those of the result. In the result the fitted gravity takes the place of mu_g (away from the
+    wall) and c_g (along it).
     """
     theta = np.concatenate([starting_values(time, position, time < near, time >= near, near), gravity])
     scale = np.array([1e-3, 1e-3, 1e-3, *[0.05] * 4, *[0.2] * 2])
 
-    def residual(theta: Array, drag: float = air.drag) -> Array:
+    # a drag that the flights do not show changes the velocities little: by the derivatives, after a fit without it
+    used = air.drag if air.drag_shown else 0.0
+
+    def residual(theta: Array, drag: float = used) -> Array:
         gap = (position - _position(theta, time, drag)) / noise
+        gap = gap if whiten is None else whiten @ gap
         known = list((theta[GRAVITY] - gravity) / error)
         if wall is not None:
             known.append((theta[DISTANCE] - wall) / noise)
@@ -69,13 +75,19 @@ def fit_flight(
     best, _chi2 = solve(residual, slope, theta, scale)
     rates = slope(best)
     fit = contact_fit(
-        best, np.ones(len(theta), bool), residual, rates, _outputs, partial(_position, best, drag=air.drag),
+        best, np.ones(len(theta), bool), residual, rates, _outputs, partial(_position, best, drag=used),
         scale=scale, time=time, noise=noise,
     )  # fmt: skip
+    rows = nearest_frames(time, best[TIME])
+    t = time[rows]
+    slopes = central_differences(lambda one: _position(one, t, used).ravel(), best, 1e-4 * scale)
+    fitted = FittedFrames(
+        t, position[rows] - _position(best, t, used), slopes.reshape(-1, 2, len(best)), rates[2 * len(time) :], noise
+    )
+    fit = replace(fit, residuals=position - _position(best, time, used), fitted=fitted)
     if not air.drag_error:
         return fit
-    change = (residual(best, air.drag + DRAG_STEP) - residual(best, air.drag - DRAG_STEP)) * (
-        air.drag_error / DRAG_STEP / 2
-    )
+    change = (residual(best, used + DRAG_STEP) - residual(best, used - DRAG_STEP)) * (air.drag_error / DRAG_STEP / 2)
     shift = np.nan_to_num(_outputs(best - np.linalg.lstsq(rates, change, rcond=None)[0]) - _outputs(best))
-    return replace(fit, covariance=fit.covariance + np.outer(shift, shift), drag_shift=shift)
+    value = fit.value + shift * ((air.drag - used) / air.drag_error)
+    return replace(fit, value=value, covariance=fit.covariance + np.outer(shift, shift), drag_shift=shift)

@@ -34,8 +34,12 @@ GAP_FRAMES = 4.5  # in a gap of so many frames the ball may have met something
 GRAVITY_SHARE = 0.3
 MAX_SCATTER = 3.0  # times the noise; more is no free flight
 SIGNIFICANT = 4.0  # error bars
+# 1/m: what is known of a ball's drag before its flights are seen. Golf, baseball 0.005; tennis, football, basketball, volleyball
+# 0.015 to 0.025 (half of 1.2 kg/m^3, drag coefficient and cross-section, by the mass)
+USUAL_DRAG = 0.03
 MIN_TILT = np.radians(0.2)
 ROUNDS = 6
+CORRELATED = 4.0  # standard deviations of the correlation of independent residuals
 MIN_FLIGHTS_APART = 3  # from which their differences show errors beyond the noise: spin, the lens
 
 
@@ -47,6 +51,11 @@ class Air(NamedTuple):
     drag: float = 0.0
     """1/m: the air slows a ball of speed v down by drag v^2."""
     drag_error: float = 0.0
+
+    @property
+    def drag_shown(self) -> bool:
+        """Whether the drag was given, or is significant."""
+        return self.drag > SIGNIFICANT * self.drag_error
 
 
 STILL_AIR = Air()
@@ -104,10 +113,15 @@ def air_and_notes(
 ) -> tuple[Air, list[str]]:
     """Return the direction of gravity and the drag as far as the flights show them, and notes on both.
 
-    ``drag``: 1/m, if it is known. Where nothing is significant, the picture is upright and the air still.
+    ``drag``: 1/m, if it is known. Where no tilt is significant, the picture is upright. A drag that is not significant is the
+    estimate all the same, drawn toward 0 by what is usual, and has an error: left out, it would make restitutions too low.
     """
     found = fit_flights(tracks, noise, interval, gravity, drag)
     air = STILL_AIR._replace(drag=drag or 0.0)
+    if drag is None:
+        weights = USUAL_DRAG**-2, found.drag_error**-2 if found is not None and found.drag_error > 0 else 0.0
+        middle = found.drag * weights[1] / sum(weights) if found is not None else 0.0
+        air = air._replace(drag=max(middle, 0.0), drag_error=sum(weights) ** -0.5)
     notes: list[str] = []
     if found is None:
         return air, notes
@@ -216,6 +230,9 @@ def _covariance(parts: list[tuple[Array, Array]], free: NDArray[np.bool_]) -> Ar
     slope, r = np.concatenate([b for b, _r in parts]), np.concatenate([r for _b, r in parts])
     inverse = np.linalg.pinv(slope.T @ slope, hermitian=True)
     covariance = inverse * max(float(r @ r) / max(len(r) - 4 * len(parts) - int(free.sum()), 1), 1e-12)
+    neighbours = sum(float((one[2:] * one[:-2]).sum()) for _b, one in parts) / max(float(r @ r), 1e-300)
+    if neighbours > CORRELATED / np.sqrt(len(r)):  # noise that fades by this factor from frame to frame
+        covariance = covariance * ((1 + neighbours) / (1 - neighbours))
     if len(parts) >= MIN_FLIGHTS_APART:
         pull = np.array([b.T @ r for b, r in parts])
         apart = inverse @ (pull.T @ pull) @ inverse * len(parts) / (len(parts) - 1)

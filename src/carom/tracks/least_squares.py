@@ -14,6 +14,8 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.tracks.correlation import FittedFrames
+
 __all__ = [
     "AT_CONTACT",
     "OUTPUTS",
@@ -106,6 +108,8 @@ class ContactFit:
     """The same contact, of a ball that hops off the wall; None if it cannot, or if this is such a fit."""
     hop_chi2: float = 0.0
     """By how much chi2 is higher if the ball hops for as long as off a wall that it touches at its centre."""
+    fitted: FittedFrames | None = None
+    """What the estimate of the noise's correlation needs."""
     drag_shift: Array | None = None
     """(17,): by how much the values change with one standard deviation more of the air's drag; None where that has no error."""
 

@@ -19,7 +19,7 @@ from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
 from carom.tracks.flights import STILL_AIR, air_and_notes
 from carom.tracks.floor import WithError
 from carom.tracks.free_fall import axis_points_down, constant_acceleration, what_would_give
-from carom.tracks.plausibility import GRAVITY_TOLERANCE, MIN_JUDGED, restitution_note, why_implausible
+from carom.tracks.plausibility import GRAVITY_TOLERANCE, MIN_JUDGED, drag_note, restitution_note, why_implausible
 from carom.tracks.preprocess import guess_view, initial_noise, on_camera_clock, rounding_step, without_outliers
 from carom.tracks.smooth_turns import certainly_sharp, turns_smoothly
 from carom.tracks.track import Track
@@ -73,6 +73,8 @@ class Measured:
     """Of the balls, m; None if it was not given."""
     kappa: float = 2 / 5
     """I/(m a^2)."""
+    correlation: float = 0.0
+    """Of the noise between neighbouring frames; 0 where the frames show none."""
     view_reason: str = ""
     """Why the view was taken for what it is; empty if it was given."""
 
@@ -236,6 +238,7 @@ def _in_view(
         air,
     )
     contacts = job.run(list(film.tracks), events, notes, progress)
+    notes += drag_note(contacts, air)
     if not walls:
         notes.append("no wall found: no ball turns back at an extreme of the positions (--wall gives one)")
     other = what_would_give(gravity, settings.gravity, film.interval) if gravity != settings.gravity else ""
@@ -243,8 +246,9 @@ def _in_view(
         walls, events, job.floor.get("gravity", WithError(gravity, 0.0)).value, other, settings
     )
     return replace(
-        film, view=view, walls=walls, events=events, contacts=tuple(contacts), noise=job.noise, blind=job.blind,
-        floor=job.floor | ({"air drag": WithError(air.drag, air.drag_error)} if air.drag else {}), notes=tuple(notes),
+        film, view=view, walls=walls, events=events, contacts=tuple(contacts), noise=job.noise,
+        correlation=job.correlation.neighbours, blind=job.blind,
+        floor=job.floor | ({"air drag": WithError(air.drag, air.drag_error)} if air.drag_shown else {}), notes=tuple(notes),
     )  # fmt: skip
 
 

@@ -7,14 +7,16 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from carom.tracks.contact import TrackContact, View
+from carom.tracks.flights import Air
 from carom.tracks.floor import WithError
-from carom.tracks.least_squares import ContactFit
+from carom.tracks.least_squares import OUTPUTS, ContactFit
 from carom.tracks.smooth_turns import SMOOTH_TURN
 
-__all__ = ["GRAVITY_TOLERANCE", "MIN_JUDGED", "impossible", "restitution_note", "why_implausible"]
+__all__ = ["GRAVITY_TOLERANCE", "MIN_JUDGED", "drag_note", "impossible", "restitution_note", "why_implausible"]
 
 BEYOND = 3.0  # error bars by which a restitution has to exceed 1
 MAX_SHARE_IMPOSSIBLE, MAX_SHARE_SCATTERED = 0.2, 0.5
+MOSTLY = 0.75  # of a variance
 MIN_JUDGED = 2  # contacts; a single one does not tell a view
 MAX_CLOTH_FRICTION = 0.6  # of gravity a ball in flight would show 1
 GRAVITY_TOLERANCE = 0.3
@@ -43,6 +45,28 @@ def restitution_note(contacts: Sequence[TrackContact]) -> list[str]:
     return [
         f"{count} a restitution above 1 beyond the error bar, up to {-most['vn_out'] / most['vn_in']:.3g} at t ="
         f" {most['t']:.4g} s: no wall at rest gives back more than it gets; is the view (--view), scale or frame rate wrong?"
+    ]
+
+
+def drag_note(contacts: Sequence[TrackContact], air: Air) -> list[str]:
+    """Return a note on a drag that the flights do not show, if its error is most of the error of the restitutions."""
+    if air.drag_shown:
+        return []
+    shares = []
+    before, after = OUTPUTS.index("vn_in"), OUTPUTS.index("vn_out")
+    for one in contacts:
+        fit = one.fit
+        if fit is None or fit.drag_shift is None or not (fit["vn_out"] > 0 > fit["vn_in"]):
+            continue
+        rate, both = np.array([-1 / fit["vn_in"], 1 / fit["vn_out"]]), [before, after]
+        variance = float(rate @ fit.covariance[np.ix_(both, both)] @ rate)
+        shares.append(min(float(rate @ fit.drag_shift[both]) ** 2 / max(variance, 1e-300), 0.9999))
+    if not shares or np.median(shares) < MOSTLY:
+        return []
+    return [
+        f"air drag: the flights do not show whether the air slows the ball down (k = {air.drag:.2g} ± {air.drag_error:.1g} 1/m is"
+        f" taken); this makes the error bars of the restitution {(1 - np.median(shares)) ** -0.5:.1f} times as large as with a"
+        " drag that is known"
     ]
 
 

@@ -1,0 +1,83 @@
+"""Films with a known truth: falls with drag, bounces too low to be found, noise that is correlated, and paths without any contact.
+
+    python campaigns/known_films.py [N] [--only NAME]
+
+N films (200) of each kind, made without the engine (`tests/reference/known_films.py`): the share of restitutions within 1 and
+1.96 error bars of the truth, and how many films have one that is more than three off; of smooth paths (pendulums, valleys, rails),
+how many have a contact with a result.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from campaign import Campaign, campaign, shares
+from reference.known_films import drawn_curve, drawn_fall, fallen
+
+from carom.errors import CaromError
+from carom.tracks import Settings, measure, usable_stages
+
+# What is given of the falls, and whether the air slows them
+FALLS: dict[str, dict[str, float]] = {
+    "falls": {},
+    "falls in air, k 0 to 0.05 per metre": {"drag": 0.05},
+    "noise correlated by 0.5": {"correlation": 0.5},
+    "noise correlated by 0.9": {"correlation": 0.9},
+}
+CURVES = "smooth paths without a contact"
+
+
+def pulls(seed: int, kind: str) -> list[float]:
+    """(Measured less true restitution) / error of each bounce of a film."""
+    rng = np.random.default_rng(seed)
+    given = dict(FALLS[kind])
+    if "drag" in given:
+        given |= {"drag": rng.uniform(0, given["drag"]), "height": rng.uniform(0.5, 2.0), "last": rng.uniform(1.0, 3.0)}
+    fall = drawn_fall(rng, **given)
+    track, _bounces = fallen(fall, seed)
+    found = []
+    for one in measure([track], Settings(view="side", drag=None if "drag" in given else 0.0)).contacts:
+        if one.fit is None or not usable_stages(one, "both")[0]:
+            continue
+        before, after = -one.fit["vn_in"], one.fit["vn_out"]
+        shared = 2 * one.fit.covariance_of("vn_in", "vn_out") / (before * after)
+        error = (one.fit.error("vn_in") / before) ** 2 + (one.fit.error("vn_out") / after) ** 2 + shared
+        e = after / before
+        found.append(float((e - fall.restitution) / (e * np.sqrt(error))))
+    return found
+
+
+def has_contact(seed: int) -> bool:
+    """Whether a smooth path has a contact with a result."""
+    _kind, track = drawn_curve(np.random.default_rng(seed))
+    return any(usable_stages(one, "both", True)[0] for one in measure([track]).contacts)
+
+
+def report(run: Campaign, kind: str) -> None:
+    """Print a line of a kind."""
+    if kind == CURVES:
+        run.say(f"{kind}: {sum(map(has_contact, range(run.count)))} of {run.count} films have a contact with a result")
+        return
+    films, refused = [], 0
+    for seed in range(run.count):
+        try:
+            films.append(pulls(seed, kind))
+        except CaromError:
+            refused += 1
+    off = sum(any(abs(z) > 3 for z in film) for film in films)
+    run.say(f"{kind}: {shares([z for film in films for z in film])}; {off} of {len(films)} films more than 3 error bars off"
+          + (f", {refused} refused" if refused else ""))  # fmt: skip
+
+
+def main(words: Sequence[str] | None = None) -> None:
+    """A line a kind."""
+    kinds = [*FALLS, CURVES]
+    with campaign("known_films", __doc__, words, count=200, small=3) as run:
+        for kind in kinds:
+            if run.wants(kind, kinds):
+                report(run, kind)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,89 @@
+"""Noise that is correlated from frame to frame, drag that the flights do not show, and cameras that are turned."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from reference.known_films import Fall, drawn_fall, fallen, noise, rotated
+from reference.synthetic_tracks import Camera, seen, shot, truth
+
+from carom.tracks import Measured, Settings, measure, usable_stages
+from carom.tracks.correlation import Correlation, FrameGroups, whitening
+
+
+def filmed(seed: int, correlation: float, rate: float = 240.0) -> tuple[Measured, list[dict[str, float]]]:
+    rng = np.random.default_rng(seed)
+    run = shot(rng)
+    track = seen(run, Camera(rate, 0.0), rng)
+    x = track.position + noise(rng, track.position.shape, 3e-4, correlation)
+    return measure([replace(track, position=x)], Settings(view="above")), truth(run)
+
+
+def test_means_of_frames_have_the_covariance_of_their_frames() -> None:
+    t, one = np.arange(12) / 100, Correlation(0.8, 0.7)
+    mean = np.zeros((5, 12))
+    mean[0, 0] = mean[1, 1] = mean[4, 11] = 1.0
+    mean[2, 2:6], mean[3, 6:11] = 1 / 4, 1 / 5
+    single = np.eye(12) * 0.3 + 0.7 * 0.8 ** np.abs(np.subtract.outer(np.arange(12), np.arange(12)))
+    first, last = t[[0, 1, 2, 6, 11]], t[[0, 1, 5, 10, 11]]
+    white = whitening(FrameGroups(first, last, np.array([1.0, 1, 4, 5, 1])), one, 0.01)
+    np.testing.assert_allclose(white @ (mean @ single @ mean.T) @ white.T, np.eye(5), atol=1e-9)
+
+
+def test_correlated_noise_is_found_and_said_and_the_error_bars_hold() -> None:
+    pulls = []
+    for seed in range(2):
+        found, told = filmed(seed, 0.9)
+        assert found.correlation == pytest.approx(0.9, abs=0.1)
+        assert "the noise is correlated from frame to frame, by 0." in " ".join(found.notes)
+        for one in found.contacts:
+            near = min(told, key=lambda row: abs(row["t"] - one.time))
+            if one.fit is not None and "after_wall" in usable_stages(one, "both")[0]:
+                pulls += [
+                    (one.fit[name] - near[name]) / one.fit.error(name)
+                    for name in ("vn_in", "vt_in", "vn_out", "vt_out")
+                ]
+    assert len(pulls) >= 4
+    assert np.abs(pulls).max() < 4  # 8.8 error bars without the correlation
+    assert np.sqrt(np.mean(np.square(pulls))) < 1.6
+
+
+@pytest.mark.parametrize("seed", [5, 6])
+def test_white_noise_is_left_alone(seed: int) -> None:
+    found, _told = filmed(seed, 0.0)
+    assert found.correlation == 0.0
+    assert "correlated" not in " ".join(found.notes)
+
+
+def test_a_drag_that_is_not_significant_is_part_of_the_error_bars() -> None:
+    pulls = []
+    for seed in range(8):
+        rng = np.random.default_rng(seed)
+        fall = drawn_fall(rng, drag=0.022, restitution=0.78, height=1.3, last=1.6, first=0.0, rate=60.0, noise=2e-3)
+        found = measure([fallen(fall, seed)[0]], Settings(view="side"))
+        for one in found.measured[:1]:
+            fit = one.fit
+            assert fit is not None
+            assert fit.drag_shift is not None
+            before, after = -fit["vn_in"], fit["vn_out"]
+            shared = 2 * fit.covariance_of("vn_in", "vn_out") / (before * after)
+            error = (fit.error("vn_in") / before) ** 2 + (fit.error("vn_out") / after) ** 2 + shared
+            pulls.append((after / before - 0.78) / (0.78 * np.sqrt(error)))
+    assert len(pulls) == 8
+    assert np.abs(pulls).max() < 3.5
+    known = measure([fallen(Fall(rate=60.0), 1)[0]], Settings(view="side", drag=0.0))
+    assert known.measured[0].fit.drag_shift is None  # type: ignore[union-attr]
+
+
+@pytest.mark.parametrize("degrees", [30.0, 45.0, 60.0])
+def test_corners_of_a_path_are_no_walls(degrees: float) -> None:
+    said = 0
+    for seed in range(4):
+        rng = np.random.default_rng(seed)
+        track = seen(shot(rng), Camera(100, 3e-4), rng)
+        found = measure([replace(track, position=rotated(track.position, degrees))], Settings(view="above"))
+        assert not [one for one in found.contacts if usable_stages(one, "both")[0]]
+        said += "give the walls' lines by two points each" in " ".join(found.notes)
+    assert said or degrees == 45.0  # there two corners are met within two frames, and no contact is measured at all
