@@ -168,6 +168,6 @@ def test_the_statement_of_readme_and_page_follows_from_the_table_of_rebounds() -
     assert above[1:] == pytest.approx([267, 594], abs=1)
     for page in ("README.md", "docs/validation/which_law.md"):
         words = " ".join((ROOT / page).read_text(encoding="utf-8").replace("*", "").split())
-        assert "Fitted to 89 rebounds, the two-step law has the lowest AICc" in words
+        assert "Fitted to 89 rebounds with a constant restitution, the two-step law has the lowest AICc" in words
         assert "with the paper's own surfaces it is rejected too, by 267" in words
         assert "by 594" in words
