@@ -197,6 +197,7 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
         gas.simulate_ensemble(a_gas_scene(), 2),
         gas.Species(BALL, 5),
         gas.Thermostat(1.0, 1.0),
+        gas.EarlyEnd("at rest", 1.0),
         gas.Drive(1.0, 1.0),
     ],
 }

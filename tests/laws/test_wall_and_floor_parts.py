@@ -45,7 +45,7 @@ def test_the_integrator_of_two_slips_is_of_order_eight() -> None:
         def after(steps, y=start, q=q, by=by):
             h = 0.3 / steps
             for _ in range(steps):
-                y, _error = _stride(y, _flow(y, h, q, by, False), h, 1.0, 0.0, q, by, 1.0, False)
+                y, _error, _wrong = _stride(y, _flow(y, h, q, by, False), h, 1.0, 0.0, q, by, 1.0, False)
             return np.array(y)
 
         exact = after(32)

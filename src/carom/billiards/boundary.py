@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -183,6 +183,12 @@ class Boundary:
     def arcs(self) -> list[EllipticArc]:
         """Arcs of the centre's curve in an ellipse."""
         return [] if self.ellipse is None else arcs(*self.ellipse)
+
+    def without_lids(self) -> Boundary:
+        """Return the boundary of the section of a prism: its pieces but the lids, which follow the other faces."""
+        sides, faces = sum(not f.is_lid for f in self.faces), len(self.faces)
+        order = self.order and [k - (faces - sides) * (k >= faces) for k in self.order if not sides <= k < faces]
+        return replace(self, faces=self.faces[:sides], order=order)
 
     # --- arc length ---------------------------------------------------------------------------------------------------
 

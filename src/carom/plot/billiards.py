@@ -168,9 +168,7 @@ def _extent(wall: Boundary, shape: Boundary, path: Array) -> tuple[Array, Array]
 
 def _curve(shape: Boundary) -> Array:
     """Return points along a closed boundary, its corners among them."""
-    from dataclasses import replace
-
-    flat = replace(shape, faces=[f for f in shape.faces if not f.is_lid])
+    flat = shape.without_lids()
     s = np.linspace(0, flat.lengths.sum(), 2001)[:-1]
     return flat.place(np.union1d(s, flat.starts))[1]
 
