@@ -31,7 +31,7 @@ def test_a_pendulum_is_refused_with_its_reason() -> None:
     found = measure([track])
     assert "the ball turns in a smooth curve in " in " ".join(found.notes)
     assert found.noise == pytest.approx(2e-4, rel=0.2)  # no longer what the fits of no contacts left over, 2 mm
-    with pytest.raises(CaromError, match="the ball turns in a smooth curve there, as on a curved rail"):
+    with pytest.raises(CaromError, match="the ball turns over several frames there, as on a curved rail"):
         to_rebounds(found)
 
 
