@@ -7,7 +7,8 @@ collect their faults in a :class:`FaultList`, so that a user sees all of them at
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import contextmanager
 from difflib import get_close_matches
 from numbers import Real
 from typing import Any
@@ -20,12 +21,14 @@ __all__ = [
     "CaromError",
     "FaultList",
     "MissingLibraryError",
+    "attempt",
     "broadcast_shape",
     "checked_number",
     "did_you_mean",
     "first_bad_index",
     "float_array",
     "float_or_nan",
+    "noting",
     "require_type",
     "shortened_list",
     "suggestion",
@@ -67,6 +70,26 @@ class CaromError(ValueError):
 
 class MissingLibraryError(CaromError, ImportError):
     """Raised where an optional library is needed and not installed; the message names the extra that installs it."""
+
+
+def attempt(found: list[str], action: Callable[..., Any], *args: Any) -> Any:
+    """Return the result of an action; if it raises CaromError, append its faults to ``found`` and return None."""
+    try:
+        return action(*args)
+    except CaromError as error:
+        found += error.faults
+        return None
+
+
+@contextmanager
+def noting(notes: Iterable[str]) -> Iterator[None]:
+    """Attach notes to a CaromError raised in the block: notes made while reading a file often explain a later failure."""
+    try:
+        yield
+    except CaromError as error:
+        for note in notes:
+            error.add_note(note)
+        raise
 
 
 class FaultList:

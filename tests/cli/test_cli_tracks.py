@@ -12,6 +12,8 @@ from reference.synthetic_tracks import Camera, bounce, seen, shot
 from carom.cli import main
 from carom.cli.tracks_output import grouped_reasons
 from carom.data import read_rebounds
+from carom.tracks import Settings
+from carom.tracks.film_files import rebounds_of_films
 
 HERE = Path(__file__).parents[1] / "tracks" / "files"
 
@@ -328,12 +330,8 @@ def test_no_number_is_cut_off_without_noise(
 def test_carom_fit_reads_many_films(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    from carom.cli.fit_input import measured
-    from carom.fitting import Setting
-    from carom.tracks import Calibration
-
     files = films(tmp_path)
-    table = measured(files, Setting(radius=0.02), Calibration(), "side", None, lambda _what, _done: None)
+    table = rebounds_of_films(files, settings=Settings(radius=0.02, view="side"))
     assert set(table.extra["film"]) == {"film2", "film5"}
     assert "1 of 3 films have no contact that can be measured" in table.notes
     assert any(note.startswith("straight: no wall found") for note in table.notes)

@@ -9,6 +9,7 @@ import pytest
 
 from carom.errors import CaromError
 from carom.tracks import Calibration, Settings, Track, TrackFile, measure, read_tracks
+from carom.tracks.film_files import rebounds_of_films
 from carom.tracks.frame_clock import rounding_of_times
 from carom.tracks.frame_numbers import at_rate, without_rounding
 from carom.tracks.preprocess import on_camera_clock
@@ -152,9 +153,6 @@ def test_columns_with_times_and_frames(tmp_path: Path) -> None:
 
 
 def test_carom_fit_takes_the_rate_as_well(film: Path) -> None:
-    from carom.cli.fit_input import measured
-    from carom.fitting import Setting
-
-    rows = measured([film], Setting(radius=0.02), Calibration(rate=RATE), "side", None, lambda _what, _done: None)
+    rows = rebounds_of_films([film], Calibration(rate=RATE), Settings(radius=0.02, view="side"))
     assert rows["v_n_in"].max() == pytest.approx(np.sqrt(2 * 9.80665), rel=2e-3)
     assert any("--rate 119.88 replaces them" in note for note in rows.notes)

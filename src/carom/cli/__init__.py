@@ -81,8 +81,9 @@ def _guarded(asked: list[bool]) -> int:
 def _command() -> Any:
     """Return the whole command, which takes longer to make than most verbs to run (a process may run several)."""
     from carom.cli.help import prepare_help
+    from carom.cli.option_names import remember_verbs
 
-    return prepare_help(typer.main.get_command(app))
+    return remember_verbs(prepare_help(typer.main.get_command(app)))
 
 
 def _run(asked: list[bool]) -> int:
@@ -140,9 +141,10 @@ def _report(error: CaromError) -> int:
 
 
 def _print_errors(*faults: str) -> None:
+    from carom.cli.option_names import in_options
     from carom.formatting import escape_controls
 
     colour = sys.stderr.isatty() and "NO_COLOR" not in os.environ
     for fault in faults:
-        line = escape_controls(" ".join(fault.split()))
+        line = escape_controls(in_options(" ".join(fault.split())))
         sys.stderr.write(f"\033[1;31mcarom:\033[0m {line}\n" if colour else f"carom: {line}\n")

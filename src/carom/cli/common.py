@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import json
 import sys
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from carom.cli.streams import note
-from carom.errors import CaromError
+from carom.errors import attempt, noting
 from carom.files import require_library, require_writable
 
 __all__ = [
@@ -26,26 +26,6 @@ __all__ = [
 
 if TYPE_CHECKING:
     from rich.console import Console
-
-
-def attempt(found: list[str], action: Callable[..., Any], *args: Any) -> Any:
-    """Return the result of an action; if it raises CaromError, append its faults to ``found`` and return None."""
-    try:
-        return action(*args)
-    except CaromError as error:
-        found += error.faults
-        return None
-
-
-@contextmanager
-def noting(notes: Iterable[str]) -> Iterator[None]:
-    """Attach notes to a CaromError raised in the block: notes made while reading a file often explain a later failure."""
-    try:
-        yield
-    except CaromError as error:
-        for note in notes:
-            error.add_note(note)
-        raise
 
 
 @contextmanager

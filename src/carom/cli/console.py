@@ -12,6 +12,7 @@ from rich.console import Console
 from rich.segment import Segment
 from rich.table import Column, Table
 
+from carom.cli.option_names import in_options
 from carom.formatting import escape_controls
 
 __all__ = ["TextConsole", "err", "out"]
@@ -38,6 +39,7 @@ class TextConsole(Console):
         for table in objects:
             if isinstance(table, Table):
                 _escape_cells(table)
+        objects = tuple(in_options(one) if isinstance(one, str) else one for one in objects)
         width = self.width
         self.width = max([width, *(self._fit(table) for table in objects if isinstance(table, Table))])
         try:

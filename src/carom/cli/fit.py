@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.common import attempt, noting, require_outputs, tell, write_report_page
-from carom.cli.fit_input import chosen, completed, is_track, own_set, read, with_height_note
+from carom.cli.fit_input import chosen, completed, own_set, read, with_height_note
 from carom.cli.options import (
     OUTPUT,
     REBOUNDS,
@@ -249,7 +249,7 @@ def fit(
     film = Calibration(scale=metres, rate=rate)
     rebounds = ours.rebounds if ours else read(files, faults, setting, film, view, kind, stage, lambda: _bar(console))
 
-    _read(rebounds, ours is None and is_track(file), {"--scale": scale, "--rate": rate, "--view": view},
+    _read(rebounds, None if ours else file, {"--scale": scale, "--rate": rate, "--view": view},
           {"--contact-height": contact_height, "--floor-friction": floor_friction,
            "--floor-restitution": floor_restitution or None, "--roll": None if roll == 1 else roll})  # fmt: skip
 
@@ -272,6 +272,8 @@ def fit(
 
 def _several(files: list[Path], whole: bool) -> list[str]:
     """Return what is wrong with several files: only tracks are fitted together."""
+    from carom.tracks.film_files import is_track
+
     if len(files) == 1 or whole:  # (with --whole every file is checked there)
         return []
     faults: list[str] = []
@@ -318,8 +320,11 @@ def _pages(faults: list[str], report: Path | None, no_report: bool) -> None:
         faults.append("--no-report: expected no --report with it, got one; give one of them")
 
 
-def _read(rebounds: Rebounds, track: bool, of_tracks: dict[str, Any], of_tables: dict[str, Any]) -> None:
+def _read(rebounds: Rebounds, file: Path | None, of_tracks: dict[str, Any], of_tables: dict[str, Any]) -> None:
     """Raise CaromError for options without effect: those of tracks for rebounds, those of tables for planar rebounds."""
+    from carom.tracks.film_files import is_track
+
+    track = file is not None and is_track(file)
     faults = (
         [] if track else [f"{name}: expected a track, got rebounds" for name, x in of_tracks.items() if x is not None]
     )

@@ -3,20 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from carom.cli.common import attempt, noting, tell, write_report_page
 from carom.cli.options import parse_length
-from carom.errors import CaromError, did_you_mean, shortened_list
+from carom.errors import CaromError, shortened_list
 
 if TYPE_CHECKING:
     from carom.fitting import Setting
     from carom.fitting.tracks import TrackRanking
     from carom.tracks.formats.text_table import Calibration
-    from carom.tracks.read import TrackFile
-    from carom.tracks.track import Track
 
 __all__ = ["TRACK_NUMBERS", "TrackOptions", "fit_track_files"]
 
@@ -47,11 +44,9 @@ def fit_track_files(
 ) -> None:
     """Read, measure, fit, show. ``faults``: of the options, so far."""
     from carom.cli.console import err
-    from carom.cli.fit_input import is_track
-    from carom.cli.track_files import notes_by_film, read_files
     from carom.fitting.tracks import TrackSetting, fit_tracks
     from carom.tracks.contact import Settings
-    from carom.tracks.measurement import measure
+    from carom.tracks.film_files import is_track, tracks_of_films
 
     view, where, cushions, noise, reading = frames
     # (a parameter of the table: fitted unless it is given)
@@ -73,50 +68,20 @@ def fit_track_files(
         raise CaromError(*faults)
     console = err()
     with bar(console) as say:
-        films = read_files(files, reading)
-        every, notes = _shots(files, films), notes_by_film(files, [film.notes for film in films])
         settings = Settings(radius=setting.radius, kappa=setting.kappa, view="above", noise=setting.noise)
-        with noting(notes):
-            tracks = _chosen(every, where)
-            measured = measure(tracks, settings, lambda done, total: say("contacts", MEASURING * done / max(total, 1)))
-        measured = replace(measured, notes=(*notes, *measured.notes))
+        measured = tracks_of_films(
+            files,
+            reading,
+            settings,
+            where=where,
+            progress=lambda done, total, text: say(text, MEASURING * done / total),
+        )
         with noting(measured.notes):
             ranking = fit_tracks(
                 measured, setting, laws or None, say=lambda what, done: say(what, MEASURING + (1 - MEASURING) * done)
             )
         written = None if page is None else write_report_page(lambda: _page(ranking, files, page), say)
     tell(ranking, _show, as_json, console, written)
-
-
-def _shots(files: Sequence[Path], films: Sequence[TrackFile]) -> list[Track]:
-    """Return all tracks; of several files, each is a shot, and all have the same walls."""
-    from carom.tracks.films import film_names
-
-    names = film_names(files) if len(files) > 1 else [""]
-    return [
-        replace(track, group=f"{name} {track.group}".strip())
-        for name, film in zip(names, films, strict=True)
-        for track in film.tracks
-    ]
-
-
-def _chosen(tracks: Sequence[Track], where: Sequence[str]) -> list[Track]:
-    """Return the tracks that ``--where shot=...`` and ``--where ball=...`` name."""
-    found, faults = list(tracks), []
-    for text in where:
-        name, _equals, value = text.partition("=")
-        if name not in ("shot", "ball") or not value:
-            faults.append(f"--where: expected shot=NAME or ball=NAME with --whole, got {text!r}")
-            continue
-        known = list(dict.fromkeys(track.group if name == "shot" else track.name for track in tracks))
-        if value not in known:
-            faults.append(
-                f"--where {name}: expected one of {shortened_list(known)}, got {value!r}{did_you_mean(value, known)}"
-            )
-        found = [track for track in found if (track.group if name == "shot" else track.name) == value]
-    if faults:
-        raise CaromError(*faults)
-    return found
 
 
 def _page(ranking: TrackRanking, files: Sequence[Path], page: Path) -> Path:

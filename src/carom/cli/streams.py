@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from typing import Any
 
+from carom.cli.option_names import in_options
 from carom.files import cannot_write
 from carom.formatting import escape_controls
 
@@ -23,8 +24,8 @@ def say(line: str) -> None:
 
 
 def note(line: str) -> None:
-    """Print a line on standard error, with control characters escaped."""
-    sys.stderr.write(escape_controls(line) + "\n")
+    """Print a line on standard error, with control characters escaped and parameters named as options."""
+    sys.stderr.write(escape_controls(in_options(line)) + "\n")
 
 
 def say_notes(lines: Iterable[str]) -> None:

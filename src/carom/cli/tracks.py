@@ -6,16 +6,14 @@
 from __future__ import annotations
 
 import json
-import math
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 from rich.console import Console
 
-from carom.cli.common import attempt, require_outputs, wrote
+from carom.cli.common import attempt, require_outputs, working, wrote
 from carom.cli.console import err
 from carom.cli.console import out as stdout
 from carom.cli.options import FLOOR, parse_inertia, parse_length, quantity, shared
@@ -115,10 +113,9 @@ def show(
 
     carom tracks show films/*.txt --out rebounds.csv
     """
-    from carom.cli.track_files import read_files
-    from carom.tracks.films import film_names, hops_together
+    from carom.tracks.contact import Settings
+    from carom.tracks.film_files import measure_films
     from carom.tracks.formats.text_table import Calibration
-    from carom.tracks.measurement import Settings, measure
 
     faults: list[str] = []
     lengths = {name: attempt(faults, parse_length, name, text) for name, text in (("scale", scale), ("noise", noise))}
@@ -136,26 +133,20 @@ def show(
     faults = list(dict.fromkeys(faults))
     if faults:
         raise CaromError(*faults)
-    found = read_files(files, Calibration(lengths["scale"], rate, down), format_)
     settings = Settings(
         radius=radius, kappa=kappa, view=view, noise=lengths["noise"],  # type: ignore[arg-type]
         cloth=cloth, rolling=rolling, gravity=gravity, window=window, blind=blind, hard=hard, drag=drag,
     )  # fmt: skip
     console = err()
-
-    def run(progress: Any) -> list[Measured]:
-        walls = [None if not wall else tuple(_wall(text, film) for text in wall) for film in found]
-
-        def once(i: int, hops: bool | None = None) -> Measured:
-            return measure(found[i].tracks, replace(settings, walls=walls[i], hops=hops), progress)
-
-        return hops_together([once(i) for i in range(len(found))], once)
-
-    measured = _with_bar(console, run)
-    names = film_names(files) if len(files) > 1 else [""]
+    with working("contacts", console) as bar:
+        films = measure_films(
+            files, Calibration(lengths["scale"], rate, down), settings, format=format_, wall=wall or (),
+            progress=None if bar is None else lambda done, total, _text: bar(done, total),
+        )  # fmt: skip
+    names, found, measured = films.names, films.files, films.measured
     written = None
     lacking: list[str] = []
-    table = attempt(lacking, _table, dict(zip(names, measured, strict=True)), stage, sliding)
+    table = attempt(lacking, lambda: films.rebounds(stage, sliding=sliding))  # type: ignore[arg-type]
     if out is not None:
         if table is None:
             _notes(console, names, found, measured, None)
@@ -232,47 +223,3 @@ def _notes(
         notes.append("--wall x1,y1,x2,y2 gives the line of a wall by two points (m), and may be repeated")
     for note in notes:
         console.print(note, style="dim", soft_wrap=True)
-
-
-def _table(films: dict[str, Measured], stage: str, sliding: bool) -> Rebounds:
-    """Return the rebounds of all films that have some; CaromError, with a line per film, if none has."""
-    from carom.tracks.films import combined_rebounds
-    from carom.tracks.rebounds import to_rebounds
-
-    faults: list[str] = []
-    tables = {
-        name: attempt(faults, lambda one=one: to_rebounds(one, stage, sliding=sliding))  # type: ignore[arg-type]
-        for name, one in films.items()
-    }
-    some = {name: table for name, table in tables.items() if table is not None}
-    if not some:
-        raise CaromError(*faults)
-    return combined_rebounds(some) if len(films) > 1 else next(iter(some.values()))
-
-
-def _with_bar(console: Console, run: Any) -> Any:
-    if not console.is_terminal:
-        return run(None)
-    from rich.progress import Progress
-
-    with Progress(console=console, transient=True) as bar:
-        task = bar.add_task("contacts", total=None)
-        return run(lambda done, total: bar.update(task, completed=done, total=total))
-
-
-def _wall(text: str, found: TrackFile) -> Any:
-    from carom.tracks.events import wall_through
-
-    name, _sign, value = text.partition("=")
-    try:
-        if name.strip() in ("x", "y") and value:
-            at = float(value)
-            points = ((at, 0.0), (at, 1.0)) if name.strip() == "x" else ((0.0, at), (1.0, at))
-        else:
-            x1, y1, x2, y2 = (float(part) for part in text.replace(",", " ").split())
-            points = ((x1, y1), (x2, y2))
-        if points[0] == points[1] or not all(math.isfinite(x) for point in points for x in point):
-            raise ValueError
-    except ValueError:
-        raise CaromError(f"--wall: expected x=0.03, y=1.4 or x1,y1,x2,y2 with two points (m), got {text!r}") from None
-    return wall_through(text, *points, found.tracks)

@@ -8,9 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.errors import CaromError
 from carom.tracks.track import Track
 
-__all__ = ["TrackEvent", "WallLine", "find_events", "find_walls", "turning_points", "wall_through"]
+__all__ = ["TrackEvent", "WallLine", "find_events", "find_walls", "turning_points", "wall_of_text", "wall_through"]
 
 Array = NDArray[np.float64]
 TURN_TIME_S = 0.06  # within which a ball has to turn visibly
@@ -151,6 +152,23 @@ def wall_through(
     if np.median((x - first) @ n) < 0:
         n = -n
     return WallLine(name, first, (float(n[0]) + 0.0, float(n[1]) + 0.0), found=False)
+
+
+def wall_of_text(text: str, tracks: Sequence[Track]) -> WallLine:
+    """Return the wall that ``x=0.03``, ``y=1.4`` or ``x1,y1,x2,y2`` (two points, m) names. Raises CaromError for another text."""
+    name, _sign, value = text.partition("=")
+    try:
+        if name.strip() in ("x", "y") and value:
+            at = float(value)
+            points = ((at, 0.0), (at, 1.0)) if name.strip() == "x" else ((0.0, at), (1.0, at))
+        else:
+            x1, y1, x2, y2 = (float(part) for part in text.replace(",", " ").split())
+            points = ((x1, y1), (x2, y2))
+        if points[0] == points[1] or not np.isfinite(points).all():
+            raise ValueError
+    except ValueError:
+        raise CaromError(f"`wall`: expected x=0.03, y=1.4 or x1,y1,x2,y2 with two points (m), got {text!r}") from None
+    return wall_through(text, *points, tracks)
 
 
 def find_events(

@@ -1,0 +1,254 @@
+"""Films to one measurement and one table: track files are read, measured with what they share, and their rebounds joined."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from carom.data.rebounds import Rebounds
+from carom.data.where import Where, rows_where
+from carom.errors import CaromError, attempt, noting
+from carom.files import text_encoding
+from carom.tracks.contact import Settings
+from carom.tracks.events import wall_of_text
+from carom.tracks.films import combined_rebounds, film_names, hops_together
+from carom.tracks.formats.columns import HEADER_EXAMPLE
+from carom.tracks.formats.text_table import Calibration
+from carom.tracks.measurement import Measured, measure
+from carom.tracks.read import TrackFile, format_of, got_instead, read_tracks, require_text, track_text
+from carom.tracks.rebounds import Stage, to_rebounds
+
+__all__ = ["MeasuredFilms", "is_track", "measure_films", "read_films", "rebounds_of_films", "tracks_of_films"]
+
+Progress = Callable[[float, float, str], None]
+"""Called with what is done, the whole, and the current step in words."""
+START_BYTES = 4096  # in which the header of a table shows
+REBOUND_COLUMNS = (
+    "v_n_in, v_t_in, v_n_out, v_t_out (m/s, toward the wall, along it, away from it, along it), and spin_in, spin_out if they were"
+    " measured (rad/s)"
+)
+OF_REBOUNDS = ("v_n_in", "vn_in", "v_n_out", "vn_out", "v_t_in", "vt_in")
+
+
+@dataclass(frozen=True, eq=False)
+class MeasuredFilms:
+    """Films that were measured together; made by :func:`measure_films`."""
+
+    files: tuple[TrackFile, ...]
+    measured: tuple[Measured, ...]
+    """The contacts of each."""
+
+    @property
+    def names(self) -> list[str]:
+        """A name for each film; empty for a single one."""
+        return film_names([film.path for film in self.files]) if len(self.files) > 1 else [""]
+
+    @property
+    def notes(self) -> list[str]:
+        """Notes of reading and of measuring, beginning with the film's name where there are several."""
+        return [*self.reading_notes, *self._by_film([one.notes for one in self.measured])]
+
+    @property
+    def reading_notes(self) -> list[str]:
+        """Notes of reading alone."""
+        return self._by_film([film.notes for film in self.files])
+
+    def _by_film(self, notes: Sequence[Sequence[str]]) -> list[str]:
+        return [
+            f"{name}: {note}" if name else note for name, own in zip(self.names, notes, strict=True) for note in own
+        ]
+
+    def tables(self, stage: Stage = "best", *, sliding: bool = False) -> dict[str, Rebounds]:
+        """Return the rebounds of each film that has some, by its name. Raises CaromError, with a line per film, if none has."""
+        faults: list[str] = []
+        tables = {
+            name: attempt(faults, lambda one=one: to_rebounds(one, stage, sliding=sliding))
+            for name, one in zip(self.names, self.measured, strict=True)
+        }
+        some = {name: table for name, table in tables.items() if table is not None}
+        if not some:
+            raise CaromError(*dict.fromkeys(faults))
+        return some
+
+    def rebounds(self, stage: Stage = "best", *, sliding: bool = False) -> Rebounds:
+        """Return the rebounds of all films as one table, as :func:`carom.tracks.to_rebounds` does; of several, with a column film.
+
+        Raises CaromError, with a line per film, if none has a contact that can be measured.
+        """
+        tables = self.tables(stage, sliding=sliding)
+        return combined_rebounds(tables) if len(self.files) > 1 else next(iter(tables.values()))
+
+
+def read_films(
+    paths: Sequence[Path],
+    calibration: Calibration | None = None,
+    format: str | None = None,  # noqa: A002
+) -> tuple[TrackFile, ...]:
+    """Return the tracks in each file. Raises CaromError with the faults of all of them."""
+    faults: list[str] = []
+    found = tuple(attempt(faults, read_tracks, path, format, calibration) for path in paths)
+    if faults:
+        raise CaromError(*faults)
+    return found
+
+
+def measure_films(
+    paths: Sequence[Path],
+    calibration: Calibration | None = None,
+    settings: Settings | None = None,
+    *,
+    format: str | None = None,  # noqa: A002
+    wall: Sequence[str] = (),
+    progress: Progress | None = None,
+) -> MeasuredFilms:
+    """Read films of one table or of one kind of throw, and measure the contacts in each.
+
+    Parameters
+    ----------
+    paths : sequence of paths
+        One or more track files.
+    calibration : Calibration, optional
+        Scale and frame rate of all of them, if the files lack these.
+    settings : Settings, optional
+        Prior knowledge, of all films.
+    format : str, optional
+        A key of FORMATS; by default the format is recognised from the content.
+    wall : sequence of str
+        Lines at which the balls' centres are reflected, ``"x=0.03"``, ``"y=1.4"`` or ``"x1,y1,x2,y2"`` (m). Default: found.
+    progress : callable(done, total, text), optional
+
+    Returns
+    -------
+    MeasuredFilms
+        Whether balls hop off the wall is decided by all films together where they decide it.
+
+    Raises
+    ------
+    CaromError
+        With the faults of all files; for settings as :func:`carom.tracks.measure`, with the notes of reading.
+    """
+    found = read_films(paths, calibration, format)
+    settings = settings or Settings()
+    lines = [tuple(wall_of_text(text, film.tracks) for text in wall) or settings.walls for film in found]
+
+    def once(number: int, hops: bool | None = None) -> Measured:
+        def told(done: int, total: int) -> None:
+            if progress is not None:
+                progress(number + done / max(total, 1), len(found), "contacts")
+
+        return measure(found[number].tracks, replace(settings, walls=lines[number], hops=hops), told)
+
+    with noting(MeasuredFilms(found, ()).reading_notes):
+        return MeasuredFilms(found, tuple(hops_together([once(number) for number in range(len(found))], once)))
+
+
+def rebounds_of_films(
+    paths: Sequence[Path],
+    calibration: Calibration | None = None,
+    settings: Settings | None = None,
+    *,
+    format: str | None = None,  # noqa: A002
+    wall: Sequence[str] = (),
+    stage: Stage = "best",
+    sliding: bool = False,
+    progress: Progress | None = None,
+) -> Rebounds:
+    """Read films, measure their contacts, and return one table of rebounds, with the notes of all these steps.
+
+    Parameters
+    ----------
+    paths, calibration, settings, format, wall, progress
+        As for :func:`measure_films`.
+    stage, sliding
+        As for :func:`carom.tracks.to_rebounds`.
+
+    Returns
+    -------
+    Rebounds
+        Of several films, the column ``film`` has their names.
+
+    Raises
+    ------
+    CaromError
+        As :func:`measure_films`, and if no film has a contact that can be measured.
+    """
+    films = measure_films(paths, calibration, settings, format=format, wall=wall, progress=progress)
+    notes = films.notes
+    with noting(notes):
+        tables = films.tables(stage, sliding=sliding)
+        rebounds = combined_rebounds(tables) if len(paths) > 1 else next(iter(tables.values()))
+    notes.append(f"{len(rebounds)} rebounds measured (carom tracks shows them)")
+    if len(paths) > len(tables):
+        notes.append(f"{len(paths) - len(tables)} of {len(paths)} films have no contact that can be measured")
+    source = str(paths[0]) if len(paths) == 1 else rebounds.source
+    return replace(rebounds, source=source, notes=(*notes, *rebounds.notes))
+
+
+def tracks_of_films(
+    paths: Sequence[Path],
+    calibration: Calibration | None = None,
+    settings: Settings | None = None,
+    *,
+    where: Where = (),
+    progress: Progress | None = None,
+) -> Measured:
+    """Read films of one table and measure them as one, for fits of whole tracks: of several films, each is a shot.
+
+    Parameters
+    ----------
+    paths, calibration, settings, progress
+        As for :func:`measure_films`.
+    where : str, sequence of str or mapping
+        The tracks that enter, ``"shot=NAME"`` or ``"ball=NAME"``.
+
+    Returns
+    -------
+    Measured
+        With the notes of reading.
+
+    Raises
+    ------
+    CaromError
+        As :func:`measure_films`, and where no track has the given names.
+    """
+    found = read_films(paths, calibration)
+    films = MeasuredFilms(found, ())
+    tracks = [
+        replace(track, group=f"{name} {track.group}".strip())
+        for name, film in zip(films.names, found, strict=True)
+        for track in film.tracks
+    ]
+    names = {"shot": [track.group for track in tracks], "ball": [track.name for track in tracks]}
+    with noting(films.reading_notes):
+        chosen = rows_where(names, where, len(tracks), "the name of a shot or ball")
+        kept = [track for track, keep in zip(tracks, chosen.tolist(), strict=True) if keep]
+        measured = measure(
+            kept, settings, lambda done, total: progress(done, max(total, 1), "contacts") if progress else None
+        )
+    return replace(measured, notes=(*films.reading_notes, *measured.notes))
+
+
+def is_track(path: Path) -> bool:
+    """Return whether a file is taken for a track: it has no column of a rebound. Raises CaromError for a file that is not text."""
+    if path.suffix.lower() in (".parquet", ".pq") or not path.is_file():
+        return False
+    with path.open("rb") as opened:
+        raw = opened.read(START_BYTES)
+    wanted = f"{path}: expected a table of rebounds or a track, as text"
+    if not raw.strip():
+        raise CaromError(f"{wanted}, got an empty file")
+    require_text(path, "a table of rebounds or a track")
+    codec = text_encoding(raw).codec
+    if b"\0" in raw and codec == "utf-8":
+        raise CaromError(f"{wanted}, got bytes that are not text; export it as CSV from the program that made it")
+    text = raw.decode(codec, errors="replace")
+    if any(name in text.lower() for name in OF_REBOUNDS):
+        return False
+    whole = track_text(path)
+    if format_of(whole) is None:
+        raise CaromError(
+            f"{wanted}, {got_instead(whole)}; a table of rebounds has the columns {REBOUND_COLUMNS}; a track is like"
+            f" {HEADER_EXAMPLE!r} (carom tracks show)"
+        )
+    return True
