@@ -12,9 +12,9 @@ from pathlib import Path
 import numpy as np
 
 from carom.data.rebounds import make_rebounds
-from carom.fitting import fit_law, make_problem, with_bootstrap
+from carom.fitting import Setting, fit_law, make_problem, with_bootstrap
 from carom.fitting.laws import laws_named
-from carom.fitting.tracks import TrackSetting, errors, fit_tracks, objective
+from carom.fitting.tracks import errors, fit_tracks, objective
 from carom.tracks import Measured, Settings, measure
 
 sys.path.insert(0, str(Path(__file__).parents[1] / "tests"))
@@ -58,7 +58,7 @@ def whole(measured: Measured) -> float:
     times = []
     for _ in range(6):
         start = time.perf_counter()
-        fit_tracks(measured, TrackSetting(radius=RADIUS, noise=3e-4), ["two-step"])
+        fit_tracks(measured, Setting(radius=RADIUS, noise=3e-4), ["two-step"])
         times.append(time.perf_counter() - start)
     return min(times[1:])
 

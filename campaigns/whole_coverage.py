@@ -18,7 +18,8 @@ from campaign import campaign, counting_errors, held
 from reference.synthetic_runs import RADIUS, film
 
 from carom.errors import CaromError
-from carom.fitting.tracks import TrackSetting, fit_tracks
+from carom.fitting.setting import Setting
+from carom.fitting.tracks import fit_tracks
 from carom.tracks import Settings, measure
 
 NUMBERS = ("restitution", "friction", "floor_friction", "rolling_resistance")
@@ -36,7 +37,7 @@ def one(seed: int, known: bool) -> dict[str, Any]:
     tracks = film(rng, 2, noise=NOISE, height=HEIGHT, sliding=bool(seed % 2), **truth)
     try:
         measured = measure(tracks, Settings(radius=0.0, view="above", noise=NOISE if known else None))
-        setting = TrackSetting(radius=RADIUS, contact_height=HEIGHT, noise=NOISE if known else None)
+        setting = Setting(radius=RADIUS, contact_height=HEIGHT, noise=NOISE if known else None)
         best = fit_tracks(measured, setting, ["two-step"]).best
     except CaromError as error:
         return {"seed": seed, "why": error.faults[0]}

@@ -16,7 +16,8 @@ from rich.progress import Progress
 from scipy.stats import wilcoxon
 
 from carom.fitting.result import with_error_bar
-from carom.fitting.tracks import TrackFit, TrackSetting, fit_tracks
+from carom.fitting.setting import Setting
+from carom.fitting.tracks import TrackFit, fit_tracks
 from carom.plot.fit_tracks import plot_tracks
 from carom.plot.style import save
 from carom.tracks import Settings, measure, read_tracks
@@ -43,7 +44,7 @@ def main() -> None:
         task = bar.add_task("", total=1.0)
         measured = measure(read_tracks(given.tracks).tracks, Settings(radius=RADIUS, view="above"))
         ranking = fit_tracks(
-            measured, TrackSetting(radius=RADIUS, contact_height=NOSE / RADIUS, cushions=given.cushions), given.laws.split(","),
+            measured, Setting(radius=RADIUS, contact_height=NOSE / RADIUS, cushions=given.cushions), given.laws.split(","),
             say=lambda what, done: bar.update(task, completed=done, description=what),
         )  # fmt: skip
     if given.picture:

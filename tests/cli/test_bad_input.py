@@ -294,8 +294,7 @@ def test_what_is_no_name(value):
 @pytest.mark.parametrize("value", ["x", [0.1], b"x", 1j, 10**400])
 def test_settings_of_fits_that_are_no_numbers(value):
     from carom.fitting import Setting
-    from carom.fitting.data import require_settings
-    from carom.fitting.tracks import TrackSetting
+    from carom.fitting.setting import require_settings
 
     names = ("kappa", "contact_height", "floor_restitution", "floor_friction", "roll", "spin_width", "spin_mean")
     given = dict.fromkeys(names, value)
@@ -306,7 +305,10 @@ def test_settings_of_fits_that_are_no_numbers(value):
     refused(lambda: require_settings(Setting(radius=0.02, fit=3, fixed=3, bounds=3)), "fit: ", "fixed: ", "bounds: ")
     refused(lambda: require_settings(value), "fit: setting: expected a Setting")
     given = dict.fromkeys(("kappa", "noise", "cushions", "spin_width"), value)
-    assert len(refused(TrackSetting(radius=value, **given).check, "cushions: ").splitlines()) == 5
+    assert (
+        len(refused(lambda: require_settings(Setting(radius=value, **given), whole=True), "cushions: ").splitlines())
+        == 5
+    )
 
 
 @pytest.mark.parametrize(

@@ -13,12 +13,11 @@ import carom
 from carom.data import make_rebounds, published_rebounds, read_rebounds
 from carom.data.datasets import load
 from carom.fitting import Setting, fit_law, fit_laws, make_problem
-from carom.fitting.data import require_settings
 from carom.fitting.design import Shots, design
 from carom.fitting.laws import laws_named
-from carom.fitting.model import free_parameters
+from carom.fitting.model import model_of
 from carom.fitting.result import refit, rows_of_fit
-from carom.fitting.tracks import TrackSetting
+from carom.fitting.setting import require_settings
 from carom.fitting.uncertainty import with_bootstrap, with_profiles
 from carom.laws import maw
 
@@ -441,8 +440,8 @@ def test_unknown_laws_and_settings_are_refused():
         fit_laws(good, replace(SETTING, fixed={"friction": -3.0, "restitution": np.nan}, floor_friction=-1.0))
     assert [fault.split(":")[0] for fault in error.value.faults] == ["floor_friction", "fix", "fix"]
     inverted = {"restitution": (1.0, 0.5), "friction": (0.1,)}
-    of_rebounds, of_tracks = replace(SETTING, bounds=inverted), TrackSetting(0.03, bounds=inverted)
-    for check in (lambda: require_settings(of_rebounds), of_tracks.check):
+    of_rebounds, of_tracks = replace(SETTING, bounds=inverted), Setting(0.03, bounds=inverted)
+    for check in (lambda: require_settings(of_rebounds), lambda: require_settings(of_tracks, whole=True)):
         with pytest.raises(carom.CaromError) as error:
             check()
         assert [fault.split(", got")[0] for fault in error.value.faults] == [
@@ -587,7 +586,7 @@ def test_refit_starts_where_the_fit_ended():
     fit = fitted("contact", bounces(30, 50))
     again, deviance = refit(fit, fit.problem)
     assert deviance[0] == pytest.approx(fit.deviance, abs=1e-6)
-    place = free_parameters(fit.law, fit.problem)[0]["friction"][0]
+    place = model_of(fit.law, fit.problem).places["friction"]
     assert again[0, place] == pytest.approx(fit.numbers[place], abs=1e-5)
 
 
@@ -634,8 +633,9 @@ def test_a_shot_whose_spin_nobody_will_know_is_worth_what_many_such_shots_tell_o
     problem = make_problem(played, setting)[0]
     told = []
     for name, numbers in (("contact", plan.truth), ("sliding", plan.other)):
-        p = free_parameters(law(name), problem)[1]
-        for number, (place, _) in free_parameters(law(name), problem)[0].items():
+        model = model_of(law(name), problem)
+        p = model.start.copy()
+        for number, place in model.places.items():
             p[place] = numbers[number]
         told.append(rows_of_fit(replace(fitted("sliding", bounces(1, 5)), law=law(name)), problem, p)[0])
     each = told[1] - told[0]

@@ -23,7 +23,7 @@ from carom.fitting import (
 from carom.fitting.evidence import DECIDED
 from carom.fitting.kernels import AFTER_WALL, ROLLING, TOGETHER, TURN, table
 from carom.fitting.laws import laws_named
-from carom.fitting.model import free_parameters, predict_law
+from carom.fitting.model import model_of, predict_law
 from carom.fitting.parameters import INDEX, LAW_NUMBERS, PARAMETERS
 from carom.tracks import Settings, measure, to_rebounds
 
@@ -44,7 +44,7 @@ def test_laws_say_what_the_engine_does_with_a_ball_that_is_pressed_down(contact,
         run = shot(rng, on=on)
         row = truth(run)[0]
         spin = next(event for event in run.events if event.kind == "wall").before.spin[2]
-        p = np.array([parameter.start for parameter in PARAMETERS])
+        p = np.array([parameter.value for parameter in PARAMETERS])
         p[INDEX["restitution"]], p[INDEX["friction"]] = on.restitution, on.friction
         p[INDEX["contact_height"]], p[INDEX["floor_friction"]] = NOSE / RADIUS, on.cloth
         before = (-row["vn_in"], row["vt_in"], spin)
@@ -135,7 +135,7 @@ def test_the_film_s_error_of_the_floor_is_the_law_s_too():
     # the law with the floor's friction one error bar to either side: by so much its numbers are uncertain
     rng = np.random.default_rng(2)
     law = laws_named(["two-step-after"], "table", False)[0][0]
-    p = np.array([parameter.start for parameter in PARAMETERS])
+    p = np.array([parameter.value for parameter in PARAMETERS])
     p[INDEX["restitution"]], p[INDEX["friction"]], p[INDEX["contact_height"]] = 0.85, 0.15, 1.2
     v_n, v_t, spin = rng.uniform(0.8, 2.5, 30), rng.uniform(-1.5, 1.5, 30), rng.normal(0, 15, 30)
     said = np.array([table(TURN, 0, AFTER_WALL, row, RADIUS, record(p)) for row in zip(v_n, v_t, spin, strict=True)])
@@ -320,7 +320,7 @@ def test_the_floor_is_what_the_film_says():
         Setting(radius=RADIUS, fixed={"floor_friction": 0.1}),
     )
     law = laws_named(["two-step"], "table", True)[0][0]
-    assert free_parameters(law, problem)[1][INDEX["floor_friction"]] == 0.1
+    assert model_of(law, problem).start[INDEX["floor_friction"]] == 0.1
 
 
 def test_a_film_says_it_as_far_as_the_page(tmp_path, monkeypatch, capsys):

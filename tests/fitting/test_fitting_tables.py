@@ -151,7 +151,7 @@ def filmed(seed, n, sigma=0.004, shared=False):
     stand_in = make_problem(
         make_rebounds("table", before | {"v_n_out": vn, "v_t_out": vt}, stage="after_wall"), setting
     )[0]
-    p = np.array([parameter.start for parameter in PARAMETERS])
+    p = np.array([parameter.value for parameter in PARAMETERS])
     for name, value in (("restitution", 0.8), ("friction", 0.2), ("contact_height", HEIGHT), ("floor_friction", 0.2)):
         p[INDEX[name]] = value
     true = predict_law(law, stand_in, p)

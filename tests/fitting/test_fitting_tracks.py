@@ -21,6 +21,7 @@ from carom.fitting.example_films import TRUTH as EXAMPLES
 from carom.fitting.example_films import write_example_films
 from carom.fitting.laws import FITTED
 from carom.fitting.parameters import FORMS
+from carom.fitting.setting import Setting
 from carom.fitting.tracks import TrackFit, TrackRanking, TrackSetting, fit_tracks
 from carom.fitting.tracks.model import track_models
 from carom.fitting.tracks.objective import SIDESPIN, SegmentArrays, shared_slope, spin_loss
@@ -31,7 +32,7 @@ from carom.simulation.setup import set_up
 from carom.tracks import Measured, Settings, measure
 
 NOISE = 3e-4
-SETTING = TrackSetting(radius=RADIUS, noise=NOISE)
+SETTING = Setting(radius=RADIUS, noise=NOISE)
 
 
 def measured(seed: int, shots: int, **how: float) -> Measured:
@@ -81,11 +82,11 @@ def test_two_springs_are_fitted_where_they_are_named() -> None:
 
 def test_the_stiffness_is_sought_where_its_curve_is_known() -> None:
     walls = measured(4, 1).walls
-    law = track_models(["maw"], TrackSetting(radius=RADIUS, kappa=0.1, noise=NOISE), walls, {})[0][0]
+    law = track_models(["maw"], Setting(radius=RADIUS, kappa=0.1, noise=NOISE), walls, {})[0][0]
     ends = law.free["stiffness_ratio"]
     assert (ends.low, ends.high) == pytest.approx((0.3, 6 / 5.5))
-    for k in (ends.low, ends.start, ends.high):
-        law.scene({name: one.start for name, one in law.free.items()} | {"stiffness_ratio": k})
+    for k in (ends.low, ends.value, ends.high):
+        law.scene({name: one.value for name, one in law.free.items()} | {"stiffness_ratio": k})
 
 
 @pytest.mark.parametrize("nose", [None, 0.037])
@@ -138,14 +139,14 @@ EVERY_FORM = [name for name in FORMS if name != "line"]
 def test_arrays_of_every_law_are_affine_in_its_parameters(form: str) -> None:
     """All parameters moved at once: as the scene's own arrays, to rounding; and the shared derivatives as differences have them."""
     seen = measured(4, 2)
-    setting = TrackSetting(radius=RADIUS, noise=NOISE, contact_height=1.2, restitution=form, fit=("spin_loss",))
+    setting = Setting(radius=RADIUS, noise=NOISE, contact_height=1.2, restitution=form, fit=("spin_loss",))
     rng = np.random.default_rng(1)
     models = track_models([law.name for law in FITTED if law.kind == "table" and law.engine], setting, seen.walls, {})[
         0
     ]
     assert len(models) > 6
     for model in models:
-        numbers = {name: rng.uniform(0.9 * one.start + 0.1 * one.low, 0.9 * one.start + 0.1 * one.high)
+        numbers = {name: rng.uniform(0.9 * one.value + 0.1 * one.low, 0.9 * one.value + 0.1 * one.high)
                    for name, one in model.free.items()}  # fmt: skip
         made, expected = model.table(numbers).setup, set_up(model.scene(numbers))
         for array in ("world", "features"):
@@ -159,9 +160,9 @@ def test_shared_derivatives_are_those_of_differences(law: str) -> None:
     """Of the scenes themselves, with the starts held, to their rounding of a nanometre."""
     seen = measured(4, 2)
     frames = SegmentArrays.of(find_segments(seen, 2, 0.5)[0], NOISE)
-    setting = TrackSetting(radius=RADIUS, noise=NOISE, contact_height=1.2, fit=("spin_loss",))
+    setting = Setting(radius=RADIUS, noise=NOISE, contact_height=1.2, fit=("spin_loss",))
     model = track_models([law], setting, seen.walls, {})[0][0]
-    numbers = {name: one.start for name, one in model.free.items()}
+    numbers = {name: one.value for name, one in model.free.items()}
     q = np.zeros((len(frames.segments), len(START)))
     for n, one in enumerate(frames.segments):
         q[n, 2:4], q[n, :2] = np.polyfit(one.time[:6], one.position[:6], 1)
@@ -206,7 +207,7 @@ def test_the_truth_comes_back(ranking: TrackRanking) -> None:
 
 
 def test_without_noise_given_each_stretch_has_its_own(ranking: TrackRanking) -> None:
-    found = fit_tracks(measured(1, 3), TrackSetting(radius=RADIUS), ["two-step"]).best
+    found = fit_tracks(measured(1, 3), Setting(radius=RADIUS), ["two-step"]).best
     assert not found.known
     assert found.follows
     assert found.scatter == pytest.approx(np.full(3, NOISE), rel=0.15)
@@ -337,7 +338,7 @@ def made(seed: int, truth: dict[str, float]) -> TrackRanking:
     truth.update(numbers)
     tracks = film(rng, 2, noise=3e-4, height=1.2, sliding=bool(seed % 2), **numbers)
     measured = measure(tracks, Settings(radius=0.0, view="above", noise=3e-4))
-    return fit_tracks(measured, TrackSetting(radius=RADIUS, contact_height=1.2, noise=3e-4), ["two-step"])
+    return fit_tracks(measured, Setting(radius=RADIUS, contact_height=1.2, noise=3e-4), ["two-step"])
 
 
 @pytest.mark.parametrize(
@@ -412,3 +413,22 @@ def test_a_cushion_that_is_no_single_number_widens_error_bars_and_is_named() -> 
     assert found.distances[0] < 3 * NOISE
     assert any("worst described: the contacts" in note for note in found.notes)
     assert json.loads(json.dumps(found.as_dict()))["distance_through_contacts"] == found.distances.tolist()
+
+
+def test_the_old_name_of_the_setting_still_works_and_says_so() -> None:
+    with pytest.warns(DeprecationWarning, match=r"carom\.fitting\.Setting"):
+        old = TrackSetting(radius=RADIUS, noise=NOISE, cushions=0)
+    assert (old.spin_width, old.after, isinstance(old, Setting)) == (1.25, 2.0, True)
+    with pytest.raises(CaromError, match="cushions: expected"):
+        old.check()
+
+
+def test_a_floor_friction_that_is_given_is_held() -> None:
+    """In the setting as among the fixed parameters; a law that pins it keeps its own."""
+    walls = measured(4, 1).walls
+    for given in (replace(SETTING, floor_friction=0.3), replace(SETTING, fixed={"floor_friction": 0.3}),
+                  replace(SETTING, floor_friction=0.5, fixed={"floor_friction": 0.3})):  # fmt: skip
+        two_step, paper = track_models(["two-step", "two-step-paper"], given, walls, {})[0]
+        assert "floor_friction" not in {*two_step.free, *paper.free}
+        assert (two_step.held["floor_friction"], paper.held["floor_friction"]) == (0.3, math.inf)
+        assert not set(two_step.held) & set(two_step.free)

@@ -58,7 +58,7 @@ def law(name, kind="planar"):
 
 
 def numbers(**given):
-    p = np.array([parameter.start for parameter in PARAMETERS])
+    p = np.array([parameter.value for parameter in PARAMETERS])
     p[INDEX["kappa"]] = KAPPA
     for name, value in given.items():
         p[INDEX[name]] = value

@@ -309,7 +309,7 @@ def _words(
 
 
 def _checked(setting: Setting) -> None:
-    from carom.fitting.data import require_settings
+    from carom.fitting.setting import require_settings
 
     require_settings(setting)
 

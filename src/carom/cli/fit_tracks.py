@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
@@ -44,21 +45,14 @@ def fit_track_files(
 ) -> None:
     """Read, measure, fit, show. ``faults``: of the options, so far."""
     from carom.cli.console import err
-    from carom.fitting.tracks import TrackSetting, fit_tracks
+    from carom.fitting.setting import require_settings
+    from carom.fitting.tracks import fit_tracks
     from carom.tracks.contact import Settings
     from carom.tracks.film_files import is_track, tracks_of_films
 
     view, where, cushions, noise, reading = frames
-    # (a parameter of the table: fitted unless it is given)
-    fixed = given.fixed if given.floor_friction is None else {"floor_friction": given.floor_friction} | given.fixed
-    setting = TrackSetting(
-        radius=given.radius, kappa=given.kappa, noise=attempt(faults, parse_length, "noise", noise),
-        contact_height=given.contact_height, restitution=given.restitution, floor_restitution=given.floor_restitution,
-        cushions=cushions, spin_width=given.spin_width or 1.25, fit=given.fit, fixed=fixed, bounds=given.bounds,
-    )  # fmt: skip
-    attempt(faults, setting.check)
-    if given.floor_friction is not None and not 0 <= given.floor_friction < float("inf"):
-        faults.append(f"floor_friction: expected a number of at least 0, got {given.floor_friction!r}")
+    setting = replace(given, noise=attempt(faults, parse_length, "noise", noise), cushions=cushions)
+    attempt(faults, lambda: require_settings(setting, whole=True))
     for file in files:
         if file.is_file() and attempt(faults, is_track, file) is False:
             faults.append(f"{file}: expected a track with --whole, got a table of rebounds; omit --whole")

@@ -1,5 +1,4 @@
 from .data import Problem as Problem
-from .data import Setting as Setting
 from .data import make_problem as make_problem
 from .fit import fit_law as fit_law
 from .laws import FITTED as FITTED
@@ -10,5 +9,6 @@ from .ranking import Ranking as Ranking
 from .ranking import fit_laws as fit_laws
 from .result import Estimate as Estimate
 from .result import Fit as Fit
+from .setting import Setting as Setting
 from .uncertainty import with_bootstrap as with_bootstrap
 from .uncertainty import with_profiles as with_profiles

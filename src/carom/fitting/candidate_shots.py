@@ -15,10 +15,11 @@ from numpy.typing import NDArray
 
 from carom.data.rebounds import COLUMNS, Kind, Rebounds, make_rebounds
 from carom.errors import CaromError
-from carom.fitting.data import Problem, Setting, make_problem
+from carom.fitting.data import Problem, make_problem
 from carom.fitting.laws import FittedLaw
-from carom.fitting.model import free_parameters, predict_law
+from carom.fitting.model import model_of, predict_law
 from carom.fitting.parameters import INDEX
+from carom.fitting.setting import Setting
 
 __all__ = ["Candidates", "Shot", "Shots", "candidates", "numbers_of"]
 
@@ -132,7 +133,8 @@ def candidates(
 
 def numbers_of(law: FittedLaw, problem: Problem, truth: Mapping[str, float]) -> Array:
     """Return all parameters of a law, with the given values; CaromError for an unknown one."""
-    free, p, _form = free_parameters(law, problem)
+    model = model_of(law, problem)
+    free, p = model.parameters, model.start.copy()
     plain = PLAIN_VALUES | {"stiffness_ratio": p[INDEX["stiffness_ratio"]]}
     faults = [
         f"truth: expected a parameter of {law.name}, one of {', '.join(free) or 'none'}, got {name!r}"
@@ -141,11 +143,11 @@ def numbers_of(law: FittedLaw, problem: Problem, truth: Mapping[str, float]) -> 
     ]
     if faults:
         raise CaromError(*faults)
-    for name, (place, parameter) in free.items():
-        value = truth.get(name, plain.get(name, parameter.tried[0]))
+    for name, parameter in free.items():
+        value = truth.get(name, plain.get(name, parameter.starts[0]))
         if not parameter.low <= value <= parameter.high:
             raise CaromError(f"truth: {name}: expected {parameter.low:g} to {parameter.high:g}, got {value:g}")
-        p[place] = value
+        p[model.places[name]] = value
     return p
 
 

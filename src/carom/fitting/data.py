@@ -1,10 +1,8 @@
-"""Rebounds and settings as arrays for the likelihood: measurements, variances, shared errors, the grid of unmeasured spins."""
+"""Rebounds as arrays for the likelihood: measurements, variances, shared errors, the grid of unmeasured spins."""
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -12,123 +10,18 @@ from numpy.typing import NDArray
 
 from carom.data.energy import energy_remarks
 from carom.data.rebounds import COLUMNS, STAGES, Rebounds
-from carom.errors import CaromError, float_or_nan, require_type
-from carom.fitting.parameters import FORMS, PARAMETERS
+from carom.errors import CaromError
+from carom.fitting.setting import Setting
 from carom.fitting.shared_errors import SHARED, Shared, film_says, numbers_of, shared_errors, shared_in_words
 from carom.fitting.spin_quadrature import SpinGrid, sigma_grid
-from carom.tracks.contact import BALL_RADIUS, MAX_RADIUS_M
 
-__all__ = ["Problem", "Setting", "common_faults", "make_problem", "prior_in_words", "require_settings"]
+__all__ = ["Problem", "make_problem", "prior_in_words"]
 
 Array = NDArray[np.float64]
 MAX_SHARED_VARIANCE = 0.95  # of a variance: the rest is a row's own
 MAX_CORRELATION = 0.95  # of errors before and after: a row with fully correlated errors would carry no information
 CLOTH_FRICTION = 0.2  # of a billiard table, by default
-SCATTERS = ("share", "absolute")
-MAX_SPIN = 5.0  # mean or width of spins before the wall, in v/a
 FEW_ROWS, SAME_ANGLE, SAME_SPEED = 12, 3.0, 1.3  # rows; degrees; ratio of the fastest to the slowest
-
-
-@dataclass(frozen=True)
-class Setting:
-    """Settings of a fit: the ball, the height of the wall contact, the form of restitution, priors, parameters to fit or hold.
-
-    Examples
-    --------
-    >>> from carom.fitting import Setting
-    >>> Setting(radius=0.02, kappa=2 / 3).restitution
-    'constant'
-    """
-
-    radius: float
-    """m"""
-    kappa: float = 0.4
-    """I / (m a^2)"""
-    restitution: str = "constant"
-    """One of :data:`carom.fitting.parameters.FORMS`."""
-    contact_height: float = 1.0
-    """Height of the wall contact above the floor, in radii (billiard cushions: 1.2 to 1.4); for balls on a table."""
-    floor_friction: float | None = None
-    """Friction of the floor; None: from the table's columns cloth_friction and sigma_cloth_friction (of a film), else 0.2."""
-    floor_restitution: float = 0.0
-    roll: float = 1.0
-    """Spin about the horizontal axis with which balls on a table arrive, as a fraction of that of rolling; 0: none (stun)."""
-    spin_prior: str = "normal"
-    """Prior of an unmeasured spin: "normal" of width spin_width about spin_mean v_t/a, or "uniform" within it."""
-    spin_width: float | None = None
-    """Width of that prior, v/a; None: fitted. Too large a width favours laws that do not depend on the spin."""
-    spin_mean: float | None = None
-    """Mean of that prior (running side), v_t/a; None: fitted (0 for a uniform prior)."""
-    fit: tuple[str, ...] = ()
-    """Parameters to fit in addition to the law's own: kappa, contact_height, floor_friction, roll."""
-    fixed: dict[str, float] = field(default_factory=dict)
-    """Parameters of the law that are held fixed, with their values."""
-    bounds: dict[str, tuple[float, float]] = field(default_factory=dict)
-    robust: bool = False
-    """Errors with heavy tails: Student's t with 4 degrees of freedom instead of normal."""
-    scatter: str = ""
-    """Scatter between contacts that is fitted beyond the error bars: "share" (of the speed before the wall), "absolute" (m/s), or
-    none."""
-
-
-def common_faults(setting: Any) -> list[str]:
-    """Return one line per problem of the ball, the table and the bounds, which rebounds and whole tracks both need."""
-    faults = []
-    if not 0 < float_or_nan(setting.radius) <= MAX_RADIUS_M:
-        faults.append(f"radius: expected {BALL_RADIUS}, got {setting.radius!r}")
-    if not 1 <= float_or_nan(setting.contact_height) < 2:
-        faults.append(
-            f"contact_height: expected 1 (level with the centre) to 2, in radii, got {setting.contact_height!r}"
-        )
-    if not 0 <= float_or_nan(setting.floor_restitution) <= 1:
-        faults.append(f"floor_restitution: expected 0 to 1, got {setting.floor_restitution!r}")
-    if not isinstance(setting.bounds, Mapping):
-        return [*faults, f"bounds: expected a mapping of names, got {setting.bounds!r:.60}"]
-    for name, pair in setting.bounds.items():
-        ends = [float_or_nan(end) for end in pair] if isinstance(pair, tuple | list) else []
-        if len(ends) != 2 or not ends[0] < ends[1]:
-            faults.append(f"bounds: {name}: expected two numbers, the lower first, got {pair!r:.60}")
-    return faults
-
-
-def require_settings(setting: Setting) -> None:
-    """Raise CaromError for an invalid setting, one line per problem."""
-    require_type("fit", "setting", setting, Setting)
-    faults = common_faults(setting)
-    if not 0 < float_or_nan(setting.kappa) <= 1:
-        faults.append(f"inertia: expected solid, hollow or kappa = I/(m a^2) above 0, up to 1, got {setting.kappa!r}")
-    if str(setting.restitution) not in FORMS:
-        faults.append(f"restitution: expected one of {', '.join(FORMS)}, got {setting.restitution!r}")
-    for name, value in (("floor_friction", setting.floor_friction), ("roll", setting.roll)):
-        if value is not None and not 0 <= float_or_nan(value) < math.inf:
-            faults.append(f"{name}: expected a number of at least 0, got {value!r}")
-    limits = {p.name: p for p in (*PARAMETERS, *(p for form in FORMS.values() for p in form.parameters))}
-    kinds = {"fit": tuple | list, "fixed": Mapping}
-    wrong = [name for name, kind in kinds.items() if not isinstance(getattr(setting, name), kind)]
-    for name in wrong:
-        words = "a tuple of names" if name == "fit" else "a mapping of names"
-        faults.append(f"{name}: expected {words}, got {getattr(setting, name)!r:.60}")
-    for name, value in () if "fixed" in wrong else setting.fixed.items():
-        if name in limits and not limits[name].low <= float_or_nan(value) <= limits[name].high:
-            faults.append(f"fix: {name}: expected {limits[name].low:g} to {limits[name].high:g}, got {value!r}")
-    if setting.spin_prior not in ("uniform", "normal"):
-        faults.append(f"spin_prior: expected uniform or normal, got {setting.spin_prior!r}")
-    if setting.scatter not in ("", *SCATTERS):
-        faults.append(f"scatter: expected {' or '.join(SCATTERS)}, got {setting.scatter!r}")
-    if setting.spin_prior == "uniform" and setting.spin_width is None:
-        faults.append("spin_width: expected a width in v/a for a uniform prior, got none; a normal one's can be fitted")
-    if setting.spin_width is not None and not 0 < float_or_nan(setting.spin_width) <= MAX_SPIN:
-        faults.append(f"spin_width: expected a width above 0, up to {MAX_SPIN:g} v/a, got {setting.spin_width!r}")
-    if setting.spin_mean is not None and not abs(float_or_nan(setting.spin_mean)) <= MAX_SPIN:
-        faults.append(f"spin_mean: expected {-MAX_SPIN:g} to {MAX_SPIN:g} v_t/a, got {setting.spin_mean!r}")
-    extra = ("kappa", "contact_height", "floor_friction", "roll")
-    faults += [
-        f"fit: expected one of {', '.join(extra)}, got {name!r}"
-        for name in (() if "fit" in wrong else setting.fit)
-        if name not in extra
-    ]
-    if faults:
-        raise CaromError(*faults)
 
 
 @dataclass(frozen=True)

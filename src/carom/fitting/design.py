@@ -22,11 +22,12 @@ from carom.data.rebounds import COLUMNS, STAGES, Kind, Rebounds
 from carom.errors import CaromError, float_or_nan
 from carom.fitting.adequacy import nothing_along_the_wall
 from carom.fitting.candidate_shots import Candidates, Shot, Shots, candidates, numbers_of
-from carom.fitting.data import Problem, Setting, make_problem, require_settings
+from carom.fitting.data import Problem, make_problem
 from carom.fitting.fit import fit_law
 from carom.fitting.laws import FittedLaw, laws_named, unknown_laws
-from carom.fitting.model import free_parameters
-from carom.fitting.parameters import FORMS, NUMBERS, PARAMETERS
+from carom.fitting.model import model_of
+from carom.fitting.parameters import NUMBERS, PARAMETERS
+from carom.fitting.setting import FORM_PARAMETERS, Setting, require_settings
 from carom.fitting.shot_search import LEAST_GAIN, ShotSearch, deviances, gains
 
 __all__ = ["Plan", "Shot", "Shots", "design", "require_plan"]
@@ -141,7 +142,7 @@ def design(
     rows = grid(shots)
     problem, p, have = rows.problem, rows.truth, rows.have
     # (for laws that are fitted to filmed shots, Akaike's penalty)
-    price = (len(free_parameters(other, problem)[0]) - len(free_parameters(true, problem)[0])) * (2 if have else 1)
+    price = (len(model_of(other, problem).parameters) - len(model_of(true, problem).parameters)) * (2 if have else 1)
     target = 2 * math.log(odds) - price
     fit = fit_law(other, rows.some if already is None else already)
     truly = replace(fit, law=true)
@@ -211,7 +212,7 @@ def require_plan(
         faults.append(f"laws: expected two laws, first the one assumed to be true, such as maw,contact, got {got}")
     faults += unknown_laws(laws) if named else []
     for name, value in (truth or {}).items():
-        its = [p for p in (*PARAMETERS, *(p for form in FORMS.values() for p in form.parameters)) if p.name == name]
+        its = [p for p in (*PARAMETERS, *FORM_PARAMETERS) if p.name == name]
         low, high = min((p.low for p in its), default=0.0), max((p.high for p in its), default=0.0)
         if (
             its and not low <= float_or_nan(value) <= high
@@ -238,7 +239,7 @@ def _require_error_bars(filmed: Rebounds) -> None:
 
 
 def _named(law: FittedLaw, problem: Problem, p: Array) -> dict[str, float]:
-    return {name: float(p[place]) for name, (place, _) in free_parameters(law, problem)[0].items()}
+    return {name: float(p[place]) for name, place in model_of(law, problem).places.items()}
 
 
 def _sentence(plan: Plan, true: FittedLaw, other: FittedLaw) -> str:

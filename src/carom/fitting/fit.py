@@ -92,7 +92,7 @@ def _search(model: FitModel) -> Array:
 
 def _grid(model: FitModel) -> Array:
     """Return all combinations (B, K) of the values that the parameters try."""
-    grid = np.array(list(itertools.product(*(parameter.tried for parameter in model.parameters.values()))))
+    grid = np.array(list(itertools.product(*(parameter.starts for parameter in model.parameters.values()))))
     p = np.tile(model.start, (max(len(grid), 1), 1))
     if model.parameters:
         p[:, model.without_shared().free] = grid

@@ -87,7 +87,7 @@ class FittedLaw:
     @property
     def frictionless(self) -> bool:
         """Whether the wall exerts no tangential force."""
-        return self.code == SMOOTH or self.pinned.get("friction") == 0
+        return self.pinned.get("friction") == 0
 
     @property
     def feels_floor(self) -> bool:
@@ -98,7 +98,8 @@ class FittedLaw:
 def _spec(law: Law, spec: FitSpec) -> FittedLaw:
     """Return how a law of carom.LAWS is fitted to one kind of rebound."""
     free = law.free if spec.free is None else spec.free
-    pinned = {name: value for name, value in {**law.pinned, **spec.pinned}.items() if name not in free}
+    height = {"contact_height": 1.0} if spec.upright else {}
+    pinned = {name: value for name, value in {**law.pinned, **spec.pinned, **height}.items() if name not in free}
     with_floor = spec.rolling_only or law.response in (TWO_STEP_WALL, ROLLING_WALL, CALLED_WALL)
     engine = TrackEngine(
         law.name if law.response in (ROLLING_WALL, CALLED_WALL) else "two-step", "with" if with_floor else "after",

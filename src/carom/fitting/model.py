@@ -15,9 +15,10 @@ from carom.fitting.kernels import TABULATED
 from carom.fitting.laws import FittedLaw
 from carom.fitting.likelihood import LikelihoodModel, TabulatedLaw, evaluate, predictions
 from carom.fitting.optimizer import Minimum, minimize
-from carom.fitting.parameters import FORMS, INDEX, NUMBERS, PARAMETERS, Parameter
+from carom.fitting.parameters import INDEX, NUMBERS, PARAMETERS, Parameter
+from carom.fitting.setting import Setting, decided, form_of
 
-__all__ = ["SETTING_NUMBERS", "STEPS", "FitModel", "feels_spins", "free_parameters", "model_of", "predict_law"]
+__all__ = ["SETTING_NUMBERS", "STEPS", "FitModel", "feels_spins", "model_of", "predict_law"]
 
 Array = NDArray[np.float64]
 STEPS = 200
@@ -142,38 +143,6 @@ class FitModel:
         return seen.deviance[0], seen.chi2[0]
 
 
-def free_parameters(law: FittedLaw, problem: Problem) -> tuple[dict[str, tuple[int, Parameter]], Array, int]:
-    """Return the law's free parameters (index and bounds by name), all numbers at the start, and the form of restitution."""
-    setting = problem.setting
-    start = np.array([p.start for p in PARAMETERS] + [0.0] * len(problem.shared))
-    for name in (*SETTING_NUMBERS, "spin_width", "spin_mean"):
-        if getattr(setting, name) is not None:
-            start[INDEX[name]] = getattr(setting, name)
-    form = FORMS[setting.restitution] if "restitution" in law.free else FORMS["constant"]
-    names = [name for name in law.free if name != "restitution"]
-    names += [name for name in setting.fit if name in INDEX and _matters(name, law)]
-    if feels_spins(law, problem):
-        names += ["spin_mean"] if setting.spin_mean is None and setting.spin_prior == "normal" else []
-        names += ["spin_width"] if setting.spin_width is None else []
-    free = {p.name: (i, p) for i, p in enumerate(form.parameters)} if "restitution" in law.free else {}
-    free |= {name: (INDEX[name], PARAMETERS[INDEX[name]]) for name in names}
-    for name, (low, high) in setting.bounds.items():
-        if name in free:
-            place, parameter = free[name]
-            tried = tuple(t for t in parameter.tried if low <= t <= high) or ((low + high) / 2,)
-            free[name] = (place, replace(parameter, low=low, high=high, tried=tried))
-    for name, value in law.pinned.items():
-        start[INDEX[name]] = value
-    for name, value in setting.fixed.items():
-        if name in free:
-            start[free.pop(name)[0]] = value
-        elif name in SETTING_NUMBERS and name not in law.pinned:
-            start[INDEX[name]] = value
-    if law.upright:
-        start[INDEX["contact_height"]] = 1.0
-    return free, start, form.code
-
-
 def feels_spins(law: FittedLaw, problem: Problem) -> bool:
     """Return whether the unmeasured spins before the wall affect what was measured after it."""
     if problem.spins is None:
@@ -183,28 +152,41 @@ def feels_spins(law: FittedLaw, problem: Problem) -> bool:
 
 def _matters(name: str, law: FittedLaw) -> bool:
     """Return whether a law depends on a requested parameter."""
-    if name in law.pinned or (name == "contact_height" and (law.upright or law.kind == "planar")):
-        return False
-    if name in ("floor_friction", "floor_restitution"):
-        return law.feels_floor
-    return not (name == "roll" and law.kind == "planar")
+    return law.feels_floor if name == "floor_friction" else law.kind == "table" or name == "kappa"
 
 
 def model_of(law: FittedLaw, problem: Problem) -> FitModel:
     """Return the law with its free parameters, prepared for the compiled loops."""
-    free, start, form = free_parameters(law, problem)
-    low, high = np.full(NUMBERS, -math.inf), np.full(NUMBERS, math.inf)
-    for place, parameter in free.values():
-        low[place], high[place] = parameter.low, parameter.high
-    moves, floor = np.zeros((len(problem.shared), NUMBERS)), INDEX["floor_friction"]
+    setting, form, floor = problem.setting, form_of(law, problem.setting), INDEX["floor_friction"]
+    first = form.parameters if "restitution" in law.free else ()
+    known = [_given(one, setting) for one in (*first, *PARAMETERS[len(first) :])]  # (in the places of the record)
+    also = [name for name in setting.fit if name in INDEX and _matters(name, law)]
+    if feels_spins(law, problem):
+        also += ["spin_mean"] if setting.spin_mean is None and setting.spin_prior == "normal" else []
+        also += ["spin_width"] if setting.spin_width is None else []
+    every = decided(law, setting, known, also)
+    places = {one.name: i for i, one in enumerate(known)}
+    free = {name: one for name, one in every.items() if one.free}
+    start = np.array([*(every[one.name].value for one in known), *(0.0 for _ in problem.shared)])
+    low, high = np.full(len(start), -MAX_SHARED), np.full(len(start), MAX_SHARED)
+    low[:NUMBERS], high[:NUMBERS] = -math.inf, math.inf
+    for name, one in free.items():
+        low[places[name]], high[places[name]] = one.low, one.high
+    moves = np.zeros((len(problem.shared), NUMBERS))
     if "floor_friction" not in free and "floor_friction" not in law.pinned:
         moves[:, floor] = [one.floor for one in problem.shared]
-    least = [max(-MAX_SHARED, 0.01 - start[floor] / move[floor]) if move[floor] else -MAX_SHARED for move in moves]
-    low, high = np.append(low, least), np.append(high, np.full(len(moves), MAX_SHARED))
-    places = np.array([*(place for place, _ in free.values()), *range(NUMBERS, len(start))], dtype=np.int64)
-    parameters = {name: parameter for name, (_, parameter) in free.items()}
-    indices = {name: place for name, (place, _) in free.items()}
-    return FitModel(law, problem, form, parameters, indices, start, places, low, high, moves)
+        moved = moves[:, floor] != 0
+        low[NUMBERS:][moved] = np.maximum(-MAX_SHARED, 0.01 - start[floor] / moves[moved, floor])
+    fitted = np.array([*(places[name] for name in free), *range(NUMBERS, len(start))], dtype=np.int64)
+    return FitModel(
+        law, problem, form.code, free, {name: places[name] for name in free}, start, fitted, low, high, moves
+    )
+
+
+def _given(one: Parameter, setting: Setting) -> Parameter:
+    """Return a parameter of the ball or the table, or of the spins before the wall, with the setting's value, if it has one."""
+    value = getattr(setting, one.name, None) if one.name in (*SETTING_NUMBERS, "spin_width", "spin_mean") else None
+    return one if value is None else replace(one, value=value, origin="setting")
 
 
 def _moved(problem: Problem) -> Array:

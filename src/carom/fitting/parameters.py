@@ -11,7 +11,7 @@ __all__ = ["FORMS", "INDEX", "LAW_NUMBERS", "LINE", "NUMBERS", "PARAMETERS", "Fo
 
 @dataclass(frozen=True)
 class Parameter:
-    """One parameter of a law."""
+    """One parameter of a law, the ball or the table: as described below, or as :func:`carom.fitting.setting.decided` sets it."""
 
     name: str
     low: float
@@ -19,10 +19,19 @@ class Parameter:
     """Bounds of the fit."""
     tried: tuple[float, ...]
     """Starting values of the search."""
-    start: float
-    """Its value if it is neither fitted nor given."""
+    value: float
+    """Where it is not fitted, its value; in a fit of whole tracks also where the search begins."""
     unit: str = ""
     meaning: str = ""
+    free: bool = False
+    """Whether it is fitted."""
+    origin: str = ""
+    """Who says whether it is fitted, and its value if not: "law", "setting" (ball, table, or the user), or nobody (the default)."""
+
+    @property
+    def starts(self) -> tuple[float, ...]:
+        """Starting values within the bounds."""
+        return tuple(value for value in self.tried if self.low <= value <= self.high) or ((self.low + self.high) / 2,)
 
 
 PARAMETERS = (

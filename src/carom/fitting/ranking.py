@@ -11,7 +11,7 @@ from carom.errors import CaromError, require_type
 from carom.files import require_library
 from carom.fitting.adequacy import Adequacy, Coverage, adequacy, coverage, nothing_along_the_wall
 from carom.fitting.cross_validation import cross_validated_score, score_warnings
-from carom.fitting.data import Setting, make_problem, require_settings
+from carom.fitting.data import make_problem
 from carom.fitting.evidence import Evidence, decisive, odds_in_words, verdict_words, weigh
 from carom.fitting.fit import fit_law, kinked_rows_warning
 from carom.fitting.laws import laws_named
@@ -19,6 +19,7 @@ from carom.fitting.model import SETTING_NUMBERS
 from carom.fitting.outliers import Outlier, outliers_of
 from carom.fitting.parameters import FORMS
 from carom.fitting.result import Fit, finite, with_error_bar
+from carom.fitting.setting import Setting, require_settings
 from carom.fitting.uncertainty import with_bootstrap, with_profiles, with_shared
 from carom.laws.registry import one_or_several
 

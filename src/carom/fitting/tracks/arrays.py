@@ -41,7 +41,7 @@ class AffineArrays:
 
     def __init__(self, scene: Callable[[Mapping[str, float]], Scene], free: Mapping[str, Parameter]) -> None:
         self._scene = scene
-        self.start = {name: one.start for name, one in free.items()}
+        self.start = {name: one.value for name, one in free.items()}
         self.setup = set_up(scene(self.start))
         self.slopes: dict[str, Tangents] = {}
         here = set_up(scene(self.start), compiled=False)
@@ -50,7 +50,7 @@ class AffineArrays:
             def shifted(by: float, name: str = name) -> SceneArrays:
                 return set_up(scene({**self.start, name: self.start[name] + by}), compiled=False)
 
-            slopes = linear_slopes(here, shifted, one.start, STEP * min(one.high - one.low, 1.0))
+            slopes = linear_slopes(here, shifted, one.value, STEP * min(one.high - one.low, 1.0))
             assert slopes is not None, f"{name}: the arrays of a scene are not linear in it"
             self.slopes[name] = slopes
         # value = offset + sum of slope times parameter: where the arrays hold a parameter itself, that is it, to the last bit

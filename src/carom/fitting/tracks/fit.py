@@ -15,8 +15,9 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.fitting.setting import Setting
 from carom.fitting.tracks.errors import with_errors
-from carom.fitting.tracks.model import WALL_RANGE, TrackModel, TrackSetting, side_of
+from carom.fitting.tracks.model import WALL_RANGE, TrackModel, side_of
 from carom.fitting.tracks.objective import (
     SIDESPIN,
     SLIP,
@@ -43,7 +44,10 @@ SLIDE_SHARES = (0.15, 0.7)  # of full slip at the start: a small part of it, or 
 SIDESPINS = 17  # number of sidespins that are tried
 FOLLOWING_STEPS = 5  # of the rest of a start after a sidespin has been changed
 TURNS = 4  # rounds in which sidespins are tried again and all parameters are fitted
-SLIP_WIDTH = 1.0  # v: a slip at the start is normal about zero with this width
+SPIN_WIDTH, SLIP_WIDTH = (
+    1.25,
+    1.0,
+)  # v/a and v: sidespin, where no width is given, and slip at the start are normal about zero
 POSITION_SCALE, LEAST_SPEED = 1e-2, 0.1  # m, m/s
 LINE_FRAMES = 8
 FAST = 0.2  # m/s towards a wall: slower contacts do not determine the restitution
@@ -97,14 +101,19 @@ def _speeds(q: Array) -> Array:
     return np.asarray(np.maximum(np.hypot(*q[:, VELOCITY].T), LEAST_SPEED))
 
 
-def _starts(q: Array, slides: NDArray[np.bool_], setting: TrackSetting) -> Starts:
+def _width(setting: Setting) -> float:
+    """Return the standard deviation of the prior of the sidespin, v/a."""
+    return SPIN_WIDTH if setting.spin_width is None else setting.spin_width
+
+
+def _starts(q: Array, slides: NDArray[np.bool_], setting: Setting) -> Starts:
     """Return scales and priors of the starts."""
     speed = _speeds(q)
     position = np.full_like(speed, POSITION_SCALE)
     scale = np.stack([position, position, *[speed] * 4, speed / setting.radius], axis=-1)
     weight, free = np.zeros(q.shape), np.ones(q.shape, bool)
     weight[:, SLIP] = (slides / (SLIP_WIDTH * speed) ** 2)[:, None]
-    weight[:, SIDESPIN] = (setting.radius / (setting.spin_width * speed)) ** 2
+    weight[:, SIDESPIN] = (setting.radius / (_width(setting) * speed)) ** 2
     free[:, SLIP] = slides[:, None]
     return Starts(free, weight, scale)
 
@@ -134,7 +143,7 @@ def fit_windows(
     model: TrackModel, frames: SegmentArrays, least_noise: float, tell: Callable[[float], None]
 ) -> TrackFit:
     """Search once from the law's starting values: the frames before the first contact, then those before the second, and so on."""
-    numbers = {name: parameter.start for name, parameter in model.free.items()}
+    numbers = {name: parameter.value for name, parameter in model.free.items()}
     noise = frames.sigma
     first, starts = _before_first_contact(model, frames, numbers)
     q, most = first, max(len(one.contacts) for one in frames.segments)
@@ -199,9 +208,9 @@ def _restarted(
     return np.where((tried.cost[best] < so_far.cost)[:, None], tried.q[best], so_far.q)
 
 
-def _sidespins(q: Array, setting: TrackSetting) -> Array:
+def _sidespins(q: Array, setting: Setting) -> Array:
     """Return the trial sidespins (N, SIDESPINS), rad/s."""
-    return np.asarray(_speeds(q)[:, None] / setting.radius * np.linspace(-1, 1, SIDESPINS) * setting.spin_width)
+    return np.asarray(_speeds(q)[:, None] / setting.radius * np.linspace(-1, 1, SIDESPINS) * _width(setting))
 
 
 def with_best_sidespins(

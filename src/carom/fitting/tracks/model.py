@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import math
+import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from carom.errors import CaromError, float_or_nan
-from carom.fitting.data import common_faults
+from carom.errors import CaromError
 from carom.fitting.laws import FittedLaw, track_laws_named
 from carom.fitting.parameters import FORMS, PARAMETERS, Parameter
+from carom.fitting.setting import Setting, decided, form_of, require_settings
 from carom.fitting.tracks.arrays import AffineArrays, Table
 from carom.laws.law import LIKE_SOLIDS
 from carom.scene.ball import SceneBall
@@ -23,6 +24,7 @@ from carom.tracks.events import WallLine
 __all__ = ["WALL_RANGE", "TrackModel", "TrackSetting", "side_of", "track_models"]
 
 FAR = 100.0  # m: distance of sides of the table that no ball of the film meets
+ON_WALL = ("friction", "tangential_restitution", "stiffness_ratio")
 WALL_RANGE = 0.01  # m about the turning point of the frames, within which a cushion is searched for
 SPIN_LOSS = 10.0  # rad/s^2 of spin about the vertical; Alciatore has 5 to 15
 START_MARGIN = 0.02  # of a parameter's range, between its bounds and its start
@@ -32,64 +34,28 @@ START_VALUES = {
 _NAMED = {parameter.name: parameter for parameter in PARAMETERS}
 # Parameters of the floor; the same friction acts while a cushion presses the ball on the cloth.
 FLOOR = (
-    replace(_NAMED["floor_friction"], low=0.01, start=0.2, meaning="of the cloth"),
+    replace(_NAMED["floor_friction"], low=0.01, value=0.2, meaning="of the cloth"),
     Parameter("rolling_resistance", 0.0, 0.1, (0.007,), 0.007, meaning="deceleration / g of a rolling ball"),
-    Parameter("spin_loss", 0.0, 200.0, (SPIN_LOSS,), SPIN_LOSS, "rad/s^2", "of the spin about the vertical"),
+    Parameter(
+        "spin_loss", 0.0, 200.0, (SPIN_LOSS,), SPIN_LOSS, "rad/s^2", "of the spin about the vertical", origin="setting"
+    ),
 )
 
 
 @dataclass(frozen=True)
-class TrackSetting:
-    """Settings of a fit to whole tracks: the ball, the noise, the height of the wall contact, and the extent of the simulation.
+class TrackSetting(Setting):
+    """Deprecated name of the setting of a fit to whole tracks: :class:`carom.fitting.Setting` serves these too."""
 
-    Examples
-    --------
-    >>> from carom.fitting.tracks import TrackSetting
-    >>> TrackSetting(radius=0.03075, noise=3e-4).cushions
-    3
-    """
+    spin_width: float | None = 1.25
 
-    radius: float
-    """m"""
-    kappa: float = 0.4
-    noise: float | None = None
-    """m, of one coordinate of one frame; None: estimated from each law's residuals."""
-    contact_height: float = 1.0
-    """Height of the wall contact above the floor, in radii (billiard cushions: 1.2 to 1.4)."""
-    floor_restitution: float = 0.0
-    restitution: str = "constant"
-    """One of FORMS except line, which no scene has."""
-    cushions: int = 3
-    """Largest number of contacts of a simulated track: each of them magnifies the errors made before."""
-    after: float = 2.0
-    """Time simulated after the last contact, s: later motion is dominated by slope and dirt of the table."""
-    spin_width: float = 1.25
-    """v/a: standard deviation of the prior of the initial sidespin, normal about zero."""
-    gravity: float = 9.80665
-    fit: tuple[str, ...] = ()
-    """Parameters to fit in addition: spin_loss."""
-    fixed: dict[str, float] = field(default_factory=dict)
-    bounds: dict[str, tuple[float, float]] = field(default_factory=dict)
+    def __post_init__(self) -> None:
+        """Warn."""
+        said = "TrackSetting: deprecated; give fit_tracks a carom.fitting.Setting, which has the same fields"
+        warnings.warn(said, DeprecationWarning, stacklevel=3)
 
     def check(self) -> None:
         """Raise CaromError with one line per problem."""
-        faults = common_faults(self)
-        if not 0 < float_or_nan(self.kappa) <= 2 / 3 * (1 + 1e-12):
-            faults.append(f"inertia: expected solid, hollow or kappa in (0, 2/3], got {self.kappa!r}")
-        if self.noise is not None and not 0 < float_or_nan(self.noise) < 1:
-            faults.append(f"noise: expected a length above 0 (m), got {self.noise!r}")
-        if str(self.restitution) not in FORMS or self.restitution == "line":
-            forms = ", ".join(name for name in FORMS if name != "line")
-            faults.append(f"restitution: expected one of {forms} for whole tracks, got {self.restitution!r}")
-        if not float_or_nan(self.cushions) >= 1:
-            faults.append(f"cushions: expected a whole number of contacts, 1 or more, got {self.cushions!r}")
-        if not float_or_nan(self.spin_width) > 0:
-            faults.append(f"spin_width: expected a width above 0 (v/a), got {self.spin_width!r}")
-        allowed = {"spin_loss"}
-        faults += [f"fit: expected one of {', '.join(sorted(allowed))} for whole tracks, got {name!r}"
-                   for name in self.fit if name not in allowed]  # fmt: skip
-        if faults:
-            raise CaromError(*faults)
+        require_settings(self, whole=True)
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,7 +63,7 @@ class TrackModel:
     """A law, the parameters that all tracks share, and the table."""
 
     law: FittedLaw
-    setting: TrackSetting
+    setting: Setting
     walls: tuple[WallLine, ...]
     free: dict[str, Parameter]
     held: dict[str, float]
@@ -169,10 +135,10 @@ def _form(name: str, at: Mapping[str, float]) -> Bounce:
 
 
 def track_models(
-    names: Sequence[str] | None, setting: TrackSetting, walls: Sequence[WallLine], start: Mapping[str, float]
+    names: Sequence[str] | None, setting: Setting, walls: Sequence[WallLine], start: Mapping[str, float]
 ) -> tuple[list[TrackModel], list[str]]:
     """Return the laws to fit, and notes. ``start``: initial values of parameters, as far as known."""
-    setting.check()
+    require_settings(setting, whole=True)
     odd = [wall.name for wall in walls if max(abs(wall.normal[0]), abs(wall.normal[1])) < 1 - 1e-9]
     sides = [side_of(wall) for wall in walls if wall.name not in odd]
     faults = [f"wall {name}: expected walls along the axes for whole tracks, got one that is tilted" for name in odd]
@@ -187,38 +153,28 @@ def track_models(
     return [_model(law, setting, walls, start) for law in chosen], notes
 
 
-def _model(law: FittedLaw, setting: TrackSetting, walls: Sequence[WallLine], start: Mapping[str, float]) -> TrackModel:
-    free: dict[str, Parameter] = {}
-    held = {"friction": math.inf, "tangential_restitution": 0.0, "restitution": 1.0, "spin_loss": SPIN_LOSS,
-            "stiffness_ratio": LIKE_SOLIDS}  # fmt: skip
-    for name in law.free:
-        parameters = FORMS[setting.restitution].parameters if name == "restitution" else (_NAMED[name],)
-        free |= {parameter.name: parameter for parameter in parameters}
-    for parameter in FLOOR:
-        if parameter.name != "spin_loss" or "spin_loss" in setting.fit:
-            free[parameter.name] = parameter
+def _model(law: FittedLaw, setting: Setting, walls: Sequence[WallLine], start: Mapping[str, float]) -> TrackModel:
+    form = form_of(law, setting).parameters
+    known = [*form, *(_NAMED[name] for name in ON_WALL), *FLOOR]
+    if setting.floor_friction is not None:
+        known[-len(FLOOR)] = replace(FLOOR[0], value=setting.floor_friction, origin="setting")
     for wall in walls:
         side = side_of(wall)
         at = start.get(f"wall_{side}", wall.point[0 if side in ("left", "right") else 1])
         far = start.get(f"range_{side}", WALL_RANGE)
-        free[f"wall_{side}"] = Parameter(
-            f"wall_{side}", at - far, at + far, (at,), at, "m", "position at which the ball's centre is reflected"
-        )
-    for name, value in law.pinned.items():
-        free.pop(name, None)
-        held[name] = value
-    for name, value in setting.fixed.items():
-        if name in free or name == "spin_loss":
-            free.pop(name, None)
-            held[name] = value
-    for name, parameter in free.items():
-        low, high = setting.bounds.get(name, (parameter.low, parameter.high))
-        middle = parameter.tried[len(parameter.tried) // 2] if parameter.tried else parameter.start
-        at = start.get(name, START_VALUES.get(name, middle))
-        if name == "stiffness_ratio" and law.chi_range is not None:
-            share = (1 + 1 / setting.kappa) / 2
-            low, high = max(low, law.chi_range[0] / share), min(high, law.chi_range[1] / share)
-        inside = START_MARGIN * (high - low)
-        free[name] = replace(parameter, low=low, high=high, start=float(np.clip(at, low + inside, high - inside)))
-    model = TrackModel(law, setting, tuple(walls), free, held)
+        meaning = "position at which the ball's centre is reflected"
+        known.append(Parameter(f"wall_{side}", at - far, at + far, (at,), at, "m", meaning))
+    also = [one.name for one in known[len(form) + len(ON_WALL) :] if not one.origin or one.name in setting.fit]
+    every = decided(law, setting, known, also)
+    free = {name: _begun(one, start) for name, one in every.items() if one.free}
+    model = TrackModel(
+        law, setting, tuple(walls), free, {name: one.value for name, one in every.items() if not one.free}
+    )
     return replace(model, family=AffineArrays(model.scene, free))
+
+
+def _begun(one: Parameter, start: Mapping[str, float]) -> Parameter:
+    """Return a free parameter with the value from which its search begins, off its bounds."""
+    at = start.get(one.name, START_VALUES.get(one.name, one.tried[len(one.tried) // 2]))
+    inside = START_MARGIN * (one.high - one.low)
+    return replace(one, value=float(np.clip(at, one.low + inside, one.high - inside)))

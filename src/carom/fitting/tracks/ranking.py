@@ -14,9 +14,10 @@ from carom.errors import CaromError
 from carom.files import require_library
 from carom.fitting.evidence import DECIDED, LEANS, Evidence, odds_in_words, verdict_words, weigh
 from carom.fitting.result import finite
+from carom.fitting.setting import Setting, require_settings
 from carom.fitting.tracks.errors import ERROR_TOO_SMALL
 from carom.fitting.tracks.fit import starting_numbers
-from carom.fitting.tracks.model import TrackSetting, track_models
+from carom.fitting.tracks.model import track_models
 from carom.fitting.tracks.result import TrackFit
 from carom.fitting.tracks.search import fit_track_law
 from carom.fitting.tracks.segments import find_segments
@@ -95,7 +96,7 @@ class TrackRanking:
 
 
 def fit_tracks(
-    measured: Measured, setting: TrackSetting, laws: str | Sequence[str] | None = None, *, say: Say | None = None
+    measured: Measured, setting: Setting, laws: str | Sequence[str] | None = None, *, say: Say | None = None
 ) -> TrackRanking:
     """Fit laws to whole tracks by simulating every ball, and rank them.
 
@@ -103,7 +104,7 @@ def fit_tracks(
     ----------
     measured : Measured
         Tracks with their walls and contacts (:func:`carom.tracks.measurement.measure`).
-    setting : TrackSetting
+    setting : Setting
         The ball, the noise, and the extent of the simulation.
     laws : str or sequence of str, optional
         Names. Default: all laws for balls on a table.
@@ -124,7 +125,8 @@ def fit_tracks(
     --------
     >>> import carom
     >>> import numpy as np
-    >>> from carom.fitting.tracks import TrackSetting, fit_tracks
+    >>> from carom.fitting import Setting
+    >>> from carom.fitting.tracks import fit_tracks
     >>> from carom.tracks import Settings, Track, measure
     >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.8, friction=0.2)
     >>> ball = carom.SceneBall(radius=0.03, mass=0.2, position=(0.5, 0.1), velocity=(-1.5, 0.5), rolling=True)
@@ -132,14 +134,14 @@ def fit_tracks(
     >>> run, t = carom.simulate(scene), np.arange(120) / 120
     >>> track = Track("ball", t, np.array([run.at(time).position[0, :2] for time in t]))
     >>> measured = measure([track], Settings(radius=0.03, view="above", noise=1e-4))
-    >>> ranking = fit_tracks(measured, TrackSetting(radius=0.03, noise=1e-4), ["two-step"])
+    >>> ranking = fit_tracks(measured, Setting(radius=0.03, noise=1e-4), ["two-step"])
     >>> round(ranking.best.estimates["restitution"].value, 3)
     0.8
     """
     require_library("scipy", "fit")
     if measured.view != "above":
         raise CaromError("tracks: expected balls on a table, seen from above, got balls in flight; leave out --whole")
-    setting.check()
+    require_settings(setting, whole=True)
     found, notes = find_segments(measured, setting.cushions, setting.after)
     if not found:
         raise CaromError(

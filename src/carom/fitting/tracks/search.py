@@ -57,7 +57,7 @@ def fit_track_law(
     for turn, friction in enumerate(NEW_STARTS, 1):
         if best.follows:
             break
-        inside = replace(parameter, start=min(max(friction, parameter.low), parameter.high))
+        inside = replace(parameter, value=min(max(friction, parameter.low), parameter.high))
         other = fit_windows(replace(model, free=model.free | {"friction": inside}), frames, noise, partial(part, turn))
         if other.deviance < best.deviance:
             best = other
@@ -71,7 +71,7 @@ def _across_kinks(model: TrackModel, best: TrackFit, noise: float) -> tuple[Trac
     Widely spread frictions are tried too, with the walls at the measured contacts: first, and again if the law does not follow the
     frames.
     """
-    walls = {name: one.start for name, one in model.free.items() if name.startswith("wall_")}
+    walls = {name: one.value for name, one in model.free.items() if name.startswith("wall_")}
     seen: list[tuple[float, float]] = []
 
     def explore(best: TrackFit, nearby: list[float], everywhere: list[float]) -> TrackFit:
