@@ -92,7 +92,7 @@ def bases() -> dict[str, list[bytes]]:
     """Intact files by kind."""
     from carom.data.published import published_rebounds
     from carom.gas.build import new_gas
-    from carom.scene.toml import new_scene
+    from carom.scene.toml import scene_text
 
     scenes = [path.read_bytes() for path in sorted((ROOT / "docs" / "scenes").glob("*.toml"))]
     tables = []
@@ -108,7 +108,7 @@ def bases() -> dict[str, list[bytes]]:
             b"velocity_x [m/s],velocity_y,spin_z,radius_mm\n-1,1,0,26.25\n-2,0.5,10,26.25\n",
             b"speed,incidence_deg,restitution\n1,45,0.9\n2,30,\n",
         ],
-        "scene": [new_scene().encode()] + [text for text in scenes if b"[[balls]]" in text],
+        "scene": [scene_text().encode()] + [text for text in scenes if b"[[balls]]" in text],
         "gas": [new_gas().encode()] + [text for text in scenes if b"[[species]]" in text],
         "checkpoint": [_checkpoint()],
     }

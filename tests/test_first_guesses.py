@@ -13,7 +13,7 @@ import carom
 
 @pytest.fixture
 def file(tmp_path: Path) -> Path:
-    (tmp_path / "x.toml").write_text(carom.new_scene(), encoding="utf-8")
+    (tmp_path / "x.toml").write_text(carom.scene_text(), encoding="utf-8")
     return tmp_path / "x.toml"
 
 
@@ -26,17 +26,17 @@ def test_a_scene_by_the_name_of_its_file(file: Path) -> None:
 
 
 def test_numbers_for_compare() -> None:
-    assert carom.compare(angle=30, friction=0.2)["two-step"].reflection_angle == (
-        carom.compare(carom.incoming(angle=30, friction=0.2))["two-step"].reflection_angle
+    assert carom.compare(angle_deg=30, friction=0.2)["two-step"].reflection_angle_deg == (
+        carom.compare(carom.incoming(angle_deg=30, friction=0.2))["two-step"].reflection_angle_deg
     )
-    assert [one.law for one in carom.compare(laws=["mirror"], angle=30).verdicts] == ["mirror"]
-    assert [one.law for one in carom.compare(laws="mirror", angle=30).verdicts] == ["mirror"]
-    with pytest.raises(carom.CaromError, match="did you mean 'angle'"):
+    assert [one.law for one in carom.compare(laws=["mirror"], angle_deg=30).verdicts] == ["mirror"]
+    assert [one.law for one in carom.compare(laws="mirror", angle_deg=30).verdicts] == ["mirror"]
+    with pytest.raises(carom.CaromError, match="did you mean 'angle_deg'"):
         carom.compare(angel=30)
     with pytest.raises(carom.CaromError, match="did you mean 'laws'"):
         carom.compare(law="mirror")
-    with pytest.raises(carom.CaromError, match="got both \\(angle\\)"):
-        carom.compare(carom.incoming(), angle=30)
+    with pytest.raises(carom.CaromError, match="got both \\(angle_deg\\)"):
+        carom.compare(carom.incoming(), angle_deg=30)
 
 
 def test_units() -> None:

@@ -118,7 +118,7 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
         carom.impact(BALL, STATE, normal=(1, 0, 0), surface=SURFACE),
         carom.two_step(BALL, STATE, wall=SURFACE, floor=SURFACE),
         carom.Cue(),
-        carom.strike(BALL, speed=2.0, azimuth=0.0),
+        carom.strike(BALL, speed=2.0, azimuth_deg=0.0),
         carom.collide(BALL, STATE, BALL, carom.State((0, 0, 0), (0, 0, 0)), (1, 0, 0), SURFACE),
         carom.domenech(BALL),
     ],
@@ -267,7 +267,7 @@ def test_pickled_laws_are_those_of_the_registry_and_custom_ones_go_along() -> No
     again = pickle.loads(pickle.dumps(law))
     made, expected = (carom.compare(carom.incoming(friction=0.0), [one])["soft"] for one in (again, law))
     assert pickle.loads(pickle.dumps(carom.LAWS["maw"])) is carom.LAWS["maw"]
-    assert made.angle_after_wall == expected.angle_after_wall
+    assert made.angle_after_wall_deg == expected.angle_after_wall_deg
 
 
 def soft(v: Any, w: Any, n: Any, a: float, kappa: float, e: float, mu: float, beta: float) -> Any:

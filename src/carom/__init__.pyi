@@ -63,6 +63,7 @@ from .scene.table import Table as Table
 from .scene.toml import load_scene as load_scene
 from .scene.toml import new_scene as new_scene
 from .scene.toml import save_scene as save_scene
+from .scene.toml import scene_text as scene_text
 from .simulation.events import Event as Event
 from .simulation.events import Events as Events
 from .simulation.load import load_trajectory as load_trajectory

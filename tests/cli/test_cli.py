@@ -34,7 +34,7 @@ def carom_command(*arguments: str, **environment: str) -> subprocess.CompletedPr
 def test_json_is_the_librarys_answer_in_full() -> None:
     result = runner.invoke(app, ["compare", "--json", "--angle", "30", "--spin-z", "-7.5", "--friction", "0.2"])
     assert result.exit_code == 0
-    expected = carom.compare(carom.incoming(angle=30.0, spin_z=-7.5, friction=0.2)).as_dict()
+    expected = carom.compare(carom.incoming(angle_deg=30.0, spin_z=-7.5, friction=0.2)).as_dict()
     assert json.loads(result.stdout) == expected
     assert expected["settings"]["wall"]["friction"] == 0.2
     assert expected["settings"]["floor"]["friction"] == "inf"
@@ -42,11 +42,15 @@ def test_json_is_the_librarys_answer_in_full() -> None:
 
 def test_every_option_reaches_the_library() -> None:
     settings = {
-        "speed": 2.0, "angle": 10.0, "spin_z": 1.0, "spin_x": 2.0, "spin_y": 3.0, "vertical_speed": 0.1, "height": 0.01,
+        "speed": 2.0, "angle_deg": 10.0, "spin_z": 1.0, "spin_x": 2.0, "spin_y": 3.0, "vertical_speed": 0.1, "height": 0.01,
         "inertia": 0.5, "radius": 0.03, "mass": 0.2, "restitution": 0.9, "friction": 0.3, "tangential_restitution": -0.5,
         "floor_restitution": 0.4, "floor_friction": 0.25, "gravity": 1.6, "cushion_height": 1.2, "floor_contact": "after",
     }  # fmt: skip
-    options = [part for key, value in settings.items() for part in (f"--{key.replace('_', '-')}", str(value))]
+    options = [
+        part
+        for key, value in settings.items()
+        for part in (f"--{key.removesuffix('_deg').replace('_', '-')}", str(value))
+    ]
     result = runner.invoke(app, ["compare", "--json", *options])
     assert json.loads(result.stdout) == carom.compare(carom.incoming(**settings)).as_dict()  # type: ignore[arg-type]
     sliding = runner.invoke(app, ["compare", "--json", "--sliding"])
@@ -126,7 +130,9 @@ def test_the_command_refuses_what_the_library_refuses(
     ((key, value),) = given.items()
     with pytest.raises(carom.CaromError) as caught:
         carom.incoming(**given)  # type: ignore[arg-type]
-    assert fails(capsys, "compare", f"--{key.replace('_', '-')}={value}") == [f"carom: {caught.value.faults[0]}"]
+    assert fails(capsys, "compare", f"--{key.removesuffix('_deg').replace('_', '-')}={value}") == [
+        f"carom: {caught.value.faults[0]}"
+    ]
     assert where in caught.value.faults[0]
 
 

@@ -58,7 +58,7 @@ def test_the_page_shows_what_carom_compare_says(open_page: Any) -> None:
     compared = carom.compare()
     for verdict in compared.verdicts:
         card = page.locator(f'[data-law="{verdict.law}"]')
-        assert _angle(page, verdict.law) == f"{verdict.reflection_angle:.1f}°"
+        assert _angle(page, verdict.law) == f"{verdict.reflection_angle_deg:.1f}°"
         assert card.locator(".energy dd").inner_text() == f"{100 * verdict.energy_ratio:.1f} %"
         assert ("✓" in card.locator(".verdict").inner_text()) == verdict.admissible
         if verdict.why:

@@ -213,7 +213,7 @@ def test_a_comparison_is_that_of_python_with_its_sentences(evaluate: Any) -> Non
             seen |= {*found["reasons"], *found["remarks"]}
             flight = verdict.answer.steps.flight if verdict.answer and verdict.answer.steps else None
             numbers = {
-                "angle": verdict.reflection_angle, "angle_after_wall": verdict.angle_after_wall,
+                "angle": verdict.reflection_angle_deg, "angle_after_wall": verdict.angle_after_wall_deg,
                 "energy_kept": verdict.energy_ratio, "required": verdict.required_wall,
                 "required_floor": verdict.required_floor, "hop": flight and float(flight.height),
                 "flight": flight and float(flight.distance),
@@ -237,7 +237,7 @@ def test_laws_of_cushions_are_compared_by_name_at_any_wall(evaluate: Any, tmp_pa
     found = evaluate(f"(scene) => engine.compare(scene, {json.dumps(names)})", scene_dict(carom.load_scene(file)))
     by_name = {one["law"]: one for one in found}
     for verdict in carom.compare(laws=names).verdicts:
-        assert by_name[verdict.law]["angle"] == pytest.approx(verdict.reflection_angle, rel=1e-9)
+        assert by_name[verdict.law]["angle"] == pytest.approx(verdict.reflection_angle_deg, rel=1e-9)
         assert by_name[verdict.law]["reasons"] == list(verdict.why)
 
 
@@ -248,10 +248,10 @@ def test_a_curve_of_reflection_is_that_of_python(evaluate: Any, tmp_path: Any) -
     angles = [0.0, 10.0, 30.0, 45.0, 60.0, 85.0]
     for law in ("mirror", "conventional", "no-slip", "two-step", "maw", "stronge"):
         found = evaluate(f"(scene) => engine.curve({json.dumps(law)}, scene, {angles})", scene)
-        verdicts = [carom.compare(carom.incoming(angle=angle), [law]).verdicts[0] for angle in angles]
-        np.testing.assert_allclose(found, [one.reflection_angle for one in verdicts], atol=1e-9)
+        verdicts = [carom.compare(carom.incoming(angle_deg=angle), [law]).verdicts[0] for angle in angles]
+        np.testing.assert_allclose(found, [one.reflection_angle_deg for one in verdicts], atol=1e-9)
         found = evaluate(f"(scene) => engine.curve({json.dumps(law)}, scene, {angles}, 'wall')", scene)
-        np.testing.assert_allclose(found, [one.angle_after_wall for one in verdicts], atol=1e-9)
+        np.testing.assert_allclose(found, [one.angle_after_wall_deg for one in verdicts], atol=1e-9)
 
 
 # --- the module -------------------------------------------------------------------------------------------------------

@@ -567,18 +567,18 @@ def test_a_law_cannot_be_told_from_one_that_contains_it():
 
 def test_bad_ranges_are_refused_all_at_once():
     with pytest.raises(carom.CaromError) as error:
-        design("planar", SETTING, ("contact", "sliding"), Shots(angles=(40, 20), sigma_v=0.0), odds=0.5)
+        design("planar", SETTING, ("contact", "sliding"), Shots(angles_deg=(40, 20), sigma_v=0.0), odds=0.5)
     assert len(error.value.faults) == 3
     with pytest.raises(carom.CaromError) as error:
         design(
             "planar",
             Setting(radius=0),
             "contact",
-            Shots(angles=3, speeds=("x", 2), sigma_v="x"),
+            Shots(angles_deg=3, speeds=("x", 2), sigma_v="x"),
             {"friction": "x"},
             odds="x",
         )
-    starts = ["radius", "angles", "speeds", "sigma_v", "odds", "laws", "truth"]
+    starts = ["radius", "angles_deg", "speeds", "sigma_v", "odds", "laws", "truth"]
     assert [fault.split(":")[0] for fault in error.value.faults] == starts
 
 
@@ -625,7 +625,7 @@ def hit(angle_deg: float, spins, seed: int, n: int, e=0.8, mu=0.3, beta=0.2, spe
 def test_a_shot_whose_spin_nobody_will_know_is_worth_what_many_such_shots_tell_on_average(angle_deg):
     setting = replace(SETTING, spin_width=0.3, spin_mean=0.2)
     truth = {"restitution": 0.8, "friction": 0.3, "tangential_restitution": 0.2}
-    shots = Shots(angles=(angle_deg, angle_deg), speeds=(2, 2), spins=None, sigma_v=0.03, counts=(1, 1, 1))
+    shots = Shots(angles_deg=(angle_deg, angle_deg), speeds=(2, 2), spins=None, sigma_v=0.03, counts=(1, 1, 1))
     plan = design("planar", setting, ("contact", "sliding"), shots, truth)
     assert plan.as_dict()["map"]["spin"] == [None]
     assert all(shot.spin is None for shot in plan.shots)

@@ -109,7 +109,9 @@ def test_the_range_is_what_the_rows_cover():
     assert covers.narrow == ""
     speed = np.hypot(columns["v_n_in"], columns["v_t_in"])
     assert covers.speed == pytest.approx((speed.min(), speed.max()))
-    assert covers.angle[1] == pytest.approx(np.degrees(np.arctan(np.abs(columns["v_t_in"] / columns["v_n_in"]))).max())
+    assert covers.angle_deg[1] == pytest.approx(
+        np.degrees(np.arctan(np.abs(columns["v_t_in"] / columns["v_n_in"]))).max()
+    )
     # the side on which a ball comes does not matter, running spin is positive
     turned = columns | {name: -columns[name] for name in ("v_t_in", "spin_in", "v_t_out", "spin_out")}
     assert coverage(make_problem(make_rebounds("planar", turned), SETTING)[0]) == covers

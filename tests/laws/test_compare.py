@@ -17,11 +17,11 @@ from carom.laws.remarks import remarks_on
 
 def test_the_papers_example() -> None:
     comparison = carom.compare()
-    assert comparison.incident_angle == pytest.approx(45.0, abs=1e-12)
+    assert comparison.incident_angle_deg == pytest.approx(45.0, abs=1e-12)
     conventional, two = comparison["conventional"], comparison["two-step"]
     # section 4: arctan 5/9 = 29.05 (printed 29.1), arctan 39/31 = 51.52 (printed 51.5)
-    assert conventional.reflection_angle == pytest.approx(math.degrees(math.atan(5 / 9)), abs=1e-10)
-    assert two.reflection_angle == pytest.approx(math.degrees(math.atan(39 / 31)), abs=1e-10)
+    assert conventional.reflection_angle_deg == pytest.approx(math.degrees(math.atan(5 / 9)), abs=1e-10)
+    assert two.reflection_angle_deg == pytest.approx(math.degrees(math.atan(39 / 31)), abs=1e-10)
     # (41)
     assert two.final is not None
     assert two.final.velocity == pytest.approx(np.array([31, 39, 0]) / 49 / math.sqrt(2), abs=1e-14)
@@ -52,7 +52,7 @@ def test_every_law_is_there_in_order() -> None:
 def test_a_law_that_refuses_says_why() -> None:
     verdict = carom.compare(carom.incoming(spin_y=40.0))["conventional"]
     assert verdict.final is None
-    assert verdict.reflection_angle is None
+    assert verdict.reflection_angle_deg is None
     assert verdict.energy_ratio is None
     assert not verdict.admissible
     assert "rolls on the floor" in verdict.why[0]
@@ -65,7 +65,7 @@ def test_a_ball_that_never_rolls() -> None:
     verdict = carom.compare(carom.incoming(floor_friction=0.0))["two-step"]
     assert verdict.after_wall is not None
     assert verdict.final is None
-    assert verdict.reflection_angle is None
+    assert verdict.reflection_angle_deg is None
     assert verdict.energy_ratio is None
     assert verdict.energy_ratio_after_wall == pytest.approx(39 / 49)
     assert verdict.remarks[-1] == "the ball never rolls again: the floor has no friction, so the ball slides for ever"
@@ -78,9 +78,9 @@ def test_a_ball_that_never_rolls() -> None:
         ({"floor_friction": 0.1}, "lands sliding: the floor's friction 0.1 is below"),
         ({"cushion_height": 1.3, "friction": 0.2, "floor_friction": 0.2}, "presses the ball on the floor"),
         ({"floor_restitution": 0.5}, "bounces"),
-        ({"angle": 0.0, "spin_z": 20.0}, "leaves to the left"),
-        ({"angle": 0.0, "spin_z": -20.0}, "leaves to the right"),
-        ({"angle": 20.0, "spin_z": -100.0}, "to the side of the normal from which it came"),
+        ({"angle_deg": 0.0, "spin_z": 20.0}, "leaves to the left"),
+        ({"angle_deg": 0.0, "spin_z": -20.0}, "leaves to the right"),
+        ({"angle_deg": 20.0, "spin_z": -100.0}, "to the side of the normal from which it came"),
     ],
 )  # fmt: skip
 def test_remarks(given: dict[str, float], said: str) -> None:
@@ -148,7 +148,7 @@ friction = st.one_of(st.just(0.0), st.just(math.inf), st.floats(0, 3))
 
 @settings(deadline=None, max_examples=150)
 @given(
-    speed=st.floats(1e-3, 30), angle=st.floats(0, 89.9), spin_z=st.floats(-300, 300), sliding=st.booleans(),
+    speed=st.floats(1e-3, 30), angle_deg=st.floats(0, 89.9), spin_z=st.floats(-300, 300), sliding=st.booleans(),
     spin_y=st.one_of(st.none(), st.floats(-300, 300)), inertia=st.floats(0.01, 2 / 3),
     restitution=share, friction=friction, floor_restitution=share, floor_friction=friction,
     height=st.one_of(st.just(0.0), st.floats(0, 0.3)), gravity=st.one_of(st.just(0.0), st.just(9.8)),
@@ -173,6 +173,6 @@ def test_any_ball_gives_json_without_nan(**given: float) -> None:
 def test_a_wall_that_lies_flat_has_laws_and_no_angles() -> None:
     ball, state = carom.Ball(), carom.State((1.0, 0.0, -1.0), (0.0, 0.0, 0.0))
     found = carom.compare(carom.Meeting(ball, state, np.array([0.0, 0.0, 1.0]), carom.Surface(0.8, 0.2)))
-    assert math.isnan(found.incident_angle)
-    assert math.isnan(found["two-step"].reflection_angle)
+    assert math.isnan(found.incident_angle_deg)
+    assert math.isnan(found["two-step"].reflection_angle_deg)
     assert found["two-step"].final is not None

@@ -96,14 +96,14 @@ def test_han_s_law_is_that_of_its_equations() -> None:
 def test_han_s_ball_leaves_at_50_degrees_for_45() -> None:
     """A nose at 37 mm, a pool ball, neither friction nor loss: the reflection is not the mirror's."""
     meeting = carom.incoming(
-        angle=45.0, radius=0.028575, cushion_height=37 / 28.575, restitution=1.0, friction=0.0, floor_friction=0.2
+        angle_deg=45.0, radius=0.028575, cushion_height=37 / 28.575, restitution=1.0, friction=0.0, floor_friction=0.2
     )
     han = carom.compare(meeting, ["han2005"])["han2005"]
-    assert han.angle_after_wall == pytest.approx(50.44, abs=0.005)
+    assert han.angle_after_wall_deg == pytest.approx(50.44, abs=0.005)
     assert not han.admissible
     # (24a) without friction: v_X' = v_X (1 - 2 cos^2 theta_a)
     sine = 37 / 28.575 - 1
-    assert math.tan(math.radians(han.angle_after_wall)) == pytest.approx(1 / (1 - 2 * sine**2), rel=1e-12)
+    assert math.tan(math.radians(han.angle_after_wall_deg)) == pytest.approx(1 / (1 - 2 * sine**2), rel=1e-12)
     # and the energy that the table would have to return is gone
     assert han.energy_ratio_after_wall == pytest.approx(1 - (2 * sine) ** 2 * (1 - sine**2) * 5 / 14, rel=1e-12)
 
@@ -452,7 +452,7 @@ def test_han_s_dead_nose_lets_the_ball_into_it() -> None:
     """e < tan^2 theta: what turns the ball back is the table, which the law leaves out; scenes then have it strike again."""
     v1, _w1 = han2005((-1.0, 0.0, 0.0), (0.0, -1 / RADIUS, 0.0), NOSE, RADIUS, 2 / 5, 0.0, 0.0, 0.0)
     assert v1[0] == pytest.approx(-(SINE**2), rel=1e-12)
-    verdict = carom.compare(carom.incoming(angle=0, cushion_height=1.4, restitution=0, friction=0), ["han2005"])[
+    verdict = carom.compare(carom.incoming(angle_deg=0, cushion_height=1.4, restitution=0, friction=0), ["han2005"])[
         "han2005"
     ]
     assert "it sends the ball through the wall" in verdict.why
@@ -505,9 +505,9 @@ def test_once_it_rolls_only_the_cloth_during_the_impact_matters() -> None:
     """No impulse of the table changes the rolling state (39): Han's is that of the wall first and then the floor."""
     for angle, spin in ((10.0, 0.0), (40.0, 20.0), (70.0, -30.0)):
         meeting = carom.incoming(
-            angle=angle, spin_z=spin, cushion_height=1.4, restitution=0.9, friction=0.2, floor_friction=0.2
+            angle_deg=angle, spin_z=spin, cushion_height=1.4, restitution=0.9, friction=0.2, floor_friction=0.2
         )
         one = carom.compare(meeting, ["han2005", "two-step-after", "mathavan2010", "two-step"])
         for name, other in (("han2005", "two-step-after"), ("mathavan2010", "two-step")):
-            assert one[name].reflection_angle == pytest.approx(one[other].reflection_angle, rel=1e-9)
+            assert one[name].reflection_angle_deg == pytest.approx(one[other].reflection_angle_deg, rel=1e-9)
             assert one[name].energy_ratio == pytest.approx(one[other].energy_ratio, rel=1e-9)

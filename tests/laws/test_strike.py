@@ -24,7 +24,7 @@ def test_a_central_hit_is_two_masses_on_a_line() -> None:
     assert shot.state.velocity.tolist() == pytest.approx([2.0 * 1.7 * 0.5 / 0.67, 0, 0])
     assert not shot.state.spin.any()
     assert shot.state.velocity[0] - shot.cue_velocity == pytest.approx(0.7 * 2.0)
-    assert shot.squirt == 0
+    assert shot.squirt_deg == 0
     assert not shot.miscue
 
 
@@ -37,7 +37,7 @@ def test_squirt_is_alciatores(offset: float, ratio: float) -> None:
     expected = math.degrees(math.atan(2.5 * offset * math.sqrt(k2) / (1 + ratio + 2.5 * k2)))
     for place in ((offset, 0.0), (-offset, 0.0)):
         shot = carom.strike(BALL, cue, speed=3.0, offset=place)
-        assert shot.squirt == pytest.approx(expected, rel=1e-12)
+        assert shot.squirt_deg == pytest.approx(expected, rel=1e-12)
         # a ball that is struck on the right goes to the left
         assert np.sign(shot.state.velocity[1]) == np.sign(place[0])
 
@@ -62,13 +62,13 @@ def test_the_miscue_limit_is_alciatores(offset: float, friction: float) -> None:
 
 
 def test_where_the_ball_and_its_spin_go() -> None:
-    up = carom.strike(BALL, azimuth=90, offset=(0, 0.3)).state
+    up = carom.strike(BALL, azimuth_deg=90, offset=(0, 0.3)).state
     assert up.velocity[1] > 0
     assert up.spin[0] < 0  # rolls along +y
-    right = carom.strike(BALL, azimuth=180, offset=(0.3, 0)).state
+    right = carom.strike(BALL, azimuth_deg=180, offset=(0.3, 0)).state
     assert right.velocity[0] < 0
     assert right.spin[2] > 0  # hit on the right it turns counterclockwise, seen from above
-    down = carom.strike(BALL, azimuth=30, elevation=90).state
+    down = carom.strike(BALL, azimuth_deg=30, elevation_deg=90).state
     assert down.velocity == pytest.approx([0, 0, -2 * 1.73 / (1 + 0.17 / 0.54)], abs=1e-12)
 
 
@@ -112,11 +112,11 @@ def test_against_a_solution_in_space(values: Any) -> None:
 def test_arrays_and_single_strikes_have_the_same_bits() -> None:
     right = np.linspace(-0.9, 0.9, 600)
     many = carom.strike(
-        BALL, speed=np.array([[1.0], [4.0]]), elevation=20.0, offset=np.stack([right, 0.1 + 0 * right], axis=-1)
+        BALL, speed=np.array([[1.0], [4.0]]), elevation_deg=20.0, offset=np.stack([right, 0.1 + 0 * right], axis=-1)
     )
     assert many.state.velocity.shape == (2, 600, 3)
     for i in (0, 311, 599):
-        one = carom.strike(BALL, speed=4.0, elevation=20.0, offset=(right[i], 0.1))
+        one = carom.strike(BALL, speed=4.0, elevation_deg=20.0, offset=(right[i], 0.1))
         assert one.impulse.tolist() == many.impulse[1, i].tolist()
         assert one.miscue == many.miscue[1, i]
 
@@ -168,7 +168,7 @@ def test_a_masse_ends_along_coriolis_line(elevation: float, offset: tuple[float,
     ("options", "said"),
     [
         ({"speed": 0}, "strike: speed: expected a speed in m/s, > 0, got 0"),
-        ({"elevation": -1}, "strike: elevation: expected an angle in degrees, 0 to 90, got -1"),
+        ({"elevation_deg": -1}, "strike: elevation_deg: expected an angle in degrees, 0 to 90, got -1"),
         (
             {"offset": (0.8, 0.7)},
             r"strike: offset: expected a point on the ball, .*got \[0.8, 0.7\]; the tip would miss the ball",

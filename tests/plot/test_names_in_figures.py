@@ -95,7 +95,7 @@ def comparison(_folder: Path) -> Any:
         return (-v[0], v[1], v[2]), w
 
     law = carom.wall_law(carom.Card(NAME, "", (), "", "", ""), kernel)
-    return plot.compare(carom.compare(laws=[law, "mirror"], speed=1.0, angle=45.0))
+    return plot.compare(carom.compare(laws=[law, "mirror"], speed=1.0, angle_deg=45.0))
 
 
 def orbit(_folder: Path) -> Any:

@@ -81,7 +81,7 @@ def test_the_picture_from_above_has_the_laws_angles() -> None:
         (line,) = _lines(figure, 0, law_styles([law])[law][0])
         x, y = (np.asarray(u) for u in line.get_data())
         angle = math.degrees(math.atan2(y[-1] - y[-2], x[-1] - x[-2]))
-        assert angle == pytest.approx(comparison[law].reflection_angle, abs=1e-9)
+        assert angle == pytest.approx(comparison[law].reflection_angle_deg, abs=1e-9)
     words = [text.get_text() for text in figure.axes[0].texts]
     assert "two-step  51.5°" in words
     assert "conventional  29.1°" in words
@@ -103,13 +103,13 @@ def test_the_picture_from_the_side_is_to_scale() -> None:
 
 def test_settings_go_to_the_library() -> None:
     with pytest.raises(carom.CaromError, match="angle"):
-        plot.compare(angle=95.0)
+        plot.compare(angle_deg=95.0)
     texts = [text.get_text() for text in plot.compare(spin_y=40.0).axes[0].texts]
     assert "no prediction:\nconventional" in texts
 
 
 NO_END: list[dict[str, float]] = [
-    {"floor_friction": 0.0}, {"gravity": 0.0}, {"angle": 0.0, "restitution": 0.0}, {"friction": 0.0},
+    {"floor_friction": 0.0}, {"gravity": 0.0}, {"angle_deg": 0.0, "restitution": 0.0}, {"friction": 0.0},
 ]  # fmt: skip
 
 
@@ -183,9 +183,9 @@ def test_labels_keep_apart_and_in_order() -> None:
     "given",
     [
         {},
-        {"angle": 60.0, "friction": 0.15, "restitution": 0.85, "floor_friction": 0.2},
-        {"angle": 0.0, "spin_z": -80.0, "friction": 0.3},
-        {"angle": 20.0, "spin_z": 60.0, "friction": 0.2, "floor_friction": 0.2},
+        {"angle_deg": 60.0, "friction": 0.15, "restitution": 0.85, "floor_friction": 0.2},
+        {"angle_deg": 0.0, "spin_z": -80.0, "friction": 0.3},
+        {"angle_deg": 20.0, "spin_z": 60.0, "friction": 0.2, "floor_friction": 0.2},
     ],
 )
 def test_labels_of_the_laws_do_not_overlap_and_their_lines_do_not_cross(given: dict[str, float]) -> None:

@@ -196,7 +196,7 @@ def test_pockets_in_json() -> None:
 @pytest.mark.parametrize("name", list(presets()))
 def test_a_new_scene_of_a_table_has_all_its_numbers_and_runs(name: str, tmp_path: Path) -> None:
     file = tmp_path / "scene.toml"
-    text = carom.new_scene(name)
+    text = carom.scene_text(name)
     file.write_text(text, encoding="utf-8")
     scene = carom.load_scene(file)
     preset = presets()[name]
@@ -215,7 +215,7 @@ def test_a_new_scene_of_a_table_has_all_its_numbers_and_runs(name: str, tmp_path
 
 
 def test_the_first_shot_of_the_carom_table_scores() -> None:
-    run = carom.simulate(carom.Scene(**tomllib.loads(carom.new_scene("carom"))))
+    run = carom.simulate(carom.Scene(**tomllib.loads(carom.scene_text("carom"))))
     met = [event.name for event in run.events.of("wall", "ball", ball=0)]
     assert met[0] == "red"
     assert met.index("yellow") >= 4
@@ -228,9 +228,9 @@ def test_no_other_table_has_a_scene() -> None:
     with pytest.raises(
         carom.CaromError, match=r"^table: expected one of carom, .*, got 'karom'; did you mean 'carom'\?$"
     ):
-        carom.new_scene("karom")
+        carom.scene_text("karom")
 
 
 def test_the_scene_of_the_readme_is_that_of_the_table() -> None:
     file = Path(__file__).parents[2] / "docs" / "scenes" / "carom_table.toml"
-    assert file.read_text(encoding="utf-8") == carom.new_scene("carom")
+    assert file.read_text(encoding="utf-8") == carom.scene_text("carom")

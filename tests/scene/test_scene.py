@@ -35,7 +35,7 @@ from carom.scene import (
     Sphere,
     Table,
     load_scene,
-    new_scene,
+    scene_text,
 )
 from carom.scene.restitution import Exponential, Han2005, Polynomial, Power, Viscoelastic
 
@@ -253,11 +253,11 @@ def test_a_law_object_will_do() -> None:
 
 
 def test_the_new_scene_is_sound_and_shows_every_field(tmp_path: Path) -> None:
-    scene = load(tmp_path, new_scene())
+    scene = load(tmp_path, scene_text())
     assert scene.describe() == (
         "a floor, a table of 2.84 m by 1.42 m, cushion noses at 37 mm, 1 ball, law two-step, 20 s"
     )  # fmt: skip
-    shown = {line.lstrip("# ").split(" =")[0] for line in new_scene().splitlines() if " = " in line}
+    shown = {line.lstrip("# ").split(" =")[0] for line in scene_text().splitlines() if " = " in line}
     for model in (Scene, Floor, Table, Plane, Segment, SceneBall, BallContact, Run):
         tables = {"floor", "walls", "balls", "ball_contact", "run"}
         assert set(model.model_fields) - tables <= shown, model
@@ -265,7 +265,7 @@ def test_the_new_scene_is_sound_and_shows_every_field(tmp_path: Path) -> None:
 
 def test_its_commented_lines_are_sound_too(tmp_path: Path) -> None:
     text = (
-        new_scene().replace("# spin = ", "## spin = ").replace("# strike = ", "## strike = ")
+        scene_text().replace("# spin = ", "## spin = ").replace("# strike = ", "## strike = ")
     )  # faults beside rolling = true
     scene = load(tmp_path, re.sub(r"^# (?=\w+ = |\[)", "", text, flags=re.MULTILINE))
     assert [wall.kind for wall in scene.walls] == ["table", "plane", "segment"]
@@ -655,12 +655,12 @@ def test_faults_in_python_name_the_class_and_the_parts() -> None:
 
 def test_new_writes_and_check_says_what_it_is(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     runner, file = CliRunner(), tmp_path / "s.toml"
-    assert runner.invoke(app, ["scene", "new"]).stdout == new_scene()
+    assert runner.invoke(app, ["scene", "new"]).stdout == scene_text()
     result = runner.invoke(app, ["scene", "new", str(file)])
     assert (result.exit_code, result.stdout) == (0, "")
-    assert file.read_text() == new_scene()
+    assert file.read_text() == scene_text()
     assert result.stderr == f"written: {file}\n"
-    file.write_bytes(b"\xef\xbb\xbf" + new_scene().replace("\n", "\r\n").encode())  # as Notepad saves it
+    file.write_bytes(b"\xef\xbb\xbf" + scene_text().replace("\n", "\r\n").encode())  # as Notepad saves it
     result = runner.invoke(app, ["scene", "check", str(file)])
     assert result.exit_code == 0
     assert result.stdout == (
@@ -672,7 +672,7 @@ def test_new_writes_and_check_says_what_it_is(tmp_path: Path, capsys: pytest.Cap
     ]
     assert file.read_text() == "mine"
     assert runner.invoke(app, ["scene", "new", "--force", str(file)]).exit_code == 0
-    assert file.read_text() == new_scene()
+    assert file.read_text() == scene_text()
     nowhere = tmp_path / "none" / "s.toml"
     assert fails(capsys, "scene", "new", str(nowhere)) == [
         f"carom: {nowhere}: expected a folder that exists, got: No such file or directory; make it first"

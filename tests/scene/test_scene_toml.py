@@ -13,13 +13,13 @@ from carom.scene.presets import presets
 
 @pytest.mark.parametrize("name", list(presets()))
 def test_the_name_of_a_real_table_is_its_scene(name: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    (tmp_path / "table.toml").write_text(carom.new_scene(name), encoding="utf-8")
+    (tmp_path / "table.toml").write_text(carom.scene_text(name), encoding="utf-8")
     assert (
-        carom.load_scene(name) == carom.load_scene(tmp_path / "table.toml") == carom.load_scene(carom.new_scene(name))
+        carom.load_scene(name) == carom.load_scene(tmp_path / "table.toml") == carom.load_scene(carom.scene_text(name))
     )
     # a file of that name has precedence
     monkeypatch.chdir(tmp_path)
-    (tmp_path / name).write_text(carom.new_scene(), encoding="utf-8")
+    (tmp_path / name).write_text(carom.scene_text(), encoding="utf-8")
     assert len(carom.load_scene(name).balls) == 1
 
 

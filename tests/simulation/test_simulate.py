@@ -191,7 +191,7 @@ def test_strikes_of_many_runs_are_the_scene_s_own():
     )
     floor = carom.Floor(friction=0.2, rolling_resistance=0.01)
     scene = carom.Scene(floor=floor, balls=[struck, ball((0.8, 0.1))], run=carom.Run(duration=1.0))
-    start = carom.strike(struck.ball, speed=2.0, azimuth=[10.0, 12.0], offset=(0.2, 0.1)).state
+    start = carom.strike(struck.ball, speed=2.0, azimuth_deg=[10.0, 12.0], offset=(0.2, 0.1)).state
     velocity, spin = np.zeros((2, 2, 3)), np.zeros((2, 2, 3))
     velocity[:, 0], spin[:, 0] = start.velocity, start.spin
     many = carom.simulate_many(scene, velocity=velocity, spin=spin)

@@ -15,7 +15,7 @@ def test_dimensions_multiply_and_shared_ones_vary_together() -> None:
     space = carom.Space(
         table_scene(),
         {
-            "balls.0.velocity": carom.polar(speed=[1.0, 2.0], angle=np.linspace(0, 90, 4)),
+            "balls.0.velocity": carom.polar(speed=[1.0, 2.0], angle_deg=np.linspace(0, 90, 4)),
             "walls.*.friction": sweeps.along("cloth", [0.1, 0.2, 0.3]),
             "floor.friction": sweeps.along("cloth", [0.15, 0.2, 0.25]),
             "run.law": ["two-step", "mirror"],

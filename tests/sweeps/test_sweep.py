@@ -164,8 +164,10 @@ def test_impacts_are_what_compare_gives() -> None:
     for index in range(space.size):
         place = np.unravel_index(index, space.shape)
         values = space.point(index)
-        law = values.pop("law")
-        incoming = carom.incoming(restitution=0.85, friction=0.2, cushion_height=1.2, floor_friction=0.2, **values)
+        law, angle_deg = values.pop("law"), values.pop("angle")
+        incoming = carom.incoming(
+            angle_deg=angle_deg, restitution=0.85, friction=0.2, cushion_height=1.2, floor_friction=0.2, **values
+        )
         verdict = carom.compare(incoming, [law]).verdicts[0]
         at = dict(zip(space.dims, place, strict=True))
         if verdict.after_wall is None:

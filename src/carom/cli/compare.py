@@ -40,9 +40,10 @@ def compare(
     speed: Annotated[
         float, typer.Option(help="Speed along the floor, m/s.", rich_help_panel=BALL, **quantity("--speed", "m/s"))
     ] = 1.0,
-    angle: Annotated[
+    angle_deg: Annotated[
         float,
         typer.Option(
+            "--angle",
             help="Angle of incidence, from the wall's normal, degrees.",
             rich_help_panel=BALL,
             **quantity("--angle", "degree"),
@@ -110,7 +111,7 @@ def compare(
 
     contact: Literal["with", "after"] = floor_contact  # type: ignore[assignment]  # checked by the library
     settings: dict[str, Any] = {
-        "speed": speed, "angle": angle, "spin_x": spin_x, "spin_y": spin_y, "spin_z": spin_z, "sliding": sliding,
+        "speed": speed, "angle_deg": angle_deg, "spin_x": spin_x, "spin_y": spin_y, "spin_z": spin_z, "sliding": sliding,
         "vertical_speed": vertical_speed, "height": height, "inertia": _inertia(inertia), "radius": radius,
         "mass": mass, "restitution": restitution, "friction": friction, "tangential_restitution": tangential_restitution,
         "cushion_height": cushion_height, "floor_restitution": floor_restitution, "floor_friction": floor_friction,
@@ -165,7 +166,7 @@ def _incoming(comparison: Comparison) -> str:
     v = m.state.velocity
     spin = ", ".join(_number(float(x)) for x in m.state.spin)
     lines = [
-        f"State: {format_number(math.hypot(v[0], v[1]))} m/s at {comparison.incident_angle:.2f}° from the wall's normal,"
+        f"State: {format_number(math.hypot(v[0], v[1]))} m/s at {comparison.incident_angle_deg:.2f}° from the wall's normal,"
         f" spin ({spin}) rad/s",
         f"Ball:  radius {format_length(m.ball.radius, 4)}, mass {format_number(m.ball.mass, 4)} kg,"
         f" I = {format_number(m.ball.kappa)} m a²",
@@ -205,7 +206,7 @@ def _table(comparison: Comparison, console: Console) -> Table:
         table.add_column(head, justify="left" if i == 0 else "right", no_wrap=True, overflow="fold", vertical="bottom")
     for verdict in comparison.verdicts:
         good = verdict.admissible
-        row = [verdict.law, _degrees(verdict.angle_after_wall), _degrees(verdict.reflection_angle)]
+        row = [verdict.law, _degrees(verdict.angle_after_wall_deg), _degrees(verdict.reflection_angle_deg)]
         row += [_vector(verdict, "velocity", 2)] + ([_vector(verdict, "spin", 3)] if wide else [])
         row += [*_hop(verdict), "–" if verdict.energy_ratio is None else f"{verdict.energy_ratio:.1%}"]
         row += [format_number(verdict.required_wall), format_number(verdict.required_floor)]

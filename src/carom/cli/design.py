@@ -119,7 +119,7 @@ def design(
     elif kind in (None, "planar") and (file is None or filmed is not None):
         faults += _no_table(stage in STAGES[1:], contact_height != 1, floor_friction is not None)
     usual = Shots()  # replaces values already reported as faults
-    shots = Shots(ranges[0] or usual.angles, ranges[1] or usual.speeds, ranges[2], sigma_v, sigma_spin, stage)
+    shots = Shots(ranges[0] or usual.angles_deg, ranges[1] or usual.speeds, ranges[2], sigma_v, sigma_spin, stage)
     setting = Setting(
         radius=radius,
         kappa=0.4 if kappa is None else kappa,

@@ -36,7 +36,7 @@ def new(
     from carom.errors import CaromError
     from carom.files import write_text
     from carom.gas.build import new_gas
-    from carom.scene.toml import new_scene
+    from carom.scene.toml import scene_text
 
     if table is not None and gas:
         raise CaromError("--table: expected a scene of single balls, got --gas as well; give one of the two")
@@ -45,7 +45,7 @@ def new(
 
         sys.stdout.write("".join(f"{name:<18}{preset.title}\n" for name, preset in presets().items()))
         return
-    text = new_gas() if gas else new_scene(table)
+    text = new_gas() if gas else scene_text(table)
     if file is None:
         sys.stdout.write(text)
         return

@@ -19,6 +19,7 @@ from carom.fitting.data import Problem
 from carom.fitting.evidence import UNLIKELY
 from carom.fitting.model import feels_spins
 from carom.fitting.result import Fit, finite
+from carom.public.renamed import renamed_attribute
 
 __all__ = ["Adequacy", "Coverage", "adequacy", "coverage", "nothing_along_the_wall"]
 
@@ -83,12 +84,14 @@ class Coverage:
     """The contacts on which a verdict is based."""
 
     rows: int
-    angle: tuple[float, float]
-    """Degrees from the normal, least and largest, whatever the side."""
+    angle_deg: tuple[float, float]
+    """Incidence from the normal, least and largest, whatever the side."""
     speed: tuple[float, float]
     """m/s"""
     spin: tuple[float, float] | None
     """v/a, positive where it runs along v_t; None: not measured."""
+
+    angle = renamed_attribute("angle", "angle_deg")
 
     @property
     def narrow(self) -> str:
@@ -96,7 +99,7 @@ class Coverage:
         found = []
         if self.rows < NARROW_ROWS:
             found.append(f"{self.rows} rows are few")
-        if self.angle[1] - self.angle[0] < NARROW_ANGLE:
+        if self.angle_deg[1] - self.angle_deg[0] < NARROW_ANGLE:
             found.append("they cover a small range of incidence")
         if self.speed[1] < NARROW_SPEED * self.speed[0]:
             found.append("they cover a small range of speed")
@@ -108,12 +111,12 @@ class Coverage:
         if self.spin is not None:
             low, high = (round(end, 2) + 0.0 for end in self.spin)
             spin = f"spin {low:g} v/a" if low == high else f"spin {low:g} to {high:g} v/a"
-        return f"{self.rows} rows, incidence {_range(*self.angle, '°')}, {_range(*self.speed, ' m/s')}, {spin}"
+        return f"{self.rows} rows, incidence {_range(*self.angle_deg, '°')}, {_range(*self.speed, ' m/s')}, {spin}"
 
     def as_dict(self) -> dict[str, object]:
         """Return the coverage for JSON."""
         return {
-            "rows": self.rows, "incidence_deg": list(self.angle), "speed": list(self.speed),
+            "rows": self.rows, "incidence_deg": list(self.angle_deg), "speed": list(self.speed),
             "spin": None if self.spin is None else list(self.spin), "narrow": self.narrow or None,
         }  # fmt: skip
 

@@ -32,8 +32,8 @@ PLAIN_VALUES = {"restitution": 0.8, "friction": 0.2, "tangential_restitution": 0
 class Shots:
     """Ranges of shots that can be made, and the precision of their measurement."""
 
-    angles: tuple[float, float] = (5.0, 75.0)
-    """Incidence from the wall's normal, degrees."""
+    angles_deg: tuple[float, float] = (5.0, 75.0)
+    """Incidence from the wall's normal."""
     speeds: tuple[float, float] = (1.0, 3.0)
     """m/s."""
     spins: tuple[float, float] | None = (0.0, 0.0)
@@ -110,7 +110,7 @@ def candidates(
     """Return the rows; ``truth``: parameters of the law by name, or a function of the problem that gives all of them."""
     axes = tuple(
         np.array([np.nan]) if ends is None else np.linspace(*ends, count) if ends[1] > ends[0] else np.array([ends[0]])
-        for ends, count in zip((shots.angles, shots.speeds, shots.spins), shots.counts, strict=True)
+        for ends, count in zip((shots.angles_deg, shots.speeds, shots.spins), shots.counts, strict=True)
     )
     nodes = _points(setting) if shots.spins is None else np.zeros((1, 6))
     grid, _notes = make_problem(_rows(kind, shots, axes, len(nodes)), setting)

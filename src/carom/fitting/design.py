@@ -193,7 +193,8 @@ def require_plan(
     except CaromError as error:
         faults += error.faults
     for name, ends, least, most in (
-        ("angles", shots.angles, 0.0, 89.0), ("speeds", shots.speeds, 1e-6, 1e4), ("spins", shots.spins or (0.0, 0.0), -1e6, 1e6),
+        ("angles_deg", shots.angles_deg, 0.0, 89.0), ("speeds", shots.speeds, 1e-6, 1e4),
+        ("spins", shots.spins or (0.0, 0.0), -1e6, 1e6),
     ):  # fmt: skip
         pair = tuple(map(float_or_nan, ends)) if isinstance(ends, tuple | list) else ()
         if len(pair) != 2 or not least <= pair[0] <= pair[1] <= most:

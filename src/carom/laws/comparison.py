@@ -24,15 +24,20 @@ from carom.laws.registry import law_named, one_or_several
 from carom.laws.registry import laws as all_laws
 from carom.laws.remarks import remarks_on
 from carom.laws.results import GRAVITY, FloorContact, TwoStep, angle_from
+from carom.public.renamed import renamed_arguments, renamed_attribute, with_new_names
 
 __all__ = ["Comparison", "Verdict", "compare", "incoming"]
 
 Thing = TypeVar("Thing")
 
 
+RENAMED = {"angle": "angle_deg"}
+
+
+@renamed_arguments(**RENAMED)
 def incoming(
     speed: float = 1.0,
-    angle: float = 45.0,
+    angle_deg: float = 45.0,
     spin_z: float = 0.0,
     *,
     spin_x: float | None = None,
@@ -59,8 +64,8 @@ def incoming(
     ----------
     speed : float
         Along the floor, m/s, > 0.
-    angle : float
-        Angle of incidence, from the wall's normal, degrees, 0 <= angle < 90: the ball moves along -x and +y.
+    angle_deg : float
+        Angle of incidence, from the wall's normal, degrees, 0 <= angle_deg < 90: the ball moves along -x and +y.
     spin_z, spin_x, spin_y : float
         Angular velocity in the fixed frame, rad/s. Default of spin_x and spin_y: those of a rolling ball (27), or zero
         with ``sliding``.
@@ -99,7 +104,7 @@ def incoming(
     Examples
     --------
     >>> import carom
-    >>> meeting = carom.incoming(speed=2.0, angle=30.0, restitution=0.85, friction=0.2)
+    >>> meeting = carom.incoming(speed=2.0, angle_deg=30.0, restitution=0.85, friction=0.2)
     >>> meeting.state.velocity.round(4).tolist()
     [-1.7321, 1.0, 0.0]
     """
@@ -110,7 +115,7 @@ def incoming(
     faults = FaultList("incoming")
     v = checked_number(faults, "speed", speed, "a speed in m/s, > 0", lambda x: x > 0)
     what = "degrees from the wall's normal, at least 0 and below 90"
-    tau = checked_number(faults, "angle", angle, what, lambda x: (x >= 0) & (x < 90))
+    tau = checked_number(faults, "angle_deg", angle_deg, what, lambda x: (x >= 0) & (x < 90))
     spins = {"spin_x": spin_x, "spin_y": spin_y, "spin_z": spin_z}
     given = {
         key: checked_number(faults, key, w, "a finite spin in rad/s", lambda x: abs(x) <= MAX_MAGNITUDE)
@@ -163,7 +168,7 @@ class Verdict:
     --------
     >>> import carom
     >>> verdict = carom.compare()["two-step"]
-    >>> verdict.admissible, round(verdict.reflection_angle, 2)
+    >>> verdict.admissible, round(verdict.reflection_angle_deg, 2)
     (True, 51.52)
     """
 
@@ -179,9 +184,9 @@ class Verdict:
     """None if the law makes no prediction."""
     final: State | None
     """None if the law makes no prediction, or the ball never rolls again."""
-    angle_after_wall: float | None
+    angle_after_wall_deg: float | None
     """Angle of the velocity just after the wall from the wall's normal, along the floor, degrees; None if the ball is at rest."""
-    reflection_angle: float | None
+    reflection_angle_deg: float | None
     """The same angle for the final velocity, degrees."""
     energy_ratio: float | None
     """Final over incident kinetic energy."""
@@ -194,6 +199,9 @@ class Verdict:
     answer: Answer | None
     """The law's full answer; None if there is no prediction."""
 
+    angle_after_wall = renamed_attribute("angle_after_wall", "angle_after_wall_deg")
+    reflection_angle = renamed_attribute("reflection_angle", "reflection_angle_deg")
+
     def as_dict(self) -> dict[str, Any]:
         """Return the verdict as in `carom compare --json`: NaN as None, infinity as the string "inf"."""
         steps = None if self.answer is None else self.answer.steps
@@ -203,8 +211,8 @@ class Verdict:
             "law": self.law,
             "after_wall": state_dict(self.after_wall),
             "final": state_dict(self.final),
-            "angle_after_wall_deg": plain(self.angle_after_wall),
-            "reflection_angle_deg": plain(self.reflection_angle),
+            "angle_after_wall_deg": plain(self.angle_after_wall_deg),
+            "reflection_angle_deg": plain(self.reflection_angle_deg),
             "energy_ratio_after_wall": plain(self.energy_ratio_after_wall),
             "energy_ratio": plain(self.energy_ratio),
             "required_friction": {"wall": plain(self.required_wall), "floor": plain(self.required_floor)},
@@ -225,21 +233,25 @@ class Comparison:
     --------
     >>> import carom
     >>> comparison = carom.compare(laws=["mirror", "two-step"])
-    >>> [(verdict.law, round(verdict.reflection_angle, 2)) for verdict in comparison.verdicts]
+    >>> [(verdict.law, round(verdict.reflection_angle_deg, 2)) for verdict in comparison.verdicts]
     [('mirror', 45.0), ('two-step', 51.52)]
     """
 
     meeting: Meeting
     """The incoming ball, the wall and the floor."""
-    incident_angle: float
+    incident_angle_deg: float
     """Angle of incidence from the wall's normal, along the floor, degrees."""
     verdicts: tuple[Verdict, ...]
     """One per law."""
 
+    incident_angle = renamed_attribute("incident_angle", "incident_angle_deg")
+
     def __repr__(self) -> str:
         """Return one line: the incidence, and the final angle under each law, with * where it is admissible."""
-        parts = [f"{one.law} {format_number(one.reflection_angle, 4)}{'*' * one.admissible}" for one in self.verdicts]
-        return f"<Comparison at {format_number(self.incident_angle, 4)} degrees: {', '.join(parts)}>"
+        parts = [
+            f"{one.law} {format_number(one.reflection_angle_deg, 4)}{'*' * one.admissible}" for one in self.verdicts
+        ]
+        return f"<Comparison at {format_number(self.incident_angle_deg, 4)} degrees: {', '.join(parts)}>"
 
     def _repr_html_(self) -> str:
         """Return a table for notebooks."""
@@ -255,7 +267,7 @@ class Comparison:
         rows = []
         for one in self.verdicts:
             numbers = (one.energy_ratio, one.required_wall, one.required_floor)
-            angles = (format_number(angle, 4) for angle in (one.angle_after_wall, one.reflection_angle))
+            angles = (format_number(angle, 4) for angle in (one.angle_after_wall_deg, one.reflection_angle_deg))
             rows.append(
                 (one.law, *angles, *map(format_number, numbers), "yes" if one.admissible else "; ".join(one.why))
             )
@@ -272,7 +284,7 @@ class Comparison:
         """Return the comparison as in `carom compare --json`: full precision, None if undefined, "inf" for infinity."""
         m = self.meeting
         return {
-            "incident": {**(state_dict(m.state) or {}), "angle_deg": self.incident_angle},
+            "incident": {**(state_dict(m.state) or {}), "angle_deg": self.incident_angle_deg},
             "laws": [verdict.as_dict() for verdict in self.verdicts],
             "settings": {
                 "ball": {"radius": m.ball.radius, "mass": m.ball.mass, "kappa": m.ball.kappa},
@@ -294,8 +306,8 @@ def compare(
     Parameters
     ----------
     meeting : Meeting
-        One ball, one wall. Default: made from ``numbers``, the arguments of :func:`incoming`, such as ``angle=30``; without any,
-        the paper's example.
+        One ball, one wall. Default: made from ``numbers``, the arguments of :func:`incoming`, such as ``angle_deg=30``;
+        without any, the paper's example.
     laws : a name or a Law, or several
         Default: those of ``carom.LAWS``, in their order, without special cases of others (:attr:`Law.variant_of`); laws
         that ignore the floor (contact) are included only for a ball above it, and published laws of cushions only for a
@@ -314,11 +326,12 @@ def compare(
     Examples
     --------
     >>> import carom
-    >>> comparison = carom.compare(carom.incoming(speed=2.0, angle=30.0, restitution=0.85, friction=0.2))
-    >>> round(comparison["two-step"].reflection_angle, 2), comparison["mirror"].admissible
+    >>> comparison = carom.compare(carom.incoming(speed=2.0, angle_deg=30.0, restitution=0.85, friction=0.2))
+    >>> round(comparison["two-step"].reflection_angle_deg, 2), comparison["mirror"].admissible
     (41.17, False)
     """
     known = list(inspect.signature(incoming).parameters)
+    numbers = with_new_names("compare", numbers, RENAMED)
     if strange := [name for name in numbers if name not in known]:
         faults = [
             f"compare: expected laws, meeting or an argument of carom.incoming, got {name!r}; {suggestion(name, [*known, 'laws'])}"
@@ -369,8 +382,8 @@ def _verdict(law: Law, meeting: Meeting) -> Verdict:
         remarks=(),
         after_wall=answer.after_wall,
         final=final,
-        angle_after_wall=_angle(m, answer.after_wall),
-        reflection_angle=None if final is None else _angle(m, final),
+        angle_after_wall_deg=_angle(m, answer.after_wall),
+        reflection_angle_deg=None if final is None else _angle(m, final),
         energy_ratio=kinetic_energy(m.ball, final) / energy if final is not None and energy > 0 else None,
         energy_ratio_after_wall=ratio,
         required_wall=_known(answer.required_wall),

@@ -312,7 +312,7 @@ def wall_law(
     >>> def soft(v, w, n, a, kappa, e, mu, beta):
     ...     return (-0.5 * v[0], v[1], v[2]), w
     >>> law = carom.wall_law(carom.Card("soft", "Halves the normal speed.", (), "An example.", "", ""), soft)
-    >>> round(carom.compare(carom.incoming(friction=0.0), [law])["soft"].angle_after_wall, 2)
+    >>> round(carom.compare(carom.incoming(friction=0.0), [law])["soft"].angle_after_wall_deg, 2)
     63.43
     """
 

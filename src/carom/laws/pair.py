@@ -218,7 +218,7 @@ class Scattering:
 
     @property
     def post_transition_angles(self) -> tuple[Any, Any]:
-        """The same angles once both balls roll."""
+        """The same angles once both balls roll, rad."""
         return self._angles(self.rolling)
 
     def _angles(self, states: tuple[State, State]) -> tuple[Any, Any]:

@@ -27,6 +27,7 @@ from carom.errors import (
 )
 from carom.laws.arrays import loop_for
 from carom.laws.law import Card
+from carom.public.renamed import renamed_arguments, renamed_attribute
 
 __all__ = ["CARD", "DEFAULT_CUE", "Cue", "Strike", "strike", "tip_impulse"]
 
@@ -172,7 +173,7 @@ class Strike:
     --------
     >>> import carom
     >>> shot = carom.strike(carom.Ball(0.028575, 0.17), speed=3.0, offset=(0.4, 0.0))
-    >>> round(float(shot.squirt), 2), bool(shot.miscue), round(float(shot.required_friction), 3)
+    >>> round(float(shot.squirt_deg), 2), bool(shot.miscue), round(float(shot.required_friction), 3)
     (1.67, False, 0.402)
     """
 
@@ -184,20 +185,23 @@ class Strike:
     """(..., 3), N s, on the ball."""
     cue_velocity: Array
     """(...), m/s: the cue along its axis, after the contact."""
-    squirt: Any
-    """(...), degrees: between the cue's axis and the way the ball goes."""
+    squirt_deg: Any
+    """(...): between the cue's axis and the way the ball goes."""
     required_friction: Any
     """(...): what the tip needs so as not to slip."""
     miscue: Any
     """(...): whether it slips."""
 
+    squirt = renamed_attribute("squirt", "squirt_deg")
 
+
+@renamed_arguments(azimuth="azimuth_deg", elevation="elevation_deg")
 def strike(
     ball: Ball,
     cue: Cue = DEFAULT_CUE,
     speed: ArrayLike = 2.0,
-    azimuth: ArrayLike = 0.0,
-    elevation: ArrayLike = 0.0,
+    azimuth_deg: ArrayLike = 0.0,
+    elevation_deg: ArrayLike = 0.0,
     offset: ArrayLike = (0.0, 0.0),
 ) -> Strike:
     """Strike a ball at rest with a cue.
@@ -208,9 +212,9 @@ def strike(
     cue : Cue
     speed : array (...)
         Of the cue before the contact, m/s, > 0.
-    azimuth : array (...)
+    azimuth_deg : array (...)
         Where the cue points, degrees, counterclockwise from +x as seen from above.
-    elevation : array (...)
+    elevation_deg : array (...)
         How far its butt is raised, degrees, 0 to 90: with 90 it points straight down.
     offset : array (..., 2)
         Where the tip touches, in radii from the cue's axis through the centre: to the player's right, and up. Shorter than 1.
@@ -246,9 +250,9 @@ def strike(
     require_type("strike", "cue", cue, Cue)
     faults = FaultList("strike")
     v0 = checked_number(faults, "speed", speed, "a speed in m/s, > 0", lambda x: x > 0)
-    turn = checked_number(faults, "azimuth", azimuth, "an angle in degrees", np.isfinite)
+    turn = checked_number(faults, "azimuth_deg", azimuth_deg, "an angle in degrees", np.isfinite)
     raised = checked_number(
-        faults, "elevation", elevation, "an angle in degrees, 0 to 90", lambda x: (x >= 0) & (x <= 90)
+        faults, "elevation_deg", elevation_deg, "an angle in degrees, 0 to 90", lambda x: (x >= 0) & (x <= 90)
     )
     right, up = _offset(faults, offset)
     faults.raise_if_any()

@@ -52,7 +52,7 @@ def compare(comparison: laws_compared.Comparison | Meeting | None = None, **sett
     Examples
     --------
     >>> from carom import plot
-    >>> figure = plot.compare(angle=30, friction=0.2)
+    >>> figure = plot.compare(angle_deg=30, friction=0.2)
     >>> [axes.get_ylabel() for axes in figure.axes]
     ['along the wall, mm', 'height, mm']
     """
@@ -110,7 +110,7 @@ def _notes(figure: Any, comparison: laws_compared.Comparison, x: float) -> None:
     m = comparison.meeting
     figure.text(
         x, 0.995,
-        f"Incidence at {comparison.incident_angle:.1f}°, {format_number(float(np.hypot(*m.state.velocity[:2])))} m/s;"
+        f"Incidence at {comparison.incident_angle_deg:.1f}°, {format_number(float(np.hypot(*m.state.velocity[:2])))} m/s;"
         f" wall $e$ = {format_number(m.wall.restitution)}, $\\mu$ = {format_number(m.wall.friction)};"
         f" floor $e$ = {format_number(m.floor.restitution)}, $\\mu$ = {format_number(m.floor.friction)};"
         f" ball of radius {format_length(float(m.ball.radius), 4)}",
@@ -179,7 +179,7 @@ def _above(
 def _angle(verdict: laws_compared.Verdict) -> str:
     if verdict.final is None:
         return "never rolls"
-    return "stops" if verdict.reflection_angle is None else f"{verdict.reflection_angle:.1f}°"
+    return "stops" if verdict.reflection_angle_deg is None else f"{verdict.reflection_angle_deg:.1f}°"
 
 
 def _line_above(

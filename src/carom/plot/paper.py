@@ -245,7 +245,7 @@ def collision() -> Any:
         _room(view, a, (-2.2, 1.5), 3.6, 2.8)
         view.ball(centre, a)
         # steeper than the paper's example, so that R_y can be seen; the components are those of (31), to scale
-        comparison = compare(incoming(angle=68.0), ["two-step"])
+        comparison = compare(incoming(angle_deg=68.0), ["two-step"])
         answer = comparison["two-step"].answer
         assert answer is not None
         jump = np.asarray(answer.after_wall.velocity - comparison.meeting.state.velocity)
@@ -305,9 +305,9 @@ def incidence_and_reflection() -> Any:
         axes.text(-0.08, -0.6, "wall", rotation=90, ha="center", va="center", color="#6b675c")
         axes.plot([0, 1.25], [0, 0], color=GREY, lw=0.6, ls=(0, (5, 3)))
         axes.text(1.27, 0, "normal", color=GREY, ha="left", va="center", size=8)
-        rays = [("incidence", -comparison.incident_angle, INK, "solid", 0.3, "$\\tau_i$")]
+        rays = [("incidence", -comparison.incident_angle_deg, INK, "solid", 0.3, "$\\tau_i$")]
         for law, size, word in (("conventional", 0.42, "$\\tau_r$"), ("two-step", 0.56, "$\\tau_r$")):
-            angle = comparison[law].reflection_angle
+            angle = comparison[law].reflection_angle_deg
             assert angle is not None
             rays.append((law, angle, *styles[law], size, word))
         for law, degrees, ink, dashes, size, word in rays:

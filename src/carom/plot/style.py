@@ -145,7 +145,7 @@ def save(figure: Any, path: str | os.PathLike[str]) -> None:
     >>> import tempfile
     >>> from carom import plot
     >>> with tempfile.TemporaryDirectory() as folder:
-    ...     plot.save(plot.compare(angle=30), f"{folder}/angle.svg")
+    ...     plot.save(plot.compare(angle_deg=30), f"{folder}/angle.svg")
     """
     require_writable(path)
     path = Path(path)

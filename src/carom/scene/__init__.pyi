@@ -18,3 +18,4 @@ from .shapes import Wedge as Wedge
 from .toml import load_scene as load_scene
 from .toml import new_scene as new_scene
 from .toml import save_scene as save_scene
+from .toml import scene_text as scene_text

@@ -13,6 +13,7 @@ from carom.core.geometry.angles import direction
 from carom.core.geometry.features import FACE
 from carom.core.jit.kernel import cross, dot
 from carom.formatting import format_length
+from carom.public.renamed import renamed_attribute
 from carom.scene.feature_builders import UP, Feature, corner, frame, line, minus, plane, unit
 from carom.scene.schema import Angle, Direction, Fault, Flag, Point, Size, Sizes, Unquoted, Vector, raise_faults
 from carom.scene.wall import Outline, WallShape, format_vector
@@ -168,7 +169,7 @@ class Wedge(WallShape):
 
     @model_validator(mode="after")
     def _opens(self) -> Wedge:
-        if not 0 < self.opening <= 360:
+        if not 0 < self.opening_deg <= 360:
             got = Unquoted(f"{self.from_angle:g} to {self.to_angle:g}")
             raise_faults(
                 [Fault("an opening of more than 0 and at most 360 degrees", got, "to_angle is the greater one")]
@@ -176,9 +177,11 @@ class Wedge(WallShape):
         return self
 
     @property
-    def opening(self) -> float:
+    def opening_deg(self) -> float:
         """Return its opening angle, degrees."""
         return self.to_angle - self.from_angle
+
+    opening = renamed_attribute("opening", "opening_deg")
 
     @property
     def bounded(self) -> bool:
@@ -194,7 +197,7 @@ class Wedge(WallShape):
         """Return two faces, with an edge if the opening is wide."""
         axis = unit(self.axis)
         first, last = self._along(self.from_angle), self._along(self.to_angle)
-        if self.opening <= 180:
+        if self.opening_deg <= 180:
             return [plane(self.apex, cross(axis, first)), plane(self.apex, cross(last, axis))]
         return [
             Feature(FACE, self.apex, cross(axis, first), u=first, lo1=0.0),
@@ -215,14 +218,14 @@ class Wedge(WallShape):
 
     def describe(self) -> str:
         """Return a description of a few words."""
-        return f"a wedge of {self.opening:g} degrees at {format_vector(self.apex)}"
+        return f"a wedge of {self.opening_deg:g} degrees at {format_vector(self.apex)}"
 
     def blocked(self, x: Vector) -> bool:
         """Return whether a point is outside the opening."""
         r = minus(x, self.apex)
         u, v = frame(unit(self.axis))
         angle = math.degrees(math.atan2(dot(r, v), dot(r, u)))
-        return (angle - self.from_angle) % 360 > self.opening
+        return (angle - self.from_angle) % 360 > self.opening_deg
 
     def vertical(self, z: float) -> bool:
         """Return whether its axis is vertical."""

@@ -12,6 +12,7 @@ from carom.core.geometry.angles import direction
 from carom.core.geometry.features import FACE, LINE, OVER, POINT
 from carom.core.jit.kernel import dot
 from carom.formatting import format_length
+from carom.public.renamed import renamed_attribute
 from carom.scene.feature_builders import (
     UP,
     Feature,
@@ -200,7 +201,7 @@ class Arc(Standing):
     Examples
     --------
     >>> import carom
-    >>> carom.scene.Arc(center=(0, 0), radius=1, from_angle=30, to_angle=120).span
+    >>> carom.scene.Arc(center=(0, 0), radius=1, from_angle=30, to_angle=120).span_deg
     90.0
     """
 
@@ -213,7 +214,7 @@ class Arc(Standing):
     @model_validator(mode="after")
     def _opens(self) -> Arc:
         found = self._levels()
-        if not 0 < self.span <= 360:
+        if not 0 < self.span_deg <= 360:
             got = Unquoted(f"{self.from_angle:g} to {self.to_angle:g}")
             found.append(Fault("an arc of more than 0 and at most 360 degrees", got, "to_angle is the greater one"))
         raise_faults(found)
@@ -222,12 +223,14 @@ class Arc(Standing):
     @property
     def encloses(self) -> bool:
         """Return whether it is a full circle."""
-        return self.span >= 360
+        return self.span_deg >= 360
 
     @property
-    def span(self) -> float:
+    def span_deg(self) -> float:
         """Return its angle, degrees."""
         return self.to_angle - self.from_angle
+
+    span = renamed_attribute("span", "span_deg")
 
     def _at(self, degrees: float) -> Flat:
         c, s = direction(degrees)
@@ -235,8 +238,8 @@ class Arc(Standing):
 
     def features(self) -> list[Feature]:
         """Return its concave and convex sides, rims, ends, corners, and gates."""
-        u = (*direction(self.from_angle + self.span / 2), 0.0)
-        cosine = -1.0 if self.encloses else direction(self.span / 2)[0]
+        u = (*direction(self.from_angle + self.span_deg / 2), 0.0)
+        cosine = -1.0 if self.encloses else direction(self.span_deg / 2)[0]
         at, low, high = (*self.center, 0.0), self.low, self.height
         levels = [z for z in sorted({low, high}) if math.isfinite(z)]
 
@@ -260,7 +263,7 @@ class Arc(Standing):
     def describe(self) -> str:
         """Return a description of a few words."""
         radius, center = format_length(self.radius), format_vector(self.center)
-        return f"an arc of {self.span:g} degrees, radius {radius}, around {center}{self._tall()}"
+        return f"an arc of {self.span_deg:g} degrees, radius {radius}, around {center}{self._tall()}"
 
 
 class Stadium(WallShape):

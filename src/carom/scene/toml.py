@@ -18,7 +18,7 @@ from carom.scene.restitution import Constant
 from carom.scene.scene import Scene
 from carom.scene.schema import Model, from_file
 
-__all__ = ["load_scene", "new_scene", "parse_toml", "read_toml", "require_named_laws", "save_scene"]
+__all__ = ["load_scene", "new_scene", "parse_toml", "read_toml", "require_named_laws", "save_scene", "scene_text"]
 
 
 def load_scene(path: str | Path, *, allow_own_laws: bool = False) -> Scene:
@@ -44,7 +44,7 @@ def load_scene(path: str | Path, *, allow_own_laws: bool = False) -> Scene:
     >>> import carom, pathlib, tempfile
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     file = pathlib.Path(folder) / "scene.toml"
-    ...     _ = file.write_text(carom.new_scene(), encoding="utf-8")
+    ...     _ = file.write_text(carom.scene_text(), encoding="utf-8")
     ...     scene = carom.load_scene(file)
     >>> len(scene.balls)
     1
@@ -127,14 +127,12 @@ def save_scene(scene: Scene, path: str | Path) -> Path:
     ...     carom.load_scene(file) == scene
     True
     """
-    import tomli_w
-
     require_type("save_scene", "scene", scene, Scene)
     path = as_path("save_scene", path)
     require_writable(path, (".toml",))
     require_named_laws("save_scene", scene)
     with atomic_path(path) as part:
-        part.write_text(tomli_w.dumps(_plain(scene)), encoding="utf-8")
+        part.write_text(scene_text(scene), encoding="utf-8")
     return path
 
 
@@ -171,30 +169,65 @@ def _beside(table: dict[str, Any], folder: Path) -> None:
             part["law"] = str(folder / law)
 
 
-def new_scene(table: str | None = None) -> str:
-    """Return the text of a commented scene file that can be run unchanged: one ball on a carom table.
+def new_scene(table: str | None = None) -> Scene:
+    """Return a scene that can be run as it is: one ball on a carom table, or a real table with its balls.
 
     Parameters
     ----------
     table : str, optional
         A real table by name, such as "snooker" (:class:`carom.Table`): its balls as they lie when a game begins, its cushions and
-        cloth, each number with its source.
+        cloth.
 
     Returns
     -------
-    str
-        TOML.
+    Scene
+        :func:`scene_text` returns the commented text of its file.
 
     Raises CaromError, one line, for a name that no table has.
 
     Examples
     --------
     >>> import carom
-    >>> carom.new_scene().splitlines()[0].startswith("#")
-    True
-    >>> print(carom.new_scene("pool-9ft").splitlines()[0])
-    # A pool table of 9 feet. The break: white meets the rack from the head string.
+    >>> carom.new_scene().ball_names
+    ('ball 0',)
+    >>> len(carom.new_scene("pool-9ft").balls)
+    16
     """
-    if table is not None:
-        return table_scene(table)
-    return files("carom.scene").joinpath("new.toml").read_text(encoding="utf-8")
+    return from_file("scene", Scene, parse_toml("scene", scene_text(table)))
+
+
+def scene_text(scene: Scene | str | None = None) -> str:
+    """Return the text of a scene file.
+
+    Parameters
+    ----------
+    scene : Scene or str, optional
+        A scene, which is written as :func:`save_scene` does; or the name of a real table, such as "snooker": a commented file,
+        each number with its source. Default: a commented first scene, one ball on a carom table.
+
+    Returns
+    -------
+    str
+        TOML, from which :func:`load_scene` makes a scene.
+
+    Raises CaromError, one line, for a name that no table has, and for a carom.Law, which a file cannot hold.
+
+    Examples
+    --------
+    >>> import carom
+    >>> carom.scene_text().splitlines()[0].startswith("#")
+    True
+    >>> print(carom.scene_text("pool-9ft").splitlines()[0])
+    # A pool table of 9 feet. The break: white meets the rack from the head string.
+    >>> carom.load_scene(carom.scene_text(carom.new_scene())) == carom.new_scene()
+    True
+    """
+    if scene is None:
+        return files("carom.scene").joinpath("new.toml").read_text(encoding="utf-8")
+    if isinstance(scene, str):
+        return table_scene(scene)
+    import tomli_w
+
+    require_type("scene_text", "scene", scene, Scene)
+    require_named_laws("scene_text", scene)
+    return tomli_w.dumps(_plain(scene))

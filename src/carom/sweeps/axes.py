@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from carom.errors import CaromError, suggestion
 from carom.files import import_optional
 from carom.public.own_laws import OwnLaw
+from carom.public.renamed import renamed_arguments, renamed_attribute
 
 __all__ = [
     "Axis", "Design", "Draw", "Polar", "Values", "along", "as_axis", "axis_from_data", "axis_to_data", "from_plain",
@@ -65,7 +66,9 @@ class Polar:
     """Vectors in the plane z = 0 by length and angle, each of which is a number or runs through something."""
 
     speed: Axis
-    angle: Axis
+    angle_deg: Axis
+
+    angle = renamed_attribute("angle", "angle_deg")
 
 
 Axis = Values | Draw | Design | Polar
@@ -98,21 +101,22 @@ def _dimension(where: str, dim: Any) -> str:
     return dim
 
 
-def polar(speed: Any, angle: Any) -> Polar:
+@renamed_arguments(angle="angle_deg")
+def polar(speed: Any, angle_deg: Any) -> Polar:
     """Return velocities by speed and angle, each a number, an array (a dimension of the sweep), a draw, or a design.
 
     Parameters
     ----------
     speed : m/s
-    angle : degrees, counterclockwise from +x
+    angle_deg : degrees, counterclockwise from +x
 
     Examples
     --------
     >>> import numpy as np, carom
-    >>> carom.polar(speed=2.0, angle=np.linspace(0, 90, 4)).angle.values
+    >>> carom.polar(speed=2.0, angle_deg=np.linspace(0, 90, 4)).angle_deg.values
     array([ 0., 30., 60., 90.])
     """
-    return Polar(_inner(speed, "polar: speed"), _inner(angle, "polar: angle"))
+    return Polar(_inner(speed, "polar: speed"), _inner(angle_deg, "polar: angle_deg"))
 
 
 def _inner(value: Any, where: str) -> Axis:
@@ -277,7 +281,7 @@ def axis_to_data(axis: Axis) -> Any:
     if isinstance(axis, Design):
         return {axis.kind.replace("-", "_"): [axis.low, axis.high, axis.count], "dim": axis.dim}
     if isinstance(axis, Polar):
-        return {"polar": {"speed": axis_to_data(axis.speed), "angle": axis_to_data(axis.angle)}}
+        return {"polar": {"speed": axis_to_data(axis.speed), "angle": axis_to_data(axis.angle_deg)}}
     values = axis.values
     named = {} if axis.dim is None else {"dim": axis.dim}
     if values.dtype.kind == "f" and values.ndim == 1 and len(values) > 3:

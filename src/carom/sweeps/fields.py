@@ -91,7 +91,7 @@ def _some_of(axis: Axis) -> list[Any]:
     """Return a few of the values of an axis, of draws the middle and the ends."""
     match axis:
         case Polar():
-            sizes, angles = (np.array(_some_of(part), dtype=float) for part in (axis.speed, axis.angle))
+            sizes, angles = (np.array(_some_of(part), dtype=float) for part in (axis.speed, axis.angle_deg))
             return [row.tolist() for angle in angles for row in polar_rows(sizes, np.full(len(sizes), angle))]
         case Draw("normal"):
             return [axis.first, axis.first - axis.second, axis.first + axis.second]

@@ -64,7 +64,7 @@ class Space:
     >>> wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.85, friction=0.2)
     >>> scene = carom.Scene(gravity=0, walls=[wall], balls=[ball], run=carom.Run(duration=2))
     >>> space = carom.Space(scene, {
-    ...     "balls.0.velocity": carom.polar(speed=2.0, angle=np.linspace(120, 240, 5)), "walls.*.friction": [0.1, 0.2, 0.3]})
+    ...     "balls.0.velocity": carom.polar(speed=2.0, angle_deg=np.linspace(120, 240, 5)), "walls.*.friction": [0.1, 0.2, 0.3]})
     >>> space
     <Space: angle 5 x friction 3 = 15 points of a scene>
     >>> space.columns(0, 2)["walls.*.friction"]
@@ -121,7 +121,7 @@ class Space:
         found: list[tuple[str, str, Axis]] = []
         for path, axis in self.parameters.items():
             if isinstance(axis, Polar):
-                found += [(path, "speed", axis.speed), (path, "angle", axis.angle)]
+                found += [(path, "speed", axis.speed), (path, "angle", axis.angle_deg)]
             else:
                 names = [name for name in path.split(".") if not name.isdecimal() and name != "*"]
                 found.append((path, names[-1] if names[-1] not in ("x", "y", "z") else "_".join(names[-2:]), axis))
@@ -204,7 +204,7 @@ class Space:
             if isinstance(axis, Polar):
                 speed, angle = (
                     self._column(part, f"{path}.{name}", index, first, count)
-                    for part, name in ((axis.speed, "speed"), (axis.angle, "angle"))
+                    for part, name in ((axis.speed, "speed"), (axis.angle_deg, "angle"))
                 )
                 found[path] = polar_rows(speed, angle)
             else:

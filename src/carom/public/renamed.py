@@ -1,0 +1,59 @@
+"""Names of the release before: they answer as they did, with a DeprecationWarning that says the new name."""
+
+from __future__ import annotations
+
+import functools
+import warnings
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+from carom.errors import CaromError
+
+__all__ = ["renamed_arguments", "renamed_attribute"]
+
+Function = TypeVar("Function", bound=Callable[..., Any])
+
+
+def renamed_attribute(old: str, new: str) -> property:
+    """Return a property that answers with the attribute ``new``, and warns that ``old`` goes with the next release."""
+
+    def read(self: Any) -> Any:
+        warn_of_rename(f"{type(self).__name__}.{old}", new, 3)
+        return getattr(self, new)
+
+    return property(read, doc=f"Deprecated name of ``{new}``.")
+
+
+def renamed_arguments(**names: str) -> Callable[[Function], Function]:
+    """Return a decorator with which a function still takes keywords by their old names: ``renamed_arguments(old="new")``."""
+
+    def decorate(function: Function) -> Function:
+        @functools.wraps(function)
+        def call(*args: Any, **given: Any) -> Any:
+            return function(*args, **with_new_names(function.__name__, given, names))
+
+        return call  # type: ignore[return-value]
+
+    return decorate
+
+
+def with_new_names(where: str, given: dict[str, Any], names: dict[str, str]) -> dict[str, Any]:
+    """Return arguments by their new names, with a warning for each old one; CaromError where both are given."""
+    if names.keys().isdisjoint(given):
+        return given
+    found = dict(given)
+    for old, new in names.items():
+        if old not in found:
+            continue
+        if new in found:
+            raise CaromError(f"{where}: {old}: expected {new} alone, got both; {old} is its old name")
+        warn_of_rename(f"{where}: {old}", new, 5)
+        found[new] = found.pop(old)
+    return found
+
+
+def warn_of_rename(old: str, new: str, level: int) -> None:
+    """Warn that a name goes with the next release. ``level``: how many calls above the code stands that uses it."""
+    warnings.warn(
+        f"{old} is called {new} now; the old name goes with the next release", DeprecationWarning, stacklevel=level
+    )

@@ -1,0 +1,146 @@
+"""Angles: attributes, arguments and columns whose name ends in _deg are degrees, all others radians; old names warn."""
+
+from __future__ import annotations
+
+import ast
+import inspect
+import math
+import re
+import warnings
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import carom
+from carom import scene
+from carom.fitting.design import Shots
+from tests.test_pickles import public_classes
+
+SOURCE = Path(carom.__file__).parent
+NAMED = re.compile(r"(^|_)(angles?|azimuth|elevation|incidence|squirt|opening|span)(_|$)")
+# Fields of scenes, sweeps and tables: a number without a unit is in degrees, as in their files, and a text names its unit
+# ("0.5 rad"); they are the names of the files and of the paths to their numbers, from which a sweep draws.
+FIELDS = {
+    ("CueStrike", "azimuth"), ("CueStrike", "elevation"), ("Wedge", "from_angle"), ("Wedge", "to_angle"), ("Arc", "from_angle"),
+    ("Arc", "to_angle"), ("Stadium", "angle"), ("Pockets", "jaw_angle"), ("ImpactCase", "angle"), ("OrbitCase", "angle"),
+}  # fmt: skip
+SEVERAL = {
+    ("Aim", "values"),
+    ("Wedge", "axis"),
+    ("ImpactCase", "speed"),
+}  # numbers of several units, by the names of fields
+
+
+def documented(cls: type) -> Iterator[tuple[str, str]]:
+    """Names of attributes of a class, each with the words that describe it."""
+    for base in cls.__mro__:
+        if not base.__module__.startswith("carom."):
+            continue
+        body = ast.parse(inspect.cleandoc("\n" + inspect.getsource(base))).body[0]
+        assert isinstance(body, ast.ClassDef)
+        lines = (ast.get_docstring(body) or "").splitlines()
+        for k, node in enumerate(body.body):
+            if isinstance(node, ast.AnnAssign) and isinstance(node.target, ast.Name):
+                after = body.body[k + 1] if k + 1 < len(body.body) else None
+                own = after.value.value if isinstance(after, ast.Expr) and isinstance(after.value, ast.Constant) else ""
+                above = " ".join(
+                    line for line in lines if re.search(rf"\b{node.target.id}\b", line.partition(" : ")[0])
+                )
+                yield node.target.id, f"{own} {above}"
+            elif isinstance(node, ast.FunctionDef) and "property" in ast.dump(
+                node.decorator_list[0] if node.decorator_list else node
+            ):
+                yield node.name, ast.get_docstring(node) or ""
+
+
+def test_attributes_in_degrees_say_so_in_their_names() -> None:
+    wrong, seen = [], 0
+    for cls in set(public_classes()) - {carom.derive.ImpulsiveMotion}:
+        for name, words in documented(cls):
+            if (cls.__name__, name) in FIELDS:
+                continue
+            degrees = "degrees" in words.lower().replace("degrees of freedom", "")
+            if NAMED.search(name):
+                seen += 1
+                if name.endswith("_deg") == bool(re.search(r"\brad\b", words)):
+                    wrong.append(f"{cls.__name__}.{name}: {words}")
+            if degrees and not name.endswith("_deg") and (cls.__name__, name) not in SEVERAL:
+                wrong.append(f"{cls.__name__}.{name}: {words}")
+    assert not wrong, wrong
+    assert seen > 10
+
+
+def public_functions() -> Iterator[Callable[..., Any]]:
+    for stub in sorted(SOURCE.rglob("__init__.pyi")):
+        package = __import__(".".join(("carom", *stub.parent.relative_to(SOURCE).parts)), fromlist=["x"])
+        for node in ast.parse(stub.read_text(encoding="utf-8")).body:
+            for alias in node.names if isinstance(node, ast.ImportFrom) and node.module is not None else ():
+                if inspect.isfunction(found := getattr(package, alias.name)):
+                    yield found
+
+
+def test_arguments_in_degrees_say_so_in_their_names() -> None:
+    seen = set()
+    for function in public_functions():
+        for name in inspect.signature(function).parameters:
+            if NAMED.search(name):
+                seen.add(f"{function.__name__}.{name}")
+                text = re.search(
+                    rf"^\s*[\w, ]*\b{name}\b[^\n]*(\n\s+[^\n]*)?", inspect.getdoc(function) or "", re.MULTILINE
+                )
+                said = text[0] if text else ""
+                assert name.endswith("_deg") != bool(re.search(r"\brad\b|radians", said)), (function, name, said)
+    assert {"incoming.angle_deg", "strike.azimuth_deg", "polar.angle_deg", "wedge.angle"} <= seen
+
+
+def test_fields_of_files_take_their_unit() -> None:
+    one, two = (
+        scene.Arc(center=(0, 0), radius=1, from_angle=0, to_angle=a, restitution=1, friction=0)
+        for a in (90, "1.5707963267948966 rad")
+    )
+    assert one.span_deg == two.span_deg == 90
+
+
+OLD: list[tuple[Callable[[], Any], Callable[[], Any]]] = [
+    (lambda: carom.compare(angle=30)["two-step"].reflection_angle,
+     lambda: carom.compare(angle_deg=30)["two-step"].reflection_angle_deg),
+    (lambda: carom.compare()["mirror"].angle_after_wall, lambda: carom.compare()["mirror"].angle_after_wall_deg),
+    (lambda: carom.compare().incident_angle, lambda: carom.compare().incident_angle_deg),
+    (lambda: carom.incoming(angle=20.0).state.velocity[0], lambda: carom.incoming(angle_deg=20.0).state.velocity[0]),
+    (lambda: carom.strike(carom.Ball(), azimuth=10, elevation=5, offset=(0.3, 0)).squirt,
+     lambda: carom.strike(carom.Ball(), azimuth_deg=10, elevation_deg=5, offset=(0.3, 0)).squirt_deg),
+    (lambda: carom.polar(speed=1.0, angle=[1.0, 2.0]).angle.values[1], lambda: carom.polar(1.0, [1.0, 2.0]).angle_deg.values[1]),
+    (lambda: scene.Wedge(apex=(0, 0, 0), from_angle=0, to_angle=60, restitution=1, friction=0).opening, lambda: 60),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("old", "new"), OLD)
+def test_old_names_answer_for_one_release(old: Callable[[], Any], new: Callable[[], Any]) -> None:
+    with warnings.catch_warnings(record=True) as heard:
+        warnings.simplefilter("always")
+        found = old()
+    assert found == new()
+    assert {one.category for one in heard} == {DeprecationWarning}
+    assert all("goes with the next release" in str(one.message) for one in heard)
+
+
+def test_warnings_point_at_the_code_that_uses_the_old_name() -> None:
+    with warnings.catch_warnings(record=True) as heard:
+        warnings.simplefilter("always")
+        assert carom.incoming(angle=45.0)
+        assert carom.compare().incident_angle == carom.compare(angle=45.0).incident_angle_deg
+    assert [Path(one.filename).name for one in heard] == ["test_angles.py"] * 3
+    with pytest.raises(carom.CaromError, match="expected angle_deg alone, got both"):
+        carom.incoming(angle=20.0, angle_deg=30.0)
+
+
+def test_results_are_in_these_units() -> None:
+    hit = carom.two_step(carom.Ball(), carom.rolling(carom.Ball(), (-1.0, 1.0)))
+    assert math.degrees(hit.reflection_angle) == pytest.approx(
+        carom.compare()["two-step"].reflection_angle_deg, rel=1e-12
+    )
+    assert Shots().angles_deg == (5.0, 75.0)
+    assert np.degrees(carom.billiards.orbit(carom.billiards.circle(), ((0, 0), (1, 0), 0), 2).angle).tolist() == [0, 0]
