@@ -13,8 +13,8 @@ from carom import billiards
 from carom.billiards.elliptic_boundary import ellipse_arc_length
 from carom.billiards.intersections import circle_exit
 from carom.billiards.loop import MEMORY, follow
-from carom.billiards.records import ENDS
 from carom.billiards.setup import orbit_setup, start_rows
+from carom.billiards.table_records import ENDS
 from carom.billiards.tangent import follow_tangents
 from carom.core.jit.kernel import dot
 from carom.laws.no_slip import no_slip_bounce, no_slip_reflection

@@ -10,7 +10,7 @@ import pytest
 from reference.brute_force_scene import judge, random_scene
 
 import carom
-from carom.core.geometry.circles import rim_gap, rim_hit, rim_normal, rim_way_in
+from carom.core.geometry.circles import rim_gap, rim_gap_derivatives, rim_hit, rim_normal
 from carom.scene.feature_builders import frame, unit
 from carom.scene.shapes import Arc, Box, Cylinder
 from carom.simulation.records import HELD_EVENT, LEFT_EVENT, WALL
@@ -103,7 +103,7 @@ def test_normal_and_way_in_are_the_slopes_of_the_gap() -> None:
         gap = lambda s, d=d, x=x, v=v, b=b: rim_gap(  # noqa: E731
             p, d, 0.7, tuple(np.array(x) + np.array(v) * s + np.array(b) * s * s / 2)
         )
-        rate, bend = rim_way_in(p, d, 0.7, x, v, b)
+        rate, bend = rim_gap_derivatives(p, d, 0.7, x, v, b)
         h = 1e-4
         assert rate == pytest.approx((gap(h) - gap(-h)) / (2 * h), abs=1e-5, rel=1e-4)
         assert bend == pytest.approx((gap(h) - 2 * gap(0.0) + gap(-h)) / (h * h), abs=1e-3, rel=1e-3)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from carom.core.geometry.features import distance, feature_normal, way_in
+from carom.core.geometry.features import feature_normal, gap_derivatives, gap_to_feature
 from carom.scene.feature_builders import corner, disc, line, plane, rim, unit
 
 TILTED = unit((1.0, 2.0, 2.0))
@@ -24,14 +24,14 @@ VELOCITY, ACCELERATION = np.array([0.7, -0.4, 1.3]), np.array([0.3, 0.5, -9.8])
 @pytest.mark.parametrize("name", FEATURES)
 def test_the_gap_changes_as_its_derivatives_say(name: str) -> None:
     feature, x = FEATURES[name], np.array([1.3, 0.9, 1.1])
-    a = distance(feature, 0.0, tuple(x.tolist()))  # a ball that touches it
-    assert distance(feature, a, tuple(x.tolist())) == pytest.approx(0, abs=1e-15)
+    a = gap_to_feature(feature, 0.0, tuple(x.tolist()))  # a ball that touches it
+    assert gap_to_feature(feature, a, tuple(x.tolist())) == pytest.approx(0, abs=1e-15)
 
     def gap(s: float) -> float:
-        return distance(feature, a, tuple((x + VELOCITY * s + ACCELERATION * s * s / 2).tolist()))
+        return gap_to_feature(feature, a, tuple((x + VELOCITY * s + ACCELERATION * s * s / 2).tolist()))
 
     h = 1e-4
-    speed, bend = way_in(feature, tuple(x.tolist()), tuple(VELOCITY.tolist()), tuple(ACCELERATION.tolist()))
+    speed, bend = gap_derivatives(feature, tuple(x.tolist()), tuple(VELOCITY.tolist()), tuple(ACCELERATION.tolist()))
     assert speed == pytest.approx((gap(h) - gap(-h)) / (2 * h), rel=1e-6)
     assert bend == pytest.approx((gap(h) - 2 * gap(0) + gap(-h)) / (h * h), rel=1e-5)
 
@@ -40,7 +40,10 @@ def test_the_gap_changes_as_its_derivatives_say(name: str) -> None:
 def test_the_normal_is_where_the_gap_grows_fastest(name: str) -> None:
     feature, x, h = FEATURES[name], np.array([1.3, 0.9, 1.1]), 1e-6
     grows = [
-        (distance(feature, 0.0, tuple((x + h * e).tolist())) - distance(feature, 0.0, tuple((x - h * e).tolist())))
+        (
+            gap_to_feature(feature, 0.0, tuple((x + h * e).tolist()))
+            - gap_to_feature(feature, 0.0, tuple((x - h * e).tolist()))
+        )
         / (2 * h)
         for e in np.eye(3)
     ]

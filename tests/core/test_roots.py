@@ -34,7 +34,7 @@ from reference.exact_roots import (
 )
 
 from carom.core.roots.first_root import hit4, hit8, next_hit4
-from carom.core.roots.polynomial import accurate, turning, two_prod, two_sum
+from carom.core.roots.polynomial import accurate_value, two_prod, two_sum, value_at_turn
 
 ROWS_JUDGED = 500  # of each kind; campaigns/first_roots.py judges 10,000
 
@@ -180,9 +180,11 @@ def test_the_rule(c, T, tol, expected):
 
 def test_the_extreme_value_is_taken_at_the_turn_not_beside_it():
     x = 1 + 2.0**-45
-    p, turn = turning((1.0, -2.0, 1.0, 0.0, 0.0), (0.0,) * 5, x)  # (s - 1)^2
+    p, turn = value_at_turn((1.0, -2.0, 1.0, 0.0, 0.0), (0.0,) * 5, x)  # (s - 1)^2
     assert (p, turn) == (2.0**-90, 0.0)
-    p, turn = turning((2.0**40 - 2.0**-13, -(2.0**41), 2.0**40, 0.0, 0.0), (0.0,) * 5, x)  # two roots 2^-26 beside 1
+    p, turn = value_at_turn(
+        (2.0**40 - 2.0**-13, -(2.0**41), 2.0**40, 0.0, 0.0), (0.0,) * 5, x
+    )  # two roots 2^-26 beside 1
     assert turn == -(2.0**-13)
     assert p == 2.0**-50 - 2.0**-13
 
@@ -225,7 +227,7 @@ def test_compensated_horner_keeps_its_bound(degree):
     plain = 0
     for k in map(tuple, c.tolist()):
         x = float(1 + 0.01 * rng.normal())
-        p, d = accurate(k, (0.0,) * (degree + 1), x)
+        p, d = accurate_value(k, (0.0,) * (degree + 1), x)
         X, u = Fraction(x), Fraction(1, 2**53)
         exact = sum(Fraction(a) * X**i for i, a in enumerate(k))
         slope = sum(i * Fraction(a) * X ** (i - 1) for i, a in enumerate(k) if i)

@@ -208,7 +208,7 @@ def test_shapes_and_bad_input():
 
 def test_angles_of_an_orientation():
     """R_z(psi) R_x(theta) R_z(phi) as a product of quaternions, and back; and the rates of a turning body obey (1)."""
-    from carom.core.motion.rotation import compose, rotation, turned
+    from carom.core.motion.rotation import compose, orientation_after, rotation
 
     def about(axis, angle):
         return rotation(tuple(angle * c for c in axis))
@@ -218,7 +218,7 @@ def test_angles_of_an_orientation():
         q = compose(about((0, 0, 1), ps), compose(about((1, 0, 0), th), about((0, 0, 1), ph)))
         np.testing.assert_allclose(euler.euler_angles(q), (th, ph, ps), atol=1e-12)
     w, q, h = (1.0, -2.0, 0.7), compose(about((0, 0, 1), 0.3), about((1, 0, 0), 1.1)), 1e-5
-    before, after = (euler.euler_angles(turned(q, w, (0.0, 0.0, 0.0), s)) for s in (-h, h))
+    before, after = (euler.euler_angles(orientation_after(q, w, (0.0, 0.0, 0.0), s)) for s in (-h, h))
     np.testing.assert_allclose(euler.angular_velocity(euler.euler_angles(q), (after - before) / (2 * h)), w, rtol=1e-8)
     with pytest.raises(carom.CaromError, match="unit quaternions"):
         euler.euler_angles((1, 1, 0, 0))

@@ -21,7 +21,7 @@ from carom.fitting import (
     with_profiles,
 )
 from carom.fitting.evidence import DECIDED
-from carom.fitting.kernels import AFTER_WALL, ROLLING, TOGETHER, TURN, table
+from carom.fitting.kernels import AFTER_WALL, ROLLING, TOGETHER, TURN, table_rebound
 from carom.fitting.laws import laws_named
 from carom.fitting.model import model_of, predict_law
 from carom.fitting.parameters import INDEX, LAW_NUMBERS, PARAMETERS
@@ -48,10 +48,10 @@ def test_laws_say_what_the_engine_does_with_a_ball_that_is_pressed_down(contact,
         p[INDEX["restitution"]], p[INDEX["friction"]] = on.restitution, on.friction
         p[INDEX["contact_height"]], p[INDEX["floor_friction"]] = NOSE / RADIUS, on.cloth
         before = (-row["vn_in"], row["vt_in"], spin)
-        after = table(code, 0, AFTER_WALL, before, RADIUS, record(p))
+        after = table_rebound(code, 0, AFTER_WALL, before, RADIUS, record(p))
         assert after[:2] == pytest.approx((row["vn_out"], row["vt_out"]), abs=1e-9)
         if "vn_roll" in row:
-            rolls = table(code, 0, ROLLING, before, RADIUS, record(p))
+            rolls = table_rebound(code, 0, ROLLING, before, RADIUS, record(p))
             assert rolls[:2] == pytest.approx((row["vn_roll"], row["vt_roll"]), abs=1e-9)
 
 
@@ -138,7 +138,9 @@ def test_the_film_s_error_of_the_floor_is_the_law_s_too():
     p = np.array([parameter.value for parameter in PARAMETERS])
     p[INDEX["restitution"]], p[INDEX["friction"]], p[INDEX["contact_height"]] = 0.85, 0.15, 1.2
     v_n, v_t, spin = rng.uniform(0.8, 2.5, 30), rng.uniform(-1.5, 1.5, 30), rng.normal(0, 15, 30)
-    said = np.array([table(TURN, 0, AFTER_WALL, row, RADIUS, record(p)) for row in zip(v_n, v_t, spin, strict=True)])
+    said = np.array(
+        [table_rebound(TURN, 0, AFTER_WALL, row, RADIUS, record(p)) for row in zip(v_n, v_t, spin, strict=True)]
+    )
     columns = {"v_n_in": v_n, "v_t_in": v_t, "spin_z_in": spin, "v_n_out": said[:, 0], "v_t_out": said[:, 1]}
     columns |= {f"sigma_{name}": np.full(30, 0.002) for name in ("v_n_out", "v_t_out")}
     film = {

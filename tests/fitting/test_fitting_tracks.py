@@ -14,8 +14,8 @@ from reference.commands import command
 from reference.synthetic_runs import RADIUS, TRUTH, film, write
 
 import carom
+from carom.core.jit.dual.dual_records import float_count
 from carom.core.jit.dual.numbers import LANES
-from carom.core.jit.dual.records import float_count
 from carom.errors import CaromError
 from carom.fitting.example_films import TRUTH as EXAMPLES
 from carom.fitting.example_films import write_example_films

@@ -18,7 +18,7 @@ from carom.fitting.likelihood import evaluate, make_trial, make_workspace
 from carom.fitting.model import model_of, predict_law
 from carom.fitting.parameters import INDEX, PARAMETERS
 from carom.fitting.result import refit, rows_of_fit
-from carom.fitting.spin_marginal import unmeasured_row
+from carom.fitting.spin_marginal import row_deviance_over_spins
 from carom.fitting.spin_quadrature import REFINED_C, SpinGrid, kink_position, sigma_grid
 
 A, KAPPA = 0.02, 2 / 3
@@ -291,7 +291,9 @@ def test_what_was_not_measured_asks_for_no_more_of_the_law():
         trial = trial._replace(numbers=trial.numbers.view(np.recarray))
         work = work._replace(intervals=work.intervals.view(np.recarray))
         asked.clear()
-        row = unmeasured_row(counted, model.rows._replace(vy=vy), trial, 0, np.zeros(0), np.zeros((0, 0)), work)
+        row = row_deviance_over_spins(
+            counted, model.rows._replace(vy=vy), trial, 0, np.zeros(0), np.zeros((0, 0)), work
+        )
         found.append((len(asked), row))
     assert found[0] == found[1]
     assert found[0][0] < 1.5 * count

@@ -22,7 +22,7 @@ from carom.gas.edmd.calendar import (
     schedule,
     unschedule,
 )
-from carom.gas.edmd.records import NO_BALL, PLAN, Calendar
+from carom.gas.edmd.gas_records import NO_BALL, PLAN, Calendar
 
 BALLS = 300
 

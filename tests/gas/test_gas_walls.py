@@ -9,7 +9,7 @@ from reference.brute_force_gas import Room, follow
 
 from carom import Ball, CaromError, Disc, Surface
 from carom.gas import Drive, Gas, Species, Thermostat, container
-from carom.gas.edmd.records import ELLIPSE
+from carom.gas.edmd.gas_records import ELLIPSE
 from carom.gas.edmd.walls import _is_present, _release_speed
 from carom.gas.profiles import Profiles
 

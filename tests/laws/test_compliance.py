@@ -17,8 +17,8 @@ import carom
 from carom.laws.arrays import loop_for
 from carom.laws.arrays import wall_law_rows as law_rows
 from carom.laws.law import LIKE_SOLIDS
-from carom.laws.maw import CHI, maw_contact, slip_kept, solve
-from carom.laws.stronge import kept_slip, stronge_contact
+from carom.laws.maw import CHI, integrate_hertz_springs, maw_contact, maw_slip_ratio
+from carom.laws.stronge import stronge_contact, stronge_slip_ratio
 
 COUNT = 20_000
 KERNELS = {"stronge": stronge_contact, "maw": maw_contact}
@@ -43,7 +43,7 @@ def test_against_an_integration_of_the_springs() -> None:
     count = 400
     u, k = np.exp(rng.uniform(-3, 2.5, count)), np.exp(rng.uniform(-2.5, 3, count))
     kappa, e = rng.uniform(0.05, 2 / 3, count), rng.uniform(0.02, 1, count)
-    law = np.array([kept_slip(*map(float, row)) for row in zip(u, kappa, e, k, strict=True)])
+    law = np.array([stronge_slip_ratio(*map(float, row)) for row in zip(u, kappa, e, k, strict=True)])
     rough, fine = (springs(u, kappa, e, k, steps) for steps in (5_000, 10_000))
     assert np.abs(law - fine).max() < 1e-5
     # the law is what the integration tends to: a third of what halving the step changed, and in the same direction
@@ -135,13 +135,13 @@ def test_where_it_slips_throughout_it_is_coulombs() -> None:
 
 def test_no_compliance_is_the_rigid_contact() -> None:
     """A stiffer and stiffer spring stores less: the slip that is left falls as 1/sqrt(k), where a rigid contact stops it."""
-    far = [abs(kept_slip(1.5, 0.4, 0.8, k)) for k in (10.0, 1e3, 1e5)]
+    far = [abs(stronge_slip_ratio(1.5, 0.4, 0.8, k)) for k in (10.0, 1e3, 1e5)]
     assert far[0] > far[1] > far[2]
     for k in (1e3, 1e5):
-        left = [abs(kept_slip(u, 0.4, 0.8, k)) * u for u in np.linspace(0.5, 6.2, 40)]
+        left = [abs(stronge_slip_ratio(u, 0.4, 0.8, k)) * u for u in np.linspace(0.5, 6.2, 40)]
         # on the cone until the spring takes over, with no more than mu F in it: |u| <= mu u_n sqrt((1 + 1/kappa)/k)
         assert max(left) < math.sqrt(3.5 / k)
-    assert kept_slip(7.0, 0.4, 0.8, 1e5) == pytest.approx(1 - 1.8 * 3.5 / 7.0, abs=1e-12)
+    assert stronge_slip_ratio(7.0, 0.4, 0.8, 1e5) == pytest.approx(1 - 1.8 * 3.5 / 7.0, abs=1e-12)
 
 
 @pytest.mark.parametrize("e", [0.0, 0.3, 1.0])
@@ -149,8 +149,8 @@ def test_a_point_that_holds_swings(e: float) -> None:
     """mu = inf: the spring swings for as long as the wall acts, and large frictions tend to that."""
     omega = math.sqrt(LIKE_SOLIDS * 3.5)
     known = math.cos(omega * (1 + e) * math.pi / 2)
-    assert kept_slip(0.0, 0.4, e, LIKE_SOLIDS) == known
-    assert kept_slip(1e-7, 0.4, e, LIKE_SOLIDS) == pytest.approx(known, abs=1e-6)
+    assert stronge_slip_ratio(0.0, 0.4, e, LIKE_SOLIDS) == known
+    assert stronge_slip_ratio(1e-7, 0.4, e, LIKE_SOLIDS) == pytest.approx(known, abs=1e-6)
 
 
 def test_nothing_jumps() -> None:
@@ -163,7 +163,7 @@ def test_nothing_jumps() -> None:
                 for x in np.linspace(0.05, 8, 20_001).tolist()
             )
         ]
-        kept = np.array([kept_slip(*row) for row in rows])
+        kept = np.array([stronge_slip_ratio(*row) for row in rows])
         assert np.abs(np.diff(kept)).max() < 2e-3
 
 
@@ -218,14 +218,14 @@ def test_a_moment_of_inertia_near_zero_ends(kappa: float, k: float) -> None:
     """The tangential spring swings ever faster; the kernel is bounded, whatever the numbers, and keeps no more slip than it got."""
     for u in (1e-9, 0.21083695130965174, 1.0, 50.0):
         for e in (0.0, 0.5, 1.0):
-            kept = kept_slip(u, kappa, e, k)
+            kept = stronge_slip_ratio(u, kappa, e, k)
             assert abs(kept) <= 1 + 1e-9, (u, e)
 
 
 def test_many_swings_against_an_integration() -> None:
     """A stiff spring on a light moment of inertia: 160 half swings and more, near the bound that the law states."""
     kappa, k, e, u = 1e-3, 250.0, 1.0, np.array([0.5, 5.0, 40.0, 400.0])
-    law = np.array([kept_slip(float(x), kappa, e, k) for x in u])
+    law = np.array([stronge_slip_ratio(float(x), kappa, e, k) for x in u])
     rough, fine = (springs(u, kappa, e, k, steps) for steps in (200_000, 400_000))
     np.testing.assert_allclose(law, fine + (fine - rough) / 3, atol=3e-6)
 
@@ -240,7 +240,7 @@ def test_maw_keeps_no_more_slip_than_it_got() -> None:
     """Its table passes 1 by its own error, 2e-4; energy must not."""
     rng = np.random.default_rng(11)
     for psi, chi in zip(rng.uniform(0, 3, 20_000), np.exp(rng.uniform(*np.log(CHI), 20_000)), strict=True):
-        assert abs(slip_kept(float(psi), float(chi))) <= 1, (psi, chi)
+        assert abs(maw_slip_ratio(float(psi), float(chi))) <= 1, (psi, chi)
     v, w = maw_contact((-1.0, 1.0, 0.0), (0.0, 0.0, 0.0), (1.0, 0.0, 0.0), 1.0, 0.4, 1.0, 0.5, 0.29)
     assert energy(np.array(v), np.array(w), 1.0, 0.4) <= 1 + 1e-14
 
@@ -263,4 +263,4 @@ def test_the_curve_at_the_edges_of_its_table(chi: float) -> None:
     for psi in places:
         # (as near as 31 rows and 32 cells a part allow: the curve swings faster where chi is large)
         near = 2e-3 if chi < 2 else 0.03
-        assert psi * slip_kept(psi, chi) == pytest.approx(solve(psi, chi), abs=near), psi
+        assert psi * maw_slip_ratio(psi, chi) == pytest.approx(integrate_hertz_springs(psi, chi), abs=near), psi

@@ -29,7 +29,7 @@ from carom.laws.han2005 import han2005
 from carom.laws.law import LIKE_SOLIDS, Meeting
 from carom.laws.mathavan2010 import mathavan2010
 from carom.laws.registry import LAWS
-from carom.laws.stronge import kept_slip, stronge_contact
+from carom.laws.stronge import stronge_contact, stronge_slip_ratio
 from carom.laws.stronge_cushion import stronge_cushion
 from carom.scene.shapes import Table
 
@@ -291,7 +291,7 @@ def three_regimes_slide(slip: float, e: float, mu: float, ratio: float) -> float
 def test_the_springs_agree_with_pooltool_where_its_regimes_hold() -> None:
     """Numbers that pooltool and tailuge/billiards test: e = 0.7, mu = 0.2, frequency ratio 1.7, speed of approach 1."""
     k = 1.7**2 / 3.5
-    assert -0.5 * kept_slip(0.5 / 0.2, 2 / 5, 0.7, k) == pytest.approx(0.3291142832763286, abs=1e-9)
+    assert -0.5 * stronge_slip_ratio(0.5 / 0.2, 2 / 5, 0.7, k) == pytest.approx(0.3291142832763286, abs=1e-9)
     assert three_regimes_slide(3.0, 0.7, 0.2, 1.7) == pytest.approx(1.81, abs=1e-12)
     v1, w1 = stronge_cushion((-1.0, 3.0, 0.0), (0.0, 0.0, 0.0), (1.0, 0.0, 0.0), 1.0, 2 / 5, 0.7, 0.2, k)
     assert v1[1] - -1.0 * w1[2] * -1.0 == pytest.approx(1.81, abs=1e-12)
@@ -312,7 +312,7 @@ def test_the_three_regimes_gain_energy_at_a_low_restitution() -> None:
         assert after is not None
         # (u_n^2 + u_t^2 2/7)/2 is all of the energy that the contact can change
         gains.append((e**2 + after**2 * 2 / 7) / (1 + slip**2 * 2 / 7))
-        assert abs(kept_slip(slip / mu, 2 / 5, e, k)) <= 1
+        assert abs(stronge_slip_ratio(slip / mu, 2 / 5, e, k)) <= 1
     assert max(gains) == pytest.approx(1.47, abs=0.01)
     with pytest.raises(ZeroDivisionError):
         three_regimes_slide(0.1, 0.0, mu, ratio)

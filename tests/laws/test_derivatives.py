@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from carom.laws.stronge import kept_slip
+from carom.laws.stronge import stronge_slip_ratio
 from carom.laws.two_step import first_impact
 from carom.laws.wall_and_floor.solver import pressed_down
 from carom.simulation.sensitivity.dual import Dual, derivative
@@ -158,6 +158,8 @@ def test_two_springs(u: float, e: float, k: float) -> None:
     z = np.array([u, KAPPA, e, k])
     for column, direction in enumerate(np.eye(4)):
         dual = [Dual(x, np.array([g])) for x, g in zip(z.tolist(), direction, strict=True)]
-        told = derivative(lifted(kept_slip)(*dual), 1)[0]
-        expected, doubt = differences(lambda x: np.array([kept_slip(*x.tolist())]), z, direction, abs(z[column]), 1e-15)
+        told = derivative(lifted(stronge_slip_ratio)(*dual), 1)[0]
+        expected, doubt = differences(
+            lambda x: np.array([stronge_slip_ratio(*x.tolist())]), z, direction, abs(z[column]), 1e-15
+        )
         assert told == pytest.approx(expected[0], rel=1e-7 + 30 * doubt, abs=1e-9), column

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from carom.core.contact import SLIDE, STICK
-from carom.laws.wall_and_floor.rates import FLOOR_SLIP, _start_at_wall, rates
-from carom.laws.wall_and_floor.sliding import _flow, _stride
+from carom.laws.wall_and_floor.both_sliding import _changes, _dormand_prince_step
+from carom.laws.wall_and_floor.rates import FLOOR_SLIP, _start_at_wall, pressed_rates
 
 
 def couplings(rng, nz):
@@ -22,11 +22,11 @@ def test_a_wall_that_starts_to_slip_does_so_along_its_friction() -> None:
         q, turn = couplings(rng, -rng.uniform(0.05, 0.9)), rng.uniform(0, 2 * math.pi)
         df = (math.cos(turn), math.sin(turn))
         y = (0.0, 0.0, *df, 0.0)
-        _rates, sticks = rates(y, q, STICK, FLOOR_SLIP, (1.0, 0.0), df, 1e-12)
+        _rates, sticks = pressed_rates(y, q, STICK, FLOOR_SLIP, (1.0, 0.0), df, 1e-12)
         if sticks >= -1e-3:
             continue
         dw = _start_at_wall(q, df)
-        (ut, uy, _fx, _fy, _energy), _spare = rates(y, q, SLIDE, FLOOR_SLIP, dw, df, 1e-12)
+        (ut, uy, _fx, _fy, _energy), _spare = pressed_rates(y, q, SLIDE, FLOOR_SLIP, dw, df, 1e-12)
         size = math.hypot(ut, uy)
         found += 1
         assert math.hypot(*dw) == pytest.approx(1)
@@ -45,7 +45,9 @@ def test_the_integrator_of_two_slips_is_of_order_eight() -> None:
         def after(steps, y=start, q=q, by=by):
             h = 0.3 / steps
             for _ in range(steps):
-                y, _error, _wrong = _stride(y, _flow(y, h, q, by, False), h, 1.0, 0.0, q, by, 1.0, False)
+                y, _error, _wrong = _dormand_prince_step(
+                    y, _changes(y, h, q, by, False), h, 1.0, 0.0, q, by, 1.0, False
+                )
             return np.array(y)
 
         exact = after(32)

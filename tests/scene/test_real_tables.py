@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import carom
-from carom.core.geometry.features import FALLS, LEAVES, LINE, OVER, RIM, distance
+from carom.core.geometry.features import FALLS, LEAVES, LINE, OVER, RIM, gap_to_feature
 from carom.scene import Pockets, Table
 from carom.scene.as_json import scene_dict
 from carom.scene.presets import presets
@@ -138,7 +138,7 @@ def test_jaws_are_tangent_to_noses_and_facings() -> None:
                 n = (np.array(point) - jaw.center) / jaw.radius
                 assert np.linalg.norm(n) == pytest.approx(1, abs=1e-12)
                 x = (*(np.array(point) + a * n), 0.02)
-                gaps = [distance(f, a, x) for f in features.view(np.recarray) if f.kind != OVER]
+                gaps = [gap_to_feature(f, a, x) for f in features.view(np.recarray) if f.kind != OVER]
                 assert min(gaps) == pytest.approx(0, abs=1e-12)
             assert np.dot(np.array(jaw.facing), np.array(jaw.start) - jaw.center) == pytest.approx(0, abs=1e-15)
 

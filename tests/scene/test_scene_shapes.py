@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import carom
-from carom.core.geometry.features import FACE, LINE, OVER, POINT, distance, feature_hit, feature_normal
+from carom.core.geometry.features import FACE, LINE, OVER, POINT, feature_hit, feature_normal, gap_to_feature
 from carom.scene import (
     Arc,
     Box,
@@ -203,7 +203,7 @@ def test_features_are_as_far_away_as_the_shape(name: str) -> None:
             blocked += 1
             continue
         seen += 1
-        gaps = [distance(feature, a, tuple(x.tolist())) for feature in features]
+        gaps = [gap_to_feature(feature, a, tuple(x.tolist())) for feature in features]
         before = [gap if gap >= -a else INF for gap in gaps]  # the others are faces that the ball is behind of
         gap = min(before)
         assert gap == pytest.approx(far(x) - a, abs=1e-12)

@@ -7,16 +7,15 @@ from .analysis import drift as drift
 from .analysis import period as period
 from .analysis import section as section
 from .analysis import uniformity as uniformity
-from .cells import periodic_strip as periodic_strip
-from .cells import sinai as sinai
-from .cells import torus as torus
 from .open_tables import Escape as Escape
 from .open_tables import escape as escape
 from .orbits import Orbit as Orbit
 from .orbits import final as final
 from .orbits import orbit as orbit
 from .orbits import reverse as reverse
-from .records import ENDS as ENDS
+from .periodic_tables import periodic_strip as periodic_strip
+from .periodic_tables import sinai as sinai
+from .periodic_tables import torus as torus
 from .sampling import starts as starts
 from .setup import LAWS as LAWS
 from .setup import Start as Start
@@ -28,6 +27,7 @@ from .stability import Lyapunov as Lyapunov
 from .stability import TangentMap as TangentMap
 from .stability import lyapunov as lyapunov
 from .stability import tangent_map as tangent_map
+from .table_records import ENDS as ENDS
 from .tables import Table as Table
 from .tables import circle as circle
 from .tables import ellipse as ellipse

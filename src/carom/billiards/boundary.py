@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.billiards.elliptic_boundary import EllipticArc, arc_along, arc_length, arc_normals, arc_place, arcs
-from carom.billiards.records import PIECES, WORLD
+from carom.billiards.table_records import PIECES, WORLD
 from carom.core.geometry.polygon import ellipse_depth, polygon_depth
 
 __all__ = ["Boundary", "ConnectedWall", "face"]
@@ -21,7 +21,7 @@ INF = math.inf
 
 
 class Face(NamedTuple):
-    """A straight wall, or a plane one in space; the fields are those of a record of :data:`carom.billiards.records.PIECES`."""
+    """A straight wall, or a plane one in space; its fields are those of :data:`carom.billiards.table_records.PIECES`."""
 
     normal: tuple[float, float, float]
     """Towards the ball."""

@@ -44,17 +44,17 @@ def chunk_in_step(world: Any, pieces: Any, s: Any) -> bool:
     doubtful = 0
     for _ in range(CHUNK):
         if world.faces > 0:
-            doubtful += _nearest_face(world, pieces, s)
+            doubtful += _fly_to_face(world, pieces, s)
         else:
-            doubtful += _circle(pieces[0], s)
-        doubtful += _bounce(world.a, world.kappa, s)
+            doubtful += _fly_to_circle(pieces[0], s)
+        doubtful += _reflect(world.a, world.kappa, s)
         if doubtful > 0:
             return False
     return True
 
 
 @kernel
-def _nearest_face(world: Any, pieces: Any, s: Any) -> int:
+def _fly_to_face(world: Any, pieces: Any, s: Any) -> int:
     """Fly to the nearest face; return how many balls are at a corner, or meet nothing."""
     for k in range(LANES):
         s[DT + k], s[PIECE + k] = math.inf, 0.0
@@ -85,7 +85,7 @@ def _nearest_face(world: Any, pieces: Any, s: Any) -> int:
 
 
 @kernel
-def _circle(p: Any, s: Any) -> int:
+def _fly_to_circle(p: Any, s: Any) -> int:
     """Fly to the circle; return how many balls do not come from it."""
     r, cx, cy, inverse = p.r, p.n[0], p.n[1], p.c
     doubtful = 0
@@ -103,7 +103,7 @@ def _circle(p: Any, s: Any) -> int:
 
 
 @kernel
-def _bounce(a: float, kappa: float, s: Any) -> int:
+def _reflect(a: float, kappa: float, s: Any) -> int:
     """Let the wall act; return how many balls do not leave it."""
     doubtful = 0
     for k in range(LANES):

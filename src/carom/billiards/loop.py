@@ -14,7 +14,7 @@ import numpy as np
 
 from carom.billiards.intersections import next_hit, wall_normal
 from carom.billiards.lanes import CHUNK, LANES, STATE, T, U, V, W, X, Y, chunk_in_step, goes_in_step
-from carom.billiards.records import (
+from carom.billiards.table_records import (
     CORNER,
     DONE,
     ENDING,
@@ -34,7 +34,8 @@ from carom.laws.law import CONTACT_WALL, NO_SLIP_WALL, ROLLING_WALL
 from carom.laws.no_slip import no_slip_bounce
 
 __all__ = [
-    "MEMORY", "at_corner", "bounce", "compiled_follow", "compiled_many", "fly", "follow", "follow_many", "follow_one",
+    "MEMORY", "after_flight", "after_impact", "at_corner", "compiled_follow", "compiled_many", "follow", "follow_many",
+    "follow_one",
 ]  # fmt: skip
 
 # What an orbit goes on from: time, displacement of its periodic cell (2), bounces, energy, position in the cell, velocity, spin.
@@ -42,7 +43,7 @@ MEMORY = 14
 
 
 @hot_kernel
-def bounce(world: Any, law: int, a: float, kappa: float, v: Vec, w: Vec, n: Vec) -> tuple[Vec, Vec]:
+def after_impact(world: Any, law: int, a: float, kappa: float, v: Vec, w: Vec, n: Vec) -> tuple[Vec, Vec]:
     """Return velocity and spin after the impact. (Law and ball are arguments so that a loop can hoist what depends on them.)"""
     if law == NO_SLIP_WALL:
         return no_slip_bounce(v, w, n, a, kappa)
@@ -55,7 +56,7 @@ def bounce(world: Any, law: int, a: float, kappa: float, v: Vec, w: Vec, n: Vec)
 
 
 @hot_kernel
-def fly(world: Any, x: Vec, v: Vec, t: float) -> tuple[Vec, Vec]:
+def after_flight(world: Any, x: Vec, v: Vec, t: float) -> tuple[Vec, Vec]:
     """Return position and velocity after a flight of duration t."""
     g = world.acceleration
     if g[0] == 0.0 and g[1] == 0.0 and g[2] == 0.0:  # (the next bounce waits for fewer operations)
@@ -141,7 +142,7 @@ def follow(  # noqa: PLR0915  (one loop, from the first bounce to the last)
         if i < 0 or not dt < math.inf:
             ended = ESCAPED
             break
-        x, v = fly(world, x, v, dt)
+        x, v = after_flight(world, x, v, dt)
         t += dt
         if i < world.faces or world.arc_corners != 0:
             if world.corners and at_corner(world, pieces, i, x):
@@ -163,7 +164,7 @@ def follow(  # noqa: PLR0915  (one loop, from the first bounce to the last)
         if planar and law == NO_SLIP_WALL:  # (the same bits; zeros that the compiler sees)
             v, w = no_slip_bounce((v[0], v[1], 0.0), (0.0, 0.0, w[2]), (n[0], n[1], 0.0), a, kappa)
         else:
-            v, w = bounce(world, law, a, kappa, v, w, n)
+            v, w = after_impact(world, law, a, kappa, v, w, n)
         if not dot(v, n) > 0.0:
             ended = GRAZED
             break
@@ -188,7 +189,7 @@ def follow(  # noqa: PLR0915  (one loop, from the first bounce to the last)
 
 
 @kernel
-def _in_step(world: Any, pieces: Any, memory: Any, until: int, s: Any) -> int:
+def _follow_in_step(world: Any, pieces: Any, memory: Any, until: int, s: Any) -> int:
     """Follow LANES orbits in step from their memories on, up to a doubt; return how many bounces each has made then."""
     a, kappa = world.a, world.kappa
     count = int(memory[0, 3])
@@ -215,7 +216,7 @@ _prange: Any = range
 
 
 @kernel
-def _go_on(
+def _follow_row(
     world: Any, pieces: Any, s: Any, bounces: int, share: int, rows: Any, met: Any, last: Any, end: Any, memory: Any
 ) -> None:
     """Follow one row of the starts further."""
@@ -235,7 +236,7 @@ def _go_on(
 
 
 @kernel
-def _all_at(ends: Any, count: int) -> bool:
+def _all_have_bounced(ends: Any, count: int) -> bool:
     """Return whether all orbits go on, and have made so many bounces."""
     others = 0
     for k in range(ends.shape[0]):
@@ -269,18 +270,23 @@ def follow_many(
         begin = own[0].bounces
         # a first part one by one: until the balls are on the wall, and a multiple of CHUNK, where the energy has just been restored
         few = CHUNK if begin == 0 else -begin % CHUNK
-        together = in_step and len(own) == LANES and _all_at(own, begin) and few + CHUNK <= min(share, bounces - begin)
+        together = (
+            in_step
+            and len(own) == LANES
+            and _all_have_bounced(own, begin)
+            and few + CHUNK <= min(share, bounces - begin)
+        )
         if together:
             for m in range(first, first + LANES):
-                _go_on(worlds[0], pieces, starts[m], bounces, few, rows[m], met[m], last[m], ends[m], memory[m])
-            if _all_at(own, begin + few):
-                count = _in_step(worlds[0], pieces, memory[these], min(bounces, begin + share), work[block])
+                _follow_row(worlds[0], pieces, starts[m], bounces, few, rows[m], met[m], last[m], ends[m], memory[m])
+            if _all_have_bounced(own, begin + few):
+                count = _follow_in_step(worlds[0], pieces, memory[these], min(bounces, begin + share), work[block])
                 for k in range(LANES):
                     own[k].bounces = count
         for m in range(first, first + len(own)):
             if ends[m].reason == DONE and (together or ends[m].bounces < bounces):
                 rest = begin + share - ends[m].bounces if together else share
-                _go_on(worlds[0], pieces, starts[m], bounces, rest, rows[m], met[m], last[m], ends[m], memory[m])
+                _follow_row(worlds[0], pieces, starts[m], bounces, rest, rows[m], met[m], last[m], ends[m], memory[m])
 
 
 @functools.cache
@@ -311,4 +317,6 @@ def follow_one(worlds: Any, pieces: Any, starts: Any, bounces: int, share: int, 
     """Do what :func:`follow_many` does, for one row of starts: its loop, which takes as long to compile, is not needed."""
     compiled_follow()
     rows, met, last, ends, memory = of_each
-    _go_on(worlds[0], pieces, starts[0], bounces, share, rows[0], met[0], last[0], ends.view(np.recarray)[0], memory[0])
+    _follow_row(
+        worlds[0], pieces, starts[0], bounces, share, rows[0], met[0], last[0], ends.view(np.recarray)[0], memory[0]
+    )

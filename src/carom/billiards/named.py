@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from carom.billiards import cells, solids, tables
+from carom.billiards import periodic_tables, solids, tables
 from carom.billiards.tables import Table
 from carom.errors import CaromError
 
@@ -49,11 +49,11 @@ def named_table(kind: str, sizes: Mapping[str, Any], bounds: Any = "centre") -> 
         return tables.wedge(math.radians(angle), **b)
     if kind == "periodic-strip":
         r = given.pop("radius", 0.2)
-        return cells.periodic_strip(**given, scatterers=((0.0, 0.0, r),), **b)
+        return periodic_tables.periodic_strip(**given, scatterers=((0.0, 0.0, r),), **b)
     if kind == "box":
         return solids.box([given.get(key, 1.0) for key in ("width", "height", "depth")], **b)
     if kind == "plates":
         g = given.pop("acceleration", 0.0)
         return solids.plates(**given, acceleration=(0.0, g), **b)
-    module: Any = {"sinai": cells, "sphere": solids}.get(kind, tables)
+    module: Any = {"sinai": periodic_tables, "sphere": solids}.get(kind, tables)
     return getattr(module, kind)(**given, **b)  # type: ignore[no-any-return]

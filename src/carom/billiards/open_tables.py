@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from carom.billiards.boundary import Boundary, ConnectedWall
 from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer
-from carom.billiards.records import DONE, ESCAPED, POSITION, SPIN, TIME, VELOCITY
 from carom.billiards.setup import orbit_setup
+from carom.billiards.table_records import DONE, ESCAPED, POSITION, SPIN, TIME, VELOCITY
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
 from carom.errors import CaromError, float_array

@@ -11,24 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.billiards.loop import MEMORY, compiled_many, follow_one
-from carom.billiards.records import DONE, ENDING, ENDS, POSITION, TIME
 from carom.billiards.setup import OrbitSetup, Start, orbit_setup, start_rows
+from carom.billiards.table_records import DONE, ENDING, ENDS, POSITION, TIME
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
 from carom.core.jit.slices import Pace
 from carom.errors import CaromError
 
 __all__ = [
-    "FIRST_BOUNCES",
-    "MAX_KEPT_BYTES",
-    "Orbit",
-    "final",
-    "orbit",
-    "orbit_from_setup",
-    "require_integer",
-    "require_reversible",
+    "FIRST_BOUNCES", "MAX_KEPT_BYTES", "Orbit", "final", "orbit", "orbit_from_setup", "require_integer", "require_reversible",
     "reverse",
-]
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 

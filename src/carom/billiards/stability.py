@@ -9,8 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.billiards.orbits import FIRST_BOUNCES, orbit_from_setup, require_integer
-from carom.billiards.records import DONE, ENDING, ENDS, POSITION, TIME, VELOCITY
 from carom.billiards.setup import OrbitSetup, orbit_setup
+from carom.billiards.table_records import DONE, ENDING, ENDS, POSITION, TIME, VELOCITY
 from carom.billiards.tables import Table
 from carom.billiards.tangent import compiled_tangent_loop
 from carom.bodies import Ball, Surface

@@ -13,8 +13,8 @@ from typing import Any
 
 from carom.billiards.elliptic_boundary import arc_wall
 from carom.billiards.intersections import next_hit, wall_normal
-from carom.billiards.loop import at_corner, bounce, fly
-from carom.billiards.records import CORNER, DONE, ENDING, ESCAPED, GRAZED, PIECES, WORLD
+from carom.billiards.loop import after_flight, after_impact, at_corner
+from carom.billiards.table_records import CORNER, DONE, ENDING, ESCAPED, GRAZED, PIECES, WORLD
 from carom.core.contact import LEAST, slip_velocity
 from carom.core.jit.compile import array_of, njit, parallel_range, signature
 from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel
@@ -138,7 +138,7 @@ def follow_tangents(
             if i < 0 or not dt < math.inf:
                 ended = ESCAPED
                 break
-            x, u = fly(world, x, u, dt)
+            x, u = after_flight(world, x, u, dt)
             flight += dt
             if i < world.faces or i >= world.windows:
                 break
@@ -159,7 +159,7 @@ def follow_tangents(
             )  # fmt: skip
             for j in range(3):
                 q[j], q[3 + j], q[6 + j] = dx[j], dv[j], dw[j]
-        v, w = bounce(world, world.law, world.a, world.kappa, u, w, n)
+        v, w = after_impact(world, world.law, world.a, world.kappa, u, w, n)
         if not dot(v, n) > 0.0:
             ended = GRAZED
             break

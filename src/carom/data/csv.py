@@ -14,9 +14,9 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.cells import EMPTY, SPREADSHEET, decimal_commas, parse_numbers
 from carom.data.csv_arrow import LARGE_FILE, arrow_installed, joined_rows, parsed_columns
 from carom.data.plan import BOUNCE, TablePlan
+from carom.data.table_cells import EMPTY, SPREADSHEET, decimal_commas, parse_numbers
 from carom.errors import CaromError
 from carom.files import text_encoding
 

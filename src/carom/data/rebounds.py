@@ -22,10 +22,10 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.data.cells import decimal_commas, number_advice, parse_numbers
 from carom.data.csv import CsvTable
 from carom.data.headers import BRACKETS, ColumnNames, missing_unit, with_units_below
 from carom.data.remarks import speed_remarks, which_rows
+from carom.data.table_cells import decimal_commas, number_advice, parse_numbers
 from carom.errors import MAX_MAGNITUDE, CaromError, shortened_list, suggestion
 from carom.files import as_path, atomic_file, import_optional, require_unpacked_size
 

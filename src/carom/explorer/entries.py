@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 from carom.core.geometry.circles import NUMBERS as RIM_NUMBERS
 from carom.core.geometry.circles import rim_entry
-from carom.core.geometry.features import FEATURES, contact_normal, distance
+from carom.core.geometry.features import FEATURES, contact_normal, gap_to_feature
 from carom.core.jit.compile import array_of
 from carom.core.jit.kernel import vector
 from carom.core.motion.restitution import restitution
@@ -20,7 +20,7 @@ from carom.laws.landing import second_impact
 from carom.laws.registry import laws
 from carom.laws.two_step import first_impact
 from carom.simulation.loop import run
-from carom.simulation.predict import begin
+from carom.simulation.predict import begin_phase
 from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.states import state_rows
 
@@ -65,16 +65,16 @@ def run_events(
 
 
 def begin_rows(worlds: Any, balls: Any) -> None:
-    """Set the accelerations and the duration of each ball's phase: :func:`carom.simulation.predict.begin`."""
+    """Set the accelerations and the duration of each ball's phase: :func:`carom.simulation.predict.begin_phase`."""
     for i in range(balls.shape[0]):
-        begin(worlds[0], balls[i])
+        begin_phase(worlds[0], balls[i])
 
 
 def gap_rows(features: Any, balls: Any, gaps: Any) -> None:
-    """Write the gap (B, F) between each ball and each feature: :func:`carom.core.geometry.features.distance`."""
+    """Write the gap (B, F) between each ball and each feature: :func:`carom.core.geometry.features.gap_to_feature`."""
     for i in range(balls.shape[0]):
         for f in range(features.shape[0]):
-            gaps[i, f] = distance(features[f], balls[i].radius, vector(balls[i].x))
+            gaps[i, f] = gap_to_feature(features[f], balls[i].radius, vector(balls[i].x))
 
 
 def meet_row(features: Any, balls: Any, out: Any) -> None:

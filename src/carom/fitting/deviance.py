@@ -18,7 +18,10 @@ from typing import Any, NamedTuple
 from carom.core.jit.kernel import Vec, kernel
 from carom.fitting.parameters import INDEX, NUMBERS
 
-__all__ = ["UNDEFINED_DEVIANCE", "RowData", "Trial", "Workspace", "ask", "known_row", "measured_outputs", "precision"]
+__all__ = [
+    "UNDEFINED_DEVIANCE", "RowData", "Trial", "Workspace", "measured_outputs", "predict_with_derivatives", "residual_precision",
+    "row_deviance",
+]  # fmt: skip
 
 UNDEFINED_DEVIANCE = 1e8  # of a row for which a law has no prediction
 RELATIVE_STEP = 1e-4  # of a numerical derivative, in the parameter's own size
@@ -73,7 +76,7 @@ class Workspace(NamedTuple):
     """Scratch arrays of one thread."""
 
     asked: Any
-    """(4 + 3 k, 3) predictions and their derivatives, as :func:`ask` writes them."""
+    """(4 + 3 k, 3) predictions and their derivatives, as :func:`predict_with_derivatives` writes them."""
     s: Any
     """(3, 3) S."""
     q: Any
@@ -109,7 +112,7 @@ class Workspace(NamedTuple):
 
 
 @kernel
-def ask(
+def predict_with_derivatives(
     law: Any, rows: Any, trial: Any, i: int, x: Vec, speed: float, inputs: int, each: int, first: int, last: int, asked: Any
 ) -> None:  # fmt: skip
     """Evaluate the law and its derivatives at x, items ``first`` to ``last``, into asked[item].
@@ -165,7 +168,7 @@ def ask(
 
 
 @kernel
-def precision(rows: Any, i: int, jacobian: Any, first: int, inputs: int, s: Any, q: Any) -> None:
+def residual_precision(rows: Any, i: int, jacobian: Any, first: int, inputs: int, s: Any, q: Any) -> None:
     """Compute S and its inverse q, with zeros where nothing was measured; jacobian[first + o] is the derivative in input o."""
     y, vx, vy = rows.y, rows.vx, rows.vy
     for m in range(3):
@@ -204,7 +207,7 @@ def measured_outputs(y: Any, i: int) -> int:
 
 
 @kernel
-def known_row(law: Any, rows: Any, trial: Any, i: int, u: Any, h: Any, work: Any) -> tuple[float, float]:
+def row_deviance(law: Any, rows: Any, trial: Any, i: int, u: Any, h: Any, work: Any) -> tuple[float, float]:
     """Return a row's deviance and its c; write its scores (-1/2 of the gradient) to u and its information to h."""
     k, asked, q, qr, r, vx, nu = trial.free.shape[0], work.asked, work.q, work.qr[0], work.r[0], rows.vx, rows.nu
     zero = 0 * rows.radius
@@ -215,8 +218,8 @@ def known_row(law: Any, rows: Any, trial: Any, i: int, u: Any, h: Any, work: Any
         return zero, zero
     x0, x1, x2 = rows.x[i, 0], rows.x[i, 1], rows.x[i, 2]
     speed = math.sqrt(x0 * x0 + x1 * x1)
-    ask(law, rows, trial, i, (x0, x1, x2), speed, 3, 1, 0, 4, asked)
-    precision(rows, i, asked, 1, 3, work.s, q)
+    predict_with_derivatives(law, rows, trial, i, (x0, x1, x2), speed, 3, 1, 0, 4, asked)
+    residual_precision(rows, i, asked, 1, 3, work.s, q)
     for m in range(3):
         r[m] = rows.y[i, m] - asked[0, m] if rows.y[i, m] == rows.y[i, m] else 0.0
     c = zero
@@ -235,8 +238,8 @@ def known_row(law: Any, rows: Any, trial: Any, i: int, u: Any, h: Any, work: Any
             vx[i, 1] * (asked[2, 0] * qr[0] + asked[2, 1] * qr[1] + asked[2, 2] * qr[2]) - rows.covariance[i, 1] * qr[1]
         )
         x2 += vx[i, 2] * (asked[3, 0] * qr[0] + asked[3, 1] * qr[1] + asked[3, 2] * qr[2])
-        ask(law, rows, trial, i, (x0, x1, x2), speed, 3, 1, 0, 1, asked)
-        ask(law, rows, trial, i, (x0, x1, x2), speed, 3, 1, 4, 4 + k, asked)
+        predict_with_derivatives(law, rows, trial, i, (x0, x1, x2), speed, 3, 1, 0, 1, asked)
+        predict_with_derivatives(law, rows, trial, i, (x0, x1, x2), speed, 3, 1, 4, 4 + k, asked)
     t = (nu + d) / (nu + c) if nu > 0 else 1 + zero
     for j in range(k):
         g, qg = asked[4 + j], work.qg

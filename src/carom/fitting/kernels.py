@@ -22,8 +22,8 @@ from carom.laws.two_step import UNDEFINED, first_impact
 from carom.laws.wall_and_floor.solver import STALL
 
 __all__ = [
-    "AFTER_WALL", "CONTACT", "CONVENTIONAL", "DENSE", "PLANES", "ROLLING", "SMOOTH", "TABLE_HEAD", "TABULATED", "TOGETHER", "TURN",
-    "planar", "planar_law", "table", "table_law",
+    "AFTER_WALL", "CONTACT", "CONVENTIONAL", "DENSE", "PLANES", "ROLLING", "SMOOTH", "TABLE_HEAD", "TABULATED", "TOGETHER",
+    "TURN", "planar_law", "planar_rebound", "table_law", "table_rebound",
 ]  # fmt: skip
 
 # Contact models that are compiled in. SMOOTH: wall and floor without friction; TURN: the wall and then the floor; TOGETHER: both
@@ -45,7 +45,7 @@ def speed_restitution(form: int, p: Vec, speed: float) -> float:
 
 
 @kernel
-def planar(code: int, form: int, _stage: int, x: Vec, a: float, p: Any) -> Vec:
+def planar_rebound(code: int, form: int, _stage: int, x: Vec, a: float, p: Any) -> Vec:
     """Return v_n, v_t and spin of a planar bounce after the wall."""
     zero = 0 * x[0]
     e = speed_restitution(form, (p.restitution, p.restitution_1, p.restitution_2), x[0])
@@ -59,7 +59,7 @@ def planar(code: int, form: int, _stage: int, x: Vec, a: float, p: Any) -> Vec:
 
 
 @kernel
-def table(code: int, form: int, stage: int, x: Vec, a: float, p: Any) -> Vec:
+def table_rebound(code: int, form: int, stage: int, x: Vec, a: float, p: Any) -> Vec:
     """Return v_n, v_t and vertical spin of a ball on a table, after the wall or once it rolls again; NaN: undefined."""
     zero = 0 * x[0]
     up = 1 - p.contact_height
@@ -113,7 +113,7 @@ DENSE = 0.6  # v/a: spins below this are evenly spaced, and in proportion to the
 
 
 @kernel
-def _cubic(t: float) -> tuple[float, float, float, float]:
+def _lagrange_weights(t: float) -> tuple[float, float, float, float]:
     """Return Lagrange's weights of four values at 0, 1, 2 and 3."""
     a, b, c = t - 1, t - 2, t - 3
     return -a * b * c / 6, t * b * c / 2, -t * a * c / 2, t * a * b / 6
@@ -136,8 +136,8 @@ def look_up(stage: int, x: Vec, a: float, p: Any, known: Any) -> Vec:
     two = (place - known[_SPIN]) * known[_SPIN + 1]
     i = min(max(int(one) - 1, 0), directions - 4)
     j = min(max(int(two) - 1, 0), spins - 4)
-    w0, w1, w2, w3 = _cubic(one - i)
-    u0, u1, u2, u3 = _cubic(two - j)
+    w0, w1, w2, w3 = _lagrange_weights(one - i)
+    u0, u1, u2, u3 = _lagrange_weights(two - j)
     first = (int(min(stage, known[_STAGES] - 1)) * directions + i) * spins + j
     off0, off1, off2 = p.restitution - known[0], p.friction - known[1], p.floor_friction - known[2]
     moved = off0 != 0 or off1 != 0 or off2 != 0
@@ -157,13 +157,13 @@ def look_up(stage: int, x: Vec, a: float, p: Any, known: Any) -> Vec:
 
 @kernel
 def planar_law(code: int, form: int, stage: int, x: Vec, a: float, p: Any, _known: Any) -> Vec:
-    """Return :func:`planar`, which no table replaces."""
-    return planar(code, form, stage, x, a, p)
+    """Return :func:`planar_rebound`, which no table replaces."""
+    return planar_rebound(code, form, stage, x, a, p)
 
 
 @kernel
 def table_law(code: int, form: int, stage: int, x: Vec, a: float, p: Any, known: Any) -> Vec:
-    """Return :func:`table`, or what a table of it says."""
+    """Return :func:`table_rebound`, or what a table of it says."""
     if code == TABULATED:
         return look_up(stage, x, a, p, known)
-    return table(code, form, stage, x, a, p)
+    return table_rebound(code, form, stage, x, a, p)

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 from carom.core.jit.compile import array_of, function_type, named_tuple_type, njit, signature
 from carom.core.jit.kernel import kernel
 from carom.core.jit.threads import call_in_threads
-from carom.fitting.deviance import RELATIVE_STEP, RowData, Trial, Workspace, known_row
+from carom.fitting.deviance import RELATIVE_STEP, RowData, Trial, Workspace, row_deviance
 from carom.fitting.parameters import LAW_NUMBERS, NUMBERS
-from carom.fitting.spin_marginal import unmeasured_row
+from carom.fitting.spin_marginal import row_deviance_over_spins
 from carom.fitting.spin_quadrature import INTERVAL, SpinGrid
 from carom.laws.callbacks import register_calls
 
@@ -27,16 +27,9 @@ if TYPE_CHECKING:
     from carom.data.rebounds import Kind
 
 __all__ = [
-    "Evaluation",
-    "LikelihoodModel",
-    "TabulatedLaw",
-    "compile_likelihood",
-    "evaluate",
-    "make_trial",
-    "make_workspace",
-    "predict_in_parts",
-    "predictions",
-]
+    "Evaluation", "LikelihoodModel", "TabulatedLaw", "compile_likelihood", "evaluate", "make_trial", "make_workspace",
+    "predict_in_parts", "predictions",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 PARTS = 8
@@ -136,9 +129,9 @@ def _evaluate_rows(
                         rows.x[i, m] += p[b, NUMBERS + s] * trial.moved[s, i, m]
                         rows.y[i, m] += p[b, NUMBERS + s] * trial.moved[s, i, 3 + m]
             if spins is not None and rows.x[i, 2] != rows.x[i, 2]:
-                deviance[b, i], chi2[b, i] = unmeasured_row(law, rows, trial, i, ui, hi, work)
+                deviance[b, i], chi2[b, i] = row_deviance_over_spins(law, rows, trial, i, ui, hi, work)
             else:
-                deviance[b, i], chi2[b, i] = known_row(law, rows, trial, i, ui, hi, work)
+                deviance[b, i], chi2[b, i] = row_deviance(law, rows, trial, i, ui, hi, work)
             for j in range(k):
                 u[b, j] += weight * ui[j]
                 for m in range(k):

@@ -21,7 +21,14 @@ import math
 from typing import Any
 
 from carom.core.jit.kernel import kernel
-from carom.fitting.deviance import SPIN_MEAN, SPIN_WIDTH, UNDEFINED_DEVIANCE, ask, measured_outputs, precision
+from carom.fitting.deviance import (
+    SPIN_MEAN,
+    SPIN_WIDTH,
+    UNDEFINED_DEVIANCE,
+    measured_outputs,
+    predict_with_derivatives,
+    residual_precision,
+)
 from carom.fitting.parameters import NUMBERS
 from carom.fitting.spin_quadrature import (
     LINEAR,
@@ -35,7 +42,7 @@ from carom.fitting.spin_quadrature import (
     subdivide,
 )
 
-__all__ = ["unmeasured_row"]
+__all__ = ["row_deviance_over_spins"]
 
 LEAST_WEIGHT = 1e-4  # of a row's integral: intervals with less need no derivatives
 
@@ -77,7 +84,7 @@ def _precision(rows: Any, trial: Any, i: int, speed: float, work: Any, interval:
     for m in range(3):
         work.slopes[0, m] = interval.middle[1, m]
         work.slopes[1, m] = interval.middle[2, m] + turned * (work.predicted[two, m] - work.predicted[one, m])
-    precision(rows, i, work.slopes, 0, 2, work.s, work.q)
+    residual_precision(rows, i, work.slopes, 0, 2, work.s, work.q)
 
 
 @kernel
@@ -90,7 +97,7 @@ def _middle_slopes(law: Any, rows: Any, trial: Any, i: int, speed: float, work: 
         0 if interval.state == LINEAR else 1
     )  # the prediction there is known, except of intervals that were not examined
     spin = (work.sigma[interval.first] + work.sigma[interval.second]) / 2 * (speed / rows.radius)
-    ask(law, rows, trial, i, (rows.x[i, 0], rows.x[i, 1], spin), speed, 2, 1, known, 3, asked)
+    predict_with_derivatives(law, rows, trial, i, (rows.x[i, 0], rows.x[i, 1], spin), speed, 2, 1, known, 3, asked)
     for o in range(3):
         for m in range(3):
             interval.middle[o, m] = asked[o, m]
@@ -153,9 +160,9 @@ def _integrate(
 
 
 @kernel
-def unmeasured_row(law: Any, rows: Any, trial: Any, i: int, u: Any, h: Any, work: Any) -> tuple[float, float]:
+def row_deviance_over_spins(law: Any, rows: Any, trial: Any, i: int, u: Any, h: Any, work: Any) -> tuple[float, float]:
     """Return a row's deviance, and the least of c + z^2, z the distance from the prior's mean in its widths (0: uniform prior);
-    write scores and information as :func:`carom.fitting.deviance.known_row` does."""
+    write scores and information as :func:`carom.fitting.deviance.row_deviance` does."""
     u[:] = 0
     h[:] = 0
     if measured_outputs(rows.y, i) == 0:
@@ -224,8 +231,8 @@ def _derivatives(
     for end in range(2):
         t = 0.25 + 0.5 * end
         spin = ((1 - t) * sigma[one] + t * sigma[two]) * unit
-        ask(law, rows, trial, i, (v_n, v_t, spin), speed, 2, 1, 0, 1, asked)
-        ask(law, rows, trial, i, (v_n, v_t, spin), speed, 2, 1, 3, 3 + k, asked)
+        predict_with_derivatives(law, rows, trial, i, (v_n, v_t, spin), speed, 2, 1, 0, 1, asked)
+        predict_with_derivatives(law, rows, trial, i, (v_n, v_t, spin), speed, 2, 1, 3, 3 + k, asked)
         for j in range(k):
             for m in range(3):
                 slope[j, m] = 2 * (asked[3 + j, m] - start[j, m]) if end == 1 else 0.0
@@ -236,7 +243,7 @@ def _derivatives(
     for o in range(3):
         for m in range(3):
             asked[o, m] = interval.middle[o, m]
-    ask(law, rows, trial, i, (v_n, v_t, spin), speed, 2, 3, 3, 3 + 3 * k, asked)
+    predict_with_derivatives(law, rows, trial, i, (v_n, v_t, spin), speed, 2, 3, 3, 3 + 3 * k, asked)
     far = (sigma[two] - sigma[one]) * speed
     for j in range(k):
         for m in range(3):

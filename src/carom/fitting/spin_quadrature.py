@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.jit.kernel import kernel
-from carom.fitting.deviance import ask
+from carom.fitting.deviance import predict_with_derivatives
 
 __all__ = [
     "INTERVAL", "NEGLIGIBLE", "REFINED_C", "SpinGrid", "integrate_interval", "interval_limits", "kink_position", "midpoint_bulge",
@@ -264,7 +264,7 @@ def _bound_exponent(rows: Any, i: int, mean: float, width: float, work: Any, int
 
 
 @kernel
-def _split(sigma: Any, predicted: Any, at: int, interval: Any, other: Any) -> None:
+def _split_interval(sigma: Any, predicted: Any, at: int, interval: Any, other: Any) -> None:
     """Split an interval at grid point ``at``: it becomes the first part, ``other`` the second; ``expected`` is what the parabola
     through all three points predicts in the middle of each."""
     one, two = interval.first, interval.second
@@ -283,7 +283,7 @@ def _split(sigma: Any, predicted: Any, at: int, interval: Any, other: Any) -> No
 def _evaluate(law: Any, rows: Any, trial: Any, i: int, speed: float, sigma: float, asked: Any) -> None:
     """Evaluate the law at the spin sigma v/a, into asked[0]."""
     spin = sigma * (speed / rows.radius)
-    ask(law, rows, trial, i, (rows.x[i, 0], rows.x[i, 1], spin), speed, 2, 1, 0, 1, asked)
+    predict_with_derivatives(law, rows, trial, i, (rows.x[i, 0], rows.x[i, 1], spin), speed, 2, 1, 0, 1, asked)
 
 
 @kernel
@@ -330,7 +330,7 @@ def _initial_intervals(law: Any, rows: Any, trial: Any, i: int, work: Any) -> tu
         if _squared_deviation(rows, i, predicted, n, n + 1, t, asked[0]) < LINEAR_TOLERANCE * LINEAR_TOLERANCE:
             interval.state = LINEAR
             continue
-        _split(sigma, predicted, used, interval, intervals[made])
+        _split_interval(sigma, predicted, used, interval, intervals[made])
         used += 1
         made += 1
     return used, made
@@ -372,7 +372,7 @@ def subdivide(law: Any, rows: Any, trial: Any, i: int, work: Any) -> tuple[int, 
                 sigma[used] = middle
                 for m in range(3):
                     predicted[used, m] = asked[0, m]
-                _split(sigma, predicted, used, interval, intervals[made])
+                _split_interval(sigma, predicted, used, interval, intervals[made])
                 used += 1
                 made += 1
     return made, certain

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from carom.core.geometry.polygon import ellipse_depth, outline_faults, polygon_depth
 from carom.errors import FaultList, suggestion
-from carom.gas.edmd.records import ELLIPSE, INSIDE, OUTSIDE, PLANE
+from carom.gas.edmd.gas_records import ELLIPSE, INSIDE, OUTSIDE, PLANE
 
 __all__ = ["JOINT_OVERLAP", "SHAPES", "WALLS", "Container", "ContainerFace", "Floats", "as_container", "container"]
 
@@ -37,7 +37,7 @@ class ContainerFace:
     Parameters
     ----------
     name : of the wall
-    form : PLANE, INSIDE, OUTSIDE or ELLIPSE, of :mod:`carom.gas.edmd.records`
+    form : PLANE, INSIDE, OUTSIDE or ELLIPSE, of :mod:`carom.gas.edmd.gas_records`
     vector : a plane's normal n into the gas; the q of a round surface |q (x - centre)| = radius, which holds the gas INSIDE or (a
         scatterer) OUTSIDE; the half axes of an ELLIPSE
     centre : a point of a plane, or the centre

@@ -15,7 +15,7 @@ from carom.formatting import counted, format_number
 from carom.gas.containers import Container, as_container
 from carom.gas.edmd import driver as engine
 from carom.gas.edmd.driver import GasArrays
-from carom.gas.edmd.records import COLLAPSED, DONE, UNDERFLOW
+from carom.gas.edmd.gas_records import COLLAPSED, DONE, UNDERFLOW
 from carom.gas.endings import AT_REST, COLLAPSE, TOO_SLOW, EarlyEnd, EndedEarlyError, collapse_of
 from carom.gas.results import GasBalls, GasRun, Mark
 from carom.gas.species import Contacts, Drive, Species, Thermostat, system_records
@@ -109,7 +109,7 @@ class Gas:
         del x
         draw_thermal(memory, species, kinds, which, axes, rng, velocity is None, spin is None)
         self._names = tuple(face.name for face in container.faces)
-        self._begin(engine.make(records, memory, v, w))
+        self._begin(engine.arrays_at_start(records, memory, v, w))
 
     def __repr__(self) -> str:
         """Return one line: number of balls, container, simulated time, collisions.

@@ -31,7 +31,9 @@ def compiled_loops() -> _CompiledCounts:
     """Return the compiled sums and histograms."""
     from carom.core.jit.compile import njit
 
-    return _CompiledCounts(*(njit(loop, nogil=True) for loop in (_sums, _spread, _pairs)))
+    return _CompiledCounts(
+        *(njit(loop, nogil=True) for loop in (_species_sums, _component_histograms, _pair_histogram))
+    )
 
 
 def species_sums(motions: Any, bodies: Any, kinds: int) -> Array:
@@ -70,7 +72,7 @@ def add_pair_histograms(
     )  # fmt: skip
 
 
-def _sums(motions: Any, bodies: Any, sums: Any) -> None:
+def _species_sums(motions: Any, bodies: Any, sums: Any) -> None:
     for i in range(motions.shape[0]):
         ball, body = motions[i], bodies[i]
         k = ball.species
@@ -87,29 +89,29 @@ def _sums(motions: Any, bodies: Any, sums: Any) -> None:
 
 
 @hot_kernel
-def _add(histogram: Any, k: int, x: float) -> None:
+def _count_value(histogram: Any, k: int, x: float) -> None:
     """Count x in row k of a histogram with bins of width 1 centred on zero."""
     place = x + histogram.shape[1] / 2
     if 0 <= place < histogram.shape[1]:
         histogram[k, int(place)] += 1
 
 
-def _spread(motions: Any, bodies: Any, axes: int, scale: Any, velocities: Any, spins: Any) -> None:
+def _component_histograms(motions: Any, bodies: Any, axes: int, scale: Any, velocities: Any, spins: Any) -> None:
     for i in range(motions.shape[0]):
         ball, body = motions[i], bodies[i]
         k = ball.species
         s = scale[k, 0]
         if s > 0:
-            _add(velocities, k, ball.vx * s)
-            _add(velocities, k, ball.vy * s)
+            _count_value(velocities, k, ball.vx * s)
+            _count_value(velocities, k, ball.vy * s)
             if axes == 3:
-                _add(velocities, k, ball.vz * s)
+                _count_value(velocities, k, ball.vz * s)
         s = scale[k, 1]
         if s > 0:
             if axes == 3:
-                _add(spins, k, body.wx * s)
-                _add(spins, k, body.wy * s)
-            _add(spins, k, body.wz * s)
+                _count_value(spins, k, body.wx * s)
+                _count_value(spins, k, body.wy * s)
+            _count_value(spins, k, body.wz * s)
 
 
 @hot_kernel
@@ -122,7 +124,7 @@ def _nearest_image(r: float, side: float, periodic: bool) -> float:
     return r + side if r < -side / 2 else r
 
 
-def _pairs(
+def _pair_histogram(
     x: Any, kind: Any, chosen: Any, place: Any, radius: Any, side: Any, periodic: Any, n: Any, first: Any, reach2: float,
     width: float, pairs: Any,
 ) -> None:  # fmt: skip

@@ -19,8 +19,8 @@ from carom.bodies import Ball, Surface
 from carom.core.jit.slices import block_slices, row_slices
 from carom.errors import CaromError, FaultList
 from carom.gas.containers import Container, as_container
-from carom.gas.edmd.driver import advance, make, put_in_place, synchronized, time_of_last_event
-from carom.gas.edmd.records import DONE, PLANE
+from carom.gas.edmd.driver import advance, arrays_at_start, put_in_place, synchronized, time_of_last_event
+from carom.gas.edmd.gas_records import DONE, PLANE
 from carom.gas.overlaps import neighbour_cell
 from carom.gas.sizes import cells_at_most, lattice_steps
 from carom.gas.species import Species, system_records
@@ -328,7 +328,7 @@ def dense(
         records = system_records(species, container, Surface(1.0, 0.0, -1.0), (0.0,) * axes, 0.0, {}, None, seed)
         one = records.system[0]
         one["scale"], one["growth"] = scale, rate
-        arrays = make(records, put_in_place(records, which, x), v, np.zeros_like(x))
+        arrays = arrays_at_start(records, put_in_place(records, which, x), v, np.zeros_like(x))
         advance(arrays, (1 - scale) / rate, STAGE * len(x))
         one = arrays.system[0]
         done = one["status"] == DONE

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.gas.containers import Container
-from carom.gas.edmd.records import PLANE
+from carom.gas.edmd.gas_records import PLANE
 from carom.gas.state import require_same_form
 
 __all__ = ["Profile", "Profiles", "layers", "volume_within"]

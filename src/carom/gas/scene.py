@@ -13,7 +13,7 @@ from carom.bodies import Surface
 from carom.errors import suggestion
 from carom.formatting import counted, format_number
 from carom.gas.containers import JOINT_OVERLAP, WALLS
-from carom.gas.edmd.records import ELLIPSE, MAX_BALLS
+from carom.gas.edmd.gas_records import ELLIPSE, MAX_BALLS
 from carom.gas.initial import DENSEST
 from carom.gas.schema import GasContact, GasContainer, GasDrive, GasSettings, GasSpecies, GasThermostat
 from carom.gas.sizes import LONGEST_SIDE

@@ -21,7 +21,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.cells import parse_numbers
+from carom.data.table_cells import parse_numbers
 from carom.errors import CaromError, suggestion
 from carom.files import atomic_path, cannot_write, import_optional, read_text, require_unpacked_size
 from carom.formatting import format_bytes

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.gas.edmd.driver import BINS_PER_BALL, STATE
-from carom.gas.edmd.records import MOTION, NO_BALL
+from carom.gas.edmd.gas_records import MOTION, NO_BALL
 from carom.gas.edmd.walls import FIRST_WALL, PREDICT_AGAIN
 from carom.gas.scene import GasScene
 from carom.gas.sizes import cells_at_most

@@ -296,13 +296,13 @@ def loop_for(loop: Callable[..., None], rows: int) -> Callable[..., None]:
     if computes_on_gpu():
         return _on_gpu(loop)
     if rows < FEW:
-        return _quiet(loop)
+        return _without_warnings(loop)
     from carom.core.jit.compile import compiler_is_off
 
-    return _quiet(loop) if compiler_is_off() else sliced(_compiled(loop), rows)
+    return _without_warnings(loop) if compiler_is_off() else sliced(_compiled(loop), rows)
 
 
-def _quiet(loop: Callable[..., None]) -> Callable[..., None]:
+def _without_warnings(loop: Callable[..., None]) -> Callable[..., None]:
     """Suppress the warnings of NumPy scalars (0 * inf), which compiled code does not give."""
 
     def quiet(*args: Any) -> None:

@@ -35,7 +35,7 @@ def call_user(
 
 
 @kernel
-def _write(out: Any, state: tuple[Vec, Vec]) -> None:
+def _write_state(out: Any, state: tuple[Vec, Vec]) -> None:
     (out[0], out[1], out[2]), (out[3], out[4], out[5]) = state
 
 
@@ -78,6 +78,6 @@ def law_entry(law: WallKernel) -> Callable[..., None]:
         vx: float, vy: float, vz: float, wx: float, wy: float, wz: float, nx: float, ny: float, nz: float,
         a: float, kappa: float, e: float, mu: float, last: float, out: Any,
     ) -> None:  # fmt: skip
-        _write(out, law((vx, vy, vz), (wx, wy, wz), (nx, ny, nz), a, kappa, e, mu, last))
+        _write_state(out, law((vx, vy, vz), (wx, wy, wz), (nx, ny, nz), a, kappa, e, mu, last))
 
     return entry

@@ -30,9 +30,9 @@ from carom.laws.law import (
     Law,
     Meeting,
     approaches,
+    contact_point_slips,
     holds_everywhere,
     respond,
-    slips,
     slips_on_floor,
 )
 from carom.laws.reflect import reflect
@@ -156,7 +156,7 @@ def _conditions(meeting: Meeting) -> list[Condition]:
 def _answer(meeting: Meeting) -> Answer:
     after = respond(conventional_kernel, meeting)
     none = np.full(after.shape, "")
-    slipping = slips(meeting, meeting.state, meeting.normal)
+    slipping = contact_point_slips(meeting, meeting.state, meeting.normal)
     # Wall and floor share one unknown: S_z, the impulse by which the floor pushes up and the wall pulls down. As S_z grows, the
     # friction required of the floor falls towards 1 but stays above it, so no friction up to 1 suffices. The wall's tends to 1.
     needed = np.where(slipping, 1.0, 0.0)

@@ -23,8 +23,8 @@ from carom.laws.arrays import answer_rows, unit_normal
 from carom.laws.results import GRAVITY, PAPER_FLOOR, REASONS, WHY, Flight, Impact, Settled, times_mass
 
 __all__ = [
-    "IN_FLIGHT", "LOST", "NO_GRAVITY", "NO_LAW", "REASONS", "ROLLS", "WHY", "fall", "fate", "landing_settings", "rolling_after",
-    "second_impact", "settle", "settle_checked",
+    "IN_FLIGHT", "LOST", "NO_GRAVITY", "NO_LAW", "REASONS", "ROLLS", "WHY", "fall_time", "landing_settings",
+    "outcome_after_wall", "rolling_after", "second_impact", "settle", "settle_checked",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -37,7 +37,7 @@ MOST_BOUNCES = 1_000_000
 
 
 @kernel
-def fall(h: float, vz: float, g: float) -> float:
+def fall_time(h: float, vz: float, g: float) -> float:
     """Time of flight from height h with vertical velocity vz back to the floor (g > 0 is assumed)."""
     if h == 0:
         return 2 * vz / g if vz > 0 else h
@@ -45,7 +45,7 @@ def fall(h: float, vz: float, g: float) -> float:
 
 
 @kernel
-def _dips(c: float, u: float, b: float, t: float, path: float) -> bool:
+def _falls_below_zero(c: float, u: float, b: float, t: float, path: float) -> bool:
     """Whether the distance c + u s + b s^2/2 falls below zero for an s in (0, t], by more than rounding on the path."""
     rounding = -ROUNDING * path
     if b > 0 and u < 0 and -u < b * t:
@@ -54,14 +54,14 @@ def _dips(c: float, u: float, b: float, t: float, path: float) -> bool:
 
 
 @kernel
-def _meets_wall(  # noqa: PLR0911  (one return a fate)
+def _meets_wall(  # noqa: PLR0911  (one return per outcome)
     v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float, g: float, h: float
 ) -> int:
     """Follow flight, bounces and sliding; return ROLLS, or how the ball meets the wall first. c: distance from the wall."""
-    t = fall(h, v[2], g)
+    t = fall_time(h, v[2], g)
     speed = math.sqrt(dot(v, v)) + a * math.sqrt(dot(w, w))
     path = speed * t
-    if _dips(0 * t, dot(v, n), -g * n[2], t, path):
+    if _falls_below_zero(0 * t, dot(v, n), -g * n[2], t, path):
         return IN_FLIGHT
     c = (v[0] * n[0] + v[1] * n[1]) * t - h * n[2]
     v = (v[0], v[1], v[2] - g * t)
@@ -74,7 +74,7 @@ def _meets_wall(  # noqa: PLR0911  (one return a fate)
             break
         t = 2 * v[2] / g
         path += speed * t
-        if _dips(c, dot(v, n), -g * n[2], t, path):
+        if _falls_below_zero(c, dot(v, n), -g * n[2], t, path):
             return BEFORE_ROLLING
         c += (v[0] * n[0] + v[1] * n[1]) * t
         v = (v[0], v[1], -v[2])
@@ -90,7 +90,7 @@ def _meets_wall(  # noqa: PLR0911  (one return a fate)
         t = slip / rate
         b = -mu * g * (s[0] * n[0] + s[1] * n[1]) / slip
         path += speed * t
-        if _dips(c, v[0] * n[0] + v[1] * n[1], b, t, path):
+        if _falls_below_zero(c, v[0] * n[0] + v[1] * n[1], b, t, path):
             return BEFORE_ROLLING
         c += (v[0] * n[0] + v[1] * n[1]) * t + b * t * t / 2
     # On the floor and without slip: it rolls, away from the wall or back into it.
@@ -101,8 +101,10 @@ def _meets_wall(  # noqa: PLR0911  (one return a fate)
 
 
 @kernel
-def _fate(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float, g: float, h: float) -> int:
-    """:func:`fate` in the general case."""
+def _general_outcome(
+    v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float, g: float, h: float
+) -> int:
+    """:func:`outcome_after_wall` in the general case."""
     if not g > 0 and h == 0 and v[2] < 0:  # pressed into the floor: it lands at once and never again
         v, w, _j, _required, _regime = wall_contact(v, w, UP, a, kappa, e, mu, beta)
     flies = h > 0 or v[2] != 0
@@ -123,7 +125,9 @@ def _fate(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, b
 
 
 @hot_kernel
-def fate(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float, g: float, h: float) -> int:
+def outcome_after_wall(
+    v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float, g: float, h: float
+) -> int:
     """Return whether a ball that leaves the wall (normal n) with (v, w) at height h comes to roll: ROLLS, or why not.
 
     e, mu, beta are the floor's. The ball touches the wall: its distance from the wall starts at zero.
@@ -134,7 +138,7 @@ def fate(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, be
         last, _w = rolls_at_last(v, w, a, kappa)
         if v[0] * n[0] + v[1] * n[1] > 0 and last[0] * n[0] + last[1] * n[1] > 0:
             return ROLLS
-    return _fate(v, w, n, a, kappa, e, mu, beta, g, h)
+    return _general_outcome(v, w, n, a, kappa, e, mu, beta, g, h)
 
 
 @kernel
@@ -154,7 +158,7 @@ def second_impact(
         return x, x, x, missing, missing, missing, x, GRAZE, missing, missing, LOST
     if h == 0 and abs(v[2]) <= ROUNDING * (math.sqrt(dot(v, v)) + a * math.sqrt(dot(w, w))):
         v = (v[0], v[1], zero)  # a vertical velocity of the size of rounding does not lift the ball
-    why = fate(v, w, n, a, kappa, ef, muf, betaf, g, h)
+    why = outcome_after_wall(v, w, n, a, kappa, ef, muf, betaf, g, h)
     v3, w3 = rolls_at_last(v, w, a, kappa) if why == ROLLS else (missing, missing)
     if not (h > 0 or v[2] != 0):  # it never left the floor
         return zero, zero, zero, v, w, none, zero, GRAZE, v3, w3, why
@@ -162,7 +166,7 @@ def second_impact(
         return x, x, x, missing, missing, missing, x, GRAZE, v3, w3, why
     if why == NO_GRAVITY and not (h == 0 and v[2] < 0):
         return math.inf, math.inf, math.inf, missing, missing, missing, x, GRAZE, v3, w3, why
-    t = fall(h, v[2], g)
+    t = fall_time(h, v[2], g)
     rise = h + v[2] * v[2] / (2 * g) if v[2] > 0 else h + zero
     far = t * math.sqrt(v[0] * v[0] + v[1] * v[1])
     down = -abs(v[2]) if h == 0 else v[2] - g * t
@@ -175,7 +179,7 @@ def rolling_after(
     v: Vec, w: Vec, n: Vec, a: float, kappa: float, ef: float, muf: float, betaf: float, g: float, h: float
 ) -> tuple[Vec, Vec, int]:
     """Rolling state (NaN if there is none) of a ball that leaves the wall (normal n) with (v, w), and the reason's code."""
-    why = fate(v, w, n, a, kappa, ef, muf, betaf, g, h)
+    why = outcome_after_wall(v, w, n, a, kappa, ef, muf, betaf, g, h)
     if why == ROLLS:
         # (39)
         v3, w3 = rolls_at_last(v, w, a, kappa)

@@ -31,8 +31,8 @@ from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact, S
 __all__ = [
     "CALLED_WALL", "CONTACT_WALL", "LIKE_SOLIDS", "MIRROR_WALL", "NO_SLIP_WALL", "ON_FLOOR", "ON_WALL", "ROLLING_WALL",
     "SURFACES", "TWO_STEP_WALL", "Answer", "Card", "Condition", "FitSpec", "Law", "Meeting", "approaches", "contact_kernel",
-    "drives_into_floor", "holds_everywhere", "impossible", "required_friction", "respond", "rubs", "slips", "slips_on_floor",
-    "wall_law", "wall_then_floor",
+    "contact_point_slips", "drives_into_floor", "has_friction", "holds_everywhere", "impossible", "required_friction",
+    "respond", "slips_on_floor", "wall_law", "wall_then_floor",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -348,12 +348,12 @@ def holds_everywhere(mask: Any) -> bool:
     return bool(mask if getattr(mask, "ndim", 0) == 0 else np.all(mask))
 
 
-def rubs(surface: Surface) -> bool:
+def has_friction(surface: Surface) -> bool:
     """Return whether a surface exerts any friction."""
     return bool(np.any((np.asarray(surface.friction) > 0) & (np.asarray(surface.tangential_restitution) > -1)))
 
 
-def slips(meeting: Meeting, state: State, normal: Any) -> Any:
+def contact_point_slips(meeting: Meeting, state: State, normal: Any) -> Any:
     """Return a mask (...): where the contact point with a surface slips by more than rounding."""
     a = meeting.ball.radius
     if state.velocity.ndim == 1 and normal.ndim == 1 and type(a) is float:  # one state, without arrays
@@ -367,7 +367,7 @@ def slips(meeting: Meeting, state: State, normal: Any) -> Any:
 
 def slips_on_floor(meeting: Meeting, state: State) -> Any:
     """Return a mask (...): where the contact point with the floor slips by more than rounding."""
-    return slips(meeting, state, UPWARD)
+    return contact_point_slips(meeting, state, UPWARD)
 
 
 def drives_into_floor(meeting: Meeting, answer: Answer) -> list[str]:

@@ -9,9 +9,9 @@ with u_t the slip of the ball as a rigid body, u_n the speed of approach, and k 
 the contact (nu is Poisson's ratio of ball and wall, if the same). For psi < 1 the contact first sticks, and its tangential
 compliance reverses the slip, to a smaller or larger value; for psi >= 4 chi - 1 it slides throughout.
 
-The curve psi_after(psi, chi) is computed in advance (:func:`solve`), with a row of independent springs: Popov & Hess, Method
-of Dimensionality Reduction in Contact Mechanics (2015), which reproduces Hertz's contact with friction as exactly as the
-theory of Cattaneo and Mindlin does. A normal restitution below 1 enters through the mean speed, (1 + e)/2 u_n, so that the
+The curve psi_after(psi, chi) is computed in advance (:func:`integrate_hertz_springs`), with a row of independent springs: Popov &
+Hess, Method of Dimensionality Reduction in Contact Mechanics (2015), which reproduces Hertz's contact with friction as exactly
+as the theory of Cattaneo and Mindlin does. A normal restitution below 1 enters through the mean speed, (1 + e)/2 u_n, so that the
 impulse of sliding is mu (1 + e) m u_n, as required; this is a convention of carom, not of Maw et al.
 """
 
@@ -28,7 +28,7 @@ from carom.core.jit.kernel import Vec, dot, kernel
 from carom.laws.compliance import COMPLIANT_READS, compliant_objections
 from carom.laws.law import Card, Condition, FitSpec, Meeting, approaches, wall_law
 
-__all__ = ["CARD", "CHI", "LAW", "maw_contact", "slip_kept", "solve"]
+__all__ = ["CARD", "CHI", "LAW", "integrate_hertz_springs", "maw_contact", "maw_slip_ratio"]
 
 CARD = Card(
     name="maw",
@@ -52,7 +52,7 @@ STEPS, CHIS = 32, 31
 _FIRST, _LOGS = math.log(CHI[0]), math.log(CHI[1] / CHI[0]) / (CHIS - 1)
 
 
-def solve(psi: float, chi: float, springs: int = 300, times: int = 3000) -> float:
+def integrate_hertz_springs(psi: float, chi: float, springs: int = 300, times: int = 3000) -> float:
     """Return psi after the impact, by integration with ``springs`` springs over half the contact, in ``times`` steps.
 
     Units in which E* sqrt(R), the mass and u_n are 1: d'' = -4/3 d^(3/2), and a spring at x presses with d - x^2. While it
@@ -81,45 +81,45 @@ def solve(psi: float, chi: float, springs: int = 300, times: int = 3000) -> floa
     return slip
 
 
-def _load() -> Any:
+def _load_curves() -> Any:
     """Load the table of psi after over psi before: (2, CHIS, STEPS + 1)."""
     path = resources.files("carom.laws").joinpath("maw_curve.csv")
     with path.open(encoding="utf-8") as file:
         return np.loadtxt(file, delimiter=",").reshape(2, CHIS, STEPS + 1)
 
 
-_CURVE = _load()
+_CURVE = _load_curves()
 
 
-def table() -> Any:
+def compute_curve_table() -> Any:
     """Recompute the content of ``maw_curve.csv`` (takes a minute); for chi <= 0.5 there is no second part."""
     found = np.zeros((2, CHIS, STEPS + 1))
     for m in range(CHIS):
         chi = math.exp(_FIRST + m * _LOGS)
         for i in range(STEPS + 1):
             for part, psi in enumerate((max(i / STEPS, 0.01), 1 + i / STEPS * max(4 * chi - 2, 0))):
-                found[part, m, i] = solve(psi, chi) / psi
+                found[part, m, i] = integrate_hertz_springs(psi, chi) / psi
     return found
 
 
 @kernel
-def _cubic(p: float, q: float, r: float, s: float, t: float) -> float:
+def _catmull_rom(p: float, q: float, r: float, s: float, t: float) -> float:
     """Catmull-Rom cubic from q (t = 0) to r (t = 1)."""
     return q + t / 2 * (r - p + t * (2 * p - 5 * q + 4 * r - s + t * (3 * (q - r) + s - p)))
 
 
 @kernel
-def _along(part: int, row: int, place: float) -> float:
+def _value_on_curve(part: int, row: int, place: float) -> float:
     """The curve of one chi at a place between 0 and STEPS."""
     i = min(int(place), STEPS - 1)
     q, r = _CURVE[part, row, i], _CURVE[part, row, i + 1]
     p = _CURVE[part, row, i - 1] if i > 0 else 2 * q - r
     s = _CURVE[part, row, i + 2] if i + 2 <= STEPS else 2 * r - q
-    return _cubic(p, q, r, s, place - i)
+    return _catmull_rom(p, q, r, s, place - i)
 
 
 @kernel
-def slip_kept(psi: float, chi: float) -> float:
+def maw_slip_ratio(psi: float, chi: float) -> float:
     """Slip after over slip before the impact, with its sign: psi after over psi before; chi within :data:`CHI`."""
     if psi >= max(4 * chi - 1, 1.0):  # sliding throughout
         return 1 - 4 * chi / psi
@@ -127,11 +127,11 @@ def slip_kept(psi: float, chi: float) -> float:
     place = STEPS * (psi if part == 0 else (psi - 1) / (4 * chi - 2))
     across = (math.log(chi) - _FIRST) / _LOGS
     m = max(0, min(int(across), CHIS - 2))
-    q, r = _along(part, m, place), _along(part, m + 1, place)
-    p = _along(part, m - 1, place) if m > 0 else 2 * q - r
-    s = _along(part, m + 2, place) if m + 2 < CHIS else 2 * r - q
+    q, r = _value_on_curve(part, m, place), _value_on_curve(part, m + 1, place)
+    p = _value_on_curve(part, m - 1, place) if m > 0 else 2 * q - r
+    s = _value_on_curve(part, m + 2, place) if m + 2 < CHIS else 2 * r - q
     # (no contact stores more slip than it was given: the table passes 1 by its own error, 2e-4)
-    return max(-1.0, min(1.0, _cubic(p, q, r, s, across - m)))
+    return max(-1.0, min(1.0, _catmull_rom(p, q, r, s, across - m)))
 
 
 @kernel
@@ -145,7 +145,7 @@ def maw_contact(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: fl
     if slip > 0 and most > 0 and pn > LEAST * slip:
         chi = min(max(k * (1 + 1 / kappa) / 2, CHI[0]), CHI[1])
         k = 2 * chi / (1 + 1 / kappa)
-        kept = slip_kept(2 * k * slip / most, chi) if most < math.inf else slip_kept(0 * k, chi)
+        kept = maw_slip_ratio(2 * k * slip / most, chi) if most < math.inf else maw_slip_ratio(0 * k, chi)
         f = (kept - 1) * kappa / (1 + kappa)
         f = max(f, -most / slip)
     return struck_along(v, w, n, a, kappa, pn, f, ut)

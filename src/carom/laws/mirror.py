@@ -17,10 +17,10 @@ from carom.laws.law import (
     Law,
     Meeting,
     approaches,
+    contact_point_slips,
     drives_into_floor,
+    has_friction,
     respond,
-    rubs,
-    slips,
     slips_on_floor,
 )
 from carom.laws.reflect import reflect
@@ -96,9 +96,9 @@ def _answer(meeting: Meeting) -> Answer:
 
 def _objections(meeting: Meeting, answer: Answer) -> list[str]:
     found = drives_into_floor(meeting, answer)
-    if rubs(meeting.wall) and np.any(slips(meeting, meeting.state, meeting.normal)):
+    if has_friction(meeting.wall) and np.any(contact_point_slips(meeting, meeting.state, meeting.normal)):
         found.append("the ball slips on the wall, and this wall has friction: the tangential impulse is ignored")
-    if not meeting.ball.planar and rubs(meeting.floor) and np.any(slips_on_floor(meeting, answer.after_wall)):
+    if not meeting.ball.planar and has_friction(meeting.floor) and np.any(slips_on_floor(meeting, answer.after_wall)):
         found.append("the ball leaves the wall sliding on a floor with friction, which bends its path")
     return found
 

@@ -15,7 +15,17 @@ from numpy.typing import ArrayLike
 from carom.bodies import Ball, State
 from carom.core.contact import slip_velocity, wall_contact
 from carom.core.jit.kernel import Vec, cross, hot_kernel, kernel
-from carom.laws.law import NO_SLIP_WALL, ON_FLOOR, Answer, Card, FitSpec, Meeting, drives_into_floor, slips, wall_law
+from carom.laws.law import (
+    NO_SLIP_WALL,
+    ON_FLOOR,
+    Answer,
+    Card,
+    FitSpec,
+    Meeting,
+    contact_point_slips,
+    drives_into_floor,
+    wall_law,
+)
 from carom.laws.reflect import reflect
 from carom.laws.results import PAPER_WALL
 
@@ -111,7 +121,7 @@ def _not_elastic(meeting: Meeting) -> list[str]:
 
 def _objections(meeting: Meeting, answer: Answer) -> list[str]:
     found = _not_elastic(meeting)
-    if np.any(slips(meeting, meeting.state, meeting.normal)):
+    if np.any(contact_point_slips(meeting, meeting.state, meeting.normal)):
         beta, mu = float(np.min(meeting.wall.tangential_restitution)), float(np.min(meeting.wall.friction))
         if beta < 1:
             found.append(f"it assumes tangential restitution 1, which reverses the slip; this wall has {beta:g}")

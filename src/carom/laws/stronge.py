@@ -26,7 +26,7 @@ from carom.core.jit.kernel import Vec, dot, kernel, root_of
 from carom.laws.compliance import COMPLIANT_READS, compliant_objections
 from carom.laws.law import Card, Condition, FitSpec, Meeting, approaches, wall_law
 
-__all__ = ["CARD", "LAW", "STIFFNESS", "kept_slip", "stronge_contact"]
+__all__ = ["CARD", "LAW", "STIFFNESS", "stronge_contact", "stronge_slip_ratio"]
 
 CARD = Card(
     name="stronge",
@@ -52,16 +52,16 @@ ARCS = 3 * SWINGS  # at most: each half oscillation has three
 
 
 @kernel
-def _swing(x: float, y: float, turn: float) -> tuple[float, float]:
+def _oscillate_on_spring(x: float, y: float, turn: float) -> tuple[float, float]:
     """Rotate (x, y): oscillation of the ball on the spring."""
     c, s = math.cos(turn), math.sin(turn)
     return c * x + s * y, c * y - s * x
 
 
 @kernel
-def _spare(x: float, y: float, w: float, start: float, phi: float, rising: bool) -> float:
+def _friction_margin(x: float, y: float, w: float, start: float, phi: float, rising: bool) -> float:
     """Margin of friction at phi; or, if ``rising``, the rate of the tangential over the normal force."""
-    p, q = _swing(x, y, w * (phi - start))
+    p, q = _oscillate_on_spring(x, y, w * (phi - start))
     if rising:
         # (x / sin)' sin^2: it changes its sign once at most, since its rate is (1 - w^2) x sin
         return (w * q * math.sin(phi) - p * math.cos(phi)) * (1 if p >= 0 else -1)
@@ -69,16 +69,16 @@ def _spare(x: float, y: float, w: float, start: float, phi: float, rising: bool)
 
 
 @kernel
-def _root(x: float, y: float, w: float, start: float, low: float, high: float, rising: bool) -> float:
-    """Root of :func:`_spare` between low (positive) and high (negative), by safeguarded false position."""
-    f, g = _spare(x, y, w, start, low, rising), _spare(x, y, w, start, high, rising)
+def _margin_root(x: float, y: float, w: float, start: float, low: float, high: float, rising: bool) -> float:
+    """Root of :func:`_friction_margin` between low (positive) and high (negative), by safeguarded false position."""
+    f, g = _friction_margin(x, y, w, start, low, rising), _friction_margin(x, y, w, start, high, rising)
     for i in range(100):
         phi = low + (high - low) * f / (f - g) if f - g > 0 else high
         if i % 4 == 3 or not low < phi < high:
             phi = (low + high) / 2
         if not low < phi < high or high - low < 1e-15:
             break
-        h = _spare(x, y, w, start, phi, rising)
+        h = _friction_margin(x, y, w, start, phi, rising)
         if h >= 0:
             # (Illinois: the weight of the other end is halved)
             low, f, g = phi, h, g / 2
@@ -86,17 +86,17 @@ def _root(x: float, y: float, w: float, start: float, low: float, high: float, r
             high, f, g = phi, f / 2, h
         if h == 0:
             break
-    p, q = _swing(x, y, w * (high - start))
+    p, q = _oscillate_on_spring(x, y, w * (high - start))
     side = 1 if p >= 0 else -1
     rate = side * (1 - w * w) * p * math.sin(high) if rising else math.cos(high) - side * w * q
-    return root_of(high, _spare(x, y, w, start, high, rising), rate)
+    return root_of(high, _friction_margin(x, y, w, start, high, rising), rate)
 
 
 @kernel
-def _holds_until(x: float, y: float, w: float, start: float, end: float, falls: bool) -> tuple[float, bool]:
+def _stick_ends(x: float, y: float, w: float, start: float, end: float, falls: bool) -> tuple[float, bool]:
     """Return where the stick phase that begins at ``start`` ends, at most at ``end``, and whether slip begins there.
 
-    Between two zeros of x, x / sin(phi) has one extremum at most (see :func:`_spare`). Its value there decides whether it
+    Between two zeros of x, x / sin(phi) has one extremum at most (see :func:`_friction_margin`). Its value there decides whether it
     passes 1, and brackets the root. ``falls``: it starts from 1 and decreases until the next zero.
     """
     # x is largest after a rotation by atan2(y, x); it is zero a quarter of a turn later, and then after every half turn
@@ -110,18 +110,18 @@ def _holds_until(x: float, y: float, w: float, start: float, end: float, falls: 
         if not low < high:
             break
         first, last = low + 1e-9 * (high - low), high - 1e-9 * (high - low)  # x is not zero there
-        if not falls and (w <= 1 or _spare(x, y, w, start, first, True) > 0):
+        if not falls and (w <= 1 or _friction_margin(x, y, w, start, first, True) > 0):
             top = high
-            if w > 1 and _spare(x, y, w, start, last, True) < 0:
-                top = _root(x, y, w, start, first, last, True)
-            if _spare(x, y, w, start, top, False) < 0:
-                return _root(x, y, w, start, low, top, False), True
+            if w > 1 and _friction_margin(x, y, w, start, last, True) < 0:
+                top = _margin_root(x, y, w, start, first, last, True)
+            if _friction_margin(x, y, w, start, top, False) < 0:
+                return _margin_root(x, y, w, start, low, top, False), True
         low, falls = high, False
     return end, False
 
 
 @kernel
-def _quarter(x: float, y: float, w: float, slips: bool, side: int, second: bool) -> tuple[float, float, bool, int]:
+def _spring_half(x: float, y: float, w: float, slips: bool, side: int, second: bool) -> tuple[float, float, bool, int]:
     """Force and slip after compression (or restitution, ``second``): arcs of stick or slip, the latter towards ``side``."""
     start, falls = math.pi / 2 if second else 0.0, False
     phi, level, last = start, 0.0 if second else 1.0, -1.0 if second else 0.0  # level: cos(phi)
@@ -137,8 +137,8 @@ def _quarter(x: float, y: float, w: float, slips: bool, side: int, second: bool)
                 break
             phi = max(phi, math.acos(level))
         else:
-            until, slips = _holds_until(x, y, w, phi, start + math.pi / 2, falls and w > 1)
-            x, y = _swing(x, y, w * (until - phi))
+            until, slips = _stick_ends(x, y, w, phi, start + math.pi / 2, falls and w > 1)
+            x, y = _oscillate_on_spring(x, y, w * (until - phi))
             phi, level = until, math.cos(until)
             if not slips:
                 break
@@ -147,15 +147,15 @@ def _quarter(x: float, y: float, w: float, slips: bool, side: int, second: bool)
 
 
 @kernel
-def kept_slip(u: float, kappa: float, e: float, k: float) -> float:
+def stronge_slip_ratio(u: float, kappa: float, e: float, k: float) -> float:
     """Slip after over slip before the impact, with its sign; u = slip / (mu u_n) > 0, k the stiffness ratio."""
     omega = min(math.sqrt(k * (1 + 1 / kappa)), MOST_OMEGA)
     if not u > 0:  # slip begins only at the end of the contact
         return math.cos(omega * (1 + e) * math.pi / 2)
     y0 = k * u / omega
-    x, y, slips, side = _quarter(0 * u, y0, omega, y0 * omega > 1, 1, False)
+    x, y, slips, side = _spring_half(0 * u, y0, omega, y0 * omega > 1, 1, False)
     if e > 0:
-        x, y, slips, side = _quarter(x, y, e * omega, slips, side, True)
+        x, y, slips, side = _spring_half(x, y, e * omega, slips, side, True)
     return y / y0
 
 
@@ -171,7 +171,7 @@ def stronge_contact(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu
         if slip >= most * (1 + e) * (1 + 1 / kappa) and k * slip >= most:  # it slips throughout
             f = -mu * pn / slip
         else:
-            f = (kept_slip(slip / most if mu < math.inf else f, kappa, e, k) - 1) * kappa / (1 + kappa)
+            f = (stronge_slip_ratio(slip / most if mu < math.inf else f, kappa, e, k) - 1) * kappa / (1 + kappa)
     return struck_along(v, w, n, a, kappa, pn, f, ut)
 
 

@@ -1,9 +1,9 @@
 """The two-step law for many balls in existing arrays; pressed balls take their integration steps in lockstep.
 
-The steps are those of :mod:`carom.laws.wall_and_floor.sliding`, in vector registers.
+The steps are those of :mod:`carom.laws.wall_and_floor.both_sliding`, in vector registers.
 
 The balls of a block that slide at both contacts occupy lanes; all lanes take one step at a time, and finished balls are
-replaced by others. A ball whose slip vanishes is integrated on its own (:func:`carom.laws.wall_and_floor.solver.go_on`)
+replaced by others. A ball whose slip vanishes is integrated on its own (:func:`carom.laws.wall_and_floor.solver.integrate_impact`)
 until both contacts slide again. Lanes are independent, so a ball's result is bitwise the same whatever balls surround it.
 """
 
@@ -21,15 +21,15 @@ from carom.laws.arrays import loop_for, one_normal, reason_array, state_arrays
 from carom.laws.landing import landing_settings, rolling_after
 from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact
 from carom.laws.two_step import two_step_final, two_step_plain
-from carom.laws.wall_and_floor.frame import meet, part
+from carom.laws.wall_and_floor.both_sliding import DONE, GOES, REACH, sliding_step
+from carom.laws.wall_and_floor.frame import from_wall_frame, to_wall_frame
 from carom.laws.wall_and_floor.rates import Couplings, Pair, Slips
-from carom.laws.wall_and_floor.sliding import DONE, GOES, REACH, glide
 from carom.laws.wall_and_floor.solver import (
     AGAIN,
     LEAST_SLIP,
     STALL,
     error_allowed,
-    go_on,
+    integrate_impact,
     pressed_down,
     slides_at_both,
 )
@@ -48,7 +48,7 @@ ROOM = HELD * LANES
 
 
 @kernel
-def _steps(s: Array, lanes: int, q: Couplings, e: float) -> None:
+def _step_lanes(s: Array, lanes: int, q: Couplings, e: float) -> None:
     """Take one step in each lane. In one flat array with fixed strides the compiler can see that lanes do not overlap.
 
     Steps are taken in whole groups of lanes. The lanes that fill the last group are copies of the first lane: what they held
@@ -61,7 +61,7 @@ def _steps(s: Array, lanes: int, q: Couplings, e: float) -> None:
     for i in range(whole):
         state = (s[i], s[i + LANES], s[i + 2 * LANES], s[i + 3 * LANES], s[i + 4 * LANES], s[i + 5 * LANES])
         dw, df = (s[i + _DW], s[i + _DW + LANES]), (s[i + _DF], s[i + _DF + LANES])
-        y, compressed, peak, reach, goes = glide(
+        y, compressed, peak, reach, goes = sliding_step(
             state, dw, df, s[i + _COMPRESSED] > 0, s[i + _PEAK], s[i + _REACH], s[i + _ERROR], s[i + _SPEED], s[i + _LEAST],
             q, e,
         )  # fmt: skip
@@ -74,7 +74,7 @@ def _steps(s: Array, lanes: int, q: Couplings, e: float) -> None:
 
 
 @kernel
-def _stand(s: Array, i: int, y: Slips, p: float, dw: Pair, df: Pair, compressed: bool, peak: float) -> None:
+def _store_state(s: Array, i: int, y: Slips, p: float, dw: Pair, df: Pair, compressed: bool, peak: float) -> None:
     """Store a state in a lane."""
     s[i], s[i + LANES], s[i + 2 * LANES], s[i + 3 * LANES], s[i + 4 * LANES], s[i + 5 * LANES] = (
         y[0],
@@ -93,16 +93,16 @@ def _stand(s: Array, i: int, y: Slips, p: float, dw: Pair, df: Pair, compressed:
 
 
 @kernel
-def _enters(
+def _enter_lane(
     s: Array, i: int, ball: int, v: Vec, w: Vec, n: Vec, a: float, kappa: float, mu: float, ef: float, muf: float, betaf: float
 ) -> bool:  # fmt: skip
     """Put a ball into a lane; False if it does not slide at both contacts."""
-    v1, _s, _j, _frame, q, slips, speed, scale = meet(v, w, n, a, kappa, mu, ef, muf, betaf)
+    v1, _s, _j, _frame, q, slips, speed, scale = to_wall_frame(v, w, n, a, kappa, mu, ef, muf, betaf)
     if not speed > 0:
         return False
     slides, y, dw, df = slides_at_both(slips, v1[2], q, scale)
     if slides:
-        _stand(s, i, y, 0 * scale, dw, df, True, 0 * scale)
+        _store_state(s, i, y, 0 * scale, dw, df, True, 0 * scale)
         s[i + _CAME] = -1.0
         s[i + _ERROR] = error_allowed(speed, scale)
         s[i + _SPEED] = speed
@@ -112,12 +112,12 @@ def _enters(
 
 
 @kernel
-def _vector(x: Array, ball: int) -> Vec:
+def _load_vector(x: Array, ball: int) -> Vec:
     return x[3 * ball], x[3 * ball + 1], x[3 * ball + 2]
 
 
 @kernel
-def _put(x: Array, ball: int, to: Vec) -> None:
+def _store_vector(x: Array, ball: int, to: Vec) -> None:
     x[3 * ball], x[3 * ball + 1], x[3 * ball + 2] = to
 
 
@@ -130,55 +130,57 @@ def pressed_block(
     """:func:`carom.laws.two_step.two_step_final` of the undecided balls of a block (``why`` < 0); s: ROOM numbers."""
     smooth = beta == -1 or mu == 0
     muw = 0 * e if smooth else mu
-    _v, _s, _j, _frame, q, _slips, _speed, _scale = meet(n, n, n, a, kappa, muw, ef, muf, betaf)
+    _v, _s, _j, _frame, q, _slips, _speed, _scale = to_wall_frame(n, n, n, a, kappa, muw, ef, muf, betaf)
     lanes, ball = 0, 0
     left = together and (smooth or beta == 0)
     while left:
         while lanes < LANES and ball < why.shape[0]:
             if why[ball] < 0:
-                x, y = _vector(v, ball), _vector(w, ball)
-                if pressed_down(x, y, n, a, mu, h) and _enters(s, lanes, ball, x, y, n, a, kappa, muw, ef, muf, betaf):
+                x, y = _load_vector(v, ball), _load_vector(w, ball)
+                if pressed_down(x, y, n, a, mu, h) and _enter_lane(
+                    s, lanes, ball, x, y, n, a, kappa, muw, ef, muf, betaf
+                ):
                     lanes += 1
             ball += 1
-        _steps(s, lanes, q, e)
+        _step_lanes(s, lanes, q, e)
         i = 0
         while i < lanes:
             if s[i + _GOES] == GOES:
                 i += 1
                 continue
             k = int(s[i + _BALL])
-            x, y = _vector(v, k), _vector(w, k)
-            met = meet(x, y, n, a, kappa, muw, ef, muf, betaf)
+            x, y = _load_vector(v, k), _load_vector(w, k)
+            met = to_wall_frame(x, y, n, a, kappa, muw, ef, muf, betaf)
             slips = (s[i], s[i + LANES], s[i + 2 * LANES], s[i + 3 * LANES], s[i + 4 * LANES])
             p, up = s[i + 5 * LANES], 0 * a
             found = s[i + _GOES] == DONE
             if (
                 not found
             ):  # on its own for a while, or to the end; a ball that made no progress is not put back in a lane
-                slips, up, p, regime, compressed, peak, dw, df, _way = go_on(
+                slips, up, p, regime, compressed, peak, dw, df, _way = integrate_impact(
                     slips, up, q, e, kappa, ef, muf, betaf, met[6], met[7],
                     p, s[i + _COMPRESSED] > 0, s[i + _PEAK], p > s[i + _CAME], 0,
                 )  # fmt: skip
                 if regime == AGAIN:
-                    _stand(s, i, slips, p, dw, df, compressed, peak)
+                    _store_state(s, i, slips, p, dw, df, compressed, peak)
                     i += 1
                     continue
                 found = regime != STALL
             if found:
-                x, y, _wall, _floor = part(x, y, a, kappa, met, slips, up, p)
+                x, y, _wall, _floor = from_wall_frame(x, y, a, kappa, met, slips, up, p)
                 x, y, why[k] = rolling_after(x, y, n, a, kappa, ef, muf, betaf, g, h)
-                _put(v3, k, x)
-                _put(w3, k, y)
+                _store_vector(v3, k, x)
+                _store_vector(w3, k, y)
             lanes -= 1
             for r in range(HELD):
                 s[i + r * LANES] = s[lanes + r * LANES]
         left = lanes > 0 or ball < why.shape[0]
     for k in range(why.shape[0]):
         if why[k] < 0:
-            x, y = _vector(v, k), _vector(w, k)
+            x, y = _load_vector(v, k), _load_vector(w, k)
             x, y, why[k] = two_step_final(x, y, n, a, kappa, e, mu, beta, ef, muf, betaf, g, h, together)
-            _put(v3, k, x)
-            _put(w3, k, y)
+            _store_vector(v3, k, x)
+            _store_vector(w3, k, y)
 
 
 BLOCK = 1024  # balls

@@ -17,7 +17,7 @@ from carom.core.jit.kernel import Vec
 from carom.core.motion.rolling import UP
 from carom.formatting import format_length, format_number
 from carom.laws import comparison as laws_compared
-from carom.laws.landing import fall
+from carom.laws.landing import fall_time
 from carom.laws.law import Answer, Meeting
 from carom.plot.style import GREY, INK, PALE, arrow, law_styles, literal, new_figure, spread_apart, style
 
@@ -403,7 +403,7 @@ def path_after_wall(meeting: Meeting, answer: Answer) -> PathAfterWall:
         if place[2] > 0 or v[2] > 1e-9 * speed:
             if not g > 0:
                 return PathAfterWall(tuple(pieces), v, w)
-            t = fall(place[2], v[2], g)
+            t = fall_time(place[2], v[2], g)
             flat = v[2] * v[2] < 2e-3 * g * a  # a hop of less than a thousandth of the radius: its end points suffice
             points = _curve(place, v, (0.0, 0.0, -g), t, 2 if flat and pieces else POINTS_PER_CURVE)
             points[-1, 2] = 0.0

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.gas.containers import Container
 from carom.gas.curves import Distribution
-from carom.gas.edmd.records import PLANE
+from carom.gas.edmd.gas_records import PLANE
 from carom.gas.measures import Measures
 from carom.gas.report import UNITS_NOTE
 from carom.gas.scene import GasScene
@@ -20,17 +20,9 @@ from carom.gas.session import Session
 from carom.plot.style import GREY, INK, PALE, drawn, literal, new_figure
 
 __all__ = [
-    "COLOURS",
-    "MAX_PAIRS",
-    "density_title",
-    "draw_maxwell",
-    "heading",
-    "note_maxwell",
-    "pair_title",
-    "panel_title",
-    "plot_gas",
+    "COLOURS", "MAX_PAIRS", "density_title", "draw_maxwell", "heading", "note_maxwell", "pair_title", "panel_title", "plot_gas",
     "scale_temperatures",
-]
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 # Okabe & Ito's colours, for species and pairs of species.

@@ -15,7 +15,7 @@ from pydantic import BeforeValidator, Field, field_validator, model_validator
 from pydantic_core.core_schema import ValidationInfo
 
 from carom.bodies import State, Surface
-from carom.core.geometry.features import FALLS, FEATURES, GOES_ON, LEAVES, OVER, distance, feature_normal
+from carom.core.geometry.features import FALLS, FEATURES, GOES_ON, LEAVES, OVER, feature_normal, gap_to_feature
 from carom.core.jit.kernel import Vec
 from carom.core.motion.restitution import CONSTANT
 from carom.formatting import format_length, format_time
@@ -416,7 +416,7 @@ def _rolls_under(scene: Scene, wall: WallShape, k: int) -> list[Fault]:
 def _overlap(ball: SceneBall, features: list[Feature], name: str, at: tuple[str | int, ...]) -> list[Fault]:
     """Report the deepest overlap of a ball with a wall; a face that the ball is behind does not count."""
     a, x = ball.radius, ball.center
-    gaps = [distance(feature, a, x) for feature in features]
+    gaps = [gap_to_feature(feature, a, x) for feature in features]
     gap = min((gap for gap in gaps if gap >= -a), default=math.inf)
     if gap >= -TOUCH * a:
         return []

@@ -14,7 +14,7 @@ from carom.core.geometry.features import FALLS, GOES_ON, OVER
 from carom.core.jit.kernel import Vec, dot, kernel, vector
 from carom.core.motion.bounces import bounces
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, PIVOTING, POCKETED, grounded, next_phase
-from carom.simulation.predict import begin, predict, put, state_at
+from carom.simulation.predict import begin_phase, predict, state_at, write_vector
 from carom.simulation.records import (
     BALL,
     FLOOR,
@@ -64,10 +64,10 @@ def _start(world: Any, features: Any, balls: Any) -> float:
             if abs(v[2]) <= 1e-12 * speed:
                 phase, v, w = grounded(v, w, a, ball.kappa, world.g, world.floor_mu)
         ball.phase = phase
-        put(ball.v, v)
-        put(ball.w, w)
+        write_vector(ball.v, v)
+        write_vector(ball.w, w)
         ball.clock, ball.repeats, ball.energy = 0.0, 0, math.nan
-        begin(world, ball)
+        begin_phase(world, ball)
         ball.next_at = ball.next_in = ball.lasts
         ball.next_kind, ball.next_who = NOTHING, -1
     for i in range(balls.shape[0]):
@@ -86,9 +86,9 @@ def move_by(world: Any, ball: Any, s: float, t: float) -> None:
         )  # fmt: skip
     else:
         x, v1, w = state_at(ball, s)
-    put(ball.x, x)
-    put(ball.v, v1)
-    put(ball.w, w)
+    write_vector(ball.x, x)
+    write_vector(ball.v, v1)
+    write_vector(ball.w, w)
     ball.repeats = ball.repeats + 1 if s * math.sqrt(dot(v, v)) <= STILL * ball.radius else 0
     ball.clock = t
 
@@ -97,22 +97,22 @@ def move_by(world: Any, ball: Any, s: float, t: float) -> None:
 def _note(log: Any, ball: Any, kind: int, i: int, met: int, other: int, v: Vec, w: Vec, phase: int) -> None:
     """Write a row of the log: ball i as it is now, and (v, w) and its phase before."""
     log.t, log.kind, log.ball, log.met, log.other = ball.clock, kind, i, met, other
-    put(log.x, vector(ball.x))
-    put(log.v_before, v)
-    put(log.w_before, w)
-    put(log.v, vector(ball.v))
-    put(log.w, vector(ball.w))
+    write_vector(log.x, vector(ball.x))
+    write_vector(log.v_before, v)
+    write_vector(log.w_before, w)
+    write_vector(log.v, vector(ball.v))
+    write_vector(log.w, vector(ball.w))
     log.phase_before, log.phase = phase, ball.phase
     none = (0.0, 0.0, 0.0)
-    put(log.impulse, none)
-    put(log.floor_impulse, none)
+    write_vector(log.impulse, none)
+    write_vector(log.floor_impulse, none)
     log.required, log.regime = 0.0, NO_REGIME
 
 
 @kernel
 def _note_impulse(log: Any, j: Vec, jf: Vec, required: float, regime: int) -> None:
-    put(log.impulse, j)
-    put(log.floor_impulse, jf)
+    write_vector(log.impulse, j)
+    write_vector(log.floor_impulse, jf)
     log.required, log.regime = required, regime
 
 
@@ -175,17 +175,17 @@ def _happen(world: Any, features: Any, balls: Any, i: int, users: Any) -> tuple[
             ball.phase, v, w = grounded(v, w, ball.radius, ball.kappa, world.g, world.floor_mu)
         else:
             ball.phase, v, w = next_phase(ball.phase, v, w, ball.radius, ball.kappa)
-        put(ball.v, v)
-        put(ball.w, w)
+        write_vector(ball.v, v)
+        write_vector(ball.w, w)
     return kind, who, j, jf, required, regime, refusal
 
 
 @kernel
 def _look_ahead(world: Any, features: Any, balls: Any, i: int, k: int, t: float, slow: float) -> None:
     """Predict what comes next after balls i and k (the same, or a pair) have changed their phases at time t."""
-    begin(world, balls[i])
+    begin_phase(world, balls[i])
     if k != i:
-        begin(world, balls[k])
+        begin_phase(world, balls[k])
         balls[k].next_at = math.inf  # it has no event yet: its path is valid for ever
     for m in range(balls.shape[0]):
         ball = balls[m]
@@ -193,7 +193,7 @@ def _look_ahead(world: Any, features: Any, balls: Any, i: int, k: int, t: float,
             # something may reach it before its bounces end, which are followed one by one from here on
             move_by(world, ball, t - ball.clock, t)
             ball.phase = FLIGHT
-            begin(world, ball)
+            begin_phase(world, ball)
             predict(world, features, balls, m, slow)
     predict(world, features, balls, i, slow)
     if k != i:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.contact import SLIDE, STICK
-from carom.core.geometry.features import OVER, distance, feature_normal
+from carom.core.geometry.features import OVER, feature_normal, gap_to_feature
 from carom.core.jit.kernel import dot
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, PIVOTING, POCKETED, REST, ROLLING, SLIDING
 from carom.formatting import format_length, format_number, format_time
@@ -211,7 +211,7 @@ def wall_normal(features: Any, row: Any, radius: float) -> Any:
     """Return the normal of the wall where the ball meets it: of its nearest feature."""
     x = tuple(row["x"].tolist())
     own = [f for f in features if f.wall == row["other"] and f.kind != OVER]
-    nearest = min(own, key=lambda f: abs(distance(f, radius, x)))
+    nearest = min(own, key=lambda f: abs(gap_to_feature(f, radius, x)))
     return feature_normal(nearest, x)
 
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.geometry.features import OVER, distance
+from carom.core.geometry.features import OVER, gap_to_feature
 from carom.core.jit.kernel import vector
 from carom.core.jit.slices import row_slices
 from carom.simulation.setup import SceneArrays
@@ -28,7 +28,7 @@ def _overlaps(worlds: Any, features: Any, balls: Any, bad: Any) -> None:
                 bad[n] = True
             for f in range(features.shape[0]):
                 # (a gap below -a: the ball is behind a face, which may be the back of another)
-                if features[f].kind != OVER and -a < distance(features[f], a, x) < -TOUCH * a:
+                if features[f].kind != OVER and -a < gap_to_feature(features[f], a, x) < -TOUCH * a:
                     bad[n] = True
             for k in range(i):
                 other = balls[n, k]

@@ -9,17 +9,17 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.core.geometry.features import SEAM, feature_hit, stays
+from carom.core.geometry.features import SEAM, feature_hit, never_closes
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, vector
-from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, advance, pace
+from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, accelerations, advance
 from carom.core.roots.first_root import hit2, hit4
 from carom.simulation.records import BALL, FLOOR, NOTHING, PHASE, SETTLED, WALL
 
-__all__ = ["begin", "pace_of", "predict", "put", "state_at"]
+__all__ = ["accelerations_of", "begin_phase", "predict", "state_at", "write_vector"]
 
 
 @hot_kernel
-def put(row: Any, value: Vec) -> None:
+def write_vector(row: Any, value: Vec) -> None:
     """Write three numbers into an array."""
     row[0], row[1], row[2] = value[0], value[1], value[2]
 
@@ -31,20 +31,20 @@ def state_at(ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
 
 
 @kernel
-def pace_of(world: Any, ball: Any) -> tuple[Vec, Vec, float]:
+def accelerations_of(world: Any, ball: Any) -> tuple[Vec, Vec, float]:
     """Return acceleration, angular acceleration and duration of the phase that a ball is in."""
-    return pace(
+    return accelerations(
         ball.phase, vector(ball.v), vector(ball.w), ball.radius, ball.kappa,
         vector(world.force), world.g, world.floor_mu, world.resistance, world.spin_friction,
     )  # fmt: skip
 
 
 @kernel
-def begin(world: Any, ball: Any) -> None:
+def begin_phase(world: Any, ball: Any) -> None:
     """Set the accelerations and the duration of the phase that a ball has entered."""
-    acc, turn, lasts = pace_of(world, ball)
-    put(ball.acc, acc)
-    put(ball.turn, turn)
+    acc, turn, lasts = accelerations_of(world, ball)
+    write_vector(ball.acc, acc)
+    write_vector(ball.turn, turn)
     if ball.phase != BOUNCING:  # whose end was set when its bounces were found to be clear of everything else
         ball.lasts = lasts
 
@@ -62,7 +62,7 @@ def _pair_hit(ball: Any, other: Any, now: float, until: float, slow: float) -> f
     # |r + v s + b s^2/2|^2 - reach^2
     c0, c1, tol = (far - reach) * (far + reach), 2 * dot(r, v), 2 * reach * slow
     c2, c3, c4 = dot(v, v) + dot(r, b), dot(v, b), dot(b, b) / 4
-    if c0 <= 2 * reach * SEAM * min(ball.radius, other.radius) and stays(c1, c2, c3, c4, until, tol):
+    if c0 <= 2 * reach * SEAM * min(ball.radius, other.radius) and never_closes(c1, c2, c3, c4, until, tol):
         return math.inf
     return hit4(c0, c1, c2, c3, c4, until, tol)
 

@@ -20,7 +20,7 @@ from carom.laws.law import CALLED_WALL, CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL,
 from carom.laws.pair import pair_contact
 from carom.laws.two_step import UNDEFINED
 from carom.laws.wall_and_floor.solver import STALL
-from carom.simulation.predict import put
+from carom.simulation.predict import write_vector
 from carom.simulation.records import NO_REGIME
 from carom.simulation.resting_contact import (
     continue_ball_contact,
@@ -52,8 +52,8 @@ def leave(world: Any, ball: Any, v: Vec, w: Vec, from_floor: bool) -> None:
             ball.x[2] = ball.radius
             phase, v, w = grounded(v, w, ball.radius, ball.kappa, world.g, world.floor_mu)
     ball.phase = phase
-    put(ball.v, v)
-    put(ball.w, w)
+    write_vector(ball.v, v)
+    write_vector(ball.w, w)
 
 
 @kernel
@@ -83,8 +83,8 @@ def _restore(world: Any, ball: Any, energy: float) -> None:
     # (more is not rounding)
     if LEAST_ROUNDING < abs(c) < MOST_ROUNDING:
         v, w = vector(ball.v), vector(ball.w)
-        put(ball.v, (v[0] + c * v[0], v[1] + c * v[1], v[2] + c * v[2]))
-        put(ball.w, (w[0] + c * w[0], w[1] + c * w[1], w[2] + c * w[2]))
+        write_vector(ball.v, (v[0] + c * v[0], v[1] + c * v[1], v[2] + c * v[2]))
+        write_vector(ball.w, (w[0] + c * w[0], w[1] + c * w[1], w[2] + c * w[2]))
 
 
 @kernel

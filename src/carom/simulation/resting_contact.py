@@ -16,20 +16,16 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.core.geometry.features import FALLS, OVER, distance, pocket_distance, way_in
+from carom.core.geometry.features import FALLS, OVER, gap_derivatives, gap_to_feature, pocket_distance
 from carom.core.jit.kernel import Vec, cross, dot, kernel, vector
 from carom.core.motion.bounces import bounces, series_lasts
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, grounded
-from carom.simulation.predict import pace_of, put
+from carom.simulation.predict import accelerations_of, write_vector
 
 __all__ = [
-    "continue_ball_contact",
-    "continue_wall_contact",
-    "is_driven_into_ball",
-    "is_driven_into_wall",
-    "stays_clear",
+    "continue_ball_contact", "continue_wall_contact", "is_driven_into_ball", "is_driven_into_wall", "stays_clear",
     "sum_bounces",
-]
+]  # fmt: skip
 
 # Bounces lower than this share of the radius are no longer events of their own where they can be summed ...
 MAX_SUMMED_HEIGHT = 1e-6
@@ -47,7 +43,7 @@ def stays_clear(features: Any, balls: Any, i: int, time: float) -> bool:
     for f in range(features.shape[0]):
         one = features[f]
         # (a gap below -a: the ball is behind a face, or outside of a hollow, and comes in over another feature)
-        if one.kind != OVER and -a <= distance(one, a, x) <= reach:
+        if one.kind != OVER and -a <= gap_to_feature(one, a, x) <= reach:
             return False
         if one.kind == OVER and one.ends == FALLS and pocket_distance(one, x) <= reach:
             return False
@@ -117,8 +113,8 @@ def _change_velocity(world: Any, ball: Any, p: Vec, lies: bool, c: float, keeps_
         w = (-v[1] / a, v[0] / a, w[2])
     if ball.phase != FLIGHT:
         ball.phase, v, w = grounded(v, w, a, ball.kappa, world.g, world.floor_mu)
-    put(ball.v, v)
-    put(ball.w, w)
+    write_vector(ball.v, v)
+    write_vector(ball.w, w)
 
 
 @kernel
@@ -131,14 +127,14 @@ def _bears_weight(world: Any, ball: Any, n: Vec) -> bool:
 @kernel
 def is_driven_into_wall(world: Any, f: Any, ball: Any, n: Vec, approach: float) -> bool:
     """Return whether a ball meets a feature again only because topspin, or the curvature of the wall, drives it there."""
-    _rate, bend = way_in(f, vector(ball.x), vector(ball.v), pace_of(world, ball)[0])
+    _rate, bend = gap_derivatives(f, vector(ball.x), vector(ball.v), accelerations_of(world, ball)[0])
     return bool(approach * approach < -2 * bend * ELASTIC_HEIGHT * ball.radius and not _bears_weight(world, ball, n))
 
 
 @kernel
 def continue_wall_contact(world: Any, f: Any, ball: Any, n: Vec, approach: float, keeps_rolling: bool) -> None:
     """Continue the contact of a ball with feature f, if a force lasts: hold a ball that rests there, let any other bounce low."""
-    rate, bend = way_in(f, vector(ball.x), vector(ball.v), pace_of(world, ball)[0])
+    rate, bend = gap_derivatives(f, vector(ball.x), vector(ball.v), accelerations_of(world, ball)[0])
     if not (bend < 0 and rate * rate <= -2 * bend * LEAST_HEIGHT * ball.radius):
         return
     if _bears_weight(world, ball, n):
@@ -160,7 +156,7 @@ def continue_wall_contact(world: Any, f: Any, ball: Any, n: Vec, approach: float
 @kernel
 def _motion_on_floor(world: Any, ball: Any) -> tuple[Vec, Vec, Vec]:
     """Return velocity and acceleration of a ball as far as the floor admits them, and the acceleration without friction."""
-    v, (b, _turn, _lasts) = vector(ball.v), pace_of(world, ball)
+    v, (b, _turn, _lasts) = vector(ball.v), accelerations_of(world, ball)
     if _on_floor(world, ball):
         zero = 0 * b[2]
         free = (b[0], b[1], zero) if ball.phase == FLIGHT else (zero, zero, zero)

@@ -15,9 +15,9 @@ from carom.core.jit.kernel import vector
 from carom.core.jit.objects import as_objects, write_back
 from carom.core.jit.slices import sliced
 from carom.core.motion.phases import BOUNCING, HELD
-from carom.core.motion.rotation import turned, turned_bouncing
+from carom.core.motion.rotation import orientation_after, orientation_after_bounces
 from carom.simulation.loop import move_by
-from carom.simulation.predict import begin, pace_of
+from carom.simulation.predict import accelerations_of, begin_phase
 
 __all__ = ["orientations", "state_rows", "states"]
 
@@ -29,7 +29,7 @@ FEW, FEW_BEFORE_COMPILING = 200, 20_000
 def state_rows(worlds: Any, balls: Any, after: Any) -> None:
     """Advance every ball, each by its own time."""
     for i in range(balls.shape[0]):
-        begin(worlds[0], balls[i])
+        begin_phase(worlds[0], balls[i])
         move_by(worlds[0], balls[i], after[i], after[i])
 
 
@@ -41,13 +41,13 @@ def _turn_rows(worlds: Any, balls: Any, after: Any, q: Any) -> None:
         v, w = vector(ball.v), vector(ball.w)
         old = (q[i, 0], q[i, 1], q[i, 2], q[i, 3])
         if ball.phase == BOUNCING:
-            new = turned_bouncing(
+            new = orientation_after_bounces(
                 old, v, w, ball.radius, ball.kappa, world.g, world.floor_form, vector(world.floor_p),
                 world.floor_mu, world.floor_beta, after[i],
             )  # fmt: skip
         else:
-            _acc, turn, _lasts = pace_of(world, ball)
-            new = turned(old, w, turn, after[i])
+            _acc, turn, _lasts = accelerations_of(world, ball)
+            new = orientation_after(old, w, turn, after[i])
         q[i, 0], q[i, 1], q[i, 2], q[i, 3] = new
 
 

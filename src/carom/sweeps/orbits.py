@@ -11,10 +11,10 @@ from pydantic_core.core_schema import ValidationInfo
 
 from carom.billiards.named import SIZES, named_table
 from carom.billiards.orbits import orbit
-from carom.billiards.records import ENDS
 from carom.billiards.sampling import starts
 from carom.billiards.setup import default_ball, needs_surface
 from carom.billiards.stability import lyapunov
+from carom.billiards.table_records import ENDS
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Disc, Surface
 from carom.core.random import threefry

@@ -14,7 +14,7 @@ from carom.core.jit.kernel import kernel, vector
 from carom.core.motion.phases import PHASES
 from carom.simulation.compiled import compiled_engine, plain_engine
 from carom.simulation.loop import LIMIT, PHASES_FROM, QUIET, ROWS, finish, run
-from carom.simulation.predict import put
+from carom.simulation.predict import write_vector
 from carom.simulation.records import BALLS, LOG, PHASE, WORLD
 from carom.simulation.resolve import DONE
 
@@ -29,9 +29,9 @@ LOG_ROWS = 128  # of the log of a thread, which is read and emptied again and ag
 def _copy(to: Any, row: Any) -> None:
     """Copy what outcomes are made of (numba-cuda's simulator has no copy of a whole record)."""
     to.t, to.kind, to.ball, to.other = row.t, row.kind, row.ball, row.other
-    put(to.x, vector(row.x))
-    put(to.v, vector(row.v))
-    put(to.w, vector(row.w))
+    write_vector(to.x, vector(row.x))
+    write_vector(to.v, vector(row.v))
+    write_vector(to.w, vector(row.w))
 
 
 @kernel

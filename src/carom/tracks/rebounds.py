@@ -9,9 +9,9 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.cells import parse_numbers
 from carom.data.energy import energy_remarks
 from carom.data.rebounds import Kind, Rebounds, make_rebounds
+from carom.data.table_cells import parse_numbers
 from carom.errors import CaromError
 from carom.tracks.floor import shared_fraction
 from carom.tracks.least_squares import OUTPUTS

@@ -21,7 +21,7 @@ from carom.core.jit.kernel import ON_GPU, Vec, cross, dot, kernel
 from carom.core.jit.pointers import address_of, answer_at, python_address
 from carom.core.roots.first_root import hit4, hit8, next_hit8
 
-__all__ = ["NUMBERS", "call_rim", "rim_address", "rim_entry", "rim_gap", "rim_hit", "rim_normal", "rim_way_in"]
+__all__ = ["NUMBERS", "call_rim", "rim_address", "rim_entry", "rim_gap", "rim_gap_derivatives", "rim_hit", "rim_normal"]
 
 # As for the other features (carom.core.geometry.features): over its ends; in touch or not; a touch that is none.
 SEAM, BEHIND, GRAZE = 1e-9, 1e-3, 1e-12
@@ -72,7 +72,7 @@ def rim_normal(p: Vec, d: Vec, radius: float, x: Vec, v: Vec) -> Vec:
 
 
 @kernel
-def rim_way_in(p: Vec, d: Vec, radius: float, x: Vec, v: Vec, acc: Vec) -> tuple[float, float]:
+def rim_gap_derivatives(p: Vec, d: Vec, radius: float, x: Vec, v: Vec, acc: Vec) -> tuple[float, float]:
     """First and second derivative of the distance from a circle."""
     q, rho, h = _across(d, (x[0] - p[0], x[1] - p[1], x[2] - p[2]))
     n = rim_normal(p, d, radius, x, v)
@@ -88,7 +88,7 @@ def rim_way_in(p: Vec, d: Vec, radius: float, x: Vec, v: Vec, acc: Vec) -> tuple
 
 
 @kernel
-def _stays(c: tuple[float, ...], until: float, tol: float) -> bool:
+def _never_closes(c: tuple[float, ...], until: float, tol: float) -> bool:
     """Whether the gap c[0] + c[1] s + ... of a ball in touch never closes faster than tol up to s = until."""
     least, power = c[1], 1 + 0 * until
     for i in range(2, len(c)):
@@ -106,7 +106,7 @@ def _on_arc(d: Vec, u: Vec, cosine: float, r: Vec) -> bool:
 
 
 @kernel
-def _at(r: Vec, v: Vec, acc: Vec, s: float) -> tuple[Vec, Vec]:
+def _motion_after(r: Vec, v: Vec, acc: Vec, s: float) -> tuple[Vec, Vec]:
     """Place and velocity a time s later."""
     h = s * s / 2
     return (
@@ -140,12 +140,12 @@ def _centred(d: Vec, radius: float, a: float, r: Vec, v: Vec, acc: Vec, until: f
         return math.inf
     tol = 2 * math.sqrt(-far2) * slow
     c = (dot(r, r) + far2, 2 * dot(r, v), dot(v, v) + dot(r, acc), dot(v, acc), dot(acc, acc) / 4)
-    if c[0] <= 2 * math.sqrt(-far2) * SEAM * a and _stays(c, until, tol):
+    if c[0] <= 2 * math.sqrt(-far2) * SEAM * a and _never_closes(c, until, tol):
         return math.inf
     s = hit4(c[0], c[1], c[2], c[3], c[4], until, tol)
     if not s <= until:
         return math.inf
-    y, _vy = _at(r, v, acc, s)
+    y, _vy = _motion_after(r, v, acc, s)
     _q, rho, _h = _across(d, y)
     if not rho <= CENTRED * radius:
         return math.inf
@@ -158,9 +158,9 @@ def _polished(d: Vec, radius: float, a: float, r: Vec, v: Vec, acc: Vec, s: floa
     zero = (0 * a, 0 * a, 0 * a)
     last = math.inf
     for _ in range(20):
-        y, w = _at(r, v, acc, s)
+        y, w = _motion_after(r, v, acc, s)
         gap = rim_gap(zero, d, radius, y) - a
-        rate, _bend = rim_way_in(zero, d, radius, y, w, acc)
+        rate, _bend = rim_gap_derivatives(zero, d, radius, y, w, acc)
         step = gap / rate if rate < 0 else 0 * gap
         if not abs(step) < last / 2 or not 0 <= s - step <= until:
             break
@@ -208,15 +208,15 @@ def rim_hit(
     s = found = math.inf
     if near < (1 - BEHIND) * a:  # beyond the ends of an arc
         s = next_hit8(c, 0 * a, until)
-    elif near - a > SEAM * a or not _stays(c, until, tol):
+    elif near - a > SEAM * a or not _never_closes(c, until, tol):
         s = hit8(c, until, tol)
     for _ in range(4):
         if not s <= until:
             break
-        y, w = _at(r, v, acc, s)
+        y, w = _motion_after(r, v, acc, s)
         # (not where the farthest point is a radius away: that is in reach of no ball that the nearest keeps out)
         if rim_gap(zero, d, radius, y) >= (1 - BEHIND) * a and _on_arc(d, u, cosine, y):
-            rate, bend = rim_way_in(zero, d, radius, y, w, acc)
+            rate, bend = rim_gap_derivatives(zero, d, radius, y, w, acc)
             # (a gap that has not opened by more than rounding when it turns down has there a rate of rounding)
             comes = rate < 0 or (rate <= slow and bend < 0)
             if comes and not rate * rate <= 2 * bend * GRAZE * a:
@@ -225,11 +225,11 @@ def rim_hit(
         s = next_hit8(c, s, until)
     s = _centred(d, radius, a, r, v, acc, min(until, found), slow)
     if s < found:
-        y, _w = _at(r, v, acc, s)
+        y, _w = _motion_after(r, v, acc, s)
         if _on_arc(d, u, cosine, y):
             found = s
     if found > 0 and found <= until:
-        y, _w = _at(r, v, acc, found)
+        y, _w = _motion_after(r, v, acc, found)
         _q, rho, _h = _across(d, y)
         # what rounding of coefficients of the size |r|^4 makes of the gap; its factor is 2 a times 4 R rho in touch
         blurred = dot(r, r) * dot(r, r) * ROUNDING > BLURRED * a * (8 * a * radius * rho)

@@ -76,7 +76,9 @@ def inner_axes(p: float, q: float, d: float) -> tuple[float, float]:
 
 
 @kernel
-def _leaves(p: float, q: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float, most: float) -> float:
+def _parabola_exit(
+    p: float, q: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float, most: float
+) -> float:
     """When a parabola leaves the ellipse of the half axes p and q; 0 if it is not in it."""
     x, y, vx, vy, gx, gy = x / p, y / q, vx / p, vy / q, gx / p, gy / q
     c0 = 1.0 - (x * x + y * y)
@@ -89,7 +91,7 @@ def _leaves(p: float, q: float, x: float, y: float, vx: float, vy: float, gx: fl
 
 
 @kernel
-def _at(
+def _gap_and_rate(
     p: float, q: float, d: float, dd: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float, s: float
 ) -> tuple[float, float]:
     """The gap at a time s, and its rate."""
@@ -99,7 +101,7 @@ def _at(
 
 
 @kernel
-def _root(
+def _gap_root(
     p: float, q: float, d: float, dd: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float,
     low: float, high: float, g: float, u: float,
 ) -> float:  # fmt: skip
@@ -112,7 +114,7 @@ def _root(
         if abs(new - s) <= 4e-16 * high or not low < new < high:
             return new
         s = new
-        g, u = _at(p, q, d, dd, x, y, vx, vy, gx, gy, s)
+        g, u = _gap_and_rate(p, q, d, dd, x, y, vx, vy, gx, gy, s)
         if g > 0.0:
             low = s
         else:
@@ -121,7 +123,7 @@ def _root(
 
 
 @kernel
-def _first(
+def _first_gap_root(
     p: float, q: float, d: float, dd: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float,
     s0: float, g0: float, u0: float, right: float, end: float, pull: float, tiny: float,
 ) -> float:  # fmt: skip
@@ -129,7 +131,7 @@ def _first(
     if g0 <= 0.0:  # (by rounding)
         return s0
     while s0 < end:
-        g1, u1 = _at(p, q, d, dd, x, y, vx, vy, gx, gy, right)
+        g1, u1 = _gap_and_rate(p, q, d, dd, x, y, vx, vy, gx, gy, right)
         length = right - s0
         short = length <= max(tiny, 4e-16 * right)
         if g1 > 0.0:
@@ -145,7 +147,7 @@ def _first(
                 right = min(right + 2.0 * max(length, tiny, 4e-16 * right), end)
                 continue
         elif u0 + pull * length < 0.0 or pull == 0.0:
-            return _root(p, q, d, dd, x, y, vx, vy, gx, gy, s0, right, g1, u1)
+            return _gap_root(p, q, d, dd, x, y, vx, vy, gx, gy, s0, right, g1, u1)
         elif short:
             return right
         right = s0 + length / 2.0
@@ -153,7 +155,7 @@ def _first(
 
 
 @kernel
-def _bend(p: float, q: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float) -> float:
+def _gap_acceleration(p: float, q: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float) -> float:
     """The gap's second derivative."""
     depth, nx, ny, rho = oval_depth(p, q, x, y)
     along = vx * ny - vy * nx
@@ -161,7 +163,7 @@ def _bend(p: float, q: float, x: float, y: float, vx: float, vy: float, gx: floa
 
 
 @kernel
-def _off(
+def _leave_contact(
     p: float, q: float, d: float, dd: float, x: float, y: float, vx: float, vy: float, gx: float, gy: float,
     end: float, near: float, tiny: float,
 ) -> tuple[float, float, float, bool]:  # fmt: skip
@@ -172,7 +174,7 @@ def _off(
     s, step = 0.0, tiny
     while s < end:
         s = min(s + step, end)
-        g, u = _at(p, q, d, dd, x, y, vx, vy, gx, gy, s)
+        g, u = _gap_and_rate(p, q, d, dd, x, y, vx, vy, gx, gy, s)
         if g > near:
             return s, g, u, True
         if u < 0.0:
@@ -195,30 +197,30 @@ def oval_hit(
     speed = math.sqrt(vx * vx + vy * vy)
     if speed == 0.0 and pull == 0.0 and dd == 0.0:
         return math.inf
-    g, u = _at(p, q, d, dd, x, y, vx, vy, gx, gy, 0.0)
+    g, u = _gap_and_rate(p, q, d, dd, x, y, vx, vy, gx, gy, 0.0)
     s, near, bend = 0.0, NOISE * (p + q), 0.0
     touches = g <= near
     if touches:
-        bend = _bend(p, q, x, y, vx, vy, gx, gy)
+        bend = _gap_acceleration(p, q, x, y, vx, vy, gx, gy)
         if u < -slow or (u <= 0.0 and bend < 0.0):
             return 0.0
     # outside of this one it has met the wall, which it has too when nothing is left for its centre
-    end = min(most, _leaves((p - d) * BEYOND, (q - d) * BEYOND, x, y, vx, vy, gx, gy, most))
+    end = min(most, _parabola_exit((p - d) * BEYOND, (q - d) * BEYOND, x, y, vx, vy, gx, gy, most))
     if dd > 0.0:
         end = min(end, (min(p, q) - d) / dd)
     tiny = SMALL * q / (speed + pull * end + abs(dd))
     right = end
     if touches:
         hop = -3.0 * u / bend if bend < 0.0 else math.inf
-        s, g, u, off = _off(p, q, d, dd, x, y, vx, vy, gx, gy, end, near, tiny)
+        s, g, u, off = _leave_contact(p, q, d, dd, x, y, vx, vy, gx, gy, end, near, tiny)
         if not off:
             return s
         right = min(end, s + hop)
     else:
         a, b = inner_axes(p, q, last)
-        s = _leaves(a, b, x, y, vx, vy, gx, gy, most)
+        s = _parabola_exit(a, b, x, y, vx, vy, gx, gy, most)
         if s >= most:
             return math.inf
         if s > 0.0:
-            g, u = _at(p, q, d, dd, x, y, vx, vy, gx, gy, s)
-    return _first(p, q, d, dd, x, y, vx, vy, gx, gy, s, g, u, right, end, pull, tiny)
+            g, u = _gap_and_rate(p, q, d, dd, x, y, vx, vy, gx, gy, s)
+    return _first_gap_root(p, q, d, dd, x, y, vx, vy, gx, gy, s, g, u, right, end, pull, tiny)

@@ -19,13 +19,13 @@ from typing import Any
 
 import numpy as np
 
-from carom.core.geometry.circles import call_rim, rim_gap, rim_normal, rim_way_in
+from carom.core.geometry.circles import call_rim, rim_gap, rim_gap_derivatives, rim_normal
 from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel, vector
 from carom.core.roots.first_root import hit2, hit4, next_hit4
 
 __all__ = [
-    "FACE", "FALLS", "FEATURES", "GOES_ON", "LEAVES", "LINE", "OVER", "POINT", "RIM", "contact_normal", "distance", "feature_hit",
-    "feature_normal", "pocket_distance", "stays", "way_in",
+    "FACE", "FALLS", "FEATURES", "GOES_ON", "LEAVES", "LINE", "OVER", "POINT", "RIM", "contact_normal", "feature_hit",
+    "feature_normal", "gap_derivatives", "gap_to_feature", "never_closes", "pocket_distance",
 ]  # fmt: skip
 
 # Kinds. OVER is no wall: it is the upward continuation of a low one, and a ball whose centre passes it has cleared it; of a
@@ -103,7 +103,7 @@ def _component(d: Vec, acc: Vec) -> float:
 
 
 @hot_kernel
-def stays(c1: float, c2: float, c3: float, c4: float, until: float, tol: float) -> bool:
+def never_closes(c1: float, c2: float, c3: float, c4: float, until: float, tol: float) -> bool:
     """Whether the gap c1 s + ... + c4 s^4 never closes faster than tol up to s = until: of one in touch, no approach."""
     s = until
     least = c1 + (2 * c2 * s if c2 < 0 else 0 * c1)
@@ -112,7 +112,7 @@ def stays(c1: float, c2: float, c3: float, c4: float, until: float, tol: float) 
 
 
 @hot_kernel
-def _along(x: Vec, v: Vec, acc: Vec, s: float) -> Vec:
+def _place_after(x: Vec, v: Vec, acc: Vec, s: float) -> Vec:
     h = s * s / 2
     return (x[0] + v[0] * s + acc[0] * h, x[1] + v[1] * s + acc[1] * h, x[2] + v[2] * s + acc[2] * h)
 
@@ -123,7 +123,7 @@ def _face_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: fl
     reach = a if f.kind == FACE else 0 * a  # what has been cleared is cleared by the centre
     c0 = d[0] * (x[0] - p[0]) + d[1] * (x[1] - p[1]) + d[2] * (x[2] - p[2]) - reach
     c1, c2 = dot(d, v), _component(d, acc) / 2
-    if c0 <= SEAM * a and stays(c1, c2, 0 * a, 0 * a, until, slow):
+    if c0 <= SEAM * a and never_closes(c1, c2, 0 * a, 0 * a, until, slow):
         return math.inf
     if c0 < -BEHIND * a and not c1 > 0:
         return math.inf
@@ -132,7 +132,7 @@ def _face_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: fl
         return math.inf
     if f.kind == OVER and s == 0:  # it stands in the gate, having just come through
         return math.inf
-    return s if _within(f, _along(x, v, acc, s), a) else math.inf
+    return s if _within(f, _place_after(x, v, acc, s), a) else math.inf
 
 
 @kernel
@@ -155,7 +155,7 @@ def _round_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: f
     c0, c1 = side * (far - reach) * (far + reach), side * 2 * dot(r, v1)
     c2, c3, c4 = side * (dot(v1, v1) + _component(r, b)), side * dot(v1, b), side * dot(b, b) / 4
     deep = -BEHIND * a * 2 * reach
-    if c0 <= 2 * reach * SEAM * a and stays(c1, c2, c3, c4, until, 2 * reach * slow):
+    if c0 <= 2 * reach * SEAM * a and never_closes(c1, c2, c3, c4, until, 2 * reach * slow):
         return math.inf
     if c0 < deep and c1 <= 0:  # noqa: SIM108  (two long calls)
         s = next_hit4(c0, c1, c2, c3, c4, 0 * a, until)
@@ -167,7 +167,7 @@ def _round_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: f
         if not s <= until:
             break
         on = c0 + (c1 + (c2 + (c3 + c4 * s) * s) * s) * s >= deep
-        if on and _within(f, _along(x, v, acc, s), a):
+        if on and _within(f, _place_after(x, v, acc, s), a):
             # the gap falls at the rate u, and what is across turns it round: how deep it would come
             u = c1 + (2 * c2 + (3 * c3 + 4 * c4 * s) * s) * s
             bend = 2 * c2 + (6 * c3 + 12 * c4 * s) * s
@@ -220,7 +220,7 @@ def feature_normal(f: Any, x: Vec) -> Vec:
 
 
 @kernel
-def distance(f: Any, a: float, x: Vec) -> float:
+def gap_to_feature(f: Any, a: float, x: Vec) -> float:
     """Gap between feature f and a ball at x; negative where it overlaps, infinite where it is past the ends.
 
     Below -a it is behind a face, or outside of a hollow: what it would touch there is another feature.
@@ -251,10 +251,10 @@ def pocket_distance(f: Any, x: Vec) -> float:
 
 
 @kernel
-def way_in(f: Any, x: Vec, v: Vec, acc: Vec) -> tuple[float, float]:
+def gap_derivatives(f: Any, x: Vec, v: Vec, acc: Vec) -> tuple[float, float]:
     """First and second derivative of the gap of a ball in touch with feature f."""
     if f.kind == RIM:
-        return rim_way_in(vector(f.p), vector(f.d), f.R, x, v, acc)
+        return rim_gap_derivatives(vector(f.p), vector(f.d), f.R, x, v, acc)
     n = contact_normal(f, x, v)
     speed = dot(v, n)
     bend = _component(n, acc)

@@ -18,7 +18,7 @@ from carom.core.motion.rolling import UP, rolls_at_last
 
 __all__ = [
     "BOUNCING", "FLIGHT", "HELD", "LEFT", "ON_FLOOR", "PHASES", "PIVOTING", "POCKETED", "REST", "ROLLING", "SLIDING",
-    "advance", "grounded", "next_phase", "pace",
+    "accelerations", "advance", "grounded", "next_phase",
 ]  # fmt: skip
 
 # The phases; what people see is PHASES[code]. A bouncing ball hops infinitely often in a finite time (motion.bounces); one
@@ -33,7 +33,7 @@ ROUNDING = 1e-12
 
 
 @hot_kernel
-def pace(
+def accelerations(
     phase: int, v: Vec, w: Vec, a: float, kappa: float,
     force: Vec, g: float, mu: float, resistance: float, spin_friction: float,
 ) -> tuple[Vec, Vec, float]:  # fmt: skip

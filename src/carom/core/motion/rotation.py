@@ -15,7 +15,7 @@ from carom.core.motion.bounces import LAST_HOP
 from carom.core.motion.restitution import restitution
 from carom.core.motion.rolling import UP
 
-__all__ = ["Quaternion", "compose", "rotation", "turned", "turned_bouncing"]
+__all__ = ["Quaternion", "compose", "orientation_after", "orientation_after_bounces", "rotation"]
 
 Quaternion = tuple[float, float, float, float]
 # Largest turn of one step, rad: a local error of some 1e-14.
@@ -43,7 +43,7 @@ def compose(p: Quaternion, q: Quaternion) -> Quaternion:
 
 
 @kernel
-def _linear(q: Quaternion, w: Vec, turn: Vec, s: float) -> Quaternion:
+def _orientation_after_linear_spin(q: Quaternion, w: Vec, turn: Vec, s: float) -> Quaternion:
     """Return the orientation after a time s with the spin w + turn t."""
     b = cross(w, turn)
     most = math.sqrt(dot(w, w)) + math.sqrt(dot(turn, turn)) * s
@@ -69,20 +69,20 @@ def _linear(q: Quaternion, w: Vec, turn: Vec, s: float) -> Quaternion:
 
 
 @kernel
-def turned(q: Quaternion, w: Vec, turn: Vec, s: float) -> Quaternion:
+def orientation_after(q: Quaternion, w: Vec, turn: Vec, s: float) -> Quaternion:
     """Return the orientation a time s later in a phase with the angular acceleration ``turn``; sidespin stays zero once it is."""
     if turn[2] * w[2] < 0 and abs(turn[2]) * s > abs(w[2]):
         ends = -w[2] / turn[2]
-        q = _linear(q, w, turn, ends)
+        q = _orientation_after_linear_spin(q, w, turn, ends)
         w = (w[0] + turn[0] * ends, w[1] + turn[1] * ends, 0 * s)
         turn, s = (turn[0], turn[1], 0 * s), s - ends
-    q = _linear(q, w, turn, s)
+    q = _orientation_after_linear_spin(q, w, turn, s)
     size = math.sqrt(q[0] * q[0] + q[1] * q[1] + q[2] * q[2] + q[3] * q[3])
     return (q[0] / size, q[1] / size, q[2] / size, q[3] / size)
 
 
 @kernel
-def turned_bouncing(
+def orientation_after_bounces(
     q: Quaternion, v: Vec, w: Vec, a: float, kappa: float, g: float, form: int, p: Vec, mu: float, beta: float, s: float
 ) -> Quaternion:
     """Return the orientation of a bouncing ball a time s later: the spin is constant during each bounce."""

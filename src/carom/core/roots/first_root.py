@@ -19,7 +19,7 @@ from __future__ import annotations
 import math
 
 from carom.core.jit.kernel import hot_kernel, kernel
-from carom.core.roots.polynomial import Numbers, beyond, root, turning, two_prod, value
+from carom.core.roots.polynomial import Numbers, bracketed_root, compensated_value, root_bound, two_prod, value_at_turn
 
 __all__ = ["hit2", "hit4", "hit8", "next_hit4", "next_hit8"]
 
@@ -37,15 +37,15 @@ BINOMIALS = tuple(tuple(float(math.comb(j + k, k)) for j in range(9)) for k in r
 def _breaks(c: Numbers, t: Numbers, old: Numbers, start: float) -> Numbers:
     """The root in each piece between old breaks, or the piece's end where it has none: breaks for the integral of c + t."""
     left = start
-    before = value(c, t, left)
+    before = compensated_value(c, t, left)
     new = old
     for i in range(len(old)):
         right = old[i]
         found = right
         if right > left:
-            after = value(c, t, right)
+            after = compensated_value(c, t, right)
             if (before > 0.0) != (after > 0.0):
-                found = root(c, t, left, before, right, after)
+                found = bracketed_root(c, t, left, before, right, after)
             left = right
             before = after
         # one goes, one comes: after the loop all are new
@@ -54,7 +54,7 @@ def _breaks(c: Numbers, t: Numbers, old: Numbers, start: float) -> Numbers:
 
 
 @kernel
-def _walk(  # noqa: PLR0911  (one return a fate)
+def _first_hit_in_pieces(  # noqa: PLR0911  (one return per outcome)
     c: Numbers, zero: Numbers, d: Numbers, t: Numbers, breaks: Numbers, start: float, state: int
 ) -> float:
     """The hit after start; d + t are the coefficients of g', which is monotone between breaks (the last is where to stop).
@@ -62,17 +62,17 @@ def _walk(  # noqa: PLR0911  (one return a fate)
     state: 1 above zero, 0 in touch and not approaching, -1 after a hit (turning down below zero does not count).
     """
     left = start
-    slope = value(d, t, left)
+    slope = compensated_value(d, t, left)
     way = slope
     x = start
     fx = c[0]
     for i in range(len(breaks)):
         right = breaks[i]
         if right > left:
-            after = value(d, t, right)
+            after = compensated_value(d, t, right)
             if (way > 0.0 and after < 0.0) or (way < 0.0 and after > 0.0):
-                m = root(d, t, left, slope, right, after)
-                p, turn = turning(c, zero, m)
+                m = bracketed_root(d, t, left, slope, right, after)
+                p, turn = value_at_turn(c, zero, m)
                 if way > 0.0:
                     if state != 1:
                         if turn > 0.0:
@@ -82,7 +82,7 @@ def _walk(  # noqa: PLR0911  (one return a fate)
                         elif state == 0:
                             return m
                 elif state == 1 and turn < 0.0:
-                    return m if p >= 0.0 else root(c, zero, x, fx, m, p)
+                    return m if p >= 0.0 else bracketed_root(c, zero, x, fx, m, p)
                 x = m
                 fx = p
                 way = after
@@ -93,16 +93,16 @@ def _walk(  # noqa: PLR0911  (one return a fate)
             left = right
             slope = after
     if state == 1 and way < 0.0:
-        p = value(c, zero, left)
+        p = compensated_value(c, zero, left)
         if p < 0.0:
-            return root(c, zero, x, fx, left, p)
+            return bracketed_root(c, zero, x, fx, left, p)
         if p == 0.0 and slope < 0.0:
             return left
     return NEVER
 
 
 @kernel
-def _descend(c: Numbers, zero: Numbers, start: float, stop: float, state: int) -> float:
+def _hit_by_derivatives(c: Numbers, zero: Numbers, start: float, stop: float, state: int) -> float:
     """From the linear derivative down to g': each one's roots part the next one into monotone pieces; then the walk."""
     n = len(c) - 1
     breaks = zero[2:]
@@ -121,7 +121,7 @@ def _descend(c: Numbers, zero: Numbers, start: float, stop: float, state: int) -
             t = t[1:] + (e,)
         if k > 1:
             breaks = _breaks(d, t, breaks, start)
-    return _walk(c, zero, d, t, breaks, start, state)
+    return _first_hit_in_pieces(c, zero, d, t, breaks, start, state)
 
 
 @kernel
@@ -164,15 +164,15 @@ def _search(c: Numbers, zero: Numbers, T: float, most: float) -> float:
     if c[0] > 0.0 and most > T:
         kind, last = _bernstein(c, zero, T)
         if kind < 2:
-            return NEVER if kind == 0 else root(c, zero, 0.0, c[0], T, last)
-    far = beyond(c, most)
+            return NEVER if kind == 0 else bracketed_root(c, zero, 0.0, c[0], T, last)
+    far = root_bound(c, most)
     if far < T:
         stop = far
         if c[0] > 0.0:
             kind, last = _bernstein(c, zero, far)
             if kind < 2:
-                return NEVER if kind == 0 else root(c, zero, 0.0, c[0], far, last)
-    return _descend(c, zero, 0.0, stop, 1 if c[0] > 0.0 else 0)
+                return NEVER if kind == 0 else bracketed_root(c, zero, 0.0, c[0], far, last)
+    return _hit_by_derivatives(c, zero, 0.0, stop, 1 if c[0] > 0.0 else 0)
 
 
 # --- hits ---------------------------------------------------------------------------------------------------------
@@ -240,9 +240,9 @@ def next_hit4(c0: float, c1: float, c2: float, c3: float, c4: float, after: floa
     # past what after may be wrong by: no second down-crossing lies so near, and up-crossings are not missed
     start = after * (1.0 + 4e-12)
     c = (c0, c1, c2, c3, c4)
-    far = beyond(c, 1e60)
+    far = root_bound(c, 1e60)
     stop = far if far < T else T
-    return _descend(c, ZERO5, start, stop, -1) if start < stop else NEVER
+    return _hit_by_derivatives(c, ZERO5, start, stop, -1) if start < stop else NEVER
 
 
 @kernel
@@ -264,6 +264,6 @@ def hit8(c: Numbers, T: float, tol: float) -> float:
 def next_hit8(c: Numbers, after: float, T: float) -> float:
     """As next_hit4, of degree 8."""
     start = after * (1.0 + 4e-12)
-    far = beyond(c, 1e30)
+    far = root_bound(c, 1e30)
     stop = far if far < T else T
-    return _descend(c, ZERO9, start, stop, -1) if start < stop else NEVER
+    return _hit_by_derivatives(c, ZERO9, start, stop, -1) if start < stop else NEVER

@@ -10,7 +10,10 @@ import math
 
 from carom.core.jit.kernel import hot_kernel, kernel
 
-__all__ = ["Numbers", "accurate", "beyond", "root", "taylor", "turning", "two_prod", "two_sum", "value"]
+__all__ = [
+    "Numbers", "accurate_value", "bracketed_root", "compensated_value", "root_bound", "taylor_value", "two_prod", "two_sum",
+    "value_at_turn",
+]  # fmt: skip
 
 Numbers = tuple[float, ...]
 
@@ -40,7 +43,7 @@ def two_prod(a: float, b: float) -> tuple[float, float]:
 
 
 @kernel
-def accurate(c: Numbers, t: Numbers, x: float) -> tuple[float, float]:
+def accurate_value(c: Numbers, t: Numbers, x: float) -> tuple[float, float]:
     """Value and slope at x of the polynomial with coefficients c + t, lowest first, as if computed in twice the precision.
 
     Compensated Horner: the rounding errors of Horner's steps, exact by two_sum and two_prod, are the coefficients of a
@@ -64,7 +67,7 @@ def accurate(c: Numbers, t: Numbers, x: float) -> tuple[float, float]:
 
 
 @hot_kernel
-def taylor(c: Numbers, x: float) -> tuple[float, float, float, float]:
+def taylor_value(c: Numbers, x: float) -> tuple[float, float, float, float]:
     """Plain Horner at x >= 0: g, g', g''/2, and what their rounding is measured by, the sum of |c_i| x^i."""
     n = len(c)
     p = c[n - 1]
@@ -80,25 +83,25 @@ def taylor(c: Numbers, x: float) -> tuple[float, float, float, float]:
 
 
 @kernel
-def value(c: Numbers, t: Numbers, x: float) -> float:
+def compensated_value(c: Numbers, t: Numbers, x: float) -> float:
     """The value at x >= 0, compensated where plain Horner leaves its sign open."""
-    p, _, _, e = taylor(c, x)
+    p, _, _, e = taylor_value(c, x)
     if abs(p) > ROUNDING * len(c) * e:
         return p
-    return accurate(c, t, x)[0]
+    return accurate_value(c, t, x)[0]
 
 
 @kernel
-def turning(c: Numbers, t: Numbers, x: float) -> tuple[float, float]:
+def value_at_turn(c: Numbers, t: Numbers, x: float) -> tuple[float, float]:
     """The value at x, next to a turn, and the value at the turn itself, which may lie between two floats.
 
     Where that is less than the bound of the compensated value it is zero: g touches.
     """
-    p, d, q, e = taylor(c, x)
+    p, d, q, e = taylor_value(c, x)
     doubt = ROUNDING * len(c)
     if abs(p) > doubt * e:
         return (p, p)
-    p, d = accurate(c, t, x)
+    p, d = accurate_value(c, t, x)
     turn = p
     # the parabola through x, where x is near enough to the turn for it
     if q != 0.0 and abs(d) <= 1e-11 * x * abs(q):
@@ -107,7 +110,7 @@ def turning(c: Numbers, t: Numbers, x: float) -> tuple[float, float]:
 
 
 @kernel
-def root(  # noqa: PLR0911  (one return a way to be done)
+def bracketed_root(  # noqa: PLR0911  (one return a way to be done)
     c: Numbers, t: Numbers, a: float, fa: float, b: float, fb: float
 ) -> float:
     """The root between a and b, 0 <= a <= b, where the values fa and fb have different signs; one root is there.
@@ -124,13 +127,13 @@ def root(  # noqa: PLR0911  (one return a way to be done)
     last = b - a
     before = last
     for _ in range(120):
-        p, d, q, e = taylor(c, x)
+        p, d, q, e = taylor_value(c, x)
         doubt = ROUNDING * len(c) * e
         if abs(p) <= doubt:
             if doubt <= ENOUGH * abs(d) * x:
                 y = x - p / d
                 return a if y < a else (b if y > b else y)
-            p, d = accurate(c, t, x)
+            p, d = accurate_value(c, t, x)
             if p == 0.0:
                 return x
         if (p > 0.0) == up:
@@ -168,7 +171,7 @@ def root(  # noqa: PLR0911  (one return a way to be done)
 
 
 @kernel
-def beyond(c: Numbers, most: float) -> float:
+def root_bound(c: Numbers, most: float) -> float:
     """A power of 4 beyond every positive root of g, and of its derivatives (Cauchy's bound, with the signs); at most most."""
     n = len(c)
     x = 1.0

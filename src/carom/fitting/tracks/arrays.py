@@ -13,8 +13,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.jit.dual.dual_records import float_count
 from carom.core.jit.dual.numbers import LANES
-from carom.core.jit.dual.records import float_count
 from carom.fitting.parameters import Parameter
 from carom.scene.scene import Scene
 from carom.simulation.sensitivity.compiled import dual_users

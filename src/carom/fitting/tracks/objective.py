@@ -14,8 +14,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.jit.dual.dual_records import float_count, float_places
 from carom.core.jit.dual.numbers import LANES
-from carom.core.jit.dual.records import float_count, float_places
 from carom.fitting.optimizer import minimize
 from carom.fitting.tracks.arrays import Table
 from carom.fitting.tracks.model import TrackModel
@@ -25,20 +25,8 @@ from carom.simulation.records import BALLS
 from carom.simulation.setup import SceneArrays
 
 __all__ = [
-    "SIDESPIN",
-    "SLIP",
-    "VELOCITY",
-    "BestStarts",
-    "Numbers",
-    "SegmentArrays",
-    "Starts",
-    "descend",
-    "effective_numbers",
-    "projected",
-    "scan",
-    "settle",
-    "shared_slope",
-    "spin_loss",
+    "SIDESPIN", "SLIP", "VELOCITY", "BestStarts", "Numbers", "SegmentArrays", "Starts", "descend", "effective_numbers",
+    "projected", "scan", "settle", "shared_slope", "spin_loss",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]

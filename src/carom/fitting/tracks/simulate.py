@@ -16,8 +16,8 @@ from numpy.typing import NDArray
 
 from carom.core.geometry.features import FEATURES
 from carom.core.jit.compile import array_of, njit, parallel_range, signature, thread_count
+from carom.core.jit.dual.dual_records import float_count, float_places
 from carom.core.jit.dual.numbers import LANES
-from carom.core.jit.dual.records import float_count, float_places
 from carom.core.jit.kernel import vector
 from carom.core.jit.pointers import caller_of, compiled_address
 from carom.core.jit.slices import block_slices
@@ -25,7 +25,7 @@ from carom.core.jit.threads import call_in_threads
 from carom.core.motion.phases import HELD
 from carom.simulation.compiled import ENGINE_RUN, compiled_engine
 from carom.simulation.loop import ALL, QUIET, move_by
-from carom.simulation.predict import begin, put
+from carom.simulation.predict import begin_phase, write_vector
 from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.resolve import DONE
 from carom.simulation.sensitivity.compiled import FOLLOW, SLOPES, STATES, compiled_follow, compiled_states
@@ -67,10 +67,10 @@ def _run_all(
                 row += 1
             ball.phase = log[row].phase
             if t <= known and ball.phase < HELD:
-                put(ball.x, vector(log[row].x))
-                put(ball.v, vector(log[row].v))
-                put(ball.w, vector(log[row].w))
-                begin(world, ball)
+                write_vector(ball.x, vector(log[row].x))
+                write_vector(ball.v, vector(log[row].v))
+                write_vector(ball.w, vector(log[row].w))
+                begin_phase(world, ball)
                 move_by(world, ball, t - log[row].t, t)
                 places[n, i, 0], places[n, i, 1] = ball.x[0], ball.x[1]
 

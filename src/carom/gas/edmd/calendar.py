@@ -23,7 +23,7 @@ import numpy as np
 
 from carom.core.jit.kernel import hot_kernel, kernel
 from carom.core.roots.polynomial import two_sum
-from carom.gas.edmd.records import NO_BALL
+from carom.gas.edmd.gas_records import NO_BALL
 
 __all__ = [
     "BLOCK_LENGTH", "I64", "PAGE", "RING", "U64", "calendar_sizes", "is_pending", "load_page", "nearly_full", "page_of", "rebuild",
@@ -62,7 +62,7 @@ def is_pending(plan: Any, page: int) -> bool:
 
 
 @hot_kernel
-def _push(plans: Any, heads: Any, i: int, b: int) -> None:
+def _push_to_bin(plans: Any, heads: Any, i: int, b: int) -> None:
     """Put ball i at the head of a bin's list."""
     plan = plans[U64(i)]
     k = b & (RING - 1)
@@ -98,7 +98,7 @@ def schedule(plans: Any, calendar: Any, i: int, width: float, bins: int, current
     b = last if not place < bins else max(I64(place), current)
     page = page_of(b)
     if page <= page_of(current) + 1:
-        _push(plans, calendar.heads, i, b)
+        _push_to_bin(plans, calendar.heads, i, b)
     else:
         plans[U64(i)].bin = b | PENDING
         _append(calendar, i, page)
@@ -130,7 +130,7 @@ def load_page(plans: Any, calendar: Any, page: int) -> None:
         while end & (BLOCK_LENGTH - 1) != 0:
             i = blocks[U64(end)]
             if is_pending(plans[U64(i)], page):
-                _push(plans, calendar.heads, I64(i), I64(plans[U64(i)].bin) - PENDING)
+                _push_to_bin(plans, calendar.heads, I64(i), I64(plans[U64(i)].bin) - PENDING)
             end -= 1
         before = I64(blocks[U64(end)])
         blocks[U64(end)] = page_ends[U64(free)]

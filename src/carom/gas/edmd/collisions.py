@@ -13,23 +13,14 @@ from carom.core.contact import contact
 from carom.core.jit.kernel import Vec, hot_kernel, kernel
 from carom.core.roots.first_root import hit2
 from carom.gas.edmd.calendar import I64, U64
-from carom.gas.edmd.cells import INDEX_MASK
-from carom.gas.edmd.records import INDEX_BITS, NO_BALL
+from carom.gas.edmd.cell_lists import INDEX_MASK
+from carom.gas.edmd.gas_records import INDEX_BITS, NO_BALL
 from carom.laws.pair import pair_contact
 
 __all__ = [
-    "LANES",
-    "PATIENCE",
-    "QUICK",
-    "add_energies",
-    "collide_balls",
-    "count_if_feeble",
-    "earliest_collision",
-    "free_flight",
-    "next_cell_crossing",
-    "set_velocity",
-    "square",
-]
+    "LANES", "PATIENCE", "QUICK", "add_energies", "collide_balls", "count_if_feeble", "earliest_collision", "free_flight",
+    "next_cell_crossing", "set_velocity", "squared_length",
+]  # fmt: skip
 
 LANES = 4  # collision times computed at once
 # A ball's contacts are those of an inelastic collapse when PATIENCE of them in a row follow each other within QUICK of the mean
@@ -41,7 +32,7 @@ INFINITY_BITS = 0x7FF0000000000000  # of the double
 
 
 @hot_kernel
-def square(w: Vec) -> float:
+def squared_length(w: Vec) -> float:
     """Return the square of a vector."""
     return w[0] * w[0] + w[1] * w[1] + w[2] * w[2]
 
@@ -280,8 +271,8 @@ def collide_balls(system: Any, grid: Any, balls: Any, materials: Any, i: int, j:
         # an impulse changes the energy of the centres by itself times the mean of the velocities before and after
         sx, sy, sz = ux + (v1[0] - v2[0]), uy + (v1[1] - v2[1]), uz + (v1[2] - v2[2])
         i1, i2 = one.kappa * one.mass * one.radius * one.radius, two.kappa * two.mass * two.radius * two.radius
-        rotational = i1 * (square(w1) - square((first.wx, first.wy, first.wz)))
-        rotational = (rotational + i2 * (square(w2) - square((second.wx, second.wy, second.wz)))) / 2
+        rotational = i1 * (squared_length(w1) - squared_length((first.wx, first.wy, first.wz)))
+        rotational = (rotational + i2 * (squared_length(w2) - squared_length((second.wx, second.wy, second.wz)))) / 2
         add_energies(pair, (e - 1) / 2 * pn * un, (p[0] * sx + p[1] * sy + p[2] * sz) / 2, rotational)
         set_velocity(a, v1)
         set_velocity(b, v2)

@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from carom.core.jit.slices import Pace, block_slices
 from carom.gas.edmd import loop
 from carom.gas.edmd.calendar import calendar_sizes
-from carom.gas.edmd.cells import SLOTS, morton_offsets, neighbour_tables, walls_of_cells
-from carom.gas.edmd.records import (
+from carom.gas.edmd.cell_lists import SLOTS, morton_offsets, neighbour_tables, walls_of_cells
+from carom.gas.edmd.gas_records import (
     BODY,
     ELLIPSE,
     FACE,
@@ -38,8 +38,8 @@ from carom.gas.edmd.records import (
 )
 
 __all__ = [
-    "STATE", "GasArrays", "SystemRecords", "advance", "compiled_loops", "loop_is_cached", "make", "put_in_place", "restore",
-    "saved_blocks", "saved_state", "synchronized", "synchronized_blocks", "time_of_last_event", "total_bytes",
+    "STATE", "GasArrays", "SystemRecords", "advance", "arrays_at_start", "compiled_loops", "loop_is_cached", "put_in_place",
+    "restore", "saved_blocks", "saved_state", "synchronized", "synchronized_blocks", "time_of_last_event", "total_bytes",
 ]  # fmt: skip
 
 BINS_PER_BALL = 4  # of the calendar
@@ -202,7 +202,7 @@ def put_in_place(records: SystemRecords, kinds: Any, x: Any) -> dict[str, NDArra
     return memory
 
 
-def make(records: SystemRecords, memory: dict[str, NDArray[Any]], v: Any = None, w: Any = None) -> GasArrays:
+def arrays_at_start(records: SystemRecords, memory: dict[str, NDArray[Any]], v: Any = None, w: Any = None) -> GasArrays:
     """Return the arrays of a gas at its start, whose balls are in place; velocities and spins (N, 3), if not there yet."""
     one = records.system[0]
     plans, bodies = memory["plans"], memory["bodies"]

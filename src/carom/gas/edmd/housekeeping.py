@@ -11,18 +11,13 @@ from typing import Any
 
 from carom.core.jit.kernel import hot_kernel, kernel
 from carom.gas.edmd.calendar import I64, U64
-from carom.gas.edmd.cells import INDEX_MASK, SLOTS, insert
+from carom.gas.edmd.cell_lists import INDEX_MASK, SLOTS, insert_ball
 from carom.gas.edmd.collisions import free_flight
-from carom.gas.edmd.records import DONE, INDEX_BITS, LIMIT, NO_BALL, UNDERFLOW
+from carom.gas.edmd.gas_records import DONE, INDEX_BITS, LIMIT, NO_BALL, UNDERFLOW
 
 __all__ = [
-    "SORT_INTERVAL",
-    "check_progress",
-    "remove_momentum_drift",
-    "sample_energies",
-    "set_threshold",
-    "sort_by_cell",
-]
+    "SORT_INTERVAL", "check_progress", "remove_momentum_drift", "sample_energies", "set_threshold", "sort_by_cell",
+]  # fmt: skip
 
 # An approach slower than this share of the speeds is the rounding of two balls that move along each other or, after an impact
 # without rebound, together; it is no collision.
@@ -176,4 +171,4 @@ def sort_by_cell(balls: Any, scratch: Any, cells: Any, calendar: Any) -> None:
     _permute(balls, scratch, order)
     cells.slots[:] = 0
     for k in range(count):
-        insert(cells, plans[U64(k)], k)
+        insert_ball(cells, plans[U64(k)], k)

@@ -25,7 +25,7 @@ from carom.gas.edmd.calendar import (
     start_cycle,
     unschedule,
 )
-from carom.gas.edmd.cells import Block, cell_index, gather_neighbours, insert, remove, set_images
+from carom.gas.edmd.cell_lists import Block, cell_index, gather_neighbours, insert_ball, remove_ball, set_images
 from carom.gas.edmd.collisions import (
     PATIENCE,
     QUICK,
@@ -34,6 +34,7 @@ from carom.gas.edmd.collisions import (
     free_flight,
     next_cell_crossing,
 )
+from carom.gas.edmd.gas_records import COLLAPSED, DONE, LIMIT, NO_BALL
 from carom.gas.edmd.housekeeping import (
     SORT_INTERVAL,
     check_progress,
@@ -43,7 +44,6 @@ from carom.gas.edmd.housekeeping import (
     sort_by_cell,
 )
 from carom.gas.edmd.prefetch import page_ends_ahead, prefetch_ahead
-from carom.gas.edmd.records import COLLAPSED, DONE, LIMIT, NO_BALL
 from carom.gas.edmd.walls import (
     FIRST_WALL,
     PREDICT_AGAIN,
@@ -74,7 +74,7 @@ def fill_cells(system: Any, grid: Any, balls: Any, materials: Any, cells: Any) -
         plan.cx = cell_index(grid, 0, ball.x)
         plan.cy = cell_index(grid, 1, ball.y)
         plan.cz = cell_index(grid, 2, ball.z)
-        insert(cells, plan, i)
+        insert_ball(cells, plan, i)
     set_threshold(system, species, energy)
 
 
@@ -83,7 +83,7 @@ def restore_lists(system: Any, balls: Any, calendar: Any, cells: Any) -> None:
     """Enter every ball in its cell and its bin: those of a restored system are empty."""
     plans = balls.plans
     for i in range(balls.motions.shape[0]):
-        insert(cells, plans[i], i)
+        insert_ball(cells, plans[i], i)
     if system.planned == system.balls:
         rebuild(plans, calendar, system.bin_width, system.bins, system.bin)
 
@@ -99,7 +99,7 @@ def synchronize(system: Any, grid: Any, motions: Any) -> None:
 def _cross_border(grid: Any, cells: Any, ball: Any, plan: Any, i: int, which: int, cell: int) -> None:
     """Move ball i on to the next cell."""
     axis, up = which >> 1, which & 1
-    remove(cells, plan, i)
+    remove_ball(cells, plan, i)
     index = cell + (1 if up else -1)
     n = grid.cells[U64(axis)]
     turns = 1 if index >= n else (-1 if index < 0 else 0)
@@ -116,7 +116,7 @@ def _cross_border(grid: Any, cells: Any, ball: Any, plan: Any, i: int, which: in
         ball.z -= shift
     if turns != 0:
         plan.image[axis] += turns
-    insert(cells, plan, i)
+    insert_ball(cells, plan, i)
 
 
 @kernel
@@ -168,7 +168,7 @@ def run(  # noqa: PLR0915  (the loop)
     A step is any event, or the first prediction for a ball: most of a dilute gas's events are borders of cells.
 
     The first nine arguments are :class:`carom.gas.edmd.driver.GasArrays`. Returns why it ended, one of the codes in
-    :mod:`carom.gas.edmd.records`.
+    :mod:`carom.gas.edmd.gas_records`.
     """
     motions, plans, species, pairs, heads = (
         balls.motions,

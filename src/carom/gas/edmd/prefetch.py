@@ -12,7 +12,7 @@ from typing import Any
 from carom.core.jit.kernel import hot_kernel
 from carom.core.jit.prefetch import prefetch
 from carom.gas.edmd.calendar import BLOCK_LENGTH, I64, PAGE, U64, is_pending
-from carom.gas.edmd.cells import INDEX_MASK, Block, full_block
+from carom.gas.edmd.cell_lists import INDEX_MASK, Block, block_around
 
 __all__ = ["page_ends_ahead", "prefetch_ahead"]
 
@@ -22,14 +22,14 @@ CELL_FACES = 6  # the least ``boundary`` that is no cell crossing
 
 
 @hot_kernel
-def _wrap(index: int, n: int) -> int:
+def _wrapped_index(index: int, n: int) -> int:
     return index - n if index >= n else (index + n if index < 0 else index)
 
 
 @hot_kernel
 def _searched_block(flat: bool, grid: Any, plan: Any) -> Block:
     """Return the cells that will be searched at a ball's next event."""
-    block = full_block(flat, plan)
+    block = block_around(flat, plan)
     which = I64(plan.boundary)
     if plan.collision_time == plan.event_time or which >= CELL_FACES:
         return block
@@ -38,10 +38,10 @@ def _searched_block(flat: bool, grid: Any, plan: Any) -> Block:
     up = which & 1
     step, first = 2 * up - 1, 2 * up
     if which < 2:
-        return Block(_wrap(x + step, grid.cells[U64(0)]), y, z, first, first + 1, y0, y1, z0, z1)
+        return Block(_wrapped_index(x + step, grid.cells[U64(0)]), y, z, first, first + 1, y0, y1, z0, z1)
     if which < 4:
-        return Block(x, _wrap(y + step, grid.cells[U64(1)]), z, x0, x1, first, first + 1, z0, z1)
-    return Block(x, y, _wrap(z + step, grid.cells[U64(2)]), x0, x1, y0, y1, first, first + 1)
+        return Block(x, _wrapped_index(y + step, grid.cells[U64(1)]), z, x0, x1, first, first + 1, z0, z1)
+    return Block(x, y, _wrapped_index(z + step, grid.cells[U64(2)]), x0, x1, y0, y1, first, first + 1)
 
 
 @hot_kernel
@@ -111,7 +111,7 @@ def _prefetch_entries(
         if stage == BALLS:
             _prefetch_balls(motions, slots, offsets, _searched_block(flat, grid, plan))
             if collides and motions[U64(j)].collisions == plan.partner_collisions:
-                _prefetch_balls(motions, slots, offsets, full_block(flat, plans[U64(j)]))
+                _prefetch_balls(motions, slots, offsets, block_around(flat, plans[U64(j)]))
             continue
         _prefetch_cells(slots, offsets, _searched_block(flat, grid, plan))
         if collides:

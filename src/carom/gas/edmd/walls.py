@@ -20,8 +20,8 @@ from carom.core.jit.kernel import Vec, dot, kernel
 from carom.core.random import exponential, normals, uniform
 from carom.core.roots.first_root import hit2, hit4, next_hit4
 from carom.gas.edmd.calendar import I64, U64
-from carom.gas.edmd.collisions import add_energies, count_if_feeble, set_velocity, square
-from carom.gas.edmd.records import ELLIPSE, OUTSIDE, PLANE
+from carom.gas.edmd.collisions import add_energies, count_if_feeble, set_velocity, squared_length
+from carom.gas.edmd.gas_records import ELLIPSE, OUTSIDE, PLANE
 
 __all__ = [
     "FIRST_WALL", "PREDICT_AGAIN", "collide_wall", "draw_ball", "next_kick_time", "next_wall_collision", "thermostat_kick",
@@ -37,7 +37,7 @@ APPROACH_ROUNDING, LEAST_RELEASE = 1e-14, 1e-9
 
 
 @kernel
-def _gap(
+def _gap_polynomial(
     features: Any, face: Any, contact: Any, gravity: Any, ball: Any, scale: float, growth: float
 ) -> tuple[float, ...]:
     """Return the gap as a polynomial of the time since the ball's last event, when all radii are multiplied by ``scale``."""
@@ -175,10 +175,10 @@ def wall_collision_time(
 
     Or a time until which it does not, and False: the collision has to be predicted again then.
     """
-    slow = APPROACH_ROUNDING * math.sqrt(square((ball.vx, ball.vy, ball.vz)))
+    slow = APPROACH_ROUNDING * math.sqrt(squared_length((ball.vx, ball.vy, ball.vz)))
     if features is not None and face.form == ELLIPSE:
         return _ellipse_collision_time(features.ellipse, face, contact, gravity, ball, scale, growth, most, slow), True
-    c = _gap(features, face, contact, gravity, ball, scale, growth)
+    c = _gap_polynomial(features, face, contact, gravity, ball, scale, growth)
     if features is None:
         return hit2(c[0], c[1], c[2], most, slow), True
     if face.form != PLANE:
@@ -269,7 +269,9 @@ def _leave_heated_wall(system: Any, face: Any, body: Any, one: Any, n: Vec, v0: 
     c = vn - dot(v, n)
     v, spin = (v[0] + c * n[0], v[1] + c * n[1], v[2] + c * n[2]), (body.wx, body.wy, body.wz)
     moment = one.kappa * one.radius * one.radius
-    face.energy += one.mass / 2.0 * (square(v) - square(v0) + moment * (square(spin) - square(w0)))
+    face.energy += (
+        one.mass / 2.0 * (squared_length(v) - squared_length(v0) + moment * (squared_length(spin) - squared_length(w0)))
+    )
     return v, spin, dot(v, n) - dot(v0, n)
 
 
@@ -280,7 +282,7 @@ def _release_speed(
     """Return the speed at which a ball pressed on a wall, by a force or its curvature, returns after the contact time."""
     if features is not None and face.form == ELLIPSE:
         return max(_ellipse_pressing(features.ellipse, face, gravity, ball), 0.0) * contact_time / 2.0
-    c = _gap(features, face, contact, gravity, ball, 1.0, 0.0)
+    c = _gap_polynomial(features, face, contact, gravity, ball, 1.0, 0.0)
     press = -2.0 * c[2]
     if features is None:
         return max(press, 0.0) * contact_time / 2.0
@@ -292,7 +294,7 @@ def _release_speed(
 
 
 @kernel
-def _bounce(
+def _wall_impact(
     features: Any, system: Any, gravity: Any, face: Any, contact: Any, ball: Any, body: Any, one: Any, n: Vec, v0: Vec, w0: Vec,
     now: float,
 ) -> tuple[Vec, Vec, float]:  # fmt: skip
@@ -301,14 +303,14 @@ def _bounce(
     if system.contact_time > 0.0:
         if now - body.last_contact < system.contact_time:
             e, least = 1.0, _release_speed(features, face, contact, gravity, ball, n, system.contact_time)
-            least += LEAST_RELEASE * math.sqrt(square(v0))
+            least += LEAST_RELEASE * math.sqrt(squared_length(v0))
         body.last_contact = now
     elif e < 1.0:
         count_if_feeble(system, body, now, e, -dot(v0, n), one.radius)
     v, spin, j, _required, _regime = one_contact(v0, w0, n, one.radius, one.kappa, e, contact.mu, contact.beta)
     un, pn, half = dot(v0, n), dot(j, n), one.mass / 2.0
     translational = half * (j[0] * (v0[0] + v[0]) + j[1] * (v0[1] + v[1]) + j[2] * (v0[2] + v[2]))
-    rotational = half * one.kappa * one.radius * one.radius * (square(spin) - square(w0))
+    rotational = half * one.kappa * one.radius * one.radius * (squared_length(spin) - squared_length(w0))
     add_energies(contact, half * (e - 1.0) * pn * un, translational, rotational)
     if un + pn < least:
         lift = least - (un + pn)
@@ -328,7 +330,7 @@ def collide_wall(
     v0, w0 = (ball.vx, ball.vy, ball.vz), (body.wx, body.wy, body.wz)
     if features is None:
         n = (face.nx, face.ny, face.nz)
-        v, spin, pn = _bounce(features, system, gravity, face, contact, ball, body, one, n, v0, w0, now)
+        v, spin, pn = _wall_impact(features, system, gravity, face, contact, ball, body, one, n, v0, w0, now)
     else:
         n = _normal(features, face, ball)
         speed = 0.0
@@ -342,7 +344,7 @@ def collide_wall(
             v, spin, pn = _leave_heated_wall(system, face, body, one, n, v0, w0)
             contact.collisions += 1  # (what it gives or takes is the wall's energy)
         else:
-            v, spin, pn = _bounce(features, system, gravity, face, contact, ball, body, one, n, v0, w0, now)
+            v, spin, pn = _wall_impact(features, system, gravity, face, contact, ball, body, one, n, v0, w0, now)
         v = (v[0] + speed * n[0], v[1] + speed * n[1], v[2] + speed * n[2])
         face.energy += one.mass * pn * speed
     set_velocity(ball, v)
@@ -377,9 +379,11 @@ def thermostat_kick(system: Any, species: Any, ball: Any, body: Any) -> None:
     """Give a ball a new Maxwellian velocity and spin (Andersen's thermostat)."""
     one = species[U64(ball.species)]
     moment = one.kappa * one.radius * one.radius
-    before = square((ball.vx, ball.vy, ball.vz)) + moment * square((body.wx, body.wy, body.wz))
+    before = squared_length((ball.vx, ball.vy, ball.vz)) + moment * squared_length((body.wx, body.wy, body.wz))
     v = _draw_maxwellian(system, system.dimensions == 2, body, one, system.temperature, system.spin_temperature)
     set_velocity(ball, v)
-    system.thermostat_energy += one.mass / 2.0 * (square(v) + moment * square((body.wx, body.wy, body.wz)) - before)
+    system.thermostat_energy += (
+        one.mass / 2.0 * (squared_length(v) + moment * squared_length((body.wx, body.wy, body.wz)) - before)
+    )
     system.kicks += 1
     ball.collisions += 1

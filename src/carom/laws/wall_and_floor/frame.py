@@ -10,9 +10,9 @@ import math
 
 from carom.core.contact import wall_contact
 from carom.core.jit.kernel import Vec, dot, kernel
-from carom.laws.wall_and_floor.rates import ENDLESS, Couplings, Pair, Slips, size
+from carom.laws.wall_and_floor.rates import ENDLESS, Couplings, Pair, Slips, norm
 
-__all__ = ["Met", "meet", "part"]
+__all__ = ["Met", "from_wall_frame", "to_wall_frame"]
 
 # Velocity, a times spin, the floor's impulse so far; the frame; law and slips; the speed of approach, and the total speed
 Met = tuple[Vec, Vec, Vec, Pair, Couplings, Slips, float, float]
@@ -20,7 +20,9 @@ UP: Vec = (0.0, 0.0, 1.0)
 
 
 @kernel
-def meet(v: Vec, w: Vec, n: Vec, a: float, kappa: float, muw: float, ef: float, muf: float, betaf: float) -> Met:
+def to_wall_frame(
+    v: Vec, w: Vec, n: Vec, a: float, kappa: float, muw: float, ef: float, muf: float, betaf: float
+) -> Met:
     """Transform a ball's state, after the first impulse of the floor, to the frame of the wall, with a = m = 1."""
     zero = 0 * a
     s = (a * w[0], a * w[1], a * w[2])
@@ -28,7 +30,7 @@ def meet(v: Vec, w: Vec, n: Vec, a: float, kappa: float, muw: float, ef: float, 
     if v[2] < 0:  # a rigid floor acts first, and may turn the ball away from the wall
         v1, s1, j, _required, _regime = wall_contact(v, s, UP, 1, kappa, ef, muf, betaf)
     # the frame: x along the horizontal part of the normal
-    m, c = n[2], size(n[0], n[1])
+    m, c = n[2], norm(n[0], n[1])
     x, y = (n[0] / c, n[1] / c) if c > 0 else (1 + zero, zero)
     vx, vy, vz = x * v1[0] + y * v1[1], x * v1[1] - y * v1[0], v1[2]
     sx, sy, sz = x * s1[0] + y * s1[1], x * s1[1] - y * s1[0], s1[2]
@@ -39,7 +41,7 @@ def meet(v: Vec, w: Vec, n: Vec, a: float, kappa: float, muw: float, ef: float, 
 
 
 @kernel
-def part(
+def from_wall_frame(
     v: Vec, w: Vec, a: float, kappa: float, met: Met, after: Slips, up: float, p: float
 ) -> tuple[Vec, Vec, Vec, Vec]:
     """Velocity, spin and impulses of wall and floor, from the final slips, v_z and normal impulse of the wall."""

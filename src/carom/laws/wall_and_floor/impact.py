@@ -23,19 +23,19 @@ import math
 from carom.core.contact import GRAZE, SLIDE
 from carom.core.jit.dual.numbers import lane_of, seeded
 from carom.core.jit.kernel import Vec, carries_slopes, derived_by, kernel, only_slopes, steepest, without_slopes
-from carom.laws.wall_and_floor.frame import meet, part
+from carom.laws.wall_and_floor.both_sliding import integrate_sliding
+from carom.laws.wall_and_floor.frame import from_wall_frame, to_wall_frame
 from carom.laws.wall_and_floor.integrator import without_slopes_of
-from carom.laws.wall_and_floor.rates import ENDLESS, FLOOR_SLIP, Couplings, Slips, size
-from carom.laws.wall_and_floor.sliding import slide
+from carom.laws.wall_and_floor.rates import ENDLESS, FLOOR_SLIP, Couplings, Slips, norm
 from carom.laws.wall_and_floor.solver import (
     AGAIN,
     GRAZING,
     LEAST_SLIP,
-    at_rest,
+    append_mode,
     error_allowed,
-    go_on,
+    greatest_slip_at_rest,
+    integrate_impact,
     slides_at_both,
-    then,
 )
 
 __all__ = ["impact_and_way", "impact_slopes", "wall_and_floor"]
@@ -48,7 +48,7 @@ Slopes = tuple[float, float, float, float, float, float, float, float, float]
 
 
 @kernel
-def _solved(
+def _impact_solution(
     before: Slips, up: float, q: Couplings, e: float, kappa: float, ef: float, muf: float, betaf: float, speed: float,
     scale: float,
 ) -> tuple[Slips, float, float, int, int]:  # fmt: skip
@@ -57,20 +57,20 @@ def _solved(
     slides, after, dw, df = slides_at_both(before, up, q, scale)
     p, compressing, peak, regime = zero, True, zero, AGAIN
     if not (slides and speed > GRAZING * scale):
-        after, up, p, regime, compressing, peak, dw, df, way = go_on(
+        after, up, p, regime, compressing, peak, dw, df, way = integrate_impact(
             before, up, q, e, kappa, ef, muf, betaf, speed, scale, p, compressing, peak, False, way
         )
     while regime == AGAIN:
         # (derivatives of a slip that vanishes are followed to its end by go_on)
         least = (LEAST_SLIP_AND_SLOPES if carries_slopes(up) else LEAST_SLIP) * scale
-        came, up, way = p, zero, then(way, 4 * SLIDE + FLOOR_SLIP)
+        came, up, way = p, zero, append_mode(way, 4 * SLIDE + FLOOR_SLIP)
         y = (after[0], after[1], after[2], after[3], after[4], p)
-        y, compressing, peak, ends = slide(
+        y, compressing, peak, ends = integrate_sliding(
             y, dw, df, compressing, peak, error_allowed(speed, scale), speed, least, q, e
         )
         after, p, regime = (y[0], y[1], y[2], y[3], y[4]), y[5], SLIDE
         if not ends:  # on its own to where both slide again, or to the end
-            after, up, p, regime, compressing, peak, dw, df, way = go_on(
+            after, up, p, regime, compressing, peak, dw, df, way = integrate_impact(
                 after, up, q, e, kappa, ef, muf, betaf, speed, scale, p, compressing, peak, p > came, way
             )
     return after, up, p, regime, way
@@ -109,7 +109,7 @@ def impact_slopes(
     muf1 = seeded(muf, 7, c)
     c1, i = math.sqrt(1 - m1 * m1), 1 / kappa1
     q = (c1, m1, m1 * m1 + i, 1 + i, 1 + m1 * i, m1 + i, 1 + 0 * m1, mu1, mu2, 1 + 0 * m1)
-    after, up, p, regime, _way = _solved(y, up, q, e1, kappa1, ef1, muf1, betaf1, speed, scale)
+    after, up, p, regime, _way = _impact_solution(y, up, q, e1, kappa1, ef1, muf1, betaf1, speed, scale)
     return (
         _with_slopes(after[0]), _with_slopes(after[1]), _with_slopes(after[2]), _with_slopes(after[3]), _with_slopes(up),
         _with_slopes(p), regime,
@@ -117,7 +117,7 @@ def impact_slopes(
 
 
 @kernel
-def _applied(
+def _with_slopes_of(
     value: float, x: Slopes, by: tuple[float, float, float, float, float, float, float, float], x2: Slopes,
     by2: tuple[float, float, float, float], both: bool,
 ) -> float:  # fmt: skip
@@ -145,8 +145,8 @@ def _steepest(x: Vec) -> float:
 def _starts_from_rest(before: Slips, v: Vec, s: Vec, turns: float, muw: float, muf: float, tiny: float) -> bool:
     """Return whether a contact does not slip when the wall is met, and would with other parameters: in any direction."""
     changes = LEAST_CHANGE * max(_steepest(v), _steepest(s), turns)
-    wall = muw > 0 and size(before[0], before[1]) <= tiny and max(steepest(before[0]), steepest(before[1])) > changes
-    floor = muf > 0 and size(before[2], before[3]) <= tiny and max(steepest(before[2]), steepest(before[3])) > changes
+    wall = muw > 0 and norm(before[0], before[1]) <= tiny and max(steepest(before[0]), steepest(before[1])) > changes
+    floor = muf > 0 and norm(before[2], before[3]) <= tiny and max(steepest(before[2]), steepest(before[3])) > changes
     return wall or floor
 
 
@@ -155,7 +155,7 @@ def _of_duals(
     v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, muw: float, ef: float, muf: float, betaf: float
 ) -> tuple[Vec, Vec, Vec, Vec, int, int]:
     """:func:`impact_and_way` of dual numbers; NaN where there is no derivative, or where it has not been found."""
-    met = meet(v, w, n, a, kappa, muw, ef, muf, betaf)
+    met = to_wall_frame(v, w, n, a, kappa, muw, ef, muf, betaf)
     v1, s1, j, _frame, q, before, approach, sizes = met
     zero = 0 * a
     if not approach > 0:
@@ -164,7 +164,7 @@ def _of_duals(
     y, plain, up = without_slopes_of(before), _plain(q), without_slopes(v1[2])
     kappa0, e0, muw0 = without_slopes(kappa), without_slopes(e), without_slopes(muw)
     ef0, muf0, betaf0 = without_slopes(ef), without_slopes(muf), without_slopes(betaf)
-    end, top, p, regime, way = _solved(y, up, plain, e0, kappa0, ef0, muf0, betaf0, speed, scale)
+    end, top, p, regime, way = _impact_solution(y, up, plain, e0, kappa0, ef0, muf0, betaf0, speed, scale)
     found = impact_slopes(y, up, plain[1], kappa0, e0, muw0, ef0, muf0, betaf0, speed, scale, False)
     more, both = found, max(steepest(v1[2]), steepest(kappa), steepest(ef), steepest(betaf)) > 0
     if both:
@@ -173,7 +173,9 @@ def _of_duals(
     apart = max(abs(end[0] - found[0][0]), abs(end[1] - found[1][0]), abs(p - found[5][0]))
     apart = max(apart, abs(end[2] - found[2][0]), abs(end[3] - found[3][0]))
     same = regime == found[6] and apart <= SAME * scale
-    known = same and not _starts_from_rest(before, v1, s1, _steepest(n) * scale, muw0, muf0, at_rest(scale))
+    known = same and not _starts_from_rest(
+        before, v1, s1, _steepest(n) * scale, muw0, muf0, greatest_slip_at_rest(scale)
+    )
     one = 1.0 if known else math.nan
     by = (
         one * only_slopes(before[0]), one * only_slopes(before[1]), one * only_slopes(before[2]), one * only_slopes(before[3]),
@@ -181,11 +183,13 @@ def _of_duals(
     )  # fmt: skip
     by2 = (only_slopes(v1[2]), only_slopes(kappa) * scale, only_slopes(ef) * scale, only_slopes(betaf) * scale)
     after = (
-        _applied(end[0], found[0], by, more[0], by2, both), _applied(end[1], found[1], by, more[1], by2, both),
-        _applied(end[2], found[2], by, more[2], by2, both), _applied(end[3], found[3], by, more[3], by2, both), zero,
+        _with_slopes_of(end[0], found[0], by, more[0], by2, both), _with_slopes_of(end[1], found[1], by, more[1], by2, both),
+        _with_slopes_of(end[2], found[2], by, more[2], by2, both), _with_slopes_of(end[3], found[3], by, more[3], by2, both), zero,
     )  # fmt: skip
-    rise = _applied(top, found[4], by, more[4], by2, both)
-    v2, w2, wall, floor = part(v, w, a, kappa, met, after, rise, _applied(p, found[5], by, more[5], by2, both))
+    rise = _with_slopes_of(top, found[4], by, more[4], by2, both)
+    v2, w2, wall, floor = from_wall_frame(
+        v, w, a, kappa, met, after, rise, _with_slopes_of(p, found[5], by, more[5], by2, both)
+    )
     return v2, w2, wall, floor, regime, way
 
 
@@ -194,13 +198,13 @@ def impact_and_way(
     v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, muw: float, ef: float, muf: float, betaf: float
 ) -> tuple[Vec, Vec, Vec, Vec, int, int]:
     """Velocity, spin, impulses (per unit mass) of wall and floor, regime of the wall contact (or JAM, STALL), and modes."""
-    met = meet(v, w, n, a, kappa, muw, ef, muf, betaf)
+    met = to_wall_frame(v, w, n, a, kappa, muw, ef, muf, betaf)
     v1, s1, j, _frame, q, before, speed, scale = met
     if not speed > 0:
         zero = 0 * a
         return v1, (s1[0] / a, s1[1] / a, s1[2] / a), (zero, zero, zero), j, GRAZE, 0
-    after, up, p, regime, way = _solved(before, v1[2], q, e, kappa, ef, muf, betaf, speed, scale)
-    v2, w2, wall, floor = part(v, w, a, kappa, met, after, up, p)
+    after, up, p, regime, way = _impact_solution(before, v1[2], q, e, kappa, ef, muf, betaf, speed, scale)
+    v2, w2, wall, floor = from_wall_frame(v, w, a, kappa, met, after, up, p)
     return v2, w2, wall, floor, regime, way
 
 

@@ -11,15 +11,18 @@ import math
 
 from carom.core.contact import SLIDE, STICK
 from carom.core.jit.kernel import kernel, steepest, without_slopes
-from carom.laws.wall_and_floor.rates import FLOOR_SLIP, Couplings, Pair, Slips, rates, size
+from carom.laws.wall_and_floor.dormand_prince import A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, A12, E3, E5, B
+from carom.laws.wall_and_floor.rates import FLOOR_SLIP, Couplings, Pair, Slips, norm, pressed_rates
 
-__all__ = ["creep", "hop", "mix", "steepest_of", "stride", "without_slopes_of"]
+__all__ = [
+    "combination", "dormand_prince_step", "extrapolated_euler_step", "runge_kutta_step", "steepest_of", "without_slopes_of",
+]  # fmt: skip
 
-ORDER = 6  # of the extrapolation in `creep`
+ORDER = 6  # of the extrapolation in `extrapolated_euler_step`
 
 
 @kernel
-def mix(y: Slips, h: float, a: float, p: Slips, b: float, q: Slips, c: float, r: Slips) -> Slips:
+def combination(y: Slips, h: float, a: float, p: Slips, b: float, q: Slips, c: float, r: Slips) -> Slips:
     """y + h (a p + b q + c r)."""
     return (
         y[0] + h * (a * p[0] + b * q[0] + c * r[0]),
@@ -31,66 +34,68 @@ def mix(y: Slips, h: float, a: float, p: Slips, b: float, q: Slips, c: float, r:
 
 
 @kernel
-def hop(y: Slips, k1: Slips, h: float, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, tiny: float) -> Slips:
+def runge_kutta_step(
+    y: Slips, k1: Slips, h: float, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, tiny: float
+) -> Slips:
     """Take a short step by the classical Runge-Kutta method of order 4."""
-    k2, _spare = rates(mix(y, h, 1 / 2, k1, 0, k1, 0, k1), q, wall, floor, dw, df, tiny)
-    k3, _spare = rates(mix(y, h, 1 / 2, k2, 0, k1, 0, k1), q, wall, floor, dw, df, tiny)
-    k4, _spare = rates(mix(y, h, 1, k3, 0, k1, 0, k1), q, wall, floor, dw, df, tiny)
-    return mix(mix(y, h, 1 / 6, k1, 1 / 3, k2, 1 / 3, k3), h, 1 / 6, k4, 0, k1, 0, k1)
+    k2, _spare = pressed_rates(combination(y, h, 1 / 2, k1, 0, k1, 0, k1), q, wall, floor, dw, df, tiny)
+    k3, _spare = pressed_rates(combination(y, h, 1 / 2, k2, 0, k1, 0, k1), q, wall, floor, dw, df, tiny)
+    k4, _spare = pressed_rates(combination(y, h, 1, k3, 0, k1, 0, k1), q, wall, floor, dw, df, tiny)
+    return combination(combination(y, h, 1 / 6, k1, 1 / 3, k2, 1 / 3, k3), h, 1 / 6, k4, 0, k1, 0, k1)
 
 
 @kernel
-def stride(
+def dormand_prince_step(
     y: Slips, k1: Slips, h: float, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, tiny: float
 ) -> tuple[Slips, float, float]:
     """Take one step of Dormand & Prince 8(5,3) (Hairer, Norsett & Wanner, Solving ODEs I, II.5) from y with rates k1.
 
     Returns its error, and that of its derivatives (of order 5).
     """
-    x = mix(y, h, 0.05260015195876773, k1, 0, k1, 0, k1)
-    k2, _spare = rates(x, q, wall, floor, dw, df, tiny)
-    x = mix(y, h, 0.0197250569845379, k1, 0.0591751709536137, k2, 0, k1)
-    k3, _spare = rates(x, q, wall, floor, dw, df, tiny)
-    x = mix(y, h, 0.02958758547680685, k1, 0.08876275643042054, k3, 0, k1)
-    k4, _spare = rates(x, q, wall, floor, dw, df, tiny)
-    x = mix(y, h, 0.2413651341592667, k1, -0.8845494793282861, k3, 0.924834003261792, k4)
-    k5, _spare = rates(x, q, wall, floor, dw, df, tiny)
-    x = mix(y, h, 0.037037037037037035, k1, 0.17082860872947386, k4, 0.12546768756682242, k5)
-    k6, _spare = rates(x, q, wall, floor, dw, df, tiny)
-    x = mix(y, h, 0.037109375, k1, 0.17025221101954405, k4, 0.06021653898045596, k5)
-    x = mix(x, h, -0.017578125, k6, 0, k6, 0, k6)
-    k7, _spare = rates(x, q, wall, floor, dw, df, tiny)
-    x = mix(y, h, 0.03709200011850479, k1, 0.17038392571223998, k4, 0.10726203044637328, k5)
-    x = mix(x, h, -0.015319437748624402, k6, 0.008273789163814023, k7, 0, k6)
-    k8, _spare = rates(x, q, wall, floor, dw, df, tiny)
-    x = mix(y, h, 0.6241109587160757, k1, -3.3608926294469414, k4, -0.868219346841726, k5)
-    x = mix(x, h, 27.59209969944671, k6, 20.154067550477894, k7, -43.48988418106996, k8)
-    k9, _spare = rates(x, q, wall, floor, dw, df, tiny)
-    x = mix(y, h, 0.47766253643826434, k1, -2.4881146199716677, k4, -0.590290826836843, k5)
-    x = mix(x, h, 21.230051448181193, k6, 15.279233632882423, k7, -33.28821096898486, k8)
-    x = mix(x, h, -0.020331201708508627, k9, 0, k9, 0, k9)
-    k10, _spare = rates(x, q, wall, floor, dw, df, tiny)
-    x = mix(y, h, -0.9371424300859873, k1, 5.186372428844064, k4, 1.0914373489967295, k5)
-    x = mix(x, h, -8.149787010746927, k6, -18.52006565999696, k7, 22.739487099350505, k8)
-    x = mix(x, h, 2.4936055526796523, k9, -3.0467644718982196, k10, 0, k9)
-    k11, _spare = rates(x, q, wall, floor, dw, df, tiny)
-    x = mix(y, h, 2.273310147516538, k1, -10.53449546673725, k4, -2.0008720582248625, k5)
-    x = mix(x, h, -17.9589318631188, k6, 27.94888452941996, k7, -2.8589982771350235, k8)
-    x = mix(x, h, -8.87285693353063, k9, 12.360567175794303, k10, 0.6433927460157636, k11)
-    k12, _spare = rates(x, q, wall, floor, dw, df, tiny)
-    x = mix(y, h, 0.054293734116568765, k1, 4.450312892752409, k6, 1.8915178993145003, k7)
-    x = mix(x, h, -5.801203960010585, k8, 0.3111643669578199, k9, -0.1521609496625161, k10)
-    x = mix(x, h, 0.20136540080403034, k11, 0.04471061572777259, k12, 0, k11)
+    x = combination(y, h, A2[1], k1, 0, k1, 0, k1)
+    k2, _spare = pressed_rates(x, q, wall, floor, dw, df, tiny)
+    x = combination(y, h, A3[1], k1, A3[2], k2, 0, k1)
+    k3, _spare = pressed_rates(x, q, wall, floor, dw, df, tiny)
+    x = combination(y, h, A4[1], k1, A4[3], k3, 0, k1)
+    k4, _spare = pressed_rates(x, q, wall, floor, dw, df, tiny)
+    x = combination(y, h, A5[1], k1, A5[3], k3, A5[4], k4)
+    k5, _spare = pressed_rates(x, q, wall, floor, dw, df, tiny)
+    x = combination(y, h, A6[1], k1, A6[4], k4, A6[5], k5)
+    k6, _spare = pressed_rates(x, q, wall, floor, dw, df, tiny)
+    x = combination(y, h, A7[1], k1, A7[4], k4, A7[5], k5)
+    x = combination(x, h, A7[6], k6, 0, k6, 0, k6)
+    k7, _spare = pressed_rates(x, q, wall, floor, dw, df, tiny)
+    x = combination(y, h, A8[1], k1, A8[4], k4, A8[5], k5)
+    x = combination(x, h, A8[6], k6, A8[7], k7, 0, k6)
+    k8, _spare = pressed_rates(x, q, wall, floor, dw, df, tiny)
+    x = combination(y, h, A9[1], k1, A9[4], k4, A9[5], k5)
+    x = combination(x, h, A9[6], k6, A9[7], k7, A9[8], k8)
+    k9, _spare = pressed_rates(x, q, wall, floor, dw, df, tiny)
+    x = combination(y, h, A10[1], k1, A10[4], k4, A10[5], k5)
+    x = combination(x, h, A10[6], k6, A10[7], k7, A10[8], k8)
+    x = combination(x, h, A10[9], k9, 0, k9, 0, k9)
+    k10, _spare = pressed_rates(x, q, wall, floor, dw, df, tiny)
+    x = combination(y, h, A11[1], k1, A11[4], k4, A11[5], k5)
+    x = combination(x, h, A11[6], k6, A11[7], k7, A11[8], k8)
+    x = combination(x, h, A11[9], k9, A11[10], k10, 0, k9)
+    k11, _spare = pressed_rates(x, q, wall, floor, dw, df, tiny)
+    x = combination(y, h, A12[1], k1, A12[4], k4, A12[5], k5)
+    x = combination(x, h, A12[6], k6, A12[7], k7, A12[8], k8)
+    x = combination(x, h, A12[9], k9, A12[10], k10, A12[11], k11)
+    k12, _spare = pressed_rates(x, q, wall, floor, dw, df, tiny)
+    x = combination(y, h, B[1], k1, B[6], k6, B[7], k7)
+    x = combination(x, h, B[8], k8, B[9], k9, B[10], k10)
+    x = combination(x, h, B[11], k11, B[12], k12, 0, k11)
     zero = 0 * h
     nought = (zero, zero, zero, zero, zero)
-    fifth = mix(nought, h, 0.01312004499419488, k1, -1.2251564463762044, k6, -0.4957589496572502, k7)
-    fifth = mix(fifth, h, 1.6643771824549864, k8, -0.35032884874997366, k9, 0.3341791187130175, k10)
-    fifth = mix(fifth, h, 0.08192320648511571, k11, -0.022355307863886294, k12, 0, k11)
-    third = mix(nought, h, -0.18980075407240762, k1, 4.450312892752409, k6, 1.8915178993145003, k7)
-    third = mix(third, h, -5.801203960010585, k8, -0.4226823213237919, k9, -0.1521609496625161, k10)
-    third = mix(third, h, 0.20136540080403034, k11, 0.02265179219836082, k12, 0, k11)
-    e5 = size(size(fifth[0], fifth[1]), size(fifth[2], fifth[3]))
-    e3 = size(size(third[0], third[1]), size(third[2], third[3]))
+    fifth = combination(nought, h, E5[1], k1, E5[6], k6, E5[7], k7)
+    fifth = combination(fifth, h, E5[8], k8, E5[9], k9, E5[10], k10)
+    fifth = combination(fifth, h, E5[11], k11, E5[12], k12, 0, k11)
+    third = combination(nought, h, E3[1], k1, B[6], k6, B[7], k7)
+    third = combination(third, h, B[8], k8, E3[9], k9, B[10], k10)
+    third = combination(third, h, B[11], k11, E3[12], k12, 0, k11)
+    e5 = norm(norm(fifth[0], fifth[1]), norm(fifth[2], fifth[3]))
+    e3 = norm(norm(third[0], third[1]), norm(third[2], third[3]))
     whole = math.sqrt(e5 * e5 + e3 * e3 / 100)
     return x, e5 * e5 / whole if whole > 0 else zero, steepest_of(fifth)
 
@@ -108,7 +113,7 @@ def without_slopes_of(y: Slips) -> Slips:
 
 
 @kernel
-def _turned(q: Couplings, wall: int, floor: int, push: float, dw: Pair, df: Pair, at_wall: bool) -> Slips:
+def _rates_by_direction(q: Couplings, wall: int, floor: int, push: float, dw: Pair, df: Pair, at_wall: bool) -> Slips:
     """Derivative of the rates with respect to the direction of one slip."""
     c, _m, b, k, d, e, _drive, muw, muf, _heed = q
     zero = 0 * c
@@ -128,7 +133,7 @@ def _turned(q: Couplings, wall: int, floor: int, push: float, dw: Pair, df: Pair
 
 
 @kernel
-def _implicit(
+def _implicit_euler_step(
     y: Slips, h: float, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair
 ) -> tuple[Slips, Pair, Pair, bool]:
     """Take an implicit Euler step, solved by Newton's method for the directions of the slips."""
@@ -136,7 +141,7 @@ def _implicit(
     one = 1 + 0 * h
     new, found = y, False
     for _ in range(20):
-        now, _spare = rates(y, q, wall, floor, dw, df, math.inf)
+        now, _spare = pressed_rates(y, q, wall, floor, dw, df, math.inf)
         new = (y[0] + h * now[0], y[1] + h * now[1], y[2] + h * now[2], y[3] + h * now[3], y[4])
         if found:
             break
@@ -145,13 +150,13 @@ def _implicit(
         a11 = a22 = one
         if wall == SLIDE:
             r1 = dw[0] * new[1] - dw[1] * new[0]
-            a = _turned(q, wall, floor, push, dw, df, True)
+            a = _rates_by_direction(q, wall, floor, push, dw, df, True)
             a11 = h * (dw[0] * a[1] - dw[1] * a[0]) - dw[0] * new[0] - dw[1] * new[1]
             if floor == FLOOR_SLIP:
                 a21 = h * (df[0] * a[3] - df[1] * a[2])
         if floor == FLOOR_SLIP:
             r2 = df[0] * new[3] - df[1] * new[2]
-            a = _turned(q, wall, floor, push, dw, df, False)
+            a = _rates_by_direction(q, wall, floor, push, dw, df, False)
             a22 = h * (df[0] * a[3] - df[1] * a[2]) - df[0] * new[2] - df[1] * new[3]
             if wall == SLIDE:
                 a12 = h * (dw[0] * a[1] - dw[1] * a[0])
@@ -160,9 +165,9 @@ def _implicit(
             break
         t1 = max(-one, min(one, (a12 * r2 - a22 * r1) / det))
         t2 = max(-one, min(one, (a21 * r1 - a11 * r2) / det))
-        long = size(one, t1)
+        long = norm(one, t1)
         dw = ((dw[0] - t1 * dw[1]) / long, (dw[1] + t1 * dw[0]) / long)
-        long = size(one, t2)
+        long = norm(one, t2)
         df = ((df[0] - t2 * df[1]) / long, (df[1] + t2 * df[0]) / long)
         found = abs(t1) + abs(t2) < 1e-14
     # the energy changes with u_n at the end of the step
@@ -174,7 +179,7 @@ def _implicit(
 
 
 @kernel
-def creep(
+def extrapolated_euler_step(
     y: Slips, h: float, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, tiny: float
 ) -> tuple[Slips, float, float, bool]:
     """Take an implicit Euler step extrapolated from 1 to 6 substeps; return its error, that of its derivatives, and False if
@@ -183,17 +188,17 @@ def creep(
     dw and df are the directions in which a slip starts from zero.
     """
     zero = 0 * h
-    slip = size(y[0], y[1])
+    slip = norm(y[0], y[1])
     if slip > tiny:
         dw = (y[0] / slip, y[1] / slip)
-    slip = size(y[2], y[3])
+    slip = norm(y[2], y[3])
     if slip > tiny:
         df = (y[2] / slip, y[3] / slip)
     sums = less = (zero, zero, zero, zero, zero)
     for j in range(1, ORDER + 1):
         new, a, b = y, dw, df
         for _ in range(j):
-            new, a, b, goes = _implicit(new, h / j, q, wall, floor, a, b)
+            new, a, b, goes = _implicit_euler_step(new, h / j, q, wall, floor, a, b)
             if not goes:
                 return y, math.inf, 0.0, False
         weight = 1 + zero
@@ -201,12 +206,12 @@ def creep(
             if i != j:
                 weight = weight * j / (j - i)
         if j > 1:
-            less = mix(less, weight, 1, new, 0, new, 0, new)
+            less = combination(less, weight, 1, new, 0, new, 0, new)
             weight = weight * j / (j - 1)
         else:
             weight = 1 + zero
             for i in range(2, ORDER + 1):
                 weight = weight / (1 - i)
-        sums = mix(sums, weight, 1, new, 0, new, 0, new)
+        sums = combination(sums, weight, 1, new, 0, new, 0, new)
     wrong = (sums[0] - less[0], sums[1] - less[1], sums[2] - less[2], sums[3] - less[3], sums[4] - less[4])
-    return sums, size(size(wrong[0], wrong[1]), size(wrong[2], wrong[3])), steepest_of(wrong), True
+    return sums, norm(norm(wrong[0], wrong[1]), norm(wrong[2], wrong[3])), steepest_of(wrong), True

@@ -26,18 +26,9 @@ from carom.core.contact import SLIDE, STICK
 from carom.core.jit.kernel import hot_kernel, kernel, root_of
 
 __all__ = [
-    "FLOOR_JUMP",
-    "FLOOR_SLIP",
-    "FLOOR_STICK",
-    "LEVEL",
-    "OFF",
-    "Couplings",
-    "Pair",
-    "Slips",
-    "decide_mode",
-    "rates",
-    "size",
-]
+    "FLOOR_JUMP", "FLOOR_SLIP", "FLOOR_STICK", "LEVEL", "OFF", "Couplings", "Pair", "Slips", "decide_mode", "norm",
+    "pressed_rates",
+]  # fmt: skip
 
 Pair = tuple[float, float]
 # The slips u_t, u_y, f_x, f_y, and the energy stored in the wall's normal spring.
@@ -55,13 +46,15 @@ OFF, FLOOR_SLIP, FLOOR_STICK, FLOOR_JUMP = 0, 1, 2, 3
 
 
 @hot_kernel
-def size(p: float, q: float) -> float:
+def norm(p: float, q: float) -> float:
     """Length of a slip."""
     return math.sqrt(p * p + q * q)
 
 
 @kernel
-def rates(y: Slips, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, tiny: float) -> tuple[Slips, float]:
+def pressed_rates(
+    y: Slips, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, tiny: float
+) -> tuple[Slips, float]:
     """Rates of slips and energy in a pressed mode, and the margin by which the mode is admissible.
 
     The margin is the smallest of the floor's normal force and the margins of the friction cones of sticking contacts, each
@@ -72,7 +65,7 @@ def rates(y: Slips, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, tin
     un = c / (1 - m) * (y[0] + y[2])
     dx, dy = df
     if floor != FLOOR_STICK:
-        slip = size(y[2], y[3])
+        slip = norm(y[2], y[3])
         if slip > tiny:
             dx, dy = y[2] / slip, y[3] / slip
     spare = 1 + zero
@@ -83,12 +76,12 @@ def rates(y: Slips, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, tin
         ft, fy = m * drive * (c + e * muf * dx) / (b - gain), d / k * muf * push * dy
         if muf >= ENDLESS:
             spare = min(spare, -dx - SINGULAR)
-        load = size(ft, fy)
+        load = norm(ft, fy)
         if muw < ENDLESS and load > 0:
             spare = min(spare, (muw - load) / (muw + load))
     else:
         px, py = dw
-        slip = size(y[0], y[1])
+        slip = norm(y[0], y[1])
         if slip > tiny:
             px, py = y[0] / slip, y[1] / slip
         ft, fy = -muw * px, -muw * py
@@ -98,7 +91,7 @@ def rates(y: Slips, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, tin
         return (e * dx, -d * dy, -k * dx, -k * dy, -heed * un / push), spare
     if floor == FLOOR_STICK:
         gx, gy = (e * ft - c * drive) / k, -d / k * fy
-        load = size(gx, gy)
+        load = norm(gx, gy)
         if muf < ENDLESS and load > 0:
             spare = min(spare, (muf * push - load) / (abs(muf * push) + load))
         return (b * ft - e * gx - m * c * drive, k * fy + d * gy, zero, zero, -heed * un), spare
@@ -121,7 +114,7 @@ def _start_at_wall(q: Couplings, df: Pair) -> Pair:
     cross = d * c * muf * df[1]
     if drive == 0:  # driven only by the locking of the contacts
         x = max(gain - b, 0 * c)
-        length = size(1, cross / (k + x))
+        length = norm(1, cross / (k + x))
         return 1 / length, -cross / (k + x) / length
     rt, ry = -m * (c + e * muf * df[0]), d * m * muf * df[1]
     low = max(0 * c, muw * (gain - b))
@@ -149,7 +142,7 @@ def _start_at_wall(q: Couplings, df: Pair) -> Pair:
     x = root_of(high, dt * dt + dy * dy - 1, rate)
     dt = rt / (muw * (b - gain) + x)
     dy = (ry - muw * cross * dt) / (muw * k + x)
-    length = size(dt, dy)
+    length = norm(dt, dy)
     return dt / length, dy / length
 
 
@@ -168,10 +161,10 @@ def decide_mode(  # noqa: PLR0911  (one return a mode)
     zero = 0 * c
     level = 1 if rough_wall else 0
     fast = (c, m, b, k, d, e, zero, one, muf, heed) if rough_wall else q
-    slip = size(y[0], y[1])
+    slip = norm(y[0], y[1])
     dw = (y[0] / slip, y[1] / slip) if slip > 0 else (one, zero)
     wall_rests = slip <= tiny and muw > 0
-    slip = size(y[2], y[3])
+    slip = norm(y[2], y[3])
     df = (y[2] / slip, y[3] / slip) if slip > 0 else (one, zero)
     floor_rests = slip <= tiny and muf > 0
     if not wall_rests:
@@ -183,11 +176,11 @@ def decide_mode(  # noqa: PLR0911  (one return a mode)
             return SLIDE, OFF, level, dw, df
         if not floor_rests:
             return SLIDE, FLOOR_JUMP if rough_floor else FLOOR_SLIP, level, dw, df
-        _k, spare = rates(y, fast, SLIDE, FLOOR_STICK, dw, df, zero)
+        _k, spare = pressed_rates(y, fast, SLIDE, FLOOR_STICK, dw, df, zero)
         if spare >= 0:
             return SLIDE, FLOOR_STICK, level, dw, df
         gx, gy = c * fast[6] - e * ft, d * fy
-        slip = size(gx, gy)
+        slip = norm(gx, gy)
         return SLIDE, FLOOR_SLIP, level, dw, (gx / slip, gy / slip) if slip > 0 else df
     if not touching:
         return STICK, OFF, 0, dw, df
@@ -200,19 +193,19 @@ def decide_mode(  # noqa: PLR0911  (one return a mode)
             return STICK, FLOOR_STICK, 0, dw, df
         if m >= 0:
             return STICK, OFF, 0, dw, df
-        _k, spare = rates(y, q, STICK, FLOOR_SLIP, dw, df, tiny)
+        _k, spare = pressed_rates(y, q, STICK, FLOOR_SLIP, dw, df, tiny)
         if spare >= 0 and muf < edge:
             return STICK, FLOOR_SLIP, 0, dw, df
-        _k, spare = rates(y, q, SLIDE, FLOOR_STICK, dw, df, tiny)
+        _k, spare = pressed_rates(y, q, SLIDE, FLOOR_STICK, dw, df, tiny)
         if spare >= 0 and muw < edge:
             return SLIDE, FLOOR_STICK, 0, dw, df
         return SLIDE, FLOOR_SLIP, 0, dw, df
     if m >= 0:
         return STICK, OFF, 0, dw, df
-    _k, spare = rates(y, q, STICK, FLOOR_SLIP, dw, df, tiny)
+    _k, spare = pressed_rates(y, q, STICK, FLOOR_SLIP, dw, df, tiny)
     if spare >= 0:  # on an infinitely rough floor the normal force is zero, and friction keeps it at zero
         return STICK, FLOOR_SLIP, 0, dw, df
     if rough_floor:  # its slip jumps, and changes that of the wall
-        slip = size(e * df[0], d * df[1])
+        slip = norm(e * df[0], d * df[1])
         return SLIDE, FLOOR_JUMP, level, (e * df[0] / slip, -d * df[1] / slip) if slip > 0 else dw, df
     return SLIDE, FLOOR_SLIP, level, _start_at_wall(fast, df), df

@@ -16,7 +16,14 @@ import math
 
 from carom.core.contact import SLIDE, STICK, contact, slip_velocity
 from carom.core.jit.kernel import Vec, carries_slopes, dot, hot_kernel, kernel, without_slopes
-from carom.laws.wall_and_floor.integrator import creep, hop, steepest_of, stride, without_slopes_of
+from carom.laws.wall_and_floor.both_sliding import SLOPE_ERROR
+from carom.laws.wall_and_floor.integrator import (
+    dormand_prince_step,
+    extrapolated_euler_step,
+    runge_kutta_step,
+    steepest_of,
+    without_slopes_of,
+)
 from carom.laws.wall_and_floor.rates import (
     ENDLESS,
     FLOOR_JUMP,
@@ -28,23 +35,20 @@ from carom.laws.wall_and_floor.rates import (
     Pair,
     Slips,
     decide_mode,
-    rates,
-    size,
+    norm,
+    pressed_rates,
 )
-from carom.laws.wall_and_floor.sliding import SLOPE_ERROR
-from carom.laws.wall_and_floor.spring import gap_growth, remaining, touch_down
+from carom.laws.wall_and_floor.spring import gap_growth, remaining_impulse, touch_down_impulse
 
 __all__ = [
-    "AGAIN", "GRAZING", "JAM", "LEAST_SLIP", "STALL", "at_rest", "error_allowed", "go_on", "pressed_down", "slides_at_both",
-    "then",
+    "AGAIN", "GRAZING", "JAM", "LEAST_SLIP", "STALL", "append_mode", "error_allowed", "greatest_slip_at_rest",
+    "integrate_impact", "pressed_down", "slides_at_both",
 ]  # fmt: skip
 
 JAM, STALL, AGAIN = 3, 4, 6  # (5 is two_step.UNDEFINED)
 # Both contacts slide by long steps up to this friction, and above this slip (over the speeds).
 FIRM, LEAST_SLIP = 3, 1e-10
-GRAZING = (
-    1e-6  # of the speeds: below this speed of approach slips hardly change, and the phases are too short for long steps
-)
+GRAZING = 1e-6  # of the speeds: at a lower speed of approach slips hardly change; phases are too short for long steps
 LEAST_FIRM = 1e3  # a mobilised friction above half of this is regarded as infinite
 ROUNDING = 1e-15  # of the speeds: a velocity of approach below this is zero
 TINY = 1e-12
@@ -87,13 +91,13 @@ def error_allowed(speed: float, scale: float) -> float:
 
 
 @kernel
-def then(way: int, mode: int) -> int:
+def append_mode(way: int, mode: int) -> int:
     """Append a mode to a sequence of them, of which the last thirteen are kept, unless it is the last one's again."""
     return way if way % 16 == mode else (16 * way + mode) % MOST_WAYS
 
 
 @hot_kernel
-def at_rest(scale: float) -> float:
+def greatest_slip_at_rest(scale: float) -> float:
     """Return the slip below which a contact does not slip."""
     return AT_REST * scale
 
@@ -105,7 +109,9 @@ def _speed_of_approach(y: Slips, vz: float, q: Couplings) -> float:
 
 
 @kernel
-def _lands(y: Slips, vz: float, q: Couplings, kappa: float, ef: float, muf: float, betaf: float) -> tuple[Slips, float]:
+def _floor_impulse(
+    y: Slips, vz: float, q: Couplings, kappa: float, ef: float, muf: float, betaf: float
+) -> tuple[Slips, float]:
     """Apply one impulse of the floor; return slips and vertical velocity after it."""
     zero = 0 * vz
     jn, g, _required, _regime = contact(vz, (y[2], y[3], zero), 1, kappa / (1 + kappa), ef, muf, betaf)
@@ -114,12 +120,12 @@ def _lands(y: Slips, vz: float, q: Couplings, kappa: float, ef: float, muf: floa
 
 
 @kernel
-def _fading(ux: float, uy: float, rx: float, ry: float) -> tuple[float, float, float]:
+def _slip_decay(ux: float, uy: float, rx: float, ry: float) -> tuple[float, float, float]:
     """Return the size of a slip u with rate r, the rate at which it decreases, and the component of r across u."""
-    slip = size(ux, uy)
+    slip = norm(ux, uy)
     if slip > 0:
         return slip, -(ux * rx + uy * ry) / slip, abs(ux * ry - uy * rx) / slip
-    return slip, -size(rx, ry), 0 * slip
+    return slip, -norm(rx, ry), 0 * slip
 
 
 @kernel
@@ -131,14 +137,14 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
     c, m, _b, _k, _d, _e, _drive, muw, muf, heed = q
     zero, follows = 0 * c, carries_slopes(c)
     tiny, allowed = AT_REST * scale, error_allowed(speed, scale)
-    k1, spare = rates(y, q, wall, floor, dw, df, zero)
+    k1, spare = pressed_rates(y, q, wall, floor, dw, df, zero)
     un, along = _speed_of_approach(y, zero, q), c / (1 - m) * (k1[0] + k1[2])
     goal = math.inf
     if heed > 0 and (floor != FLOOR_JUMP or compressing):
-        goal = remaining(un, along, y[4], peak, compressing)
+        goal = remaining_impulse(un, along, y[4], peak, compressing)
     slips_w, slips_f = wall == SLIDE and muw > 0, floor != FLOOR_STICK and muf > 0
-    uw, fading_w, turns_w = _fading(y[0], y[1], k1[0], k1[1])
-    uf, fading_f, turns_f = _fading(y[2], y[3], k1[2], k1[3])
+    uw, fading_w, turns_w = _slip_decay(y[0], y[1], k1[0], k1[1])
+    uf, fading_f, turns_f = _slip_decay(y[2], y[3], k1[2], k1[3])
     dies_w = uw / fading_w if slips_w and floor != FLOOR_JUMP and uw > 0 and fading_w > 0 else math.inf
     dies_f = uf / fading_f if slips_f and uf > 0 and fading_f > 0 else math.inf
     dies = min(dies_w, dies_f)
@@ -149,10 +155,10 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
     straight = straight and not follows  # (what is straight for the values is not for their derivatives across)
     if straight:
         if heed > 0:
-            goal = remaining(un, along, y[4], peak, compressing)
+            goal = remaining_impulse(un, along, y[4], peak, compressing)
         ends = dies <= goal
     else:
-        ends = dies <= goal and dies * (size(k1[0], k1[1]) + size(k1[2], k1[3])) < NEARLY * scale
+        ends = dies <= goal and dies * (norm(k1[0], k1[1]) + norm(k1[2], k1[3])) < NEARLY * scale
         # the rest of the slip turns by a negligible angle, and so does the slip of the other contact
         ends = ends and dies * (turns_w if dies_w <= dies_f else turns_f) <= allowed
         other, turn = (uf, turns_f) if dies_w <= dies_f else (uw, turns_w)
@@ -161,29 +167,29 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
             # (with a floor that sticks the approach ends where the slip does: whichever comes first by a rounding)
             ends = dies < math.inf and (dies <= goal or compressing)
             if ends and not (uw if dies_w <= dies_f else uf) <= 100 * tiny:
-                ends = dies * (size(k1[0], k1[1]) + size(k1[2], k1[3])) < NEARLY_SLOPES * scale
+                ends = dies * (norm(k1[0], k1[1]) + norm(k1[2], k1[3])) < NEARLY_SLOPES * scale
         if not ends:
             goal = min(goal, (MOST_FADING if follows else 0.99) * dies)
             far = min(goal, 10 * speed)  # stiffness is measured over the remaining path, not over one step
             turn = math.inf  # the impulse over which a slip turns by 1, or vanishes
             if slips_w:
-                turn = uw / size(k1[0], k1[1])
+                turn = uw / norm(k1[0], k1[1])
             if slips_f:
-                turn = min(turn, uf / size(k1[2], k1[3]))
+                turn = min(turn, uf / norm(k1[2], k1[3]))
             goes, order, wrong = True, 8, 0.0
-            if _creeps(y, q, wall, floor, dw, df, far, fading_w, fading_f, patience):
+            if _is_stiff(y, q, wall, floor, dw, df, far, fading_w, fading_f, patience):
                 order = 6
                 h = without_slopes(min(far, pace))
-                new, error, wrong, goes = creep(y, h, q, wall, floor, dw, df, zero)
+                new, error, wrong, goes = extrapolated_euler_step(y, h, q, wall, floor, dw, df, zero)
             else:
                 h = without_slopes(min(far, pace, turn / 4) if pace == math.inf and turn > 0 else min(far, pace))
                 if h < turn / 100:
-                    new, error = hop(y, k1, h, q, wall, floor, dw, df, zero), zero
+                    new, error = runge_kutta_step(y, k1, h, q, wall, floor, dw, df, zero), zero
                 else:
-                    new, error, wrong = stride(y, k1, h, q, wall, floor, dw, df, zero)
+                    new, error, wrong = dormand_prince_step(y, k1, h, q, wall, floor, dw, df, zero)
                     # (the direction of a small slip has to be accurate, too)
-                    slip = size(new[0], new[1]) if slips_w else math.inf
-                    slip = min(slip, size(new[2], new[3])) if slips_f else slip
+                    slip = norm(new[0], new[1]) if slips_w else math.inf
+                    slip = min(slip, norm(new[2], new[3])) if slips_f else slip
                     wrong = wrong / SLOPE_ESTIMATE
                     error = max(error / ESTIMATE, error * 30 * allowed / slip) if slip > 0 else math.inf
             if follows:
@@ -191,7 +197,7 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
             grow = 0.85 * (allowed / error) ** (1 / order) if error > 0 else 4 + zero
             if not (goes and error <= allowed):
                 return y, zero, h * (max(0.1, grow) if goes and error < math.inf else 0.25), False, False
-            _there, spare1 = rates(new, q, wall, floor, dw, df, zero)
+            _there, spare1 = pressed_rates(new, q, wall, floor, dw, df, zero)
             share = 1 + zero
             un1 = _speed_of_approach(new, zero, q)
             if heed > 0 and compressing and un1 > max(1e-12 * speed, ROUNDING * scale):
@@ -205,16 +211,16 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
             if slips_f and uf > 0 and new[2] * y[2] + new[3] * y[3] < 0:
                 share = min(share, 0.5)
             # (the step is too short to change anything: this mode has ended)
-            still = h * (size(k1[0], k1[1]) + size(k1[2], k1[3])) < 1e-13 * scale
+            still = h * (norm(k1[0], k1[1]) + norm(k1[2], k1[3])) < 1e-13 * scale
             if share < 1 and not still:
                 return y, zero, h * share, False, False
-            over = still or spare1 < 0 or (slips_w and fading_w > 0 and size(new[0], new[1]) <= tiny)
-            over = over or (slips_f and fading_f > 0 and size(new[2], new[3]) <= tiny)
+            over = still or spare1 < 0 or (slips_w and fading_w > 0 and norm(new[0], new[1]) <= tiny)
+            over = over or (slips_f and fading_f > 0 and norm(new[2], new[3]) <= tiny)
             # (a decreasing slip shortens the next step accordingly)
             if slips_w and uw > 0:
-                grow = min(grow, grow * size(new[0], new[1]) / uw)
+                grow = min(grow, grow * norm(new[0], new[1]) / uw)
             if slips_f and uf > 0:
-                grow = min(grow, grow * size(new[2], new[3]) / uf)
+                grow = min(grow, grow * norm(new[2], new[3]) / uf)
             grow = h * min(grow, 4 + zero)
             return new, h, max(grow, pace) if h < pace < math.inf else grow, over, True
     h = min(goal, dies)
@@ -228,7 +234,7 @@ def _pressed_step(  # noqa: PLR0915  (one step and what may stop it)
         new = (zero, zero, new[2], new[3], work)
     if ends and dies_f <= dies_w:
         new = (new[0], new[1], zero, zero, work)
-    ends = ends or (fading_w > 0 and size(new[0], new[1]) <= tiny) or (fading_f > 0 and size(new[2], new[3]) <= tiny)
+    ends = ends or (fading_w > 0 and norm(new[0], new[1]) <= tiny) or (fading_f > 0 and norm(new[2], new[3]) <= tiny)
     return new, h, math.inf, ends, h < math.inf
 
 
@@ -244,13 +250,13 @@ def _moved_end(
     c, m, _b, k, d, ee, _drive, muw, _muf, _heed = law
     zero, rise = 0 * c, 0 * c
     if floor == OFF:
-        slip = size(y[0], y[1])
+        slip = norm(y[0], y[1])
         slides = wall == SLIDE and slip > 0
         fx, fy = (-muw * y[0] / slip, -muw * y[1] / slip) if slides else (zero, zero)
         k1 = (k * fx, k * fy, c - ee * fx, d * fy, -un)
         rise = zero if touching else m + c * fx
     else:
-        k1, _spare = rates(y, law, wall, floor, dw, df, zero)
+        k1, _spare = pressed_rates(y, law, wall, floor, dw, df, zero)
     if e > 0:
         h = -y[4] / k1[4] if k1[4] < 0 else zero
     else:  # (the impulse returned is e (2 E u_n')^(1/2) / u_n')
@@ -262,7 +268,7 @@ def _moved_end(
 
 
 @kernel
-def _taken(y: Slips, vz: float, q: Couplings, apart: bool, un: float) -> tuple[Slips, float, bool]:
+def _without_wall_slip(y: Slips, vz: float, q: Couplings, apart: bool, un: float) -> tuple[Slips, float, bool]:
     """Remove the slip of a ball off the floor at an infinitely rough wall; return whether the ball lands meanwhile.
 
     It can land only if it is just leaving the floor (not ``apart``), since the time is infinitesimal. Its order matters: at
@@ -270,7 +276,7 @@ def _taken(y: Slips, vz: float, q: Couplings, apart: bool, un: float) -> tuple[S
     """
     c, _m, _b, k, d, e, _drive, _muw, _muf, heed = q
     zero = 0 * c
-    slip = size(y[0], y[1])
+    slip = norm(y[0], y[1])
     f, down = slip / k, c * y[0] / slip
     ends = y[4] / un if heed > 0 and un > 0 else math.inf
     closes = math.inf
@@ -294,7 +300,7 @@ def _taken(y: Slips, vz: float, q: Couplings, apart: bool, un: float) -> tuple[S
 
 
 @kernel
-def _creeps(
+def _is_stiff(
     y: Slips, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, far: float, fading_w: float, fading_f: float,
     patience: int,
 ) -> bool:  # fmt: skip
@@ -303,7 +309,7 @@ def _creeps(
     zero = 0 * c
     if floor == FLOOR_JUMP:
         return False
-    slip_w, slip_f = size(y[0], y[1]), size(y[2], y[3])
+    slip_w, slip_f = norm(y[0], y[1]), norm(y[2], y[3])
     if wall == SLIDE:
         turn = muw * k * (1 + (muf * c if floor == FLOOR_SLIP else zero))
         if turn * far > patience * slip_w + STARTS * max(-fading_w, zero) * far:
@@ -317,7 +323,7 @@ def _creeps(
 
 
 @kernel
-def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
+def integrate_impact(  # noqa: PLR0915  (one loop over events; its parts stand above)
     y: Slips, vz: float, q: Couplings, e: float, kappa: float, ef: float, muf: float, betaf: float, speed: float, scale: float,
     p: float, compressing: bool, peak: float, waits: bool, way: int,
 ) -> tuple[Slips, float, float, int, bool, float, Pair, Pair, int]:  # fmt: skip
@@ -340,13 +346,13 @@ def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
         if touching and vz != 0:
             y, vz = (y[0] - c * vz, y[1], y[2], y[3], y[4]), zero
         if decide:
-            if muw > 0 and size(y[0], y[1]) <= tiny:
+            if muw > 0 and norm(y[0], y[1]) <= tiny:
                 y = (zero, zero, y[2], y[3], y[4])
-            if muf > 0 and size(y[2], y[3]) <= tiny:
+            if muf > 0 and norm(y[2], y[3]) <= tiny:
                 y = (y[0], y[1], zero, zero, y[4])
             wall, floor, level, dw, df = decide_mode(y, q, rough_wall, rough_floor, touching, tiny)
             decide, pace = False, math.inf
-            way = then(way, 4 * wall + floor)
+            way = append_mode(way, 4 * wall + floor)
             if wall == STICK and floor == FLOOR_STICK:
                 regime = JAM
                 break
@@ -367,22 +373,22 @@ def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
                 y = (y[0], y[1], y[2], y[3], peak)
             elif not compressing and e > 0 and un < -max(1e-12 * speed, ROUNDING * scale) and y[4] >= peak * (1 - TINY):
                 # Walton & Braun: reloading follows the unloading line, and beyond the previous maximum the loading line
-                compressing, way = True, then(way, AGAIN_IN)
+                compressing, way = True, append_mode(way, AGAIN_IN)
                 y = (y[0], y[1], y[2], y[3], y[4] / (e * e))
             if not compressing and y[4] <= TINY * peak:
                 if follows and e > 0:
                     y, vz, p = _moved_end(y, vz, p, un, e, law, wall, floor, dw, df, touching)
-                regime = STICK if size(y[0], y[1]) <= tiny else SLIDE
+                regime = STICK if norm(y[0], y[1]) <= tiny else SLIDE
                 break
         if floor == OFF and level == 1:  # an infinitely rough wall removes the slip, and may lift the ball
-            y, vz, hit = _taken(y, vz, law, touching or gap > 0, un)
+            y, vz, hit = _without_wall_slip(y, vz, law, touching or gap > 0, un)
             touching, decide = touching and vz <= tiny, True
             if hit:
-                y, vz = _lands(y, vz, q, kappa, ef, muf, betaf)
-                landings, way = landings + 1, then(way, LANDS)
+                y, vz = _floor_impulse(y, vz, q, kappa, ef, muf, betaf)
+                landings, way = landings + 1, append_mode(way, LANDS)
                 touching = vz <= 1e-9 * scale or landings > HUMS
             continue
-        if waits and wall == SLIDE and floor == FLOOR_SLIP and (size(y[0], y[1]) == 0 or size(y[2], y[3]) == 0):
+        if waits and wall == SLIDE and floor == FLOOR_SLIP and (norm(y[0], y[1]) == 0 or norm(y[2], y[3]) == 0):
             regime = AGAIN
             break
         if floor != OFF:
@@ -395,9 +401,9 @@ def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
                 break
             continue
         # Straight lines: the step may have any length, up to where the gap closes.
-        slip = size(y[0], y[1])
+        slip = norm(y[0], y[1])
         ft, fy = zero, zero
-        h = remaining(un, 1, y[4], peak, compressing)
+        h = remaining_impulse(un, 1, y[4], peak, compressing)
         dies = False
         if wall == SLIDE and muw > 0:
             ft, fy = -muw * y[0] / slip, -muw * y[1] / slip
@@ -409,7 +415,7 @@ def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
         grown = gap + gap_growth(un, vz, rise, y[4], h, e, compressing)
         hit = grown <= 0 and vz + h * rise < 0
         if hit:
-            h, dies = touch_down(un, vz, rise, y[4], h, e, compressing, gap), False
+            h, dies = touch_down_impulse(un, vz, rise, y[4], h, e, compressing, gap), False
         gap = zero if hit else max(grown, zero)
         y = (
             y[0] + h * k * ft,
@@ -422,8 +428,8 @@ def go_on(  # noqa: PLR0915  (one loop over events; its parts stand above)
             y = (zero, zero, y[2], y[3], y[4])
         vz, p, decide = vz + h * rise, p + h, True
         if hit:
-            y, vz = _lands(y, vz, q, kappa, ef, muf, betaf)
-            landings, way = landings + 1, then(way, LANDS)
+            y, vz = _floor_impulse(y, vz, q, kappa, ef, muf, betaf)
+            landings, way = landings + 1, append_mode(way, LANDS)
             touching = vz <= 1e-9 * scale or landings > HUMS
     return y, zero if touching else vz, p, regime, compressing, peak, dw, df, way
 
@@ -435,9 +441,9 @@ def slides_at_both(y: Slips, vz: float, q: Couplings, scale: float) -> tuple[boo
     zero, tiny = 0 * vz, AT_REST * scale
     y = (y[0] - c * vz, y[1], y[2], y[3], y[4])
     straight = y[1] == 0 and y[3] == 0
-    if straight or vz > tiny or not max(muw, muf) <= FIRM or not size(y[0], y[1]) > LEAST_SLIP * scale:
+    if straight or vz > tiny or not max(muw, muf) <= FIRM or not norm(y[0], y[1]) > LEAST_SLIP * scale:
         return False, y, (1 + zero, zero), (1 + zero, zero)
-    if muf > 0 and size(y[2], y[3]) <= tiny:
+    if muf > 0 and norm(y[2], y[3]) <= tiny:
         y = (y[0], y[1], zero, zero, y[4])
     wall, floor, level, dw, df = decide_mode(y, q, False, False, True, tiny)
     slips = y[2] != 0 or y[3] != 0 or muf > 0

@@ -10,11 +10,11 @@ import math
 
 from carom.core.jit.kernel import kernel, root_of
 
-__all__ = ["gap_growth", "remaining", "touch_down"]
+__all__ = ["gap_growth", "remaining_impulse", "touch_down_impulse"]
 
 
 @kernel
-def remaining(un: float, rate: float, stored: float, peak: float, compressing: bool) -> float:
+def remaining_impulse(un: float, rate: float, stored: float, peak: float, compressing: bool) -> float:
     """Return the impulse until compression or restitution ends at the present rate of u_n; infinite if it does not.
 
     Restitution also ends if the ball approaches again and has given back to the wall all the energy that it had returned
@@ -50,7 +50,7 @@ def gap_growth(un: float, vz: float, c: float, stored: float, p: float, e: float
 
 
 @kernel
-def touch_down(
+def touch_down_impulse(
     un: float, vz: float, c: float, stored: float, p: float, e: float, compressing: bool, gap: float
 ) -> float:
     """Return the impulse in (0, p] at which the gap closes, by bisection between its maximum and p, where it is negative."""

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from carom.core.geometry.features import FEATURES
 from carom.core.jit.compile import array_of, njit, signature
 from carom.core.jit.dual.calls import dual_address, read_duals, register_calls_of_duals, write_duals
+from carom.core.jit.dual.dual_records import dual_records, float_count, float_places, register_records
 from carom.core.jit.dual.functions import overload_for_duals, register_functions
 from carom.core.jit.dual.numbers import LANES, as_dual, register_numbers
-from carom.core.jit.dual.records import dual_records, float_count, float_places, register_records
 from carom.core.jit.kernel import Vec, kernel
 from carom.core.motion.phases import HELD
 from carom.laws.callbacks import NUMBERS, WallKernel, register_calls

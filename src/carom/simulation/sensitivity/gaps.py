@@ -9,7 +9,7 @@ from carom.core.geometry.circles import rim_gap
 from carom.core.geometry.features import LINE, OVER, POINT, RIM, contact_normal
 from carom.core.jit.kernel import Vec, dot, kernel, vector
 
-__all__ = ["feature_gap", "feature_way", "pair_gap"]
+__all__ = ["feature_gap", "feature_gap_rate", "pair_gap"]
 
 
 @kernel
@@ -28,7 +28,7 @@ def feature_gap(f: Any, a: float, x: Vec) -> float:
 
 
 @kernel
-def feature_way(f: Any, x: Vec, v: Vec) -> float:
+def feature_gap_rate(f: Any, x: Vec, v: Vec) -> float:
     """Return the rate at which that gap changes."""
     if f.kind == OVER and f.R > 0:
         p, d = vector(f.p), vector(f.d)

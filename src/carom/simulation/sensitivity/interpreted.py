@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.jit.dual.records import float_count, float_places
+from carom.core.jit.dual.dual_records import float_count, float_places
 from carom.core.jit.objects import ObjectArray, as_objects
 from carom.errors import CaromError
 from carom.simulation.sensitivity.dual import Dual, derivative, value

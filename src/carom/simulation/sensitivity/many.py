@@ -14,8 +14,8 @@ from numpy.typing import ArrayLike, NDArray
 from carom.bodies import State
 from carom.core.geometry.features import FEATURES
 from carom.core.jit.compile import array_of, njit, signature, thread_count
+from carom.core.jit.dual.dual_records import float_count, float_places
 from carom.core.jit.dual.numbers import LANES
-from carom.core.jit.dual.records import float_count, float_places
 from carom.core.jit.kernel import kernel
 from carom.core.jit.pointers import caller_of, compiled_address
 from carom.core.jit.slices import block_slices

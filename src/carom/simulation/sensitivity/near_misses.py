@@ -16,7 +16,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.geometry.features import BEHIND, FALLS, FEATURES, OVER, SEAM, distance
+from carom.core.geometry.features import BEHIND, FALLS, FEATURES, OVER, SEAM, gap_to_feature
 from carom.core.jit.compile import array_of, njit, signature
 from carom.core.jit.kernel import Vec, kernel
 from carom.core.jit.slices import block_slices
@@ -70,7 +70,7 @@ class NearMiss(NamedTuple):
 
 
 @kernel
-def _place(path: Any, s: float) -> Vec:
+def _position_at(path: Any, s: float) -> Vec:
     h = s * s / 2
     return (
         path[0, 0] + path[1, 0] * s + path[2, 0] * h,
@@ -80,18 +80,20 @@ def _place(path: Any, s: float) -> Vec:
 
 
 @kernel
-def _gap(features: Any, radius: Any, paths: Any, walls: int, i: int, target: int, s: float) -> tuple[float, int]:
+def _gap_to_target(
+    features: Any, radius: Any, paths: Any, walls: int, i: int, target: int, s: float
+) -> tuple[float, int]:
     """Return the gap between ball i and a ball, a wall or a pocket (numbered in this order), and the feature that is nearest."""
-    x, balls = _place(paths[i], s), radius.shape[0]
+    x, balls = _position_at(paths[i], s), radius.shape[0]
     if target < balls:
-        return pair_gap(x, _place(paths[target], s), radius[i] + radius[target]), -1
+        return pair_gap(x, _position_at(paths[target], s), radius[i] + radius[target]), -1
     best, nearest = math.inf, -1
     for k in range(features.shape[0]):
         f = features[k]
         gap = math.inf
         if target < balls + walls:
             if f.wall == target - balls and f.kind != OVER:
-                gap = distance(f, radius[i], x)
+                gap = gap_to_feature(f, radius[i], x)
                 if gap < -BEHIND * radius[i]:
                     gap = math.inf
         elif f.kind == OVER and f.ends == FALLS and f.at == target - balls - walls:
@@ -102,36 +104,38 @@ def _gap(features: Any, radius: Any, paths: Any, walls: int, i: int, target: int
 
 
 @kernel
-def _search(
+def _least_gap(
     features: Any, radius: Any, paths: Any, walls: int, i: int, target: int, low: float, high: float
 ) -> tuple[float, float, int]:
     """Return where a gap is least between two times (golden-section search): gap, time, feature."""
     for _ in range(STEPS):
         one, two = high - GOLDEN * (high - low), low + GOLDEN * (high - low)
-        left, _f = _gap(features, radius, paths, walls, i, target, one)
-        right, _f = _gap(features, radius, paths, walls, i, target, two)
+        left, _f = _gap_to_target(features, radius, paths, walls, i, target, one)
+        right, _f = _gap_to_target(features, radius, paths, walls, i, target, two)
         if left < right:
             high = two
         else:
             low = one
     s = (low + high) / 2
-    gap, nearest = _gap(features, radius, paths, walls, i, target, s)
+    gap, nearest = _gap_to_target(features, radius, paths, walls, i, target, s)
     return gap, s, nearest
 
 
 @kernel
-def _look(features: Any, radius: Any, paths: Any, walls: int, i: int, target: int, span: float, out: Any) -> None:
+def _record_least_gaps(
+    features: Any, radius: Any, paths: Any, walls: int, i: int, target: int, span: float, out: Any
+) -> None:
     """Note the least gaps inside a stretch, and what the gap is where it begins and ends."""
     before, found, now, f = math.inf, 0, math.inf, -1
     for k in range(SAMPLES + 2):
         later, g = math.inf, -1
         if k <= SAMPLES:
-            later, g = _gap(features, radius, paths, walls, i, target, span * k / SAMPLES)
+            later, g = _gap_to_target(features, radius, paths, walls, i, target, span * k / SAMPLES)
         if k == 1:
             out.begin_gap, out.opens = now, now <= later
         if 1 < k <= SAMPLES and now < before and now <= later < math.inf and found < MINIMA:
             low, high = span * (k - 2) / SAMPLES, span * k / SAMPLES
-            out.gap[found], out.at[found], out.nearest[found] = _search(
+            out.gap[found], out.at[found], out.nearest[found] = _least_gap(
                 features, radius, paths, walls, i, target, low, high
             )
             found += 1
@@ -151,7 +155,7 @@ def _least_gaps(features: Any, radius: Any, paths: Any, moves: Any, spans: Any, 
                 pair = target < radius.shape[0]
                 other = moves[j, target] if pair else 0
                 if not (pair and target <= i) and moves[j, i] >= 0 and other >= 0 and moves[j, i] + other > 0:
-                    _look(features, radius, paths[j], walls, i, target, spans[j], out[j, i, target])
+                    _record_least_gaps(features, radius, paths[j], walls, i, target, spans[j], out[j, i, target])
 
 
 LEAST = (
@@ -217,7 +221,7 @@ def _places(run: Any, features: Any, times: Array, paths: Array, moves: NDArray[
         least["gap"][least["begin_gap"] <= touching] = math.inf
         for j, here in enumerate(least):
             begin, last = float(times[rows.start + j]), rows.start + j == len(spans) - 1
-            turned = (still_closing < math.inf) & ((here["opens"] > 0) | _still(moves[rows.start + j], targets))
+            turned = (still_closing < math.inf) & ((here["opens"] > 0) | _neither_moves(moves[rows.start + j], targets))
             for i, target in np.argwhere(turned).tolist():
                 yield _Place(i, target, int(features_then[i, target]), begin, True)
             for i, target, k in np.argwhere(here["gap"] < math.inf).tolist():
@@ -229,7 +233,7 @@ def _places(run: Any, features: Any, times: Array, paths: Array, moves: NDArray[
                     yield _Place(i, target, int(features_then[i, target]), run.end, False)
 
 
-def _still(moves: NDArray[np.int64], targets: int) -> NDArray[np.bool_]:
+def _neither_moves(moves: NDArray[np.int64], targets: int) -> NDArray[np.bool_]:
     """Return of which ball (B,) and target (T,) neither moves."""
     rest: NDArray[np.bool_] = (moves[:, None] == 0) & (np.append(moves, np.zeros(targets - len(moves), np.int64)) == 0)
     return rest

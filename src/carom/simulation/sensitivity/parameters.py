@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.jit.dual.dual_records import float_count, float_places
 from carom.core.jit.dual.numbers import LANES
-from carom.core.jit.dual.records import float_count, float_places
 from carom.scene.scene import Scene
 from carom.simulation.sensitivity.seeds import Column, Tangents, tangents_of
 from carom.simulation.setup import set_up

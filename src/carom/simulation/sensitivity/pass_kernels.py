@@ -17,16 +17,16 @@ from typing import Any
 
 import numpy as np
 
-from carom.core.geometry.features import FALLS, OVER, distance
+from carom.core.geometry.features import FALLS, OVER, gap_to_feature
 from carom.core.jit.dual.numbers import as_dual, depends, scaled, value_of, with_value
 from carom.core.jit.kernel import Vec, dot, kernel, steepest, vector
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, POCKETED, REST, SLIDING, grounded, next_phase
 from carom.simulation.loop import move_by
-from carom.simulation.predict import begin, put
+from carom.simulation.predict import begin_phase, write_vector
 from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, NOTHING, PHASE, POCKETED_EVENT, SETTLED, WALL
 from carom.simulation.resolve import meet_ball, meet_floor, meet_wall
 from carom.simulation.resting_contact import stays_clear
-from carom.simulation.sensitivity.gaps import feature_gap, feature_way, pair_gap
+from carom.simulation.sensitivity.gaps import feature_gap, feature_gap_rate, pair_gap
 
 __all__ = ["PASSAGES", "follow_log", "met_feature", "state_at_time"]
 
@@ -58,7 +58,7 @@ def _revalued(row: Any, values: Vec) -> None:
 
 
 @kernel
-def _pin(ball: Any, row: Any) -> None:
+def _set_to_log(ball: Any, row: Any) -> None:
     """Give a ball the values that the log has after an event."""
     _revalued(ball.x, vector(row.x))
     _revalued(ball.v, vector(row.v))
@@ -68,27 +68,27 @@ def _pin(ball: Any, row: Any) -> None:
 
 
 @kernel
-def _pin_before(ball: Any, row: Any) -> None:
+def _set_to_log_before(ball: Any, row: Any) -> None:
     _revalued(ball.x, vector(row.x))
     _revalued(ball.v, vector(row.v_before))
     _revalued(ball.w, vector(row.w_before))
 
 
 @kernel
-def _note(out: Any, ball: Any) -> None:
+def _record_state(out: Any, ball: Any) -> None:
     """Write what the ball is now, and that nothing can switch."""
     out.time = ball.clock
-    put(out.x, vector(ball.x))
-    put(out.v, vector(ball.v))
-    put(out.w, vector(ball.w))
+    write_vector(out.x, vector(ball.x))
+    write_vector(out.v, vector(ball.v))
+    write_vector(out.w, vector(ball.w))
     out.approach = out.required = out.friction = math.nan
     out.slip[0] = out.slip[1] = math.nan
 
 
 @kernel
-def _note_before(out: Any, ball: Any) -> None:
-    put(out.v_before, vector(ball.v))
-    put(out.w_before, vector(ball.w))
+def _record_state_before(out: Any, ball: Any) -> None:
+    write_vector(out.v_before, vector(ball.v))
+    write_vector(out.w_before, vector(ball.w))
 
 
 @kernel
@@ -100,12 +100,12 @@ def _begin_all(world: Any, balls: Any, log: Any, out: Any, last: int) -> None:
         if SLIDING <= ball.phase <= REST:
             ball.x[2] = ball.radius
             _phase, v, w = grounded(vector(ball.v), vector(ball.w), ball.radius, ball.kappa, world.g, world.floor_mu)
-            put(ball.v, v)
-            put(ball.w, w)
-        _pin(ball, log[i])
-        begin(world, ball)
-        _note_before(out[min(i, last)], ball)
-        _note(out[min(i, last)], ball)
+            write_vector(ball.v, v)
+            write_vector(ball.w, w)
+        _set_to_log(ball, log[i])
+        begin_phase(world, ball)
+        _record_state_before(out[min(i, last)], ball)
+        _record_state(out[min(i, last)], ball)
 
 
 @kernel
@@ -118,7 +118,7 @@ def met_feature(walls: Any, row: Any, a: float) -> int:
         f = walls[k]
         gate = f.kind == OVER
         if kind == WALL:
-            mine = f.wall == who and not gate and distance(f, a, x) < math.inf
+            mine = f.wall == who and not gate and gap_to_feature(f, a, x) < math.inf
         elif kind == POCKETED_EVENT:
             mine = gate and f.ends == FALLS and f.at == who
         else:
@@ -127,14 +127,14 @@ def met_feature(walls: Any, row: Any, a: float) -> int:
             # (in a corner two are in touch: the ball has met the one that it approaches fastest)
             gap = abs(feature_gap(f, a, x))
             apart = gap > IN_TOUCH * a
-            score = gap if apart else feature_way(f, x, v)
+            score = gap if apart else feature_gap_rate(f, x, v)
             if (far and not apart) or (far == apart and score < best):
                 far, best, found = apart, score, k
     return found
 
 
 @kernel
-def _shift(ball: Any, dt: Any) -> None:
+def _shift_in_time(ball: Any, dt: Any) -> None:
     """Move a ball by a time that is zero and has derivatives."""
     x, v, w, acc, turn = ball.x, ball.v, ball.w, ball.acc, ball.turn
     for k in range(3):
@@ -146,7 +146,9 @@ def _shift(ball: Any, dt: Any) -> None:
 
 
 @kernel
-def _come(world: Any, features: Any, walls: Any, balls: Any, plain: Any, row: Any, i: int, k: int, f: int) -> int:
+def _move_to_event(
+    world: Any, features: Any, walls: Any, balls: Any, plain: Any, row: Any, i: int, k: int, f: int
+) -> int:
     """Move ball i, and k if it is another, to the event, at the time that changes with the parameters; False at a graze."""
     ball, other = balls[i], balls[k]
     t = row.t
@@ -163,14 +165,14 @@ def _come(world: Any, features: Any, walls: Any, balls: Any, plain: Any, row: An
     elif f < 0:
         gap, rate = ball.x[2] - ball.radius, v[2]
     else:
-        gap, rate = feature_gap(features[f], ball.radius, vector(ball.x)), feature_way(walls[f], x, v)
+        gap, rate = feature_gap(features[f], ball.radius, vector(ball.x)), feature_gap_rate(walls[f], x, v)
     if depends(gap):
         if not abs(rate) > LEAST_APPROACH * speed:
             return False
         dt = scaled(gap, 0.0, -1 / rate)
-        _shift(ball, dt)
+        _shift_in_time(ball, dt)
         if k != i:
-            _shift(other, dt)
+            _shift_in_time(other, dt)
     return True
 
 
@@ -182,7 +184,9 @@ def _closing(ball: Any, other: Any) -> Any:
 
 
 @kernel
-def _act(world: Any, features: Any, balls: Any, users: Any, row: Any, i: int, k: int, f: int) -> tuple[Any, Any, Any]:
+def _resolve_event(
+    world: Any, features: Any, balls: Any, users: Any, row: Any, i: int, k: int, f: int
+) -> tuple[Any, Any, Any]:
     """Let what happens at an event happen; return speed of approach, required friction, and the friction there is."""
     ball, kind = balls[i], row.kind
     approach = required = friction = as_dual(math.nan)
@@ -195,7 +199,7 @@ def _act(world: Any, features: Any, balls: Any, users: Any, row: Any, i: int, k:
         _j, required, _regime = meet_floor(world, features, balls, i)
         friction = world.floor_mu
     elif kind == WALL:
-        approach = -feature_way(features[f], vector(ball.x), vector(ball.v))
+        approach = -feature_gap_rate(features[f], vector(ball.x), vector(ball.v))
         _j, _jf, required, _regime, _refused = meet_wall(world, features[f], ball, users)
         friction = features[f].mu
     elif kind in (PHASE, SETTLED):
@@ -204,8 +208,8 @@ def _act(world: Any, features: Any, balls: Any, users: Any, row: Any, i: int, k:
             ball.phase, v, w = next_phase(row.phase_before, v, w, ball.radius, ball.kappa)
         else:
             ball.phase, v, w = grounded(v, w, ball.radius, ball.kappa, world.g, world.floor_mu)
-        put(ball.v, v)
-        put(ball.w, w)
+        write_vector(ball.v, v)
+        write_vector(ball.w, w)
     elif kind == POCKETED_EVENT:
         ball.phase = POCKETED
     elif kind == LEFT_EVENT and row.phase == LEFT:
@@ -223,15 +227,15 @@ def _has_slopes(ball: Any) -> bool:
 
 
 @kernel
-def _leave(world: Any, ball: Any, row: Any, out: Any, approach: Any, required: Any, friction: Any) -> None:
-    _pin(ball, row)
-    begin(world, ball)
-    _note(out, ball)
+def _record_after(world: Any, ball: Any, row: Any, out: Any, approach: Any, required: Any, friction: Any) -> None:
+    _set_to_log(ball, row)
+    begin_phase(world, ball)
+    _record_state(out, ball)
     out.approach, out.required, out.friction = approach, required, friction
 
 
 @kernel
-def _note_slip(out: Any, ball: Any) -> None:
+def _record_slip(out: Any, ball: Any) -> None:
     if ball.phase == SLIDING:
         out.slip[0] = ball.v[0] - ball.radius * ball.w[1]
         out.slip[1] = ball.v[1] + ball.radius * ball.w[0]
@@ -245,19 +249,19 @@ def _release(world: Any, walls: Any, balls: Any, plain: Any, i: int, k: int, t: 
         if ball.phase == BOUNCING and m not in (i, k) and not stays_clear(walls, plain, m, plain[m].lasts):
             move_by(world, ball, t - ball.clock, t)
             ball.phase = FLIGHT
-            begin(world, ball)
+            begin_phase(world, ball)
 
 
 @kernel
 def state_at_time(world: Any, ball: Any, first: Any, passage: Any, phase: int, t: float) -> None:
     """Set a ball to what it is at the time t: ``first`` at the start, and with ``passage`` at its last event before."""
     ball.radius, ball.mass, ball.kappa = first.radius, first.mass, first.kappa
-    put(ball.x, vector(passage.x))
-    put(ball.v, vector(passage.v))
-    put(ball.w, vector(passage.w))
+    write_vector(ball.x, vector(passage.x))
+    write_vector(ball.v, vector(passage.v))
+    write_vector(ball.w, vector(passage.w))
     ball.clock, ball.phase, ball.repeats, ball.lasts = passage.time, phase, 0, math.inf
     if phase < HELD:
-        begin(world, ball)
+        begin_phase(world, ball)
         move_by(world, ball, as_dual(t) - ball.clock, as_dual(t))
 
 
@@ -277,8 +281,8 @@ def follow_log(world: Any, features: Any, walls: Any, balls: Any, plain: Any, lo
         ball = balls[i]
         if kind == HELD_EVENT:
             ball.phase = HELD
-            _note_before(out[min(n, last)], ball)
-            _note(out[min(n, last)], ball)
+            _record_state_before(out[min(n, last)], ball)
+            _record_state(out[min(n, last)], ball)
             n += 1
             continue
         f = -1
@@ -288,23 +292,23 @@ def follow_log(world: Any, features: Any, walls: Any, balls: Any, plain: Any, lo
         else:
             if kind not in (BALL, FLOOR):
                 f = met_feature(walls, row, plain[i].radius)
-            if not _come(world, features, walls, balls, plain, row, i, k, f):
+            if not _move_to_event(world, features, walls, balls, plain, row, i, k, f):
                 return int(n)
         one = out[min(n, last)]  # (where passages are not wanted there is one row for all of them)
-        _pin_before(ball, row)
-        _note_before(one, ball)
+        _set_to_log_before(ball, row)
+        _record_state_before(one, ball)
         if k != i:
-            _pin_before(balls[k], log[n + 1])
-            _note_before(out[min(n + 1, last)], balls[k])
-        approach, required, friction = _act(world, features, balls, users, row, i, k, f)
+            _set_to_log_before(balls[k], log[n + 1])
+            _record_state_before(out[min(n + 1, last)], balls[k])
+        approach, required, friction = _resolve_event(world, features, balls, users, row, i, k, f)
         if kind == WALL and not _has_slopes(ball):
             return int(n)
-        _leave(world, ball, row, one, approach, required, friction)
-        _note_slip(one, ball)
+        _record_after(world, ball, row, one, approach, required, friction)
+        _record_slip(one, ball)
         if k != i:
             one = out[min(n + 1, last)]
-            _leave(world, balls[k], log[n + 1], one, approach, required, friction)
-            _note_slip(one, balls[k])
+            _record_after(world, balls[k], log[n + 1], one, approach, required, friction)
+            _record_slip(one, balls[k])
         n += 1 if k == i else 2
         if n < rows:
             _release(world, walls, balls, plain, i, k, ball.clock)

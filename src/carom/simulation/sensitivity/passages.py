@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.jit.dual.records import float_places
+from carom.core.jit.dual.dual_records import float_places
 from carom.simulation.sensitivity.dual import Dual
 from carom.simulation.sensitivity.pass_kernels import PASSAGES
 

@@ -13,21 +13,13 @@ from dataclasses import dataclass, field
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.cells import SIGNS, SPREADSHEET, decimal_commas, number_advice, parse_numbers, plain_number
+from carom.data.table_cells import SIGNS, SPREADSHEET, decimal_commas, number_advice, parse_numbers, plain_number
 from carom.errors import MAX_MAGNITUDE, CaromError
 
 __all__ = [
-    "Calibration",
-    "TextTable",
-    "first_rows",
-    "is_number",
-    "numbers",
-    "require_calibration",
-    "require_sizes",
-    "split_rows",
-    "time_codes",
-    "time_column",
-]
+    "Calibration", "TextTable", "first_rows", "is_number", "numbers", "require_calibration", "require_sizes", "split_rows",
+    "time_codes", "time_column",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 DELIMITERS = "\t;,|"

@@ -6,8 +6,8 @@ import functools
 from collections.abc import Callable
 from typing import Any
 
+from carom.core.jit.dual.dual_records import load_dual, store_dual
 from carom.core.jit.dual.numbers import LANES, compiled_only, declare, dual_type
-from carom.core.jit.dual.records import load_dual, store_dual
 from carom.core.jit.pointers import SIZE, answer_at
 
 __all__ = ["dual_address", "read_duals", "register_calls_of_duals", "write_duals"]

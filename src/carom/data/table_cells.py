@@ -10,15 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
-    "EMPTY",
-    "MISSING",
-    "SIGNS",
-    "ParsedCells",
-    "decimal_commas",
-    "number_advice",
-    "parse_numbers",
-    "plain_number",
-]
+    "EMPTY", "MISSING", "SIGNS", "ParsedCells", "decimal_commas", "number_advice", "parse_numbers", "plain_number",
+]  # fmt: skip
 
 EMPTY = frozenset({""})
 # As programs and people write that there is no number; in lower case.

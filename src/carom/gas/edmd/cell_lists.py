@@ -19,11 +19,11 @@ from numpy.typing import NDArray
 from carom.core.geometry.ellipse import inner_axes
 from carom.core.jit.kernel import hot_kernel, kernel
 from carom.gas.edmd.calendar import I64, U64
-from carom.gas.edmd.records import ELLIPSE, INDEX_BITS, INSIDE, NO_BALL, PLANE
+from carom.gas.edmd.gas_records import ELLIPSE, INDEX_BITS, INSIDE, NO_BALL, PLANE
 
 __all__ = [
-    "INDEX_MASK", "SLOTS", "Block", "cell_index", "full_block", "gather_neighbours", "insert", "morton_offsets", "neighbour_tables",
-    "remove", "set_images", "walls_of_cells",
+    "INDEX_MASK", "SLOTS", "Block", "block_around", "cell_index", "gather_neighbours", "insert_ball", "morton_offsets",
+    "neighbour_tables", "remove_ball", "set_images", "walls_of_cells",
 ]  # fmt: skip
 
 SLOTS = 2  # of a cell
@@ -110,7 +110,7 @@ def _first_slot(offsets: Any, plan: Any) -> int:
 
 
 @kernel
-def insert(cells: Any, plan: Any, i: int) -> None:
+def insert_ball(cells: Any, plan: Any, i: int) -> None:
     """Enter ball i in its cell."""
     slots, links = cells.slots, cells.links
     first = _first_slot(cells.offsets, plan)
@@ -127,7 +127,7 @@ def insert(cells: Any, plan: Any, i: int) -> None:
 
 
 @kernel
-def remove(cells: Any, plan: Any, i: int) -> None:
+def remove_ball(cells: Any, plan: Any, i: int) -> None:
     """Remove ball i from its cell; the first one of the chain takes its place, or the second of two."""
     slots, links = cells.slots, cells.links
     first = _first_slot(cells.offsets, plan)
@@ -182,7 +182,7 @@ def _copy_cell(slots: Any, links: Any, found: Any, first: int, n: int, code: int
 
 
 @hot_kernel
-def full_block(flat: bool, plan: Any) -> Block:
+def block_around(flat: bool, plan: Any) -> Block:
     """Return all the cells around that of a ball."""
     return Block(I64(plan.cx), I64(plan.cy), I64(plan.cz), 0, 3, 0, 3, 1 if flat else 0, 2 if flat else 3)
 

@@ -7,7 +7,7 @@ straight line is b cosh s), and a step of order 8 can be several times as long. 
 independent variable in the last step (Henon, Physica D 5, 412 (1982)): to u_n in compression, which ends at 0; in restitution to
 w, with w^2 / 2 the energy returned. Both can be used from the start, so a ball whose slips turn little takes three steps in all.
 
-A slip that is about to vanish takes steps of another variable, :func:`fade`: there s would grow without end.
+A slip that is about to vanish takes steps of another variable, :func:`vanishing_slip_step`: there s would grow without end.
 
 Other cases are left to :mod:`carom.laws.wall_and_floor.solver`: a slip that vanishes, a floor that is no longer loaded, and
 steps that have to be short. :mod:`carom.laws.two_step_batch` integrates many balls together.
@@ -18,9 +18,10 @@ from __future__ import annotations
 import math
 
 from carom.core.jit.kernel import carries_slopes, hot_kernel, kernel, steepest, without_slopes
+from carom.laws.wall_and_floor.dormand_prince import A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, A12, E5, B, C
 from carom.laws.wall_and_floor.rates import LEVEL, Couplings, Pair
 
-__all__ = ["DONE", "GOES", "REACH", "SLOPE_ERROR", "Glide", "glide", "slide"]
+__all__ = ["DONE", "GOES", "REACH", "SLOPE_ERROR", "Glide", "integrate_sliding", "sliding_step"]
 
 # The slips u_t, u_y, f_x, f_y, the energy in the wall's spring, the wall's impulse.
 Glide = tuple[float, float, float, float, float, float]
@@ -44,12 +45,12 @@ SHORT = 0.02  # in s: balls that need shorter steps are left to the solver
 
 
 @hot_kernel
-def _one(y: Glide, a: float, p: Glide) -> Glide:
+def _plus_one(y: Glide, a: float, p: Glide) -> Glide:
     return y[0] + a * p[0], y[1] + a * p[1], y[2] + a * p[2], y[3] + a * p[3], y[4] + a * p[4], y[5] + a * p[5]
 
 
 @hot_kernel
-def _two(y: Glide, a: float, p: Glide, b: float, q: Glide) -> Glide:
+def _plus_two(y: Glide, a: float, p: Glide, b: float, q: Glide) -> Glide:
     return (
         y[0] + (a * p[0] + b * q[0]),
         y[1] + (a * p[1] + b * q[1]),
@@ -61,7 +62,7 @@ def _two(y: Glide, a: float, p: Glide, b: float, q: Glide) -> Glide:
 
 
 @hot_kernel
-def _three(y: Glide, a: float, p: Glide, b: float, q: Glide, c: float, r: Glide) -> Glide:
+def _plus_three(y: Glide, a: float, p: Glide, b: float, q: Glide, c: float, r: Glide) -> Glide:
     return (
         y[0] + (a * p[0] + b * q[0] + c * r[0]),
         y[1] + (a * p[1] + b * q[1] + c * r[1]),
@@ -73,7 +74,7 @@ def _three(y: Glide, a: float, p: Glide, b: float, q: Glide, c: float, r: Glide)
 
 
 @hot_kernel
-def _rates(y: Glide, pw: Pair, pf: Pair, q: Couplings) -> tuple[float, float, float, float, float]:
+def _sliding_rates(y: Glide, pw: Pair, pf: Pair, q: Couplings) -> tuple[float, float, float, float, float]:
     """Rates of the slips per P, and the floor's push, from the directions of slip: see :mod:`carom.laws.wall_and_floor.rates`."""
     c, m, b, k, d, e, _drive, muw, muf, _heed = q
     ft, fy = -muw * pw[0], -muw * pw[1]
@@ -83,10 +84,11 @@ def _rates(y: Glide, pw: Pair, pf: Pair, q: Couplings) -> tuple[float, float, fl
 
 
 @hot_kernel
-def _flow(y: Glide, h: float, q: Couplings, by: By, fades: bool) -> Glide:
+def _changes(y: Glide, h: float, q: Couplings, by: By, fades: bool) -> Glide:
     """Return the changes in a step h of s, where dP = ds / (a/|u| + b/|f| + base + x (u_t' + f_x') + z u_n).
 
-    The rates of :func:`_rates` are multiplied by |u| |f|, so that there is a single division. ``fades``: |u|^(1/2) in place of |u|.
+    The rates of :func:`_sliding_rates` are multiplied by |u| |f|, so that there is a single division.
+    ``fades``: |u|^(1/2) in place of |u|.
     """
     c, m, b, k, d, e, _drive, muw, muf, _heed = q
     u, f = math.sqrt(y[0] * y[0] + y[1] * y[1]), math.sqrt(y[2] * y[2] + y[3] * y[3])
@@ -108,7 +110,7 @@ def _steepest(y: Glide) -> float:
 
 
 @hot_kernel
-def _stride(
+def _dormand_prince_step(
     y: Glide, k1: Glide, h: float, w: float, dw: float, q: Couplings, by: By, long: float, fades: bool
 ) -> tuple[Glide, float, float]:
     """Take one step of Dormand & Prince 8(5,3) (Hairer, Norsett & Wanner, Solving ODEs I, II.5); return its error of order 5.
@@ -117,68 +119,60 @@ def _stride(
     k1 is h times the rates at y; the rates are multiplied by a w that grows linearly by dw. For slips shorter than ``long``
     the error is weighted by the square root of the error in direction.
     """
-    k2 = _flow(_one(y, 0.05260015195876773, k1), h * (w + 0.05260015195876773 * dw), q, by, fades)
-    k3 = _flow(_two(y, 0.0197250569845379, k1, 0.0591751709536137, k2), h * (w + 0.0789002279381516 * dw), q, by, fades)
-    k4 = _flow(
-        _two(y, 0.02958758547680685, k1, 0.08876275643042054, k3), h * (w + 0.1183503419072274 * dw), q, by, fades
-    )
-    x = _three(y, 0.2413651341592667, k1, -0.8845494793282861, k3, 0.924834003261792, k4)
-    k5 = _flow(x, h * (w + 0.2816496580927726 * dw), q, by, fades)
-    x = _three(y, 0.037037037037037035, k1, 0.17082860872947386, k4, 0.12546768756682242, k5)
-    k6 = _flow(x, h * (w + 0.3333333333333333 * dw), q, by, fades)
-    x = _three(y, 0.037109375, k1, 0.17025221101954405, k4, 0.06021653898045596, k5)
-    k7 = _flow(_one(x, -0.017578125, k6), h * (w + 0.25 * dw), q, by, fades)
-    x = _three(y, 0.03709200011850479, k1, 0.17038392571223998, k4, 0.10726203044637328, k5)
-    k8 = _flow(
-        _two(x, -0.015319437748624402, k6, 0.008273789163814023, k7), h * (w + 0.3076923076923077 * dw), q, by, fades
-    )
-    x = _three(y, 0.6241109587160757, k1, -3.3608926294469414, k4, -0.868219346841726, k5)
-    x = _three(x, 27.59209969944671, k6, 20.154067550477894, k7, -43.48988418106996, k8)
-    k9 = _flow(x, h * (w + 0.6512820512820513 * dw), q, by, fades)
-    x = _three(y, 0.47766253643826434, k1, -2.4881146199716677, k4, -0.590290826836843, k5)
-    x = _three(x, 21.230051448181193, k6, 15.279233632882423, k7, -33.28821096898486, k8)
-    k10 = _flow(_one(x, -0.020331201708508627, k9), h * (w + 0.6 * dw), q, by, fades)
-    x = _three(y, -0.9371424300859873, k1, 5.186372428844064, k4, 1.0914373489967295, k5)
-    x = _three(x, -8.149787010746927, k6, -18.52006565999696, k7, 22.739487099350505, k8)
-    k11 = _flow(
-        _two(x, 2.4936055526796523, k9, -3.0467644718982196, k10), h * (w + 0.8571428571428571 * dw), q, by, fades
-    )
-    x = _three(y, 2.273310147516538, k1, -10.53449546673725, k4, -2.0008720582248625, k5)
-    x = _three(x, -17.9589318631188, k6, 27.94888452941996, k7, -2.8589982771350235, k8)
-    k12 = _flow(
-        _three(x, -8.87285693353063, k9, 12.360567175794303, k10, 0.6433927460157636, k11), h * (w + dw), q, by, fades
-    )
+    k2 = _changes(_plus_one(y, A2[1], k1), h * (w + C[2] * dw), q, by, fades)
+    k3 = _changes(_plus_two(y, A3[1], k1, A3[2], k2), h * (w + C[3] * dw), q, by, fades)
+    k4 = _changes(_plus_two(y, A4[1], k1, A4[3], k3), h * (w + C[4] * dw), q, by, fades)
+    x = _plus_three(y, A5[1], k1, A5[3], k3, A5[4], k4)
+    k5 = _changes(x, h * (w + C[5] * dw), q, by, fades)
+    x = _plus_three(y, A6[1], k1, A6[4], k4, A6[5], k5)
+    k6 = _changes(x, h * (w + C[6] * dw), q, by, fades)
+    x = _plus_three(y, A7[1], k1, A7[4], k4, A7[5], k5)
+    k7 = _changes(_plus_one(x, A7[6], k6), h * (w + C[7] * dw), q, by, fades)
+    x = _plus_three(y, A8[1], k1, A8[4], k4, A8[5], k5)
+    k8 = _changes(_plus_two(x, A8[6], k6, A8[7], k7), h * (w + C[8] * dw), q, by, fades)
+    x = _plus_three(y, A9[1], k1, A9[4], k4, A9[5], k5)
+    x = _plus_three(x, A9[6], k6, A9[7], k7, A9[8], k8)
+    k9 = _changes(x, h * (w + C[9] * dw), q, by, fades)
+    x = _plus_three(y, A10[1], k1, A10[4], k4, A10[5], k5)
+    x = _plus_three(x, A10[6], k6, A10[7], k7, A10[8], k8)
+    k10 = _changes(_plus_one(x, A10[9], k9), h * (w + C[10] * dw), q, by, fades)
+    x = _plus_three(y, A11[1], k1, A11[4], k4, A11[5], k5)
+    x = _plus_three(x, A11[6], k6, A11[7], k7, A11[8], k8)
+    k11 = _changes(_plus_two(x, A11[9], k9, A11[10], k10), h * (w + C[11] * dw), q, by, fades)
+    x = _plus_three(y, A12[1], k1, A12[4], k4, A12[5], k5)
+    x = _plus_three(x, A12[6], k6, A12[7], k7, A12[8], k8)
+    k12 = _changes(_plus_three(x, A12[9], k9, A12[10], k10, A12[11], k11), h * (w + dw), q, by, fades)
     zero = 0 * h
     nought = (zero, zero, zero, zero, zero, zero)
-    x = _three(nought, 0.054293734116568765, k1, 4.450312892752409, k6, 1.8915178993145003, k7)
-    x = _three(x, -5.801203960010585, k8, 0.3111643669578199, k9, -0.1521609496625161, k10)
-    x = _two(x, 0.20136540080403034, k11, 0.04471061572777259, k12)
-    fifth = _three(nought, 0.01312004499419488, k1, -1.2251564463762044, k6, -0.4957589496572502, k7)
-    fifth = _three(fifth, 1.6643771824549864, k8, -0.35032884874997366, k9, 0.3341791187130175, k10)
-    fifth = _two(fifth, 0.08192320648511571, k11, -0.022355307863886294, k12)
-    x = _one(y, 1 + zero, x)
+    x = _plus_three(nought, B[1], k1, B[6], k6, B[7], k7)
+    x = _plus_three(x, B[8], k8, B[9], k9, B[10], k10)
+    x = _plus_two(x, B[11], k11, B[12], k12)
+    fifth = _plus_three(nought, E5[1], k1, E5[6], k6, E5[7], k7)
+    fifth = _plus_three(fifth, E5[8], k8, E5[9], k9, E5[10], k10)
+    fifth = _plus_two(fifth, E5[11], k11, E5[12], k12)
+    x = _plus_one(y, 1 + zero, x)
     u, f = math.sqrt(x[0] * x[0] + x[1] * x[1]), math.sqrt(x[2] * x[2] + x[3] * x[3])
     u, f = long / (u + NEVER_ZERO), long / (f + NEVER_ZERO)
     u, f = (u if u > 1 else 1 + zero), (f if f > 1 else 1 + zero)
-    return x, math.sqrt(_squares(fifth, u, f) + fifth[4] * fifth[4] / (long * long)), _steepest(fifth)
+    return x, math.sqrt(_weighted_squares(fifth, u, f) + fifth[4] * fifth[4] / (long * long)), _steepest(fifth)
 
 
 @kernel
-def fade(
+def vanishing_slip_step(
     y: Glide, compressing: bool, share: float, allowed: float, long: float, q: Couplings
 ) -> tuple[Glide, float, int]:
     """Take a step of a slip u that vanishes before the phase ends; return state, share of the next step, and DONE at its end.
 
     In the variable |u|^(1/2) a slip that goes straight to zero is a polynomial of degree 2, and the energy one of degree 4, which
     a step follows exactly, its error estimate too; ``share`` is how much of that variable a step takes away. LEAVES where
-    nothing vanishes, or where a step of :func:`glide` is as good.
+    nothing vanishes, or where a step of :func:`sliding_step` is as good.
     """
     zero, one = 0 * share, 1 + 0 * share
     u, f = math.sqrt(y[0] * y[0] + y[1] * y[1]), math.sqrt(y[2] * y[2] + y[3] * y[3])
     if not (u > 0 and f > 0):
         return y, share, LEAVES
     px, py, qx, qy = y[0] / u, y[1] / u, y[2] / f, y[3] / f
-    r0, r1, r2, r3, push = _rates(y, (px, py), (qx, qy), q)
+    r0, r1, r2, r3, push = _sliding_rates(y, (px, py), (qx, qy), q)
     lever = q[0] / (1 - q[1])
     un, along = lever * (y[0] + y[2]), lever * (r0 + r2)
     fades, turns = -(px * r0 + py * r1), abs(px * r1 - py * r0)
@@ -193,14 +187,16 @@ def fade(
         # straight to the end, in the slip's mean direction: the one that it has an e-fold later
         size = math.sqrt(1 + turn * turn)
         px, py = (px - turn * py) / size, (py + turn * px) / size
-        r0, r1, r2, r3, _push = _rates(y, (px, py), (qx, qy), q)
+        r0, r1, r2, r3, _push = _sliding_rates(y, (px, py), (qx, qy), q)
         p = -u / (px * r0 + py * r1)
         return (zero, zero, y[2] + p * r2, y[3] + p * r3, y[4] - p * un, y[5] + p), share, DONE
     rho = math.sqrt(u)
     h = share * rho
     g = h * 2 * rho / fades
     by = (fades / 2, zero, zero, zero, zero)
-    new, error, _wrong = _stride(y, (g * r0, g * r1, g * r2, g * r3, -g * un, g), h, one, zero, q, by, long, True)
+    new, error, _wrong = _dormand_prince_step(
+        y, (g * r0, g * r1, g * r2, g * r3, -g * un, g), h, one, zero, q, by, long, True
+    )
     error = error / ESTIMATE
     un1 = lever * (new[0] + new[2])
     ahead = (px * new[0] + py * new[1] > 0) & (qx * new[2] + qy * new[3] > 0)
@@ -216,18 +212,18 @@ def fade(
 
 
 @hot_kernel
-def _squares(x: Glide, u: float, f: float) -> float:
+def _weighted_squares(x: Glide, u: float, f: float) -> float:
     return u * (x[0] * x[0] + x[1] * x[1]) + f * (x[2] * x[2] + x[3] * x[3]) + x[5] * x[5]
 
 
 @hot_kernel
-def _pace(turn: float, fade: float) -> float:
+def _turning_rate(turn: float, fade: float) -> float:
     """Return how fast a slip loses its direction, by turning or by decreasing; a growing slip moves away from the singularity."""
     return turn + (fade if fade > 0 else -GROWS * fade)
 
 
 @hot_kernel
-def glide(  # noqa: PLR0915  (one step for all balls, without branches)
+def sliding_step(  # noqa: PLR0915  (one step for all balls, without branches)
     y: Glide,
     dw: Pair,
     df: Pair,
@@ -251,12 +247,12 @@ def glide(  # noqa: PLR0915  (one step for all balls, without branches)
     iu, jf = 1 / (one if starts_w else u), 1 / (one if starts_f else f)
     px, py = (dw[0] if starts_w else y[0] * iu), (dw[1] if starts_w else y[1] * iu)
     qx, qy = (df[0] if starts_f else y[2] * jf), (df[1] if starts_f else y[3] * jf)
-    r0, r1, r2, r3, push = _rates(y, (px, py), (qx, qy), q)
+    r0, r1, r2, r3, push = _sliding_rates(y, (px, py), (qx, qy), q)
     lever = q[0] / (1 - q[1])
     un, along = lever * (y[0] + y[2]), lever * (r0 + r2)
     # (a, b, base): the rate at which the slips lose their directions, per P
-    a = without_slopes(zero if starts_w else _pace(abs(px * r1 - py * r0), -(px * r0 + py * r1)))
-    b = without_slopes(zero if starts_f else _pace(abs(qx * r3 - qy * r2), -(qx * r2 + qy * r3)))
+    a = without_slopes(zero if starts_w else _turning_rate(abs(px * r1 - py * r0), -(px * r0 + py * r1)))
+    b = without_slopes(zero if starts_f else _turning_rate(abs(qx * r3 - qy * r2), -(qx * r2 + qy * r3)))
     # (where the wall does not push the ball back, or a phase is over, the answer is LEAVES; until then nothing is divided by zero)
     pushed = along if along > 0 else one
     root = un + math.sqrt(un * un + 2 * pushed * y[4])
@@ -283,7 +279,7 @@ def glide(  # noqa: PLR0915  (one step for all balls, without branches)
     per = (pushed if compressing else (math.sqrt(pushed) if fresh else un / w)) if last else rate
     per = per if lasting else one
     g = step / per
-    new, error, wrong = _stride(
+    new, error, wrong = _dormand_prince_step(
         y,
         (g * r0, g * r1, g * r2, g * r3, -g * un, g),
         step,
@@ -326,7 +322,7 @@ def glide(  # noqa: PLR0915  (one step for all balls, without branches)
 
 
 @kernel
-def slide(
+def integrate_sliding(
     y: Glide,
     dw: Pair,
     df: Pair,
@@ -345,8 +341,10 @@ def slide(
         # (the steps of a slip that vanishes see nothing of what its derivatives across it do)
         fading = LEAVES if carries_slopes(y[0]) else GOES
         while fading == GOES:
-            y, share, fading = fade(y, compressing, share, allowed, long, q)
+            y, share, fading = vanishing_slip_step(y, compressing, share, allowed, long, q)
         if fading == DONE:  # the wall's slip has vanished
             break
-        y, compressing, peak, reach, status = glide(y, dw, df, compressing, peak, reach, allowed, long, least, q, e)
+        y, compressing, peak, reach, status = sliding_step(
+            y, dw, df, compressing, peak, reach, allowed, long, least, q, e
+        )
     return y, compressing, peak, status == DONE

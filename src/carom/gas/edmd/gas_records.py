@@ -220,7 +220,7 @@ class Calendar(NamedTuple):
 
 
 class Cells(NamedTuple):
-    """The cell list (:mod:`carom.gas.edmd.cells`)."""
+    """The cell list (:mod:`carom.gas.edmd.cell_lists`)."""
 
     slots: NDArray[np.uint32]
     links: NDArray[np.uint32]

@@ -5,21 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 __all__ = [
-    "CORNER",
-    "DONE",
-    "ENDING",
-    "ENDS",
-    "ESCAPED",
-    "FREE",
-    "GRAZED",
-    "MAX_EMPTY_CELLS",
-    "PIECES",
-    "POSITION",
-    "SPIN",
-    "TIME",
-    "VELOCITY",
-    "WORLD",
-]
+    "CORNER", "DONE", "ENDING", "ENDS", "ESCAPED", "FREE", "GRAZED", "MAX_EMPTY_CELLS", "PIECES", "POSITION", "SPIN", "TIME",
+    "VELOCITY", "WORLD",
+]  # fmt: skip
 
 # A piece of the boundary of the region open to the ball's CENTRE. What the fields mean depends on the kind of piece:
 #
