@@ -16,9 +16,10 @@ from carom.fitting import Setting, fit_law, fit_laws, make_problem
 from carom.fitting.design import Shots, design
 from carom.fitting.laws import laws_named
 from carom.fitting.model import model_of
+from carom.fitting.profile_likelihood import with_profiles
 from carom.fitting.result import refit, rows_of_fit
 from carom.fitting.setting import require_settings
-from carom.fitting.uncertainty import with_bootstrap, with_profiles
+from carom.fitting.uncertainty import with_bootstrap
 from carom.laws import maw
 
 A, KAPPA = 0.02, 2 / 3

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-
 from reference.hertz_contacts import contact_time, damping_of, integrate, known, known_case, restitution_of
 
 CASES = known()["cases"]

@@ -4,6 +4,7 @@ from .fit import fit_law as fit_law
 from .laws import FITTED as FITTED
 from .laws import FittedLaw as FittedLaw
 from .outliers import Outlier as Outlier
+from .profile_likelihood import with_profiles as with_profiles
 from .ranking import Ranked as Ranked
 from .ranking import Ranking as Ranking
 from .ranking import fit_laws as fit_laws
@@ -11,4 +12,3 @@ from .result import Estimate as Estimate
 from .result import Fit as Fit
 from .setting import Setting as Setting
 from .uncertainty import with_bootstrap as with_bootstrap
-from .uncertainty import with_profiles as with_profiles

@@ -18,9 +18,10 @@ from carom.fitting.laws import laws_named
 from carom.fitting.model import SETTING_NUMBERS
 from carom.fitting.outliers import Outlier, outliers_of
 from carom.fitting.parameters import FORMS
+from carom.fitting.profile_likelihood import with_profiles
 from carom.fitting.result import Fit, finite, with_error_bar
 from carom.fitting.setting import Setting, require_settings
-from carom.fitting.uncertainty import with_bootstrap, with_profiles, with_shared
+from carom.fitting.uncertainty import with_bootstrap, with_shared
 from carom.laws.registry import one_or_several
 
 __all__ = ["Outlier", "Ranked", "Ranking", "fit_laws"]

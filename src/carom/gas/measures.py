@@ -19,7 +19,7 @@ from carom.gas.curves import Displacement, Distribution, PairCorrelation
 from carom.gas.edmd.driver import synchronized
 from carom.gas.gas import Gas
 from carom.gas.histograms import add_component_histograms, add_pair_histograms, species_sums
-from carom.gas.profiles import Profile, Profiles, layers, volume_within
+from carom.gas.spatial_profiles import Profile, Profiles, layers, volume_within
 from carom.gas.state import require_same_form
 
 __all__ = ["SERIES", "Displacement", "Distribution", "Measures", "PairCorrelation", "mean_square_displacement"]

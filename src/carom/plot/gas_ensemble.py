@@ -9,8 +9,8 @@ import numpy as np
 
 from carom.errors import CaromError
 from carom.gas.ensembles import Curve, Ensemble
-from carom.gas.profiles import layers
 from carom.gas.report import pressure_unit
+from carom.gas.spatial_profiles import layers
 from carom.plot.gas import (
     COLOURS,
     MAX_PAIRS,

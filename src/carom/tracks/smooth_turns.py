@@ -13,8 +13,8 @@ from carom.tracks.free_motion import VelocityJump
 __all__ = ["SMOOTH_TURN", "certainly_sharp", "turns_smoothly", "without_smooth_turns"]
 
 SMOOTH_TURN = (
-    "the ball turns over several frames there, as on a curved rail or at the end of a string; at a wall it turns between two frames:"
-    " not used"
+    "the ball turns over several frames there, as on a curved rail or at the end of a string; at a wall it turns between two"
+    " frames: not used"
 )
 
 

@@ -17,6 +17,7 @@ import numpy as np
 
 from carom.errors import CaromError
 from carom.fitting.optimizer import cross_kinks
+from carom.fitting.profile_likelihood import LEVELS, half_width
 from carom.fitting.result import scaled
 from carom.fitting.tracks.errors import ambiguous, held_rises
 from carom.fitting.tracks.fit import finish, fit_windows, with_best_sidespins
@@ -24,7 +25,6 @@ from carom.fitting.tracks.model import TrackModel
 from carom.fitting.tracks.objective import Array, Numbers, SegmentArrays, descend
 from carom.fitting.tracks.result import TrackFit
 from carom.fitting.tracks.segments import TrackSegment
-from carom.fitting.uncertainty import LEVELS, half_width
 
 __all__ = ["fit_track_law"]
 
