@@ -9,9 +9,9 @@ from typing import Any, BinaryIO
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.data.cells import decimal_commas, parse_numbers
 from carom.data.csv import CsvTable, TableChunk
 from carom.data.plan import TablePlan
+from carom.data.table_cells import decimal_commas, parse_numbers
 from carom.errors import CaromError
 
 __all__ = ["ColumnTable", "Columns", "as_columns", "is_columns", "read_columns"]
