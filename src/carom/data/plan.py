@@ -102,7 +102,7 @@ class TablePlan:
     note: str
     """Header of the column with the reason why a row has no answer."""
     notes: list[str]
-    """What was assumed."""
+    """Assumptions made."""
 
     @property
     def may_be_empty(self) -> tuple[str, ...]:

@@ -82,7 +82,7 @@ class Rebounds:
     """Label of each row, such as "line 7"."""
     source: str = ""
     notes: tuple[str, ...] = ()
-    """What was assumed, and what looks wrong."""
+    """Assumptions made, and values that look wrong."""
 
     def __len__(self) -> int:
         """The number of rebounds."""

@@ -95,7 +95,7 @@ def _record(dtype: np.dtype[Any]) -> dict[str, Any]:
 
 
 def _law(law: Any) -> dict[str, Any]:
-    """What the page needs to know of a law."""
+    """Description of a law for the page."""
     return {
         "name": law.name,
         "title": law.card.summary,

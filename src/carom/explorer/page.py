@@ -260,7 +260,7 @@ def filled_page(data: dict[str, Any]) -> str:
 
 
 def _card(name: str) -> dict[str, Any]:
-    """What the page shows of a law; colour and dashes are those of its line in figures."""
+    """Description of a law as the page shows it; colour and dashes are those of its line in figures."""
     law = law_named(name)
     colour, dashes = law_styles(_compiled())[name]
     return {

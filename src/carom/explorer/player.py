@@ -101,7 +101,7 @@ def _rows(run: Trajectory, start: float, end: float) -> NDArray[np.void]:
 
 
 def _card(run: Trajectory) -> dict[str, Any]:
-    """What the page shows of the law of a recorded run."""
+    """Description of the law of a recorded run, as the page shows it."""
     several, law = _several(run), run.scene.run.law
     card = (law if isinstance(law, Law) else law_named(law)).card
     name = SEVERAL_LAWS if several else law_name(law)

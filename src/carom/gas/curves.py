@@ -1,4 +1,4 @@
-"""What samples of a gas add up to: distributions of velocity and spin, displacements, pair correlations."""
+"""Curves averaged over the samples of a gas: distributions of velocity and spin, displacements, pair correlations."""
 
 from __future__ import annotations
 

@@ -44,13 +44,13 @@ class Curve(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Ensemble:
-    """What :func:`simulate_ensemble` found."""
+    """Result of :func:`simulate_ensemble`."""
 
     scene: GasScene
     seeds: tuple[int, ...]
     """Of the members: ``carom gas SCENE.toml --seed`` runs one alone."""
     members: tuple[dict[str, Any], ...]
-    """What ``carom gas --json`` prints of each."""
+    """The JSON object that ``carom gas`` prints for each."""
     mean: dict[str, Any]
     """The means of these, in the same form."""
     error: dict[str, Any]

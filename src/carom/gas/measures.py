@@ -261,7 +261,7 @@ class Measures:
 
     @property
     def series(self) -> dict[str, Array]:
-        """What each sample found, by the names in SERIES: time, collisions, temperatures, potential energy per ball."""
+        """Values of each sample, by the names in SERIES: time, collisions, temperatures, potential energy per ball."""
         table = np.array(self.rows).reshape(-1, len(SERIES))
         return {name: table[:, k] for k, name in enumerate(SERIES)}
 

@@ -16,7 +16,7 @@ __all__ = ["ArrayHeader", "npz_headers", "require_npz_size"]
 
 
 class ArrayHeader(NamedTuple):
-    """What an array of a file is, as its header has it."""
+    """Description of an array in a file, from its header."""
 
     shape: tuple[int, ...]
     dtype: np.dtype[Any]

@@ -60,7 +60,7 @@ class Mark(NamedTuple):
 
 @dataclass(frozen=True)
 class GasRun:
-    """What was measured in a run of a gas.
+    """Measurements from a run of a gas.
 
     Examples
     --------

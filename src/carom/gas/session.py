@@ -126,7 +126,7 @@ class Session:
 
     @property
     def result(self) -> GasRun:
-        """What was measured so far; CaromError before the measurement has begun."""
+        """Measurements so far; CaromError before the measurement has begun."""
         if self.mark is None:
             raise CaromError("Session: expected an equilibrated gas, got one in equilibration; run it further")
         return self.gas.measured_since(self.mark)

@@ -1,4 +1,4 @@
-"""What the arrays of a checkpoint must be, before compiled loops take them: these look at no type, no length and no index."""
+"""Requirements on the arrays of a checkpoint, checked before compiled loops use them: these check no type, length or index."""
 
 from __future__ import annotations
 

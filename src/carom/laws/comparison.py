@@ -179,7 +179,7 @@ class Verdict:
     why: tuple[str, ...]
     """Why the law is not admissible, in sentences; empty if it is."""
     remarks: tuple[str, ...]
-    """What happens to the ball, as far as the numbers do not show it directly, in sentences."""
+    """Remarks on the motion of the ball that the numbers do not show directly, in sentences."""
     after_wall: State | None
     """None if the law makes no prediction."""
     final: State | None

@@ -167,7 +167,7 @@ DEFAULT_CUE = Cue()
 
 @dataclass(frozen=True, eq=False)
 class Strike:
-    """What a cue strike does; shapes (...) are those of its arguments.
+    """Result of a cue strike; shapes (...) as in its arguments.
 
     Examples
     --------

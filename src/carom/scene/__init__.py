@@ -1,4 +1,4 @@
-"""What a user declares: balls, floor, walls and their shapes, how long to run; read from Python or TOML, and validated."""
+"""Declarations of a user: balls, floor, walls and their shapes, how long to run; read from Python or TOML, and validated."""
 
 from carom.public.names import attach_public as _attach_public
 

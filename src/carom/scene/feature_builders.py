@@ -1,4 +1,4 @@
-"""What walls are made of: features, what :mod:`carom.core.geometry.features` works on, and how to build them."""
+"""Features, the elements of walls that :mod:`carom.core.geometry.features` works on, and functions that build them."""
 
 from __future__ import annotations
 

@@ -23,7 +23,7 @@ BREAK_SPEED, BREAK_FROM = 9.5, 0.15  # m/s; m beside the middle: on all three ta
 
 @dataclass(frozen=True)
 class Opening:
-    """What a table is played with at first: what the shot is, the balls by name and place, and the motion of the first one."""
+    """The opening of a table: the shot, the balls by name and place, and the motion of the first one."""
 
     about: str
     balls: list[tuple[str, float, float]]

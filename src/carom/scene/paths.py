@@ -41,7 +41,7 @@ def ball_index(scene: Scene, ball: int | str, where: str = "ball") -> int:
 
 
 class PathMatch(NamedTuple):
-    """What a path stands for: the places it names, and the value at each."""
+    """Target of a path: the places that it names, and the value at each."""
 
     path: str
     places: tuple[Keys, ...]

@@ -235,7 +235,7 @@ def _choice(at: str, value: Any, inside: list[type[Model]]) -> str:
 
 
 def _expectation(owner: type[Model], field: str) -> str:
-    """What a field is to be, from its type."""
+    """Expectation of a field, from its type."""
     for one in owner.model_fields[field].metadata:
         what = getattr(getattr(one, "func", None), "what", None)
         if what is not None:
@@ -259,7 +259,7 @@ EXAMPLES = {
 
 @dataclass(frozen=True)
 class Number:
-    """What is expected of a number; a call returns the value as a float, or raises the problem.
+    """Expectation of a number; a call returns the value as a float, or raises the problem.
 
     With a unit, a string like "61.5 mm" is a number too. ``above``: greater than ``least``, not equal to it.
     """
@@ -300,7 +300,7 @@ def _float(value: Real) -> float:
 
 @dataclass(frozen=True)
 class Components:
-    """What is expected of a vector: how many numbers. They are validated afterwards, one by one."""
+    """Expectation of a vector: the number of its components. They are validated afterwards, one by one."""
 
     what: str
     counts: tuple[int, ...]

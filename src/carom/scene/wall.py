@@ -1,4 +1,4 @@
-"""What every wall has: a surface, a law, a name; and what every shape tells of itself."""
+"""Fields of every wall (surface, law, name), and methods of every shape."""
 
 from __future__ import annotations
 

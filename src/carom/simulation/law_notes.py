@@ -1,4 +1,4 @@
-"""What a run says against the laws of its walls: energy that one creates, balls that one leaves moving into the wall."""
+"""Objections of a run to the laws of its walls: energy created, balls left moving into the wall."""
 
 from __future__ import annotations
 

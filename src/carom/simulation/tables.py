@@ -37,7 +37,7 @@ UNITS = {
 
 
 class EventSource(Protocol):
-    """What a table of events needs: :class:`carom.Trajectory` and :class:`carom.ManyRuns` offer it."""
+    """Source of a table of events: :class:`carom.Trajectory` and :class:`carom.ManyRuns` are such sources."""
 
     @property
     def scene(self) -> Scene:
@@ -50,7 +50,7 @@ class EventSource(Protocol):
 
 
 class RunRecord(EventSource, Protocol):
-    """What tables and files need of a run; :class:`carom.Trajectory` offers it."""
+    """Content of a run for tables and files; :class:`carom.Trajectory` offers it."""
 
     log: NDArray[np.void]
     end: float

@@ -31,7 +31,7 @@ ROWS_AT_ONCE = 1 << 18  # of logs, some 300 bytes each
 
 
 class CoarseSweep(NamedTuple):
-    """What N starts come to."""
+    """Results of N starts."""
 
     x: Array
     """(N, U)."""

@@ -49,7 +49,7 @@ class Aim:
     covariance: Array
     """(R, R) of the miss."""
     sequence: tuple[str, ...]
-    """What the targets' balls meet, in this order."""
+    """Objects that the targets' balls meet, in this order."""
     time: float
     """When the last target is reached, s."""
     scene: Scene
@@ -106,7 +106,7 @@ class Aims(Sequence[Aim]):
 
     @property
     def note(self) -> str:
-        """What is to be said below the table: the player's errors, and what a dash means."""
+        """Notes below the table: the player's errors, and the meaning of a dash."""
         each = [
             f"{one.name} {100 * one.error:g} %" if one.name == "speed" else f"{one.name} {one.error:g} {one.unit}"
             for one in self._unknowns

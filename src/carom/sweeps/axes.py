@@ -1,4 +1,4 @@
-"""What a parameter of a sweep runs through: values, random draws, and designs of samples; in Python and as plain data."""
+"""Axes of a sweep: values, random draws, and designs of samples; in Python and as plain data."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a sweep keeps of every point: names, shapes, types, units; and why a point has no outcome."""
+"""Outcomes of a point of a sweep: names, shapes, types, units; and why a point has no outcome."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Outcome:
     dims: dict[str, tuple[Any, ...]] = field(default_factory=dict)
     units: str = "1"
     meanings: tuple[str, ...] = ()
-    """What its whole numbers stand for, from 0 on; -1 stands for a point without an outcome."""
+    """Meanings of its whole numbers, from 0 on; -1 stands for a point without an outcome."""
 
     @property
     def shape(self) -> tuple[int, ...]:

@@ -39,7 +39,7 @@ class Coordinate:
 
 
 class Space:
-    """What a sweep runs through: parameters of a scene, an impact, an orbit or a gas, each with its values.
+    """Space of a sweep: parameters of a scene, an impact, an orbit or a gas, each with its values.
 
     Parameters
     ----------

@@ -1,4 +1,4 @@
-"""What can be swept: one subject for each kind, all with the same few functions."""
+"""Subjects of a sweep: one for each kind, all with the same few functions."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Columns = dict[str, NDArray[Any]]
 
 
 class SweepSubject(Protocol):
-    """What is computed at every point of a sweep."""
+    """The computation at every point of a sweep."""
 
     kind: str
 

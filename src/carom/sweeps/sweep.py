@@ -39,7 +39,7 @@ SAMPLE_PLACES = 16  # where these points lie, spread over the space
 
 
 class SweepPlan:
-    """What a sweep would do: :meth:`Sweep.explain`."""
+    """Plan of a sweep: :meth:`Sweep.explain`."""
 
     def __init__(self, text: str, **numbers: Any) -> None:
         self.text = text

@@ -68,7 +68,7 @@ PositiveSpeed = Annotated[float, BeforeValidator(Number("a number > 0", "m/s", l
 
 
 class Target(Model):
-    """What a ball is to reach: one of ``point``, ``pocket`` and ``hit``.
+    """Goal of a ball: one of ``point``, ``pocket`` and ``hit``.
 
     Parameters
     ----------
@@ -117,7 +117,7 @@ class TargetEvent(NamedTuple):
     cushions: int
     point: tuple[float, float]
     windows: tuple[float, ...]
-    """What each number of the residual may be, at most."""
+    """Greatest allowed size of each number of the residual."""
     centers: Array
     """Of all pockets, (P, 2)."""
     speed: float | None = None
@@ -191,7 +191,7 @@ def _event_of(scene: Scene, target: Target, where: str) -> TargetEvent:
 
 
 class Outcomes(NamedTuple):
-    """What N runs did, as far as targets ask for it."""
+    """Outcomes of N runs, as far as targets ask for them."""
 
     log: NDArray[np.void]
     """(N, M): rows of walls, balls and pockets; a meeting of two balls has two rows, one for each, one after the other."""

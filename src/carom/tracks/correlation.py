@@ -49,7 +49,7 @@ class FrameGroups(NamedTuple):
 
 
 class FittedFrames(NamedTuple):
-    """What the estimate needs of a fit with p parameters: n single frames."""
+    """Data for the estimate from a fit with p parameters: n single frames."""
 
     time: Array
     """(n,) s."""

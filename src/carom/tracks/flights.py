@@ -44,7 +44,7 @@ MIN_FLIGHTS_APART = 3  # from which their differences show errors beyond the noi
 
 
 class Air(NamedTuple):
-    """What acts on a ball in flight besides the size of gravity."""
+    """Accelerations of a ball in flight besides the size of gravity."""
 
     down: tuple[float, float] = (0.0, -1.0)
     """The direction of gravity in the picture."""

@@ -109,7 +109,7 @@ class ContactFit:
     hop_chi2: float = 0.0
     """By how much chi2 is higher if the ball hops for as long as off a wall that it touches at its centre."""
     fitted: FittedFrames | None = None
-    """What the estimate of the noise's correlation needs."""
+    """Data for the estimate of the noise's correlation."""
     drag_shift: Array | None = None
     """(17,): by how much the values change with one standard deviation more of the air's drag; None where that has no error."""
 

@@ -37,7 +37,7 @@ NUMBERS = 23
 
 @kernel
 def _across(d: Vec, r: Vec) -> tuple[Vec, float, float]:
-    """What of r is across the axis d, its size, and what is along."""
+    """Components of r across the axis d (and their size) and along it."""
     h = dot(r, d)
     q = (r[0] - h * d[0], r[1] - h * d[1], r[2] - h * d[2])
     return q, math.sqrt(dot(q, q)), h

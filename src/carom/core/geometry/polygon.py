@@ -29,7 +29,7 @@ def polygon_depth(vertices: Array, x: Array) -> Array:
 
 
 def outline_faults(corners: Array) -> list[tuple[str, str]]:
-    """What keeps points (N, 2), N >= 3, from being the corners of a polygon in order: pairs of what was expected, what came.
+    """Faults of points (N, 2), N >= 3, as the corners of a polygon in order: pairs of expectation and finding.
 
     Corners in one place, sides that run back along the one before (a slit or a spike of no width), that lie on each other, that
     cross, corners on other sides. What is closer than 1e-9 of the longest side is in one place. Corners are counted from 1; where

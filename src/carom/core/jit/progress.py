@@ -37,7 +37,7 @@ class CompileProgress(NamedTuple):
     """How far a compilation is."""
 
     part: str
-    """What is being compiled, in plain words."""
+    """Description of the code that is being compiled."""
     done: int
     """Functions that are compiled."""
     expected: int

@@ -39,7 +39,7 @@ class Dataset:
     citation: str
     doi: str
     notes: str
-    """What was measured, how the numbers were obtained, and their limitations."""
+    """Measured quantities, how the numbers were obtained, and their limitations."""
     path: Path
 
     @cached_property

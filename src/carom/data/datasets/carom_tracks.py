@@ -51,7 +51,7 @@ ARRAYS: dict[str, Any] = {
 
 
 class WrittenTracks(NamedTuple):
-    """What was written."""
+    """The files that were written."""
 
     path: Path
     rows: int

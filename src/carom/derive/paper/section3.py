@@ -294,7 +294,7 @@ def energies() -> list[Entry]:
 
 
 def flight() -> list[Entry]:
-    """What lies between: the ball comes down as it went up."""
+    """The flight in between: the ball comes down as it went up."""
     t = sp.Symbol("t", positive=True)
     rise = sp.Symbol("zdot1", positive=True)
     landing = sp.solve(sp.Eq(rise * t - k.g * t**2 / 2, 0), t)[0]

@@ -196,7 +196,7 @@ def conclusions() -> list[Entry]:
 
 
 def introduction() -> list[Entry]:
-    """What section 1 says of friction and energy."""
+    """Statements of section 1 on friction and energy."""
     t_change = sp.Symbol("Delta_T", real=True)
     case = {k.x0: -u0, k.y0: v0, e: sp.S.One}
     change = tidy(k.first_impact()[1].energy_change.subs(case))

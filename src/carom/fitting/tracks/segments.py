@@ -42,7 +42,7 @@ class TrackSegment:
     slides: bool
     """Whether it has just been set in motion, so that it may slide."""
     ends: str
-    """What ends it: ball, gap, end, another contact."""
+    """Cause of its end: ball, gap, end, another contact."""
 
     @property
     def label(self) -> str:

@@ -1,4 +1,4 @@
-"""What carom does with a ball at a cushion of pooltool's, or with two balls, in numbers alone: pooltool is not imported here.
+"""Impacts of a ball on a cushion of pooltool's, and of two balls, in numbers alone: pooltool is not imported here.
 
 pooltool 0.6 has no gravity: a ball that a cushion lifts would rise for ever, and its own laws of cushions set the vertical velocity
 to zero. Here the ball lands at once, with the impulse that the floor gives it at the end of its flight, and the flight is reported.

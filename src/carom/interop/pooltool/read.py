@@ -37,7 +37,7 @@ class PooltoolShot:
     scene: Scene
     """The start of the shot, with the law two-step."""
     notes: tuple[str, ...] = ()
-    """What is in the file and not in the scene, and what carom computes in another way; one sentence each."""
+    """Content of the file that the scene lacks, and effects that carom computes in another way; one sentence each."""
     paths: dict[str, Array] = field(default_factory=dict)
     """The path (n, 4) that pooltool has recorded of each ball: time (s) and centre (m). Empty where the shot was not simulated."""
 

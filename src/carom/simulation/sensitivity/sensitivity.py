@@ -93,7 +93,7 @@ class Sensitivity:
 
     @functools.cached_property
     def near_misses(self) -> list[NearMiss]:
-        """What balls pass by without touching it; first what the smallest change of the parameters makes a contact."""
+        """Objects that balls pass without touching; first the object that the smallest change of the parameters makes a contact."""
         return near_misses(self._run, self._parameters, self._passages)
 
     @property
