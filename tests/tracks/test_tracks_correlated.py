@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import numpy as np
 import pytest
 from reference.known_films import Fall, drawn_fall, fallen, noise, rotated
-from reference.synthetic_tracks import Camera, seen, shot, truth
+from reference.synthetic_tracks import RADIUS, Camera, seen, shot, truth
 
 from carom.tracks import Measured, Settings, measure, usable_stages
 from carom.tracks.correlation import Correlation, FrameGroups, whitening
+from carom.tracks.events import wall_through
 
 
 def filmed(seed: int, correlation: float, rate: float = 240.0) -> tuple[Measured, list[dict[str, float]]]:
@@ -87,3 +89,32 @@ def test_corners_of_a_path_are_no_walls(degrees: float) -> None:
         assert not [one for one in found.contacts if usable_stages(one, "both")[0]]
         said += "give the walls' lines by two points each" in " ".join(found.notes)
     assert said or degrees == 45.0  # there two corners are met within two frames, and no contact is measured at all
+
+
+def film_of_many_shots(degrees: float, count: int = 8) -> Measured:
+    """Shots on one table, filmed by a camera that is turned."""
+    rng = np.random.default_rng(3)
+    tracks = [replace(seen(shot(rng), Camera(100, 3e-4), rng), group=f"{i}") for i in range(count)]
+    turned = [replace(track, position=rotated(track.position, degrees)) for track in tracks]
+    return measure(turned, Settings(view="above", radius=RADIUS))
+
+
+def test_turns_of_many_shots_show_the_direction_of_the_walls() -> None:
+    straight, turned = film_of_many_shots(0.0), film_of_many_shots(10.0)
+    assert len(straight.measured) >= 8
+    assert not [note for note in straight.notes if "the camera was turned" in note]
+    assert not turned.measured
+    (note,) = [note for note in turned.notes if "the camera was turned: balls turn at lines" in note]
+    assert float(note.split("lie at ")[1].split()[0]) == pytest.approx(10.0, abs=0.5)
+    lines = re.findall(r"(\w+) \((\S+), (\S+)\) to \((\S+), (\S+)\)", note)
+    walls = [
+        wall_through(name, (float(a), float(b)), (float(c), float(d)), turned.tracks) for name, a, b, c, d in lines
+    ]
+    again = measure(turned.tracks, Settings(view="above", radius=RADIUS, walls=tuple(walls)))
+    pairs = [
+        (one.fit["vn_out"] / -one.fit["vn_in"], other.fit["vn_out"] / -other.fit["vn_in"])
+        for one, other in zip(straight.contacts, again.contacts, strict=True)
+        if one.fit is not None and other.fit is not None and usable_stages(one, "both")[0]
+    ]
+    assert len(pairs) >= 5
+    assert np.median(np.abs(np.diff(pairs))) < 0.02

@@ -204,7 +204,7 @@ def _notes(
     table: Rebounds | None,
 ) -> None:
     """Print the notes of all films, each once, and of their rebounds what the contacts alone do not show."""
-    from carom.tracks.oblique import oblique_note
+    from carom.tracks.oblique import needs_lines
 
     films: dict[str, list[str]] = {}
     for name, film, one in zip(names, found, measured, strict=True):
@@ -219,7 +219,7 @@ def _notes(
     if bare and len(names) > 1:
         notes.append(f"{shortened_list(bare)}: no contact measured")
     notes += [] if table is None else [note for note in table.notes if note.startswith("energy:")]
-    if any(oblique_note(one.contacts) for one in measured):
+    if any(needs_lines(one.contacts) for one in measured):
         notes.append("--wall x1,y1,x2,y2 gives the line of a wall by two points (m), and may be repeated")
     for note in notes:
         console.print(note, style="dim", soft_wrap=True)

@@ -23,6 +23,7 @@ from carom.tracks.plausibility import GRAVITY_TOLERANCE, MIN_JUDGED, drag_note, 
 from carom.tracks.preprocess import guess_view, initial_noise, on_camera_clock, rounding_step, without_outliers
 from carom.tracks.smooth_turns import certainly_sharp, turns_smoothly
 from carom.tracks.track import Track
+from carom.tracks.turned_camera import without_turned
 
 __all__ = ["Measured", "Settings", "TrackContact", "measure"]
 
@@ -238,6 +239,9 @@ def _in_view(
         air,
     )
     contacts = job.run(list(film.tracks), events, notes, progress)
+    if view == "above" and settings.walls is None:
+        contacts, said = without_turned(contacts, film.tracks, events, film.noise, film.interval)
+        notes += said
     notes += drag_note(contacts, air)
     if not walls:
         notes.append("no wall found: no ball turns back at an extreme of the positions (--wall gives one)")

@@ -10,8 +10,9 @@ import numpy as np
 from carom.errors import shortened_list
 from carom.tracks.contact import TrackContact
 from carom.tracks.least_squares import ContactFit
+from carom.tracks.turned_camera import TURNED
 
-__all__ = ["is_oblique", "oblique_note", "without_oblique"]
+__all__ = ["is_oblique", "needs_lines", "oblique_note", "without_oblique"]
 
 OBLIQUE = (
     "a corner of the path, not a wall: velocities change more along walls parallel to the picture's axes than friction can change"
@@ -59,6 +60,11 @@ def oblique_note(contacts: Sequence[TrackContact]) -> list[str]:
         f" {np.degrees(np.arctan(max(steep))):.0f} degrees: the walls found are taken to be parallel to the picture's axes;"
         " give their lines by two points each if they are not"
     ]
+
+
+def needs_lines(contacts: Sequence[TrackContact]) -> bool:
+    """Return whether the lines of the walls should be given: the camera was turned, or may have been."""
+    return any(one.why == TURNED for one in contacts) or bool(oblique_note(contacts))
 
 
 def _needed(fit: ContactFit) -> float:

@@ -1,0 +1,170 @@
+"""The direction of the walls in a film from above: the lines at which balls turn, if they are not parallel to the axes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.tracks.contact import TrackContact
+from carom.tracks.events import SIDES, TrackEvent, frames_per_side
+from carom.tracks.track import Track
+
+__all__ = ["TURNED", "Turns", "camera_roll", "sharp_turns", "turned_walls", "without_turned"]
+
+Array = NDArray[np.float64]
+SHARP, SLOWEST, NEAR_WALL_M = (
+    np.radians(30.0),
+    0.15,
+    0.01,
+)  # a turn by this angle, at this speed, m/s; and where a wall yields
+MIN_AWAY, SHARE_AWAY = 3, 0.25  # turns away from all walls, from which another direction is sought
+STEP = np.radians(0.5)
+TURNED = "the camera was turned, and no wall is parallel to the picture's axes; give the wall's line by two points"
+
+
+class Turns(NamedTuple):
+    """Sharp turns of balls, away from other balls: places (n, 2), m; changes of velocity (n, 2), m/s; steps of a frame (n,), m."""
+
+    place: Array
+    change: Array
+    reach: Array
+
+
+def without_turned(
+    contacts: Sequence[TrackContact],
+    tracks: Sequence[Track],
+    events: dict[tuple[str, str], list[TrackEvent]],
+    noise: float,
+    interval: float,
+) -> tuple[list[TrackContact], list[str]]:
+    """Return the contacts, none of them measured if the walls that were found are turned, and a note with the walls' lines."""
+    roll = camera_roll(tracks, sharp_turns(tracks, events, interval), noise)
+    if roll is None:
+        return list(contacts), []
+    lines = "; ".join(
+        f"{name} ({first[0]:.3f}, {first[1]:.3f}) to ({second[0]:.3f}, {second[1]:.3f})"
+        for name, (first, second) in turned_walls(tracks, roll)
+    )
+    note = (
+        f"the camera was turned: balls turn at lines that lie at {np.degrees(roll):.1f} degrees to the picture's axes, so no"
+        " contact at a wall parallel to the axes is used. Give the walls' lines by two points each, estimated as (m):"
+        f" {lines}"
+    )
+    return [replace(one, fit=None, why=TURNED) if one.wall.found else one for one in contacts], [note]
+
+
+def sharp_turns(tracks: Sequence[Track], events: dict[tuple[str, str], list[TrackEvent]], interval: float) -> Turns:
+    """Return where balls turn by more than 30 degrees, far in time from other balls, gaps and the track's ends.
+
+    The velocities before and after are slopes of straight lines through the frames of 60 ms, and through three at least.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.tracks import Track
+    >>> from carom.tracks.turned_camera import sharp_turns
+    >>> t = np.arange(40) / 100
+    >>> ball = Track("ball", t, np.stack([np.abs(0.2 - t), 0.5 * t], axis=-1))
+    >>> turns = sharp_turns([ball], {("", "ball"): []}, 0.01)
+    >>> turns.place.round(2).tolist(), turns.change.round(2).tolist()
+    ([[0.01, 0.1]], [[2.0, 0.0]])
+    """
+    found = []
+    for track in tracks:
+        t, x = track.time, track.position[:, :2]
+        side = frames_per_side(t)
+        if len(t) < 2 * side + 1:
+            continue
+        slopes = _slopes(t, x, side)
+        before, after = slopes[: -side - 1], slopes[side + 1 :]  # of frames i - side to i - 1, and of i + 1 to i + side
+        i = np.arange(side, len(t) - side)
+        speeds = np.stack([np.hypot(*before.T), np.hypot(*after.T)])
+        cosine = (before * after).sum(axis=1) / np.maximum(speeds[0] * speeds[1], 1e-12)
+        turning = (cosine < np.cos(SHARP)) & (speeds.min(axis=0) > SLOWEST)
+        turning &= t[i + side] - t[i - side] < 3 * side * interval
+        margin = side * interval
+        for event in events[track.group, track.name]:
+            if event.kind != "wall":
+                turning &= (t[i] < event.low - margin) | (t[i] > event.high + margin)
+        change = after - before
+        for low, high in np.flatnonzero(np.diff(np.concatenate([[0], turning, [0]]))).reshape(-1, 2).tolist():
+            most = low + int(np.argmax(np.hypot(*change[low:high].T)))
+            found.append([*x[i[most]], *change[most], interval * speeds[:, most].max()])
+    rows = np.array(found).reshape(-1, 5)
+    return Turns(rows[:, :2], rows[:, 2:4], rows[:, 4])
+
+
+def camera_roll(tracks: Sequence[Track], turns: Turns, noise: float) -> float | None:
+    """Return by what angle the walls are turned against the picture's axes, radians from -pi/4 to pi/4, counter-clockwise.
+
+    None where the turns do not show it: where most of them are at walls parallel to the axes, or at no four lines.
+
+    Examples
+    --------
+    A ball in a box whose sides are turned by 10 degrees:
+
+    >>> import numpy as np
+    >>> from carom.tracks import Track
+    >>> from carom.tracks.turned_camera import camera_roll, sharp_turns
+    >>> t = np.arange(2000) / 100
+    >>> x = np.stack([np.abs((0.31 * t) % 2 - 1), np.abs((0.47 * t) % 2 - 1)], axis=-1)
+    >>> turn = np.radians(10.0)
+    >>> x = x @ np.array([[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]])
+    >>> ball = Track("ball", t, x)
+    >>> roll = camera_roll([ball], sharp_turns([ball], {("", "ball"): []}, 0.01), 1e-4)
+    >>> round(float(np.degrees(roll)), 1)
+    10.0
+    """
+    count = len(turns.reach)
+    x = np.concatenate([track.position[:, :2] for track in tracks])
+    straight = _at_walls(0.0, x, turns, noise)
+    away = count - len(straight)
+    if away < max(MIN_AWAY, SHARE_AWAY * count):
+        return None
+    angles = np.arange(-np.pi / 4, np.pi / 4, STEP)
+    met = [_at_walls(angle, x, turns, noise) for angle in angles.tolist()]
+    # the most turns at walls, and among equals the ones nearest to their lines
+    best = max(range(len(angles)), key=lambda k: (len(met[k]), -float(np.abs(met[k]).sum())))
+    if count - len(met[best]) > away / 2:
+        return None
+    near = [angles[best] + STEP * k / 10 for k in range(-10, 11)]
+    spread = [(len(rows), -float(np.abs(rows).sum())) for rows in (_at_walls(float(a), x, turns, noise) for a in near)]
+    return float(near[max(range(len(near)), key=lambda k: spread[k])])
+
+
+def turned_walls(tracks: Sequence[Track], roll: float) -> list[tuple[str, Array]]:
+    """Return names of four walls turned by ``roll``, radians, and two points (2, 2), m, of the line of each."""
+    x = np.concatenate([track.position[:, :2] for track in tracks])
+    found = []
+    for name, axis, sign in SIDES:
+        n, along = sign * _axes(roll)[axis], _axes(roll)[1 - axis]
+        ends = np.array([(x @ along).min(), (x @ along).max()])
+        found.append((name, (x @ n).min() * n + ends[:, None] * along))
+    return found
+
+
+def _axes(roll: float) -> Array:
+    return np.array([[np.cos(roll), np.sin(roll)], [-np.sin(roll), np.cos(roll)]])
+
+
+def _at_walls(roll: float, x: Array, turns: Turns, noise: float) -> Array:
+    """Return the distances from their walls, m, of the turns at the extremes of all positions along axes turned by ``roll``."""
+    found = []
+    for axis in _axes(roll):
+        for n in (axis, -axis):
+            distance = turns.place @ n - float((x @ n).min())
+            across = turns.change @ n
+            facing = across > np.abs(turns.change @ np.array([-n[1], n[0]]))
+            found.append(distance[facing & (distance < turns.reach + max(NEAR_WALL_M, 6 * noise))])
+    return np.concatenate(found)
+
+
+def _slopes(t: Array, x: Array, side: int) -> Array:
+    """Return slopes (n - side + 1, 2) of straight lines through every ``side`` rows in turn."""
+    windows, places = (np.lib.stride_tricks.sliding_window_view(a, side, axis=0) for a in (t - t[0], x))
+    u = windows - windows.mean(axis=1, keepdims=True)
+    return np.asarray((places * u[:, None, :]).sum(axis=-1) / np.maximum((u * u).sum(axis=1), 1e-300)[:, None])
