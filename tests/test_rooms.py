@@ -17,10 +17,31 @@ MODULES = {
 }
 
 
-def imports_of(name: str) -> set[str]:
-    """Modules of carom that a module imports anywhere: at its top, in functions, for types."""
+# What loads modules whose names it is given: the command's parts, all laws, optional libraries, what is to be compiled.
+LOADERS = {"carom.cli", "carom.laws.registry", "carom.files", "carom.core.jit.workers", "carom.core.jit.background"}
+
+
+def loaded_by_text(tree: ast.AST) -> set[str]:
+    """Names that a module hands to import_module and its like, and "module:function" texts; "?" for a name that is computed."""
     found = set()
-    for node in ast.walk(ast.parse(MODULES[name].read_text(encoding="utf-8"))):
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Call) and node.args:
+            called = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
+            if called in ("import_module", "__import__", "import_optional"):
+                name = node.args[0]
+                known = isinstance(name, ast.Constant)
+                found |= {str(name.value)} if known else {"?"} if called != "import_optional" else set()
+        elif isinstance(node, ast.Constant) and isinstance(node.value, str) and node.value.startswith("carom."):
+            module, colon, function = node.value.partition(":")
+            found |= {module} if colon and function.isidentifier() else set()
+    return found
+
+
+def imports_of(name: str) -> set[str]:
+    """Modules of carom that a module imports anywhere: at its top, in functions, for types, and by a text."""
+    tree = ast.parse(MODULES[name].read_text(encoding="utf-8"))
+    found = loaded_by_text(tree)
+    for node in ast.walk(tree):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom) and node.module:
@@ -79,6 +100,16 @@ def test_no_circle_of_modules_or_rooms() -> None:
     assert circles(packages_of(GRAPH)) == []
 
 
+@pytest.mark.parametrize("name", [name for name in MODULES if name not in LOADERS])
+def test_no_module_is_loaded_by_a_computed_name(name: str) -> None:
+    assert "?" not in loaded_by_text(ast.parse(MODULES[name].read_text(encoding="utf-8")))
+
+
+def test_a_module_that_is_loaded_by_a_text_is_an_import() -> None:
+    tree = ast.parse('importlib.import_module("carom.plot"), import_module(f"carom.{x}"), ["carom.gas.gas:run"]')
+    assert loaded_by_text(tree) == {"carom.plot", "?", "carom.gas.gas"}
+
+
 def test_a_circle_is_found() -> None:
     assert circles({"a": {"b"}, "b": {"c"}, "c": {"a"}, "d": {"a"}}) == [["a", "b", "c"]]
 
@@ -97,6 +128,7 @@ def levels(graph: dict[str, set[str]]) -> list[set[str]]:
     placed: set[str] = set()
     while rooms - placed:
         now = {room for room in rooms - placed if graph.get(room, set()) <= placed}
+        assert now, f"a circle among {sorted(rooms - placed)}"
         floor.append(now)
         placed |= now
     return floor

@@ -35,7 +35,7 @@ SCALES = (("t",), ("x",), ("v_before", "v"), ("w_before", "w"), ("impulse", "flo
 def followed(scene: carom.Scene, nudge: bool = False) -> tuple[int, np.ndarray]:
     """Return how a run of a scene ends in Python, and its log; with ``nudge``, from a start that is one last digit away."""
     setup = set_up(scene)
-    balls = setup.balls
+    balls = setup.balls_to_move()
     if nudge:
         for field in ("v", "w"):
             away = np.nextafter(balls[field], np.copysign(math.inf, balls[field]))

@@ -568,7 +568,7 @@ def _compiled() -> Any:
 
 def judge(run: carom.Trajectory) -> tuple[str, int, float, int]:
     """The first fault of a run (empty for none), its row of the log, its size, and the steps taken."""
-    setup = run._setup
+    setup = run.arrays
     surfaces = np.zeros((len(run.scene.walls), 4))
     laws = ("two-step", "conventional", "no-slip", "mirror")
     for i, (wall, law) in enumerate(zip(run.scene.walls, run.scene.wall_laws, strict=True)):
@@ -576,7 +576,7 @@ def judge(run: carom.Trajectory) -> tuple[str, int, float, int]:
         surfaces[i] = c.p[0], c.mu, c.beta, laws.index(law) if law in laws else 4
     assert run.log.dtype == LOG
     out = np.zeros(5)
-    _compiled()(run.log, setup.balls, setup.world, solids(run.scene), surfaces, run.end, out)
+    _compiled()(run.log, setup.balls_to_move(), setup.world, solids(run.scene), surfaces, run.end, out)
     return FAULTS[int(out[0])], int(out[1]), float(out[2]), int(out[4])
 
 

@@ -11,20 +11,22 @@ import pytest
 from reference.brute_force_scene import random_scene
 
 import carom
-from carom.simulation import compiled, interpreted, simulate
+from carom.simulation import compiled, interpreted, run_log
 from carom.simulation.compiled import compiled_engine
 from carom.simulation.loop import ALL
 from carom.simulation.records import LOG
+from carom.simulation.run_log import run_limits
 from carom.simulation.setup import set_up
 
 SCENES = 40
 
 
 def one_run(scene: carom.Scene, loop: Any, compiled: bool) -> tuple[Any, bytes, bytes]:
-    world, features, balls, users = set_up(scene, compiled)
-    until, most = simulate.run_limits(scene)
+    arrays = set_up(scene, compiled)
+    balls = arrays.balls_to_move()
+    until, most = run_limits(scene)
     log = np.zeros(400, LOG)
-    answer = loop(world, features, balls, log, -1.0, until, most, users, ALL)
+    answer = loop(arrays.world, arrays.features, balls, log, -1.0, until, most, arrays.users, ALL)
     return answer, balls.tobytes(), log.tobytes()
 
 
@@ -93,8 +95,8 @@ def called(monkeypatch: pytest.MonkeyPatch) -> list[str]:
         calls.append("Python")
         return interpreted.run_interpreted(*numbers)
 
-    monkeypatch.setattr(simulate, "compiled_engine", compiled)
-    monkeypatch.setattr(simulate, "run_interpreted", python)
+    monkeypatch.setattr(run_log, "compiled_engine", compiled)
+    monkeypatch.setattr(run_log, "run_interpreted", python)
     monkeypatch.setattr(interpreted, "is_loaded", lambda: False)
     monkeypatch.setattr(interpreted, "compiled_before", lambda _scene: False)
     monkeypatch.setattr(interpreted, "_spent", 0.0)
@@ -158,5 +160,6 @@ def test_large_scenes_are_left_to_compiled_code(called: list[str]) -> None:
     ring |= {"restitution": 0.9, "friction": 0.1}
     assert interpreted.worth_interpreting(table(balls=balls[:-1]))
     assert not interpreted.worth_interpreting(table(balls=balls))
-    assert not interpreted.worth_interpreting(table(walls=[ring]))
     assert called == []
+    carom.simulate(table(walls=[ring]))
+    assert set(called) == {"compiled"}

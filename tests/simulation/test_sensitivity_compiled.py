@@ -25,9 +25,9 @@ from carom.simulation.setup import SceneArrays, set_up
 def both(run: carom.Trajectory, paths: Any) -> tuple[Any, Any]:
     """Follow the log of a run in Python and compiled; CaromError where both end at a graze."""
     scene, log = run.scene, run.log
-    parameters = parameters_of(scene, paths, log["phase"][: len(scene.balls)].tolist())
-    plain, row = follow_interpreted(scene, set_up(scene, compiled=False), parameters, log)
-    compiled, other = follow_compiled(scene, set_up(scene), parameters, log, run.end)
+    parameters = parameters_of(scene, set_up(scene), paths, log["phase"][: len(scene.balls)].tolist())
+    plain, row = follow_interpreted(scene, parameters, log)
+    compiled, other = follow_compiled(scene, parameters, log, run.end)
     assert row == other
     if row >= 0:
         raise carom.CaromError("a graze")
@@ -105,7 +105,7 @@ def test_parameters_that_the_arrays_hold_themselves_are_not_differenced() -> Non
         "floor.restitution",
         "floor.rolling_resistance",
     ):
-        found = parameters_of(scene, path, [1, 4])
+        found = parameters_of(scene, setup, path, [1, 4])
         for column, slopes in zip(_columns_of(scene, path, [1, 4]), found.slopes, strict=True):
             shifted = functools.partial(_shifted_arrays, scene, column)
             expected = _differences(setup, shifted, _step_of(column))
@@ -113,7 +113,9 @@ def test_parameters_that_the_arrays_hold_themselves_are_not_differenced() -> Non
             for name, fields in expected.items():
                 for field, slope in fields.items():
                     assert slopes[name][field] == pytest.approx(slope, abs=1e-12), (column.name, name, field)
-    assert parameters_of(scene, "balls.0.velocity", [1, 4]) is parameters_of(scene, "balls.0.velocity", [1, 4])
+    assert parameters_of(scene, setup, "balls.0.velocity", [1, 4]) is parameters_of(
+        scene, setup, "balls.0.velocity", [1, 4]
+    )
 
 
 def test_many_starts_are_those_of_single_runs_on_any_number_of_cores() -> None:

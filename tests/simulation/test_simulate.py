@@ -1,12 +1,16 @@
 """simulate and simulate_many: what they take, how they end, laws of a user's own."""
 
+import copy
 import math
+import pickle
+from typing import Any
 
 import numpy as np
 import pytest
 
 import carom
 from carom.scene.shapes import Plane, Segment, Sphere
+from carom.simulation import setup
 from carom.simulation.records import WALL
 from carom.simulation.setup import set_up
 
@@ -31,10 +35,36 @@ def test_a_copy_of_a_scene_is_another_scene():
     assert carom.simulate(scene).events.kinds == ["wall"]
 
 
+@pytest.mark.parametrize("way", [copy.copy, copy.deepcopy, lambda scene: pickle.loads(pickle.dumps(scene))])
+def test_a_copy_of_a_scene_takes_nothing_computed_along(way: Any) -> None:
+    scene = carom.Scene(gravity=0, walls=[wall()], balls=[ball((1, 0, 0), (-1, 0, 0))], run=carom.Run(duration=3.0))
+    run = carom.simulate(scene)
+    assert set(scene.kept) <= {"arrays", "compiled arrays"}
+    copied = way(scene)
+    assert copied == scene
+    assert copied.kept == {}
+    assert carom.simulate(copied).log.tobytes() == run.log.tobytes()
+
+
+def test_the_arrays_of_a_scene_are_made_once_for_a_run_and_all_that_follows(monkeypatch: pytest.MonkeyPatch) -> None:
+    made = []
+    make = setup._set_up
+    monkeypatch.setattr(setup, "_set_up", lambda scene, compiled: made.append(scene) or make(scene, compiled))
+    scene = carom.Scene(gravity=0, walls=[wall()], balls=[ball((1, 0, 0), (-1, 0, 0))], run=carom.Run(duration=3.0))
+    run = carom.simulate(scene)
+    assert [one is scene for one in made] == [True]
+    run.at([0.0, 1.5])
+    found = run.sensitivity("walls.0.restitution")
+    assert (found.near_misses, len(found.margin), run.lyapunov().exponent) is not None
+    assert sum(one is scene for one in made) == 1
+
+
 def test_a_run_changes_nothing_of_its_scene():
     scene = carom.Scene(gravity=0, walls=[wall()], balls=[ball((1, 0, 0), (-1, 0, 0))], run=carom.Run(duration=3.0))
     before = set_up(scene).balls.tobytes()
     first = carom.simulate(scene)
+    with pytest.raises(ValueError, match="read-only"):
+        first.arrays.balls["x"] = 0.0
     assert set_up(scene).balls.tobytes() == before
     assert carom.simulate(scene).log.tobytes() == first.log.tobytes()
 

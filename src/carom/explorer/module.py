@@ -31,7 +31,7 @@ from carom.scene.restitution import Han2005
 from carom.simulation.loop import ALL, FULL, LIMIT, QUIET, ROWS
 from carom.simulation.records import BALLS, KINDS, LOG, WORLD
 from carom.simulation.resolve import DONE
-from carom.simulation.simulate import REFUSALS
+from carom.simulation.run_log import REFUSALS
 
 __all__ = ["ASSETS", "description", "engine_bytes", "engine_layout", "version"]
 

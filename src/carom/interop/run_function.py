@@ -13,7 +13,7 @@ from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
 from carom.simulation.sensitivity.many import sensitivities
 from carom.simulation.sensitivity.seeds import Column
-from carom.simulation.setup import SceneArrays, set_up
+from carom.simulation.setup import set_up
 from carom.simulation.simulate import simulate, simulate_many
 from carom.sweeps.starts import start_states
 
@@ -121,8 +121,7 @@ class RunFunction:
 
     def _motion(self, rows: Array) -> tuple[Array, Array, Array | None]:
         """Return velocities, spins and, where they change, positions (N, B, 3)."""
-        setup = set_up(self.scene)
-        arrays = SceneArrays(setup.world, setup.features, np.tile(setup.balls, (len(rows), 1)), setup.users)
+        arrays = set_up(self.scene).for_runs(len(rows))
         values = [self._values(row) for row in rows]
         columns = {path_match(self.scene, path): np.array([one[path] for one in values]) for path in values[0]}
         doubtful = start_states(self.scene, columns, arrays)

@@ -12,7 +12,6 @@ from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, SLIDING
 from carom.scene.feature_builders import circle
 from carom.scene.wall import WallShape
 from carom.simulation.records import START
-from carom.simulation.setup import set_up
 from carom.simulation.states import states
 from carom.simulation.trajectory import Trajectory
 
@@ -52,7 +51,6 @@ def last_time(run: Trajectory) -> float:
 def way(run: Trajectory, ball: int, until: float) -> list[tuple[int, Array, Array]]:
     """Return the path of a ball: (phase's number, times (N,), centres (N, 3)) of each phase, sampled on its closed form."""
     rows = run.log[run.log["ball"] == ball]
-    setup = set_up(run.scene)
     ends = np.minimum(np.append(rows["t"][1:], until), until)
     keep = (ends > rows["t"]) & (rows["phase"] < HELD)
     rows, lasts = rows[keep], (ends - rows["t"])[keep]
@@ -63,7 +61,7 @@ def way(run: Trajectory, ball: int, until: float) -> list[tuple[int, Array, Arra
     which = np.repeat(np.arange(len(rows)), counts)
     place = np.concatenate([np.linspace(0, 1, n) for n in counts]) if len(counts) else np.zeros(0)
     after = place * lasts[which]
-    x, _v, _w, _phase = states(setup.world, setup.balls, rows[which], after)
+    x, _v, _w, _phase = states(run.arrays.world, run.arrays.balls, rows[which], after)
     t = rows["t"][which] + after
     found: list[tuple[int, Array, Array]] = []
     for phase, a, b in zip(rows["phase"], np.cumsum(counts) - counts, np.cumsum(counts), strict=True):

@@ -211,10 +211,25 @@ class Scene(Model):
         """Laws by what walls call them: a custom law's file is run once. (A copy with other walls shares them.)"""
         return {}
 
+    @functools.cached_property
+    def kept(self) -> dict[str, Any]:
+        """Return what was computed from this scene, by name, such as its arrays; neither a copy nor a pickle takes it along."""
+        return {}
+
     def __getstate__(self) -> dict[Any, Any]:
-        """Pickle and copy what was declared: laws are found again by their names."""
+        """Pickle what was declared: laws are found again by their names."""
         state = super().__getstate__()
-        return {**state, "__dict__": {k: v for k, v in state["__dict__"].items() if k != "found_laws"}}
+        return {**state, "__dict__": {k: v for k, v in state["__dict__"].items() if k not in ("found_laws", "kept")}}
+
+    def __copy__(self) -> Scene:
+        """Copy what was declared, and the laws found (``model_copy`` then changes some of it)."""
+        copied = super().__copy__()
+        copied.__dict__.pop("kept", None)
+        return copied
+
+    def __deepcopy__(self, memo: dict[int, Any] | None = None) -> Scene:
+        """Copy as :meth:`__copy__` does: the parts cannot be changed, so that copies share them."""
+        return self.__copy__()
 
     @property
     def laws(self) -> tuple[Law, ...]:

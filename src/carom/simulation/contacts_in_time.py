@@ -11,7 +11,7 @@ from carom.core.motion.phases import HELD, LEFT, POCKETED
 from carom.formatting import counted, format_length
 from carom.scene.scene import Scene
 from carom.simulation.records import BALL
-from carom.simulation.trajectory import Trajectory
+from carom.simulation.tables import RunRecord
 
 __all__ = ["OverlapInTime", "contact_duration", "overlap_note", "overlaps"]
 
@@ -45,7 +45,7 @@ def contact_duration(mass: float, radius: float, speed: float) -> float:
     return float(HERTZ * (5 * mass / (4 * stiffness)) ** 0.4 * speed**-0.2)
 
 
-def overlaps(run: Trajectory) -> list[OverlapInTime]:
+def overlaps(run: RunRecord) -> list[OverlapInTime]:
     """Return the meetings of two balls, of the first thousand, during which a third ball touches or is about to touch one of them.
 
     That is so where its gap is at most the duration of the contact times its speed of approach, before or after the meeting.
@@ -115,7 +115,7 @@ def _third(scene: Scene, x: Array, before: Array, after: Array, i: int, j: int) 
     return nearest
 
 
-def overlap_note(run: Trajectory) -> str | None:
+def overlap_note(run: RunRecord) -> str | None:
     """Return a line on contacts that overlap in time, None where there are none: what a run says of the balls then is not right.
 
     Examples

@@ -17,9 +17,8 @@ from carom.core.motion.restitution import CONSTANT
 from carom.scene.scene import Scene
 from carom.simulation.compiled import compiled_before, is_loaded
 from carom.simulation.loop import run
-from carom.simulation.setup import set_up
 
-__all__ = ["run_interpreted", "worth_interpreting"]
+__all__ = ["MOST_FEATURES", "run_interpreted", "worth_interpreting"]
 
 # What Python may take in a process, s, until the loop is compiled, or loaded where it lies compiled in the cache.
 BEFORE_COMPILING, BEFORE_LOADING = 2.0, 0.3
@@ -32,10 +31,8 @@ _spent = 0.0
 
 
 def worth_interpreting(scene: Scene) -> bool:
-    """Return whether the next events of a scene should be run as Python: it is small, and no compiled loop is at hand."""
+    """Return whether the next events of a scene should be run as Python: few balls, and no compiled loop at hand."""
     if is_loaded() or len(scene.balls) > MOST_BALLS:
-        return False
-    if len(set_up(scene, compiled=False).features) > MOST_FEATURES:
         return False
     if scene.floor is not None:
         form, numbers, *_ = scene.floor.contact

@@ -18,7 +18,7 @@ from carom.laws.law import CONTACT_WALL, TWO_STEP_WALL
 from carom.laws.wall_and_floor.solver import JAM
 from carom.simulation.contacts_in_time import overlap_note
 from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, POCKETED_EVENT, START, WALL
-from carom.simulation.trajectory import Trajectory
+from carom.simulation.tables import RunRecord
 
 __all__ = ["cushion_side", "describe_run", "wall_normal", "with_count"]
 
@@ -43,7 +43,7 @@ REGIME_PHRASES = {STICK: ", sticks", SLIDE: ", slides along it", JAM: ", is wedg
 Rows = NDArray[np.void]
 
 
-def describe_run(run: Trajectory) -> list[str]:
+def describe_run(run: RunRecord) -> list[str]:
     """Describe a run: a paragraph for each of the first balls that move, one for all others, one for how it ended.
 
     A line before the last one says where contacts of balls overlap in time, which the run resolves one pair at a time.
@@ -67,17 +67,21 @@ def describe_run(run: Trajectory) -> list[str]:
         found.append(f"{note}.")
     if run.ended == "duration":
         found.append(
-            f"The run ends after its duration, {format_time(run.end)}, and {with_count(len(run.events), 'event')}."
+            f"The run ends after its duration, {format_time(run.end)}, and {with_count(_event_count(run), 'event')}."
         )
     elif run.ended == "max_events":
         found.append(f"The run ends at its greatest number of events, {_most(run)}, after {_when(run.end)}.")
     return found
 
 
-def _most(run: Trajectory) -> str:
+def _most(run: RunRecord) -> str:
     # (a meeting of two balls is one event of the loop, and two of the record)
     own = run.scene.run.max_events
-    return f"{len(run.events) if own is None else own:,}"
+    return f"{_event_count(run) if own is None else own:,}"
+
+
+def _event_count(run: RunRecord) -> int:
+    return int((run.log["kind"] != START).sum())
 
 
 def with_count(count: int, one: str, many: str = "") -> str:
@@ -92,7 +96,7 @@ def _and(parts: list[str]) -> str:
 # --- one ball ------------------------------------------------------------------------------------------------------
 
 
-def _ball(run: Trajectory, features: Any, rows: Rows) -> str:
+def _ball(run: RunRecord, features: Any, rows: Rows) -> str:
     """A ball's paragraph: a sentence for each of its meetings, and for what it does until the next."""
     firsts = [k for k, kind in enumerate(rows["kind"]) if kind in IMPACT_KINDS]
     # what is held is held by what it met at that instant: one sentence
@@ -127,7 +131,7 @@ def _met(firsts: list[Any], more: str = "") -> str:
     return _and(said) if said else "nothing"
 
 
-def _sentence(run: Trajectory, features: Any, part: Rows, end: float) -> str:
+def _sentence(run: RunRecord, features: Any, part: Rows, end: float) -> str:
     """Describe one impact, and the motion until the time ``end``."""
     row = part[0]
     kind = int(row["kind"])
@@ -164,7 +168,7 @@ def _speed(v: Any) -> float:
     return math.sqrt(float((v * v).sum()))
 
 
-def _start(run: Trajectory, row: Any) -> str:
+def _start(run: RunRecord, row: Any) -> str:
     """Describe the initial state."""
     name, phase, v = run.scene.ball_names[row["ball"]], int(row["phase"]), row["v"]
     if phase in (REST, PIVOTING):
@@ -224,7 +228,7 @@ def _angle(v: Any, n: Any, above: bool) -> float | None:
     return math.degrees(math.acos(max(-1.0, min(1.0, float(n @ v) / size)))) if size > 0 else None
 
 
-def cushion_side(run: Trajectory, features: Any, row: Any) -> str:
+def cushion_side(run: RunRecord, features: Any, row: Any) -> str:
     """Return which cushion of a table a ball meets, seen from above with x to the right; empty for jaws, and for other walls."""
     if run.scene.walls[row["other"]].kind not in ("table", "box"):
         return ""
@@ -234,7 +238,7 @@ def cushion_side(run: Trajectory, features: Any, row: Any) -> str:
     return side if sides[side] > 0.7 * _speed(np.array(n)) and min(abs(n[0]), abs(n[1])) < 1e-9 else ""
 
 
-def _wall(run: Trajectory, features: Any, row: Any) -> str:
+def _wall(run: RunRecord, features: Any, row: Any) -> str:
     """Describe an impact on a wall: angle of incidence, sticking or sliding, speed and angle afterwards."""
     wall = int(row["other"])
     n = wall_normal(features, row, run.scene.balls[row["ball"]].radius)
@@ -251,7 +255,7 @@ def _wall(run: Trajectory, features: Any, row: Any) -> str:
     return f"{text}{',' if friction else ''} and leaves at {format_number(_speed(row['v']))} m/s, {went:.0f}° from it"
 
 
-def _other_ball(run: Trajectory, row: Any) -> str:
+def _other_ball(run: RunRecord, row: Any) -> str:
     """Describe an impact of two balls: who strikes whom, and this one's speed afterwards."""
     other = run.scene.ball_names[row["other"]]
     before, after = _speed(row["v_before"]), _speed(row["v"])
@@ -267,7 +271,7 @@ def _other_ball(run: Trajectory, row: Any) -> str:
 # --- what it does between two meetings --------------------------------------------------------------------------------
 
 
-def _then(run: Trajectory, part: Rows, end: float) -> list[str]:
+def _then(run: RunRecord, part: Rows, end: float) -> list[str]:
     """Describe the motion after an impact: flying, landing, bouncing, sliding, rolling."""
     said: list[str] = []
     phases = part["phase"].tolist()
@@ -298,7 +302,7 @@ def _turned(part: Rows, k: int) -> str:
     return _direction(part["v"][k]) if turned >= 5 or stood else ""
 
 
-def _hop(run: Trajectory, part: Rows, lands: list[int], end: float) -> list[str]:
+def _hop(run: RunRecord, part: Rows, lands: list[int], end: float) -> list[str]:
     """Describe a flight over the floor: its height and length, and the bounces."""
     row = part[0]
     g, up = -run.scene.gravity[2], float(row["v"][2])
@@ -342,7 +346,7 @@ def _place(row: Any) -> str:
     return f"({x}, {y}) m" if row["phase"] in (PIVOTING, REST) else f"({x}, {y}, {z}) m"
 
 
-def _outcome(run: Trajectory, rows: Rows) -> str:
+def _outcome(run: RunRecord, rows: Rows) -> str:
     """Describe the final state of a ball, after how long and how many impacts."""
     last = rows[-1]
     phase, ball = int(last["phase"]), int(last["ball"])
@@ -369,7 +373,7 @@ def _outcome(run: Trajectory, rows: Rows) -> str:
     return f"At the end, after {_when(run.end)}{after}, it {how} at ({x}, {y}) m."
 
 
-def _others(run: Trajectory, balls: list[Rows]) -> str:
+def _others(run: RunRecord, balls: list[Rows]) -> str:
     """Describe all other balls in one sentence: their impacts and final states."""
     firsts = [row for rows in balls for row in rows[1:] if row["kind"] in IMPACT_KINDS]
     ends = Counter(int(rows["phase"][-1]) for rows in balls)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import weakref
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -25,30 +24,30 @@ class SceneArrays(NamedTuple):
     features: NDArray[np.void]
     """(F,) of FEATURES."""
     balls: NDArray[np.void]
-    """(B,) of BALLS, at the start."""
+    """(B,) of BALLS, at the start; those of a scene are read-only."""
     users: NDArray[np.int64]
     """Addresses of laws that are not compiled in, in the order of ``scene.called_laws``."""
 
+    def balls_to_move(self) -> NDArray[np.void]:
+        """Return a copy of the balls, which a run changes."""
+        # (from bytes: NumPy copies the fields of records one by one)
+        return np.frombuffer(bytearray(self.balls.tobytes()), BALLS)
 
-# The arrays of scenes that are alive: a run of a shot takes less time than making them. (Not kept in the scene itself, whose
-# copies with other walls would take them along.)
-_kept: dict[tuple[int, bool], tuple[weakref.ref[Scene], SceneArrays, bytes]] = {}
+    def for_runs(self, count: int) -> SceneArrays:
+        """Return the same world and features, and the balls of ``count`` runs, (count, B)."""
+        return self._replace(balls=np.tile(self.balls, (count, 1)))
 
 
 def set_up(scene: Scene, compiled: bool = True) -> SceneArrays:
-    """Return the arrays of a scene, those of the balls made anew, for a run changes them.
+    """Return the arrays of a scene. The scene keeps them: a run of a shot takes less time than making them.
 
     With ``compiled`` false nothing is compiled but laws of the user's, and only Python can run the event loop on these arrays.
     """
-    key = id(scene), compiled
-    found = _kept.get(key)
-    if found is None or found[0]() is not scene:
-        made = _set_up(scene, compiled)
-        found = weakref.ref(scene, lambda _gone: _kept.pop(key, None)), made, made.balls.tobytes()
-        _kept[key] = found
-    world, features, _balls, users = found[1]
-    # (from bytes: NumPy copies the fields of records one by one)
-    return SceneArrays(world, features, np.frombuffer(bytearray(found[2]), BALLS), users)
+    key = "compiled arrays" if compiled else "arrays"
+    if key not in scene.kept:
+        scene.kept[key] = _set_up(scene, compiled)
+    found: SceneArrays = scene.kept[key]
+    return found
 
 
 def _set_up(scene: Scene, compiled: bool) -> SceneArrays:
@@ -72,6 +71,7 @@ def _set_up(scene: Scene, compiled: bool) -> SceneArrays:
     rims = features["kind"] == RIM
     if rims.any():
         features["at"][rims] = rim_address(compiled)
+    balls.flags.writeable = False
     return SceneArrays(world, features, balls, np.array(users, dtype=np.int64))
 
 

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.bodies import State, vectors
+from carom.bodies import State
 from carom.core.jit.slices import Pace, block_slices
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, FaultList, require_type
@@ -19,47 +19,19 @@ from carom.laws.law import Law
 from carom.scene.paths import replaced
 from carom.scene.scene import Run, Scene
 from carom.scene.toml import load_scene
-from carom.simulation.compiled import compiled_engine, compiled_many
-from carom.simulation.interpreted import run_interpreted, worth_interpreting
-from carom.simulation.loop import ALL, FULL, LIMIT, PHASES_FROM, QUIET, ROWS
+from carom.simulation.compiled import compiled_many
+from carom.simulation.loop import LIMIT, PHASES_FROM, ROWS
 from carom.simulation.many_runs import ManyRuns
 from carom.simulation.records import KINDS, LOG, START
-from carom.simulation.resolve import DONE, REFUSED_ROLLING, REFUSED_STALL, REFUSED_UNDEFINED
-from carom.simulation.setup import set_up
+from carom.simulation.run_log import FIRST_ROWS, REFUSALS, run_limits, run_scene
+from carom.simulation.setup import SceneArrays, set_up
+from carom.simulation.starts import starts_of
 from carom.simulation.trajectory import Trajectory
 
-__all__ = ["MOST_EVENTS", "REFUSALS", "run_limits", "simulate", "simulate_many", "starts_of"]
+__all__ = ["simulate", "simulate_many"]
 
-Array = NDArray[np.float64]
-# Where a scene names no end: a ball between elastic walls would never stop.
-MOST_EVENTS = 100_000
 # Events of all runs of a block in the first call of the compiled loop.
 FIRST_EVENTS = 1 << 16
-# Rows of the log that the loop fills before it is called again: enough for a shot, then more each time.
-FIRST_ROWS, MOST_ROWS = 128, 65_536
-
-REFUSALS = {
-    REFUSED_ROLLING: "the wall's law is for a ball that rolls into a vertical wall (carom laws conventional); this one slides or"
-    " flies there; the law two-step takes any ball",
-    REFUSED_UNDEFINED: "a wall with tangential restitution presses the ball on the floor, which has no law; take"
-    " tangential_restitution = 0, or floor_contact = 'after'",
-    REFUSED_STALL: "wall and floor lock the ball between them, which is not followed to its end; take a smaller friction,"
-    " or floor_contact = 'after'",
-}
-
-
-def _refusal(code: int, scene: Scene, ball: Any, i: int) -> CaromError:
-    return CaromError(
-        f"simulate: {scene.ball_names[i]}: expected an event that its law has an answer for, got one at"
-        f" t = {float(ball['clock']):.6g} s, x = ({', '.join(f'{x:.4g}' for x in ball['x'])}): {REFUSALS[code]}"
-    )
-
-
-def run_limits(scene: Scene) -> tuple[float, int]:
-    """Return until when, and for how many events at most, a scene is run."""
-    run = scene.run
-    most = run.max_events if run.max_events is not None else MOST_EVENTS if run.duration is None else 2**62
-    return math.inf if run.duration is None else run.duration, most
 
 
 def simulate(
@@ -115,52 +87,7 @@ def simulate(
         except CaromError as error:
             raise CaromError(*(fault.replace("Run:", "simulate:", 1) for fault in error.faults)) from None
         scene = replaced(scene, {f"run.{name}": getattr(run, name) for name in given})
-    until, most = run_limits(scene)
-    interpreted = worth_interpreting(scene)
-    world, features, balls, users = set_up(scene, compiled=not interpreted)
-    loop = run_interpreted if interpreted else compiled_engine().run
-    log, parts = _rows(FIRST_ROWS + len(balls)), []
-    events, status, slow = 0, FULL, -1.0
-    pace = Pace(len(log))
-    while status == FULL:
-        pace.begin()
-        answer = loop(world, features, balls, log, slow, until, most - events, users, ALL)
-        if answer is not None:
-            status, more, written, at_fault, slow, last = answer
-            parts.append(log[:written])
-            events += more
-        if status == FULL:
-            if interpreted and (answer is None or not worth_interpreting(scene)):
-                interpreted, loop = False, compiled_engine().run
-                world, features, _balls, users = set_up(scene)
-            rows = 4 * len(log)
-            if answer is not None:
-                pace.done(written)
-                rows = max(pace.amount, FIRST_ROWS)
-            log = _rows(len(log) if interpreted else min(rows, MOST_ROWS))
-            if progress is not None and answer is not None:
-                progress(events, last)
-    if status not in (DONE, QUIET, LIMIT):
-        raise _refusal(status, scene, balls[at_fault], at_fault)
-    if status == LIMIT:
-        end, ended = last, "max_events"
-    elif status == DONE and until < math.inf:
-        end, ended = until, "duration"
-    else:
-        end, ended = last, "nothing more happens"
-    return Trajectory(scene, _joined(parts), end, ended)
-
-
-def _rows(count: int) -> NDArray[np.void]:
-    """An empty log (records from bytes: NumPy takes three times as long for an array of records by itself)."""
-    return np.frombuffer(np.empty(count * LOG.itemsize, np.uint8), LOG)
-
-
-def _joined(parts: list[NDArray[np.void]]) -> NDArray[np.void]:
-    """Parts of a log as one (records as bytes: NumPy copies the fields of records one by one, which takes a while)."""
-    if len(parts) == 1:
-        return parts[0]
-    return np.concatenate([part.view(np.uint8) for part in parts]).view(LOG)
+    return Trajectory(*run_scene(scene, progress))
 
 
 def simulate_many(
@@ -220,60 +147,9 @@ def simulate_many(
                 repr(kind),
             )
     faults.raise_if_any()
-    balls = starts_of("simulate_many", scene, velocity, spin, position)
-    until, most = run_limits(scene)
-    return _run_many(scene, balls, until, most, int(events), kinds, progress)
-
-
-def starts_of(where: str, scene: Scene, velocity: Any, spin: Any, position: Any) -> NDArray[np.void]:
-    """Return the balls (N, B) at their starts: the scene's, with the arrays that are given; CaromError for those it refuses."""
-    faults = FaultList(where)
-    given = {}
-    for field, unit, value in (("v", "m/s", velocity), ("w", "rad/s", spin), ("x", "m", position)):
-        if value is not None:
-            given[field] = vectors(faults, {"v": "velocity", "w": "spin", "x": "position"}[field], value, unit)
-    faults.raise_if_any()
-    setup = set_up(scene)
-    count = len(setup.balls)
-    shape: tuple[int, ...] = (1, count)
-    if count == 1:
-        given = {field: array[:, None, :] if array.ndim == 2 else array for field, array in given.items()}
-    for array in given.values():
-        # (broadcast, one row a run would set all balls alike, and one row a ball would be one run)
-        if count > 1 and (array.ndim != 3 or array.shape[1] != count):
-            raise CaromError(
-                f"{where}: expected states (N, {count}, 3), runs by balls by axes, got shape {array.shape}"
-            )
-        try:
-            shape = np.broadcast_shapes(shape, array.shape[:-1])
-        except ValueError:
-            shape = ()
-        if len(shape) != 2 or shape[1] != count:
-            raise CaromError(f"{where}: expected states (N, {count}, 3), got shape {array.shape}")
-    balls = np.empty(shape, setup.balls.dtype)
-    balls[:] = setup.balls
-    for field, array in given.items():
-        balls[field] = array
-    _check_starts(where, scene, balls, given)
-    return balls
-
-
-def _check_starts(where: str, scene: Scene, balls: NDArray[np.void], given: dict[str, Array]) -> None:
-    """Raise CaromError for the first initial state that overlaps something, or lies where no ball can be."""
-    if "x" not in given:
-        return
-    from carom.simulation.overlaps import overlapping
-
-    bad = overlapping(set_up(scene), balls)
-    places, which = np.unique(balls["x"].reshape(-1, 3), axis=0, return_inverse=True)
-    blocked = np.array([any(wall.blocked(tuple(x)) for wall in scene.walls) for x in places.tolist()])
-    bad |= blocked[which.reshape(balls.shape)].any(axis=1)
-    if bad.any():
-        n = int(np.flatnonzero(bad)[0])
-        raise CaromError(
-            f"{where}: position: expected places where the balls touch nothing, got {balls['x'][n].tolist()}"
-            f" at index {n} ({int(bad.sum())} in all)"
-        )
+    arrays = set_up(scene)
+    balls = starts_of("simulate_many", scene, arrays, velocity, spin, position)
+    return _run_many(scene, arrays._replace(balls=balls), int(events), kinds, progress)
 
 
 # Runs that are done in one go: enough to keep all cores busy, few enough that memory stays small.
@@ -293,11 +169,9 @@ def _bits(kinds: tuple[str, ...]) -> int:
     return bits
 
 
-def _run_many(
-    scene: Scene, balls: NDArray[np.void], until: float, most: int, events: int, kinds: tuple[str, ...], progress: Any
-) -> ManyRuns:
-    many, setup = compiled_many(), set_up(scene)
-    total = len(balls)
+def _run_many(scene: Scene, arrays: SceneArrays, events: int, kinds: tuple[str, ...], progress: Any) -> ManyRuns:
+    many, bits, (until, most) = compiled_many(), _bits(kinds), run_limits(scene)
+    balls, total = arrays.balls, len(arrays.balls)
     ended, slow = np.zeros((total, 3), np.int64), np.full(total, -1.0)
     ended[:, 0] = LIMIT
     kept: list[NDArray[np.void]] = []
@@ -313,8 +187,18 @@ def _run_many(
                 if logs.shape[1] < room:
                     share = min(share, (logs.shape[1] - int(here[goes_on, 2].max())) // ROWS)
             many(
-                setup.world, setup.features, balls[block], logs, slow[block], until, most, share, setup.users, _bits(kinds), here,
-            )  # fmt: skip
+                arrays.world,
+                arrays.features,
+                balls[block],
+                logs,
+                slow[block],
+                until,
+                most,
+                share,
+                arrays.users,
+                bits,
+                here,
+            )
             pace.done(share * len(logs))
             goes_on = (here[:, 0] == LIMIT) & (here[:, 1] < most)
         used = events if events <= WHOLE_EVENTS else min(events, int(here[:, 2].max()))

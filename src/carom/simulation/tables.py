@@ -56,6 +56,11 @@ class RunRecord(EventSource, Protocol):
     end: float
     ended: str
 
+    @property
+    def final(self) -> State:
+        """Return the final states (B, 3)."""
+        ...
+
     def at(self, t: ArrayLike) -> State:
         """Return states (..., B, 3) at times (...)."""
         ...

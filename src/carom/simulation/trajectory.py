@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import functools
 import html
-import importlib
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,12 +15,14 @@ from carom.bodies import State
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, float_array
 from carom.files import as_path
+from carom.public.figures import figure_maker
 from carom.scene.paths import ball_index
 from carom.scene.scene import Scene
 from carom.simulation.events import Events
+from carom.simulation.narrate import describe_run
 from carom.simulation.records import START
 from carom.simulation.save import save
-from carom.simulation.setup import set_up
+from carom.simulation.setup import SceneArrays, set_up
 from carom.simulation.states import orientations, states
 from carom.simulation.tables import kinetic_energy, states_dataset, states_table
 
@@ -56,7 +57,9 @@ class Trajectory:
     array([1.   , 1.772])
     """
 
-    def __init__(self, scene: Scene, log: NDArray[np.void], end: float, ended: str) -> None:
+    def __init__(
+        self, scene: Scene, log: NDArray[np.void], end: float, ended: str, arrays: SceneArrays | None = None
+    ) -> None:
         self.scene = scene
         self.log = log
         """All rows, the balls' starts first (carom.simulation.records.LOG)."""
@@ -64,6 +67,17 @@ class Trajectory:
         """s: time up to which the balls were followed."""
         self.ended = ended
         """Why it ended: "nothing more happens", "duration", "max_events"."""
+        if arrays is not None:
+            self.arrays = arrays
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle and copy what was computed; the scene's arrays hold addresses of this process, and are made again."""
+        return type(self), (self.scene, self.log, self.end, self.ended)
+
+    @functools.cached_property
+    def arrays(self) -> SceneArrays:
+        """The scene as the event loop reads it, with the balls at their starts."""
+        return set_up(self.scene, compiled=False)
 
     # --- what happened ---------------------------------------------------------------------------------------------
 
@@ -74,13 +88,9 @@ class Trajectory:
 
     def describe(self) -> list[str]:
         """Return the paragraphs of ``carom simulate``: one for each of the first balls that move, one for how the run ended."""
-        return importlib.import_module("carom.simulation.narrate").describe_run(self)  # type: ignore[no-any-return]
+        return describe_run(self)
 
     # --- states ----------------------------------------------------------------------------------------------------
-
-    @functools.cached_property
-    def _setup(self) -> Any:
-        return set_up(self.scene)
 
     @functools.cached_property
     def _rows_of(self) -> list[NDArray[np.int64]]:
@@ -111,7 +121,7 @@ class Trajectory:
         times before the start or after the end of the run.
         """
         times, after, rows = self._find(t)
-        x, v, w, _phase = states(self._setup.world, self._setup.balls, self.log[rows.ravel()], after.ravel())
+        x, v, w, _phase = states(self.arrays.world, self.arrays.balls, self.log[rows.ravel()], after.ravel())
         shape = (*times.shape, len(self.scene.balls), 3)
         return State.of(v.reshape(shape), w.reshape(shape), x.reshape(shape))
 
@@ -165,7 +175,7 @@ class Trajectory:
         q = np.zeros((len(self.log), 4))
         for own in self._rows_of:
             turn = orientations(
-                self._setup.world, self._setup.balls, self.log[own[:-1]], np.diff(self.log["t"][own]),
+                self.arrays.world, self.arrays.balls, self.log[own[:-1]], np.diff(self.log["t"][own]),
                 np.tile([1.0, 0.0, 0.0, 0.0], (len(own) - 1, 1)),
             )  # fmt: skip
             q[own[0]] = last = np.array([1.0, 0.0, 0.0, 0.0])
@@ -182,14 +192,14 @@ class Trajectory:
         """
         times, after, rows = self._find(t)
         which = rows.ravel()
-        q = orientations(self._setup.world, self._setup.balls, self.log[which], after.ravel(), self._turned[which])
+        q = orientations(self.arrays.world, self.arrays.balls, self.log[which], after.ravel(), self._turned[which])
         return q.reshape(*times.shape, len(self.scene.balls), 4)
 
     # --- energy ----------------------------------------------------------------------------------------------------
 
     def kinetic_energy(self, ball: Any, velocity: Array, spin: Array) -> Any:
         """Return the kinetic energy, J, of ball number ``ball`` at a velocity and spin (3,); or of several (N,) at (N, 3)."""
-        return kinetic_energy(self._setup.balls, ball, velocity, spin)
+        return kinetic_energy(self.arrays.balls, ball, velocity, spin)
 
     def energy(self, t: ArrayLike, *, each: bool = False) -> Any:
         """Return kinetic plus potential energy at a time or times, J: of all balls (...), or of each (..., B).
@@ -198,7 +208,7 @@ class Trajectory:
         none (NaN), and adds nothing to that of all balls.
         """
         state = self.at(t)
-        x, balls = state.position, self._setup.balls
+        x, balls = state.position, self.arrays.balls
         assert x is not None
         base = np.zeros((len(balls), 3))
         if self.scene.floor is not None:
@@ -247,14 +257,18 @@ class Trajectory:
         >>> s.final.position[0, 0].round(6).tolist()
         [-0.5, 0.0, 0.0, 1.0]
         """
-        return importlib.import_module("carom.simulation.sensitivity.sensitivity").sensitivity(self, wrt)
+        from carom.simulation.sensitivity.sensitivity import sensitivity
+
+        return sensitivity(self, wrt)
 
     def lyapunov(self) -> Any:
         """Compute how small displacements of the balls grow: ``t`` (N,), ``stretch`` (N,), ``exponent``, ``horizon(error, size)``.
 
         They end before a graze, where no derivative exists. Raises CaromError for a law that has none.
         """
-        return importlib.import_module("carom.simulation.sensitivity.lyapunov").lyapunov(self)
+        from carom.simulation.sensitivity.lyapunov import lyapunov
+
+        return lyapunov(self)
 
     # --- tables, files, pictures -------------------------------------------------------------------------------------
 
@@ -279,11 +293,11 @@ class Trajectory:
 
     def plot(self, file: str | Path | None = None, **options: Any) -> Any:
         """Return a Matplotlib figure: the run from above and from the side, its energy over time. ``file``: write it there."""
-        return _plotting("plot_trajectory")(self, file, **options)
+        return figure_maker("plot_trajectory")(self, file, **options)
 
     def animate(self, file: str | Path, **options: Any) -> Path:
         """Write an animation to ``file``: .mp4, .gif, or a self-contained .html page."""
-        return _plotting("animate")(self, as_path("Trajectory.animate", file), **options)  # type: ignore[no-any-return]
+        return figure_maker("animate")(self, as_path("Trajectory.animate", file), **options)  # type: ignore[no-any-return]
 
     def __repr__(self) -> str:
         """Return one line."""
@@ -293,11 +307,6 @@ class Trajectory:
     def _repr_html_(self) -> str:
         """Return one line and the first events, for notebooks."""
         return f"<p>{html.escape(repr(self))}</p>{self.events._repr_html_()}"
-
-
-def _plotting(name: str) -> Any:
-    """Return a function of carom.plot, which imports this module and is therefore imported by name, when it is called."""
-    return getattr(importlib.import_module("carom.plot"), name)
 
 
 def _product(p: Array, q: Array) -> Array:

@@ -13,7 +13,7 @@ from carom.core.motion.phases import BOUNCING, FLIGHT, ROLLING, SLIDING
 from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
 from carom.simulation.records import START
-from carom.simulation.setup import SceneArrays, set_up
+from carom.simulation.setup import set_up
 from carom.simulation.simulate import simulate, simulate_many
 from carom.sweeps.starts import start_states
 from carom.sweeps.targets import Outcomes, TargetEvent, find, is_reached, residuals, sizes, slopes
@@ -76,8 +76,7 @@ class AimProblem:
 
     def outcomes(self, x: Array, events: int) -> tuple[Outcomes, NDArray[np.bool_]]:
         """Return what starts (N, U) do, with the first ``events`` of walls, balls and pockets, and which of them can be run."""
-        setup = set_up(self.scene)
-        arrays = SceneArrays(setup.world, setup.features, np.tile(setup.balls, (len(x), 1)), setup.users)
+        arrays = set_up(self.scene).for_runs(len(x))
         columns = {path_match(self.scene, path): column for path, column in columns_at(self.unknowns, x).items()}
         doubtful = start_states(self.scene, columns, arrays)
         many = simulate_many(self.scene, arrays.balls["v"], arrays.balls["w"], events=events, kinds=KINDS)

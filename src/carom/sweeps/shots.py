@@ -24,8 +24,8 @@ from carom.scene.scene import Scene
 from carom.simulation.loop import LIMIT, PHASES_FROM
 from carom.simulation.records import BALL, KINDS, LOG, POCKETED_EVENT
 from carom.simulation.resolve import REFUSED_ROLLING, REFUSED_STALL, REFUSED_UNDEFINED
+from carom.simulation.run_log import run_limits, run_scene
 from carom.simulation.setup import SceneArrays, set_up
-from carom.simulation.simulate import run_limits
 from carom.sweeps.axes import Axis
 from carom.sweeps.fields import check_paths, plain_value, unit_of
 from carom.sweeps.outcomes import AXES, FAILURES, Outcome, blank
@@ -287,10 +287,8 @@ class SceneRuns:
 
     def why(self, columns: Columns) -> str:
         """Return why the one point of ``columns`` has no outcome, as the scene or its run says it; empty if it has one."""
-        from carom.simulation.simulate import simulate
-
         try:
-            simulate(replaced(self.scene, self._values(columns, 0)))
+            run_scene(replaced(self.scene, self._values(columns, 0)))
         except CaromError as error:
             return str(error)
         return ""

@@ -25,7 +25,6 @@ from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.sensitivity.parameters import ARRAYS, Parameters, unpacked
 from carom.simulation.sensitivity.pass_kernels import PASSAGES, follow_log, state_at_time
 from carom.simulation.sensitivity.passages import Motion, Passages
-from carom.simulation.setup import SceneArrays
 from carom.simulation.wall_and_floor import joint_impact
 
 __all__ = [
@@ -140,20 +139,20 @@ def dual_users(scene: Any) -> NDArray[np.int64]:
     return np.array([_user(law.kernel) for law in scene.called_laws if law.kernel is not None], dtype=np.int64)
 
 
-def follow_compiled(
-    scene: Any, setup: SceneArrays, parameters: Parameters, log: NDArray[np.void], end: float
-) -> tuple[Passages, int]:
+def follow_compiled(scene: Any, parameters: Parameters, log: NDArray[np.void], end: float) -> tuple[Passages, int]:
     """Follow a log; return its passages, and -1 or the row of a graze. Raises what the compiler says of a law that it refuses."""
+    arrays = parameters.arrays
     world_d, features_d, start_d = (parameters.packed[name] for name in ARRAYS)
     out = np.empty(len(log), PASSAGES)
     out_d = np.empty((len(world_d), len(log), float_count(PASSAGES), LANES))
-    last, last_d, p, places = setup.balls.copy(), start_d.copy(), len(parameters), float_places(BALLS)
+    start, last, last_d = arrays.balls_to_move(), arrays.balls_to_move(), start_d.copy()
+    p, places = len(parameters), float_places(BALLS)
     graze = compiled_follow()(
-        setup.world,
+        arrays.world,
         world_d,
-        setup.features,
+        arrays.features,
         features_d,
-        setup.balls,
+        start,
         last_d,
         last,
         log,
@@ -169,7 +168,7 @@ def follow_compiled(
             found = np.zeros_like(start_d)
             which = [np.flatnonzero((log["ball"] == k) & (log["t"] <= t))[-1] for k in range(len(last))]
             rows = np.array(which, dtype=np.int64)
-            compiled_states()(setup.world, world_d, setup.balls, start_d, log, rows, out, out_d, t, last.copy(), found)
+            compiled_states()(arrays.world, world_d, start, start_d, log, rows, out, out_d, t, last.copy(), found)
         all_of = unpacked(found, p)
         return [all_of[:, places[name]] for name in Motion._fields]
 

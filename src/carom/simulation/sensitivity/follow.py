@@ -18,7 +18,6 @@ from carom.simulation.sensitivity.compiled import compiled_follow, follow_compil
 from carom.simulation.sensitivity.interpreted import follow_interpreted
 from carom.simulation.sensitivity.parameters import Parameters
 from carom.simulation.sensitivity.passages import Passages
-from carom.simulation.setup import set_up
 
 __all__ = ["follow", "follow_to_graze"]
 
@@ -68,15 +67,15 @@ def follow_to_graze(scene: Any, parameters: Parameters, log: NDArray[np.void], e
         _spent += time.perf_counter() - began
     if found is None:
         try:
-            found = follow_compiled(scene, set_up(scene), parameters, log, end)
+            found = follow_compiled(scene, parameters, log, end)
         except compiling_failed():  # (a law of the user's: Python says what is wrong, or follows it)
-            found = follow_interpreted(scene, set_up(scene, compiled=False), parameters, log)
+            found = follow_interpreted(scene, parameters, log)
     return found
 
 
 def _interpreted(scene: Any, parameters: Any, log: Any) -> Any:
     """None where Python refuses what compiled code has a number for, such as a division by zero."""
     try:
-        return follow_interpreted(scene, set_up(scene, compiled=False), parameters, log)
+        return follow_interpreted(scene, parameters, log)
     except (ArithmeticError, ValueError):
         return None

@@ -15,7 +15,6 @@ from carom.simulation.sensitivity.lift import lifted
 from carom.simulation.sensitivity.parameters import ARRAYS, Parameters
 from carom.simulation.sensitivity.pass_kernels import PASSAGES, follow_log, state_at_time
 from carom.simulation.sensitivity.passages import Motion, Passages
-from carom.simulation.setup import SceneArrays
 
 __all__ = ["follow_interpreted", "seeded"]
 
@@ -64,17 +63,15 @@ def _arrays(objects: Any, p: int) -> tuple[NDArray[np.void], Array]:
     return values, d
 
 
-def follow_interpreted(
-    scene: Any, setup: SceneArrays, parameters: Parameters, log: NDArray[np.void]
-) -> tuple[Passages, int]:
+def follow_interpreted(scene: Any, parameters: Parameters, log: NDArray[np.void]) -> tuple[Passages, int]:
     """Follow a log; return its passages, and -1 or the row of a graze.
 
     Raises CaromError for a law that calls what takes no dual numbers.
     """
-    p, slopes = len(parameters), parameters.slopes
-    world, features, balls = (seeded(getattr(setup, name), [one[name] for one in slopes]) for name in ARRAYS)
-    first = seeded(setup.balls, [one["balls"] for one in slopes])
-    walls, plain, rows = as_objects(setup.features), ObjectArray(map(_Values, balls)), as_objects(log)
+    p, slopes, arrays = len(parameters), parameters.slopes, parameters.arrays
+    world, features, balls = (seeded(getattr(arrays, name), [one[name] for one in slopes]) for name in ARRAYS)
+    first = seeded(arrays.balls, [one["balls"] for one in slopes])
+    walls, plain, rows = as_objects(arrays.features), ObjectArray(map(_Values, balls)), as_objects(log)
     out = as_objects(np.full(len(log), np.nan, PASSAGES))
     users = [law.kernel for law in scene.called_laws]
     with np.errstate(all="ignore"):
@@ -87,7 +84,7 @@ def follow_interpreted(
             ) from error
 
     def at(t: float) -> list[Array]:
-        here = as_objects(np.array(setup.balls))
+        here = as_objects(np.array(arrays.balls))
         found = []
         for k, ball in enumerate(here):
             row = np.flatnonzero((log["ball"] == k) & (log["t"] <= t))[-1]

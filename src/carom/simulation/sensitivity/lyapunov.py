@@ -15,7 +15,7 @@ from carom.formatting import format_number
 from carom.simulation.sensitivity.follow import follow_to_graze
 from carom.simulation.sensitivity.parameters import ARRAYS, Parameters
 from carom.simulation.sensitivity.seeds import Column
-from carom.simulation.setup import set_up
+from carom.simulation.setup import SceneArrays
 
 __all__ = ["DisplacementGrowth", "lyapunov"]
 
@@ -57,25 +57,24 @@ class DisplacementGrowth:
 class _Displacements(Parameters):
     """The places of all balls, each by itself, without regard to whether a scene lets them be there."""
 
-    def __init__(self, scene: Any, phases: list[int]) -> None:
-        setup = set_up(scene, compiled=False)
+    def __init__(self, arrays: SceneArrays, phases: list[int]) -> None:
         columns, slopes = [], []
         for i, phase in enumerate(phases):
             for k in range(3 if phase == FLIGHT else 2):
                 made = {
                     name: {
-                        field: np.zeros(getattr(setup, name)[field].shape)
-                        for field in getattr(setup, name).dtype.names
-                        if getattr(setup, name).dtype[field].base.kind == "f"
+                        field: np.zeros(getattr(arrays, name)[field].shape)
+                        for field in getattr(arrays, name).dtype.names
+                        if getattr(arrays, name).dtype[field].base.kind == "f"
                     }
                     for name in ARRAYS
                 }
                 made["balls"]["x"][i, k] = 1.0
                 columns.append(
-                    Column(f"balls.{i}.position.{'xyz'[k]}", f"balls.{i}.position", k, (tuple(setup.balls["x"][i]),))
+                    Column(f"balls.{i}.position.{'xyz'[k]}", f"balls.{i}.position", k, (tuple(arrays.balls["x"][i]),))
                 )
                 slopes.append(made)
-        super().__init__(scene, tuple(f"balls.{i}.position" for i in range(len(phases))), columns, slopes)
+        super().__init__(arrays, tuple(f"balls.{i}.position" for i in range(len(phases))), columns, slopes)
 
 
 def lyapunov(run: Any) -> DisplacementGrowth:
@@ -84,7 +83,7 @@ def lyapunov(run: Any) -> DisplacementGrowth:
     It ends before the first event at which no derivative exists, a graze, if there is one.
     """
     scene, log = run.scene, run.log
-    displacements, end = _Displacements(scene, log["phase"][: len(scene.balls)].tolist()), run.end
+    displacements, end = _Displacements(run.arrays, log["phase"][: len(scene.balls)].tolist()), run.end
     passages, graze = follow_to_graze(scene, displacements, log, end)
     if graze >= 0:
         end = float(np.nextafter(log["t"][graze], 0.0))

@@ -22,17 +22,19 @@ from carom.core.jit.slices import block_slices
 from carom.core.jit.threads import call_in_threads
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, require_type
+from carom.scene.paths import replaced
 from carom.scene.scene import Scene
 from carom.simulation.compiled import ENGINE_END, ENGINE_RUN, compiled_engine
 from carom.simulation.loop import ALL, FULL, LIMIT, QUIET
 from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.resolve import DONE
+from carom.simulation.run_log import REFUSALS, run_limits, run_scene
 from carom.simulation.sensitivity.compiled import FOLLOW, SLOPES, compiled_follow, dual_users
 from carom.simulation.sensitivity.parameters import ARRAYS, Parameters, parameters_of
 from carom.simulation.sensitivity.pass_kernels import PASSAGES
 from carom.simulation.sensitivity.passages import StateSensitivity
-from carom.simulation.setup import set_up
-from carom.simulation.simulate import REFUSALS, run_limits, starts_of
+from carom.simulation.setup import SceneArrays, set_up
+from carom.simulation.starts import starts_of
 
 __all__ = ["ManySensitivities", "sensitivities"]
 
@@ -173,21 +175,19 @@ def sensitivities(
     [1.0, 3.0]
     """
     require_type("sensitivities", "scene", scene, Scene)
-    starts = starts_of("sensitivities", scene, velocity, spin, position)
-    return _run_all(scene, parameters_of(scene, wrt, _phases(scene)), starts)
+    arrays = set_up(scene)
+    starts = starts_of("sensitivities", scene, arrays, velocity, spin, position)
+    return _run_all(scene, arrays, parameters_of(scene, arrays, wrt, _phases(scene)), starts)
 
 
 def _phases(scene: Scene) -> list[int]:
     """Return the phases in which the balls of a scene begin."""
-    from carom.scene.paths import replaced
-    from carom.simulation.simulate import simulate
-
-    run = simulate(replaced(scene, {"run.max_events": 1}))
+    run = run_scene(replaced(scene, {"run.max_events": 1}))
     return [int(phase) for phase in run.log["phase"][: len(scene.balls)]]
 
 
-def _run_all(scene: Scene, parameters: Parameters, starts: NDArray[np.void]) -> ManySensitivities:
-    setup, many, laws, p = set_up(scene), compiled_many(), dual_users(scene), len(parameters)
+def _run_all(scene: Scene, arrays: SceneArrays, parameters: Parameters, starts: NDArray[np.void]) -> ManySensitivities:
+    many, laws, p = compiled_many(), dual_users(scene), len(parameters)
     world_d, features_d, starts_d = (parameters.packed[name] for name in ARRAYS)
     places = float_places(BALLS)
     first, last = places["x"].start, places["w"].stop
@@ -206,8 +206,8 @@ def _run_all(scene: Scene, parameters: Parameters, starts: NDArray[np.void]) -> 
                 some: NDArray[np.int64], rows: int = rows, block: slice = block, slopes_d: Array = slopes_d
             ) -> None:
                 many(
-                    setup.world, world_d, setup.features, features_d, starts[block], starts_d, some, setup.users, laws, until, most,
-                    first, np.empty(rows, LOG), np.empty(1, PASSAGES),
+                    arrays.world, world_d, arrays.features, features_d, starts[block], starts_d, some, arrays.users, laws, until,
+                    most, first, np.empty(rows, LOG), np.empty(1, PASSAGES),
                     np.empty((chunks, 1, float_count(PASSAGES), LANES)), np.empty(count, BALLS), np.empty(starts_d.shape),
                     finals[block], slopes_d, ends[block], ended[block],
                 )  # fmt: skip

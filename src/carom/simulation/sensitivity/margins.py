@@ -27,7 +27,6 @@ from carom.simulation.sensitivity.lift import lifted
 from carom.simulation.sensitivity.parameters import Parameters
 from carom.simulation.sensitivity.pass_kernels import met_feature
 from carom.simulation.sensitivity.passages import Passage, Passages
-from carom.simulation.setup import set_up
 from carom.simulation.wall_and_floor import compiled_joint_impact, joint_impact
 
 __all__ = ["EXACT", "Margin", "impacts_at_once", "margins"]
@@ -53,7 +52,7 @@ class Margin(NamedTuple):
 def margins(run: Any, parameters: Parameters, passages: Passages) -> list[Margin]:
     """Return the nearest switch of each event: graze, stick or slip, roll or slide, or the order of two events of one ball."""
     log, p, first = run.log, len(parameters), len(run.scene.balls)
-    joint = _JointImpacts(run, parameters)
+    joint = _JointImpacts(parameters)
     found = []
     for k in range(first, len(log)):
         one, row, choices = passages[k], log[k], []
@@ -120,14 +119,14 @@ def impacts_at_once(log: Any, k: int, balls: Sequence[int]) -> NDArray[np.bool_]
 class _JointImpacts:
     """The impacts of a run at which a wall may press a ball on the floor."""
 
-    def __init__(self, run: Any, parameters: Parameters) -> None:
-        self.setup = set_up(run.scene, compiled=False)
+    def __init__(self, parameters: Parameters) -> None:
+        arrays = parameters.arrays
         self.p = len(parameters)
         self.world, self.features, self.balls = (
-            seeded(getattr(self.setup, name), [one[name] for one in parameters.slopes])
+            seeded(getattr(arrays, name), [one[name] for one in parameters.slopes])
             for name in ("world", "features", "balls")
         )
-        self.walls = as_objects(self.setup.features)
+        self.walls = as_objects(arrays.features)
         # (the same bits: compiled where it has been)
         self.impact: Callable[..., Any] = compiled_joint_impact() if is_cached(joint_impact) else joint_impact
 

@@ -27,7 +27,6 @@ from carom.simulation.sensitivity.interpreted import seeded
 from carom.simulation.sensitivity.lift import lifted
 from carom.simulation.sensitivity.parameters import Parameters
 from carom.simulation.sensitivity.passages import PLACES, Passages
-from carom.simulation.setup import set_up
 
 __all__ = ["NearMiss", "compiled_least_gaps", "near_misses"]
 
@@ -242,15 +241,15 @@ def _neither_moves(moves: NDArray[np.int64], targets: int) -> NDArray[np.bool_]:
 def near_misses(run: Any, parameters: Parameters, passages: Passages) -> list[NearMiss]:
     """Return all near misses of a run, the one that the smallest change of the parameters makes a contact first."""
     scene, log, p = run.scene, run.log, len(parameters)
-    setup = set_up(scene, compiled=False)
+    arrays = parameters.arrays
     features, balls = (
-        seeded(getattr(setup, name), [one[name] for one in parameters.slopes]) for name in ("features", "balls")
+        seeded(getattr(arrays, name), [one[name] for one in parameters.slopes]) for name in ("features", "balls")
     )
     names = [*scene.ball_names, *scene.wall_names, *scene.pocket_names]
     time_of = passages.derivatives[:, PLACES["time"]][:, 0]
     states: dict[float, tuple[Any, Any]] = {}
     found = []
-    for one in _places(run, setup.features, *_stretches(run)):
+    for one in _places(run, arrays.features, *_stretches(run)):
         if one.time not in states:
             states[one.time] = run.at(one.time), passages.at(one.time)[0]
         here, slopes = states[one.time]

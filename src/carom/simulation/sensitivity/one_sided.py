@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.simulation.records import BALL, WALL
+from carom.simulation.run_log import run_scene
 from carom.simulation.sensitivity.follow import follow
 from carom.simulation.sensitivity.margins import EXACT, impacts_at_once
 from carom.simulation.sensitivity.parameters import parameters_of
 from carom.simulation.sensitivity.passages import Passages, StateSensitivity
 from carom.simulation.sensitivity.seeds import Column, shifted_scene
-from carom.simulation.simulate import simulate
 
 __all__ = ["OneSided", "one_sided", "warn_of_switches"]
 
@@ -56,11 +56,11 @@ def _limit(run: Any, column: Column, sign: int) -> Array:
 
 def _beside(run: Any, column: Column, by: float) -> Array:
     scene = shifted_scene(run.scene, column, by)
-    there = simulate(scene)
+    there = run_scene(scene)
     # (of a run that ends because nothing more happens, the states at rest)
     end = there.end if run.ended == there.ended == "nothing more happens" else min(run.end, there.end)
     first = there.log[: len(scene.balls)]
-    parameters = parameters_of(scene, column.path, first["phase"].tolist())
+    parameters = parameters_of(scene, there.arrays, column.path, first["phase"].tolist())
     passages = follow(scene, parameters, there.log, there.end)
     c = [one.name for one in parameters.columns].index(column.name)
     return np.stack([part[..., c] for part in passages.at(end)])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import weakref
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -14,7 +13,7 @@ from carom.core.jit.dual.dual_records import float_count, float_places
 from carom.core.jit.dual.numbers import LANES
 from carom.scene.scene import Scene
 from carom.simulation.sensitivity.seeds import Column, Tangents, tangents_of
-from carom.simulation.setup import set_up
+from carom.simulation.setup import SceneArrays
 
 __all__ = ["ARRAYS", "Parameters", "packed", "parameters_of", "unpacked"]
 
@@ -25,10 +24,10 @@ ARRAYS = ("world", "features", "balls")
 class Parameters:
     """Columns, and the derivatives of the arrays of a scene with respect to each."""
 
-    def __init__(self, scene: Scene, wrt: tuple[str, ...], columns: list[Column], slopes: list[Tangents]) -> None:
-        setup = set_up(scene, compiled=False)
-        self.wrt, self.columns, self.slopes = wrt, columns, slopes
-        self._dtypes = {name: getattr(setup, name).dtype for name in ARRAYS}
+    def __init__(
+        self, arrays: SceneArrays, wrt: tuple[str, ...], columns: list[Column], slopes: list[Tangents]
+    ) -> None:
+        self.arrays, self.wrt, self.columns, self.slopes = arrays, wrt, columns, slopes
 
     def __len__(self) -> int:
         """How many there are."""
@@ -37,7 +36,7 @@ class Parameters:
     @functools.cached_property
     def packed(self) -> dict[str, Array]:
         """By array, as compiled code takes them: (C, N, numbers, LANES)."""
-        return packed(self.slopes, self._dtypes)
+        return packed(self.slopes, {name: getattr(self.arrays, name).dtype for name in ARRAYS})
 
 
 def packed(slopes: Sequence[Tangents], dtypes: Mapping[str, Any]) -> dict[str, Array]:
@@ -58,29 +57,27 @@ def unpacked(found: Array, p: int) -> Array:
     return np.moveaxis(found, 0, 2).reshape(*found.shape[1:3], -1)[..., :p]
 
 
-# (a shot takes less time than finding what its paths name)
-_kept: dict[int, tuple[weakref.ref[Scene], dict[Any, Parameters]]] = {}
 MOST_KEPT = 8
 
 
-def parameters_of(scene: Scene, wrt: Any, phases: list[int]) -> Parameters:
-    """Return the parameters that paths name; CaromError for a path that leads nowhere, or to what is no real number."""
-    key = id(scene)
-    found = _kept.get(key)
-    if found is None or found[0]() is not scene:
-        found = weakref.ref(scene, lambda _gone: _kept.pop(key, None)), {}
-        _kept[key] = found
+def parameters_of(scene: Scene, arrays: SceneArrays, wrt: Any, phases: list[int]) -> Parameters:
+    """Return the parameters that paths name; CaromError for a path that leads nowhere, or to what is no real number.
+
+    The scene keeps the last of them: a shot takes less time than finding what its paths name.
+    """
+    kept = scene.kept.setdefault("parameters", {})
     paths = (wrt,) if isinstance(wrt, str) else tuple(wrt)
     if not all(isinstance(path, str) for path in paths):
-        return _made(scene, paths, phases)
+        return _made(scene, arrays, paths, phases)
     asked = paths, tuple(phases)
-    if asked not in found[1]:
-        made = _made(scene, paths, phases)
-        while len(found[1]) >= MOST_KEPT:
-            found[1].pop(next(iter(found[1])))
-        found[1][asked] = made
-    return found[1][asked]
+    if asked not in kept:
+        made = _made(scene, arrays, paths, phases)
+        while len(kept) >= MOST_KEPT:
+            kept.pop(next(iter(kept)))
+        kept[asked] = made
+    found: Parameters = kept[asked]
+    return found
 
 
-def _made(scene: Scene, wrt: Any, phases: list[int]) -> Parameters:
-    return Parameters(scene, wrt, *tangents_of(scene, wrt, phases, set_up(scene, compiled=False)))
+def _made(scene: Scene, arrays: SceneArrays, wrt: Any, phases: list[int]) -> Parameters:
+    return Parameters(arrays, wrt, *tangents_of(scene, wrt, phases, arrays))

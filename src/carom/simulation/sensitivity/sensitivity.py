@@ -133,7 +133,7 @@ def sensitivity(run: Any, wrt: str | Iterable[str]) -> Sensitivity:
     first = log[: len(scene.balls)]
     if len(log) and (len(first) < len(scene.balls) or (first["kind"] != START).any()):
         raise CaromError("sensitivity: expected a run with a complete log")
-    parameters = parameters_of(scene, wrt, first["phase"].tolist())
+    parameters = parameters_of(scene, run.arrays, wrt, first["phase"].tolist())
     passages = follow(scene, parameters, log, run.end)
     warn_of_switches(run, passages)
     return Sensitivity(run, parameters, passages)
