@@ -1,7 +1,10 @@
 # Thin wrappers; `make check` is what CI does.
-.PHONY: test check-torch doctest lint docs wasm page benchmarks campaigns mutants check
+.PHONY: test explore check-torch doctest lint docs wasm page benchmarks campaigns mutants check
 test:
 	pytest
+# the same tests with all the cases that they can draw, and new examples of Hypothesis
+explore:
+	CAROM_EXPLORE=1 pytest
 doctest:
 	pytest --doctest-modules --pyargs carom
 lint:
@@ -21,7 +24,7 @@ benchmarks:
 check-torch:
 	pytest -n0 tests/interop/check_torch.py
 # what takes minutes to hours to count; results go to docs/campaigns.md
-campaigns:
+campaigns: explore
 	python campaigns
 # changes of one place that the tests should notice: make mutants N=8
 N = 25

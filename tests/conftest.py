@@ -6,17 +6,23 @@ from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
+from reference.exploring import EXPLORE
 
 # Compiled loops stay between runs, in the folder that pytest keeps anyway; carom itself adds the hash of its sources,
 # so that a changed kernel is never answered by an old loop. Set before carom is imported by any test.
 os.environ.setdefault("CAROM_CACHE", str(Path(__file__).parents[1] / ".pytest_cache" / "carom"))
 
+# Threads of parallel loops sleep while they wait. They would spin, which takes the cores from the other workers' tests:
+# four times the CPU time where the machine is busy. Set before any library starts its threads.
+os.environ.setdefault("OMP_WAIT_POLICY", "passive")
+
 # No deadline: the first call of a test may compile. The same examples every time, so that the same sources give the same
-# verdict; CAROM_EXPLORE=1 looks for new ones, and is worth an hour before a release.
+# verdict; CAROM_EXPLORE=1 (``make explore``) looks for new ones, and is worth an hour before a release. It also makes the tests
+# that count draw all their cases (reference.exploring): the suite draws enough to see a fault.
 settings.register_profile(
     "carom",
     deadline=None,
-    derandomize=not os.environ.get("CAROM_EXPLORE"),
+    derandomize=not EXPLORE,
     suppress_health_check=[HealthCheck.too_slow],
     print_blob=True,
 )

@@ -12,6 +12,7 @@ from pathlib import Path
 import pytest
 
 import carom
+from carom.core.jit.cache import cache_folder
 
 LAW = '''
 """A wall that takes half of the tangential velocity, an example."""
@@ -73,6 +74,8 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     lines = [f"{n:.3f},{t:.3f},{s:.1f},{0.7 * n:.3f},{0.5 * t:.3f},{s:.1f},0.02,0.02,0.5" for n, t, s in rows]
     head = "v_n_in,v_t_in,spin_in,v_n_out,v_t_out,spin_out,sigma_v_n_out,sigma_v_t_out,sigma_spin_out"
     (folder / "rebounds.csv").write_text("\n".join([head, *lines]) + "\n")
+    # the loops call such a law by its address: what was compiled without it serves, and only the law itself is new
+    shutil.copytree(cache_folder(), run(folder, "-c", WHERE).strip(), dirs_exist_ok=True)
     return folder
 
 
@@ -82,6 +85,9 @@ def run(package: Path, *args: str) -> str:
     done = subprocess.run([sys.executable, *args], cwd=package, env=env, capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     return done.stdout
+
+
+WHERE = "from carom.core.jit.cache import cache_folder; print(cache_folder())"
 
 
 def test_the_command_knows_it(package: Path) -> None:

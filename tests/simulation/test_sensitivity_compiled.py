@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
+from reference.exploring import tried
 from reference.scenes_of_all_laws import scene_of_all_laws
 from reference.sensitivity_differences import paths_of
 
@@ -38,12 +39,17 @@ def same(one: Any, two: Any) -> bool:
     return np.array_equal(one, two, equal_nan=True)
 
 
+# A scene whose wall presses a ball on the floor again and again: 0.7 s an impact as Python.
+PRESSED = (10,)
+
+
 @pytest.mark.parametrize("block", range(6))
 def test_compiled_and_interpreted_passes_have_the_same_bits(block: int) -> None:
     compared = 0
     for seed in range(10 * block, 10 * block + 10):
         scene = scene_of_all_laws(seed)
-        scene = replaced(scene, {"run.max_events": min(40, scene.run.max_events or 40)})
+        most = tried(12, 40) if seed in PRESSED else 40
+        scene = replaced(scene, {"run.max_events": min(most, scene.run.max_events or most)})
         paths = paths_of(scene)
         try:
             run = carom.simulate(scene)

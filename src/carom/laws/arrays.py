@@ -88,14 +88,22 @@ def _rows_of(state: State, normal: Array, parameters: Sequence[Any]) -> StateRow
     shape = broadcast_shape(state.shape, normal.shape[:-1], *(np.shape(x) for x in parameters))
     count = math.prod(shape)
 
+    # (all are read-only, as the arrays of a State are: loops are compiled once, not again for arrays that may be written to)
     def spread(array: Array) -> Array:
-        return np.ascontiguousarray(np.broadcast_to(array, (*shape, 3))).reshape(count, 3)
+        rows = np.ascontiguousarray(np.broadcast_to(array, (*shape, 3))).reshape(count, 3)
+        return _read_only(rows)
 
     if all(np.ndim(x) == 0 for x in parameters):
         p = np.array([[float(x) for x in parameters]])
     else:
         p = np.ascontiguousarray(np.stack([np.broadcast_to(x, shape).reshape(count) for x in parameters], axis=-1))
-    return StateRows(shape, spread(v), spread(w), normal[None] if normal.ndim == 1 else spread(normal), p)
+    return StateRows(shape, spread(v), spread(w), _read_only(normal[None]) if normal.ndim == 1 else spread(normal), p)
+
+
+def _read_only(array: Array) -> Array:
+    view = array.view()
+    view.flags.writeable = False
+    return view
 
 
 def approaching(state: State, normal: Array) -> Any:
