@@ -184,7 +184,7 @@ PEERS = """\
 Peers: `np.copy` copies half as many bytes as a result reads and writes, into new memory; `np.copyto` those of a final
 state, into arrays that exist, on one thread where carom has two; C is a loop written by hand for one table
 (`benchmarks/orbits.py`), which follows the same orbit. Gases, with their peers, are on [the page on
-gases](theory/gas.md); whole shots, and what each figure is made of, in [Design](design.md)."""
+gases](theory/gas.md); whole shots, and what each figure is made of, in [Tried and timed](dev/tried.md)."""
 
 
 def page(rows: list[Row], when: str) -> str:
