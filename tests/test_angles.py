@@ -13,13 +13,12 @@ from typing import Any
 
 import numpy as np
 import pytest
+from reference.public_names import public_classes, public_functions
 
 import carom
 from carom import scene
 from carom.fitting.design import Shots
-from tests.test_pickles import public_classes
 
-SOURCE = Path(carom.__file__).parent
 NAMED = re.compile(r"(^|_)(angles?|azimuth|elevation|incidence|squirt|opening|span)(_|$)")
 # Fields of scenes, sweeps and tables: a number without a unit is in degrees, as in their files, and a text names its unit
 # ("0.5 rad"); they are the names of the files and of the paths to their numbers, from which a sweep draws.
@@ -73,18 +72,9 @@ def test_attributes_in_degrees_say_so_in_their_names() -> None:
     assert seen > 10
 
 
-def public_functions() -> Iterator[Callable[..., Any]]:
-    for stub in sorted(SOURCE.rglob("__init__.pyi")):
-        package = __import__(".".join(("carom", *stub.parent.relative_to(SOURCE).parts)), fromlist=["x"])
-        for node in ast.parse(stub.read_text(encoding="utf-8")).body:
-            for alias in node.names if isinstance(node, ast.ImportFrom) and node.module is not None else ():
-                if inspect.isfunction(found := getattr(package, alias.name)):
-                    yield found
-
-
 def test_arguments_in_degrees_say_so_in_their_names() -> None:
     seen = set()
-    for function in public_functions():
+    for _name, function in public_functions():
         for name in inspect.signature(function).parameters:
             if NAMED.search(name):
                 seen.add(f"{function.__name__}.{name}")

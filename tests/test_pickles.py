@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-import ast
 import copy
 import functools
-import importlib
-import inspect
 import pickle
 from collections.abc import Callable, Iterator
 from concurrent.futures import ProcessPoolExecutor
@@ -17,6 +14,7 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy as sp
+from reference.public_names import public_classes
 from sympy.physics.mechanics import Point, ReferenceFrame, dynamicsymbols
 
 import carom
@@ -25,7 +23,6 @@ from carom.fitting.tracks import fit_tracks
 from carom.interop import pooltool
 from carom.plot import path_after_wall
 
-SOURCE = Path(carom.__file__).parent
 BALL, SURFACE = carom.Ball(radius=0.03, mass=0.2), carom.Surface(0.8, 0.2)
 STATE = carom.rolling(BALL, velocity=(-1.0, 1.0, 0.0))
 
@@ -206,17 +203,6 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
 @functools.cache
 def examples(name: str) -> list[Any]:
     return EXAMPLES[name]()
-
-
-def public_classes() -> Iterator[type]:
-    """All classes in the stubs of packages, but exceptions."""
-    for stub in sorted(SOURCE.rglob("__init__.pyi")):
-        package = ".".join(("carom", *stub.parent.relative_to(SOURCE).parts))
-        for node in ast.parse(stub.read_text(encoding="utf-8")).body:
-            for alias in node.names if isinstance(node, ast.ImportFrom) and node.module is not None else ():
-                found = getattr(importlib.import_module(package), alias.name)
-                if inspect.isclass(found) and not issubclass(found, BaseException):
-                    yield found
 
 
 def parts(thing: Any, seen: dict[int, Any]) -> Iterator[Any]:

@@ -22,6 +22,7 @@ from .bodies import kinetic_energy as kinetic_energy
 from .bodies import rolling as rolling
 from .bodies import slip as slip
 from .data import rebounds as rebounds
+from .data.predict import predict as predict
 from .errors import CaromError as CaromError
 from .explorer.page import explore as explore
 from .laws.comparison import Comparison as Comparison

@@ -25,7 +25,7 @@ from carom.errors import (
     require_type,
 )
 
-__all__ = ["INERTIAS", "Ball", "Disc", "State", "Surface", "kinetic_energy", "rolling", "slip"]
+__all__ = ["INERTIAS", "Ball", "Disc", "State", "Surface", "inertia_number", "kinetic_energy", "rolling", "slip"]
 
 Array = NDArray[np.float64]
 Inertia = Literal["solid", "hollow"]
@@ -110,6 +110,17 @@ def Disc(  # noqa: N802
     ball = object.__new__(Ball)
     _fill(ball, "Disc", radius, mass, inertia, DISC_INERTIAS, 1.0, planar=True)
     return ball
+
+
+def inertia_number(inertia: str | float) -> float:
+    """Return kappa = I/(m a^2) of "solid", "hollow" or a number, which may be a text. Raises CaromError for anything else."""
+    try:
+        kappa = INERTIAS[inertia] if isinstance(inertia, str) and inertia in INERTIAS else float(inertia)
+    except (TypeError, ValueError):
+        kappa = math.nan
+    if not 0 < kappa <= 1:
+        raise CaromError(f"`inertia`: expected solid, hollow or kappa = I/(m a^2) above 0, up to 1, got {inertia!r}")
+    return kappa
 
 
 def _fill(

@@ -57,7 +57,7 @@ def test_parts_have_the_bits_of_the_whole() -> None:
     table = TABLES["circle"]
     start = billiards.starts(table, 2 * LANES, 3, ball=DISC)
     whole = billiards.final(table, start, 5000, ball=DISC)
-    parts = billiards.final(table, start, 5000, ball=DISC, progress=lambda _done, _all: None)
+    parts = billiards.final(table, start, 5000, ball=DISC, progress=lambda _done, _all, _text: None)
     assert (whole[0].position == parts[0].position).all()
     assert (whole[1] == parts[1]).all()
 

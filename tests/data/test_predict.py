@@ -140,7 +140,7 @@ def test_empty_spins_are_0_at_the_first_bounce_and_unknown_later(tmp_path, large
     assert rows[0]["v_n_out"]
     assert "spin_z_in: 1 empty cell taken as 0" in summary.notes
     (tmp_path / "out.csv").unlink()
-    with pytest.raises(carom.CaromError, match="--spin rolling"):
+    with pytest.raises(carom.CaromError, match="`spin` rolling"):
         predict(tmp_path, "v_n_in,v_t_in,spin_in\n1,2,\n", "contact", given=given, spin="rolling")
 
 
@@ -232,7 +232,7 @@ def test_measured_columns_are_kept_apart(tmp_path):
     assert rows[0]["note_predicted"] == ""
     again = (tmp_path / "out.csv").read_text()
     (tmp_path / "out.csv").unlink()
-    assert "--suffix" in faults(tmp_path, again)[0]
+    assert "`suffix`" in faults(tmp_path, again)[0]
     rows, _ = predict(tmp_path, again, suffix="mirror", law="mirror")
     assert rows[0]["v_n_out_mirror_m_s"] == "0.8"
 
@@ -252,10 +252,10 @@ def test_all_faults_of_a_header_at_once(tmp_path):
     found = faults(tmp_path, "v_t_in,spin_in,spin_z_in\n1,2,3\n", contact_height=2.5, given={"radius": -1.0})
     assert [one.split(":")[0] for one in found] == [
         "column 'v_n_in'",
-        "--contact-height",
+        "`contact_height`",
         "columns",
-        "--radius",
-        "--contact-height",
+        "`radius`",
+        "`contact_height`",
     ]
 
 
@@ -418,7 +418,7 @@ def test_nothing_half_written_when_it_is_interrupted(tmp_path, monkeypatch, erro
     source = write(tmp_path / "in.csv", "v_n_in\n" + "1\n" * 20)
     out = write(tmp_path / "out.csv", "before\n")
 
-    def progress(done: float, size: float) -> None:
+    def progress(done: float, size: float, _text: str) -> None:
         raise error
 
     with pytest.raises(error):
@@ -655,7 +655,7 @@ def test_numbers_that_the_law_does_not_read_are_refused_as_options(tmp_path, car
         "--stiffness-ratio",
         "--floor-friction",
     ]
-    assert "--friction: expected a law that reads it, got mirror, which reads restitution; omit the option" in ran.err
+    assert "--friction: expected a law that reads it, got mirror, which reads restitution; omit it" in ran.err
     ran = carom_run("predict", table, "--law", "no-slip", "--friction", "0.2")
     assert "got no-slip, which reads floor_restitution, floor_friction" in ran.err
     assert len(carom_run("predict", table, "--law", "mirror", "--friction", "nan").err.splitlines()) == 1
@@ -751,3 +751,68 @@ def test_a_large_table_keeps_bytes_that_are_not_utf8(tmp_path, monkeypatch):
     summary = predict_table(source, out, PredictSettings(find_law("mirror"), given={"restitution": 0.5}))
     assert summary.answered == 1
     assert out.read_bytes().splitlines()[1:] == [b"\xe9,1.5,0.5,3,0.75,0.5,3.0,"]
+
+
+# --- from Python: files and arrays ---------------------------------------------------------------------------------
+
+STATES = {"v_n_in": np.array([1.5, 3.0, -1.0]), "v_t_in": np.array([0.5, 0.0, 1.0])}
+
+
+def test_arrays_frames_and_files_give_the_same_columns(tmp_path):
+    path = write(tmp_path / "in.csv", "v_n_in,v_t_in\n1.5,0.5\n3.0,0.0\n-1.0,1.0\n")
+    settings = {"restitution": 0.5, "friction": 0.2}
+    written = carom.predict(path, "contact", out=tmp_path / "out.csv", **settings)
+    assert written.columns == {}
+    pandas = pytest.importorskip("pandas")
+    arrow = pytest.importorskip("pyarrow")
+    expected = pandas.read_csv(
+        tmp_path / "out.csv", keep_default_na=False, na_values={name: [""] for name in written.added[:-1]}
+    )
+    kinds = [
+        path, str(path), STATES, pandas.DataFrame(STATES), arrow.table(STATES),
+        np.array(list(zip(*STATES.values(), strict=True)), dtype=[(name, float) for name in STATES]),
+    ]  # fmt: skip
+    for table in kinds:
+        found = carom.predict(table, "contact", **settings)
+        assert (found.rows, found.answered, found.without_answer) == (3, 2, 1)
+        assert list(found.columns) == list(expected)
+        for name in written.added[:-1]:
+            assert np.array_equal(found[name], expected[name].to_numpy(), equal_nan=True), (type(table), name)
+        assert found[written.added[-1]].tolist() == expected[written.added[-1]].tolist()
+    assert found.faults[0]["row"] == "row 3"
+    assert carom.predict(path, "contact", **settings).faults[0]["row"] == "line 4"
+
+
+def test_a_result_is_the_input_of_the_next_function(tmp_path):
+    rebounds = carom.data.make_rebounds("planar", {"v_n_in": [1.0, 2.0], "v_t_in": [1.0, 1.0], "v_n_out": [0.8, 1.6]})
+    found = carom.predict(rebounds, "sticking", radius=0.02)
+    assert found["v_n_out"].tolist() == [0.8, 1.6]  # as measured
+    assert found["v_n_out_predicted"].tolist() == [1.0, 2.0]
+
+
+def test_misuse_from_python_is_one_line():
+    for table, options, said in [
+        (5, {}, "predict: table: expected a path, or columns"),
+        ({"v_n_in": [[1.0]], "v_t_in": [1.0]}, {}, "expected a column (N,), got an array of shape (1, 1)"),
+        ({"v_n_in": [1.0, 2.0], "v_t_in": [1.0, 1.0, 1.0]}, {}, "expected one length for all"),
+        ({"v_n_in": ["a"], "v_t_in": [1.0]}, {}, "column 'v_n_in': expected numbers, got "),
+        (STATES, {"out": "x.csv"}, "expected none with columns in memory"),
+        (STATES, {"law": "mirror", "friction": 0.2}, "`friction`: expected a law that reads it"),
+        (STATES, {"inertia": 3}, "`inertia`: expected solid"),
+    ]:
+        with pytest.raises(carom.CaromError) as error:
+            carom.predict(table, **options)
+        assert len(error.value.faults) == 1
+        assert said in error.value.faults[0]
+    with pytest.raises(carom.CaromError, match="expected a column of the result"):
+        carom.predict(STATES, "sticking")["v_n"]
+
+
+def test_a_callback_of_the_last_release_still_is_called():
+    seen = []
+    with pytest.warns(DeprecationWarning, match="done, total, text"):
+        carom.billiards.final(
+            carom.billiards.circle(), ((0, 0), (1, 0), 0), 10, progress=lambda done, total: seen.append((done, total))
+        )
+    carom.predict(STATES, "sticking", progress=lambda *one: seen.append(one))
+    assert seen == [(10, 10), (3, 3, "predict")]

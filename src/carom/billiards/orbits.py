@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -17,6 +16,7 @@ from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
 from carom.core.jit.slices import Pace
 from carom.errors import CaromError
+from carom.public.progress import Progress, as_progress
 
 __all__ = [
     "FIRST_BOUNCES", "MAX_KEPT_BYTES", "Orbit", "final", "orbit", "orbit_from_setup", "require_integer", "require_reversible",
@@ -163,7 +163,7 @@ def orbit(
     law: Any = "no-slip",
     surface: Surface | None = None,
     corners: str = "end",
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> Orbit:
     """Follow one ball, or many at once on all cores, for a number of bounces; results do not depend on the number of threads.
 
@@ -187,8 +187,8 @@ def orbit(
     corners : "end" or "pass"
         At a corner (within 1e-12 of the table's size) the map is undefined and the orbit ends. "pass": the ball meets the two
         sides one after the other, the one with the lower index first.
-    progress : callable, optional
-        Called with (bounces done, bounces in all).
+    progress : callable(done, total, text), optional
+        Called with the number of bounces done, and of all.
 
     Returns
     -------
@@ -209,12 +209,11 @@ def orbit(
     >>> found.t
     array([1., 1., 3., 3.])
     """
+    progress = as_progress(progress, lambda done, total, _text: (done, total))
     return orbit_from_setup(orbit_setup(table, ball, law, surface, corners), start, bounces, progress)
 
 
-def orbit_from_setup(
-    setup: OrbitSetup, start: Any, bounces: int, progress: Callable[[int, int], None] | None = None
-) -> Orbit:
+def orbit_from_setup(setup: OrbitSetup, start: Any, bounces: int, progress: Progress | None = None) -> Orbit:
     """Compute :func:`orbit` for a table, a ball and a law that are validated already."""
     rows, shape = start_rows(setup, start)
     bounces = require_integer("bounces", bounces)
@@ -259,7 +258,7 @@ def final(
     law: Any = "no-slip",
     surface: Surface | None = None,
     corners: str = "end",
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> tuple[Start, Array, Any, Any]:
     """Follow orbits as :func:`orbit` does, without keeping the bounces.
 
@@ -286,6 +285,7 @@ def final(
     bounces = require_integer("bounces", bounces)
     width = 6 if setup.planar else 10
     nothing, none = np.empty((len(rows), 0, width)), np.empty((len(rows), 0), np.int32)
+    progress = as_progress(progress, lambda done, total, _text: (done, total))
     last, ends = _loop(setup, rows, bounces, nothing, none, progress)
     return (
         _state(setup, last[:, 1:], shape),
@@ -303,7 +303,12 @@ def require_integer(field: str, value: Any, least: int = 1) -> int:
 
 
 def _loop(
-    setup: OrbitSetup, rows: Array, bounces: int, kept: Any, piece: Any, progress: Callable[[int, int], None] | None
+    setup: OrbitSetup,
+    rows: Array,
+    bounces: int,
+    kept: Any,
+    piece: Any,
+    progress: Progress | None,
 ) -> tuple[Array, NDArray[np.void]]:
     """Run the compiled loop, in parts if progress is reported."""
     # the loop expects positions in the first periodic cell
@@ -322,7 +327,7 @@ def _loop(
             )  # fmt: skip
             pace.done(more)
         if progress is not None:
-            progress(min(k + share, len(rows)) * bounces, len(rows) * bounces)
+            progress(min(k + share, len(rows)) * bounces, len(rows) * bounces, "orbits")
     if shift.any():
         d = setup.table.dimension
         kept[..., 1 : 1 + d] += shift[:, None, :d]

@@ -31,8 +31,8 @@ if TYPE_CHECKING:
 @contextmanager
 def working(
     what: str, console: Console | None = None, compiling: str = "compiling, once"
-) -> Iterator[Callable[[float, float], None] | None]:
-    """Show a progress bar on standard error if that is a terminal; yield its update function (done, total), else None.
+) -> Iterator[Callable[[float, float, str], None] | None]:
+    """Show a progress bar on standard error if that is a terminal; yield its update function (done, total, text), else None.
 
     While loops are compiled, ``compiling`` is shown in place of ``what``.
     """
@@ -60,8 +60,11 @@ def working(
             depth += -1 if finished else 1
             bar.update(task, description=compiling if depth else what)
 
+        def update(done: float, total: float, _text: str = "") -> None:
+            bar.update(task, completed=done, total=total)
+
         with watch_compiling(describe):
-            yield lambda done, size: bar.update(task, completed=done, total=size)
+            yield update
 
 
 def tick(console: Console, good: bool) -> str:

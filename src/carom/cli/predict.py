@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import Annotated, Any
 
 import typer
 from rich.console import Console
@@ -12,12 +12,11 @@ from rich.text import Text
 
 from carom.cli.common import attempt, require_outputs, working, wrote
 from carom.cli.console import err
-from carom.cli.options import WALL, parse_inertia, quantity, shared
+from carom.cli.option_names import in_options, with_options
+from carom.cli.options import WALL, quantity, shared
 from carom.errors import CaromError
+from carom.public.defaults import CONTACT_HEIGHT, FLOOR_CONTACT, GRAVITY
 from carom.public.own_laws import with_own_laws
-
-if TYPE_CHECKING:
-    from carom.laws.law import Law
 
 TABLE = "Table"
 OTHER_TABLES = (".xlsx", ".xls", ".ods", ".json", ".nc", ".h5", ".feather")  # formats that are not written
@@ -67,64 +66,50 @@ def predict(
             help="Normal from wall to ball, for states as vectors.", show_default="1,0,0", rich_help_panel=WALL
         ),
     ] = None,
-    contact_height: Annotated[float, shared("contact_height")] = 1.0,
+    contact_height: Annotated[float, shared("contact_height")] = CONTACT_HEIGHT,
     floor_restitution: Annotated[float | None, shared("floor_restitution", default="0")] = None,
     floor_friction: Annotated[float | None, shared("floor_friction", default="inf")] = None,
     floor_tangential_restitution: Annotated[float | None, shared("floor_tangential_restitution", default="0")] = None,
-    floor_contact: Annotated[str, shared("floor_contact")] = "with",
-    gravity: Annotated[float, shared("gravity")] = 9.80665,
+    floor_contact: Annotated[str, shared("floor_contact")] = FLOOR_CONTACT,
+    gravity: Annotated[float, shared("gravity")] = GRAVITY,
 ) -> None:
     """Add the outgoing states that a law predicts to a table of incoming states, one per row.
 
     An option takes precedence over a column of the same name. Rows without a prediction stay in the table, with the reason
     in the note column.
     """
-    from carom.data.limits import bad_numbers
-    from carom.data.predict import PredictSettings, predict_table, spin_rule
-    from carom.laws.user import find_law
+    from carom.data.predict import STANDARD_OUTPUT, predict_settings
+    from carom.data.predict import predict as predict_rows
 
     faults: list[str] = []
-    given = {
-        "speed": speed, "radius": radius, "mass": mass, "height": height,
-        "restitution": restitution, "friction": friction,
-        "tangential_restitution": tangential_restitution, "stiffness_ratio": stiffness_ratio,
-        "floor_restitution": floor_restitution, "floor_friction": floor_friction,
-        "floor_tangential_restitution": floor_tangential_restitution,
-    }  # fmt: skip
-    numbers = {name: value for name, value in given.items() if value is not None}
-    if inertia is not None and (kappa := attempt(faults, parse_inertia, inertia)) is not None:
-        numbers["kappa"] = kappa
-    values: dict[str, Any] = {"given": numbers, "contact_height": contact_height, "gravity": gravity, "suffix": suffix}
-    for name, make in (
-        ("law", lambda: find_law(with_own_laws(law))),
-        ("spin", lambda: spin_rule(spin)),
-        ("normal", lambda: None if normal is None else _vector(normal)),
-        ("floor_contact", lambda: _floor_contact(floor_contact)),
-    ):
-        try:
-            values[name] = make()
-        except CaromError as error:
-            faults += error.faults
-    idle = _unread(values.get("law"), numbers)
-    faults += idle.values()
-    read = {name: value for name, value in numbers.items() if name not in idle}
-    faults += bad_numbers(read, values.get("normal"), contact_height, gravity)
     require_outputs(faults, {"--out": out}, {"--out": ()}, source=table)
     if out is not None and out.suffix.lower() in OTHER_TABLES:
         faults.append(f"--out: expected a .csv or .parquet file, got {out.suffix!r}; spreadsheets open .csv")
     if json_ and out is None:
         faults.append("--out: expected a file for the table with --json, which uses standard output, got none")
+    options: dict[str, Any] = {
+        "spin": spin, "suffix": suffix, "speed": speed, "radius": radius, "mass": mass, "inertia": inertia, "height": height,
+        "restitution": restitution, "friction": friction, "tangential_restitution": tangential_restitution,
+        "stiffness_ratio": stiffness_ratio, "normal": None if normal is None else attempt(faults, _vector, normal),
+        "contact_height": contact_height, "floor_restitution": floor_restitution, "floor_friction": floor_friction,
+        "floor_tangential_restitution": floor_tangential_restitution, "floor_contact": floor_contact, "gravity": gravity,
+    }  # fmt: skip
+    typed: Any = with_own_laws(law)
     if faults:
-        raise CaromError(*faults)
+        found: list[str] = []
+        attempt(found, lambda: predict_settings(typed, **options))
+        raise CaromError(*found, *faults)
     console = err()
 
     def say(note: str) -> None:
-        console.print(note, style="dim", soft_wrap=True)
+        console.print(in_options(note), style="dim", soft_wrap=True)
 
     with working("predict", console, *(["compiling the law"] if ".py:" in law else [])) as progress:
-        summary = predict_table(table, out, PredictSettings(**values), strict=strict, progress=progress, say=say)
+        summary = predict_rows(
+            table, typed, out=out or STANDARD_OUTPUT, strict=strict, progress=progress, say=say, **options
+        )
     if json_:
-        print(json.dumps({**vars(summary), "without_answer": summary.without_answer}, indent=2, allow_nan=False))  # noqa: T201
+        print(json.dumps(with_options(summary.as_dict()), indent=2, allow_nan=False))  # noqa: T201
     _report(console, summary)
 
 
@@ -143,30 +128,8 @@ def _report(console: Console, summary: Any) -> None:
         wrote(Path(summary.out))
 
 
-def _unread(law: Law | None, numbers: dict[str, float]) -> dict[str, str]:
-    """Return faults of given options that the law does not read, by name."""
-    from carom.data.plan import unread
-
-    idle = [] if law is None else unread(law)
-    reads = "" if law is None else ", ".join(law.reads or ())
-    return {
-        name: f"--{name.replace('_', '-')}: expected a law that reads it, got {law.name}, which reads {reads}; omit the option"
-        for name in numbers
-        if law is not None and name in idle
-    }
-
-
-def _vector(text: str) -> tuple[float, float, float]:
+def _vector(text: str) -> list[float]:
     try:
-        x, y, z = (float(part) for part in text.replace(",", " ").split())
+        return [float(part) for part in text.replace(",", " ").split()]
     except ValueError:
         raise CaromError(f"--normal: expected three numbers, such as 1,0,0, got {text!r}") from None
-    return x, y, z
-
-
-def _floor_contact(text: str) -> Literal["with", "after"]:
-    if text in ("with", "after"):
-        return text  # type: ignore[return-value]
-    raise CaromError(
-        f"--floor-contact: expected 'with' (at once) or 'after' (first the wall, then the floor), got {text!r}"
-    )

@@ -141,7 +141,7 @@ def show(
     with working("contacts", console) as bar:
         films = measure_films(
             files, Calibration(lengths["scale"], rate, down), settings, format=format_, wall=wall or (),
-            progress=None if bar is None else lambda done, total, _text: bar(done, total),
+            progress=bar,
         )  # fmt: skip
     names, found, measured = films.names, films.files, films.measured
     written = None

@@ -97,7 +97,11 @@ def _require_on_floor(values: dict[str, Array], plan: TablePlan, notes: Notes, g
         else:
             continue
         for i in np.flatnonzero(bad).tolist():
-            _note(notes, i, f"{name}: expected 0 for a ball that is taken to roll; give its spin, or --spin none")
+            _note(
+                notes,
+                i,
+                f"{name}: expected 0 for a ball that is taken to roll; give its spin, or predict with spin none",
+            )
         good &= ~bad
 
 

@@ -47,17 +47,17 @@ CHECKS: dict[str, tuple[Callable[[Any], Any], str]] = {
 def bad_numbers(
     numbers: dict[str, float], normal: tuple[float, float, float] | None, contact_height: float, gravity: float
 ) -> list[str]:
-    """Return one line for each option whose number (SI) is out of range."""
+    """Return one line for each argument whose number (SI) is out of range."""
     faults = []
     for name, value in numbers.items():
         holds, expected = CHECKS.get(name, FINITE)
         if not holds(np.asarray(value)):
-            option = "inertia" if name == "kappa" else name.replace("_", "-")
-            faults.append(f"--{option}: expected {expected}, got {value!r}")
+            field = "inertia" if name == "kappa" else name
+            faults.append(f"`{field}`: expected {expected}, got {value!r}")
     if normal is not None and not 0 < math.sqrt(sum(x * x for x in normal)) < math.inf:
-        faults.append(f"--normal: expected a vector from the wall to the ball, such as 1,0,0, got {normal}")
+        faults.append(f"`normal`: expected a vector from the wall to the ball, such as 1,0,0, got {normal}")
     if not 0 < contact_height < 2:
-        faults.append(f"--contact-height: expected a height in radii, above 0 and below 2, got {contact_height!r}")
+        faults.append(f"`contact_height`: expected a height in radii, above 0 and below 2, got {contact_height!r}")
     if not 0 <= gravity < math.inf:
-        faults.append(f"--gravity: expected a number >= 0 in m/s^2, got {gravity!r}")
+        faults.append(f"`gravity`: expected a number >= 0 in m/s^2, got {gravity!r}")
     return faults

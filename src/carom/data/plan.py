@@ -119,13 +119,13 @@ def make_plan(headers: list[str], settings: PredictSettings) -> TablePlan:
     if faults:
         raise CaromError(*faults)
     if "speed" in settings.given and form != "angle":
-        faults.append("--speed: expected a table with incidence_deg, got one with the velocity; leave it out")
+        faults.append("`speed`: expected a table with incidence_deg, got one with the velocity; leave it out")
     wanted, missing = _wanted(form, columns, settings)
     faults += [_missing(name, form, headers) for name in missing]
     air = form != "vector" and _in_air(columns, settings)
     if air and settings.contact_height != 1:
         faults.append(
-            "--contact-height: expected a ball on a table, got one in flight (a law of a single contact, or a spin_in column)"
+            "`contact_height`: expected a ball on a table, got one in flight (a law of a single contact, or a spin_in column)"
         )
     spin, remarks = _spin(form, air, columns, settings, faults)
     idle = unread(settings.law)
@@ -265,23 +265,23 @@ def _spin(
     if len(level) == 1:
         missing = "spin_y" if level == ["spin_x"] else "spin_x"
         faults.append(
-            f"column {missing!r}: expected this column beside {level[0]!r}, got none; give both, or neither and --spin"
+            f"column {missing!r}: expected this column beside {level[0]!r}, got none; give both, or neither and `spin`"
         )
     if "spin_in" in columns and "spin_z_in" in columns and form != "vector":
         faults.append("columns: expected spin_in (a planar bounce) or spin_z_in (a ball on a table), got both")
     if level or (air and "spin_in" in columns):
         if settings.spin is not None and (level or settings.spin == "rolling"):
-            faults.append(f"--spin {settings.spin}: expected no such option, the table has the spin; leave it out")
+            faults.append(f"`spin` {settings.spin}: has no effect, as the table has the spin; omit it")
         return "given", []
     rule = settings.spin or ("none" if settings.law.in_flight else "rolling")
     about = " about level axes" if form != "vector" and not air else ""
     meant = {
-        "rolling": f"no spin{about} in the table: the ball is taken to roll on the floor (--spin none: no spin)",
+        "rolling": f"no spin{about} in the table: the ball is taken to roll on the floor (`spin` none: no spin)",
         "none": f"no spin{about} in the table: taken as 0"
-        + ("" if air else " (--spin rolling: the ball rolls on the floor)"),
+        + ("" if air else " (`spin` rolling: the ball rolls on the floor)"),
     }
     if rule == "rolling" and air:
-        faults.append("--spin rolling: expected a ball on a table, got one in flight; leave it out")
+        faults.append("`spin` rolling: expected a ball on a table, got one in flight; leave it out")
     return rule, [meant[rule]]
 
 
@@ -356,7 +356,7 @@ def _added(
     if again:
         raise CaromError(
             f"columns: expected no {', '.join(map(repr, again))} in the table, since the added columns have these names;"
-            " choose others with --suffix"
+            " choose others with `suffix`"
         )
     added = [
         OutputColumn(header_with_unit(f"{name}_{stage}{tail}", unit, first.style), unit) for name, stage, unit in names

@@ -286,7 +286,7 @@ def _stages(
     if stage is None:
         faults.append(
             f"{source}: stage: expected after_wall (measured as the ball leaves the wall) or rolling (once it rolls"
-            " again), got none; give the column, or --stage for all rows"
+            " again), got none; give the column, or `stage` for all rows"
         )
         return None
     found: NDArray[np.str_] = np.char.strip(np.broadcast_to(np.atleast_1d(np.asarray(stage, dtype=str)), count))
@@ -381,7 +381,7 @@ def _kind(path: Path, measured: Mapping[str, Array], staged: bool, headers: list
         wanted = "v_n_in" if "v_n_in" in measured or not headers else suggestion("v_n_in", headers)
         faults.append(
             f"{path}: columns: expected a spin_in or spin_out column (a planar bounce), or spin_z_in, spin_z_out or stage"
-            f" (a ball on a table), got {', '.join(map(repr, headers))}; say which with --kind planar or --kind table"
+            f" (a ball on a table), got {', '.join(map(repr, headers))}; say which with `kind` planar or table"
             + ("" if wanted == "v_n_in" else f"; v_n_in: {wanted}")
         )
     return "table" if (table or staged) and not planar else "planar"

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from carom.bodies import Ball, State, Surface, kinetic_energy
 from carom.core.contact import REGIMES
 from carom.formatting import format_length, format_number, format_time
+from carom.public.defaults import GRAVITY
 
 __all__ = [
     "GRAVITY", "PAPER_FLOOR", "PAPER_WALL", "REASONS", "REGIME_NAMES", "WHY", "Flight", "FloorContact", "Impact", "Settled",
@@ -22,7 +23,6 @@ Array = NDArray[np.float64]
 FloorContact = Literal["with", "after"]
 """Order of the contacts of a ball that the wall presses on the floor: both at once, or the wall first and then the floor."""
 
-GRAVITY = 9.80665  # m/s^2
 PAPER_WALL = Surface(restitution=1.0, friction=math.inf)
 PAPER_FLOOR = Surface(restitution=0.0, friction=math.inf)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -10,6 +10,7 @@ from carom.data.rebounds import Rebounds
 from carom.data.where import Where, rows_where
 from carom.errors import CaromError, attempt, noting
 from carom.files import text_encoding
+from carom.public.progress import Progress
 from carom.tracks.contact import Settings
 from carom.tracks.events import wall_of_text
 from carom.tracks.films import combined_rebounds, film_names, hops_together
@@ -21,8 +22,6 @@ from carom.tracks.rebounds import Stage, to_rebounds
 
 __all__ = ["MeasuredFilms", "is_track", "measure_films", "read_films", "rebounds_of_films", "tracks_of_films"]
 
-Progress = Callable[[float, float, str], None]
-"""Called with what is done, the whole, and the current step in words."""
 START_BYTES = 4096  # in which the header of a table shows
 REBOUND_COLUMNS = (
     "v_n_in, v_t_in, v_n_out, v_t_out (m/s, toward the wall, along it, away from it, along it), and spin_in, spin_out if they were"
