@@ -95,7 +95,7 @@ def test_the_kind_is_asked_for(tmp_path: Path) -> None:
     (fault,) = faults(tmp_path, "v_n_in,v_n_out\n1,1\n")
     assert "`kind` planar or table" in fault
     (fault,) = faults(tmp_path, "v_n_in,v_n_out,spin_z_in\n1,1,0\n")
-    assert "--stage" in fault
+    assert "`stage`" in fault
 
 
 def test_all_faults_at_once(tmp_path: Path) -> None:
