@@ -198,6 +198,10 @@ def test_the_valley_of_the_true_friction_is_found_however_narrow(seed, shared):
     assert fit.estimates["friction"].stderr < 0.002
 
 
+def said(model, x, p):
+    return predictions(model.kind, model.rows, x, p)
+
+
 def test_a_table_says_what_the_law_says():
     law, problem = filmed(2, 400, shared=True)
     model = model_of(law, problem)
@@ -208,19 +212,19 @@ def test_a_table_says_what_the_law_says():
     spins = 0.5 * np.random.default_rng(3).normal(size=400) * np.hypot(problem.x[:, 0], problem.x[:, 1]) / A
     x = np.stack([problem.x[:, 0], problem.x[:, 1], spins], axis=-1)
     there = np.append(p[:NUMBERS] + p[NUMBERS:] @ model.moves, 0 * p[NUMBERS:])
-    exact, speed = predictions(model.likelihood(), x, there), np.hypot(x[:, 0], x[:, 1])[:, None]
+    exact, speed = said(model.likelihood(), x, there), np.hypot(x[:, 0], x[:, 1])[:, None]
     for table, rms, most in ((coarse, 2e-3, 6e-3), (fine, 6e-5, 5e-4)):
         known = model.using(table).likelihood()
         known = replace(known, rows=known.rows._replace(known=table.at(p, model.moves)))
-        off = (predictions(known, x, there) - exact) * (1, 1, A) / speed
+        off = (said(known, x, there) - exact) * (1, 1, A) / speed
         assert np.sqrt(np.square(off).mean(axis=0)).max() < rms
         assert np.abs(off).max() < most
     # and its slopes in restitution and friction are the law's
     step = np.zeros((2, len(there)))
     step[0, INDEX["restitution"]] = step[1, INDEX["friction"]] = 1e-4
     for by in step:
-        slope = predictions(known, x, there + by) - predictions(known, x, there)
-        true = predictions(model.likelihood(), x, there + by) - exact
+        slope = said(known, x, there + by) - said(known, x, there)
+        true = said(model.likelihood(), x, there + by) - exact
         assert np.median(np.abs(slope - true)[:, :2]) < 0.02 * np.median(np.abs(true)[:, :2])
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 import functools
 from collections.abc import Callable
 from dataclasses import dataclass, replace
+from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Protocol
 
 import numpy as np
@@ -28,7 +29,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Evaluation", "LikelihoodModel", "TabulatedLaw", "compile_likelihood", "evaluate", "make_trial", "make_workspace",
-    "predict_in_parts", "predictions",
+    "predictions",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -237,21 +238,11 @@ def evaluate(model: LikelihoodModel, p: Array, weights: Array | None = None) -> 
     weights = np.ones((1, n)) if weights is None else np.ascontiguousarray(weights, float)
     if model.tabulated is not None:  # a table each
         plain = replace(model, tabulated=None)
-        each = [
-            evaluate(
-                replace(plain, rows=rows._replace(known=model.tabulated.at(p[b], model.moves))),
-                p[b : b + 1],
-                weights[b * one : b * one + 1],
-            )
-            for one in (min(len(weights) - 1, 1),)
-            for b in range(count)
-        ]
-        return Evaluation(
-            *(
-                np.concatenate([getattr(seen, name) for seen in each])
-                for name in ("deviance", "chi2", "scores", "information")
-            )
-        )
+        each = []
+        for one, weight in zip(p[:, None], np.broadcast_to(weights, (count, n))[:, None], strict=True):
+            known = rows._replace(known=model.tabulated.at(one[0], model.moves))
+            each.append(vars(evaluate(replace(plain, rows=known), one, weight)))
+        return Evaluation(**{name: np.concatenate([seen[name] for seen in each]) for name in each[0]})
     points = 0 if rows.spins is None else len(rows.spins.sigma)
     loop, law = _evaluating(points > 0), _law(model.kind)
     deviance, chi2 = np.empty((count, n)), np.empty((count, n))
@@ -275,22 +266,15 @@ def evaluate(model: LikelihoodModel, p: Array, weights: Array | None = None) -> 
     return Evaluation(deviance, chi2, u.sum(axis=0), h.sum(axis=0))
 
 
-def predict_in_parts(kind: Kind, rows: RowData, x: Array, p: Array) -> Array:
-    """Return the law's predictions (N, 3) for x (N, 3) with numbers p (NUMBERS,), on all cores."""
-    out, numbers = np.empty((len(x), 3)), np.ascontiguousarray(p[None], float).view(LAW_NUMBERS)[:, 0]
-    edges = np.linspace(0, len(x), PARTS + 1).astype(int).tolist()
+def predictions(kind: Kind, rows: RowData, x: Array, p: Array) -> Array:
+    """Return the law's predictions (N, 3) for x (N, 3) with numbers p (K,); on all cores where there are many."""
+    out, x = np.empty((len(x), 3)), np.ascontiguousarray(x, float)
+    numbers = np.ascontiguousarray(p[None, :NUMBERS], float).view(LAW_NUMBERS)[:, 0]
 
-    def part(m: int) -> None:
-        some = slice(edges[m], edges[m + 1])
-        _predicting()(_law(kind), rows._replace(stages=rows.stages[some]), x[some], numbers, out[some])
+    def part(some: slice) -> None:
+        own = rows._replace(stages=rows.stages[some], spins=None)
+        _predicting()(_law(kind), own, x[some], numbers, out[some])
 
-    call_in_threads(part, range(PARTS))
-    return out
-
-
-def predictions(model: LikelihoodModel, x: Array, p: Array) -> Array:
-    """Return the law's predictions (N, 3) for x (N, 3), with numbers p (N or 1, K)."""
-    out = np.empty((len(x), 3))
-    numbers = np.ascontiguousarray(np.atleast_2d(p)[:, :NUMBERS], float).view(LAW_NUMBERS)[:, 0]
-    _predicting()(_law(model.kind), model.rows._replace(spins=None), np.ascontiguousarray(x, float), numbers, out)
+    edges = np.linspace(0, len(x), 1 + (PARTS if len(x) > SERIAL_WORK else 1)).astype(int).tolist()
+    call_in_threads(part, [slice(*pair) for pair in pairwise(edges)])
     return out

@@ -72,36 +72,14 @@ class FitModel:
         problem, x, spins = self.problem, self.problem.x, self.problem.spins
         if spins is not None and not feels_spins(self.law, problem):
             x, spins = np.nan_to_num(x), None
-        stages = (
-            np.zeros(len(x), np.int64) if problem.stages is None else np.ascontiguousarray(problem.stages, np.int64)
-        )
-        measured = (x, problem.vx, problem.covariance, problem.y, problem.vy)
-        x, vx, covariance, y, vy = (np.ascontiguousarray(array, float) for array in measured)
-        rows = RowData(
-            self.law.contact_code if self.tabulated is None else TABULATED,
-            self.form,
-            stages,
-            problem.setting.radius,
-            spins,
-            x,
-            vx,
-            covariance,
-            y,
-            vy,
-            problem.nu,
-            np.empty(0),
-        )
-        moved = np.ascontiguousarray(_moved(problem), float)
-        return LikelihoodModel(
-            self.law.kind,
-            rows,
-            np.ascontiguousarray(self.free),
-            self.low,
-            self.high,
-            moved,
-            np.ascontiguousarray(self.moves, float),
-            self.tabulated,
-        )
+        stages = np.zeros(len(x), np.int64) if problem.stages is None else problem.stages
+        code = self.law.contact_code if self.tabulated is None else TABULATED
+        arrays = (x, problem.vx, problem.covariance, problem.y, problem.vy, _moved(problem), self.moves)
+        *measured, moved, moves = (np.ascontiguousarray(array, float) for array in arrays)
+        ball = (np.ascontiguousarray(stages, np.int64), problem.setting.radius, spins)
+        rows = RowData(code, self.form, *ball, *measured, problem.nu, np.empty(0))
+        free = np.ascontiguousarray(self.free)
+        return LikelihoodModel(self.law.kind, rows, free, self.low, self.high, moved, moves, self.tabulated)
 
     def minimize(
         self, p: Array, steps: int = STEPS, weights: Array | None = None, centers: Array | None = None
@@ -205,4 +183,4 @@ def predict_law(law: FittedLaw, problem: Problem, p: Array) -> Array:
     x = problem.x + moved[:, :3]
     mean = p[INDEX["spin_mean"]] * x[:, 1] / problem.setting.radius
     x[:, 2] = np.where(np.isnan(x[:, 2]), mean, x[:, 2])
-    return predictions(model.likelihood(), x, p) - moved[:, 3:]
+    return predictions(law.kind, model.likelihood().rows, x, p) - moved[:, 3:]

@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 from carom.fitting.data import Problem
 from carom.fitting.deviance import RowData
 from carom.fitting.kernels import DENSE, PLANES, TOGETHER
-from carom.fitting.likelihood import predict_in_parts
+from carom.fitting.likelihood import predictions
 from carom.fitting.model import FitModel
 from carom.fitting.parameters import INDEX, NUMBERS, PARAMETERS
 
@@ -91,7 +91,7 @@ def _node(grid: _Grid, restitution: float, friction: float, floor: float) -> Arr
     x, empty = np.tile(ball, (len(grid.stages), 1)), np.empty((0, 3))
     stages = np.repeat(np.array(grid.stages, np.int64), len(ball))
     rows = RowData(TOGETHER, 0, stages, grid.radius, None, x, empty, empty[:, :2], empty, empty, 0.0, np.empty(0))
-    out = predict_in_parts("table", rows, x, p)
+    out = predictions("table", rows, x, p)
     out[:, 2] *= grid.radius
     return out.ravel()
 
