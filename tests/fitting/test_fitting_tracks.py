@@ -206,6 +206,14 @@ def test_the_truth_comes_back(ranking: TrackRanking) -> None:
     assert np.allclose(x - best.frames.segments[0].position, best.gap[0, : len(t)], atol=1e-9)
 
 
+def test_a_ranking_of_tracks_is_like_one_of_rebounds(ranking: TrackRanking) -> None:
+    assert [one.fit for one in ranking.ranked] == list(ranking.fits)
+    assert [one.weight for one in ranking.ranked] == ranking.weights.tolist()
+    assert ranking.degenerate == [sentence for fit in ranking.fits for sentence in fit.degenerate]
+    assert {"ranking", "degenerate", "verdict", "odds", "against", "notes"} < set(ranking.as_dict())
+    assert all(law["held"].keys().isdisjoint(law["parameters"]) for law in ranking.as_dict()["ranking"])
+
+
 def test_without_noise_given_each_stretch_has_its_own(ranking: TrackRanking) -> None:
     found = fit_tracks(measured(1, 3), Setting(radius=RADIUS), ["two-step"]).best
     assert not found.known

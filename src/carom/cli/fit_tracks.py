@@ -92,7 +92,6 @@ def _show(ranking: TrackRanking) -> None:
 
     from carom.cli.console import out
     from carom.cli.ranking_output import show_unidentified
-    from carom.fitting.evidence import aicc_note
     from carom.fitting.result import with_error_bar
     from carom.formatting import counted
 
@@ -127,7 +126,7 @@ def _show(ranking: TrackRanking) -> None:
         )
     console.print(table)
     console.print(
-        f"{aicc_note(best)}\n"
+        f"{ranking.aicc_note}\n"
         f"RMS: median of the segments; {best.law.name} over all {1e3 * best.rms():.3g} mm. Wall positions: --json, --report",
         style="dim",
     )

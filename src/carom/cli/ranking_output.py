@@ -23,7 +23,6 @@ def show(ranking: Ranking) -> None:
     from rich.text import Text
 
     from carom.cli.console import out
-    from carom.fitting.evidence import aicc_note
     from carom.fitting.result import with_error_bar
 
     console = out()
@@ -53,7 +52,7 @@ def show(ranking: Ranking) -> None:
             style="bold" if one is ranking.ranked[0] else None,
         )
     console.print(table)
-    console.print(Text(aicc_note(ranking.best), style="dim"), soft_wrap=True)
+    console.print(Text(ranking.aicc_note, style="dim"), soft_wrap=True)
     console.print(Text(ranking.verdict, style="bold green" if ranking.decisive else "bold yellow"), soft_wrap=True)
     show_unidentified(ranking.degenerate)
     for outlier in ranking.outliers[:MAX_OUTLIERS]:

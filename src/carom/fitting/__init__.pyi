@@ -1,11 +1,11 @@
 from .data import Problem as Problem
 from .data import make_problem as make_problem
+from .evidence import Ranked as Ranked
 from .fit import fit_law as fit_law
 from .laws import FITTED as FITTED
 from .laws import FittedLaw as FittedLaw
 from .outliers import Outlier as Outlier
 from .profile_likelihood import with_profiles as with_profiles
-from .ranking import Ranked as Ranked
 from .ranking import Ranking as Ranking
 from .ranking import fit_laws as fit_laws
 from .result import Estimate as Estimate

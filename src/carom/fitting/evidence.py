@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any, Generic, Protocol, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,7 +22,9 @@ __all__ = [
     "LEANS",
     "UNLIKELY",
     "Evidence",
-    "aicc_note",
+    "OneFit",
+    "Ranked",
+    "RankedLaws",
     "decisive",
     "odds_in_words",
     "verdict_words",
@@ -35,7 +37,7 @@ MOST_LOG_ODDS = 700.0
 
 
 class FittedModel(Protocol):
-    """A fit whose law is compared."""
+    """A fit whose law is compared: to rebounds, or to whole tracks."""
 
     @property
     def law(self) -> FittedLaw: ...
@@ -43,11 +45,82 @@ class FittedModel(Protocol):
     def aicc(self) -> float: ...
     @property
     def deviance(self) -> float: ...
+    @property
+    def degenerate(self) -> tuple[str, ...]: ...
+    @property
+    def untold(self) -> tuple[str, ...]: ...
+    def as_dict(self) -> dict[str, Any]:
+        """Return what JSON holds of the fit."""
 
 
-def aicc_note(best: FittedModel) -> str:
-    """Return what the differences of AICc in tables and reports are to."""
-    return f"ΔAICc: AICc above that of {best.law.name}, {best.aicc:.1f}."
+OneFit = TypeVar("OneFit", bound=FittedModel)
+
+
+@dataclass(frozen=True, eq=False)
+class Ranked(Generic[OneFit]):
+    """A law's fit with its weight and score in a ranking.
+
+    Examples
+    --------
+    ``fit_laws(...).ranked[0]`` is that of the best law:
+
+    >>> from carom.fitting import Ranked
+    >>> list(Ranked.__dataclass_fields__)
+    ['fit', 'weight', 'score']
+    """
+
+    fit: OneFit
+    """The fit of the law."""
+    weight: float
+    """Akaike weight among all laws that were fitted."""
+    score: float = math.nan
+    """Log likelihood per row of rows that it was not fitted to (cross-validation); NaN where there is none, and a note says so.
+    Whole tracks have none."""
+
+
+@dataclass(frozen=True, eq=False)
+class RankedLaws(Generic[OneFit]):
+    """All laws, best first, and the verdict: what rankings of fits to rebounds and to whole tracks have in common."""
+
+    ranked: tuple[Ranked[OneFit], ...]
+    verdict: str
+    """Which law, by what odds, whether it fits, and for which contacts, in words."""
+    odds: float
+    """Of the best law against the best that does not contain it; infinite where there is no other, NaN where odds mean nothing:
+    rows without error bars are too few, or have no velocity along the wall and no spin, or no law follows the tracks."""
+    against: str
+    """Name of that other law."""
+    notes: tuple[str, ...]
+
+    @property
+    def best(self) -> OneFit:
+        """The best fit."""
+        return self.ranked[0].fit
+
+    @property
+    def degenerate(self) -> list[str]:
+        """Sentences on parameters that are not identifiable, for all laws."""
+        return [sentence for one in self.ranked for sentence in one.fit.degenerate]
+
+    @property
+    def aicc_note(self) -> str:
+        """What the differences of AICc in tables and reports are to."""
+        return f"ΔAICc: AICc above that of {self.best.law.name}, {self.best.aicc:.1f}."
+
+    def as_dict(self) -> dict[str, Any]:
+        """Return the ranking for JSON: numbers in full precision, None where there is none."""
+        return {
+            "ranking": [one.fit.as_dict() | {"weight": one.weight} for one in self.ranked],
+            "degenerate": [
+                {"law": one.fit.law.name, "parameters": list(one.fit.untold), "what": sentence}
+                for one in self.ranked
+                for sentence in one.fit.degenerate
+            ],
+            "verdict": self.verdict,
+            "odds": float(self.odds) if math.isfinite(self.odds) else None,
+            "against": self.against or None,
+            "notes": list(self.notes),
+        }
 
 
 @dataclass(frozen=True, eq=False)

@@ -75,9 +75,9 @@ class FitModel:
         stages = np.zeros(len(x), np.int64) if problem.stages is None else problem.stages
         code = self.law.contact_code if self.tabulated is None else TABULATED
         arrays = (x, problem.vx, problem.covariance, problem.y, problem.vy, _moved(problem), self.moves)
-        *measured, moved, moves = (np.ascontiguousarray(array, float) for array in arrays)
-        ball = (np.ascontiguousarray(stages, np.int64), problem.setting.radius, spins)
-        rows = RowData(code, self.form, *ball, *measured, problem.nu, np.empty(0))
+        x, vx, covariance, y, vy, moved, moves = (np.ascontiguousarray(array, float) for array in arrays)
+        stages, a, nu = np.ascontiguousarray(stages, np.int64), problem.setting.radius, problem.nu
+        rows = RowData(code, self.form, stages, a, spins, x, vx, covariance, y, vy, nu, np.empty(0))
         free = np.ascontiguousarray(self.free)
         return LikelihoodModel(self.law.kind, rows, free, self.low, self.high, moved, moves, self.tabulated)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 from carom.data.rebounds import Rebounds
 from carom.errors import CaromError, require_type
@@ -12,7 +13,7 @@ from carom.files import require_library
 from carom.fitting.adequacy import Adequacy, Coverage, adequacy, coverage, nothing_along_the_wall
 from carom.fitting.cross_validation import cross_validated_score, score_warnings
 from carom.fitting.data import make_problem
-from carom.fitting.evidence import Evidence, decisive, odds_in_words, verdict_words, weigh
+from carom.fitting.evidence import Evidence, Ranked, RankedLaws, decisive, odds_in_words, verdict_words, weigh
 from carom.fitting.fit import fit_law, kinked_rows_warning
 from carom.fitting.laws import laws_named
 from carom.fitting.model import SETTING_NUMBERS
@@ -24,7 +25,7 @@ from carom.fitting.setting import Setting, require_settings
 from carom.fitting.uncertainty import with_bootstrap, with_shared
 from carom.laws.registry import one_or_several
 
-__all__ = ["Outlier", "Ranked", "Ranking", "fit_laws"]
+__all__ = ["Outlier", "Ranking", "fit_laws"]
 
 LEAST_DATA = 4  # measured numbers for each fitted one, where the scatter is estimated
 # Law evaluations (carom.fitting.data.Problem.work) up to which these are done by default
@@ -36,28 +37,7 @@ Say = Callable[[str, float], None]
 
 
 @dataclass(frozen=True, eq=False)
-class Ranked:
-    """A law's fit with its weight and score in a ranking.
-
-    Examples
-    --------
-    ``fit_laws(...).ranked[0]`` is that of the best law:
-
-    >>> from carom.fitting import Ranked
-    >>> list(Ranked.__dataclass_fields__)
-    ['fit', 'weight', 'score']
-    """
-
-    fit: Fit
-    """The fit of the law."""
-    weight: float
-    """Akaike weight among all laws that were fitted."""
-    score: float
-    """Log likelihood per row of rows that it was not fitted to (cross-validation); NaN where there is none, and a note says so."""
-
-
-@dataclass(frozen=True, eq=False)
-class Ranking:
+class Ranking(RankedLaws[Fit]):
     """All laws, best first, and the verdict; made by :func:`fit_laws`.
 
     Examples
@@ -72,27 +52,13 @@ class Ranking:
     (['sticking', 'mirror'], 'mirror')
     """
 
-    ranked: tuple[Ranked, ...]
-    verdict: str
-    """Which law, by what odds, whether it fits, and for which contacts, in words."""
-    odds: float
-    """Of the best law against the best that does not contain it; infinite where there is no other, NaN where rows without error
-    bars are too few, or have no velocity along the wall and no spin."""
-    against: str
-    """Name of that other law."""
     adequacy: Adequacy
     """Whether the best law describes the data at all, by tests of it alone."""
     coverage: Coverage
     """The contacts from which the verdict comes, and to which it is limited."""
     outliers: tuple[Outlier, ...]
-    notes: tuple[str, ...]
     swayed: bool = False
     """Whether outliers have moved the best law's parameters by several error bars."""
-
-    @property
-    def best(self) -> Fit:
-        """The best fit."""
-        return self.ranked[0].fit
 
     @property
     def fits(self) -> bool:
@@ -109,11 +75,6 @@ class Ranking:
         """Whether the data decide for a law that fits, whatever the outliers, and not only for a small range of contacts."""
         return decisive(self.fits, self.odds) and not self.swayed and not self.coverage.narrow
 
-    @property
-    def degenerate(self) -> list[str]:
-        """Sentences on parameters that are not identifiable, for all laws."""
-        return [sentence for one in self.ranked for sentence in one.fit.degenerate]
-
     def with_shared_errors(self, shifted: Sequence[tuple[str, Rebounds]]) -> Ranking:
         """Return the ranking with standard errors from systematic errors; ``shifted``: name of each error, and the shifted rows."""
         if not shifted:
@@ -122,20 +83,12 @@ class Ranking:
         ranked = tuple(replace(one, fit=with_shared(one.fit, shifted)) for one in self.ranked)
         return replace(self, ranked=ranked, notes=(*self.notes, note))
 
-    def as_dict(self) -> dict[str, object]:
+    def as_dict(self) -> dict[str, Any]:
         """Return the ranking for JSON: numbers in full precision, None where there is none."""
-        problem = self.best.problem
-        scores = [{"weight": one.weight, "cross_validated_log_score": finite(one.score)} for one in self.ranked]
-        return {
-            "ranking": [one.fit.as_dict() | score for one, score in zip(self.ranked, scores, strict=True)],
-            "degenerate": [
-                {"law": one.fit.law.name, "parameters": list(one.fit.untold), "what": sentence}
-                for one in self.ranked
-                for sentence in one.fit.degenerate
-            ],
-            "verdict": self.verdict,
-            "odds": finite(self.odds),
-            "against": self.against or None,
+        problem, found = self.best.problem, super().as_dict()
+        for one, said in zip(self.ranked, found["ranking"], strict=True):
+            said["cross_validated_log_score"] = finite(one.score)
+        return found | {
             "fits": self.fits,
             "enlarge_error_bars": self.enlarge,
             "adequacy": self.adequacy.as_dict(),
@@ -143,7 +96,6 @@ class Ranking:
             "decisive": self.decisive,
             "outliers": [vars(outlier) for outlier in self.outliers],
             "swayed_by_outliers": self.swayed,
-            "notes": list(self.notes),
             "rows": len(problem.x),
             "setting": {name: getattr(problem.setting, name) for name in ("radius", *SETTING_NUMBERS)},
         }
@@ -257,7 +209,7 @@ def fit_laws(
         said += [warning for warning in (kinked_rows_warning(best),) if warning]
     return Ranking(
         tuple(ranked), verdict, math.nan if few or straight else evidence.odds, rival.law.name if rival else "",
-        found, covers, tuple(outliers), tuple(dict.fromkeys([*notes, *said])), swayed,
+        tuple(dict.fromkeys([*notes, *said])), found, covers, tuple(outliers), swayed,
     )  # fmt: skip
 
 

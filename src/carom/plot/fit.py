@@ -116,7 +116,7 @@ def _normal(axes: Any, ranking: Ranking) -> None:
     axes.legend(loc="upper left", fontsize=7, frameon=False)
 
 
-def _along(axes: Any, ranking: Ranking, shown: Sequence[Ranked]) -> None:
+def _along(axes: Any, ranking: Ranking, shown: Sequence[Ranked[Fit]]) -> None:
     """Plot slip over normal speed for planar bounces, or the angles of balls on a table, measured and predicted by some laws."""
     best = ranking.best
     planar = best.law.kind == "planar"

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from carom.fitting.evidence import aicc_note
 from carom.fitting.result import with_error_bar
 from carom.plot.fit import PAGE, SHOWN, listed, svg, tabled
 from carom.plot.style import GREY, INK, law_styles, literal, new_figure, style
@@ -157,7 +156,7 @@ def write_track_report(ranking: TrackRanking, source: str, path: str | Path) -> 
         svg(plot_tracks(ranking)), "<h2>The laws, best first</h2>", _laws(ranking),
         listed("Unconstrained parameters", [s for fit in ranking.fits for s in fit.degenerate]),
         listed("Notes", list(ranking.notes)),
-        f"<footer>carom {__version__}. {aicc_note(best)} wall_left, ...: position at which"
+        f"<footer>carom {__version__}. {ranking.aicc_note} wall_left, ...: position at which"
         " the ball's centre is reflected, m.</footer>",
     ]  # fmt: skip
     text = PAGE.format(

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from carom.errors import CaromError
 from carom.files import require_library
-from carom.fitting.evidence import DECIDED, LEANS, Evidence, odds_in_words, verdict_words, weigh
+from carom.fitting.evidence import DECIDED, LEANS, Evidence, Ranked, RankedLaws, odds_in_words, verdict_words, weigh
 from carom.fitting.result import finite
 from carom.fitting.setting import Setting, require_settings
 from carom.fitting.tracks.errors import ERROR_TOO_SMALL
@@ -36,45 +36,35 @@ SURE, HINT = (
 
 
 @dataclass(frozen=True, eq=False)
-class TrackRanking:
-    """All laws fitted to whole tracks, best first, and the verdict; made by :func:`fit_tracks`, with an example there."""
+class TrackRanking(RankedLaws[TrackFit]):
+    """All laws fitted to whole tracks, best first, and the verdict; made by :func:`fit_tracks`, with an example there.
 
-    fits: tuple[TrackFit, ...]
-    weights: Array
-    """Akaike weights; if no law follows the frames to within their noise they are overconfident, and the verdict counts shots."""
-    verdict: str
-    odds: float
-    """Of the best law against the best that does not contain it; NaN where no law follows the frames."""
-    against: str
-    """Name of that other law."""
+    If no law follows the frames to within their noise, weights are overconfident, and the verdict counts shots.
+    """
+
     closer: tuple[int, int] | None
     """Shots in which the best law is nearer than that one, and shots in all."""
     chance: float
     """Probability of such a difference between equally good laws (Wilcoxon's signed-rank test on the distances of shots)."""
-    notes: tuple[str, ...]
     decisive: bool = False
     """Whether the verdict is a decision."""
     distances: Array = field(default_factory=lambda: np.zeros(0))
     """m: of the best law, up to the first contact, through one contact, two, ...; empty where it follows the frames."""
 
     @property
-    def best(self) -> TrackFit:
-        """The best fit."""
-        return self.fits[0]
+    def fits(self) -> tuple[TrackFit, ...]:
+        """The fits, best first."""
+        return tuple(one.fit for one in self.ranked)
+
+    @property
+    def weights(self) -> Array:
+        """Their Akaike weights."""
+        return np.array([one.weight for one in self.ranked])
 
     def as_dict(self) -> dict[str, Any]:
         """Return the ranking for JSON: numbers in full precision, None where there is none."""
         best = self.best
-        return {
-            "ranking": [fit.as_dict() | {"weight": float(weight)} for fit, weight in zip(self.fits, self.weights, strict=True)],
-            "degenerate": [
-                {"law": fit.law.name, "parameters": list(fit.untold), "what": sentence}
-                for fit in self.fits
-                for sentence in fit.degenerate
-            ],
-            "verdict": self.verdict,
-            "odds": finite(self.odds),
-            "against": self.against or None,
+        return super().as_dict() | {
             "follows": best.follows,
             "closer_in": None if self.closer is None else {"shots": self.closer[0], "of": self.closer[1]},
             "chance": finite(self.chance),
@@ -91,7 +81,6 @@ class TrackRanking:
                 }
                 for n, one in enumerate(best.frames.segments)
             ],
-            "notes": list(self.notes),
         }  # fmt: skip
 
 
@@ -185,18 +174,9 @@ def _ranked(fits: list[TrackFit], notes: list[str]) -> TrackRanking:
     if failing := failing_part(distances, best.noise):
         notes.append(f"{best.law.name}: {failing}")
     odds = evidence.odds if rival is not None and best.follows else math.nan
-    return TrackRanking(
-        tuple(fits),
-        evidence.weights,
-        verdict,
-        odds,
-        rival.law.name if rival else "",
-        closer,
-        chance,
-        tuple(notes),
-        decisive,
-        distances,
-    )
+    ranked = tuple(map(Ranked, fits, evidence.weights.tolist()))
+    against = rival.law.name if rival else ""
+    return TrackRanking(ranked, verdict, odds, against, tuple(notes), closer, chance, decisive, distances)
 
 
 def _shots_nearer(best: TrackFit, rival: TrackFit) -> tuple[tuple[int, int], float, str]:
