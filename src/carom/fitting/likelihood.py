@@ -239,9 +239,10 @@ def evaluate(model: LikelihoodModel, p: Array, weights: Array | None = None) -> 
     if model.tabulated is not None:  # a table each
         plain = replace(model, tabulated=None)
         each = []
-        for one, weight in zip(p[:, None], np.broadcast_to(weights, (count, n))[:, None], strict=True):
-            known = rows._replace(known=model.tabulated.at(one[0], model.moves))
-            each.append(vars(evaluate(replace(plain, rows=known), one, weight)))
+        for b in range(count):
+            known = rows._replace(known=model.tabulated.at(p[b], model.moves))
+            weight = weights if len(weights) == 1 else weights[b : b + 1]
+            each.append(vars(evaluate(replace(plain, rows=known), p[b : b + 1], weight)))
         return Evaluation(**{name: np.concatenate([seen[name] for seen in each]) for name in each[0]})
     points = 0 if rows.spins is None else len(rows.spins.sigma)
     loop, law = _evaluating(points > 0), _law(model.kind)
