@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass, replace
 from difflib import get_close_matches
 from numbers import Real
 from typing import Any
@@ -19,6 +20,7 @@ __all__ = [
     "MAX_MAGNITUDE",
     "MIN_MAGNITUDE",
     "CaromError",
+    "Fault",
     "FaultList",
     "MissingLibraryError",
     "attempt",
@@ -28,9 +30,11 @@ __all__ = [
     "first_bad_index",
     "float_array",
     "float_or_nan",
+    "near_name",
     "noting",
     "require_type",
     "shortened_list",
+    "shown",
     "suggestion",
     "with_size_limit",
 ]
@@ -40,16 +44,66 @@ __all__ = [
 MAX_MAGNITUDE = 1e100
 MIN_MAGNITUDE = 1e-100
 MAX_SHOWN_CHARACTERS = 200  # of a bad value in a message
+NEAR = 0.65  # share of letters that a mistyped name and the name meant have in common, in order (difflib's ratio), at least
+
+
+@dataclass(frozen=True)
+class Fault:
+    """One problem of an input, as a record; its text is made by ``str``, where it is shown.
+
+    In all texts of the library the name of a parameter stands in backquotes, alone or with a value (as ``rate``, or
+    ``view='side'``, in one pair of them): the command shows its own option in that place.
+
+    Attributes
+    ----------
+    where : str
+        The function, class or file in which the problem is.
+    field : str
+        The argument, or the path to the number, such as ``"balls[0].radius"``.
+    expected, got : str
+        Texts of both; without ``got`` nothing came. The words of another program, or of the system, begin with a colon.
+    advice : str
+        A remedy; alone it is a whole sentence that says what is wrong.
+
+    Examples
+    --------
+    >>> str(Fault("Ball", "radius", "a length in m, > 0", "-1"))
+    'Ball: radius: expected a length in m, > 0, got -1'
+    """
+
+    where: str = ""
+    field: str = ""
+    expected: str = ""
+    got: str = ""
+    advice: str = ""
+
+    def __str__(self) -> str:
+        """Return the line that is shown: ``where: field: expected ..., got ...; advice``."""
+        said = f"expected {self.expected}" if self.expected else ""
+        said += f", got{'' if self.got.startswith(':') else ' '}{_on_one_line(self.got)}" if self.got else ""
+        said = "; ".join(filter(None, (said, self.advice)))
+        return ": ".join(filter(None, map(str, (self.where, self.field, said))))
+
+    def within(self, where: str) -> Fault:
+        """Return the fault with a place in front of its own."""
+        return replace(self, where=f"{where}: {self.where}" if self.where else where)
 
 
 class CaromError(ValueError):
     """Raised for input that has no answer: where, what was expected, what was given, what to do.
+
+    Parameters
+    ----------
+    *faults : Fault or str
+        The problems, all at once.
 
     Attributes
     ----------
     faults : tuple of str
         One line per problem, so that a file with three problems reports all three at once. The command line prints them
         on standard error and ends with exit code 2.
+    records : tuple of Fault
+        The same as records; a problem that is given as a text is the ``advice`` of its record.
 
     Examples
     --------
@@ -63,21 +117,37 @@ class CaromError(ValueError):
     Ball: mass: expected a mass in kg, > 0, got 0
     """
 
-    def __init__(self, *faults: str) -> None:
-        super().__init__("\n".join(faults))
-        self.faults: tuple[str, ...] = faults
+    def __init__(self, *faults: Fault | str) -> None:
+        super().__init__(*faults)
+        self.records = tuple(Fault(advice=fault) if isinstance(fault, str) else fault for fault in faults)
+
+    @property
+    def faults(self) -> tuple[str, ...]:
+        """One line per problem."""
+        return tuple(map(str, self.records))
+
+    def records_at(self, where: str, *instead_of: str) -> list[Fault]:
+        """Return the records with another place: all of them, or those with a place in ``instead_of``."""
+        return [
+            replace(fault, where=where) if fault.where in instead_of or not instead_of else fault
+            for fault in self.records
+        ]
+
+    def __str__(self) -> str:
+        """Return the lines of all problems."""
+        return "\n".join(self.faults)
 
 
 class MissingLibraryError(CaromError, ImportError):
     """Raised where an optional library is needed and not installed; the message names the extra that installs it."""
 
 
-def attempt(found: list[str], action: Callable[..., Any], *args: Any) -> Any:
+def attempt(found: list[Any], action: Callable[..., Any], *args: Any) -> Any:
     """Return the result of an action; if it raises CaromError, append its faults to ``found`` and return None."""
     try:
         return action(*args)
     except CaromError as error:
-        found += error.faults
+        found += error.records
         return None
 
 
@@ -92,41 +162,44 @@ def noting(notes: Iterable[str]) -> Iterator[None]:
         raise
 
 
-class FaultList:
-    """Collect the faults of one input, to raise them together.
+class FaultList(list[Fault]):
+    """The faults of one input, collected so that they are raised together.
 
     Parameters
     ----------
     where : str
-        What is checked, such as ``"Ball"``; every message starts with it.
+        What is checked, such as ``"Ball"``: the place of all faults that :meth:`add` makes. A command leaves it empty and
+        gives options as fields.
     """
 
-    def __init__(self, where: str) -> None:
+    def __init__(self, where: str = "") -> None:
+        super().__init__()
         self.where = where
-        self.found: dict[str, str] = {}
 
-    def add(self, field: str, expected: str, got: str) -> None:
-        """Add the fault of a field; it replaces an earlier one of the same field."""
-        self.found[field] = f"{self.where}: {field}: expected {expected}, got {_on_one_line(got)}"
+    def add(self, field: str, expected: str, got: str = "", advice: str = "") -> None:
+        """Add the fault of a field; a field may have several."""
+        self.append(Fault(self.where, field, expected, got, advice))
 
-    def add_another(self, field: str, expected: str, got: str) -> None:
-        """Add one more fault of a field that may have several."""
-        self.found[f"{field} {len(self.found)}"] = (
-            f"{self.where}: {field}: expected {expected}, got {_on_one_line(got)}"
-        )
+    def attempt(self, action: Callable[..., Any], *args: Any, **options: Any) -> Any:
+        """Return the result of an action; if it raises CaromError, take its faults and return None."""
+        try:
+            return action(*args, **options)
+        except CaromError as error:
+            self += error.records
+            return None
 
-    def add_remedy(self, field: str, remedy: str) -> None:
-        """Append what to do to the fault of a field."""
-        self.found[field] += f"; {remedy}"
+    def add_remedy(self, field: str, advice: str) -> None:
+        """Set the remedy of a field's fault."""
+        self[:] = [replace(fault, advice=advice) if fault.field == field else fault for fault in self]
 
     def has(self, field: str) -> bool:
         """Return whether a field has a fault."""
-        return field in self.found
+        return any(fault.field == field for fault in self)
 
     def raise_if_any(self) -> None:
         """Raise CaromError with all faults, if there are any."""
-        if self.found:
-            raise CaromError(*self.found.values())
+        if self:
+            raise CaromError(*self)
 
 
 def _on_one_line(got: str) -> str:
@@ -187,6 +260,12 @@ def float_or_nan(value: Any) -> float:
         return math.nan
 
 
+def shown(value: Any, most: int = 80) -> str:
+    """Return a value as it stands in a message: quoted if it is a text, and cut if it is long."""
+    text = repr(value)
+    return text if len(text) <= most else f"{text[: most - 3]}..."
+
+
 def first_bad_index(bad: np.ndarray[Any, Any]) -> str:
     """Return where a boolean array is first true, as ``" at index (3,) (2 in all)"``; empty for a scalar."""
     return "" if bad.ndim == 0 else f" at index {tuple(int(i) for i in np.argwhere(bad)[0])} ({int(bad.sum())} in all)"
@@ -215,15 +294,32 @@ def require_type(where: str, field: str, value: Any, kind: type, remedy: str = "
 # --- names ---------------------------------------------------------------------------------------------------------
 
 
-def suggestion(name: str, known: Sequence[str]) -> str:
+def near_name(name: object, known: Iterable[object]) -> str:
+    """Return the known name that a mistyped one is meant to be, if one is near; else an empty text.
+
+    Upper and lower case, hyphens, underscores and spaces are the same here; a beginning of only one known name, and two
+    letters exchanged, are near.
+    """
+    plain = {_plain(one): str(one) for one in reversed(list(known))}
+    said = _plain(name)
+    begin = [one for one in plain if one.startswith(said)]
+    near = begin if len(begin) == 1 else get_close_matches(said, plain, n=1, cutoff=NEAR)
+    return plain[near[0]] if near and len(said) > 1 else ""
+
+
+def _plain(name: object) -> str:
+    return str(name).lower().strip("-_. ").replace("-", "_").replace(" ", "_")
+
+
+def suggestion(name: object, known: Sequence[str]) -> str:
     """Return ``"did you mean 'X'?"`` for a name close to a known one, else the list of known names."""
-    return did_you_mean(name, known).removeprefix("; ") or f"known are {', '.join(known)}"
+    return did_you_mean(name, known) or f"known are {', '.join(known)}"
 
 
-def did_you_mean(name: str, known: Sequence[str]) -> str:
-    """Return ``"; did you mean 'X'?"`` for a name close to a known one, else nothing: for messages that list the names."""
-    close = get_close_matches(str(name), known, n=1, cutoff=0.5)
-    return f"; did you mean {close[0]!r}?" if close else ""
+def did_you_mean(name: object, known: Iterable[object]) -> str:
+    """Return ``"did you mean 'X'?"`` for a name close to a known one, else nothing: for messages that list the names."""
+    near = near_name(name, known)
+    return f"did you mean {near!r}?" if near else ""
 
 
 def shortened_list(names: Sequence[str], most: int = 8) -> str:

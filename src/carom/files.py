@@ -25,7 +25,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, BinaryIO, NamedTuple
 
-from carom.errors import CaromError, MissingLibraryError, did_you_mean
+from carom.errors import CaromError, Fault, MissingLibraryError, did_you_mean
 from carom.formatting import escape_controls, format_bytes
 
 __all__ = [
@@ -196,7 +196,7 @@ def require_writable(path: Path, endings: Sequence[str] = (), *, source: Path | 
         names = f"{', '.join(endings[:-1])} or {endings[-1]}" if len(endings) > 1 else endings[0]
         got = repr(path.suffix) if path.suffix else "none"
         hint = did_you_mean(path.suffix.lower(), endings)
-        raise CaromError(f"{path}: expected a name that ends with {names}, got {got}{hint}")
+        raise CaromError(Fault(f"{path}", "", f"a name that ends with {names}", got, hint))
     _require_other_file(path, source)
     if _is_device(path):
         if not os.access(path, os.W_OK):

@@ -130,10 +130,11 @@ def test_the_command_refuses_what_the_library_refuses(
     ((key, value),) = given.items()
     with pytest.raises(carom.CaromError) as caught:
         carom.incoming(**given)  # type: ignore[arg-type]
-    assert fails(capsys, "compare", f"--{key.removesuffix('_deg').replace('_', '-')}={value}") == [
-        f"carom: {caught.value.faults[0]}"
-    ]
+    option = f"--{key.removesuffix('_deg').replace('_', '-')}"
     assert where in caught.value.faults[0]
+    assert fails(capsys, "compare", f"{option}={value}") == [
+        f"carom: {option}: {caught.value.faults[0].removeprefix(where + ' ')}"
+    ]
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ from carom.billiards.sampling import starts
 from carom.billiards.setup import orbit_setup
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
-from carom.errors import CaromError
+from carom.errors import CaromError, Fault
 
 __all__ = [
     "Caustics", "Drift", "Section", "Uniformity", "caustics", "drift", "period", "section", "uniformity",
@@ -102,7 +102,7 @@ def caustics(found: Orbit, centre: Sequence[float] = (0.0, 0.0)) -> Caustics:
     array([0.5, 0.5])
     """
     if any(found.setup.table.acceleration[:2]):
-        raise CaromError(f"caustics: expected a table of straight flights (along z apart), got {found.setup.table}")
+        raise CaromError(Fault("caustics", "", "a table of straight flights (along z apart)", f"{found.setup.table}"))
     x, v = found.position[..., :2] - np.asarray(centre, float), found.velocity[..., :2]
     distance = np.abs(x[..., 0] * v[..., 1] - x[..., 1] * v[..., 0]) / np.hypot(v[..., 0], v[..., 1])
     # (..., N, 2), flights after odd and after even bounces; a single one has none of one kind
@@ -169,7 +169,7 @@ def section(
     """
     p, e = np.asarray(point, float), np.asarray(direction, float)
     if p.shape != (2,) or e.shape != (2,) or not np.isfinite([*p, *e]).all() or not e.any():
-        raise CaromError(f"section: expected a point (x, y) and a direction (x, y), got {point!r} and {direction!r}")
+        raise CaromError(Fault("section", "", "a point (x, y) and a direction (x, y)", f"{point!r} and {direction!r}"))
     e = e / math.hypot(*e)
     d = found.setup.table.dimension
     bounces = found.t.shape[-1]
@@ -180,7 +180,7 @@ def section(
     height = e[0] * (x[..., 1] - p[1]) - e[1] * (x[..., 0] - p[0])
     rate, force = e[0] * v[..., 1] - e[1] * v[..., 0], e[0] * g[1] - e[1] * g[0]
     if force:
-        raise CaromError("section: direction: expected that of the force, or a table without one")
+        raise CaromError(Fault("section", "direction", "that of the force, or a table without one"))
     with np.errstate(divide="ignore", invalid="ignore"):
         after = -height / rate
         met = (after >= 0) & (after < np.append(np.diff(t), np.full((len(t), 1), np.nan), axis=1))
@@ -238,9 +238,9 @@ def drift(found: Orbit, axis: int | None = None) -> Drift:
     if axis is None:
         axis = 2 if found.setup.table.dimension == 3 and found.setup.table.name == "cylinder" else 0
     if axis not in range(found.setup.table.dimension):
-        raise CaromError(f"drift: axis: expected one of {list(range(found.setup.table.dimension))}, got {axis!r}")
+        raise CaromError(Fault("drift", "axis", f"one of {list(range(found.setup.table.dimension))}", repr(axis)))
     if (np.asarray(found.count) < 4).any():
-        raise CaromError("drift: orbit: expected at least 4 bounces")
+        raise CaromError(Fault("drift", "orbit", "at least 4 bounces"))
     coordinate, t = found.position[..., axis], found.t
     half = coordinate.shape[-1] // 2
 
@@ -315,9 +315,9 @@ def uniformity(
     """
     setup = orbit_setup(table, ball, law, surface, "pass")
     if any(table.acceleration):
-        raise CaromError(f"uniformity: table: expected one without a force, got {table}")
+        raise CaromError(Fault("uniformity", "table", "one without a force", f"{table}"))
     if any(math.isinf(f.length) for f in setup.shape.faces if not f.is_lid):
-        raise CaromError(f"uniformity: table: expected a closed one, got {table}")
+        raise CaromError(Fault("uniformity", "table", "a closed one", f"{table}"))
     found = orbit_from_setup(setup, starts(table, orbits, seed, ball=ball, law=law), bounces)
     good = np.asarray(found.count) == bounces
     # only the last bounce counts

@@ -7,7 +7,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from carom.errors import CaromError, FaultList, checked_number, float_array, suggestion
+from carom.errors import CaromError, Fault, FaultList, checked_number, float_array, suggestion
 
 __all__ = ["BOUNDS", "Bounds", "checked_acceleration", "positive_number", "require_bounds", "require_room"]
 
@@ -47,5 +47,5 @@ def require_room(name: str, left: float, what: str, inset: float) -> None:
     """Raise CaromError where a ball does not fit."""
     if not left > 0:
         raise CaromError(
-            f"{name}: radius of the ball: expected one that fits {what}, got {inset!r}; take a smaller ball"
+            Fault(f"{name}", "radius of the ball", f"one that fits {what}", repr(inset), "take a smaller ball")
         )

@@ -8,7 +8,7 @@ from typing import Any
 
 from carom.billiards import periodic_tables, solids, tables
 from carom.billiards.tables import Table
-from carom.errors import CaromError
+from carom.errors import CaromError, Fault
 
 __all__ = ["SIZES", "named_table"]
 
@@ -39,13 +39,13 @@ def named_table(kind: str, sizes: Mapping[str, Any], bounds: Any = "centre") -> 
         if "vertices" in given:
             if len(given) > 1:
                 others = " and ".join(name for name in given if name != "vertices")
-                raise CaromError(f"polygon: vertices: expected no other size with it, got {others}")
+                raise CaromError(Fault("polygon", "vertices", "no other size with it", f"{others}"))
             return tables.polygon(given["vertices"], **b)
         return tables.regular(given.pop("sides", 3), **given, **b)
     if kind == "wedge":
         angle = given.get("angle", 40.0)
         if not 0 < angle < 180:
-            raise CaromError(f"wedge: angle: expected degrees > 0 and < 180, got {angle:g}")
+            raise CaromError(Fault("wedge", "angle", "degrees > 0 and < 180", f"{angle:g}"))
         return tables.wedge(math.radians(angle), **b)
     if kind == "periodic-strip":
         r = given.pop("radius", 0.2)

@@ -15,7 +15,7 @@ from carom.billiards.setup import orbit_setup
 from carom.billiards.table_records import DONE, ESCAPED, POSITION, SPIN, TIME, VELOCITY
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
-from carom.errors import CaromError, float_array
+from carom.errors import CaromError, Fault, float_array
 
 __all__ = ["Escape", "escape"]
 
@@ -143,10 +143,10 @@ def _holes(shape: Boundary, given: Any) -> list[_Hole]:
         intervals = intervals[None, :]
     expected = "intervals (from, to) of arc length in m with from < to"
     if intervals.ndim != 2 or intervals.shape[1] != 2:
-        raise CaromError(f"escape: holes: expected {expected}, got {' '.join(repr(given).split()):.80}")
+        raise CaromError(Fault("escape", "holes", expected, f"{' '.join(repr(given).split()):.80}"))
     walls = shape.connected()
     if not walls:
-        raise CaromError("escape: holes: expected a table whose wall has an arc length, got a sphere; give no holes")
+        raise CaromError(Fault("escape", "holes", "a table whose wall has an arc length", "a sphere", "give no holes"))
     faults, found = [], []
     for k, (low, high) in enumerate(intervals.tolist()):
         got = f"({low:.9g}, {high:.9g})"

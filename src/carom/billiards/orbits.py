@@ -15,7 +15,7 @@ from carom.billiards.table_records import DONE, ENDING, ENDS, POSITION, TIME
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
 from carom.core.jit.slices import Pace
-from carom.errors import CaromError
+from carom.errors import CaromError, Fault
 from carom.public.progress import Progress, as_progress
 
 __all__ = [
@@ -222,7 +222,13 @@ def orbit_from_setup(setup: OrbitSetup, start: Any, bounces: int, progress: Prog
     if len(rows) * bounces * (8 * width + 4) > MAX_KEPT_BYTES:
         most = int(MAX_KEPT_BYTES / (8 * width + 4))
         raise CaromError(
-            f"orbit: bounces: expected no more than {most:,} in all, got {len(rows)} x {bounces:,}; use final(), which keeps none"
+            Fault(
+                "orbit",
+                "bounces",
+                f"no more than {most:,} in all",
+                f"{len(rows)} x {bounces:,}",
+                "use final(), which keeps none",
+            )
         )
     kept = np.full((len(rows), bounces, width), np.nan)
     piece = np.full((len(rows), bounces), -1, np.int32)
@@ -299,7 +305,7 @@ def require_integer(field: str, value: Any, least: int = 1) -> int:
     """Return an integer >= ``least``; CaromError for anything else."""
     if isinstance(value, int | np.integer) and not isinstance(value, bool) and least <= value < 2**60:
         return int(value)
-    raise CaromError(f"orbit: {field}: expected an integer >= {least}, got {value!r}")
+    raise CaromError(Fault("orbit", field, f"an integer >= {least}", repr(value)))
 
 
 def _loop(
@@ -338,7 +344,7 @@ def _loop(
 def require_reversible(setup: OrbitSetup) -> None:
     """Raise CaromError where the law loses energy, so that orbits cannot be run backwards."""
     if not setup.conservative:
-        raise CaromError(f"reverse: law: expected a reversible one (no-slip, mirror, rolling), got {setup.law}")
+        raise CaromError(Fault("reverse", "law", "a reversible one (no-slip, mirror, rolling)", f"{setup.law}"))
 
 
 def reverse(found: Orbit) -> tuple[Orbit, Array]:
@@ -373,7 +379,7 @@ def reverse(found: Orbit) -> tuple[Orbit, Array]:
     setup = found.setup
     require_reversible(setup)
     if (np.asarray(found.ending) != DONE).any():
-        raise CaromError("reverse: orbit: expected one that made all its bounces, got one that ended early")
+        raise CaromError(Fault("reverse", "orbit", "one that made all its bounces", "one that ended early"))
     spin = found.spin[..., -1] if setup.planar else found.spin[..., -1, :]
     back = orbit_from_setup(
         setup, Start(found.position[..., -1, :], -found.velocity[..., -1, :], -spin), found.t.shape[-1]

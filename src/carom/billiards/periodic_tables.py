@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from carom.billiards.boundary import Boundary, Obstacle, ObstacleImage, face
 from carom.billiards.checks import Bounds, positive_number, require_bounds, require_room
 from carom.billiards.tables import Table
-from carom.errors import CaromError, FaultList, float_array
+from carom.errors import CaromError, Fault, FaultList, float_array
 
 __all__ = ["periodic_strip", "sinai", "torus"]
 
@@ -146,7 +146,7 @@ def _cell_boundary(
                 if not inset
                 else f"one that, with a ball of radius {inset:g}, covers the cell"
             )
-            raise CaromError(f"{name}: scatterers: expected room between them, got {what}; take a smaller one")
+            raise CaromError(Fault(f"{name}", "scatterers", "room between them", f"{what}", "take a smaller one"))
         found.outside.append(Obstacle(x, y, r, 0.0, math.tau))
         for dx, dy in along + [(-dx, -dy) for dx, dy in along]:
             if abs(x + dx) < w + r and abs(y + dy) < h + r:

@@ -14,7 +14,7 @@ from carom.billiards.orbits import MAX_KEPT_BYTES, require_integer
 from carom.billiards.setup import Start, needs_surface, orbit_setup
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Surface
-from carom.errors import CaromError
+from carom.errors import CaromError, Fault
 
 __all__ = ["starts"]
 
@@ -73,7 +73,13 @@ def starts(
     count, seed = require_integer("count", count), require_integer("seed", seed, 0)
     if count * BYTES_PER_START > MAX_KEPT_BYTES:
         raise CaromError(
-            f"starts: count: expected no more than {int(MAX_KEPT_BYTES / BYTES_PER_START):,}, got {count:,}; draw them in parts"
+            Fault(
+                "starts",
+                "count",
+                f"no more than {int(MAX_KEPT_BYTES / BYTES_PER_START):,}",
+                f"{count:,}",
+                "draw them in parts",
+            )
         )
     rng = np.random.default_rng(seed)
     radius, kappa = float(setup.ball.radius), float(setup.ball.kappa)
@@ -112,7 +118,7 @@ def _weighted_by_energy(
     some = _on_the_wall(shape, ENERGY_SCAN_POINTS, np.random.default_rng(0))[0] @ acceleration
     most = speed**2 + 2 * (some.max() + 0.02 * np.ptp(some))
     if not most > 0 or not np.isfinite(speed):
-        raise CaromError(f"starts: speed: expected one at the origin with which a ball reaches a wall, got {speed!r}")
+        raise CaromError(Fault("starts", "speed", "one at the origin with which a ball reaches a wall", repr(speed)))
     while len(x) < count:
         y, m = _on_the_wall(shape, 2 * count + 100, rng)
         left = np.maximum(speed**2 + 2 * y @ acceleration, 0)
@@ -134,8 +140,13 @@ def _cut_at_energy(table: Table, shape: Boundary, speed: float) -> Boundary:
             rate = 2 * float(np.dot(table.acceleration[:2], t)) * (1 if corner == begin else -1)
             if not rate < 0:
                 raise CaromError(
-                    f"starts: table: expected a force that brings back every ball, got a {table.name}, whose walls are infinite;"
-                    " give an acceleration towards the vertex (of a wedge such as -9.81,0), or starts of your own"
+                    Fault(
+                        "starts",
+                        "table",
+                        "a force that brings back every ball",
+                        f"a {table.name}, whose walls are infinite",
+                        "give an acceleration towards the vertex (of a wedge such as -9.81,0), or starts of your own",
+                    )
                 )
             reach = max(left, 0.0) / -rate
             cut = (begin, begin + reach) if corner == begin else (end - reach, end)
@@ -174,7 +185,7 @@ def _on_the_wall(shape: Boundary, count: int, rng: np.random.Generator) -> tuple
         return _on_infinite_walls(side.faces, lids, count, rng)
     around = float(side.lengths.sum())
     if not around > 0:
-        raise CaromError("starts: speed: expected one at the origin with which a ball reaches a wall, got less")
+        raise CaromError(Fault("starts", "speed", "one at the origin with which a ball reaches a wall", "less"))
     x2, n2 = _exposed(side, around, count, rng)
     x, n = (np.concatenate([p, np.zeros((count, 1))], axis=1) for p in (x2, n2))
     if lids:

@@ -12,7 +12,17 @@ from numpy.typing import ArrayLike, NDArray
 from carom.billiards.boundary import Boundary
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Disc, Surface
-from carom.errors import MAX_MAGNITUDE, MIN_MAGNITUDE, CaromError, FaultList, broadcast_shape, did_you_mean, float_array
+from carom.errors import (
+    MAX_MAGNITUDE,
+    MIN_MAGNITUDE,
+    CaromError,
+    Fault,
+    FaultList,
+    broadcast_shape,
+    did_you_mean,
+    float_array,
+    shown,
+)
 from carom.laws.callbacks import user_address
 from carom.laws.law import (
     CALLED_WALL,
@@ -101,7 +111,7 @@ def orbit_setup(table: Table, ball: Ball | None, law: Any, surface: Surface | No
     """Validate a table, a ball and a law together and return them with the WORLD record; CaromError, one line per problem."""
     if not isinstance(table, Table):
         raise CaromError(
-            f"orbit: table: expected a table such as carom.billiards.circle(), got {type(table).__name__} {table!r:.60}"
+            Fault("orbit", "table", "a table such as carom.billiards.circle()", f"{type(table).__name__} {table!r:.60}")
         )
     faults = FaultList("orbit")
     ball = default_ball(table) if ball is None else ball
@@ -118,11 +128,11 @@ def orbit_setup(table: Table, ball: Ball | None, law: Any, surface: Surface | No
     e, mu, beta = surface_numbers(chosen, surface)
     if response == ROLLING_WALL and (table.dimension == 3 or any(table.acceleration)):
         raise CaromError(
-            f"orbit: law: expected a horizontal table in the plane for the rolling reflection, got {table.name}"
+            Fault("orbit", "law", "a horizontal table in the plane for the rolling reflection", f"{table.name}")
         )
     if response == ROLLING_WALL and not ball.kappa <= (2 / 3) * (1 + 1e-12):
         raise CaromError(
-            f"orbit: ball: expected a carom.Ball for the rolling reflection (kappa <= 2/3), got {ball.kappa!r}"
+            Fault("orbit", "ball", "a carom.Ball for the rolling reflection (kappa <= 2/3)", repr(ball.kappa))
         )
     shape = table.shape(float(ball.radius))
     world, pieces = shape.arrays()
@@ -141,26 +151,31 @@ def orbit_setup(table: Table, ball: Ball | None, law: Any, surface: Surface | No
 def law_of(law: Any, surface: Surface | None) -> tuple[Law, str]:
     """Return the law and the name by which it was asked for; CaromError where a billiard cannot have it, or not so."""
     if surface is not None and not isinstance(surface, Surface):
-        raise CaromError(f"orbit: surface: expected a carom.Surface, got {surface!r:.60}")
+        raise CaromError(Fault("orbit", "surface", "a carom.Surface", shown(surface, 60)))
     asked = law if isinstance(law, str) and ":" not in law else ""
     if isinstance(law, str):
         if asked and not any(asked == one.name or asked in one.aliases for one in laws().values()):
             known = [name for one in laws().values() if one.kernel is not None for name in (one.name, *one.aliases)]
             raise CaromError(
-                f"orbit: law: expected one of {', '.join(known)}, or a custom law (my_law.py:law), got {law!r}"
-                f"{did_you_mean(law, known)}"
+                Fault(
+                    "orbit",
+                    "law",
+                    f"one of {', '.join(known)}, or a custom law (my_law.py:law)",
+                    repr(law),
+                    did_you_mean(law, known),
+                )
             )
         law = find_law(law)
     elif callable(law) and not isinstance(law, Law):
         law = wall_law(Card(getattr(law, "__name__", "own"), "A custom law.", (), "", "", ""), law)
     if not isinstance(law, Law):
-        raise CaromError(f"orbit: law: expected a name or a kernel, got {law!r:.60}")
+        raise CaromError(Fault("orbit", "law", "a name or a kernel", shown(law, 60)))
     if law.kernel is None:
-        raise CaromError(f"orbit: law: expected a law of a wall alone, got {law.name}, which needs a floor")
+        raise CaromError(Fault("orbit", "law", "a law of a wall alone", f"{law.name}, which needs a floor"))
     if surface is not None and not law.free and law.response != CALLED_WALL:
-        raise CaromError(f"orbit: surface: expected none with the {law.name} law, got one; law='contact' uses it")
+        raise CaromError(Fault("orbit", "surface", f"none with the {law.name} law", "one", "law='contact' uses it"))
     if surface is None and needs_surface(law):
-        raise CaromError(f"orbit: surface: expected a carom.Surface, which the {law.name} law needs, got none")
+        raise CaromError(Fault("orbit", "surface", f"a carom.Surface, which the {law.name} law needs", "none"))
     return law, asked or law.name
 
 
@@ -183,7 +198,7 @@ def surface_numbers(law: Law, surface: Surface | None) -> tuple[float, float, fl
     if surface is not None:
         found = {name: getattr(surface, name) for name in ON_WALL}
         if any(np.ndim(x) for x in found.values()):
-            raise CaromError("orbit: surface: expected one surface, got arrays of them")
+            raise CaromError(Fault("orbit", "surface", "one surface", "arrays of them"))
         given |= {name: float(x) for name, x in found.items()}
     given |= law.pinned
     return given["restitution"], given["friction"], given[law.last]
@@ -196,7 +211,7 @@ def start_rows(setup: OrbitSetup, start: Any) -> tuple[Array, tuple[int, ...]]:
             start = Start(*start)
         except TypeError:
             raise CaromError(
-                f"orbit: start: expected a Start, or (position, velocity, spin), got {start!r:.60}"
+                Fault("orbit", "start", "a Start, or (position, velocity, spin)", shown(start, 60))
             ) from None
     d = setup.table.dimension
     faults = FaultList("orbit: start")
@@ -255,9 +270,8 @@ def _inside(setup: OrbitSetup, rows: Array, shape: tuple[int, ...], faults: Faul
             "position",
             f"a centre inside {setup.table}",
             f"{rows[first, : setup.table.dimension].tolist()}, {-gap[first]:.3g} outside{where}",
+            f"keep the centre {setup.ball.radius:g} or more from the wall" if setup.table.bounds == "surface" else "",
         )
-        if setup.table.bounds == "surface":
-            faults.add_remedy("position", f"keep the centre {setup.ball.radius:g} or more from the wall")
     speed = np.abs(rows[:, 3:6]).max(axis=1)
     if (speed == 0).any():
         faults.add("velocity", "a moving ball", "one at rest")

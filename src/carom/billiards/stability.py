@@ -15,7 +15,7 @@ from carom.billiards.tables import Table
 from carom.billiards.tangent import compiled_tangent_loop
 from carom.bodies import Ball, Surface
 from carom.core.jit.slices import Pace
-from carom.errors import CaromError
+from carom.errors import CaromError, Fault
 from carom.laws.law import CALLED_WALL
 
 __all__ = ["Lyapunov", "TangentMap", "lyapunov", "tangent_map"]
@@ -134,11 +134,11 @@ def _after_first_bounce(setup: OrbitSetup, start: Any) -> tuple[Array, tuple[int
     """Return the states (N, 9) just after the first bounce, the shape of the starts, the normals there."""
     if setup.response == CALLED_WALL:
         raise CaromError(
-            f"lyapunov: law: expected one with a known derivative (no-slip, mirror, contact, rolling), got {setup.law}"
+            Fault("lyapunov", "law", "one with a known derivative (no-slip, mirror, contact, rolling)", f"{setup.law}")
         )
     begin = orbit_from_setup(setup, start, 1)
     if (np.asarray(begin.count) != 1).any():
-        raise CaromError("lyapunov: start: expected orbits with at least one bounce, got one without")
+        raise CaromError(Fault("lyapunov", "start", "orbits with at least one bounce", "one without"))
     states = begin.last.reshape(-1, 10)[:, 1:].copy()
     normals = setup.shape.normals(begin.piece[..., 0].reshape(-1), states[:, :3] if not setup.planar else states[:, :2])
     states[:, :3] = setup.shape.folded(states[:, :3])
@@ -217,7 +217,12 @@ def tangent_map(
     _follow(setup, states, bounces, vectors, sums, 0, last, ends)
     if (ends["reason"] != DONE).any():
         raise CaromError(
-            f"tangent_map: start: expected {bounces} more bounces, got an orbit that ended: {ENDS[int(ends['reason'].max())]}"
+            Fault(
+                "tangent_map",
+                "start",
+                f"{bounces} more bounces",
+                f"an orbit that ended: {ENDS[int(ends['reason'].max())]}",
+            )
         )
     after = setup.shape.normals(ends["piece"], last[:, 1 : 1 + table.dimension])
     across = np.stack([(states[:, 3:6] * n).sum(1), (last[:, VELOCITY] * after).sum(1)], axis=1)

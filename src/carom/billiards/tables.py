@@ -240,7 +240,7 @@ def polygon(vertices: ArrayLike, *, bounds: Bounds = "centre", name: str = "poly
         faults.add("vertices", "three or more points (x, y)", f"{vertices!r:.60}")
         faults.raise_if_any()
     for expected, got in outline_faults(corners):
-        faults.add_another("vertices", expected, got)
+        faults.add("vertices", expected, got)
     faults.raise_if_any()
     x, y = (corners - corners[0]).T
     if np.sum(x * np.roll(y, -1) - y * np.roll(x, -1)) < 0:

@@ -132,11 +132,11 @@ def _interrupted() -> int:
 
 
 def _report(error: CaromError) -> int:
-    from carom.cli.streams import note
+    from carom.cli.option_names import as_option
+    from carom.cli.streams import say_notes
 
-    _print_errors(*error.faults)
-    for text in getattr(error, "__notes__", ()):
-        note(f"note: {text}")
+    _print_errors(*(str(as_option(fault)) for fault in error.records))
+    say_notes(getattr(error, "__notes__", ()))
     return 2
 
 

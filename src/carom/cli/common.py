@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from carom.cli.streams import note
-from carom.errors import attempt, noting
+from carom.errors import Fault, attempt, noting
 from carom.files import require_library, require_writable
 
 __all__ = [
@@ -110,7 +110,7 @@ LIBRARIES = {
 
 
 def require_outputs(
-    found: list[str],
+    found: list[Any],
     named: dict[str, Path | None],
     kinds: dict[str, tuple[str, ...]] | None = None,
     source: Path | None = None,
@@ -125,9 +125,9 @@ def require_outputs(
         if path is None:
             continue
         endings = (kinds or {}).get(option, PICTURES)
-        faults: list[str] = []
+        faults: list[Fault] = []
         attempt(faults, lambda path=path, endings=endings: require_writable(path, endings, source=source))
-        found += [f"{option} {fault}" for fault in faults]
+        found += [Fault(advice=f"{option} {fault}") for fault in faults]
         for library in LIBRARIES.get(path.suffix.lower(), ()) if not faults else ():
             attempt(found, require_library, library, option)
         if (other := seen.setdefault(path.absolute(), option)) != option:

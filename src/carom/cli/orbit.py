@@ -12,7 +12,7 @@ from carom.billiards.named import SIZES, named_table
 from carom.cli.common import attempt, require_outputs, working, wrote
 from carom.cli.options import BALL, OUTPUT, quantity, shared
 from carom.cli.orbit_output import every_bounce, orbit_facts, print_orbit
-from carom.errors import CaromError
+from carom.errors import CaromError, Fault
 from carom.public.own_laws import with_own_laws
 
 if TYPE_CHECKING:
@@ -190,7 +190,7 @@ def _table(name: str, given: dict[str, Any], bounds: str) -> Table:
     kind = flat if colon else name
     known = [*SIZES, "cylinder:circle"]
     if kind not in SIZES or (colon and (over != "cylinder" or kind in SOLIDS)):
-        raise CaromError(f"orbit: table: expected one of {', '.join(known)}, got {name!r}{did_you_mean(name, known)}")
+        raise CaromError(Fault("orbit", "table", f"one of {', '.join(known)}", repr(name), did_you_mean(name, known)))
     own = SIZES[kind] + (("height", "acceleration") if colon else ())
     faults = [
         f"--{key}: a {name} has no such size; it has {', '.join(f'--{k}' for k in own)}"

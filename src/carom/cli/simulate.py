@@ -16,7 +16,7 @@ import typer
 from carom.cli.common import attempt, require_outputs, wrote
 from carom.cli.interrupts import noticed_interrupts, say_interrupted
 from carom.cli.options import OUTPUT, RUN, shared
-from carom.errors import CaromError
+from carom.errors import CaromError, FaultList
 from carom.public.own_laws import with_own_laws
 
 if TYPE_CHECKING:
@@ -178,21 +178,19 @@ def _scene(path: Path, allow_own_laws: bool, changes: dict[str, Any], values: di
     from carom.scene.scene import Run, Scene
     from carom.scene.toml import load_scene
 
-    found: list[str] = []
-    scene = attempt(found, lambda: load_scene(path, allow_own_laws=allow_own_laws))
+    found = FaultList()
+    scene = found.attempt(load_scene, path, allow_own_laws=allow_own_laws)
     if scene is not None and values:
-        changed = attempt(found, replaced, scene, values)
-        found = [fault.replace("path:", "--set:", 1).replace("Scene:", "--set:", 1) for fault in found]
-        scene = changed or scene
+        try:
+            scene = replaced(scene, values)
+        except CaromError as error:
+            found += error.records_at("--set", "path", "Scene")
     changes = {name: value for name, value in changes.items() if value is not None}
     with contextlib.suppress(KeyError, ValueError):
         changes["duration"] = float(changes["duration"])
     now = {"max_events": 1} if scene is None else {name: getattr(scene.run, name) for name in Run.model_fields}
-    try:  # (the options are checked even if the scene itself is invalid)
-        run = Run(**now | changes) if changes else None
-    except CaromError as error:
-        options = {f"Run: {name}:": f"--{name.replace('_', '-')}:" for name in changes}
-        found += [_renamed(fault, options) for fault in error.faults]
+    # (the options are checked even if the scene itself is invalid)
+    run = found.attempt(Run, **now | changes) if changes else None
     if found:
         raise CaromError(*found)
     if run is None:
@@ -200,14 +198,7 @@ def _scene(path: Path, allow_own_laws: bool, changes: dict[str, Any], values: di
     try:  # validated again as a whole: another law may require parameters that the walls do not have
         return Scene(**{name: getattr(scene, name) for name in Scene.model_fields} | {"run": run})
     except CaromError as error:
-        raise CaromError(*(_renamed(fault, {"Scene:": f"{path}:"}) for fault in error.faults)) from None
-
-
-def _renamed(fault: str, names: dict[str, str]) -> str:
-    for old, new in names.items():
-        if fault.startswith(old):
-            return new + fault.removeprefix(old)
-    return fault
+        raise CaromError(*error.records_at(str(path), "Scene")) from None
 
 
 # --- the run -------------------------------------------------------------------------------------------------------

@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 from collections import defaultdict
 from dataclasses import dataclass, field
-from difflib import get_close_matches
 from typing import Literal
 
 from carom.bodies import Ball, rolling
 from carom.core.units import UNITS, Unit
 from carom.data.headers import Heading, header_with_unit, missing_unit, parse_header, without_unit
 from carom.data.limits import bad_numbers
-from carom.errors import CaromError, require_type, suggestion
+from carom.errors import CaromError, near_name, require_type
 from carom.laws.law import LIKE_SOLIDS, SURFACES, Law, Meeting
 
 __all__ = [
@@ -197,7 +196,9 @@ def _form(
     if "speed" in columns or "incidence" in columns:
         return "angle"
     if not faults:
-        near = [near for name in ("velocity_x", "v_n_in", "speed", "incidence_deg") if (near := _like(name, headers))]
+        near = [
+            near for name in ("velocity_x", "v_n_in", "speed", "incidence_deg") if (near := near_name(name, headers))
+        ]
         faults.append(
             f"columns: expected an incoming state, {'; or '.join(FORMS)}; got {', '.join(map(repr, headers))}"
             + (f"; did you mean {near[0]!r}?" if near else "")
@@ -205,14 +206,9 @@ def _form(
     return "angle"
 
 
-def _like(name: str, headers: list[str]) -> str:
-    text = suggestion(name, headers)
-    return text.removeprefix("did you mean ").rstrip("?").strip("'\"") if text.startswith("did you mean") else ""
-
-
 def _missing(name: str, form: str, headers: list[str]) -> str:
     others = [header for header in headers if parse_header(header) is None]
-    near = _like(name, others)
+    near = near_name(name, others)
     return f"column {name!r}: expected this column for the {form} form, got none" + (
         f"; did you mean {near!r}?" if near else f"; the table has {', '.join(map(repr, headers))}"
     )
@@ -226,11 +222,9 @@ def _near_misses(headers: list[str], wanted: list[str], columns: Columns) -> lis
         name = without_unit(header)
         if parse_header(header) is not None or "out" in name.split("_"):
             continue
-        near = [known for known in free if name.startswith(known + "_")] or get_close_matches(
-            name, free, n=1, cutoff=0.85
-        )
+        near = next((known for known in free if name.startswith(known + "_")), "") or near_name(name, free)
         if near:
-            notes.append(f"not read: column {header!r}; did you mean {near[0]!r}, or {near[0]!r} with a known unit?")
+            notes.append(f"not read: column {header!r}; did you mean {near!r}, or {near!r} with a known unit?")
     return notes
 
 

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.errors import CaromError, did_you_mean, shortened_list, suggestion
+from carom.errors import FaultList, did_you_mean, shortened_list, suggestion
 
 __all__ = ["Where", "kinds_note", "rows_where"]
 
@@ -32,25 +32,24 @@ def rows_where(
     if isinstance(where, str):
         where = [where]
     texts = [f"{name}={value}" for name, value in where.items()] if isinstance(where, Mapping) else list(where)
-    faults: list[str] = []
+    faults = FaultList()
     keep = np.ones(count, bool)
     for text in texts:
         name, _equals, value = text.partition("=")
         if name not in columns:
             hint = suggestion(name, list(columns)) if columns else "there is none"
-            faults.append(f"`where`: expected COLUMN=VALUE, with {expected}, got {text!r}; {hint}")
+            faults.add("`where`", f"COLUMN=VALUE, with {expected}", repr(text), hint)
             continue
         cells = np.asarray(columns[name]).astype(str)
         rows = cells == value
         if not rows.any():
             known = list(dict.fromkeys(sorted(cells.tolist())))
-            hint = did_you_mean(value, known)
-            faults.append(f"`where` {name}: expected one of its values ({shortened_list(known)}), got {value!r}{hint}")
+            wanted = f"one of its values ({shortened_list(known)})"
+            faults.add(f"`where` {name}", wanted, repr(value), did_you_mean(value, known))
         keep &= rows
     if not faults and not keep.any():
-        faults.append("`where`: expected conditions that some rows meet, but no row meets all of them")
-    if faults:
-        raise CaromError(*faults)
+        faults.add("`where`", "conditions that some rows meet", "none that meet all of them")
+    faults.raise_if_any()
     return keep
 
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from carom.errors import CaromError, suggestion
+from carom.errors import CaromError, Fault, suggestion
 from carom.files import as_path
 from carom.gas.gas import Gas
 from carom.gas.initial import dense
@@ -88,7 +88,7 @@ def _order_by_species(scene: GasScene, where: str, start: InitialState, path: Pa
         return slice(None)
     for name in start.species:
         if name not in names:
-            raise CaromError(f"{path}: species: expected {', '.join(names)}, got {name!r}; {suggestion(name, names)}")
+            raise CaromError(Fault(f"{path}", "species", ", ".join(names), repr(name), suggestion(name, names)))
     for one in scene.species:
         if (count := start.species.count(one.name)) != one.count:
             raise CaromError(

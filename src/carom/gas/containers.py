@@ -215,7 +215,7 @@ def _polygon(faults: FaultList, points: Any, bounds: str) -> PlaneFigure:
     """Return the sides, and the points at re-entrant corners that balls touch; side k goes from corner k to the next."""
     corners = np.array(points, dtype=float)
     for expected, got in outline_faults(corners):
-        faults.add_another("points", expected, got)
+        faults.add("points", expected, got)
     faults.raise_if_any()
     edges = np.roll(corners, -1, axis=0) - corners
     length = np.hypot(edges[:, 0], edges[:, 1])

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, FaultList
+from carom.errors import CaromError, Fault, FaultList
 from carom.formatting import counted, format_number
 from carom.gas.edmd.collisions import QUICK
 from carom.gas.edmd.driver import GasArrays
@@ -65,7 +65,7 @@ class EndedEarlyError(CaromError):
     ('inelastic collapse', True, True)
     """
 
-    def __init__(self, end: EarlyEnd, *faults: str, result: Any = None) -> None:
+    def __init__(self, end: EarlyEnd, *faults: Fault | str, result: Any = None) -> None:
         super().__init__(*faults)
         self.end, self.result = end, result
 
@@ -75,18 +75,21 @@ class EndedEarlyError(CaromError):
         faults, at = FaultList("Gas.run"), f"at t = {end.time!r}"
         if end.kind == COLLAPSE:
             got = f"an inelastic collapse {at}: {_colliding(end)} ever faster, infinitely often in a finite time"
-            faults.add("contact_time", "a finite number of collisions", got)
             share = CONTACT_TIME_SHARE * mean_free_time
             such = f", such as {format_number(share, 1)}" if 0 < share < math.inf else ""
-            faults.add_remedy("contact_time", f"give a contact_time > 0, a small part of the mean free time{such}")
+            faults.add(
+                "contact_time",
+                "a finite number of collisions",
+                got,
+                f"give a contact_time > 0, a small part of the mean free time{such}",
+            )
         elif end.kind == TOO_SLOW:
             got = f"slower balls {at}, whose squared speeds double precision cannot hold"
-            faults.add("collisions", "speeds above 1e-140", got)
-            faults.add_remedy("collisions", "end the run earlier, or start with larger speeds")
+            faults.add("collisions", "speeds above 1e-140", got, "end the run earlier, or start with larger speeds")
         else:
-            faults.add("collisions", "a gas with collisions to come", f"a gas at rest {at}")
-            faults.add_remedy("collisions", "run to a time, not to a number of collisions; or supply energy")
-        return cls(end, *faults.found.values())
+            advice = "run to a time, not to a number of collisions; or supply energy"
+            faults.add("collisions", "a gas with collisions to come", f"a gas at rest {at}", advice)
+        return cls(end, *faults)
 
 
 def _colliding(end: EarlyEnd) -> str:

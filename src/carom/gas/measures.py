@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, suggestion
+from carom.errors import CaromError, Fault, suggestion
 from carom.gas import containers
 from carom.gas.containers import Container
 from carom.gas.curves import Displacement, Distribution, PairCorrelation
@@ -177,7 +177,7 @@ class Measures:
 
     def _kind(self, name: str) -> int:
         if name not in self.names:
-            raise CaromError(f"Measures: expected a species, got {name!r}; {suggestion(name, list(self.names))}")
+            raise CaromError(Fault("Measures", "", "a species", repr(name), suggestion(name, list(self.names))))
         return self.names.index(name)
 
     def velocity(self, name: str) -> Distribution:

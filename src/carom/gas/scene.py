@@ -10,7 +10,7 @@ import numpy as np
 from pydantic import BeforeValidator, model_validator
 
 from carom.bodies import Surface
-from carom.errors import suggestion
+from carom.errors import Fault, FaultList, shown, suggestion
 from carom.formatting import counted, format_number
 from carom.gas.containers import JOINT_OVERLAP, WALLS
 from carom.gas.edmd.gas_records import ELLIPSE, MAX_BALLS
@@ -18,7 +18,7 @@ from carom.gas.initial import DENSEST
 from carom.gas.schema import GasContact, GasContainer, GasDrive, GasSettings, GasSpecies, GasThermostat
 from carom.gas.sizes import LONGEST_SIDE
 from carom.scene.plausible import FAST
-from carom.scene.schema import Components, Fault, Model, Number, Unquoted, raise_faults
+from carom.scene.schema import Components, Model, Number, raise_faults
 
 __all__ = ["GasScene", "gas_faults"]
 
@@ -140,52 +140,43 @@ def gas_faults(scene: GasScene) -> list[Fault]:
     """Return all faults of a gas whose parts are valid."""
     if not scene.species:
         advice = "a file has a table [[species]] for each"
-        return [Fault("at least one species", Unquoted("none"), advice, ("species",))]
+        return [Fault("", "species", "at least one species", "none", advice)]
     parts = (_species_faults, _contact_faults, _drive_faults, _gravity_faults, _density_faults)
     return [fault for part in parts for fault in part(scene)]
 
 
 def _species_faults(scene: GasScene) -> list[Fault]:
-    found = []
+    found = FaultList()
     axes, names = scene.container.dimensions, [one.name for one in scene.species]
     for i, one in enumerate(scene.species):
         if one.name in names[:i]:
-            found.append(Fault("a different name for each species", one.name, at=("species", i, "name")))
+            found.add(f"species[{i}].name", "a different name for each species", shown(one.name))
         if axes == 3 and one.kappa(3) > 2 / 3 * (1 + 1e-12):
             advice = "for discs give the container two lengths" if one.kappa(3) <= 1 else ""
             got = format_number(one.kappa(3), 6) if not isinstance(one.inertia, str) else one.inertia
-            found.append(
-                Fault(
-                    "kappa of at most 2/3 for balls, that of a thin shell",
-                    Unquoted(got),
-                    advice,
-                    ("species", i, "inertia"),
-                )
-            )
+            found.add(f"species[{i}].inertia", "kappa of at most 2/3 for balls, that of a thin shell", got, advice)
     if scene.count > MAX_BALLS:
-        found.append(Fault(f"at most {MAX_BALLS:,} balls", Unquoted(f"{scene.count:,}"), at=("species",)))
+        found.add("species", f"at most {MAX_BALLS:,} balls", f"{scene.count:,}")
     return found
 
 
 def _contact_faults(scene: GasScene) -> list[Fault]:
-    found = []
+    found = FaultList()
     names = [one.name for one in scene.species]
     walls = scene.container.geometry.names
     known = [*names, "wall", *dict.fromkeys((*WALLS[: 2 * scene.container.dimensions], *walls))]
     given: set[frozenset[str]] = set()
     names_known = True
     for i, contact in enumerate(scene.contacts):
-        at: tuple[int | str, ...] = ("contacts", i, "between")
+        at = f"contacts[{i}].between"
         strange = [name for name in contact.between if name not in known]
         if strange:
             names_known = False
-            found.append(Fault("names of species, or of walls", strange[0], suggestion(strange[0], known), at))
+            found.add(at, "names of species, or of walls", shown(strange[0]), suggestion(strange[0], known))
         elif not any(name in names for name in contact.between):
-            found.append(Fault("at least one species", Unquoted(_quoted(*contact.between)), at=at))
+            found.add(at, "at least one species", _quoted(*contact.between))
         elif frozenset(contact.between) in given:
-            found.append(
-                Fault("one contact for each pair", Unquoted(f"a second one for {_quoted(*contact.between)}"), at=at)
-            )
+            found.add(at, "one contact for each pair", f"a second one for {_quoted(*contact.between)}")
         given.add(frozenset(contact.between))
     if not names_known:  # what seems to be missing may be a misspelled name
         return found
@@ -206,25 +197,24 @@ def _quoted(one: str, two: str) -> str:
 
 def _missing(one: str, two: str) -> Fault:
     advice = f"add a table [[contacts]] with between = {_quoted(one, two)}, restitution and friction"
-    return Fault(f"a contact between {_quoted(one, two)}", Unquoted("none"), advice, ("contacts",))
+    return Fault("", "contacts", f"a contact between {_quoted(one, two)}", "none", advice)
 
 
 def _drive_faults(scene: GasScene) -> list[Fault]:
-    found = []
+    found = FaultList()
     container = scene.container.geometry
     for i, drive in enumerate(scene.drives):
-        at: tuple[int | str, ...] = ("drives", i, "wall")
+        at = f"drives[{i}].wall"
         if not container.names:
-            found.append(Fault("walls to drive", Unquoted(f"none in a container of shape {container.shape!r}"), at=at))
+            found.add(at, "walls to drive", f"none in a container of shape {container.shape!r}")
         elif drive.wall not in container.names:
-            found.append(Fault("the name of a wall", drive.wall, suggestion(drive.wall, list(container.names)), at))
+            found.add(at, "the name of a wall", shown(drive.wall), suggestion(drive.wall, list(container.names)))
         elif drive.wall in [one.wall for one in scene.drives[:i]]:
-            found.append(Fault("one drive for each wall", Unquoted(f"a second one for {drive.wall!r}"), at=at))
+            found.add(at, "one drive for each wall", f"a second one for {drive.wall!r}")
         elif drive.amplitude > 0 and (
             why := [w.fixed_because for w in container.faces if w.name == drive.wall and w.fixed_because]
         ):
-            at = ("drives", i, "amplitude")
-            found.append(Fault("a plane wall to oscillate", Unquoted(f"{drive.wall!r}, {why[0]}"), at=at))
+            found.add(f"drives[{i}].amplitude", "a plane wall to oscillate", f"{drive.wall!r}, {why[0]}")
     return found
 
 
@@ -232,15 +222,15 @@ def _gravity_faults(scene: GasScene) -> list[Fault]:
     axes = scene.container.dimensions
     if any(scene.gravity_vector) and not scene.container.geometry.faces:
         advice = 'add walls, such as shape = "box" with periodic = ["x"]'
-        return [Fault("no gravity without walls to fall on", scene.gravity, advice, ("gravity",))]
+        return [Fault("", "gravity", "no gravity without walls to fall on", shown(scene.gravity), advice)]
     if len(scene.gravity_vector) == axes or (axes == 2 and scene.gravity_vector[2] == 0):
         return []
-    return [Fault(f"one number, or {axes}", Unquoted(f"{len(scene.gravity_vector)} numbers"), at=("gravity",))]
+    return [Fault("", "gravity", f"one number, or {axes}", f"{len(scene.gravity_vector)} numbers")]
 
 
 def _density_faults(scene: GasScene) -> list[Fault]:
     """Return faults of sides that are too short, and of more balls than can be packed in."""
-    found = []
+    found = FaultList()
     axes, container = scene.container.dimensions, scene.container.geometry
     widest = 2 * max(one.radius for one in scene.species)
     longest = LONGEST_SIDE * min(one.radius for one in scene.species)
@@ -249,16 +239,16 @@ def _density_faults(scene: GasScene) -> list[Fault]:
             least = "3 diameters of the largest ball" if around else "the diameter of the largest ball"
             why = "in a shorter periodic box a ball could meet another and its image" if around else ""
             expected = f"at least {least}, {format_number(3 * widest if around else widest, 6)}"
-            found.append(Fault(expected, length, why, ("container", "size", axis)))
+            found.add(f"container.size[{axis}]", expected, shown(length), why)
         elif length > longest:
             expected = f"at most {LONGEST_SIDE:g} radii of the smallest ball, {format_number(longest, 6)}"
             why = "positions would be rounded by more than such a ball can be off"
-            found.append(Fault(expected, length, why, ("container", "size", axis)))
+            found.add(f"container.size[{axis}]", expected, shown(length), why)
     narrow = min((min(wall.vector[:2]) for wall in container.faces if wall.form == ELLIPSE), default=math.inf)
     if not found and widest / 2 > narrow * (1 - JOINT_OVERLAP):
         i = int(np.argmax([one.radius for one in scene.species]))
         expected = f"a radius below the ellipse's smaller half axis, {format_number(narrow, 6)}"
-        found.append(Fault(expected, scene.species[i].radius, at=("species", i, "radius")))
+        found.add(f"species[{i}].radius", expected, shown(scene.species[i].radius))
     if found or scene.container.bounds == "centre":  # (balls may then overlap the walls)
         return found
     several = len({one.radius for one in scene.species}) > 1
@@ -269,5 +259,5 @@ def _density_faults(scene: GasScene) -> list[Fault]:
         bound = "at most 1" if several else f"at most {most:.4f}, the densest packing of equal {name}"
         longer = math.ceil((fraction / most) ** (1 / axes) * 1000) / 1000
         advice = f"use fewer or smaller {name}, or sides {longer:g} times as long"
-        found.append(Fault(f"a packing fraction of {bound}", Unquoted(f"{fraction:.4f}"), advice, ("species",)))
+        found.add("species", f"a packing fraction of {bound}", f"{fraction:.4f}", advice)
     return found

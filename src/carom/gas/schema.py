@@ -13,13 +13,12 @@ import numpy as np
 from pydantic import BeforeValidator, model_validator
 
 from carom.bodies import DISC_INERTIAS, INERTIAS, Ball, Disc, Surface
-from carom.errors import suggestion
+from carom.errors import Fault, shown, suggestion
 from carom.formatting import format_number
 from carom.gas.containers import SHAPES, WALLS, Container, container
 from carom.gas.species import Drive, Species, Thermostat
 from carom.scene.schema import (
     Components,
-    Fault,
     Friction,
     Length,
     Mass,
@@ -29,8 +28,8 @@ from carom.scene.schema import (
     Size,
     Spring,
     Time,
-    Unquoted,
     raise_faults,
+    refused,
     with_faults_of_part,
 )
 
@@ -53,7 +52,7 @@ _ENDINGS = (".csv", ".npz", ".gsd")
 def _shape(value: Any) -> str:
     if not isinstance(value, str) or value not in SHAPES:
         advice = suggestion(value, list(SHAPES)) if isinstance(value, str) else ""
-        raise Fault(f"one of {', '.join(SHAPES)}", value, advice if advice.startswith("did") else "").error()
+        raise refused(f"one of {', '.join(SHAPES)}", shown(value), advice if advice.startswith("did") else "")
     return value
 
 
@@ -80,7 +79,7 @@ class GasContainer(Model):
     @model_validator(mode="after")
     def _check(self) -> GasContainer:
         if self.size is None and self.shape != "polygon":
-            raise_faults([Fault(_SIZE.what, Unquoted("nothing"), at=("size",))])
+            raise_faults([Fault("", "size", _SIZE.what, "nothing")])
         with_faults_of_part(lambda: self.geometry)
         return self
 
@@ -116,17 +115,17 @@ class GasContainer(Model):
 
 def _count(value: Any) -> int:
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 1:
-        raise Fault("a whole number >= 1", value).error()
+        raise refused("a whole number >= 1", shown(value))
     if value >= _COUNT_LIMIT:
-        raise Fault("a whole number < 2^63", value).error()
+        raise refused("a whole number < 2^63", shown(value))
     return int(value)
 
 
 def _count_or_zero(value: Any) -> int:
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 0:
-        raise Fault("a whole number >= 0", value).error()
+        raise refused("a whole number >= 0", shown(value))
     if value >= _COUNT_LIMIT:
-        raise Fault("a whole number < 2^63", value).error()
+        raise refused("a whole number < 2^63", shown(value))
     return int(value)
 
 
@@ -135,14 +134,14 @@ def _inertia(value: Any) -> str | float:
         return _KAPPA(value)
     names = {**INERTIAS, **DISC_INERTIAS}
     if value not in names:
-        raise Fault(_KAPPA.what, value, suggestion(value, list(names))).error()
+        raise refused(_KAPPA.what, shown(value), suggestion(value, list(names)))
     return value
 
 
 def _name(value: Any) -> str:
     reserved = ("wall", *WALLS)
     if not isinstance(value, str) or not value or value in reserved:
-        raise Fault(f"a name other than {', '.join(reserved)}", value).error()
+        raise refused(f"a name other than {', '.join(reserved)}", shown(value))
     return value
 
 
@@ -247,7 +246,7 @@ def _start(value: Any) -> str:
     if isinstance(value, str) and (value in known or value.lower().endswith(_ENDINGS)):
         return value
     advice = suggestion(value, known) if isinstance(value, str) else ""
-    raise Fault(f"'lattice', 'random', or a file ({', '.join(_ENDINGS)})", value, advice).error()
+    raise refused(f"'lattice', 'random', or a file ({', '.join(_ENDINGS)})", shown(value), advice)
 
 
 class GasSettings(Model):
@@ -271,5 +270,5 @@ class GasSettings(Model):
     @model_validator(mode="after")
     def _ends(self) -> GasSettings:
         if self.max_events is None and self.duration is None:
-            raise_faults([Fault("max_events or duration", Unquoted("neither"), "give one of them, or both")])
+            raise_faults([Fault("", "", "max_events or duration", "neither", "give one of them, or both")])
         return self

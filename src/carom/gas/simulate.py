@@ -102,8 +102,7 @@ def _simulate_scene(
     """Run a scene, with other numbers of collisions if these are given; ``others`` are arguments that a scene excludes."""
     faults = FaultList("simulate_gas")
     for name, value in others.items():
-        faults.add(name, "none beside a GasScene", f"{value!r}")
-        faults.add_remedy(name, "change the scene")
+        faults.add(name, "none beside a GasScene", f"{value!r}", "change the scene")
     faults.raise_if_any()
     run = {"run.max_events": collisions, "run.equilibrate": equilibrate}
     session = Session(replaced(scene, {path: x for path, x in run.items() if x is not None}))

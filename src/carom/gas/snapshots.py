@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.data.table_cells import parse_numbers
-from carom.errors import CaromError, suggestion
+from carom.errors import CaromError, Fault, suggestion
 from carom.files import atomic_path, cannot_write, import_optional, read_text, require_unpacked_size
 from carom.formatting import format_bytes
 from carom.gas.gas import Gas
@@ -273,7 +273,7 @@ def _read_csv(path: Path, axes: int) -> InitialState:
     known = [*(name for names in VECTORS.values() for name in names), "species"]
     for name in head:
         if name not in known:
-            raise CaromError(f"{path}: line 1: expected a known column, got {name!r}; {suggestion(name, known)}")
+            raise CaromError(Fault(f"{path}", "line 1", "a known column", repr(name), suggestion(name, known)))
     if missing := [name for name in "xyz"[:axes] if name not in head]:
         raise CaromError(f"{path}: line 1: expected the columns {', '.join('xyz'[:axes])}, got no {', '.join(missing)}")
     records = [(number, row) for number, row in enumerate(rows[1:], 2) if row]

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, require_type, suggestion
+from carom.errors import CaromError, Fault, require_type, suggestion
 from carom.scene.paths import path_match, replaced
 from carom.scene.scene import Scene
 from carom.simulation.sensitivity.many import sensitivities
@@ -40,7 +40,7 @@ class RunFunction:
         require_type(where, "scene", scene, Scene)
         if of not in OUTCOMES:
             raise CaromError(
-                f"{where}: of: expected {', '.join(OUTCOMES)}, got {of!r:.60}; {suggestion(str(of), list(OUTCOMES))}"
+                Fault(f"{where}", "of", ", ".join(OUTCOMES), f"{of!r:.60}", suggestion(str(of), list(OUTCOMES)))
             )
         self.scene, self.where, self.part = scene, where, OUTCOMES[of]
         self.wrt = [wrt] if isinstance(wrt, str) else list(wrt)

@@ -108,11 +108,10 @@ def incoming(
     >>> meeting.state.velocity.round(4).tolist()
     [-1.7321, 1.0, 0.0]
     """
-    found: list[str] = []
-    ball = _gathered(found, "", lambda: Ball(radius, mass, inertia), Ball())
-    wall = _gathered(found, "wall", lambda: Surface(restitution, friction, tangential_restitution), Surface())
-    floor = _gathered(found, "floor", lambda: Surface(floor_restitution, floor_friction), Surface())
     faults = FaultList("incoming")
+    ball = _gathered(faults, "Ball", lambda: Ball(radius, mass, inertia), Ball())
+    wall = _gathered(faults, "wall", lambda: Surface(restitution, friction, tangential_restitution), Surface())
+    floor = _gathered(faults, "floor", lambda: Surface(floor_restitution, floor_friction), Surface())
     v = checked_number(faults, "speed", speed, "a speed in m/s, > 0", lambda x: x > 0)
     what = "degrees from the wall's normal, at least 0 and below 90"
     tau = checked_number(faults, "angle_deg", angle_deg, what, lambda x: (x >= 0) & (x < 90))
@@ -140,9 +139,7 @@ def incoming(
         )  # fmt: skip
         nz = 1 + h / ball.radius - c
         normal = np.array([math.sqrt(1 - nz * nz) if abs(nz) < 1 else 1.0, 0.0, nz])
-    found += faults.found.values()
-    if found:
-        raise CaromError(*found)
+    faults.raise_if_any()
     x, y = -v * math.cos(math.radians(tau)), v * math.sin(math.radians(tau))
     # (27)
     spin = {"spin_x": 0.0, "spin_y": 0.0} if sliding else {"spin_x": -y / ball.radius, "spin_y": x / ball.radius}
@@ -151,12 +148,12 @@ def incoming(
     return Meeting(ball, state, normal, wall, floor, g, h, floor_contact, k)
 
 
-def _gathered(found: list[str], name: str, make: Callable[[], Thing], instead: Thing) -> Thing:
-    """Return the result of ``make``; if it fails, append its problems to ``found``, prefixed with ``name``."""
+def _gathered(faults: FaultList, name: str, make: Callable[[], Thing], instead: Thing) -> Thing:
+    """Return the result of ``make``; if it fails, append its problems, as faults of ``name``."""
     try:
         return make()
     except CaromError as error:
-        found += [f"{name}{fault[fault.index(':') :]}" if name else fault for fault in error.faults]
+        faults += error.records_at(name)
         return instead
 
 

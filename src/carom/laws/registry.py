@@ -12,7 +12,7 @@ import pkgutil
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from carom.errors import CaromError, did_you_mean, require_type
+from carom.errors import CaromError, Fault, did_you_mean, require_type
 from carom.laws.law import Card, Law
 
 __all__ = ["card_named", "cards", "law_named", "law_styles", "laws", "one_or_several"]
@@ -45,7 +45,7 @@ def law_named(name: str) -> Law:
     for law in laws().values():
         if name == law.name or name in law.aliases:
             return law
-    raise CaromError(f"law: expected one of {', '.join(laws())}, got {name!r}{did_you_mean(name, list(laws()))}")
+    raise CaromError(Fault("law", "", f"one of {', '.join(laws())}", repr(name), did_you_mean(name, list(laws()))))
 
 
 def _pickled(law: Law) -> Any:
@@ -69,7 +69,9 @@ def card_named(name: str) -> Card:
     """Return the card of a law by name; CaromError with the nearest name where there is none."""
     require_type("card_named", "name", name, str)
     if name not in cards():
-        raise CaromError(f"law: expected one of {', '.join(cards())}, got {name!r}{did_you_mean(name, list(cards()))}")
+        raise CaromError(
+            Fault("law", "", f"one of {', '.join(cards())}", repr(name), did_you_mean(name, list(cards())))
+        )
     return cards()[name]
 
 

@@ -11,7 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from carom.core.jit.kernel import kernel
-from carom.errors import CaromError, require_type, suggestion
+from carom.errors import CaromError, Fault, require_type, shown, suggestion
 from carom.laws.arrays import WallKernel
 from carom.laws.law import Answer, Card, Law, Meeting, wall_law
 from carom.laws.registry import law_named
@@ -39,28 +39,28 @@ def find_law(name: str) -> Law:
     require_type("find_law", "name", name, str)
     if ".py" in name and not isinstance(name, OwnLaw) and not called_from_outside():
         expected, advice = FORBIDDEN
-        raise CaromError(f"law: expected {expected}, got {Path(name).name!r:.100}; {advice}")
+        raise CaromError(Fault("law", "", expected, shown(Path(name).name, 100), advice))
     file, colon, what = name.rpartition(":")
     if not colon or not file.endswith(".py"):
         if name.endswith(".py"):
-            raise CaromError(f"--law {name}: expected the law's name in the file as well, as in {name}:law")
+            raise CaromError(Fault("law", name, f"the law's name in the file as well, as in {name}:law"))
         return law_named(name)
     path = Path(file)
     try:
         text = path.read_bytes()
     except OSError as error:
-        raise CaromError(f"--law {file}: expected a Python file, got: {error.strerror}") from None
+        raise CaromError(Fault("law", file, "a Python file", f": {error.strerror}")) from None
     # The module's name depends on the file's content: compiled loops are cached by it, and an edited law is a different law.
     module_name = f"carom_law_{hashlib.sha256(str(path.resolve()).encode() + text).hexdigest()[:16]}"
     spec = importlib.util.spec_from_file_location(module_name, path)
     if spec is None or spec.loader is None:
-        raise CaromError(f"--law {file}: expected a Python file, got one that Python cannot load")
+        raise CaromError(Fault("law", file, "a Python file", "one that Python cannot load"))
     module = importlib.util.module_from_spec(spec)
     sys.modules[module_name] = module
     try:
         spec.loader.exec_module(module)
     except Exception as error:
-        raise CaromError(f"--law {file}: expected a file that runs, got {type(error).__name__}: {error}") from error
+        raise CaromError(Fault("law", file, "a file that runs", f"{type(error).__name__}: {error}")) from error
     found = getattr(module, what, None)
     if found is None:
         names = [
@@ -68,13 +68,13 @@ def find_law(name: str) -> Law:
             for key, value in vars(module).items()
             if not key.startswith("_") and (callable(value) or isinstance(value, Law))
         ]
-        raise CaromError(f"--law {name}: expected {what!r} in the file, got no such name; {suggestion(what, names)}")
+        raise CaromError(Fault("law", name, f"{what!r} in the file", "no such name", suggestion(what, names)))
     if isinstance(found, Law):
         law = found
     elif callable(found):
         law = wall_law(Card(what, "A custom law.", (), "", str(path), ""), kernel(found))
     else:
-        raise CaromError(f"--law {name}: expected a carom.Law or a kernel, got {type(found).__name__}")
+        raise CaromError(Fault("law", name, "a carom.Law or a kernel", type(found).__name__))
     if law.kernel is not None:
         _try_once(name, law.kernel)
     return replace(law, answer=_guarded(name, law.answer))
@@ -86,7 +86,7 @@ def _try_once(name: str, kernel: WallKernel) -> None:
         found = kernel((-1.0, 0.5, 0.0), (1.0, 2.0, 3.0), (1.0, 0.0, 0.0), 0.03, 0.4, 0.9, 0.2, 0.0)
     except Exception as error:
         raise CaromError(
-            f"--law {name}: expected law(v, w, n, a, kappa, e, mu, beta) -> (v, w), got {type(error).__name__}: {error}"
+            Fault("law", name, "law(v, w, n, a, kappa, e, mu, beta) -> (v, w)", f"{type(error).__name__}: {error}")
         ) from error
     try:
         v, w = found
@@ -94,7 +94,7 @@ def _try_once(name: str, kernel: WallKernel) -> None:
     except (TypeError, ValueError):
         good = False
     if not good:
-        raise CaromError(f"--law {name}: expected (v, w), two triples of finite numbers, got {found!r}")
+        raise CaromError(Fault("law", name, "(v, w), two triples of finite numbers", repr(found)))
 
 
 def _guarded(name: str, answer: Callable[[Meeting], Answer]) -> Callable[[Meeting], Answer]:
@@ -107,8 +107,6 @@ def _guarded(name: str, answer: Callable[[Meeting], Answer]) -> Callable[[Meetin
             raise
         except Exception as error:
             first = " ".join(str(error).split())[:300]
-            raise CaromError(
-                f"--law {name}: expected numbers for this ball, got {type(error).__name__}: {first}"
-            ) from error
+            raise CaromError(Fault("law", name, "numbers for this ball", f"{type(error).__name__}: {first}")) from error
 
     return guarded

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from carom.errors import CaromError, did_you_mean
+from carom.errors import CaromError, Fault, did_you_mean
 from carom.formatting import format_number
 from carom.plot.style import INK, literal, new_figure, style
 
@@ -66,13 +66,13 @@ def plot_sweep(
     names = [str(name) for name in found.data_vars if name != "failed"]
     of = of or names[0]
     if of not in found:
-        raise CaromError(f"plot: of: expected an outcome of {', '.join(names)}, got {of!r}{did_you_mean(of, names)}")
+        raise CaromError(Fault("plot", "of", f"an outcome of {', '.join(names)}", repr(of), did_you_mean(of, names)))
     array, title, error = found[of], [of], None
     dims = [str(dim) for dim in array.dims]
     for option, dim in (("x", x), ("y", y), ("panels", panels), *(("at", dim) for dim in at or ())):
         if dim is not None and dim not in dims:
             raise CaromError(
-                f"plot: {option}: expected a dimension of {', '.join(dims)}, got {dim!r}{did_you_mean(dim, dims)}"
+                Fault("plot", f"{option}", f"a dimension of {', '.join(dims)}", repr(dim), did_you_mean(dim, dims))
             )
     named = REPEAT in (x, y, panels, *(at or {}))
     if REPEAT in dims and not named and "flag_meanings" not in array.attrs:
@@ -128,7 +128,7 @@ def _chosen(array: Any, dim: str, value: Any) -> tuple[Any, str]:
         known = [str(one) for one in coordinate.values]
         if str(value) not in known:
             raise CaromError(
-                f"plot: at: expected {dim} of {', '.join(known)}, got {value!r}{did_you_mean(str(value), known)}"
+                Fault("plot", "at", f"{dim} of {', '.join(known)}", repr(value), did_you_mean(str(value), known))
             )
         k = known.index(str(value))
     else:

@@ -6,9 +6,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from carom.errors import Fault, FaultList
 from carom.formatting import format_length
 from carom.scene.ball import SceneBall
-from carom.scene.schema import Fault, Unquoted
 from carom.scene.wall import format_vector
 
 __all__ = ["TOUCH", "name_faults", "overlap_faults"]
@@ -19,20 +19,20 @@ TOUCH = 1e-9  # of the radius: what overlaps by less touches
 def name_faults(balls: Sequence[SceneBall], names: Sequence[str]) -> list[Fault]:
     """Report names that an earlier ball has: a path, and a ball in a table, would be either. ``names``: "ball 1" for none."""
     first: dict[str, int] = {}
-    found = []
+    found = FaultList()
     for i, (ball, name) in enumerate(zip(balls, names, strict=True)):
         one = first.setdefault(name, i)
         if one != i:
             named = ball if ball.name else balls[one]
             at, other = (i, one) if named is ball else (one, i)
-            got = Unquoted(f"{name!r}, as balls[{other}] is called")
-            found.append(Fault("a name that no other ball has", got, at=("balls", at, "name")))
+            got = f"{name!r}, as balls[{other}] is called"
+            found.add(f"balls[{at}].name", "a name that no other ball has", got)
     return found
 
 
 def overlap_faults(balls: Sequence[SceneBall]) -> list[Fault]:
     """Report pairs of balls that overlap, found by sorting along x."""
-    found = []
+    found: list[tuple[int, int, float]] = []
     x = np.array([ball.center for ball in balls])
     a = np.array([ball.radius for ball in balls])
     order = np.argsort(x[:, 0], kind="stable")
@@ -44,12 +44,9 @@ def overlap_faults(balls: Sequence[SceneBall]) -> list[Fault]:
         for j in np.flatnonzero(gap < -TOUCH * np.minimum(a[near], a[i])):
             one, two = sorted((int(order[i]), int(order[i + 1 + j])))
             found.append((one, two, float(-gap[j])))
-    return [
-        Fault(
-            "a place where the ball touches nothing",
-            Unquoted(f"{format_vector(balls[two].center)}, which overlaps balls[{one}] by {format_length(deep)}"),
-            f"move it by {format_length(deep)} or more",
-            ("balls", two, "position"),
-        )
-        for one, two, deep in sorted(found)
-    ]
+    faults = FaultList()
+    for one, two, deep in sorted(found):
+        got = f"{format_vector(balls[two].center)}, which overlaps balls[{one}] by {format_length(deep)}"
+        advice = f"move it by {format_length(deep)} or more"
+        faults.add(f"balls[{two}].position", "a place where the ball touches nothing", got, advice)
+    return faults

@@ -9,12 +9,11 @@ import numpy as np
 from pydantic import AfterValidator, BeforeValidator, model_validator
 
 from carom.bodies import INERTIAS, Ball, State
-from carom.errors import MIN_MAGNITUDE, CaromError, suggestion
+from carom.errors import MIN_MAGNITUDE, CaromError, Fault, FaultList, shown, suggestion
 from carom.laws.strike import DEFAULT_CUE, Cue, Strike, strike
 from carom.scene.schema import (
     Angle,
     Components,
-    Fault,
     Flag,
     Friction,
     Length,
@@ -25,9 +24,9 @@ from carom.scene.schema import (
     Size,
     Speed,
     Spin,
-    Unquoted,
     Vector,
     raise_faults,
+    refused,
 )
 
 __all__ = ["CueStrike", "Inertia", "SceneBall", "SceneCue"]
@@ -39,7 +38,7 @@ def _inertia(value: Any) -> str | float:
     if not isinstance(value, str):
         return _KAPPA(value)
     if value not in INERTIAS:
-        raise Fault(_KAPPA.what, value, suggestion(value, list(INERTIAS))).error()
+        raise refused(_KAPPA.what, shown(value), suggestion(value, list(INERTIAS)))
     return value
 
 
@@ -61,7 +60,7 @@ class SceneCue(Model):
 
 def _on_the_ball(value: tuple[float, float]) -> tuple[float, float]:
     if not math.hypot(*value) < 1:
-        raise Fault(_OFFSET.what, list(value), "the tip would miss the ball").error()
+        raise refused(_OFFSET.what, shown(list(value)), "the tip would miss the ball")
     return value
 
 
@@ -153,23 +152,23 @@ class SceneBall(Model):
 
     @model_validator(mode="after")
     def _one_spin(self) -> SceneBall:
-        faults = []
+        faults = FaultList()
         if self.rolling and self.spin is not None:
             advice = (
                 "the spin of a ball that rolls follows from its velocity, except for spin_z; leave out rolling, or spin"
             )
-            faults.append(Fault("no spin with rolling = true", list(self.spin), advice, ("spin",)))
+            faults.add("spin", "no spin with rolling = true", shown(list(self.spin)), advice)
         if self.rolling and self.velocity[2] != 0:
-            faults.append(Fault("no speed along z with rolling = true", self.velocity[2], at=("velocity", 2)))
+            faults.add("velocity[2]", "no speed along z with rolling = true", shown(self.velocity[2]))
         if not self.rolling and self.spin_z is not None:
-            faults.append(Fault("no spin_z without rolling = true", self.spin_z, "give spin = [x, y, z]", ("spin_z",)))
+            faults.add("spin_z", "no spin_z without rolling = true", shown(self.spin_z), "give spin = [x, y, z]")
         if self.strike is not None and (self.rolling or self.spin is not None or any(self.velocity)):
             advice = "a ball is struck at rest; leave out velocity, spin and rolling, or strike"
-            faults.append(Fault("no velocity and no spin with strike", Unquoted("both"), advice, ("strike",)))
+            faults.add("strike", "no velocity and no spin with strike", "both", advice)
         largest = max(map(abs, (*self.velocity, *(self.spin or ()), self.spin_z or 0.0)))
         if 0 < largest < MIN_MAGNITUDE:
             what = f"a ball at rest, or a component of velocity or spin of at least {MIN_MAGNITUDE:g}"
-            faults.append(Fault(what, largest, at=("velocity",)))
+            faults.add("velocity", what, shown(largest))
         raise_faults(faults)
         return self
 
@@ -183,7 +182,7 @@ class SceneBall(Model):
             raise CaromError(f"{where}: state: expected one with a position, got None; State(velocity, spin, position)")
         shape = np.broadcast_shapes(state.shape, state.position.shape[:-1], np.shape(ball.radius), np.shape(ball.mass))
         if shape:
-            raise CaromError(f"{where}: state: expected one ball, got shape {shape}; make one SceneBall of each")
+            raise CaromError(Fault(f"{where}", "state", "one ball", f"shape {shape}", "make one SceneBall of each"))
         return cls(
             radius=float(ball.radius),
             mass=float(ball.mass),

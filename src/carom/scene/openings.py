@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import textwrap
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 from carom.errors import CaromError
@@ -39,8 +39,7 @@ def table_scene(name: str) -> str:
     Raises CaromError for a name that no table has.
     """
     for fault in preset_fault(name):
-        advice = f"; {fault.advice}" if fault.advice else ""
-        raise CaromError(f"table: expected {fault.expected}, got {name!r}{advice}")
+        raise CaromError(replace(fault, field="table"))
     preset = presets()[name]
     length, radius = preset.cushions["length"].value, preset.parts["ball"]["radius"].value
     game = name.split("-", maxsplit=1)[0]

@@ -7,11 +7,10 @@ all of them by ``*``; a component of a vector by ``x``, ``y``, ``z`` or its numb
 from __future__ import annotations
 
 from collections.abc import Mapping
-from difflib import get_close_matches
 from numbers import Integral
 from typing import Any, NamedTuple, TypeVar
 
-from carom.errors import CaromError, did_you_mean, shortened_list
+from carom.errors import CaromError, Fault, did_you_mean, near_name, shortened_list, shown
 from carom.scene.ball import SceneBall
 from carom.scene.scene import Scene
 from carom.scene.schema import Model
@@ -36,7 +35,7 @@ def ball_index(scene: Scene, ball: int | str, where: str = "ball") -> int:
     if not 0 <= number < len(names):
         hint = did_you_mean(ball, names) if isinstance(ball, str) else ""
         known = f"a ball of {shortened_list(names, 16)}, or a number from 0 to {len(names) - 1}"
-        raise CaromError(f"{where}: expected {known}, got {ball!r:.60}{hint}")
+        raise CaromError(Fault(where, "", known, shown(ball, 60), hint))
     return number
 
 
@@ -71,7 +70,7 @@ def path_match(model: Model, path: str, where: str = "path") -> PathMatch:
     PathMatch(path='walls.*.friction', places=(('walls', 0, 'friction'),), values=(0.2,))
     """
     if not isinstance(path, str) or not path or "" in path.split("."):
-        raise CaromError(f"{where}: expected a path such as 'balls.0.velocity' or 'walls.*.friction', got {path!r:.60}")
+        raise CaromError(Fault(where, "", "a path such as 'balls.0.velocity' or 'walls.*.friction'", shown(path, 60)))
     found: list[tuple[Keys, Any]] = [((), model)]
     names = path.split(".")
     for depth, name in enumerate(names):
@@ -116,15 +115,14 @@ def _known(value: Any) -> list[str]:
     return list(COMPONENTS[: len(value)])
 
 
-def _nowhere(where: str, path: str, before: list[str], name: str, known: list[str]) -> str:
+def _nowhere(where: str, path: str, before: list[str], name: str, known: list[str]) -> Fault:
     here = ".".join(before)
     if not known:
-        return f"{where}: {path}: expected a path to a number, got {name!r} after {here or 'nothing'}, which has no fields here"
-    close = get_close_matches(name, known, n=1, cutoff=0.5)
-    advice = f"did you mean {'.'.join([*before, close[0]])!r}?" if close else "take one of these"
-    return (
-        f"{where}: {path}: expected {shortened_list(known, 12)}{f' in {here}' if here else ''}, got {name!r}; {advice}"
-    )
+        got = f"{name!r} after {here or 'nothing'}, which has no fields here"
+        return Fault(where, path, "a path to a number", got)
+    near = near_name(name, known)
+    advice = f"did you mean {'.'.join([*before, near])!r}?" if near else "take one of these"
+    return Fault(where, path, f"{shortened_list(known, 12)}{f' in {here}' if here else ''}", repr(name), advice)
 
 
 def overlapping_paths(matches: list[PathMatch]) -> list[tuple[str, str]]:
@@ -165,8 +163,13 @@ def replaced(model: AnyModel, changes: Mapping[str, Any]) -> AnyModel:
         for place in path_match(model, path).places:
             if place[-1] == "preset":
                 raise CaromError(
-                    f"path: {path}: expected a field that stands by itself, got the name that filled the others when the table was"
-                    " made; make another scene"
+                    Fault(
+                        "path",
+                        f"{path}",
+                        "a field that stands by itself",
+                        "the name that filled the others when the table was made",
+                        "make another scene",
+                    )
                 )
             here = tree
             for key in place[:-1]:

@@ -12,10 +12,11 @@ from pydantic import model_validator
 from carom.core.geometry.angles import direction
 from carom.core.geometry.features import FACE
 from carom.core.jit.kernel import cross, dot
+from carom.errors import Fault
 from carom.formatting import format_length
 from carom.public.renamed import renamed_attribute
 from carom.scene.feature_builders import UP, Feature, corner, frame, line, minus, plane, unit
-from carom.scene.schema import Angle, Direction, Fault, Flag, Point, Size, Sizes, Unquoted, Vector, raise_faults
+from carom.scene.schema import Angle, Direction, Flag, Point, Size, Sizes, Vector, raise_faults
 from carom.scene.wall import Outline, WallShape, format_vector
 
 __all__ = ["FAR", "Box", "Plane", "Strip", "Wedge", "track"]
@@ -170,9 +171,9 @@ class Wedge(WallShape):
     @model_validator(mode="after")
     def _opens(self) -> Wedge:
         if not 0 < self.opening_deg <= 360:
-            got = Unquoted(f"{self.from_angle:g} to {self.to_angle:g}")
+            got = f"{self.from_angle:g} to {self.to_angle:g}"
             raise_faults(
-                [Fault("an opening of more than 0 and at most 360 degrees", got, "to_angle is the greater one")]
+                [Fault("", "", "an opening of more than 0 and at most 360 degrees", got, "to_angle is the greater one")]
             )
         return self
 
@@ -263,7 +264,7 @@ class Box(WallShape):
     def _placed(self) -> Box:
         if (self.center is None) == (self.corner is None):
             got = "nothing" if self.center is None else "both"
-            raise_faults([Fault("either center or corner (the lowest in x, y and z)", Unquoted(got))])
+            raise_faults([Fault("", "", "either center or corner (the lowest in x, y and z)", got)])
         return self
 
     @property

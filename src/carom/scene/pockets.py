@@ -18,9 +18,10 @@ from pydantic import BeforeValidator
 
 from carom.core.geometry.angles import direction
 from carom.core.geometry.features import OVER
+from carom.errors import Fault, shown
 from carom.formatting import format_length
 from carom.scene.feature_builders import UP, Feature, Flat, circle, cushion, round_cushion
-from carom.scene.schema import Fault, Length, Model, Number, Size, Unquoted, Vector
+from carom.scene.schema import Length, Model, Number, Size, Vector
 from carom.scene.wall import Pocket
 
 __all__ = [
@@ -148,10 +149,10 @@ def mouth_faults(field: str, shape: Pockets, jaws: list[Jaw]) -> list[Fault]:
     most = format_length(shape.mouth)
     if abs(shape.shelf) > shape.mouth:
         expected = f"a shelf of at most the mouth, {most}"
-        return [Fault(expected, shape.shelf, "the pocket would lie outside the table", (field, "shelf"))]
+        return [Fault("", f"{field}.shelf", expected, shown(shape.shelf), "the pocket would lie outside the table")]
     if not all(jaw.reaches for jaw in jaws):
         expected = "a pocket wide enough for the jaws to end over its edge"
-        return [Fault(expected, shape.radius, "make radius larger, or mouth smaller", (field, "radius"))]
+        return [Fault("", f"{field}.radius", expected, shown(shape.radius), "make radius larger, or mouth smaller")]
     return []
 
 
@@ -160,8 +161,8 @@ def overlap_faults(field: str, pockets: list[Pocket]) -> list[Fault]:
     for one, two in combinations(pockets, 2):
         gap = math.dist(one.center, two.center) - one.radius - two.radius
         if gap < 0:
-            got = Unquoted(f"{one.name} and {two.name}, which overlap by {format_length(-gap)}")
-            return [Fault("pockets that lie apart", got, "make radius smaller, or the table larger", (field,))]
+            got = f"{one.name} and {two.name}, which overlap by {format_length(-gap)}"
+            return [Fault("", field, "pockets that lie apart", got, "make radius smaller, or the table larger")]
     return []
 
 

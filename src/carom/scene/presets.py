@@ -8,8 +8,7 @@ from dataclasses import dataclass, field
 from importlib.resources import files
 from typing import Any
 
-from carom.errors import did_you_mean
-from carom.scene.schema import Fault
+from carom.errors import Fault, did_you_mean, shown
 
 __all__ = ["Preset", "Sourced", "preset_fault", "presets", "wall_fields"]
 
@@ -57,8 +56,8 @@ def preset_fault(name: Any) -> list[Fault]:
     """Return the problem with a name that no table has, with the nearest one; nothing for a known one."""
     if isinstance(name, str) and name in presets():
         return []
-    advice = did_you_mean(name, list(presets())).removeprefix("; ") if isinstance(name, str) else ""
-    return [Fault(f"one of {', '.join(presets())}", name, advice, ("preset",))]
+    advice = did_you_mean(name, presets()) if isinstance(name, str) else ""
+    return [Fault("", "preset", f"one of {', '.join(presets())}", shown(name), advice)]
 
 
 def wall_fields(preset: Preset) -> dict[str, Any]:

@@ -11,6 +11,7 @@ from pydantic import model_validator
 from carom.core.geometry.angles import direction
 from carom.core.geometry.features import FACE, LINE, OVER, POINT
 from carom.core.jit.kernel import dot
+from carom.errors import Fault, FaultList, shown
 from carom.formatting import format_length
 from carom.public.renamed import renamed_attribute
 from carom.scene.feature_builders import (
@@ -28,7 +29,7 @@ from carom.scene.feature_builders import (
     unit,
 )
 from carom.scene.planes import FAR, LEVEL
-from carom.scene.schema import Angle, Direction, Extent, Fault, Flag, Place, Point, Size, Unquoted, Vector, raise_faults
+from carom.scene.schema import Angle, Direction, Extent, Flag, Place, Point, Size, Vector, raise_faults
 from carom.scene.segments import Standing
 from carom.scene.wall import Outline, WallShape, format_vector
 
@@ -65,7 +66,7 @@ class Cylinder(WallShape):
 
     @model_validator(mode="after")
     def _has_length(self) -> Cylinder:
-        raise_faults([] if self.length > 0 else [Fault("a length greater than 0 m", self.length, at=("length",))])
+        raise_faults([] if self.length > 0 else [Fault("", "length", "a length greater than 0 m", shown(self.length))])
         return self
 
     @property
@@ -213,10 +214,11 @@ class Arc(Standing):
 
     @model_validator(mode="after")
     def _opens(self) -> Arc:
-        found = self._levels()
+        found = FaultList()
+        found += self._levels()
         if not 0 < self.span_deg <= 360:
-            got = Unquoted(f"{self.from_angle:g} to {self.to_angle:g}")
-            found.append(Fault("an arc of more than 0 and at most 360 degrees", got, "to_angle is the greater one"))
+            got = f"{self.from_angle:g} to {self.to_angle:g}"
+            found.add("", "an arc of more than 0 and at most 360 degrees", got, "to_angle is the greater one")
         raise_faults(found)
         return self
 

@@ -18,6 +18,7 @@ from carom.bodies import State, Surface
 from carom.core.geometry.features import FALLS, FEATURES, GOES_ON, LEAVES, OVER, feature_normal, gap_to_feature
 from carom.core.jit.kernel import Vec
 from carom.core.motion.restitution import CONSTANT
+from carom.errors import Fault, FaultList, shown
 from carom.formatting import format_length, format_time
 from carom.laws.law import CALLED_WALL, CONTACT_WALL, Law, Meeting
 from carom.laws.registry import laws
@@ -29,15 +30,14 @@ from carom.scene.restitution import Bounce, Constant
 from carom.scene.schema import (
     Acceleration,
     Components,
-    Fault,
     Friction,
     Model,
     NotNegative,
     Number,
     Spring,
     Time,
-    Unquoted,
     raise_faults,
+    refused,
 )
 from carom.scene.shapes import AnyWall
 from carom.scene.wall import ContactParameters, LawChoice, WallShape, contact, format_vector, law_name
@@ -107,7 +107,7 @@ class BallContact(Model):
 
 def _count(value: Any) -> int:
     if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 1:
-        raise Fault("a whole number >= 1", value).error()
+        raise refused("a whole number >= 1", shown(value))
     return int(value)
 
 
@@ -187,7 +187,7 @@ class Scene(Model):
     def _placed(cls, balls: tuple[SceneBall, ...], info: ValidationInfo) -> tuple[SceneBall, ...]:
         """Balls with three numbers for a position: on the floor, or in the plane z = 0."""
         if not balls:
-            raise Fault("at least one ball", Unquoted("none"), "a file has a table [[balls]] for each").error()
+            raise refused("at least one ball", "none", "a file has a table [[balls]] for each")
         floor = info.data.get("floor")
         return tuple(
             ball
@@ -314,31 +314,29 @@ def scene_faults(scene: Scene) -> list[Fault]:
 
 
 def _floor_faults(scene: Scene) -> list[Fault]:
-    found = []
+    found = FaultList()
     gx, gy, gz = scene.gravity
     if scene.floor is None and gz < 0 and (tables := [i for i, wall in enumerate(scene.walls) if wall.kind == "table"]):
         advice = "a table is its cushions alone, and balls would fall: add a floor, or set gravity = 0"
-        found.append(Fault("a floor, as there is a table", Unquoted("none"), advice, ("walls", tables[0])))
+        found.add(f"walls[{tables[0]}]", "a floor, as there is a table", "none", advice)
     if scene.floor is not None and (gx != 0 or gy != 0 or gz > 0):
         advice = (
             "on a tilted floor a sliding ball has no path in closed form; leave the floor out and use a wall of shape"
             " 'plane', on which the ball flies and bounces"
         )
-        got = Unquoted(format_vector(scene.gravity))
-        found.append(Fault("gravity along -z, as there is a floor", got, advice if gx or gy else "", ("gravity",)))
+        got = format_vector(scene.gravity)
+        found.add("gravity", "gravity along -z, as there is a floor", got, advice if gx or gy else "")
     for i, ball in enumerate(scene.balls):
         z, a = ball.center[2], ball.radius
         if scene.floor is not None and z < a * (1 - TOUCH):
-            got = Unquoted(f"{z:.6g}, which overlaps the floor by {format_length(a - z)}")
+            got = f"{z:.6g}, which overlaps the floor by {format_length(a - z)}"
             advice = "leave out z to put it on the floor"
-            found.append(Fault(f"z of at least the radius, {a:.6g}", got, advice, ("balls", i, "position", 2)))
+            found.add(f"balls[{i}].position[2]", f"z of at least the radius, {a:.6g}", got, advice)
         elif ball.rolling and scene.floor is None:
-            found.append(
-                Fault("a floor to roll on", Unquoted("true in a scene without one"), at=("balls", i, "rolling"))
-            )
+            found.add(f"balls[{i}].rolling", "a floor to roll on", "true in a scene without one")
         elif ball.rolling and z > a * (1 + TOUCH):
-            got, advice = Unquoted(f"{z:.6g} of a ball that rolls"), "leave out z, or rolling"
-            found.append(Fault(f"z = radius = {a:.6g}", got, advice, ("balls", i, "position", 2)))
+            got, advice = f"{z:.6g} of a ball that rolls", "leave out z, or rolling"
+            found.add(f"balls[{i}].position[2]", f"z = radius = {a:.6g}", got, advice)
     return found
 
 
@@ -346,21 +344,21 @@ def _floor_faults(scene: Scene) -> list[Fault]:
 
 
 def _law_faults(scene: Scene) -> list[Fault]:
-    found = []
+    found = FaultList()
     for i, (wall, law) in enumerate(zip(scene.walls, scene.laws, strict=True)):
-        at = ("walls", i)
+        at = f"walls[{i}]"
         for name, expected in NEEDED.items():
             if name in law.needs and getattr(wall, name) is None:
                 others = [
                     one.name for one in laws().values() if not (name in one.needs or one.variant_of or one.on_table)
                 ]
                 advice = f"the law {law.name} reads it; {', '.join(others)} do not need it"
-                found.append(Fault(expected, Unquoted("nothing"), advice, (*at, name)))
+                found.add(f"{at}.{name}", expected, "nothing", advice)
         found += _condition_faults(scene, wall, law, i)
         if law.last == "stiffness_ratio" and wall.tangential_restitution != 0:
             advice = "that law computes the tangential rebound from springs; omit it, and give stiffness_ratio"
             expected = f"0 for the law {law.name}"
-            found.append(Fault(expected, wall.tangential_restitution, advice, (*at, "tangential_restitution")))
+            found.add(f"{at}.tangential_restitution", expected, shown(wall.tangential_restitution), advice)
     return found
 
 
@@ -370,15 +368,15 @@ NEEDED = {"restitution": "a number from 0 to 1, or a form", "friction": "a numbe
 def _condition_faults(scene: Scene, wall: WallShape, law: Law, i: int) -> list[Fault]:
     """Ask a law's conditions on what a scene declares (its walls, its floor) of each ball, coming square to the wall."""
     found: dict[str, Fault] = {}
-    own: tuple[str | int, ...] = ("walls", i, "law") if wall.law else ("run", "law")
+    at = f"walls[{i}]"
     restitution = wall.restitution
     e = 1.0 if restitution is None else restitution.value if isinstance(restitution, Constant) else 0.5
     got = {
-        "shape": (Unquoted(wall.describe()), ("walls", i)),
-        "floor": (Unquoted("a scene without a floor"), own),
-        "restitution": (Unquoted("" if restitution is None else restitution.describe().removeprefix("restitution ")),
-                        ("walls", i, "restitution")),
-        "stiffness_ratio": (wall.stiffness_ratio, ("walls", i, "stiffness_ratio")),
+        "shape": (wall.describe(), at),
+        "floor": ("a scene without a floor", f"{at}.law" if wall.law else "run.law"),
+        "restitution": ("" if restitution is None else restitution.describe().removeprefix("restitution "),
+                        f"{at}.restitution"),
+        "stiffness_ratio": (shown(wall.stiffness_ratio), f"{at}.stiffness_ratio"),
     }  # fmt: skip
     for ball in {(ball.ball.kappa, ball.radius): ball for ball in scene.balls}.values():
         towards = State((-1.0, 0.0, 0.0), (0.0, -1.0 / ball.radius if scene.floor else 0.0, 0.0))
@@ -386,8 +384,8 @@ def _condition_faults(scene: Scene, wall: WallShape, law: Law, i: int) -> list[F
         meeting = Meeting(ball.ball, towards, normal, Surface(e), stiffness_ratio=wall.stiffness_ratio)
         for holds, expected, *field in law.conditions(meeting):
             if field and field[0] in got and not np.all(holds):
-                value, at = got[field[0]]
-                found.setdefault(field[0], Fault(f"{expected}, for the law {law.name}", value, at=at))
+                value, place = got[field[0]]
+                found.setdefault(field[0], Fault("", place, f"{expected}, for the law {law.name}", value))
     return list(found.values())
 
 
@@ -395,23 +393,23 @@ def _condition_faults(scene: Scene, wall: WallShape, law: Law, i: int) -> list[F
 
 
 def _wall_overlaps(scene: Scene) -> list[Fault]:
-    found = []
+    found = FaultList()
     largest = max(range(len(scene.balls)), key=lambda i: scene.balls[i].radius)
     for k, wall in enumerate(scene.walls):
         name = f"walls[{k}] ({scene.wall_names[k]})"
         if scene.balls[largest].radius >= wall.room:
             expected = f"room for a ball of radius {format_length(scene.balls[largest].radius)} (balls[{largest}])"
-            got = Unquoted(f"room for radii below {format_length(wall.room)}")
-            found.append(Fault(expected, got, "make the wall larger, or the ball smaller", ("walls", k)))
+            got = f"room for radii below {format_length(wall.room)}"
+            found.add(f"walls[{k}]", expected, got, "make the wall larger, or the ball smaller")
             continue
         found += _rolls_under(scene, wall, k)
         features = [feature for feature in wall.features() if feature.kind != OVER]
         for i, ball in enumerate(scene.balls):
-            at = ("balls", i, "position")
+            at = f"balls[{i}].position"
             if wall.blocked(ball.center):
-                got = Unquoted(f"{format_vector(ball.center)}, where {wall.describe()} lets no ball be")
+                got = f"{format_vector(ball.center)}, where {wall.describe()} lets no ball be"
                 advice = "move the ball" + ("; or turn the normal round" if wall.kind == "plane" else "")
-                found.append(Fault(f"a place on the free side of {name}", got, advice, at))
+                found.add(at, f"a place on the free side of {name}", got, advice)
             else:
                 found += _overlap(ball, features, name, at)
     return found
@@ -425,10 +423,14 @@ def _rolls_under(scene: Scene, wall: WallShape, k: int) -> list[Fault]:
     if nose is None or nose < diameter:
         return []
     expected = f"less than {format_length(diameter)}, the diameter of balls[{smallest}], which would roll under it"
-    return [Fault(expected, nose, "a cushion's nose stands at 5/4 to 7/5 of the radius", ("walls", k, "nose_height"))]
+    return [
+        Fault(
+            "", f"walls[{k}].nose_height", expected, shown(nose), "a cushion's nose stands at 5/4 to 7/5 of the radius"
+        )
+    ]
 
 
-def _overlap(ball: SceneBall, features: list[Feature], name: str, at: tuple[str | int, ...]) -> list[Fault]:
+def _overlap(ball: SceneBall, features: list[Feature], name: str, at: str) -> list[Fault]:
     """Report the deepest overlap of a ball with a wall; a face that the ball is behind does not count."""
     a, x = ball.radius, ball.center
     gaps = [gap_to_feature(feature, a, x) for feature in features]
@@ -437,5 +439,5 @@ def _overlap(ball: SceneBall, features: list[Feature], name: str, at: tuple[str 
         return []
     n: Vec = feature_normal(features[gaps.index(gap)], x)
     place = (x[0] - (gap + a) * n[0], x[1] - (gap + a) * n[1], x[2] - (gap + a) * n[2])
-    got = Unquoted(f"{format_vector(x)}, which overlaps {name} by {format_length(-gap)} at {format_vector(place)}")
-    return [Fault("a place where the ball touches nothing", got, f"move it by {format_length(-gap)} or more", at)]
+    got = f"{format_vector(x)}, which overlaps {name} by {format_length(-gap)} at {format_vector(place)}"
+    return [Fault("", at, "a place where the ball touches nothing", got, f"move it by {format_length(-gap)} or more")]

@@ -7,8 +7,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
-from difflib import get_close_matches
+from dataclasses import dataclass, replace
 from numbers import Real
 from typing import Annotated, Any, ClassVar, TypeVar, get_args
 
@@ -18,7 +17,17 @@ from pydantic_core import InitErrorDetails, PydanticCustomError
 from pydantic_core.core_schema import ValidationInfo
 
 from carom.core.units import parse_quantity
-from carom.errors import MAX_MAGNITUDE, MIN_MAGNITUDE, CaromError, suggestion, with_size_limit
+from carom.errors import (
+    MAX_MAGNITUDE,
+    MIN_MAGNITUDE,
+    CaromError,
+    Fault,
+    did_you_mean,
+    near_name,
+    shown,
+    suggestion,
+    with_size_limit,
+)
 from carom.public.callers import called_from_outside
 
 __all__ = [
@@ -28,7 +37,6 @@ __all__ = [
     "Components",
     "Direction",
     "Extent",
-    "Fault",
     "Flag",
     "Friction",
     "Length",
@@ -46,11 +54,11 @@ __all__ = [
     "Spin",
     "Spring",
     "Time",
-    "Unquoted",
     "Vector",
-    "fault_lines",
+    "faults_of",
     "from_file",
     "raise_faults",
+    "refused",
     "runs_own_laws",
     "with_faults_of_part",
 ]
@@ -68,46 +76,27 @@ EXPECTED = {
 }
 
 
-class Unquoted(str):
-    """A text that a message shows without quotes."""
-
-    __slots__ = ()
-
-
-@dataclass(frozen=True)
-class Fault:
-    """A problem: what was expected, what was found, how to fix it, and where, below the model that finds it."""
-
-    expected: str
-    got: Any
-    advice: str = ""
-    at: tuple[int | str, ...] = ()
-
-    def error(self) -> PydanticCustomError:
-        """Return the problem as an error that pydantic collects."""
-        context = {"expected": self.expected, "got": _shown(self.got), "advice": self.advice}
-        return PydanticCustomError("carom", "expected {expected}, got {got}", context)
+def refused(expected: str, got: str = "", advice: str = "", field: str = "") -> PydanticCustomError:
+    """Return the error of a validator, which pydantic collects; ``field`` lies below the model or field that is validated."""
+    return _error(Fault("", field, expected, got, advice))
 
 
-def raise_faults(faults: list[Fault]) -> None:
-    """Raise all problems at once from inside a validator, if there are any."""
-    if faults:
-        details = [InitErrorDetails(type=fault.error(), loc=fault.at, input=fault.got) for fault in faults]
+def _error(fault: Fault) -> PydanticCustomError:
+    return PydanticCustomError("carom", "{said}", {"said": str(fault), "fault": fault})
+
+
+def raise_faults(faults: Iterable[Fault]) -> None:
+    """Raise all problems at once from inside a validator, if there are any; their fields lie below what is validated."""
+    if details := [InitErrorDetails(type=_error(fault), input=None) for fault in faults]:
         raise ValidationError.from_exception_data("scene", details)
 
 
 def with_faults_of_part(make: Callable[[], Any]) -> Any:
-    """Return what ``make`` makes; its faults, "name: field: expected ..., got ...", become faults of a part of a scene."""
+    """Return what ``make`` makes; the faults of its arguments become faults of the fields with the same names."""
     try:
         return make()
     except CaromError as error:
-        found = []
-        for line in error.faults:
-            _name, field, said = line.split(": ", 2)
-            expected, got = said.removeprefix("expected ").split(", got ", 1)
-            part = field if field.isidentifier() else field.partition("[")[0]
-            found.append(Fault(expected, Unquoted(got), at=(part,)))
-        raise_faults(found)
+        raise_faults(error.records_at(""))
 
 
 class Model(BaseModel):
@@ -131,7 +120,7 @@ class Model(BaseModel):
         try:
             self.__pydantic_validator__.validate_python(fields, self_instance=self, context=context)
         except ValidationError as error:
-            raise CaromError(*fault_lines(type(self).__name__, error, type(self))) from None
+            raise CaromError(*faults_of(type(self).__name__, error, type(self))) from None
 
     # Inside another model pydantic makes this one itself, and gathers its faults with all the others.
     __init__.__pydantic_base_init__ = True  # type: ignore[attr-defined]
@@ -139,8 +128,13 @@ class Model(BaseModel):
     def __setattr__(self, name: str, value: Any) -> None:
         """Refuse: a scene is validated as a whole, when it is made."""
         raise CaromError(
-            f"{type(self).__name__}: expected no assignment, got {name} = {value!r:.60};"
-            " carom.replaced(scene, {PATH: value}) returns a changed copy"
+            Fault(
+                type(self).__name__,
+                "",
+                "no assignment",
+                f"{name} = {value!r:.60}",
+                "carom.replaced(scene, {PATH: value}) returns a changed copy",
+            )
         )
 
 
@@ -164,32 +158,32 @@ def from_file(where: str, model: type[_Model], table: Any, *, allow_own_laws: bo
     try:
         return model.model_validate(table, context=OWN_LAWS if allow_own_laws else None)
     except ValidationError as error:
-        raise CaromError(*fault_lines(where, error, model)) from None
+        raise CaromError(*faults_of(where, error, model)) from None
 
 
-def fault_lines(where: str, error: ValidationError, model: type[Model]) -> list[str]:
-    """Return one line for each of pydantic's errors about a model."""
-    return [_line(where, one, model) for one in error.errors(include_url=False)]
+def faults_of(where: str, error: ValidationError, model: type[Model]) -> list[Fault]:
+    """Return pydantic's errors about a model as faults."""
+    return [_fault(where, one, model) for one in error.errors(include_url=False)]
 
 
-def _line(where: str, error: Any, model: type[Model]) -> str:
+def _fault(where: str, error: Any, model: type[Model]) -> Fault:
     path, owner, field, inside = _resolve(error["loc"], model)
-    at = f"{where}: {path}" if path else where
     kind, context, value = error["type"], error.get("ctx", {}), error["input"]
     if kind == "carom":
-        advice = f"; {context['advice']}" if context["advice"] else ""
-        return f"{at}: expected {context['expected']}, got {context['got']}{advice}"
+        fault: Fault = context["fault"]
+        dot = "." if path and fault.field and not fault.field.startswith("[") else ""
+        return replace(fault, where=where, field=f"{path}{dot}{fault.field}")
     if kind == "extra_forbidden":
         halved = field == "diameter" and "radius" in owner.model_fields
         advice = "give the radius, half of it" if halved else suggestion(field, list(owner.model_fields))
-        return f"{at}: expected a field that is known here, got {field!r}; {advice}"
+        return Fault(where, path, "a field that is known here", repr(field), advice)
     if kind in {"union_tag_invalid", "union_tag_not_found"}:
-        return _choice(at, value, inside)
+        return _choice(where, path, value, inside)
     if kind == "missing":
-        return f"{at}: expected {_expectation(owner, field)}, got nothing"
+        return Fault(where, path, _expectation(owner, field), "nothing")
     expected = EXPECTED.get(kind, "").format(**context) or context.get("expected") or error["msg"]
-    brackets = f"; write [[{path}]], with double brackets" if kind == "tuple_type" and isinstance(value, dict) else ""
-    return f"{at}: expected {expected}, got {_shown(value)}{brackets}"
+    brackets = f"write [[{path}]], with double brackets" if kind == "tuple_type" and isinstance(value, dict) else ""
+    return Fault(where, path, expected, shown(value), brackets)
 
 
 def _resolve(location: tuple[int | str, ...], model: type[Model]) -> tuple[str, type[Model], str, list[type[Model]]]:
@@ -221,17 +215,16 @@ def _models(annotation: Any) -> list[type[Model]]:
     return [found for part in get_args(annotation) for found in _models(part)]
 
 
-def _choice(at: str, value: Any, inside: list[type[Model]]) -> str:
+def _choice(where: str, path: str, value: Any, inside: list[type[Model]]) -> Fault:
     """The fault of a table whose tag is unknown, or has none."""
     tag, names = inside[0].tag, [_tag(one) for one in inside]
     fields = value if isinstance(value, dict) else {}
-    got = _shown(fields[tag]) if tag in fields else "nothing"
-    line = f"{at}.{tag}: expected one of {', '.join(names)}, got {got}"
     if tag in fields:
-        close = get_close_matches(str(fields[tag]), names, n=1, cutoff=0.5)
-        return f"{line}; did you mean {close[0]!r}?" if close else line
-    close = get_close_matches(tag, list(fields), n=1, cutoff=0.5)
-    return f"{line}; is {close[0]!r} meant to be {tag!r}?" if close else line
+        got, advice = shown(fields[tag]), did_you_mean(str(fields[tag]), names)
+    else:
+        near = near_name(tag, list(fields))
+        got, advice = "nothing", f"is {near!r} meant to be {tag!r}?" if near else ""
+    return Fault(where, f"{path}.{tag}" if path else tag, f"one of {', '.join(names)}", got, advice)
 
 
 def _expectation(owner: type[Model], field: str) -> str:
@@ -241,13 +234,6 @@ def _expectation(owner: type[Model], field: str) -> str:
         if what is not None:
             return str(what)
     return "a value"
-
-
-def _shown(value: Any) -> str:
-    if isinstance(value, Unquoted):
-        return str(value)
-    text = repr(value)
-    return text if len(text) <= 80 else f"{text[:77]}..."
 
 
 Vector = tuple[float, float, float]
@@ -287,7 +273,7 @@ class Number:
         held = self.least < x if self.above else self.least <= x
         least = MIN_MAGNITUDE if self.above else 0.0
         if not (held and x <= self.most and (least <= abs(x) <= MAX_MAGNITUDE or (self.infinite and math.isinf(x)))):
-            raise Fault(with_size_limit(self.what, x), value, advice).error()
+            raise refused(with_size_limit(self.what, x), shown(value), advice)
         return x
 
 
@@ -312,12 +298,12 @@ class Components:
             parts = tuple(value)
             if len(parts) in self.counts:
                 return parts
-        raise Fault(self.what, value).error()
+        raise refused(self.what, shown(value))
 
 
 def _not_zero(value: Vector) -> Vector:
     if not any(value):
-        raise Fault("a direction, not all zero", list(value)).error()
+        raise refused("a direction, not all zero", repr(list(value)))
     return value
 
 

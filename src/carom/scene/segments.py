@@ -9,9 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BeforeValidator, model_validator
 
+from carom.errors import Fault, shown
 from carom.formatting import format_length
 from carom.scene.feature_builders import Feature, upright
-from carom.scene.schema import Components, Extent, Fault, Flag, Place, Unquoted, raise_faults
+from carom.scene.schema import Components, Extent, Flag, Place, raise_faults
 from carom.scene.wall import Outline, WallShape, format_vector
 
 __all__ = ["Polygon", "Segment", "Standing"]
@@ -28,7 +29,7 @@ class Standing(WallShape):
     def _levels(self) -> list[Fault]:
         if self.low <= self.height and self.low < math.inf and self.height > -math.inf:
             return []
-        return [Fault(f"a height above low = {self.low:g} m", self.height, at=("height",))]
+        return [Fault("", "height", f"a height above low = {self.low:g} m", shown(self.height))]
 
     def vertical(self, z: float) -> bool:
         """Return whether it extends below and above the balls' centres."""
@@ -64,7 +65,7 @@ class Segment(Standing):
     def _has_length(self) -> Segment:
         same = self.start == self.end
         raise_faults(
-            [*([Fault("another point than start", list(self.end), at=("end",))] if same else []), *self._levels()]
+            [*([Fault("", "end", "another point than start", shown(list(self.end)))] if same else []), *self._levels()]
         )
         return self
 
@@ -150,7 +151,9 @@ def _crossings(points: Array, closed: bool) -> list[Fault]:
     same = np.flatnonzero((start == end).all(axis=1))
     if same.size:
         after = [int(i + 1) % len(points) for i in same]
-        return [Fault("another point than the one before", points[i].tolist(), at=("points", i)) for i in after]
+        return [
+            Fault("", f"points[{i}]", "another point than the one before", shown(points[i].tolist())) for i in after
+        ]
     n = len(start)
     for i in range(n - 1):
         p, q, r, s = start[i], end[i], start[i + 1 :], end[i + 1 :]
@@ -159,6 +162,6 @@ def _crossings(points: Array, closed: bool) -> list[Fault]:
         joined = closed & (i == 0) & (np.arange(i + 1, n) == n - 1)
         meets = crossed | ((_on(p, q, s) | _on(r, s, p)) & ~joined)
         if meets.any():
-            got = Unquoted(f"sides {i} and {i + 1 + int(np.argmax(meets))} that meet")
-            return [Fault("an outline that does not meet itself", got, "give the points in order", ("points",))]
+            got = f"sides {i} and {i + 1 + int(np.argmax(meets))} that meet"
+            return [Fault("", "points", "an outline that does not meet itself", got, "give the points in order")]
     return []

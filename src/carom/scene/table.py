@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import model_validator
 
+from carom.errors import Fault, shown
 from carom.formatting import format_length
 from carom.scene.feature_builders import Feature, Flat, cushion, upright
 from carom.scene.pockets import (
@@ -24,7 +25,7 @@ from carom.scene.pockets import (
     pocket_features,
 )
 from carom.scene.presets import preset_fault, presets, wall_fields
-from carom.scene.schema import Extent, Fault, Place, Size, Unquoted, Vector, raise_faults
+from carom.scene.schema import Extent, Place, Size, Vector, raise_faults
 from carom.scene.wall import Outline, Pocket, WallShape
 
 __all__ = ["Table"]
@@ -111,7 +112,7 @@ class Table(WallShape):
         low = self.nose_height or 0.0
         if not (self.height >= low and self.height > 0):
             expected = f"at least nose_height = {low:g} m" if low else "a height above the floor"
-            raise_faults([Fault(expected, self.height, at=("height",))])
+            raise_faults([Fault("", "height", expected, shown(self.height))])
         raise_faults(self._pocket_faults())
         return self
 
@@ -119,8 +120,10 @@ class Table(WallShape):
         noses, mouths = self._layout
         field = "side_pockets" if self.side_pockets else "corner_pockets"
         if any((u[0] - x[0]) * t[0] + (u[1] - x[1]) * t[1] <= 0 for x, u, t in noses):
-            got = Unquoted("mouths and jaws that leave none")
-            return [Fault("a cushion between two pockets", got, "make mouth or jaw_radius smaller", (field, "mouth"))]
+            got = "mouths and jaws that leave none"
+            return [
+                Fault("", f"{field}.mouth", "a cushion between two pockets", got, "make mouth or jaw_radius smaller")
+            ]
         found = []
         for part, shape in (("corner_pockets", self.corner_pockets), ("side_pockets", self.side_pockets)):
             jaws = [jaw for mouth in mouths for jaw in (mouth.before, mouth.after) if mouth.field == part]

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import re
 import tomllib
-from difflib import get_close_matches
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from carom.errors import CaromError, require_type
+from carom.errors import CaromError, Fault, near_name, require_type
 from carom.files import as_path, atomic_path, require_writable
 from carom.laws.law import Law
 from carom.scene.openings import table_scene
@@ -57,7 +56,7 @@ def load_scene(path: str | Path, *, allow_own_laws: bool = False) -> Scene:
         _beside(table, path.parent)
     if strange := sorted({"container", "species"} & set(table)):
         raise CaromError(
-            f"{name}: expected a scene of single balls, got a gas, with {' and '.join(strange)}; carom gas {name}"
+            Fault(f"{name}", "", "a scene of single balls", f"a gas, with {' and '.join(strange)}", f"carom gas {name}")
         )
     return from_file(name, Scene, table, allow_own_laws=allow_own_laws)
 
@@ -69,8 +68,8 @@ def _by_name(path: Path) -> dict[str, Any] | None:
 
 def _remedy(path: Path) -> str:
     """Return the command that writes the scene that was meant."""
-    near = get_close_matches(str(path), list(presets()), n=1)
-    return f"carom scene new --table {near[0]} FILE.toml" if near else f"carom scene new {path}"
+    near = near_name(path, presets())
+    return f"carom scene new --table {near} FILE.toml" if near else f"carom scene new {path}"
 
 
 def read_toml(path: Path, remedy: str, what: str = "a scene file") -> dict[str, Any]:
@@ -81,7 +80,7 @@ def read_toml(path: Path, remedy: str, what: str = "a scene file") -> dict[str, 
         advice = f"; {remedy} writes one" if isinstance(error, FileNotFoundError) else ""
         raise CaromError(f"{path}: expected {what}, got: {error.strerror}{advice}") from None
     except UnicodeDecodeError as error:
-        raise CaromError(f"{path}: expected text in UTF-8, got byte {error.object[error.start]:#04x}") from None
+        raise CaromError(Fault(f"{path}", "", "text in UTF-8", f"byte {error.object[error.start]:#04x}")) from None
     return parse_toml(str(path), text)
 
 
@@ -141,8 +140,13 @@ def require_named_laws(where: str, scene: Scene) -> None:
     for law in (scene.run.law, *scene.wall_laws):
         if isinstance(law, Law):
             raise CaromError(
-                f"{where}: expected laws with a name or a file, got the carom.Law {law.name!r}, which a file cannot hold;"
-                " put it into a Python file and name it in the scene as 'file.py:name'"
+                Fault(
+                    f"{where}",
+                    "",
+                    "laws with a name or a file",
+                    f"the carom.Law {law.name!r}, which a file cannot hold",
+                    "put it into a Python file and name it in the scene as 'file.py:name'",
+                )
             )
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from abc import abstractmethod
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Any, ClassVar, NamedTuple
 
@@ -13,14 +14,14 @@ from pydantic import PlainSerializer, PlainValidator
 from pydantic_core.core_schema import ValidationInfo
 
 from carom.core.motion.restitution import CONSTANT
-from carom.errors import CaromError, suggestion
+from carom.errors import CaromError, shown, suggestion
 from carom.laws.law import LIKE_SOLIDS, Law
 from carom.laws.registry import laws
 from carom.laws.user import FORBIDDEN, find_law
 from carom.public.own_laws import OwnLaw
 from carom.scene.feature_builders import Feature, Flat
 from carom.scene.restitution import Bounce, Constant, Restitution
-from carom.scene.schema import Fault, Friction, Model, PositiveNumber, Spring, Unquoted, Vector, runs_own_laws
+from carom.scene.schema import Friction, Model, PositiveNumber, Spring, Vector, refused, runs_own_laws
 
 __all__ = [
     "ContactParameters",
@@ -67,13 +68,13 @@ def _known_law(value: Any, info: ValidationInfo) -> str | Law:
     expected = f"one of {', '.join(known)}, or file.py:name"
     if isinstance(value, Law):
         if value.kernel is None:
-            raise Fault("a law with a kernel", Unquoted(f"{value.name!r} without one")).error()
+            raise refused("a law with a kernel", f"{value.name!r} without one")
         return value
     if not isinstance(value, str):
-        raise Fault(expected, value, "carom.wall_law(card, function) makes a law of a function").error()
+        raise refused(expected, shown(value), "carom.wall_law(card, function) makes a law of a function")
     if value not in known:
         if ".py" not in value:
-            raise Fault(expected, value, suggestion(value, known)).error()
+            raise refused(expected, shown(value), suggestion(value, known))
         return permitted_law(value, info)
     return value
 
@@ -85,13 +86,12 @@ def permitted_law(name: str, info: ValidationInfo) -> OwnLaw:
     if not isinstance(name, OwnLaw):
         expected, advice = FORBIDDEN
         # (its name alone: a long path would be cut off before it)
-        raise Fault(expected, Path(name).name, advice).error()
+        raise refused(expected, shown(Path(name).name), advice)
     try:
         find_law(name)
     except CaromError as error:
-        # (after the file's name)
-        said = "expected " + error.faults[0].partition("expected ")[2]
-        raise Fault("a law in a Python file", Unquoted(f"{name!r}: {said}")).error() from None
+        said = replace(error.records[0], where="", field="")  # (after the file's name)
+        raise refused("a law in a Python file", f"{name!r}: {said}") from None
     return name
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from carom.bodies import State
 from carom.core.motion.phases import PHASES
-from carom.errors import CaromError, did_you_mean
+from carom.errors import CaromError, Fault, did_you_mean
 from carom.formatting import html_table
 from carom.laws.results import REGIME_NAMES as NAMES
 from carom.scene.paths import ball_index
@@ -114,7 +114,13 @@ class Events(Sequence[Event]):
         if strange := [kind for kind in kinds if kind not in EVENT_KINDS]:
             raise CaromError(
                 *(
-                    f"Events.of: expected a kind of {', '.join(EVENT_KINDS)}, got {one!r}{did_you_mean(one, EVENT_KINDS)}"
+                    Fault(
+                        "Events.of",
+                        "",
+                        f"a kind of {', '.join(EVENT_KINDS)}",
+                        repr(one),
+                        did_you_mean(one, EVENT_KINDS),
+                    )
                     for one in strange
                 )
             )

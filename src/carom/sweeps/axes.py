@@ -10,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.errors import CaromError, suggestion
+from carom.errors import CaromError, Fault, shown, suggestion
 from carom.files import import_optional
 from carom.public.own_laws import OwnLaw
 from carom.public.renamed import renamed_arguments, renamed_attribute
@@ -90,14 +90,14 @@ def along(dim: str, values: ArrayLike) -> Values:
     """
     found = as_axis(values, "along: values")
     if not isinstance(found, Values):
-        raise CaromError(f"along: values: expected values, got {found!r:.60}, which is drawn or made of two parameters")
+        raise CaromError(Fault("along", "values", "values", f"{found!r:.60}, which is drawn or made of two parameters"))
     return replace(found, dim=_dimension("along", dim))
 
 
 def _dimension(where: str, dim: Any) -> str:
     """Return the name of a dimension; CaromError for what is no name."""
     if not isinstance(dim, str) or not dim.isidentifier():
-        raise CaromError(f"{where}: dim: expected a name such as 'table', got {dim!r:.60}")
+        raise CaromError(Fault(where, "dim", "a name such as 'table'", shown(dim, 60)))
     return dim
 
 
@@ -122,9 +122,9 @@ def polar(speed: Any, angle_deg: Any) -> Polar:
 def _inner(value: Any, where: str) -> Axis:
     found = as_axis(value, where)
     if isinstance(found, Polar) or (isinstance(found, Values) and found.values.ndim > 1):
-        raise CaromError(f"{where}: expected numbers, got vectors")
+        raise CaromError(Fault(where, "", "numbers", "vectors"))
     if isinstance(found, Values) and found.values.dtype.kind != "f":
-        raise CaromError(f"{where}: expected numbers, got {found.values.ravel()[0]!r}")
+        raise CaromError(Fault(where, "", "numbers", repr(found.values.ravel()[0])))
     return found
 
 
@@ -151,7 +151,7 @@ def normal(mean: float, deviation: float) -> Draw:
     """
     found = _two("normal", ("mean", mean), ("deviation", deviation))
     if found[1] < 0:
-        raise CaromError(f"normal: deviation: expected a number >= 0, got {deviation!r}")
+        raise CaromError(Fault("normal", "deviation", "a number >= 0", repr(deviation)))
     return Draw("normal", *found)
 
 
@@ -200,7 +200,7 @@ def _two(where: str, *given: tuple[str, Any]) -> tuple[float, float]:
         except (TypeError, ValueError):
             number = math.nan
         if isinstance(value, bool) or not math.isfinite(number):
-            raise CaromError(f"{where}: {name}: expected a finite number, got {value!r:.60}")
+            raise CaromError(Fault(where, f"{name}", "a finite number", shown(value, 60)))
         found.append(number)
     return found[0], found[1]
 
@@ -208,8 +208,13 @@ def _two(where: str, *given: tuple[str, Any]) -> tuple[float, float]:
 def _count(where: str, value: Any) -> int:
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or not 1 <= value <= MAX_VALUES:
         raise CaromError(
-            f"{where}: count: expected a whole number from 1 to {MAX_VALUES:,}, got {value!r:.60}; more samples: uniform or"
-            " normal, with repeats"
+            Fault(
+                where,
+                "count",
+                f"a whole number from 1 to {MAX_VALUES:,}",
+                shown(value, 60),
+                "more samples: uniform or normal, with repeats",
+            )
         )
     return int(value)
 
@@ -243,19 +248,19 @@ def as_axis(value: Any, where: str) -> Axis:
     try:
         array = np.atleast_1d(np.asarray(value))
     except ValueError:
-        raise CaromError(f"{where}: expected numbers, or vectors of one length, got {value!r:.60}") from None
+        raise CaromError(Fault(where, "", "numbers, or vectors of one length", shown(value, 60))) from None
     if not array.size:
-        raise CaromError(f"{where}: expected at least one value, got none")
+        raise CaromError(Fault(where, "", "at least one value", "none"))
     if array.dtype.kind == "b" or array.dtype.kind not in "iufU":
-        raise CaromError(f"{where}: expected numbers, vectors, or names, got {value!r:.60}")
+        raise CaromError(Fault(where, "", "numbers, vectors, or names", shown(value, 60)))
     if array.ndim > 2 or (array.ndim == 2 and array.shape[1] not in (2, 3)):
-        raise CaromError(f"{where}: expected values (N,) or vectors (N, 2) or (N, 3), got shape {array.shape}")
+        raise CaromError(Fault(where, "", "values (N,) or vectors (N, 2) or (N, 3)", f"shape {array.shape}"))
     if array.dtype.kind == "U":
         given = np.ravel(np.array(value, dtype=object)).tolist()
         return Values(array, own_laws=frozenset(one for one in given if isinstance(one, OwnLaw)))
     array = array.astype(float)
     if np.isnan(array).any():
-        raise CaromError(f"{where}: expected numbers, got NaN at index {int(np.argwhere(np.isnan(array))[0][0])}")
+        raise CaromError(Fault(where, "", "numbers", f"NaN at index {int(np.argwhere(np.isnan(array))[0][0])}"))
     return Values(_without_rounding(array))
 
 
@@ -315,7 +320,7 @@ def _require_few(where: str, name: str, given: list[Any]) -> None:
     count = step if name != "arange" else (last - first) / step if rest else first
     if not count <= MAX_VALUES:
         raise CaromError(
-            f"{where}: {name}: expected at most {MAX_VALUES:,} values, got {count:,.6g}; take fewer, or draws"
+            Fault(where, f"{name}", f"at most {MAX_VALUES:,} values", f"{count:,.6g}", "take fewer, or draws")
         )
 
 
@@ -327,14 +332,14 @@ def axis_from_data(data: Any, where: str) -> Axis:
     if len(form) != 1 or form[0] not in FORMS:
         got = repr(form[0]) if len(form) == 1 else repr(form)
         advice = suggestion(form[0], FORMS) if len(form) == 1 else "one of them"
-        raise CaromError(f"{where}: expected one of {', '.join(FORMS)}, got {got}; {advice}")
+        raise CaromError(Fault(where, "", f"one of {', '.join(FORMS)}", f"{got}", advice))
     name, given = form[0], data[form[0]]
     if name == "polar":
         if not isinstance(given, Mapping) or set(given) != {"speed", "angle"}:
-            raise CaromError(f"{where}: polar: expected speed and angle, got {given!r:.60}")
+            raise CaromError(Fault(where, "polar", "speed and angle", shown(given, 60)))
         return polar(*(axis_from_data(given[part], f"{where}: {part}") for part in ("speed", "angle")))
     if not isinstance(given, list):
-        raise CaromError(f"{where}: {name}: expected a list, got {given!r:.60}")
+        raise CaromError(Fault(where, f"{name}", "a list", shown(given, 60)))
     try:
         made: Any
         if name == "values":
@@ -349,11 +354,11 @@ def axis_from_data(data: Any, where: str) -> Axis:
     except (TypeError, ValueError) as error:
         if isinstance(error, CaromError):
             raise
-        raise CaromError(f"{where}: {name}: expected its arguments, got {given!r:.60} ({error})") from None
+        raise CaromError(Fault(where, f"{name}", "its arguments", f"{given!r:.60} ({error})")) from None
     if dim is None:
         return made  # type: ignore[no-any-return]
     if isinstance(made, Values):
         return replace(along(dim, made.values), own_laws=made.own_laws)
     if isinstance(made, Design):
         return replace(made, dim=_dimension(where, dim))
-    raise CaromError(f"{where}: dim: expected none with {name}, which is drawn anew at every point, got {dim!r}")
+    raise CaromError(Fault(where, "dim", f"none with {name}, which is drawn anew at every point", repr(dim)))

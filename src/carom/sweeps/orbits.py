@@ -18,9 +18,19 @@ from carom.billiards.table_records import ENDS
 from carom.billiards.tables import Table
 from carom.bodies import Ball, Disc, Surface
 from carom.core.random import threefry
-from carom.errors import suggestion
+from carom.errors import Fault, shown, suggestion
 from carom.laws.registry import laws
-from carom.scene.schema import Fault, Friction, Length, Model, Number, Share, Spring, raise_faults, with_faults_of_part
+from carom.scene.schema import (
+    Friction,
+    Length,
+    Model,
+    Number,
+    Share,
+    Spring,
+    raise_faults,
+    refused,
+    with_faults_of_part,
+)
 from carom.scene.wall import permitted_law
 from carom.sweeps.outcomes import Outcome, require_outcomes
 from carom.sweeps.points import PointByPoint
@@ -34,7 +44,7 @@ WORD = 0xFFFFFFFF
 
 def _count(value: Any) -> int:
     if isinstance(value, bool) or not isinstance(value, int | np.integer) or value < 1:
-        raise Fault("a whole number >= 1", value).error()
+        raise refused("a whole number >= 1", shown(value))
     return int(value)
 
 
@@ -47,7 +57,7 @@ def _orbit_law(value: Any, info: ValidationInfo) -> str:
         return permitted_law(value, info)
     known = [name for law in laws().values() if law.kernel is not None for name in (law.name, *law.aliases)]
     if value not in known:
-        raise Fault(f"one of {', '.join(known)}, or file.py:name", value, suggestion(str(value), known)).error()
+        raise refused(f"one of {', '.join(known)}, or file.py:name", shown(value), suggestion(str(value), known))
     return str(value)
 
 
@@ -107,12 +117,20 @@ class OrbitCase(Model):
     def _known(self) -> OrbitCase:
         if self.table not in SIZES:
             raise_faults(
-                [Fault(f"one of {', '.join(SIZES)}", self.table, suggestion(self.table, list(SIZES)), ("table",))]
+                [
+                    Fault(
+                        "",
+                        "table",
+                        f"one of {', '.join(SIZES)}",
+                        shown(self.table),
+                        suggestion(self.table, list(SIZES)),
+                    )
+                ]
             )
         own = SIZES[self.table]
         sizes = [name for names in SIZES.values() for name in names]
         wrong = [name for name in dict.fromkeys(sizes) if getattr(self, name, None) is not None and name not in own]
-        raise_faults([Fault(f"sizes of a {self.table}: {', '.join(own)}", name, at=(name,)) for name in wrong])
+        raise_faults([Fault("", name, f"sizes of a {self.table}: {', '.join(own)}", shown(name)) for name in wrong])
         with_faults_of_part(lambda: self.made)
         return self
 

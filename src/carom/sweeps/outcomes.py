@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, did_you_mean
+from carom.errors import CaromError, Fault, did_you_mean, shown
 
 __all__ = ["FAILED", "FAILURES", "NOT_DONE", "Outcome", "blank", "require_outcomes"]
 
@@ -54,4 +54,4 @@ def require_outcomes(names: tuple[str, ...], known: list[str]) -> None:
     for name in names:
         if name not in known:
             hint = did_you_mean(str(name), known)
-            raise CaromError(f"sweep: keep: expected names among {', '.join(known)}, got {name!r:.60}{hint}")
+            raise CaromError(Fault("sweep", "keep", f"names among {', '.join(known)}", shown(name, 60), hint))

@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from carom.core.jit.cuda import computes_on_gpu, on_device
 from carom.core.jit.slices import Pace
 from carom.core.motion.phases import PHASES
-from carom.errors import CaromError, did_you_mean
+from carom.errors import CaromError, Fault, did_you_mean, shown
 from carom.scene.paths import PathMatch, path_match, replaced
 from carom.scene.scene import Scene
 from carom.simulation.loop import LIMIT, PHASES_FROM
@@ -145,10 +145,14 @@ class SceneRuns:
             case ["events", kind, number, part] if kind in EVENT_KINDS and number.isdecimal() and part in EVENT_PARTS:
                 vector = vector if part in ("position", "velocity", "spin") else {}
                 return Outcome(name, "i4" if part in ("ball", "met") else "f8", vector, UNITS.get(part, "1"))
-        parts = f"events.KIND.count, or events.KIND.N.PART (N from 0 on; PART: {', '.join(EVENT_PARTS)})"
+        parts = (
+            f"events.KIND.count, or events.KIND.N.PART (N from 0 on; PART: {', '.join(EVENT_PARTS)};"
+            f" KIND: {', '.join(EVENT_KINDS)})"
+        )
         raise CaromError(
-            f"sweep: keep: expected names among {', '.join(final)}, {parts}; KIND: {', '.join(EVENT_KINDS)};"
-            f" got {name!r:.60}{did_you_mean(str(name), known)}"
+            Fault(
+                "sweep", "keep", f"names among {', '.join(final)}, {parts}", shown(name, 60), did_you_mean(name, known)
+            )
         )
 
     # --- points ----------------------------------------------------------------------------------------------------

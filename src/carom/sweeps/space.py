@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError
+from carom.errors import CaromError, Fault, shown
 from carom.public.own_laws import holds_own_laws
 from carom.sweeps.axes import Axis, Design, Draw, Polar, Values, as_axis, axis_to_data, design_columns
 from carom.sweeps.draws import normal_draws, polar_rows, uniform_draws
@@ -76,8 +76,13 @@ class Space:
         found: list[str] = []
         if not isinstance(parameters, Mapping) or not parameters:
             raise CaromError(
-                f"Space: parameters: expected a mapping of paths to values, got {parameters!r:.60}; such as"
-                " {'walls.*.friction': [0.1, 0.2]}"
+                Fault(
+                    "Space",
+                    "parameters",
+                    "a mapping of paths to values",
+                    shown(parameters, 60),
+                    "such as {'walls.*.friction': [0.1, 0.2]}",
+                )
             )
         for name, value, low, high in (("repeats", repeats, 1, 10**15), ("seed", seed, 0, 2**32 - 1)):
             if isinstance(value, bool) or not isinstance(value, int | np.integer) or not low <= value <= high:

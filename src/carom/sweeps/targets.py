@@ -20,10 +20,10 @@ from numpy.typing import NDArray
 from pydantic import BeforeValidator, PlainValidator, Strict, model_validator
 
 from carom.core.motion.phases import HELD, PHASES, PIVOTING, REST
-from carom.errors import CaromError, did_you_mean
+from carom.errors import CaromError, Fault, FaultList, did_you_mean, shown
 from carom.scene.paths import ball_index
 from carom.scene.scene import Scene
-from carom.scene.schema import Fault, Model, Number, Place, Size, Unquoted
+from carom.scene.schema import Model, Number, Place, Size, refused
 from carom.simulation.records import BALL, POCKETED_EVENT, WALL
 
 __all__ = [
@@ -54,13 +54,13 @@ def _hits(value: Any) -> Any:
     if (several := _several(value)) is None:
         return value
     if not several:
-        raise Fault("a ball, or several of them", value).error()
+        raise refused("a ball, or several of them", shown(value))
     return several
 
 
 def _cushions(value: Any) -> int:
     if isinstance(value, bool) or not isinstance(value, Integral) or value < 0:
-        raise Fault("a whole number >= 0", value).error()
+        raise refused("a whole number >= 0", shown(value))
     return int(value)
 
 
@@ -95,7 +95,7 @@ class Target(Model):
     def _one_aim(self) -> Target:
         aims = {name: value for name in ("point", "pocket", "hit") if (value := getattr(self, name)) is not None}
         if len(aims) != 1:
-            raise Fault("one of point, pocket and hit", Unquoted(", ".join(aims) or "none of them")).error()
+            raise refused("one of point, pocket and hit", ", ".join(aims) or "none of them")
         for name, fits, expected in (
             ("within", "point" in aims, "within with point only"),
             ("cushions", "hit" in aims, "cushions with hit only"),
@@ -103,7 +103,7 @@ class Target(Model):
             ("speed_within", self.speed is not None, "speed_within with speed only"),
         ):
             if getattr(self, name) and not fits:
-                raise Fault(expected, Unquoted(f"{name} = {getattr(self, name):g} with {', '.join(aims)}")).error()
+                raise refused(expected, f"{name} = {getattr(self, name):g} with {', '.join(aims)}")
         return self
 
 
@@ -132,7 +132,7 @@ class TargetEvent(NamedTuple):
 def targets_of(scene: Scene, reach: Any) -> list[TargetEvent]:
     """Return targets in numbers. CaromError for balls and pockets that are not there, all at once."""
     found: list[TargetEvent] = []
-    faults: list[str] = []
+    faults = FaultList()
     several = _several(reach)
     given = (reach,) if several is None else several
     for k, one in enumerate(given):
@@ -140,16 +140,15 @@ def targets_of(scene: Scene, reach: Any) -> list[TargetEvent]:
         if not isinstance(one, Target) and not (
             isinstance(one, Mapping) and all(isinstance(name, str) for name in one)
         ):
-            faults.append(f"{where}: expected {EXAMPLE}, got {' '.join(repr(one).split()):.60}")
+            faults.append(Fault(where, "", EXAMPLE, shown(one, 60)))
             continue
         try:
             found.append(_event_of(scene, one if isinstance(one, Target) else Target(**one), where))
         except CaromError as error:
-            faults += [fault.replace("Target:", f"{where}:", 1) for fault in error.faults]
+            faults += error.records_at(where, "Target")
     if not given:
-        faults.append(f"{WHERE}: expected {EXAMPLE}, got none")
-    if faults:
-        raise CaromError(*faults)
+        faults.append(Fault(WHERE, "", EXAMPLE, "none"))
+    faults.raise_if_any()
     return found
 
 
@@ -171,7 +170,7 @@ def _event_of(scene: Scene, target: Target, where: str) -> TargetEvent:
                 )
             names = ["any", *(pocket.name for pocket in pockets)]
             near = did_you_mean(target.pocket, names)
-            raise CaromError(f"{where}: pocket: expected one of {', '.join(names)}, got {target.pocket!r:.60}{near}")
+            raise CaromError(Fault(where, "pocket", f"one of {', '.join(names)}", shown(target.pocket, 60), near))
         width = min(pockets[k].radius for k in wanted)
         return TargetEvent("pocket", ball, tuple(wanted), 0, point, (width, *more), centers, speed)
     assert target.hit is not None

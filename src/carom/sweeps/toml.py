@@ -7,7 +7,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from carom.errors import CaromError, did_you_mean
+from carom.errors import CaromError, FaultList, did_you_mean, shown
 from carom.files import as_path
 from carom.gas.build import load_gas
 from carom.gas.scene import GasScene
@@ -65,39 +65,32 @@ def load_sweep(path: str | Path, store: Any = None, *, allow_own_laws: bool = Fa
     """
     path = as_path("load_sweep", path)
     table = read_toml(path, f"carom sweep new {path}", "a sweep file")
-    found = [
-        f"{path}: {name}: expected one of {', '.join(FIELDS)}, got {name!r}{did_you_mean(name, FIELDS)}"
-        for name in table
-        if name not in FIELDS
-    ]
+    found = FaultList(str(path))
+    for name in table:
+        if name not in FIELDS:
+            found.add(name, f"one of {', '.join(FIELDS)}", repr(name), did_you_mean(name, FIELDS))
     given = [name for name in SUBJECTS if name in table]
     if len(given) != 1:
-        found.append(
-            f"{path}: expected one of {', '.join(SUBJECTS)}, which is swept, got {' and '.join(given) or 'none'};"
-            " scene = 'scene.toml', or a table [scene]"
-        )
+        expected, got = f"one of {', '.join(SUBJECTS)}, which is swept", " and ".join(given) or "none"
+        found.add("", expected, got, "scene = 'scene.toml', or a table [scene]")
     subject = None
     if len(given) == 1:
-        try:
-            subject = _subject(path, given[0], table[given[0]], allow_own_laws)
-        except CaromError as error:
-            found += error.faults
+        subject = found.attempt(_subject, path, given[0], table[given[0]], allow_own_laws)
     parameters: dict[str, Axis] = {}
     if not isinstance(table.get("parameters"), Mapping):
-        found.append(f"{path}: parameters: expected a table [parameters] of paths, got {table.get('parameters')!r:.60}")
+        found.add("parameters", "a table [parameters] of paths", shown(table.get("parameters"), 60))
     else:
         for name, data in table["parameters"].items():
-            try:
-                parameters[name] = axis_from_data(with_own_laws(data) if allow_own_laws else data, f"{path}: {name}")
-            except CaromError as error:
-                found += error.faults
+            permitted = with_own_laws(data) if allow_own_laws else data
+            axis = found.attempt(axis_from_data, permitted, f"{path}: {name}")
+            parameters |= {} if axis is None else {name: axis}
     made = None
     if subject is not None and parameters:  # (what is sound is looked at even where something is not)
         try:
             space = Space(subject, parameters, table.get("repeats", 1), table.get("seed", 0))
             made = sweep(space, table.get("keep", ()), store, block=table.get("block", BLOCK_POINTS))
         except CaromError as error:
-            found += [f"{path}: {fault.partition(': ')[2]}" for fault in error.faults]
+            found += error.records_at(str(path))
     if found or made is None:
         raise CaromError(*found)
     return made

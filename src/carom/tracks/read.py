@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, suggestion
+from carom.errors import CaromError, Fault, suggestion
 from carom.files import as_path, read_text
 from carom.laws.results import GRAVITY
 from carom.tracks.formats import (
@@ -132,7 +132,7 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
         raise CaromError(f"{path}: expected a track file, got a folder")
     if format is not None and format not in FORMATS:
         raise CaromError(
-            f"--format: expected one of {', '.join(FORMATS)}, got {format!r}; {suggestion(format, list(FORMATS))}"
+            Fault("--format", "", f"one of {', '.join(FORMATS)}", repr(format), suggestion(format, list(FORMATS)))
         )
     require_text(path, "positions")
     text = track_text(path)

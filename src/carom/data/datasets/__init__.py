@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from carom.data.datasets.sources import SOURCES
 from carom.data.table_cells import EMPTY, parse_numbers
-from carom.errors import CaromError, did_you_mean, require_type
+from carom.errors import CaromError, Fault, did_you_mean, require_type
 from carom.files import as_path, atomic_path, read_text
 
 __all__ = ["Dataset", "load", "names"]
@@ -84,7 +84,7 @@ def load(name: str) -> Dataset:
     """
     require_type("datasets.load", "name", name, str)
     if name not in SOURCES:
-        raise CaromError(f"dataset: expected one of {', '.join(SOURCES)}, got {name!r}{did_you_mean(name, names())}")
+        raise CaromError(Fault("dataset", "", f"one of {', '.join(SOURCES)}", repr(name), did_you_mean(name, names())))
     source = SOURCES[name]
     path = Path(str(resources.files("carom.data.datasets").joinpath(source.file)))
     return Dataset(name, source.title, source.citation, source.doi, source.notes, path)

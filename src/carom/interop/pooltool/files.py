@@ -42,7 +42,7 @@ class Field:
         if isinstance(key, str):
             fields = self.fields()
             if key not in fields:
-                remedy = did_you_mean(key, list(fields)).removeprefix("; ")
+                remedy = did_you_mean(key, fields)
                 raise Field(None, self.file, place).fault(
                     "a field of this name, as in files of pooltool 0.6", "none", remedy or REMEDY
                 )

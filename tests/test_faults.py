@@ -1,0 +1,73 @@
+"""A fault is one record: its text is made where it is shown, and the command names its own options."""
+
+from __future__ import annotations
+
+import pickle
+from types import SimpleNamespace
+
+import pytest
+
+import carom
+from carom.cli import option_names
+from carom.cli.option_names import as_option, in_options, remember_verbs
+from carom.errors import Fault, FaultList, near_name
+
+
+@pytest.mark.parametrize(
+    ("fault", "line"),
+    [
+        (Fault("Ball", "radius", "a length", "-1"), "Ball: radius: expected a length, got -1"),
+        (Fault("a.csv", "", "a table", ": no such file"), "a.csv: expected a table, got: no such file"),
+        (Fault("", "x", "a number", "", "give one"), "x: expected a number; give one"),
+        (Fault("gas", advice="the run ended early"), "gas: the run ended early"),
+        (Fault("a", "b", "c", " many\n lines "), "a: b: expected c, got many lines"),
+    ],
+)
+def test_the_line_of_a_fault(fault: Fault, line: str) -> None:
+    assert str(fault) == line
+
+
+def test_faults_of_parts_are_collected_and_survive_pickling() -> None:
+    faults = FaultList("scene")
+    assert faults.attempt(carom.Ball, radius=-1, mass=0) is None
+    faults.add("floor", "one", "two", "leave one out")
+    with pytest.raises(carom.CaromError) as caught:
+        faults.raise_if_any()
+    error = pickle.loads(pickle.dumps(caught.value))
+    assert error.faults == (
+        "Ball: radius: expected a length in m, > 0, got -1",
+        "Ball: mass: expected a mass in kg, > 0, got 0",
+        "scene: floor: expected one, got two; leave one out",
+    )
+    assert [fault.where for fault in error.records_at("wall", "Ball")] == ["wall", "wall", "scene"]
+
+
+def test_the_command_names_its_options(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(option_names, "_verbs", {})
+    monkeypatch.setattr(option_names, "_running", [""])
+    option = {"param_type_name": "option"}
+    verb = SimpleNamespace(
+        params=[
+            SimpleNamespace(name="rate", opts=["--rate", "--fps"], **option),
+            SimpleNamespace(name="view", opts=["--view"], **option),
+        ],
+        invoke=lambda _context: None,
+    )
+    remember_verbs(verb, "carom imagined").invoke(None)
+    assert in_options("`rate` or `view='side'`, not `nothing`") == "--rate or --view side, not nothing"
+    assert str(as_option(Fault("tracks", "rate", "a number", "x"))) == "--rate: expected a number, got x"
+    assert str(as_option(Fault("film.csv", "rate", "a number", "x"))) == "film.csv: rate: expected a number, got x"
+
+
+@pytest.mark.parametrize(
+    ("name", "known", "near"),
+    [
+        ("restituton", ["restitution", "friction"], "restitution"),
+        ("Floor-Friction", ["friction", "floor_friction"], "floor_friction"),
+        ("rad", ["radius", "mass"], "radius"),
+        ("--rack", ["--force", "--quiet", "--table"], ""),
+        ("x", ["xy", "xz"], ""),
+    ],
+)
+def test_a_name_is_suggested_where_it_is_near(name: str, known: list[str], near: str) -> None:
+    assert near_name(name, known) == near
