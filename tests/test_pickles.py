@@ -149,6 +149,7 @@ EXAMPLES: dict[str, Callable[[], list[Any]]] = {
         CIRCLE,
         START,
         (found := billiards.orbit(CIRCLE, START, 30)),
+        carom.orbit("circle", 5, lyapunov=True),
         billiards.lyapunov(CIRCLE, START, 30),
         billiards.tangent_map(CIRCLE, START),
         billiards.caustics(found),

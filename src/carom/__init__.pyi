@@ -14,6 +14,7 @@ from . import scene as scene
 from . import simulation as simulation
 from . import sweeps as sweeps
 from . import tracks as tracks
+from .billiards.orbit_by_name import orbit as orbit
 from .bodies import Ball as Ball
 from .bodies import Disc as Disc
 from .bodies import State as State

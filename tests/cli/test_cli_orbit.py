@@ -347,7 +347,7 @@ def test_no_orbit_is_run_that_could_not_be_reversed(
     def never(*_args: Any, **_options: Any) -> None:
         raise AssertionError("it was run")
 
-    monkeypatch.setattr(billiards, "orbit", never)
+    monkeypatch.setattr("carom.billiards.orbit_by_name.orbit_from_setup", never)
     (line,) = fails(monkeypatch, capsys, "circle", "--law", "contact", "--restitution", "0.5", "--reverse")
     assert "reverse: law: expected a reversible one" in line
 

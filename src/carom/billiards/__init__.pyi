@@ -9,6 +9,7 @@ from .analysis import section as section
 from .analysis import uniformity as uniformity
 from .open_tables import Escape as Escape
 from .open_tables import escape as escape
+from .orbit_by_name import OrbitResult as OrbitResult
 from .orbits import Orbit as Orbit
 from .orbits import final as final
 from .orbits import orbit as orbit

@@ -8,19 +8,18 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.billiards.named import SIZES, named_table
+from carom.billiards.named import SIZES
 from carom.cli.common import attempt, require_outputs, working, wrote
 from carom.cli.options import BALL, OUTPUT, quantity, shared
 from carom.cli.orbit_output import every_bounce, orbit_facts, print_orbit
-from carom.errors import CaromError, Fault
+from carom.errors import CaromError
+from carom.public.defaults import BOUNCES
 from carom.public.own_laws import with_own_laws
 
 if TYPE_CHECKING:
-    from carom.billiards import Orbit, Table
+    from carom.billiards import Orbit
 
 TABLE, LAW, START = "Table", "Law", "Initial state"
-
-SOLIDS = ("sphere", "box", "plates")
 
 
 def register(app: typer.Typer) -> None:
@@ -37,7 +36,7 @@ def orbit(
     table: Annotated[
         str, typer.Argument(help=f"{', '.join(SIZES)}; or cylinder:NAME, a cylinder along z over a table in the plane.")
     ],
-    bounces: Annotated[int, typer.Option(help="Number of bounces.")] = 200,
+    bounces: Annotated[int, typer.Option(help="Number of bounces.")] = BOUNCES,
     bounds: Annotated[
         str, typer.Option(help="What the table bounds: the ball's centre or its surface.", rich_help_panel=TABLE)
     ] = "centre",
@@ -56,9 +55,15 @@ def orbit(
         _size("Of a rectangle, a box; distance of the lids of a cylinder (except over a rectangle), m.", "--height"),
     ] = None,
     depth: Annotated[float | None, _size("Of a box, in z, m.", "--depth")] = None,
-    angle: Annotated[
+    angle_deg: Annotated[
         float | None,
-        _size("Of a wedge, degrees; it is open along +x: needs e.g. --acceleration=-9.81,0.", "--angle", "degree"),
+        typer.Option(
+            "--angle",
+            help="Of a wedge, degrees; it is open along +x: needs e.g. --acceleration=-9.81,0.",
+            rich_help_panel=TABLE,
+            show_default=False,
+            **quantity("--angle", "degree"),
+        ),
     ] = None,
     side: Annotated[float | None, _size("Of Sinai's square cell, m.", "--side")] = None,
     period: Annotated[float | None, _size("Of a periodic strip, m.", "--period")] = None,
@@ -128,170 +133,61 @@ def orbit(
 
     Without --position and --velocity, the initial state is sampled from the invariant measure. Default sizes are about 1 m.
     """
-    from carom import billiards as library
-    from carom.billiards.orbits import require_integer, require_reversible
-    from carom.billiards.setup import law_of, orbit_setup, start_rows
+    from carom.billiards.orbit_by_name import check_orbit
+    from carom.billiards.orbit_by_name import orbit as follow
 
     faults: list[str] = []
     require_outputs(
         faults, {"--plot": plot, "--portrait": portrait, "--boundary": boundary, "--lyapunov-plot": lyapunov_plot}
     )
-    given = {
-        "radius": radius, "major": major, "minor": minor, "straight": straight, "sides": sides, "vertices": vertices,
-        "width": width, "height": height, "depth": depth, "angle": angle, "side": side, "period": period,
-        "distance": distance, "acceleration": acceleration,
+    options = {
+        "bounds": bounds, "radius": radius, "major": major, "minor": minor, "straight": straight, "sides": sides,
+        "vertices": None if vertices is None else attempt(faults, _points, vertices), "width": width, "height": height,
+        "depth": depth, "angle_deg": angle_deg, "side": side, "period": period, "distance": distance,
+        "kappa": kappa, "ball_radius": ball_radius, "law": with_own_laws(law), "restitution": restitution,
+        "friction": friction, "tangential_restitution": tangential_restitution, "corners": corners, "orbits": orbits,
+        "seed": seed, "reverse": reverse,
     }  # fmt: skip
-    made = attempt(faults, _table, table, {k: v for k, v in given.items() if v is not None}, bounds)
-    before = len(faults)
-    law = with_own_laws(law)
-    surface = attempt(faults, _surface, law, restitution, friction, tangential_restitution)
-    ball = None if made is None else attempt(faults, _ball, made, kappa, ball_radius)
-    together = len(faults) == before  # else each of these faults would be reported again below
-    attempt(faults, require_integer, "bounces", bounces)
-    attempt(faults, require_integer, "seed", seed, 0)
-    begin = None if made is None else attempt(faults, _given, made, position, velocity, spin, orbits)
-    if together:
-        if made is None:
-            attempt(faults, law_of, law, surface)
-        elif (setup := attempt(faults, orbit_setup, made, ball, law, surface, corners)) is not None:
-            if reverse:
-                attempt(faults, require_reversible, setup)
-            if begin is not None:
-                attempt(faults, start_rows, setup, begin)
+    for name, text in (("acceleration", acceleration), ("position", position), ("velocity", velocity), ("spin", spin)):
+        options[name] = None if text is None else attempt(faults, _numbers, f"--{name}", text)
     if faults:
+        attempt(faults, lambda: check_orbit(table=table, bounces=bounces, **options))
         raise CaromError(*faults)
-    options = {"ball": ball, "law": law, "surface": surface}
-    if begin is None:
-        begin = _sampled(made, orbits, seed, ball, law)
     with working("orbits") as report:
-        found = library.orbit(made, begin, bounces, corners=corners, progress=report, **options)
-        wanted = lyapunov or lyapunov_plot is not None
-        spectrum = library.lyapunov(made, begin, found.t.shape[-1], **options) if wanted else None
-        facts = orbit_facts(found, made, spectrum=spectrum, back=reverse)
+        found = follow(table, bounces, lyapunov=lyapunov or lyapunov_plot is not None, progress=report, **options)
+        facts = orbit_facts(found)
     if json_:
         facts["bounces"] = every_bounce(found)
         print(json.dumps(facts, indent=2, allow_nan=False))  # noqa: T201
     else:
         print_orbit(facts, found)
     _draw(found, plot, portrait, boundary)
-    if lyapunov_plot is not None and spectrum is not None:
+    if lyapunov_plot is not None and found.spectrum is not None:
         from carom.plot import plot_lyapunov, save
 
-        save(plot_lyapunov(spectrum), lyapunov_plot)
+        save(plot_lyapunov(found.spectrum), lyapunov_plot)
         wrote(lyapunov_plot)
 
 
-def _table(name: str, given: dict[str, Any], bounds: str) -> Table:
-    from carom import billiards
-    from carom.errors import did_you_mean
-
-    over, colon, flat = name.partition(":")
-    given, pull = _force(name, given)
-    kind = flat if colon else name
-    known = [*SIZES, "cylinder:circle"]
-    if kind not in SIZES or (colon and (over != "cylinder" or kind in SOLIDS)):
-        raise CaromError(Fault("orbit", "table", f"one of {', '.join(known)}", repr(name), did_you_mean(name, known)))
-    own = SIZES[kind] + (("height", "acceleration") if colon else ())
-    faults = [
-        f"--{key}: a {name} has no such size; it has {', '.join(f'--{k}' for k in own)}"
-        for key in given
-        if key not in own
-    ]
-    if faults:
-        raise CaromError(*faults)
-    sizes = dict(given)
-    # a scalar acceleration acts along the cylinder; the height is the cylinder's unless the section has one
-    axial = {"acceleration", "height"} - ({"height"} & set(SIZES[kind])) if colon else set()
-    solid = {key: sizes.pop(key) for key in axial & set(sizes)}
-    if "vertices" in sizes:
-        sizes["vertices"] = _points(sizes["vertices"])
-    section = named_table(kind, sizes, bounds)
-    made = billiards.cylinder(section, **solid) if colon else section
-    return made if pull is None else billiards.under(made, pull)
+def _points(text: str) -> list[list[float]]:
+    points = []
+    for part in text.split():
+        found = attempt([], _numbers, "--vertices", part)
+        if not isinstance(found, list) or len(found) != 2:
+            raise CaromError(f"--vertices: expected two numbers, such as 0.1,0.2, got {part!r}")
+        points.append(found)
+    return points
 
 
-def _force(name: str, given: dict[str, Any]) -> tuple[dict[str, Any], tuple[float, ...] | None]:
-    """Return the sizes, a scalar acceleration along the table among them, and an acceleration vector (or None)."""
-    text = given.get("acceleration")
-    if text is None:
-        return given, None
-    rest = {key: value for key, value in given.items() if key != "acceleration"}
-    over, colon, flat = name.partition(":")
-    axial = bool(colon) or "acceleration" in SIZES.get(flat or over, ())
-    if axial and "," not in text:
-        return rest | {"acceleration": _numbers("--acceleration", text, 1)[0]}, None
-    return rest, _numbers("--acceleration", text, 3 if colon or over in SOLIDS else 2)
-
-
-def _points(text: str) -> list[tuple[float, ...]]:
-    return [_numbers("--vertices", part, 2) for part in text.split()]
-
-
-def _numbers(option: str, text: str, count: int) -> tuple[float, ...]:
+def _numbers(option: str, text: str) -> float | list[float]:
+    """Return the numbers between commas; a number where there is but one."""
     try:
-        found = tuple(float(part) for part in text.replace(",", " ").split())
+        found = [float(part) for part in text.replace(",", " ").split()]
     except ValueError:
-        found = ()
-    if len(found) != count:
-        what = {1: "a number", 2: "two numbers, such as 0.1,0.2", 3: "three numbers, such as 0.1,0.2,0"}[count]
-        raise CaromError(f"{option}: expected {what}, got {text!r}")
-    return found
-
-
-def _ball(table: Table, kappa: float | None, radius: float | None) -> Any:
-    from carom.billiards.setup import default_ball
-    from carom.bodies import Ball, Disc
-
-    if kappa is None and radius is None:
-        return None
-    usual = default_ball(table)
-    make = Disc if table.dimension == 2 else Ball
-    return make(usual.radius if radius is None else radius, 1.0, usual.kappa if kappa is None else kappa)
-
-
-def _surface(law: str, e: float | None, mu: float | None, beta: float | None) -> Any:
-    from carom.billiards.setup import law_of, needs_surface
-    from carom.bodies import Surface
-
-    given = {"restitution": e, "friction": mu, "tangential_restitution": beta}
-    chosen: dict[str, Any] = {key: value for key, value in given.items() if value is not None}
-    used = law_of(law, Surface() if needs_surface(law) else None)[0].free
-    if idle := [key for key in chosen if key not in used]:
-        raise CaromError(*(f"--{key.replace('_', '-')}: law {law} does not use it; --law contact does" for key in idle))
-    return Surface(**chosen) if chosen or needs_surface(law) else None
-
-
-def _given(table: Table, position: str | None, velocity: str | None, spin: str | None, count: int) -> Any:
-    """Return the initial state that the options give; None where it is to be sampled."""
-    from carom import billiards
-    from carom.billiards.orbits import require_integer
-
-    d = table.dimension
-    if (position is None) != (velocity is None):
-        missing, given = ("--velocity", "--position") if velocity is None else ("--position", "--velocity")
-        raise CaromError(f"{missing}: expected one together with {given}, got none")
-    if position is None or velocity is None:
-        if spin is not None:
-            raise CaromError("--spin: expected --position and --velocity with it, got none")
-        require_integer("orbits", count)
-        return None
-    if count != 1:
-        raise CaromError(f"--orbits: expected 1 with --position, got {count}; without it, initial states are sampled")
-    turn = () if spin is None else _numbers("--spin", spin, 1 if d == 2 else 3)
-    start = (_numbers("--position", position, d), _numbers("--velocity", velocity, d))
-    return billiards.Start(*start, (turn[0] if turn else 0.0) if d == 2 else (turn or 0.0))
-
-
-def _sampled(table: Table, count: int, seed: int, ball: Any, law: str) -> Any:
-    """Return initial states from the invariant measure."""
-    from carom import billiards
-
-    try:
-        return billiards.starts(table, count, seed, ball=ball, law=law)
-    except CaromError as error:
-        raise CaromError(
-            *(fault.replace("starts of your own", "--position and --velocity") for fault in error.faults)
-        ) from None
+        found = []
+    if not found:
+        raise CaromError(f"{option}: expected numbers, such as 0.1,0.2, got {text!r}")
+    return found[0] if len(found) == 1 and "," not in text else found
 
 
 def _draw(found: Orbit, plot: Path | None, portrait: Path | None, boundary: Path | None) -> None:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from carom.formatting import counted
 
 if TYPE_CHECKING:
-    from carom.billiards import Lyapunov, Orbit, Table
+    from carom.billiards import Lyapunov, Orbit, OrbitResult
 
 __all__ = ["every_bounce", "orbit_facts", "print_orbit"]
 
@@ -23,12 +23,13 @@ REASONS = {
 }
 
 
-def orbit_facts(found: Orbit, table: Table, *, spectrum: Lyapunov | None, back: bool) -> dict[str, Any]:
+def orbit_facts(found: OrbitResult) -> dict[str, Any]:
     """Return the results of the orbits as plain numbers; None for quantities that are undefined."""
     import numpy as np
 
     from carom import billiards
 
+    table = found.setup.table
     ball = found.setup.ball
     made, ends = np.atleast_1d(found.count), np.atleast_1d(found.ended)
     facts: dict[str, Any] = {
@@ -65,11 +66,10 @@ def orbit_facts(found: Orbit, table: Table, *, spectrum: Lyapunov | None, back: 
             names_ = ("extent", "velocity", "acceleration", "growth")
             if len(made) == 1:
                 facts["drift"] = {"axis": "xyz"[axis]} | {n: _plain(np.ravel(getattr(drift, n))[0]) for n in names_}
-    if back:
-        _orbit, error = billiards.reverse(found)
-        facts["reversal_error"] = float(np.max(error))
-    if spectrum is not None:
-        facts["lyapunov"] = _exponents(spectrum)
+    if found.reversal_error is not None:
+        facts["reversal_error"] = float(np.max(found.reversal_error))
+    if found.spectrum is not None:
+        facts["lyapunov"] = _exponents(found.spectrum)
     return facts
 
 

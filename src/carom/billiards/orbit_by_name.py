@@ -1,0 +1,303 @@
+"""Orbits of a table by its name and sizes, from a given state or sampled ones: ``carom orbit``, in Python ``carom.orbit``."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom.billiards.named import SIZES, named_table
+from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer, require_reversible, reverse
+from carom.billiards.sampling import starts
+from carom.billiards.setup import OrbitSetup, Start, default_ball, law_of, needs_surface, orbit_setup, start_rows
+from carom.billiards.solids import cylinder
+from carom.billiards.stability import Lyapunov
+from carom.billiards.stability import lyapunov as lyapunov_spectrum
+from carom.billiards.tables import Table, under
+from carom.bodies import Ball, Disc, Surface
+from carom.errors import CaromError, Fault, attempt, did_you_mean
+from carom.laws.law import Law
+from carom.public.defaults import BOUNCES
+from carom.public.progress import Progress
+
+__all__ = ["OrbitResult", "check_orbit", "orbit"]
+
+Array = NDArray[np.float64]
+
+SOLIDS = ("sphere", "box", "plates")
+COUNTS = {
+    1: "a number",
+    2: "two numbers, such as 0.1,0.2",
+    3: "three numbers, such as 0.1,0.2,0",
+}
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class OrbitResult(Orbit):
+    """The orbits that :func:`carom.orbit` followed, and what it was asked for besides.
+
+    Examples
+    --------
+    >>> import carom
+    >>> carom.orbit("circle", 20, reverse=True).reversal_error.shape
+    (1, 20)
+    """
+
+    spectrum: Lyapunov | None = None
+    """The Lyapunov exponents, with ``lyapunov``."""
+    reversal_error: Array | None = None
+    """(..., B), m: distance of each bounce of the reversed orbits from the original one, with ``reverse``."""
+
+
+def orbit(
+    table: str | Table,
+    bounces: int = BOUNCES,
+    *,
+    bounds: str = "centre",
+    radius: float | None = None,
+    major: float | None = None,
+    minor: float | None = None,
+    straight: float | None = None,
+    sides: int | None = None,
+    vertices: ArrayLike | None = None,
+    width: float | None = None,
+    height: float | None = None,
+    depth: float | None = None,
+    angle_deg: float | None = None,
+    side: float | None = None,
+    period: float | None = None,
+    distance: float | None = None,
+    acceleration: ArrayLike | None = None,
+    kappa: float | None = None,
+    ball_radius: float | None = None,
+    law: str | Law | Any = "no-slip",
+    restitution: float | None = None,
+    friction: float | None = None,
+    tangential_restitution: float | None = None,
+    corners: str = "end",
+    position: ArrayLike | None = None,
+    velocity: ArrayLike | None = None,
+    spin: ArrayLike | None = None,
+    orbits: int = 1,
+    seed: int = 0,
+    lyapunov: bool = False,
+    reverse: bool = False,
+    progress: Progress | None = None,
+) -> OrbitResult:
+    """Follow a ball in a table from bounce to bounce: ``carom orbit``, with the names and defaults of its options.
+
+    Parameters
+    ----------
+    table : str or Table
+        circle, ellipse, stadium, polygon, rectangle, strip, wedge, sinai, periodic-strip, sphere, box, plates, or "cylinder:NAME",
+        a cylinder along z over a table in the plane; or a table of :mod:`carom.billiards`, which has its sizes.
+    bounces : int
+        Number of bounces.
+    bounds : "centre" or "surface"
+        What the table bounds: the ball's centre or its surface.
+    radius, major, minor, straight, sides, vertices, width, height, depth, angle_deg, side, period, distance : optional
+        Sizes, m; ``vertices`` (M, 2), m; ``angle_deg`` of a wedge, degrees. Default: about 1 m.
+    acceleration : 2 or 3 numbers, or one, optional
+        Constant acceleration, m/s^2; one number: along a strip (x), plates or a cylinder (z).
+    kappa, ball_radius : float, optional
+        Of the ball: I/(m a^2), default 0.5, in space 0.4; radius, m, default 1, or 0.1 where the table bounds the surface.
+    law : str, Law or kernel
+        As for :func:`carom.billiards.orbit`.
+    restitution, friction, tangential_restitution : float, optional
+        Of the wall, for laws that have them. Default: 1, inf, 0.
+    corners : "end" or "pass"
+        At a corner: end the orbit, or pass (one side, then the other).
+    position, velocity, spin : array (..., d), (..., d), and (...) in the plane or (..., 3) in space, optional
+        States at the beginning, m, m/s, rad/s. Default: sampled from the invariant measure.
+    orbits : int
+        How many orbits are sampled.
+    seed : int
+        Seed of the random numbers.
+    lyapunov : bool
+        Whether the Lyapunov spectrum is computed too: ``found.spectrum``.
+    reverse : bool
+        Whether the orbits are run backwards too: ``found.reversal_error``, (..., B), m.
+    progress : callable(done, total, text), optional
+        Called with the number of bounces done, and of all.
+
+    Returns
+    -------
+    OrbitResult
+
+    Raises
+    ------
+    CaromError
+        One line per problem, all problems at once.
+
+    Examples
+    --------
+    >>> import carom
+    >>> found = carom.orbit("stadium", 50, law="mirror", position=(0.1, 0.2), velocity=(1.0, 0.3))
+    >>> int(found.count), found.position.shape
+    (50, (50, 2))
+    >>> carom.orbit("circle", 100, orbits=3, seed=1, lyapunov=True).spectrum.per_bounce.shape
+    (3, 4)
+    """
+    options = {name: value for name, value in locals().items() if name not in ("lyapunov", "progress")}
+    setup, start = _checked(**options)
+    if start is None:
+        try:
+            start = starts(setup.table, orbits, seed, ball=setup.ball, law=law)
+        except CaromError as error:
+            raise CaromError(
+                *(fault.replace("starts of your own", "`position` and `velocity`") for fault in error.faults)
+            ) from None
+    found = orbit_from_setup(setup, start, bounces, progress)
+    spectrum = None
+    if lyapunov:
+        surface = _surface(law, restitution, friction, tangential_restitution)
+        spectrum = lyapunov_spectrum(setup.table, start, found.t.shape[-1], ball=setup.ball, law=law, surface=surface)
+    parts = {one.name: getattr(found, one.name) for one in fields(found)}
+    return OrbitResult(**parts, spectrum=spectrum, reversal_error=_reversal_error(found) if reverse else None)
+
+
+def _reversal_error(found: Orbit) -> Array:
+    return reverse(found)[1]
+
+
+def check_orbit(**options: Any) -> None:
+    """Raise CaromError, one line per problem, for arguments of :func:`orbit` that it would refuse before it begins."""
+    _checked(**options)
+
+
+def _checked(
+    table: str | Table,
+    bounces: int = BOUNCES,
+    *,
+    bounds: str = "centre",
+    kappa: float | None = None,
+    ball_radius: float | None = None,
+    law: Any = "no-slip",
+    restitution: float | None = None,
+    friction: float | None = None,
+    tangential_restitution: float | None = None,
+    corners: str = "end",
+    position: Any = None,
+    velocity: Any = None,
+    spin: Any = None,
+    orbits: int = 1,
+    seed: int = 0,
+    reverse: bool = False,
+    **sizes: Any,
+) -> tuple[OrbitSetup, Start | None]:
+    """Return the validated table, ball and law of an orbit, and its initial state (None: to be sampled)."""
+    faults: list[str] = []
+    made = attempt(faults, _table, table, {name: x for name, x in sizes.items() if x is not None}, bounds)
+    before = len(faults)
+    surface = attempt(faults, _surface, law, restitution, friction, tangential_restitution)
+    ball = None if made is None else attempt(faults, _ball, made, kappa, ball_radius)
+    together = len(faults) == before  # else each of these faults would be reported again below
+    attempt(faults, require_integer, "bounces", bounces)
+    attempt(faults, require_integer, "seed", seed, 0)
+    start = None if made is None else attempt(faults, _start, made, position, velocity, spin, orbits)
+    setup: OrbitSetup | None = None
+    if together:
+        if made is None:
+            attempt(faults, law_of, law, surface)
+        elif (setup := attempt(faults, orbit_setup, made, ball, law, surface, corners)) is not None:
+            if reverse:
+                attempt(faults, require_reversible, setup)
+            if start is not None:
+                attempt(faults, start_rows, setup, start)
+    if faults:
+        raise CaromError(*faults)
+    assert setup is not None
+    return setup, start
+
+
+def _table(table: str | Table, given: Mapping[str, Any], bounds: str) -> Table:
+    if isinstance(table, Table):
+        if given:
+            raise CaromError(*(f"`{name}`: has no effect on a Table, which has its sizes; omit it" for name in given))
+        return table
+    sizes = {"angle" if name == "angle_deg" else name: value for name, value in given.items()}
+    over, colon, flat = table.partition(":") if isinstance(table, str) else ("", "", "")
+    kind = flat if colon else over
+    known = [*SIZES, "cylinder:circle"]
+    if kind not in SIZES or (colon and (over != "cylinder" or kind in SOLIDS)):
+        raise CaromError(Fault("orbit", "table", f"one of {', '.join(known)}", repr(table), did_you_mean(table, known)))
+    sizes, pull = _force(kind, bool(colon), sizes)
+    own = SIZES[kind] + (("height", "acceleration") if colon else ())
+    has = ", ".join(f"`{_argument(name)}`" for name in own)
+    faults = [f"`{_argument(key)}`: a {table} has no such size; it has {has}" for key in sizes if key not in own]
+    if faults:
+        raise CaromError(*faults)
+    # a scalar acceleration acts along the cylinder; the height is the cylinder's unless the section has one
+    axial = {"acceleration", "height"} - ({"height"} & set(SIZES[kind])) if colon else set()
+    solid = {key: sizes.pop(key) for key in axial & set(sizes)}
+    if "vertices" in sizes:
+        sizes["vertices"] = [tuple(map(float, point)) for point in np.asarray(sizes["vertices"], dtype=float)]
+    section = named_table(kind, sizes, bounds)
+    made = cylinder(section, **solid) if colon else section
+    return made if pull is None else under(made, pull)
+
+
+def _argument(size: str) -> str:
+    return "angle_deg" if size == "angle" else size
+
+
+def _force(kind: str, over: bool, sizes: dict[str, Any]) -> tuple[dict[str, Any], tuple[float, ...] | None]:
+    """Return the sizes, a scalar acceleration along the table among them, and an acceleration vector (or None)."""
+    force = sizes.get("acceleration")
+    if force is None:
+        return sizes, None
+    rest = {key: value for key, value in sizes.items() if key != "acceleration"}
+    if (over or "acceleration" in SIZES[kind]) and np.ndim(force) == 0:
+        return rest | {"acceleration": float(force)}, None
+    return rest, _vector("acceleration", force, 3 if over or kind in SOLIDS else 2)
+
+
+def _vector(name: str, value: Any, count: int) -> tuple[float, ...]:
+    try:
+        found = tuple(map(float, np.atleast_1d(value)))
+    except (TypeError, ValueError):
+        found = ()
+    if len(found) != count:
+        got = ",".join(f"{x:g}" for x in found) if found else value
+        raise CaromError(f"`{name}`: expected {COUNTS[count]}, got {got!r}")
+    return found
+
+
+def _ball(table: Table, kappa: float | None, radius: float | None) -> Ball | None:
+    if kappa is None and radius is None:
+        return None
+    usual = default_ball(table)
+    make = Disc if table.dimension == 2 else Ball
+    return make(usual.radius if radius is None else radius, 1.0, usual.kappa if kappa is None else kappa)
+
+
+def _surface(law: Any, e: float | None, mu: float | None, beta: float | None) -> Surface | None:
+    given = {"restitution": e, "friction": mu, "tangential_restitution": beta}
+    chosen: dict[str, Any] = {key: value for key, value in given.items() if value is not None}
+    found, name = law_of(law, Surface() if needs_surface(law) else None)
+    if idle := [key for key in chosen if key not in found.free]:
+        raise CaromError(*(f"`{key}`: law {name} does not use it; `law` contact does" for key in idle))
+    return Surface(**chosen) if chosen or needs_surface(law) else None
+
+
+def _start(table: Table, position: Any, velocity: Any, spin: Any, count: int) -> Start | None:
+    """Return the initial state that is given; None where it is to be sampled."""
+    d = table.dimension
+    if (position is None) != (velocity is None):
+        missing, given = ("velocity", "position") if velocity is None else ("position", "velocity")
+        raise CaromError(f"`{missing}`: expected one together with `{given}`, got none")
+    if position is None or velocity is None:
+        if spin is not None:
+            raise CaromError("`spin`: expected `position` and `velocity` with it, got none")
+        require_integer("orbits", count)
+        return None
+    if count != 1:
+        raise CaromError(f"`orbits`: expected 1 with `position`, got {count}; without it, initial states are sampled")
+    states = [("position", position, d), ("velocity", velocity, d)]
+    for name, value, size in [*states, *([("spin", spin, 3)] if d == 3 and spin is not None else [])]:
+        if np.ndim(value) <= 1:
+            _vector(name, value, size)
+    return Start(position, velocity, 0.0 if spin is None else spin)
