@@ -310,7 +310,7 @@ BAD = [
         "the side from corner 5 to 6 back along that from 4 to 5",
     ),
     (["circle", "--plot", "nowhere/a.svg"], "expected a folder that exists"),
-    (["circle", "--law", "contact", "--restitution", "2", *START], "Surface: restitution"),
+    (["circle", "--law", "contact", "--restitution", "2", *START], "--restitution: expected a number from 0 to 1"),
     (["ellipse", "--minor", "0.1", "--bounds", "surface"], "expected one that fits in the ellipse, got 0.1"),
     (["circle", "--law", "contact", "--restitution", "0.5", "--reverse"], "expected a reversible one"),
 ]
