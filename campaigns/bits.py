@@ -388,7 +388,7 @@ def comparisons() -> Iterator[Case]:
     for k in range(40):
         surfaces = {} if k < 10 else {
             "restitution": rng.uniform(0, 1), "friction": rng.uniform(0, 0.5), "floor_friction": rng.uniform(0, 0.5),
-            "floor_restitution": rng.uniform(0, 0.9), "cushion_height": rng.uniform(0.8, 1.5),
+            "floor_restitution": rng.uniform(0, 0.9), "contact_height": rng.uniform(0.8, 1.5),
         }  # fmt: skip
         if k % 5 == 0:
             surfaces |= {"sliding": True, "spin_y": rng.normal(0, 50)}

@@ -44,7 +44,7 @@ def test_every_option_reaches_the_library() -> None:
     settings = {
         "speed": 2.0, "angle_deg": 10.0, "spin_z": 1.0, "spin_x": 2.0, "spin_y": 3.0, "vertical_speed": 0.1, "height": 0.01,
         "inertia": 0.5, "radius": 0.03, "mass": 0.2, "restitution": 0.9, "friction": 0.3, "tangential_restitution": -0.5,
-        "floor_restitution": 0.4, "floor_friction": 0.25, "gravity": 1.6, "cushion_height": 1.2, "floor_contact": "after",
+        "floor_restitution": 0.4, "floor_friction": 0.25, "gravity": 1.6, "contact_height": 1.2, "floor_contact": "after",
     }  # fmt: skip
     options = [
         part

@@ -16,6 +16,7 @@ from carom.fitting import Setting, fit_law, fit_laws, make_problem
 from carom.fitting.design import Shots, design
 from carom.fitting.laws import laws_named
 from carom.fitting.model import model_of
+from carom.fitting.parameters import FORMS
 from carom.fitting.profile_likelihood import with_profiles
 from carom.fitting.result import refit, rows_of_fit
 from carom.fitting.setting import require_settings
@@ -318,16 +319,16 @@ def mathavan_s(form: str):
 def test_a_form_of_restitution_that_ends_at_bounds_is_told():
     """Exponential on Mathavan's shots: 1 at rest is a bound, and only how fast it falls at first is told."""
     fit = mathavan_s("exponential")
-    assert fit.estimates["restitution_slow"].note == "at its upper bound, 1"
-    assert fit.estimates["restitution_slow"].stderr is None
-    assert fit.untold == ("restitution_fast", "restitution_speed")
+    assert fit.estimates["restitution_at_rest"].note == "at its upper bound, 1"
+    assert fit.estimates["restitution_at_rest"].stderr is None
+    assert fit.untold == ("restitution_at_speed", "restitution_speed")
     assert [fit.estimates[name].value for name in fit.untold] == [None, None]
     assert "only a combination of them is identifiable" in fit.degenerate[0]
     # that combination, how fast it falls, is: with other levels to end at, and the speed that suits them, it says the same
     v = fit.problem.rebounds["v_n_in"]
     speeds = []
     for level in (0.0, 0.3, 0.5):
-        setting = replace(fit.problem.setting, fixed={"restitution_fast": level})
+        setting = replace(fit.problem.setting, fixed={"restitution_at_speed": level})
         held = fit_laws(fit.problem.rebounds, setting, ["mirror"], bootstrap=0).best
         assert held.deviance < fit.deviance + 4
         assert np.abs(held.predicted()[:, 0] - fit.predicted()[:, 0]).max() < 0.01 * v.max()
@@ -335,6 +336,26 @@ def test_a_form_of_restitution_that_ends_at_bounds_is_told():
         assert speed.stderr < 0.1 * speed.value
         speeds.append(speed.value)
     assert speeds[0] > 2 * speeds[2]
+    # as it is, it is a wall's in a scene, with the same restitution
+    wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=held.restitution)
+    assert wall.restitution.form == "exponential"
+    assert wall.restitution.at(v[0]) == pytest.approx(held.predicted()[0, 0] / v[0], rel=1e-12)
+    assert set(held.restitution) == {"form", *(name.removeprefix("restitution_") for name in held.estimates)} | {
+        "at_speed"
+    }
+    with pytest.warns(DeprecationWarning, match="restitution_fast is called restitution_at_speed now"):
+        assert replace(setting, fixed={"restitution_fast": 0.5}) == setting
+
+
+def test_every_form_of_the_fits_is_one_of_scenes():
+    """All but the line take the fitted numbers as fields of the same name; the rest of a wall's form has defaults."""
+    for name, form in FORMS.items():
+        given = form.for_scene(name, [one.value for one in form.parameters])
+        assert (given is None) == (name == "line")
+        if given is not None:
+            wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=given)
+            assert wall.restitution.code == form.code
+            assert wall.restitution.p[: len(form.parameters)] == tuple(one.value for one in form.parameters)
 
 
 def test_a_polynomial_finds_the_fall_of_either_kind():

@@ -42,7 +42,7 @@ def test_every_law_is_there_in_order() -> None:
     assert main == ["mirror", "conventional", "no-slip", "two-step", "maw", "stronge", "contact", *cushions]
     on_floor = [name for name in main if name not in ("contact", *cushions)]  # which leaves the floor out
     assert [v.law for v in carom.compare().verdicts] == on_floor
-    assert [v.law for v in carom.compare(carom.incoming(cushion_height=1.3)).verdicts] == [*on_floor, *cushions]
+    assert [v.law for v in carom.compare(carom.incoming(contact_height=1.3)).verdicts] == [*on_floor, *cushions]
     assert [v.law for v in carom.compare(carom.incoming(height=0.1)).verdicts] == [*on_floor, "contact"]
     assert [v.law for v in carom.compare(laws=["two-step", "mirror", "two-step"]).verdicts] == ["two-step", "mirror"]
     with pytest.raises(KeyError):
@@ -76,7 +76,7 @@ def test_a_ball_that_never_rolls() -> None:
     [
         ({"friction": 0.1}, "slides on the wall: its friction 0.1 is below the 0.202 required for sticking"),
         ({"floor_friction": 0.1}, "lands sliding: the floor's friction 0.1 is below"),
-        ({"cushion_height": 1.3, "friction": 0.2, "floor_friction": 0.2}, "presses the ball on the floor"),
+        ({"contact_height": 1.3, "friction": 0.2, "floor_friction": 0.2}, "presses the ball on the floor"),
         ({"floor_restitution": 0.5}, "bounces"),
         ({"angle_deg": 0.0, "spin_z": 20.0}, "leaves to the left"),
         ({"angle_deg": 0.0, "spin_z": -20.0}, "leaves to the right"),
@@ -96,12 +96,12 @@ def test_remarks_are_only_what_happens() -> None:
 
 
 def test_a_cushion_touches_at_its_nose() -> None:
-    meeting = carom.incoming(cushion_height=1.4, radius=0.03)
+    meeting = carom.incoming(contact_height=1.4, radius=0.03)
     assert meeting.normal == pytest.approx([math.sqrt(1 - 0.16), 0, -0.4])
     # with the ball in the air the nose is lower on it
-    lifted = carom.incoming(cushion_height=1.4, radius=0.03, height=0.012)
+    lifted = carom.incoming(contact_height=1.4, radius=0.03, height=0.012)
     assert lifted.normal == pytest.approx([1, 0, 0], abs=1e-14)
-    assert carom.incoming(cushion_height=1.0).normal == pytest.approx([1, 0, 0])
+    assert carom.incoming(contact_height=1.0).normal == pytest.approx([1, 0, 0])
 
 
 def test_rolling_and_sliding() -> None:
@@ -152,12 +152,12 @@ friction = st.one_of(st.just(0.0), st.just(math.inf), st.floats(0, 3))
     spin_y=st.one_of(st.none(), st.floats(-300, 300)), inertia=st.floats(0.01, 2 / 3),
     restitution=share, friction=friction, floor_restitution=share, floor_friction=friction,
     height=st.one_of(st.just(0.0), st.floats(0, 0.3)), gravity=st.one_of(st.just(0.0), st.just(9.8)),
-    cushion_height=st.one_of(st.none(), st.floats(0.6, 1.5)),
+    contact_height=st.one_of(st.none(), st.floats(0.6, 1.5)),
 )  # fmt: skip
 def test_any_ball_gives_json_without_nan(**given: float) -> None:
     low = given["height"] / 0.02625
-    if given["cushion_height"] is not None and not low < given["cushion_height"] < low + 2:
-        given["cushion_height"] = low + 1
+    if given["contact_height"] is not None and not low < given["contact_height"] < low + 2:
+        given["contact_height"] = low + 1
     comparison = carom.compare(carom.incoming(**given))  # type: ignore[arg-type]
     told = json.loads(json.dumps(comparison.as_dict(), allow_nan=False))
     assert {row["law"] for row in told["laws"]} >= {"mirror", "conventional", "no-slip", "two-step"}

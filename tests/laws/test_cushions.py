@@ -96,7 +96,7 @@ def test_han_s_law_is_that_of_its_equations() -> None:
 def test_han_s_ball_leaves_at_50_degrees_for_45() -> None:
     """A nose at 37 mm, a pool ball, neither friction nor loss: the reflection is not the mirror's."""
     meeting = carom.incoming(
-        angle_deg=45.0, radius=0.028575, cushion_height=37 / 28.575, restitution=1.0, friction=0.0, floor_friction=0.2
+        angle_deg=45.0, radius=0.028575, contact_height=37 / 28.575, restitution=1.0, friction=0.0, floor_friction=0.2
     )
     han = carom.compare(meeting, ["han2005"])["han2005"]
     assert han.angle_after_wall_deg == pytest.approx(50.44, abs=0.005)
@@ -386,7 +386,7 @@ def test_in_flight_there_is_no_table() -> None:
     assert stronge_cushion(v, w, NOSE, RADIUS, 2 / 5, 0.8, 0.2, 1.0) == stronge_contact(
         v, w, NOSE, RADIUS, 2 / 5, 0.8, 0.2, 1.0
     )
-    meeting = carom.incoming(vertical_speed=-0.3, cushion_height=1.4, restitution=0.8, friction=0.2, height=0.001)
+    meeting = carom.incoming(vertical_speed=-0.3, contact_height=1.4, restitution=0.8, friction=0.2, height=0.001)
     for verdict in carom.compare(meeting, list(KERNELS)).verdicts:
         assert verdict.why == (
             "it describes a ball on the table; one in flight meets the cushion as if there were no table",
@@ -452,7 +452,7 @@ def test_han_s_dead_nose_lets_the_ball_into_it() -> None:
     """e < tan^2 theta: what turns the ball back is the table, which the law leaves out; scenes then have it strike again."""
     v1, _w1 = han2005((-1.0, 0.0, 0.0), (0.0, -1 / RADIUS, 0.0), NOSE, RADIUS, 2 / 5, 0.0, 0.0, 0.0)
     assert v1[0] == pytest.approx(-(SINE**2), rel=1e-12)
-    verdict = carom.compare(carom.incoming(angle_deg=0, cushion_height=1.4, restitution=0, friction=0), ["han2005"])[
+    verdict = carom.compare(carom.incoming(angle_deg=0, contact_height=1.4, restitution=0, friction=0), ["han2005"])[
         "han2005"
     ]
     assert "it sends the ball through the wall" in verdict.why
@@ -470,9 +470,9 @@ def test_a_ramp_is_no_cushion() -> None:
 
 
 def test_compare_lists_them_at_a_nose_only() -> None:
-    nose = [verdict.law for verdict in carom.compare(carom.incoming(cushion_height=1.4)).verdicts]
+    nose = [verdict.law for verdict in carom.compare(carom.incoming(contact_height=1.4)).verdicts]
     assert nose[-3:] == ["han2005", "mathavan2010", "stronge-cushion"]
-    for other in (carom.incoming(), carom.incoming(cushion_height=1.4, height=0.01, vertical_speed=0.1)):
+    for other in (carom.incoming(), carom.incoming(contact_height=1.4, height=0.01, vertical_speed=0.1)):
         assert not {verdict.law for verdict in carom.compare(other).verdicts} & set(KERNELS)
 
 
@@ -505,7 +505,7 @@ def test_once_it_rolls_only_the_cloth_during_the_impact_matters() -> None:
     """No impulse of the table changes the rolling state (39): Han's is that of the wall first and then the floor."""
     for angle, spin in ((10.0, 0.0), (40.0, 20.0), (70.0, -30.0)):
         meeting = carom.incoming(
-            angle_deg=angle, spin_z=spin, cushion_height=1.4, restitution=0.9, friction=0.2, floor_friction=0.2
+            angle_deg=angle, spin_z=spin, contact_height=1.4, restitution=0.9, friction=0.2, floor_friction=0.2
         )
         one = carom.compare(meeting, ["han2005", "two-step-after", "mathavan2010", "two-step"])
         for name, other in (("han2005", "two-step-after"), ("mathavan2010", "two-step")):

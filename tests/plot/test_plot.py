@@ -24,7 +24,7 @@ CASES: list[dict[str, Any]] = [
     {"friction": 0.1, "floor_friction": 0.2, "spin_z": 20.0},
     {"floor_restitution": 0.6, "floor_friction": 0.1, "restitution": 0.8},
     {"floor_restitution": 0.9, "floor_friction": math.inf, "inertia": "hollow"},
-    {"cushion_height": 1.3, "friction": 0.2, "floor_friction": 0.3, "restitution": 0.9},
+    {"contact_height": 1.3, "friction": 0.2, "floor_friction": 0.3, "restitution": 0.9},
     {"height": 0.05, "vertical_speed": 0.3, "floor_friction": 0.2, "floor_restitution": 0.3},
     {"sliding": True, "friction": 0.2, "floor_friction": 0.2},
 ]

@@ -23,7 +23,7 @@ BAD = [
     ({"tangential_restitution": 2.0}, "wall: tangential_restitution:"),
     ({"floor_restitution": math.nan}, "floor: restitution:"),
     ({"floor_friction": -1.0}, "floor: friction:"),
-    ({"cushion_height": 2.0}, "incoming: cushion_height:"),
-    ({"cushion_height": 0.0}, "incoming: cushion_height:"),
+    ({"contact_height": 2.0}, "incoming: contact_height:"),
+    ({"contact_height": 0.0}, "incoming: contact_height:"),
     ({"floor_contact": "before"}, "incoming: floor_contact:"),
 ]

@@ -166,7 +166,7 @@ def test_impacts_are_what_compare_gives() -> None:
         values = space.point(index)
         law, angle_deg = values.pop("law"), values.pop("angle")
         incoming = carom.incoming(
-            angle_deg=angle_deg, restitution=0.85, friction=0.2, cushion_height=1.2, floor_friction=0.2, **values
+            angle_deg=angle_deg, restitution=0.85, friction=0.2, contact_height=1.2, floor_friction=0.2, **values
         )
         verdict = carom.compare(incoming, [law]).verdicts[0]
         at = dict(zip(space.dims, place, strict=True))

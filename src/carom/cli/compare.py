@@ -85,7 +85,7 @@ def compare(
     friction: Annotated[float, shared("friction")] = math.inf,
     tangential_restitution: Annotated[float, shared("tangential_restitution")] = 0.0,
     stiffness_ratio: Annotated[float, shared("stiffness_ratio", default="14/17: same material")] = 14 / 17,
-    cushion_height: Annotated[float | None, shared("contact_height", default="1")] = None,
+    contact_height: Annotated[float | None, shared("contact_height", default="1")] = None,
     floor_restitution: Annotated[float, shared("floor_restitution")] = 0.0,
     floor_friction: Annotated[float, shared("floor_friction")] = math.inf,
     gravity: Annotated[float, shared("gravity")] = 9.80665,
@@ -114,7 +114,7 @@ def compare(
         "speed": speed, "angle_deg": angle_deg, "spin_x": spin_x, "spin_y": spin_y, "spin_z": spin_z, "sliding": sliding,
         "vertical_speed": vertical_speed, "height": height, "inertia": _inertia(inertia), "radius": radius,
         "mass": mass, "restitution": restitution, "friction": friction, "tangential_restitution": tangential_restitution,
-        "cushion_height": cushion_height, "floor_restitution": floor_restitution, "floor_friction": floor_friction,
+        "contact_height": contact_height, "floor_restitution": floor_restitution, "floor_friction": floor_friction,
         "gravity": gravity, "floor_contact": contact, "stiffness_ratio": stiffness_ratio,
     }  # fmt: skip
     # all errors at once, before anything is written

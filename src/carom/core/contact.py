@@ -17,8 +17,8 @@ import math
 from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel
 
 __all__ = [
-    "GRAZE", "REGIMES", "SLIDE", "STICK", "contact", "one_contact", "slip_velocity",
-    "struck_along", "wall_contact",
+    "GRAZE", "REGIMES", "SLIDE", "STICK", "contact", "inside_friction_cone", "one_contact", "slip_velocity", "struck_along",
+    "wall_contact",
 ]  # fmt: skip
 
 # What a contact did; the names that people see are REGIMES[code].
@@ -39,6 +39,13 @@ def slip_velocity(v: Vec, w: Vec, n: Vec, a: float) -> tuple[float, Vec]:
 
 
 @hot_kernel
+def inside_friction_cone(tangential: float, mu: float, normal: float) -> bool:
+    """Return whether Coulomb's friction can supply a tangential impulse: whether it lies within the cone about the normal one."""
+    # (29): inside the friction cone the contact holds (a bare product: mu may be infinite)
+    return tangential <= mu * normal
+
+
+@hot_kernel
 def contact(
     un: float, ut: Vec, mn: float, mt: float, e: float, mu: float, beta: float
 ) -> tuple[float, Vec, float, int]:
@@ -49,9 +56,8 @@ def contact(
     hold = (1 + beta) * mt
     # One way out for all cases and no branch that a processor would have to guess: c is the tangential impulse per slip.
     cap = mu * pn / slip if slip > 0 else mu
-    # (29): inside the friction cone the contact holds (a bare product: mu may be infinite)
     # (30), for beta = 0: the contact point is left without slip. On the cone the impulse is mu P_n against the slip.
-    holds = hold * slip <= mu * pn
+    holds = inside_friction_cone(hold * slip, mu, pn)
     # (a smooth contact without slip: no impulse either way, but its derivative is that of no friction)
     c = -hold if holds and mu > 0 else -cap
     regime = STICK if holds else SLIDE

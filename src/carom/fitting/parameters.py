@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
-__all__ = ["FORMS", "INDEX", "LAW_NUMBERS", "LINE", "NUMBERS", "PARAMETERS", "Form", "Parameter"]
+__all__ = ["FORMS", "INDEX", "LAW_NUMBERS", "LINE", "NUMBERS", "PARAMETERS", "RENAMED", "Form", "Parameter"]
 
 
 @dataclass(frozen=True)
@@ -60,11 +62,25 @@ LINE = 5
 
 @dataclass(frozen=True)
 class Form:
-    """A form of the restitution as a function of speed: its code and its parameters, in the places of restitution, _1 and _2."""
+    """A form of the restitution as a function of speed: its code and its parameters, in the places of restitution, _1 and _2.
+
+    A parameter is called as the field of the form in a scene, after ``restitution_``.
+    """
 
     code: int
     parameters: tuple[Parameter, ...]
     formula: str
+
+    def for_scene(self, name: str, values: Sequence[float]) -> float | dict[str, Any] | None:
+        """Return the ``restitution`` of a wall in a scene, for the values of the parameters; None for a line, which scenes lack."""
+        if name == "line":
+            return None
+        if name == "constant":
+            return values[0]
+        if name == "polynomial":
+            return {"form": name, "coefficients": list(values)}
+        fields = (one.name.removeprefix("restitution_") for one in self.parameters)
+        return {"form": name, **dict(zip(fields, values, strict=True))}
 
 
 def _e(name: str, low: float, high: float, *tried: float) -> Parameter:
@@ -90,16 +106,20 @@ FORMS = {
     ),
     "viscoelastic": Form(
         3,
-        (_e("dissipation", 0.0, 5.0, 0.05, 0.15, 0.3, 0.6),),
-        "e = 1 / (1 + c + 2/5 c^2), c = dissipation v_n^(1/5) (Ramirez et al. 1999)",
+        (_e("restitution_c", 0.0, 5.0, 0.05, 0.15, 0.3, 0.6),),
+        "e = 1 / (1 + c + 2/5 c^2), c = restitution_c v_n^(1/5) (Ramirez et al. 1999)",
     ),
     "exponential": Form(
         4,
         (
-            _e("restitution_slow", 0.0, 1.0, 0.9, 0.98),
-            _e("restitution_fast", 0.0, 1.0, 0.5, 0.7),
+            _e("restitution_at_rest", 0.0, 1.0, 0.9, 0.98),
+            _e("restitution_at_speed", 0.0, 1.0, 0.5, 0.7),
             Parameter("restitution_speed", 0.01, 100.0, (0.5, 2.0), 1.0, "m/s"),
         ),
-        "e = fast + (slow - fast) exp(-v_n / speed)",
+        "e = at_speed + (at_rest - at_speed) exp(-v_n / speed)",
     ),
+}  # fmt: skip
+# Names of the release before, of which settings still take those of parameters held fixed or bounded.
+RENAMED = {
+    "restitution_slow": "restitution_at_rest", "restitution_fast": "restitution_at_speed", "dissipation": "restitution_c",
 }  # fmt: skip

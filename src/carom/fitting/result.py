@@ -13,7 +13,7 @@ from carom.fitting.data import Problem
 from carom.fitting.laws import FittedLaw
 from carom.fitting.likelihood import TabulatedLaw
 from carom.fitting.model import STEPS, FitModel, model_of, predict_law
-from carom.fitting.parameters import NUMBERS
+from carom.fitting.parameters import FORMS, INDEX, NUMBERS
 
 __all__ = [
     "Estimate",
@@ -130,6 +130,14 @@ class Fit:
         unit = " m/s" if self.problem.setting.scatter == "absolute" else " of the speed"
         return f"scatter {with_error_bar(self.contact_scatter)}{unit if self.contact_scatter.value else ''}"
 
+    @property
+    def restitution(self) -> float | dict[str, Any] | None:
+        """The fitted restitution as a wall of a scene takes it: a number, or a form with its fields; None for a line."""
+        name = self.problem.setting.restitution
+        form = FORMS[name]
+        values = self.numbers[[INDEX[one] for one in ("restitution", "restitution_1", "restitution_2")]]
+        return form.for_scene(name, values[: len(form.parameters)].tolist())
+
     def predicted(self) -> Array:
         """Return the prediction (N, 3) for each row; rows without spin at the mean of its prior."""
         return predict_law(self.law, self.problem, self.numbers)
@@ -143,6 +151,7 @@ class Fit:
             "chi2": finite(self.chi2),
             "dof": self.dof,
             "parameters": {name: estimate_dict(estimate) for name, estimate in self.estimates.items()},
+            "restitution": self.restitution,
             "covariance": covariance_dict(self.names, self.covariance),
             "scatter": self.scatter,
             "contact_scatter": None if self.contact_scatter is None else estimate_dict(self.contact_scatter),

@@ -9,7 +9,8 @@ from typing import Any
 
 from carom.errors import CaromError, float_or_nan, require_type
 from carom.fitting.laws import FittedLaw
-from carom.fitting.parameters import FORMS, PARAMETERS, Form, Parameter
+from carom.fitting.parameters import FORMS, PARAMETERS, RENAMED, Form, Parameter
+from carom.public.renamed import with_new_names
 from carom.tracks.contact import BALL_RADIUS, MAX_RADIUS_M
 
 __all__ = ["FORM_PARAMETERS", "Setting", "decided", "form_of", "require_settings"]
@@ -78,6 +79,12 @@ class Setting:
     """Whole tracks: time simulated after the last contact, s: later motion is dominated by slope and dirt of the table."""
     gravity: float = 9.80665
     """Whole tracks, m/s^2."""
+
+    def __post_init__(self) -> None:
+        """Take the names that parameters had in the release before."""
+        for name in ("fixed", "bounds"):
+            if isinstance(given := getattr(self, name), dict):
+                object.__setattr__(self, name, with_new_names("Setting", given, RENAMED))
 
 
 def require_settings(setting: Setting, *, whole: bool = False) -> None:

@@ -31,7 +31,7 @@ __all__ = ["Comparison", "Verdict", "compare", "incoming"]
 Thing = TypeVar("Thing")
 
 
-RENAMED = {"angle": "angle_deg"}
+RENAMED = {"angle": "angle_deg", "cushion_height": "contact_height"}
 
 
 @renamed_arguments(**RENAMED)
@@ -54,7 +54,7 @@ def incoming(
     floor_restitution: float = 0.0,
     floor_friction: float = math.inf,
     gravity: float = GRAVITY,
-    cushion_height: float | None = None,
+    contact_height: float | None = None,
     floor_contact: FloorContact = "with",
     stiffness_ratio: float = LIKE_SOLIDS,
 ) -> Meeting:
@@ -83,7 +83,7 @@ def incoming(
         The floor, as in :class:`carom.Surface`.
     gravity : float
         m/s^2.
-    cushion_height : float, optional
+    contact_height : float, optional
         Height of the contact point above the floor, in ball radii: 1.2 to 1.4 for the nose of a billiard cushion.
         Default: the wall is a vertical plane and touches the ball at the height of its centre.
     floor_contact : "with" or "after"
@@ -130,10 +130,10 @@ def incoming(
     if floor_contact not in ("with", "after"):
         faults.add("floor_contact", "'with' (wall and floor at once) or 'after' (first the wall)", repr(floor_contact))
     normal = np.array([1.0, 0.0, 0.0])
-    if cushion_height is not None:
+    if contact_height is not None:
         low, high = h / ball.radius, h / ball.radius + 2
         c = checked_number(
-            faults, "cushion_height", cushion_height,
+            faults, "contact_height", contact_height,
             f"radii above the floor, between the ball's bottom and its top: above {low:g} and below {high:g}",
             lambda x: (x > low) & (x < high),
         )  # fmt: skip

@@ -196,7 +196,7 @@ class Impacts:
         try:
             case = ImpactCase(**({name: getattr(self.case, name) for name in ImpactCase.model_fields} | values))
             numbers = {name: getattr(case, name) for name in ImpactCase.model_fields if name != "law"}
-            numbers["angle_deg"] = numbers.pop("angle")
+            numbers["angle_deg"], numbers["contact_height"] = numbers.pop("angle"), numbers.pop("cushion_height")
             verdict = compare(incoming(**numbers), [case.law]).verdicts[0]
         except CaromError as error:
             return str(error)

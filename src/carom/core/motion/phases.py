@@ -18,7 +18,7 @@ from carom.core.motion.rolling import UP, rolls_at_last
 
 __all__ = [
     "BOUNCING", "FLIGHT", "HELD", "LEFT", "ON_FLOOR", "PHASES", "PIVOTING", "POCKETED", "REST", "ROLLING", "SLIDING",
-    "accelerations", "advance", "grounded", "next_phase",
+    "accelerations", "advance", "grounded", "next_phase", "rolling_friction", "sliding_friction",
 ]  # fmt: skip
 
 # The phases; what people see is PHASES[code]. A bouncing ball hops infinitely often in a finite time (motion.bounces); one
@@ -30,6 +30,23 @@ ON_FLOOR = (False, True, True, True, True, False, False, False, False)
 
 # Below this share of the speeds a slip is the rounding of a rolling ball.
 ROUNDING = 1e-12
+
+
+@hot_kernel
+def sliding_friction(v: Vec, w: Vec, a: float, kappa: float, g: float, mu: float) -> tuple[float, float, float]:
+    """Return the acceleration of a sliding ball, mu g against its slip, and the time until it rolls."""
+    _un, u = slip_velocity(v, w, UP, a)
+    slip = math.sqrt(u[0] * u[0] + u[1] * u[1])
+    c = mu * g / slip if slip > 0 else v[0] - v[0]
+    return -c * u[0], -c * u[1], slip / (mu * g * (1 + 1 / kappa)) if mu > 0 else math.inf
+
+
+@hot_kernel
+def rolling_friction(v: Vec, g: float, resistance: float) -> tuple[float, float, float]:
+    """Return the acceleration of a rolling ball, by rolling resistance against its velocity, and the time until it stops."""
+    speed = math.sqrt(v[0] * v[0] + v[1] * v[1])
+    c = resistance * g / speed if speed > 0 else v[0] - v[0]
+    return -c * v[0], -c * v[1], speed / (resistance * g) if resistance > 0 else math.inf
 
 
 @hot_kernel
@@ -53,19 +70,13 @@ def accelerations(
     if phase == SLIDING:
         if mu == math.inf:  # an infinitely rough floor ends the slip at once (next_phase)
             return nothing, nothing, zero
-        _un, u = slip_velocity(v, w, UP, a)
-        slip = math.sqrt(u[0] * u[0] + u[1] * u[1])
-        c = mu * g / slip if slip > 0 else zero
-        x, y = -c * u[0], -c * u[1]
+        x, y, lasts = sliding_friction(v, w, a, kappa, g, mu)
         # m dv/dt = F, I dw/dt = (-a z) x F
-        lasts = slip / (mu * g * (1 + 1 / kappa)) if mu > 0 else math.inf
         return (x, y, zero), (y / (kappa * a), -x / (kappa * a), turn), lasts
     if phase == ROLLING:
-        speed = math.sqrt(v[0] * v[0] + v[1] * v[1])
-        c = resistance * g / speed if speed > 0 else zero
-        x, y = -c * v[0], -c * v[1]
-        # it goes on rolling: w = z x v / a
-        return (x, y, zero), (-y / a, x / a, turn), speed / (resistance * g) if resistance > 0 else math.inf
+        x, y, lasts = rolling_friction(v, g, resistance)
+        # it continues to roll: w = z x v / a
+        return (x, y, zero), (-y / a, x / a, turn), lasts
     return nothing, (zero, zero, turn), abs(w[2]) / fade if fade > 0 else math.inf
 
 
