@@ -159,19 +159,12 @@ def design(
         for cell in sorted(set(order), key=order.index)
     ]
     plan = Plan(
-        (true.name, other.name),
-        _named(true, problem, p),
-        _named(other, problem, done.best[0]),
-        tuple(sorted(planned, key=lambda shot: -shot.gain * shot.repeat)),
-        count,
-        odds,
-        total + price,
-        rows.axes,
-        gain.reshape([len(x) for x in rows.axes]),
-        "",
+        (true.name, other.name), _named(true, problem, p), _named(other, problem, done.best[0]),
+        tuple(sorted(planned, key=lambda shot: -shot.gain * shot.repeat)), count, odds, total + price, rows.axes,
+        gain.reshape([len(x) for x in rows.axes]), "",
         tuple(note for note in remarks if note.startswith(("floor_friction", "rows: only", f"{true.name}: "))),
         so_far + price if have else None,
-    )
+    )  # fmt: skip
     if fine:
         # (a shot whose spin is not measured has many rows)
         steps = FINER if rows.each == 1 else FINER // 2

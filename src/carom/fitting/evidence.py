@@ -18,18 +18,9 @@ from numpy.typing import NDArray
 from carom.fitting.laws import FittedLaw
 
 __all__ = [
-    "DECIDED",
-    "LEANS",
-    "UNLIKELY",
-    "Evidence",
-    "OneFit",
-    "Ranked",
-    "RankedLaws",
-    "decisive",
-    "odds_in_words",
-    "verdict_words",
+    "DECIDED", "LEANS", "UNLIKELY", "Evidence", "OneFit", "Ranked", "RankedLaws", "decisive", "odds_in_words", "verdict_words",
     "weigh",
-]
+]  # fmt: skip
 
 DECIDED, LEANS = 20.0, 3.0  # odds
 UNLIKELY = 1e-3  # probability of a chi^2 below which a law does not fit
@@ -154,12 +145,9 @@ def weigh(fits: Sequence[FittedModel], enlarge: float = 1.0) -> Evidence:
     near = [fit.law.name for fit in fits if fit.aicc < aicc[0] + 2 * math.log(LEANS) * enlarge**2]
     near += [rival.law.name] if rival is not None and rival.law.name not in near else []
     return Evidence(
-        weights / weights.sum(),
-        math.inf if rival is None else math.exp(min(log_odds, MOST_LOG_ODDS)),
-        rival,
-        tuple(fit.law.name for fit in containing if fit.aicc < aicc[0] + 2 * math.log(DECIDED)),
-        tuple(near),
-    )
+        weights / weights.sum(), math.inf if rival is None else math.exp(min(log_odds, MOST_LOG_ODDS)), rival,
+        tuple(fit.law.name for fit in containing if fit.aicc < aicc[0] + 2 * math.log(DECIDED)), tuple(near),
+    )  # fmt: skip
 
 
 def verdict_words(

@@ -180,21 +180,9 @@ def fit_law(law: FittedLaw, problem: Problem) -> Fit:
     # an error shared by all rows is an additional parameter, and its value from the film an additional datum
     chi2 = float(chi2_by_row.sum() + np.square(best.p[NUMBERS:]).sum())
     fit = Fit(
-        law,
-        problem,
-        names,
-        {},
-        best.p,
-        best.deviance + extra,
-        chi2,
-        dof,
-        np.zeros((0, 0)),
-        chi2_by_row,
-        scatter=scatter,
-        contact_scatter=contacts,
-        determinants=0.0 if contacts is None else extra,
-        tabulated=table,
-    )
+        law, problem, names, {}, best.p, best.deviance + extra, chi2, dof, np.zeros((0, 0)), chi2_by_row, scatter=scatter,
+        contact_scatter=contacts, determinants=0.0 if contacts is None else extra, tabulated=table,
+    )  # fmt: skip
     done = _identified(fit, information)
     if problem.spins is not None and "friction" in done.untold:
         done = _identified(fit, with_profiled_friction(fit, information, extra))

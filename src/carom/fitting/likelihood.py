@@ -208,14 +208,9 @@ def make_trial(free: NDArray[np.int64], moved: Array) -> Trial:
     """Return the trial point of one thread; its records share their memory with the arrays."""
     values, stepped = np.zeros(NUMBERS + len(moved)), np.zeros((len(moved), NUMBERS))
     return Trial(
-        values,
-        values[:NUMBERS].view(LAW_NUMBERS),
-        free,
-        np.zeros(len(values)),
-        moved,
-        stepped,
+        values, values[:NUMBERS].view(LAW_NUMBERS), free, np.zeros(len(values)), moved, stepped,
         stepped.view(LAW_NUMBERS)[:, 0],
-    )
+    )  # fmt: skip
 
 
 def make_workspace(k: int, points: int) -> Workspace:

@@ -72,15 +72,8 @@ def half_width(rises: Rises, best: float, step: float, low: float, high: float) 
     which are 1 except at a bound."""
     far = np.clip(best + step * np.array([-1.0, 1.0]), low, high)
     end, rise = profile_ends(
-        rises,
-        best,
-        far,
-        np.array([low, high]),
-        np.ones(2),
-        jump=False,
-        rounds=HALF_WIDTH_ROUNDS,
-        close=HALF_WIDTH_CLOSE,
-    )
+        rises, best, far, np.array([low, high]), np.ones(2), jump=False, rounds=HALF_WIDTH_ROUNDS, close=HALF_WIDTH_CLOSE,
+    )  # fmt: skip
     return float(end[1] - end[0]) / 2, rise
 
 

@@ -16,17 +16,9 @@ from carom.fitting.model import STEPS, FitModel, model_of, predict_law
 from carom.fitting.parameters import FORMS, INDEX, NUMBERS
 
 __all__ = [
-    "Estimate",
-    "Fit",
-    "covariance_dict",
-    "estimate_dict",
-    "finite",
-    "refit",
-    "rows_of_fit",
-    "scaled",
-    "with_error_bar",
+    "Estimate", "Fit", "covariance_dict", "estimate_dict", "finite", "refit", "rows_of_fit", "scaled", "with_error_bar",
     "working_model",
-]
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 

@@ -176,13 +176,8 @@ def coarse_table(model: FitModel) -> LawTable | None:
     if step >= others[FLOOR]:
         return None
     grid = _Grid(
-        COARSE,
-        tuple(sorted(set(problem.stages.tolist()))),
-        problem.setting.radius,
-        steepest,
-        tuple(others.tolist()),
-        step,
-    )
+        COARSE, tuple(sorted(set(problem.stages.tolist()))), problem.setting.radius, steepest, tuple(others.tolist()), step,
+    )  # fmt: skip
     return LawTable(grid, SPACING)
 
 

@@ -270,14 +270,8 @@ def descend(
     begin = np.clip([[numbers[name] for name in names]], low, high)
     tolerance = SHARED_TOLERANCE if exact else ROUGH_TOLERANCE * dof
     found = minimize(
-        evaluate,
-        begin,
-        low,
-        high,
-        steps=SHARED_STEPS if exact else ROUGH_STEPS,
-        tolerance=tolerance,
-        dof=np.array([dof]),
+        evaluate, begin, low, high, steps=SHARED_STEPS if exact else ROUGH_STEPS, tolerance=tolerance, dof=np.array([dof]),
         joint=False,
-    )
+    )  # fmt: skip
     best = dict(zip(names, found.p[0].tolist(), strict=True))
     return best, settle(model.table(best), frames, starts, nearest)
