@@ -84,10 +84,17 @@ def with_contact_scatter(model: FitModel, search: Search, descend: Descend) -> S
     def having(s: float) -> FitModel:
         return replace(model, problem=replace(plain, vy=plain.vy + np.square(s * unit)))
 
-    def deviance(p: Array, log_s: float) -> float:
-        at = having(math.exp(log_s))
-        rows = replace(at, free=at.free[:0]).row_deviances(p)[0]
-        return float(rows.sum() + log_determinants(at, p).sum() - log_determinants(model, p).sum())
+    def deviance(p: Array) -> Callable[[float], float]:
+        """Return the deviance with numbers p as a function of log s: the derivatives of the law are those of p alone."""
+        moved = _moved_by_errors(model, p)
+        without = log_determinants(model, moved).sum()
+
+        def of_scatter(log_s: float) -> float:
+            at = having(math.exp(log_s))
+            rows = replace(at, free=at.free[:0]).row_deviances(p)[0]
+            return float(rows.sum() + log_determinants(at, moved).sum() - without)
+
+        return of_scatter
 
     log_s = math.log(FIRST_SHARE * size)
     p = search(having(math.exp(log_s)).without_shared())
@@ -97,16 +104,17 @@ def with_contact_scatter(model: FitModel, search: Search, descend: Descend) -> S
         was = log_s
         # later the scatter is near where it was
         reach = (low, high) if turn == 0 else (max(low, was - 0.5), min(high, was + 0.5))
-        log_s = _least(lambda x, here=p[0]: deviance(here, x), *reach, SETTLED / 4 if turn else 0.05)  # type: ignore[misc]
+        log_s = _least(deviance(p[0]), *reach, SETTLED / 4 if turn else 0.05)
         if abs(log_s - was) < SETTLED or log_s < low + 0.1:
             break
     if log_s < low + 0.1:
         return Scattered(p, model, 0.0, {CONTACT_SCATTER: 0.0}, Estimate(0.0, None, "none beyond the error bars"))
     s, at = math.exp(log_s), having(math.exp(log_s))
-    around = [deviance(p[0], log_s + step) for step in (-CURVATURE_STEP, 0.0, CURVATURE_STEP)]
+    around = [*map(deviance(p[0]), (log_s - CURVATURE_STEP, log_s, log_s + CURVATURE_STEP))]
     curvature = (around[0] + around[2] - 2 * around[1]) / CURVATURE_STEP**2
     stderr = s * math.sqrt(2 / curvature) if curvature > 0 else None
-    extra = float(log_determinants(at, p[0]).sum() - log_determinants(model, p[0]).sum())
+    moved = _moved_by_errors(model, p[0])
+    extra = float(log_determinants(at, moved).sum() - log_determinants(model, moved).sum())
     return Scattered(p, at, extra, {CONTACT_SCATTER: s}, Estimate(s, stderr))
 
 
@@ -133,22 +141,30 @@ def _least(value: Callable[[float], float], low: float, high: float, close: floa
     return (low + high) / 2
 
 
-def log_determinants(model: FitModel, p: Array) -> Array:
-    """Return log det S of each row (N,); for a row whose spin was not measured, of the normal part and of the variances along the
-    wall under a mirror law, to which its deviance is relative."""
-    law, problem = model.law, model.problem
-    seen = np.isfinite(problem.y)
-    s = np.einsum("im,mn->imn", problem.vy, np.eye(3))
+def _moved_by_errors(model: FitModel, p: Array) -> dict[int, Array]:
+    """Return the changes (N, 3) of the prediction by an error bar of v_n, v_t and spin before the wall, where there is one."""
+    law, problem, found = model.law, model.problem, {}
     here = predict_law(law, problem, p)
     for o in range(3):
         size = np.sqrt(problem.vx[:, o])
-        if not size.any():
-            continue
-        step = size[:, None] * np.eye(3)[o] * JACOBIAN_STEP
-        moved = np.nan_to_num(predict_law(law, replace(problem, x=problem.x + step), p) - here) / JACOBIAN_STEP
-        s += moved[:, :, None] * moved[:, None, :]
+        if size.any():
+            step = size[:, None] * np.eye(3)[o] * JACOBIAN_STEP
+            then = predict_law(law, replace(problem, x=problem.x + step), p)
+            found[o] = np.nan_to_num(then - here) / JACOBIAN_STEP
+    return found
+
+
+def log_determinants(model: FitModel, moved: dict[int, Array]) -> Array:
+    """Return log det S of each row (N,), ``moved`` by errors before the wall; for a row whose spin was not measured, of the normal
+    part and of the variances along the wall under a mirror law, to which its deviance is relative."""
+    law, problem = model.law, model.problem
+    seen = np.isfinite(problem.y)
+    s = np.einsum("im,mn->imn", problem.vy, np.eye(3))
+    for o, change in moved.items():
+        s += change[:, :, None] * change[:, None, :]
         if o < 2:  # errors before and after that go together
-            slope = moved / np.where(size > 0, size, 1.0)[:, None]
+            size = np.sqrt(problem.vx[:, o])
+            slope = change / np.where(size > 0, size, 1.0)[:, None]
             s[:, :, o] -= slope * problem.covariance[:, o, None]
             s[:, o, :] -= slope * problem.covariance[:, o, None]
     pair = seen[:, :, None] & seen[:, None, :]
