@@ -66,6 +66,9 @@ def test_the_command_names_its_options(monkeypatch: pytest.MonkeyPatch) -> None:
         ("Floor-Friction", ["friction", "floor_friction"], "floor_friction"),
         ("rad", ["radius", "mass"], "radius"),
         ("--rack", ["--force", "--quiet", "--table"], ""),
+        ("nwe", ["new", "check"], "new"),
+        ("--setting", ["--set", "--seed"], "--set"),
+        ("--rate", ["--at", "--quiet"], ""),
         ("x", ["xy", "xz"], ""),
     ],
 )

@@ -44,7 +44,9 @@ __all__ = [
 MAX_MAGNITUDE = 1e100
 MIN_MAGNITUDE = 1e-100
 MAX_SHOWN_CHARACTERS = 200  # of a bad value in a message
-NEAR = 0.65  # share of letters that a mistyped name and the name meant have in common, in order (difflib's ratio), at least
+NEAR = (
+    0.7  # share of letters that a mistyped name and the name meant have in common, in order (difflib's ratio), at least
+)
 
 
 @dataclass(frozen=True)
@@ -297,13 +299,17 @@ def require_type(where: str, field: str, value: Any, kind: type, remedy: str = "
 def near_name(name: object, known: Iterable[object]) -> str:
     """Return the known name that a mistyped one is meant to be, if one is near; else an empty text.
 
-    Upper and lower case, hyphens, underscores and spaces are the same here; a beginning of only one known name, and two
-    letters exchanged, are near.
+    Upper and lower case, hyphens, underscores and spaces are the same here. A beginning of only one known name is near, and so are
+    a name that begins with only one, and one of the same letters.
     """
     plain = {_plain(one): str(one) for one in reversed(list(known))}
     said = _plain(name)
-    begin = [one for one in plain if one.startswith(said)]
-    near = begin if len(begin) == 1 else get_close_matches(said, plain, n=1, cutoff=NEAR)
+    alike = [
+        one
+        for one in plain
+        if one.startswith(said) or (len(one) > 2 and said.startswith(one)) or sorted(one) == sorted(said)
+    ]
+    near = alike if len(alike) == 1 else get_close_matches(said, plain, n=1, cutoff=NEAR)
     return plain[near[0]] if near and len(said) > 1 else ""
 
 

@@ -39,7 +39,25 @@ def test_a_verb_that_is_left_out(capsys: pytest.CaptureFixture[str]) -> None:
     assert command(capsys, "tracks", "film.csv") == (
         2, "", "carom: tracks: expected show or example before 'film.csv' (carom --help)\n",
     )  # fmt: skip
-    assert "Did you mean 'show'?" in command(capsys, "tracks", "shw", "film.csv")[2]
+    assert "did you mean 'show'?" in command(capsys, "tracks", "shw", "film.csv")[2]
+
+
+@pytest.mark.parametrize(
+    ("words", "line"),
+    [
+        ("compare --sped 3", "--sped: expected an option of carom compare; did you mean '--speed'?"),
+        (
+            "compare --rate 60",
+            "--rate: expected an option of carom compare; carom fit and carom tracks show have --rate",
+        ),
+        ("compare --unheard", "--unheard: expected an option of carom compare"),
+        ("fit --law x", "--law: expected an option of carom fit; did you mean '--laws'?"),
+        ("compare --speed", "--speed: expected a value, got none"),
+        ("sweep rum", "sweep: expected one of new, explain, run, status, verify, plot, got 'rum'; did you mean 'run'?"),
+    ],
+)
+def test_unknown_words(words: str, line: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert command(capsys, *words.split()) == (2, "", f"carom: {line} (carom --help)\n")
 
 
 @pytest.mark.parametrize("width", [40, 80, 120])

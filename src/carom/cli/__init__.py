@@ -100,30 +100,13 @@ def _run(asked: list[bool]) -> int:
             return _interrupted()
         if not hasattr(error, "format_message"):
             raise
+        from carom.cli.usage import usage_fault
+
         if type(error).__name__ == "NoArgsIsHelpError":
             sys.stderr.write(f"{error}\n")
         else:
-            _print_errors(f"{_usage(error)} (carom --help)")
+            _print_errors(f"{usage_fault(error)} (carom --help)")
     return 2
-
-
-def _usage(error: Any) -> str:
-    """Return what was expected of an option, and what it was given; Typer's own sentence where it is another fault."""
-    context: Any = getattr(error, "ctx", None)
-    message = str(error.format_message())
-    if message.startswith("No such command") and "Did you mean" not in message and context.parent:
-        verbs, group = list(context.command.commands), context.info_name
-        rest = " ".join(sys.argv[2:])
-        return f"{group}: expected {' or '.join(verbs)} before {rest!r:.60}"
-    names = getattr(getattr(error, "param", None), "opts", [])
-    said = str(getattr(error, "message", "")).partition(", ")[0].removeprefix("Input should be ")
-    if said == "Value error":  # raised by the parser of an option, which says all
-        return str(error.message).partition(", ")[2]
-    for k, word in enumerate(sys.argv):
-        name, _, value = word.partition("=")
-        if name in names and said != error.message and (value or k + 1 < len(sys.argv)):
-            return f"{name}: expected {said}, got {value or sys.argv[k + 1]!r:.60}"
-    return message
 
 
 def _interrupted() -> int:

@@ -9,7 +9,7 @@ from typing import Any
 
 from carom.errors import Fault
 
-__all__ = ["as_option", "in_options", "option_of", "remember_verbs", "with_options"]
+__all__ = ["as_option", "in_options", "option_of", "remember_verbs", "verbs_with", "with_options"]
 
 PARAMETER = re.compile(r"`(\w+)(?:=([^`]*))?`")
 # The functions and records whose arguments verbs take as options, as the ``where`` of faults names them; and the arguments that
@@ -50,6 +50,11 @@ def option_of(parameter: str) -> str:
 def _own(parameter: str) -> str | None:
     own = _verbs.get(_running[0], {})
     return own.get(parameter, own.get(parameter.removesuffix("_deg")))
+
+
+def verbs_with(option: str) -> list[str]:
+    """Return the verbs that have an option."""
+    return [verb for verb, own in _verbs.items() if option in own.values()]
 
 
 def in_options(text: str) -> str:
