@@ -1,0 +1,55 @@
+"""The pages of the docs name files and functions that exist: what they include from the sources, import in cells, and refer to."""
+
+from __future__ import annotations
+
+import ast
+import importlib
+import re
+from functools import cache
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+PAGES = [page for page in sorted((ROOT / "docs").rglob("*.md")) if "_build" not in page.parts]
+INCLUDED = re.compile(r"literalinclude\} (\S+)\n(?:(?!```).*\n)*?:pyobject: (\S+)")
+IMPORTED = re.compile(r"^from (carom[\w.]*) import ([\w, ]+)$", re.MULTILINE)
+REFERRED = re.compile(r"\{py:\w+\}`~?(carom\.[\w.]+)`")
+
+
+@cache
+def defined(file: Path) -> set[str]:
+    kinds = (ast.FunctionDef, ast.ClassDef)
+    return {one.name for one in ast.walk(ast.parse(file.read_text(encoding="utf-8"))) if isinstance(one, kinds)}
+
+
+def exists(dotted: str) -> bool:
+    parts = dotted.split(".")
+    for k in range(len(parts), 0, -1):
+        try:
+            found = importlib.import_module(".".join(parts[:k]))
+        except ImportError:
+            continue
+        for name in parts[k:]:
+            if not hasattr(found, name):
+                return False
+            found = getattr(found, name)
+        return True
+    return False
+
+
+def test_included_functions_exist() -> None:
+    found = [(page, *match) for page in PAGES for match in INCLUDED.findall(page.read_text(encoding="utf-8"))]
+    assert len(found) > 10
+    wrong = [
+        (page.name, file, name) for page, file, name in found if name not in defined((page.parent / file).resolve())
+    ]
+    assert not wrong
+
+
+def test_imported_and_referred_names_exist() -> None:
+    names = set()
+    for page in PAGES:
+        text = page.read_text(encoding="utf-8")
+        names |= {f"{module}.{one.split()[0]}" for module, some in IMPORTED.findall(text) for one in some.split(",")}
+        names |= set(REFERRED.findall(text))
+    assert len(names) > 50
+    assert not sorted(name for name in names if not exists(name))
