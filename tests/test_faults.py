@@ -66,6 +66,7 @@ def test_the_command_names_its_options(monkeypatch: pytest.MonkeyPatch) -> None:
         ("Floor-Friction", ["friction", "floor_friction"], "floor_friction"),
         ("rad", ["radius", "mass"], "radius"),
         ("--rack", ["--force", "--quiet", "--table"], ""),
+        ("rum", ["new", "run"], "run"),
         ("nwe", ["new", "check"], "new"),
         ("--setting", ["--set", "--seed"], "--set"),
         ("--rate", ["--at", "--quiet"], ""),

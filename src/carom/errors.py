@@ -46,6 +46,7 @@ MIN_MAGNITUDE = 1e-100
 MAX_SHOWN_CHARACTERS = 200  # of a bad value in a message
 NEAR = (
     0.7  # share of letters that a mistyped name and the name meant have in common, in order (difflib's ratio), at least
+NEAR_OF_ONE_LENGTH = 0.65  # one letter of three may be wrong
 )
 
 
@@ -309,7 +310,11 @@ def near_name(name: object, known: Iterable[object]) -> str:
         for one in plain
         if one.startswith(said) or (len(one) > 2 and said.startswith(one)) or sorted(one) == sorted(said)
     ]
-    near = alike if len(alike) == 1 else get_close_matches(said, plain, n=1, cutoff=NEAR)
+    near = (
+        (alike if len(alike) == 1 else [])
+        or get_close_matches(said, plain, n=1, cutoff=NEAR)
+        or get_close_matches(said, [one for one in plain if len(one) == len(said)], n=1, cutoff=NEAR_OF_ONE_LENGTH)
+    )
     return plain[near[0]] if near and len(said) > 1 else ""
 
 
