@@ -44,10 +44,9 @@ __all__ = [
 MAX_MAGNITUDE = 1e100
 MIN_MAGNITUDE = 1e-100
 MAX_SHOWN_CHARACTERS = 200  # of a bad value in a message
-NEAR = (
-    0.7  # share of letters that a mistyped name and the name meant have in common, in order (difflib's ratio), at least
+# Shares of letters that a mistyped name and the name meant have in common, in order (difflib's ratio), at least.
+NEAR = 0.7
 NEAR_OF_ONE_LENGTH = 0.65  # one letter of three may be wrong
-)
 
 
 @dataclass(frozen=True)
