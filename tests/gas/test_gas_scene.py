@@ -322,7 +322,7 @@ def test_scenes_of_the_other_kind_are_told_apart(tmp_path):
     ):
         load_scene(tmp_path / "gas.toml")
     with pytest.raises(
-        CaromError, match=r"none.toml: expected the scene file of a gas, got: No such file.*carom scene new --gas"
+        CaromError, match=r"none.toml: expected the scene file of a gas, got: No such file.*carom scene new `gas`"
     ):
         load_gas(tmp_path / "none.toml")
 

@@ -50,9 +50,10 @@ NAMED = {
 
 
 def refused(lines: tuple[str, ...] | list[str], file: Path) -> bool:
-    """Whether one line names the law's file, and both ways to allow it."""
-    words = (str(file), "own.py:soft", "opening a file runs no code", "--allow-own-laws", "allow_own_laws=True")
-    return len(lines) == 1 and all(word in lines[0] for word in words)
+    """Whether one line names the law's file, and the way to allow it, in Python or on the command line."""
+    words = (str(file), "own.py:soft", "opening a file runs no code")
+    allowed = any(word in lines[0] for word in ("--allow-own-laws", "`allow_own_laws=True`"))
+    return len(lines) == 1 and allowed and all(word in lines[0] for word in words)
 
 
 @pytest.fixture(params=[*NAMED])

@@ -107,7 +107,7 @@ def test_a_rolled_camera_is_found_and_the_floor_turned(angle: float) -> None:
     said = float(note.split("points ")[1].split(" ±")[0])
     assert said == pytest.approx(abs(angle), abs=0.1)
     assert f"to the {'right' if angle > 0 else 'left'} of straight down" in note
-    assert "--wall" in note
+    assert "`wall`" in note
 
 
 def test_a_board_that_leans_is_no_rolled_camera() -> None:
@@ -156,7 +156,7 @@ def test_bounces_on_stairs_are_counted() -> None:
     found = measure([track], Settings(view="side"))
     (note,) = [note for note in found.notes if "away from the wall" in note]
     assert note.startswith("3 bounces away from the wall, at (x, y) = (0.1")
-    assert "--wall y=0.1" in note
+    assert "`wall` y=0.1" in note
     named = [wall_through(f"step {i}", (0.0, level), (1.0, level), [track]) for i, level in enumerate(steps)]
     for some, rest in ((named[1:2], "3 bounces away"), (named[:1], "3 bounces away"), (named, "")):
         found = measure([track], Settings(view="side", walls=tuple(some)))

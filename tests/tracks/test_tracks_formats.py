@@ -76,7 +76,7 @@ def test_trackmate_in_pixels_and_without_units(tmp_path: Path) -> None:
     text = (HERE / "trackmate.csv").read_text()
     first, _names, _short, _units, *rows = text.splitlines()
     spots = put(tmp_path, "\n".join([first, *rows]))  # as older versions write them
-    assert ["--scale" in one or "--rate" in one for one in faults(spots)] == [True, True]
+    assert ["`scale`" in one or "`rate`" in one for one in faults(spots)] == [True, True]
     (one, _other) = read_tracks(spots, calibration=Calibration(scale=1e-6, rate=120)).tracks
     np.testing.assert_allclose(one.position, way(np.arange(60)) - [0, 0.45], atol=2e-6)
     pixels = put(tmp_path, text.replace("(micron)", "(pixel)"), "pixels.csv")
@@ -165,7 +165,7 @@ def test_what_is_missing_is_asked_for() -> None:
         assert len(found) == 2
         assert "--scale" in found[0]
         assert "--rate" in found[1]
-    assert "--scale" in faults(HERE / "kinovea_2026.csv")[0]
+    assert "`scale`" in faults(HERE / "kinovea_2026.csv")[0]
     (fault,) = faults(HERE / "trackpy.csv", Calibration(scale=0.001))
     assert "--rate" in fault
 

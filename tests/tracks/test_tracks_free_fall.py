@@ -46,7 +46,7 @@ def test_a_scale_that_is_given_is_kept(tmp_path: Path) -> None:
     found = measure(read_tracks(file, calibration=Calibration(scale=1.0)).tracks)
     assert found.view == "side"
     assert found.floor["gravity"].value == pytest.approx(980.665, rel=0.01)
-    assert any("gravity is 98" in note and "with lengths 0.01 times as large (--scale)" in note for note in found.notes)
+    assert any("gravity is 98" in note and "with lengths 0.01 times as large (`scale`)" in note for note in found.notes)
 
 
 def test_a_vertical_drop_has_no_mixed_units(tmp_path: Path) -> None:
@@ -69,7 +69,7 @@ def test_the_frame_rate_that_would_be_right_is_named(rate: float) -> None:
         assert found.view == "side"
         assert found.floor["gravity"].value == pytest.approx(9.80665 * (rate / 120) ** 2, rel=0.05)
         (note,) = [note for note in found.notes if note.startswith("gravity is ")]
-        assert f"At 120 frames per second instead of {rate:g} (--rate), or with lengths " in note
+        assert f"At 120 frames per second instead of {rate:g} (`rate`), or with lengths " in note
         assert "fits no view" not in " ".join(found.notes)
         restitutions = [fit["vn_out"] / -fit["vn_in"] for fit in (one.fit for one in found.contacts) if fit is not None]
         assert restitutions == pytest.approx([0.78] * 3, abs=0.03)
@@ -77,7 +77,7 @@ def test_the_frame_rate_that_would_be_right_is_named(rate: float) -> None:
 
 def test_which_rate_or_scale() -> None:
     said = what_would_give(9.80665 * (29.97 / 240) ** 2, 9.80665, 1 / 29.97)
-    assert said.startswith("at 240 frames per second instead of 29.97 (--rate), or with lengths 64 times as large")
+    assert said.startswith("at 240 frames per second instead of 29.97 (`rate`), or with lengths 64 times as large")
 
 
 def test_a_second_axis_that_points_down(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

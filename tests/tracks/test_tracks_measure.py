@@ -174,7 +174,7 @@ def test_balls_that_meet_cut_the_track() -> None:
     )
     run = carom.simulate(scene)
     tracks = [seen(run, Camera(120, 2e-4), np.random.default_rng(5), ball=k) for k in (0, 1)]
-    with pytest.raises(CaromError, match="--radius"):
+    with pytest.raises(CaromError, match="`radius`"):
         measure(tracks, ABOVE)
     measured = measure(tracks, Settings(view="above", radius=RADIUS))
     met = [event.t for event in run.events if event.kind == "ball"]

@@ -50,7 +50,7 @@ def test_times_rounded_to_a_hundredth_ask_for_the_rate() -> None:
     ball = Track("ball", np.round(t, 2), np.stack([t, 1.5 * t - 4.9 * t**2], axis=-1))
     notes: list[str] = []
     on_camera_clock([ball], notes)
-    assert "rounded to 0.01 s: --rate gives the frame rate (about 60" in notes[-1]
+    assert "rounded to 0.01 s: `rate` gives the frame rate (about 60" in notes[-1]
 
 
 def test_rounded_times_give_way_to_the_rate(film: Path) -> None:
@@ -58,7 +58,7 @@ def test_rounded_times_give_way_to_the_rate(film: Path) -> None:
     (track,) = found.tracks
     np.testing.assert_allclose(track.time, np.arange(539) / RATE, atol=2e-4)
     np.testing.assert_allclose(np.diff(track.time), 1 / RATE, rtol=1e-9)
-    assert any("rounded to 10 ms; --rate 119.88 replaces them" in note for note in found.notes)
+    assert any("rounded to 10 ms; `rate` 119.88 replaces them" in note for note in found.notes)
     # the hardest bounce is among them
     assert max(speeds(found)) == pytest.approx(np.sqrt(2 * 9.80665), rel=2e-3)
 
@@ -77,7 +77,7 @@ def test_the_rate_wins_where_the_times_say_another(film: Path, rate: float) -> N
     found = read_tracks(film, calibration=Calibration(rate=rate))
     np.testing.assert_allclose(np.diff(found.tracks[0].time), 1 / rate, rtol=1e-9)
     assert any(
-        f"the file's times say 119.88 frames per second; --rate {rate:g} overrides" in one for one in found.notes
+        f"the file's times say 119.88 frames per second; `rate` {rate:g} overrides" in one for one in found.notes
     )
 
 
@@ -125,7 +125,7 @@ def test_balls_of_one_film_stay_in_step() -> None:
 def test_times_on_no_clock_are_refused_with_a_rate() -> None:
     time = np.cumsum(np.random.default_rng(3).uniform(0.01, 0.05, 60))
     with pytest.raises(
-        CaromError, match=r"film: --rate: expected times of evenly spaced frames, or none, got times on no"
+        CaromError, match=r"film: `rate`: expected times of evenly spaced frames, or none, got times on no"
     ):
         at_rate([ball(time)], 30.0, "film", [])
 
@@ -149,10 +149,10 @@ def test_columns_with_times_and_frames(tmp_path: Path) -> None:
     file.write_text("frame,t [s],x [m],y [m]\n" + "".join(f"{k},{k / 30:.4f},{k / 100},0\n" for k in range(40)))
     found = read_tracks(file, calibration=Calibration(rate=300.0))
     np.testing.assert_allclose(np.diff(found.tracks[0].time), 1 / 300, rtol=1e-9)
-    assert any("say 30 frames per second; --rate 300 overrides" in note for note in found.notes)
+    assert any("say 30 frames per second; `rate` 300 overrides" in note for note in found.notes)
 
 
 def test_carom_fit_takes_the_rate_as_well(film: Path) -> None:
     rows = rebounds_of_films([film], Calibration(rate=RATE), Settings(radius=0.02, view="side"))
     assert rows["v_n_in"].max() == pytest.approx(np.sqrt(2 * 9.80665), rel=2e-3)
-    assert any("--rate 119.88 replaces them" in note for note in rows.notes)
+    assert any("`rate` 119.88 replaces them" in note for note in rows.notes)

@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import functools
 import re
-from dataclasses import replace
+from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
 from carom.errors import Fault
 
-__all__ = ["as_option", "in_options", "option_of", "remember_verbs", "verbs_with", "with_options"]
+__all__ = ["as_option", "in_options", "option_of", "parameter_of", "remember_verbs", "verbs_with", "with_options"]
 
-PARAMETER = re.compile(r"`(\w+)(?:=([^`]*))?`")
+PARAMETER = re.compile(r"(?:(carom(?: [a-z]+)+) )?`(\w+)(?:=([^`]*))?`")  # maybe after the verb that has it
+TEXTS = ("verdict", "sentence", "notes")  # fields of results
 # The functions and records whose arguments verbs take as options, as the ``where`` of faults names them; and the arguments that
 # have other names there.
 ARGUMENTS: dict[str, dict[str, str]] = {
@@ -27,7 +28,7 @@ _running: list[str] = [""]
 def remember_verbs(command: Any, path: str = "carom") -> Any:
     """Return a command, with all below it, that is remembered as the one that runs as soon as it does."""
     options = [option for option in command.params if option.param_type_name == "option"]
-    _verbs[path] = {option.name.removeprefix("as_").strip("_"): option.opts[0] for option in options}
+    _verbs[path] = {parameter_of(option): option.opts[0] for option in options}
     _verbs[path] |= {name.strip("-").replace("-", "_"): name for option in options for name in option.opts}
     command.invoke = functools.partial(_invoke, path, command.invoke)
     for name, inner in getattr(command, "commands", {}).items():
@@ -38,6 +39,11 @@ def remember_verbs(command: Any, path: str = "carom") -> Any:
 def _invoke(path: str, invoke: Any, context: Any) -> Any:
     _running[0] = path
     return invoke(context)
+
+
+def parameter_of(option: Any) -> str:
+    """Return the name by which texts of the library call an option's parameter."""
+    return str(option.name).removeprefix("as_").strip("_")
 
 
 def option_of(parameter: str) -> str:
@@ -63,10 +69,16 @@ def in_options(text: str) -> str:
 
 
 def _in_options(found: re.Match[str]) -> str:
-    option, value = option_of(found[1]), (found[2] or "").strip("'\"")
-    if option == found[1]:
-        return found[0] if value else option
-    return f"{option} {value}" if value else option
+    said, parameter, value = found[1], found[2], (found[3] or "").strip("'\"")
+    if said:
+        words = said.split()
+        verb = next((name for k in range(len(words), 0, -1) if (name := " ".join(words[:k])) in _verbs), "")
+        option = _verbs.get(verb, {}).get(parameter) or option_of(parameter)
+    else:
+        option = (_own(parameter) or parameter) if found.start() == 0 else option_of(parameter)
+    if option == parameter and value:
+        return found[0]
+    return " ".join(filter(None, (said, option, "" if value == "True" else value)))
 
 
 def as_option(fault: Fault) -> Fault:
@@ -75,10 +87,15 @@ def as_option(fault: Fault) -> Fault:
     return replace(fault, where="", field=option) if option else fault
 
 
-def with_options(value: Any) -> Any:
-    """Return nested lists and dictionaries, as JSON has them, with options in the place of parameters in all texts."""
-    if isinstance(value, str):
-        return in_options(value)
-    if isinstance(value, dict):
-        return {name: with_options(one) for name, one in value.items()}
-    return [with_options(one) for one in value] if isinstance(value, list | tuple) else value
+def with_options(found: Any) -> Any:
+    """Return a result, or the lists and dictionaries of its JSON, with options in the place of parameters in all texts."""
+    if isinstance(found, str):
+        return in_options(found)
+    if isinstance(found, dict):
+        return {name: with_options(one) for name, one in found.items()}
+    if type(found) in (list, tuple):
+        return type(found)(with_options(one) for one in found)
+    if is_dataclass(found) and not isinstance(found, type):
+        texts = {one.name: getattr(found, one.name) for one in fields(found) if one.name in TEXTS}
+        return replace(found, **{name: with_options(text) for name, text in texts.items()})
+    return found

@@ -117,7 +117,7 @@ def design(
         if not truth and nothing_along_the_wall(already):
             raise CaromError(
                 f"{filmed.source}: expected rebounds from which the friction of {true.name} can be fitted, got balls without"
-                " velocity along the wall or spin beyond the error bars; give the parameters (--truth friction=0.2), or plan"
+                " velocity along the wall or spin beyond the error bars; give the parameters (`truth` friction=0.2), or plan"
                 " without this file"
             )
         setting = already.setting  # the floor of the film is assumed for the next shots
@@ -129,7 +129,7 @@ def design(
         if fitted.untold:
             remarks.append(
                 f"{true.name}: {' and '.join(fitted.untold)}: not identifiable from the film; the values that fit best are used,"
-                " although others fit as well; give them (--truth)"
+                " although others fit as well; give them (`truth`)"
             )
 
     known = fitted.numbers if fitted is not None else None
@@ -228,7 +228,7 @@ def _require_error_bars(filmed: Rebounds) -> None:
     if lacks:
         raise CaromError(
             f"{filmed.source}: {', '.join(lacks)}: expected error bars of the measurements, to weigh their evidence, got none; add"
-            " the columns (--sigma-v and --sigma-spin apply to future shots), or omit the file"
+            " the columns (`sigma_v` and `sigma_spin` apply to future shots), or omit the file"
         )
 
 
@@ -248,7 +248,7 @@ def _sentence(plan: Plan, true: FittedLaw, other: FittedLaw) -> str:
     if plan.count is None:
         why = "the other law, fitted to them, makes the same predictions; try other angles, speeds or spins"
         if other.name in true.within:
-            why = f"{other.name} contains {true.name}; exchange the two laws, --laws {other.name},{true.name}"
+            why = f"{other.name} contains {true.name}; exchange the two laws, `laws` {other.name},{true.name}"
         return f"{film}No number of such shots discriminates between {true.name} and {other.name}: {why}."
     where = ", ".join(
         f"{shot.repeat} at {shot.angle_deg:.3g}°, {shot.speed:.3g} m/s"

@@ -94,5 +94,5 @@ def _moved(fit: Fit, steady: Fit, rows: list[Outlier]) -> list[str]:
     decide = "decides" if len(rows) == 1 else "decide"
     return [
         f"{which} {decide} the parameters of {fit.law.name}: {', '.join(moved)} by a robust fit (heavy tails); check these rows,"
-        " remove those that are not such bounces, or fit with --robust"
+        " remove those that are not such bounces, or fit with `robust`"
     ]

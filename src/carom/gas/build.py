@@ -134,7 +134,7 @@ def load_gas(path: str | Path) -> GasScene:
     (1000, 'periodic')
     """
     path = as_path("load_gas", path)
-    table = read_toml(path, f"carom scene new --gas {path}", "the scene file of a gas")
+    table = read_toml(path, f"carom scene new `gas` {path}", "the scene file of a gas")
     if strange := sorted({"balls", "walls", "floor"} & set(table)):
         got = " and ".join(strange)
         raise CaromError(f"{path}: expected a gas, got a scene of single balls, with {got}; run carom simulate {path}")

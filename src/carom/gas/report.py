@@ -1,4 +1,4 @@
-"""Report of a session as plain numbers: what ``carom gas --json`` prints, the series and curves, and the totals of each contact."""
+"""Report of a session as plain numbers, as ``carom gas`` prints them: series and curves, and the totals of each contact."""
 
 from __future__ import annotations
 

@@ -200,7 +200,7 @@ class Verdict:
     reflection_angle = renamed_attribute("reflection_angle", "reflection_angle_deg")
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the verdict as in `carom compare --json`: NaN as None, infinity as the string "inf"."""
+        """Return the verdict as JSON has it: NaN as None, infinity as the string "inf"."""
         steps = None if self.answer is None else self.answer.steps
         flight = None if steps is None else {key: plain(x) for key, x in vars(steps.flight).items()}
         wall = steps.wall if isinstance(steps, TwoStep) else None
@@ -278,7 +278,7 @@ class Comparison:
         raise KeyError(law)
 
     def as_dict(self) -> dict[str, Any]:
-        """Return the comparison as in `carom compare --json`: full precision, None if undefined, "inf" for infinity."""
+        """Return the comparison as JSON has it: full precision, None if undefined, "inf" for infinity."""
         m = self.meeting
         return {
             "incident": {**(state_dict(m.state) or {}), "angle_deg": self.incident_angle_deg},

@@ -39,7 +39,7 @@ CARD = Card(
         "the impact is slow compared with sound in the ball; restitution below 1 only scales the normal speed",
     ),
     valid="Hard balls on hard walls at every angle, where no constant tangential restitution fits. For rubber, shells and"
-    " blades the stiffness ratio has to be fitted (`carom fit --laws maw,stronge`); it is not 2 (1 - nu)/(2 - nu): with that"
+    " blades the stiffness ratio has to be fitted (carom fit, laws maw and stronge); it is not 2 (1 - nu)/(2 - nu): with that"
     " default the tangential velocity of steel superballs has the wrong sign at small slip.",
     equations="carom.laws.maw",
     citation="N. Maw, J. R. Barber & J. N. Fawcett, The oblique impact of elastic spheres, Wear 38, 101-114 (1976).",

@@ -22,7 +22,7 @@ __all__ = ["FORBIDDEN", "find_law"]
 
 FORBIDDEN = (
     "one of carom's laws, as opening a file runs no code",
-    "to run that Python file, if you trust it: --allow-own-laws, or allow_own_laws=True in Python",
+    "to run that Python file, if you trust it: `allow_own_laws=True`",
 )
 """Expected, and what to do, where a text from a file names a Python file."""
 

@@ -69,7 +69,7 @@ def _by_name(path: Path) -> dict[str, Any] | None:
 def _remedy(path: Path) -> str:
     """Return the command that writes the scene that was meant."""
     near = near_name(path, presets())
-    return f"carom scene new --table {near} FILE.toml" if near else f"carom scene new {path}"
+    return f"carom scene new `table` {near} FILE.toml" if near else f"carom scene new {path}"
 
 
 def read_toml(path: Path, remedy: str, what: str = "a scene file") -> dict[str, Any]:

@@ -55,7 +55,7 @@ class Aim:
     scene: Scene
     """The scene with this start."""
     changes: dict[str, Any]
-    """The numbers of the start by path, as :func:`carom.replaced` and ``carom simulate --set`` take them."""
+    """The numbers of the start by path, as :func:`carom.replaced` takes them."""
     linear: bool = True
     """Whether spread and covariance hold: gradients say of the shots that were run by about how much they miss."""
 

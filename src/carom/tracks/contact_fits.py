@@ -170,7 +170,7 @@ class ContactFitter:
             effect += " (in the error bars of rebounds)"
         return (
             f"frames up to {times[0]} before and {times[1]} after a contact scatter across the wall far more than"
-            f" others (a soft wall, or a tracker that smooths): left out (--blind 0 keeps them){effect}"
+            f" others (a soft wall, or a tracker that smooths): left out (`blind` 0 keeps them){effect}"
         )
 
     def _round(

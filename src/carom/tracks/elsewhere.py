@@ -65,6 +65,6 @@ def elsewhere_note(events: Iterable[TrackEvent], several: bool) -> list[str]:
         return []
     count, are = ("1 bounce", "is") if len(found) == 1 else (f"{len(found)} bounces", "are")
     return [
-        f"{count} away from the wall{'s' * several}, at (x, y) = {shortened_list(found, 4)} m, {are} not measured: --wall y=0.1 or"
-        " --wall x1,y1,x2,y2 names the line at which the ball's centre turns there"
+        f"{count} away from the wall{'s' * several}, at (x, y) = {shortened_list(found, 4)} m, {are} not measured: `wall` y=0.1 or"
+        " `wall` x1,y1,x2,y2 names the line at which the ball's centre turns there"
     ]

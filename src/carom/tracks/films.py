@@ -51,7 +51,7 @@ def combined_rebounds(tables: Mapping[str, Rebounds]) -> Rebounds:
     if len(kinds) > 1:
         raise CaromError(
             f"films: expected films of one kind, got a ball on a table in {kinds['table']!r} and a ball in flight in"
-            f" {kinds['planar']!r}; --view above or --view side says what they are"
+            f" {kinds['planar']!r}; `view` above or `view` side says what they are"
         )
     parts = list(tables.values())
     size = {id(table): len(table) for table in parts}

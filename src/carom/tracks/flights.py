@@ -132,7 +132,7 @@ def air_and_notes(
         floor = (
             "the walls are taken as they were given"
             if walls_given
-            else "the floor is taken to be perpendicular to it (--wall x1,y1,x2,y2 gives another)"
+            else "the floor is taken to be perpendicular to it (`wall` x1,y1,x2,y2 gives another)"
         )
         notes.append(
             f"the camera is rolled: gravity points {np.degrees(abs(angle)):.2f} ± {np.degrees(error):.1g}° to the {side} of"
@@ -142,7 +142,7 @@ def air_and_notes(
         air = air._replace(drag=found.drag, drag_error=found.drag_error)
         notes.append(
             f"air drag: at the speed v the air slows the ball down by k v^2, k = {found.drag:.3g} ± {found.drag_error:.1g} 1/m, as"
-            " its flights show; the velocities at contacts allow for it (--drag gives k, 0 for none)"
+            " its flights show; the velocities at contacts allow for it (`drag` gives k, 0 for none)"
         )
     return air, notes
 

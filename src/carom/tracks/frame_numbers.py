@@ -52,7 +52,7 @@ def without_rounding(tracks: Sequence[Track], notes: list[str]) -> list[Track]:
             return group
         notes.append(
             f"times are rounded to {1e3 * rounding_of_times(longest.time).max():g} ms, so that rows share one: taken as successive"
-            f" frames, one every {1e3 * interval:.4g} ms (--rate gives the true frame rate)"
+            f" frames, one every {1e3 * interval:.4g} ms (`rate` gives the true frame rate)"
         )
         return _group_at_rate(group, 1 / interval, "", [])
 
@@ -81,8 +81,8 @@ def _group_at_rate(tracks: Sequence[Track], rate: float, name: str, notes: list[
         known = file_interval(longest.time, rate)
         if known is None:
             raise CaromError(
-                f"{name}: --rate: expected times of evenly spaced frames, or none, got times on no clock (first"
-                f" {', '.join(f'{t:g}' for t in longest.time[:4])} s); leave --rate out, or the column of times"
+                f"{name}: `rate`: expected times of evenly spaced frames, or none, got times on no clock (first"
+                f" {', '.join(f'{t:g}' for t in longest.time[:4])} s); leave `rate` out, or the column of times"
             )
         interval = known
         counted = [_frames(track.time, interval, zero) for track in tracks]
@@ -144,10 +144,10 @@ def _compare(interval: float, track: Track, rate: float, moved: bool, notes: lis
         note = f"the times are whole numbers: taken as the numbers of frames, {rate:g} per second"
     elif np.isfinite(interval) and abs(interval * rate - 1) > max(SAME_RATE, error):
         note = (
-            f"the file's times say {1 / interval:.5g} frames per second; --rate {rate:g} overrides them (leave it out if they are"
+            f"the file's times say {1 / interval:.5g} frames per second; `rate` {rate:g} overrides them (leave it out if they are"
             " right)"
         )
     elif moved and step * rate > OFF_CLOCK and track.frame is None:
-        note = f"the file's times are rounded to {1e3 * step:g} ms; --rate {rate:g} replaces them, one row per frame"
+        note = f"the file's times are rounded to {1e3 * step:g} ms; `rate` {rate:g} replaces them, one row per frame"
     if note and note not in notes:
         notes.append(note)

@@ -143,12 +143,12 @@ def what_would_give(fall: float, gravity: float, interval: float) -> str:
     Examples
     --------
     >>> what_would_give(2.45, 9.80665, 1 / 60)
-    'at 120 frames per second instead of 60 (--rate), or with lengths 4 times as large (--scale), it would be 9.81 m/s^2'
+    'at 120 frames per second instead of 60 (`rate`), or with lengths 4 times as large (`scale`), it would be 9.81 m/s^2'
     """
     ratio = gravity / fall
     rate = ratio**0.5 / interval
     rate = next((float(usual) for usual in USUAL_RATES if abs(rate / usual - 1) < RATE_SHARE), rate)
     return (
-        f"at {rate:.3g} frames per second instead of {1 / interval:.4g} (--rate), or with lengths {ratio:.2g} times as large"
-        f" (--scale), it would be {gravity:.3g} m/s^2"
+        f"at {rate:.3g} frames per second instead of {1 / interval:.4g} (`rate`), or with lengths {ratio:.2g} times as large"
+        f" (`scale`), it would be {gravity:.3g} m/s^2"
     )

@@ -75,7 +75,7 @@ def hop_notes(contacts: Sequence[TrackContact]) -> list[str]:
         verdicts = {one.hop for one in contacts if one.fit is not None and one.wall.name == name}
         if "seen" in verdicts:
             notes.append(
-                f"wall {name}: the ball hops off it; the rebounds are of balls that roll again (--stage after_wall: as they"
+                f"wall {name}: the ball hops off it; the rebounds are of balls that roll again (`stage` after_wall: as they"
                 " leave the wall)"
             )
         elif "possible" in verdicts:

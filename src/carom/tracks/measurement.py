@@ -141,7 +141,7 @@ def measure(tracks: Sequence[Track], settings: Settings | None = None, progress:
     if settings.radius is None and any(len(members) > 1 for members in groups.values()):
         raise CaromError(
             "tracks: expected the balls' radius, since several were filmed together and may meet, got none;"
-            " --radius 30.75mm, or --radius 0 if they cannot meet"
+            " `radius` 30.75mm, or `radius` 0 if they cannot meet"
         )
     _require_axis_up(seen, settings)
     film = Measured(
@@ -162,7 +162,7 @@ def _require_axis_up(tracks: Sequence[Track], settings: Settings) -> None:
     if upward:
         raise CaromError(
             f"tracks: expected positions that count upward, but the ball falls upward, with {upward:.3g} m/s^2: they count"
-            " downward, as in pictures; give --down (in Python, y with the other sign), or --view above if the ball is on a table"
+            " downward, as in pictures; give `down` (y with the other sign), or `view` above if the ball is on a table"
         )
 
 
@@ -192,9 +192,9 @@ def _in_likely_view(
             also = f"; {OF_VIEW[other]}, {wrong_too}" if wrong_too else ""
             wrong = (
                 f"the motion fits no view: {OF_VIEW[view]}, {wrong}{also}. Is it a ball on a curved rail, another scale or frame"
-                f" rate? Trust none of these contacts, or try --view {other}"
+                f" rate? Trust none of these contacts, or try `view` {other}"
             )
-    said = f"assumed to be filmed {OF_VIEW[view]}, {KIND_OF_MOTION[view]}: {why} (--view {other} overrides this)"
+    said = f"assumed to be filmed {OF_VIEW[view]}, {KIND_OF_MOTION[view]}: {why} (`view` {other} overrides this)"
     return replace(found, view_reason=why, notes=(said, *([wrong] if wrong else []), *found.notes))
 
 
@@ -244,7 +244,7 @@ def _in_view(
         notes += said
     notes += drag_note(contacts, air)
     if not walls:
-        notes.append("no wall found: no ball turns back at an extreme of the positions (--wall gives one)")
+        notes.append("no wall found: no ball turns back at an extreme of the positions (`wall` gives one)")
     other = what_would_give(gravity, settings.gravity, film.interval) if gravity != settings.gravity else ""
     notes += _plausibility_notes(
         walls, events, job.floor.get("gravity", WithError(gravity, 0.0)).value, other, settings
@@ -266,13 +266,13 @@ def _plausibility_notes(
     """
     met = {event.what for some in events.values() for event in some}
     notes = [
-        f"wall {wall.name}: no ball reaches it; --wall is the line at which the ball's centre is reflected, in m"
+        f"wall {wall.name}: no ball reaches it; `wall` is the line at which the ball's centre is reflected, in m"
         for wall in walls
         if not wall.found and wall.name not in met
     ]
     if not abs(gravity / settings.gravity - 1) < 0.1:
         notes.append(
-            f"gravity is {gravity:.3g} m/s^2 in this film instead of {settings.gravity:.3g}: is the scale (--scale),"
-            f" the frame rate (--rate) or the view (--view) wrong?{f' {other[0].upper()}{other[1:]}' if other else ''}"
+            f"gravity is {gravity:.3g} m/s^2 in this film instead of {settings.gravity:.3g}: is the scale (`scale`),"
+            f" the frame rate (`rate`) or the view (`view`) wrong?{f' {other[0].upper()}{other[1:]}' if other else ''}"
         )
     return notes

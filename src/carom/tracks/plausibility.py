@@ -44,7 +44,7 @@ def restitution_note(contacts: Sequence[TrackContact]) -> list[str]:
     count = f"{len(worst)} of {len(fits)} contacts have" if len(fits) > 1 else "the contact has"
     return [
         f"{count} a restitution above 1 beyond the error bar, up to {-most['vn_out'] / most['vn_in']:.3g} at t ="
-        f" {most['t']:.4g} s: no wall at rest gives back more than it gets; is the view (--view), scale or frame rate wrong?"
+        f" {most['t']:.4g} s: no wall at rest gives back more than it gets; is the view (`view`), scale or frame rate wrong?"
     ]
 
 

@@ -219,7 +219,7 @@ def on_camera_clock(tracks: Sequence[Track], notes: list[str]) -> tuple[list[Tra
         grid = _grid(times)
         if not clock.steady and len(times) > 3 and np.ptp(times) < 3 * grid * (len(times) - 1):
             mean = (len(times) - 1) / np.ptp(times)
-            hint = f"; they seem to be rounded to {grid:g} s: --rate gives the frame rate (about {mean:.3g} per second)"
+            hint = f"; they seem to be rounded to {grid:g} s: `rate` gives the frame rate (about {mean:.3g} per second)"
         if np.isfinite(clock.interval):
             intervals.append(clock.interval)
         seen += [_on_clock(track, times, clock) for track in members]

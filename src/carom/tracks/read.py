@@ -132,7 +132,7 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
         raise CaromError(f"{path}: expected a track file, got a folder")
     if format is not None and format not in FORMATS:
         raise CaromError(
-            Fault("--format", "", f"one of {', '.join(FORMATS)}", repr(format), suggestion(format, list(FORMATS)))
+            Fault("tracks", "format", f"one of {', '.join(FORMATS)}", repr(format), suggestion(format, list(FORMATS)))
         )
     require_text(path, "positions")
     text = track_text(path)
@@ -142,7 +142,7 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
     if name is None:
         raise CaromError(
             f"{path}: expected a track of {', '.join(FORMATS)}, {got_instead(text)}; a table can always be read if its header"
-            f" is like {columns.HEADER_EXAMPLE!r} or 't/s;x/cm;height/cm'; or name the format with --format"
+            f" is like {columns.HEADER_EXAMPLE!r} or 't/s;x/cm;height/cm'; or name the format with `format`"
         )
     tracks = FORMATS[name].read(str(path), text, calibration)
     if not tracks or not any(track.seen.any() for track in tracks):
@@ -209,7 +209,7 @@ def got_instead(text: str) -> str:
 
 def _check(calibration: Calibration) -> None:
     faults = [
-        f"--{name}: expected a number above 0, got {value!r}"
+        f"`{name}`: expected a number above 0, got {value!r}"
         for name, value in (("scale", calibration.scale), ("rate", calibration.rate))
         if value is not None and not 0 < value < np.inf
     ]
@@ -227,7 +227,7 @@ def _in_order(track: Track, path: str, notes: list[str], faults: list[str]) -> T
         if len(far):
             faults.append(
                 f"{path}: {label}: {name}: expected at most {most:g} {unit}, got {values[far[0]]:g} {unit} ({len(far)} in all);"
-                " is the unit right? --scale is the length of one unit of the file"
+                " is the unit right? `scale` is the length of one unit of the file"
             )
     known: NDArray[np.bool_] = np.isfinite(track.time)
     if (~known & np.isfinite(track.position).any(axis=1)).any():
@@ -274,7 +274,7 @@ def _require_likely_unit(tracks: list[Track], path: str) -> None:
     if unit:
         raise CaromError(
             f"{path}: expected lengths in m, but then the ball falls with {fall:.3g} m/s^2, {fall / GRAVITY:.3g} times gravity:"
-            f" they are probably in {unit}; give --scale 1{unit} (or --scale 1m if they are in m)"
+            f" they are probably in {unit}; give `scale` 1{unit} (or `scale` 1m if they are in m)"
         )
 
 
@@ -288,7 +288,7 @@ def _plausibility_notes(tracks: list[Track], notes: list[str]) -> None:
         notes.append("the ball does not move: all its positions are the same")
     elif not SMALLEST_FILM_M < size < LARGEST_FILM_M or speed > FASTEST_BALL:
         notes.append(
-            f"the tracks span {size:.3g} m, and the ball moves at {speed:.3g} m/s: is the unit right? --scale 1mm (or 1cm, 0.42mm"
+            f"the tracks span {size:.3g} m, and the ball moves at {speed:.3g} m/s: is the unit right? `scale` 1mm (or 1cm, 0.42mm"
             " per pixel) gives it"
         )
         spans = np.array([np.ptp(track.position[track.seen], axis=0) for track in tracks]).max(axis=0)

@@ -74,7 +74,7 @@ def sliding_reason(one: TrackContact) -> str:
     error = float(np.hypot(one.fit.error("un_in"), one.fit.error("ut_in")))
     if size < max(2 * error, 0.01):
         return ""
-    return "it still slides when it meets the wall; rebounds on a table are of rolling balls (--sliding keeps it)"
+    return "it still slides when it meets the wall; rebounds on a table are of rolling balls (`sliding` keeps it)"
 
 
 def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = False) -> Rebounds:
@@ -237,7 +237,7 @@ def _nothing(measured: Measured, stage: Stage, sliding: bool) -> str:
     if not measured.contacts:
         walls = ", ".join(wall.name for wall in measured.walls) or "none"
         return (
-            f"tracks: expected a contact with a wall, got none (walls: {walls}); give the wall with --wall, or film until"
+            f"tracks: expected a contact with a wall, got none (walls: {walls}); give the wall with `wall`, or film until"
             " the ball has left the wall"
         )
     whys: dict[str, int] = {}

@@ -40,7 +40,7 @@ SOURCES = {
         doi="10.1016/S0032-5910(01)00283-2",
         notes="Speed about 3.9 m/s, incidence from the normal, normal restitution 0.98. From digitisations by"
         " others; the publication itself was not available; the series have different angles. Do not use the"
-        " contact-patch series above 60 degrees. The table has no speed column: carom predict --speed 3.9.",
+        " contact-patch series above 60 degrees. The table has no speed column: carom predict takes one, 3.9 m/s.",
     ),
     "alciatore_tpb28": Source(
         file="alciatore_tpb28_sliding_banks.csv",

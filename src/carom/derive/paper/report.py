@@ -87,7 +87,7 @@ def find_entries(
 
 
 def as_record(entry: Entry, verdict: EquationVerdict) -> dict[str, str]:
-    """Return an entry as `carom derive --json` prints it."""
+    """Return an entry as ``carom derive`` prints it in JSON."""
     said = [part for part in (verdict.sentence, entry.note) if part]
     return {
         "id": entry.id,

@@ -94,7 +94,7 @@ def _require_clock(table: TextTable, header: Header, one: Series, named: bool, c
     if {"time", "frame"} & set(one.columns) or (calibration.rate is not None and not named):
         return
     columns = ", ".join(cell.strip() for cell in header.cells)
-    hint = "" if named else "; --rate 60 counts the rows as frames"
+    hint = "" if named else "; `rate` 60 counts the rows as frames"
     table.faults.append(f"{table.name}: expected a column t (as in 't [s]') or frame, got columns {columns:.80}{hint}")
 
 
@@ -181,7 +181,7 @@ def _notes(header: list[str], columns: list[tuple[int, Heading | None]], calibra
             if meaning is not None and meaning.style != "plain" and meaning.dimension == "length"
         ]
         if said:
-            notes.append(f"--scale overrides the unit in {', '.join(map(repr, said))}")
+            notes.append(f"`scale` overrides the unit in {', '.join(map(repr, said))}")
     if bare:
         notes.append(
             f"no unit in {', '.join(map(repr, bare))}: assumed to be {' and '.join(sorted(set(bare.values())))}"

@@ -243,9 +243,9 @@ def require_calibration(
     faults = []
     if scale and calibration.scale is None:
         faults.append(
-            f"{name}: {program}: expected the scale, {scale}; give --scale, the length of one unit of the file (0.5mm)"
+            f"{name}: {program}: expected the scale, {scale}; give `scale`, the length of one unit of the file (0.5mm)"
         )
     if rate and calibration.rate is None:
-        faults.append(f"{name}: {program}: expected the frame rate, {rate}; give --rate, frames per second")
+        faults.append(f"{name}: {program}: expected the frame rate, {rate}; give `rate`, frames per second")
     if faults:
         raise CaromError(*faults)
