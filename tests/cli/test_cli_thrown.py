@@ -12,14 +12,14 @@ import pytest
 from reference.commands import command, fails
 from reference.thrown_ball import KAPPA, RADIUS, as_csv, film, table, thrown
 
-from carom.cli.fit_input import completed
 from carom.data import make_rebounds, read_rebounds
-from carom.fitting import Setting, fit_laws
+from carom.fitting import Setting, fit_laws, usable_rows
 from carom.plot.tracks import plot_tracks
 from carom.tracks import Settings, measure, to_rebounds
 from carom.tracks.rebounds import first_contacts
 
 BALL = ("--radius", str(RADIUS), "--inertia", "hollow")
+SETTING = Setting(radius=RADIUS, kappa=KAPPA)
 FILMS = [
     thrown(speed, height) for speed, height in ((2.0, 0.5), (2.5, 0.4), (3.0, 0.6), (3.5, 0.5), (4.0, 0.7), (4.5, 0.4))
 ]
@@ -61,7 +61,8 @@ def test_the_first_contact_of_each_ball(rebounds: Path) -> None:
     assert first_contacts(make_rebounds("planar", speeds, extra=numbers)).tolist() == [True, False, True, False]
     # single bounces
     assert first_contacts(make_rebounds("planar", speeds)).tolist() == [True] * 4
-    assert completed(make_rebounds("planar", speeds), None, None, 3.0)["spin_in"].tolist() == [3.0] * 4
+    known, _setting = usable_rows(make_rebounds("planar", speeds), SETTING, spin=3.0)
+    assert known["spin_in"].tolist() == [3.0] * 4
 
 
 def test_a_table_without_a_first_contact_has_no_given_spin(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
@@ -95,12 +96,12 @@ def test_without_a_spin_the_first_bounces_alone_are_fitted(
             (note,) = [note for note in found["notes"] if "--every-contact" in note]
             assert "the 12 later contacts of 18 rows are left out" in note
     assert rows == {(): 1, ("--every-contact",): 0, ("--spin", "normal"): 0}
-    few = completed(read_rebounds(rebounds, kind="planar").select(np.arange(9)), None, None, None, first_only=True)
+    few, _setting = usable_rows(read_rebounds(rebounds, kind="planar").select(np.arange(9)), SETTING)
     assert len(few) == 9
     assert "film more throws before relying on a verdict" in few.notes[-1]
     known = read_rebounds(rebounds, kind="planar")
     known = replace(known, columns=known.columns | {"spin_in": np.zeros(18)})
-    assert len(completed(known, None, None, None, first_only=True)) == 18
+    assert len(usable_rows(known, SETTING)[0]) == 18
 
 
 # --- a ball dropped straight down -------------------------------------------------------------------------------------
@@ -121,10 +122,9 @@ def test_a_drop_says_nothing_about_friction(tmp_path: Path, capsys: pytest.Captu
 def test_a_drop_decides_nothing_with_or_without_error_bars() -> None:
     columns = {name: [float(cell) for cell in cells] for name, cells in table([thrown(0.0, 1.2, count=6)]).items()
                if "v_" in name}  # fmt: skip
-    setting = Setting(radius=RADIUS, kappa=KAPPA)
-    ranking = fit_laws(make_rebounds("planar", columns), setting, ["mirror", "sticking"], bootstrap=0, profiles=False)
+    ranking = fit_laws(make_rebounds("planar", columns), SETTING, ["mirror", "sticking"], bootstrap=0, profiles=False)
     bare = {"v_n_in": columns["v_n_in"], "v_n_out": columns["v_n_out"], "spin_in": [0.0] * 6}
-    without = fit_laws(make_rebounds("planar", bare), setting, ["mirror", "sticking"], bootstrap=0, profiles=False)
+    without = fit_laws(make_rebounds("planar", bare), SETTING, ["mirror", "sticking"], bootstrap=0, profiles=False)
     for one in (ranking, without):
         assert "say nothing about friction" in one.verdict
         assert not one.decisive
@@ -166,13 +166,13 @@ def test_a_ball_that_slips_decides() -> None:
     columns = table(FILMS)
     numbers = {name: [float(cell) for cell in cells] for name, cells in columns.items() if "v_" in name}
     rows = make_rebounds("planar", numbers | {"spin_in": [bounce[3] for one in FILMS for bounce in one]})
-    ranking = fit_laws(rows, Setting(radius=RADIUS, kappa=KAPPA), ["mirror", "sliding"], bootstrap=0, profiles=False)
+    ranking = fit_laws(rows, SETTING, ["mirror", "sliding"], bootstrap=0, profiles=False)
     assert ranking.best.law.name == "sliding"
     assert "say nothing" not in ranking.verdict
     # a ball that is dropped with a spin slips too
     spun = make_rebounds("planar", {"v_n_in": [2.0, 3.0, 4.0], "v_t_in": 0.0, "spin_in": 50.0, "v_n_out": [1.6, 2.4, 3.2],
                                     "v_t_out": [0.3, 0.31, 0.32], "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02})  # fmt: skip
-    ranking = fit_laws(spun, Setting(radius=RADIUS, kappa=KAPPA), ["mirror", "sliding"], bootstrap=0, profiles=False)
+    ranking = fit_laws(spun, SETTING, ["mirror", "sliding"], bootstrap=0, profiles=False)
     assert "say nothing" not in ranking.verdict
 
 

@@ -485,7 +485,7 @@ def test_too_few_rows_and_unknown_spin_without_error_bars_are_refused():
         fit_laws(table(bounces(0, 2)), SETTING)
     columns = {name: column for name, column in bounces(0, 20).items() if not name.startswith("sigma")}
     columns["spin_in"] = np.full(20, np.nan)
-    with pytest.raises(carom.CaromError, match="--sigma-v"):
+    with pytest.raises(carom.CaromError, match="`sigma_v`"):
         fit_laws(table(columns), SETTING)
 
 

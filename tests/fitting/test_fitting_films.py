@@ -301,7 +301,7 @@ def test_the_floor_is_what_the_film_says():
     says = {"cloth_friction": np.full(12, "0.23"), "sigma_cloth_friction": np.full(12, "0.004")}  # as a file has it
     assert floor() == (
         0.2,
-        "floor_friction: not given; assumed to be 0.2; give --floor-friction, or --fit floor_friction",
+        "floor_friction: not given; assumed to be 0.2; give `floor_friction`, or `fit` floor_friction",
     )
     value, said = floor(**says)
     assert value == 0.23

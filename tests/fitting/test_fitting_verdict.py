@@ -82,7 +82,7 @@ def test_what_fails_its_chi2_is_not_preferred():
     assert ranking.odds > 1e6
     assert not ranking.decisive
     assert "prefer" not in ranking.verdict
-    assert "--scatter" in ranking.verdict
+    assert "`scatter`" in ranking.verdict
 
 
 def test_true_laws_are_seldom_rejected():

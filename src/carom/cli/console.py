@@ -11,6 +11,7 @@ from rich.cells import cell_len
 from rich.console import Console
 from rich.segment import Segment
 from rich.table import Column, Table
+from rich.text import Text
 
 from carom.cli.option_names import in_options
 from carom.formatting import escape_controls
@@ -39,7 +40,7 @@ class TextConsole(Console):
         for table in objects:
             if isinstance(table, Table):
                 _escape_cells(table)
-        objects = tuple(in_options(one) if isinstance(one, str) else one for one in objects)
+        objects = tuple(map(_with_options, objects))
         width = self.width
         self.width = max([width, *(self._fit(table) for table in objects if isinstance(table, Table))])
         try:
@@ -78,10 +79,17 @@ class TextConsole(Console):
                 yield piece._replace(text=escape_controls(piece.text))
 
 
+def _with_options(printed: Any) -> Any:
+    """Return a text of the library with the names of options in it; anything else as it is."""
+    if isinstance(printed, Text) and not printed.spans:
+        return Text(in_options(printed.plain), style=printed.style)
+    return in_options(printed) if isinstance(printed, str) else printed
+
+
 def _escape_cells(table: Table) -> None:
-    """Write out control characters in a table's texts, before the widths of its columns are found."""
+    """Name options, and write out control characters, in a table's texts, before the widths of its columns are found."""
     for column in table.columns:
-        column._cells = [escape_controls(cell) if isinstance(cell, str) else cell for cell in column._cells]
+        column._cells = [escape_controls(in_options(cell)) if isinstance(cell, str) else cell for cell in column._cells]
         if isinstance(column.header, str):
             column.header = escape_controls(column.header)
 

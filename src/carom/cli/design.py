@@ -10,7 +10,7 @@ from typing import Annotated, Any
 import typer
 
 from carom.cli.common import attempt, require_outputs, working, wrote
-from carom.cli.fit_input import completed
+from carom.cli.option_names import with_options
 from carom.cli.options import (
     BALL,
     WALL,
@@ -48,7 +48,7 @@ def design(
         list[str] | None,
         typer.Option(metavar="NAME=VALUE", help="Parameter of the first law; may be repeated.", rich_help_panel=WALL),
     ] = None,
-    contact_height: Annotated[float, shared("contact_height")] = 1.0,
+    contact_height: Annotated[float | None, shared("contact_height", default="1")] = None,
     floor_friction: Annotated[float | None, shared("floor_friction", default="what FILE says, else 0.2")] = None,
     angles: Annotated[
         str,
@@ -100,7 +100,7 @@ def design(
         name: attempt(faults, parse_number, "--truth", name, text)
         for name, text in parse_assignments(faults, "--truth", truth, known)
     }
-    every_spin, prior = attempt(faults, parse_spin, spin) or (None, {})
+    prior = attempt(faults, parse_spin, spin) or {}
     if spin is not None and file is None:
         faults.append("--spin: expected a file of rebounds with it, got none; --spins are those of the shots to come")
     pair = comma_separated(laws)
@@ -110,14 +110,13 @@ def design(
     filmed = None if file is None else attempt(faults, read_rebounds, file)
     clash = ""
     if filmed is not None:
-        filmed = attempt(faults, completed, filmed, None, None, every_spin) or filmed
         if kind not in (None, filmed.kind):
             clash = f"--kind: expected {filmed.kind}, the kind of {file}, got {kind}; omit the option"
         kind = filmed.kind
     if clash:  # reported only if there is no other fault
         faults.append(clash)
     elif kind in (None, "planar") and (file is None or filmed is not None):
-        faults += _no_table(stage in STAGES[1:], contact_height != 1, floor_friction is not None)
+        faults += _no_table(stage in STAGES[1:], contact_height is not None, floor_friction is not None)
     usual = Shots()  # replaces values already reported as faults
     shots = Shots(ranges[0] or usual.angles_deg, ranges[1] or usual.speeds, ranges[2], sigma_v, sigma_spin, stage)
     setting = Setting(
@@ -134,7 +133,7 @@ def design(
     with working("planning"):
         plan = plan_shots(
             kind or "planar",  # type: ignore[arg-type]
-            setting, (pair[0], pair[1]), shots, true or None, odds=odds, filmed=filmed, fine=plot is not None,
+            setting, (pair[0], pair[1]), shots, true or None, odds=odds, filmed=filmed, spin=spin, fine=plot is not None,
         )  # fmt: skip
     if plot is not None:
         from carom.plot.fit import plot_design
@@ -143,7 +142,7 @@ def design(
         save(plot_design(plan), plot)
         wrote(plot)
     if as_json:
-        sys.stdout.write(json.dumps(plan.as_dict(), indent=2, allow_nan=False) + "\n")
+        sys.stdout.write(json.dumps(with_options(plan.as_dict()), indent=2, allow_nan=False) + "\n")
     else:
         _show(plan)
     for line in plan.notes:

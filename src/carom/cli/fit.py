@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.common import attempt, noting, require_outputs, tell, write_report_page
-from carom.cli.fit_input import chosen, completed, own_set, read, with_height_note
+from carom.cli.common import attempt, require_outputs, tell, write_report_page
+from carom.cli.option_names import with_options
 from carom.cli.options import (
     OUTPUT,
     REBOUNDS,
@@ -184,32 +184,22 @@ def fit(
     from carom.files import require_library
 
     require_library("scipy", "fit")
-    from carom.cli.fit_tracks import TRACK_NUMBERS, TrackOptions, fit_track_files
+    from carom.cli.fit_tracks import TrackOptions, fit_track_files
+    from carom.data.published import published_at
+    from carom.data.rebounds import KINDS, STAGES
     from carom.fitting import Setting, fit_laws
-    from carom.fitting.parameters import FORMS, INDEX
+    from carom.fitting.usable_rows import require_error_bars
+    from carom.tracks.contact import Settings
+    from carom.tracks.film_files import are_films, rebounds_of_files
     from carom.tracks.formats.text_table import Calibration
 
-    file, faults = files[0], _several(files, whole)
+    faults: list[str] = []
+    films = None if whole else attempt(faults, are_films, files)  # (with --whole every file is checked there)
     kappa = None if inertia is None else attempt(faults, parse_inertia, inertia)
-    every_spin, prior = attempt(faults, parse_spin, spin, whole) or (None, {})
-    known = sorted(
-        {*INDEX, *(p.name for form in FORMS.values() for p in form.parameters), *(TRACK_NUMBERS if whole else ())}
-    )
-    fixed = {
-        name: attempt(faults, parse_number, "--fix", name, text)
-        for name, text in parse_assignments(faults, "--fix", fix, known)
-    }
-    bounds = {
-        name: attempt(faults, parse_bounds, name, text)
-        for name, text in parse_assignments(faults, "--bound", bound, known)
-    }
-    extra = tuple(name for text in fit_ or [] for name in comma_separated(text))
-    for name, value in (("--sigma-v", sigma_v), ("--sigma-spin", sigma_spin)):
-        if value is not None and not value > 0:
-            faults.append(f"{name}: expected an error bar above 0, got {value:g}")
+    prior = attempt(faults, parse_spin, spin, whole) or {}
+    held = _held(faults, fix, bound, whole)
+    attempt(faults, require_error_bars, sigma_v, sigma_spin)
     _pages(faults, report, no_report)
-    if seed is not None and seed < 0:
-        faults.append(f"--seed: expected a whole number >= 0, got {seed}")
     faults += unused_options(
         whole,
         {"--sigma-v": sigma_v, "--sigma-spin": sigma_spin, "--bootstrap": bootstrap, "--profiles": profiles,
@@ -220,11 +210,9 @@ def fit(
     )  # fmt: skip
     metres = attempt(faults, parse_length, "scale", scale)
     names = [name for text in laws or [] for name in comma_separated(text)]
-    if laws and not names:
-        faults.append("--laws: expected names of laws, NAME,NAME, got none; omit the option to fit all laws")
-    faults += _words(names, whole, view, kind, stage, bootstrap)
+    faults += _words(names if laws else None, whole, view, kind, stage, bootstrap, seed)
     own_faults: list[str] = []
-    ours = attempt(own_faults, own_set, file)
+    ours = attempt(own_faults, published_at, files[0])
     if radius is None and ours is None and not own_faults:
         faults.append("--radius: expected the ball's radius in m, got none; a table-tennis ball has --radius 0.02")
     given = {"radius": radius, "kappa": kappa, "contact_height": contact_height, "floor_friction": floor_friction}
@@ -235,66 +223,80 @@ def fit(
     )
     setting = Setting(
         **ball,
-        restitution=restitution, floor_restitution=floor_restitution, roll=roll, fit=extra, **prior,
-        fixed={name: value for name, value in fixed.items() if value is not None},
-        bounds={name: value for name, value in bounds.items() if value is not None}, robust=robust, scatter=scatter or "",
+        restitution=restitution, floor_restitution=floor_restitution, roll=roll, **prior, **held,
+        fit=tuple(name for text in fit_ or [] for name in comma_separated(text)), robust=robust, scatter=scatter or "",
     )  # fmt: skip
     if whole:
         frames = TrackOptions(view, where or [], cushions, noise, Calibration(scale=metres, rate=rate))
         return fit_track_files(files, setting, names, frames, report, as_json, faults, _bar)
     attempt(faults, _checked, setting)
     console = err()
-    if own_faults or (ours and faults):
+    if own_faults or (faults and (ours or films)):  # (before contacts are measured, which takes time)
         raise CaromError(*faults, *own_faults)
-    film = Calibration(scale=metres, rate=rate)
-    rebounds = ours.rebounds if ours else read(files, faults, setting, film, view, kind, stage, lambda: _bar(console))
-
-    _read(rebounds, None if ours else file, {"--scale": scale, "--rate": rate, "--view": view},
+    rebounds = ours.rebounds if ours else None
+    if films is not None and ours is None:
+        about = Settings(radius=setting.radius, kappa=setting.kappa, view=view)  # type: ignore[arg-type]
+        with _bar(console) as say:
+            rebounds = attempt(
+                faults, lambda: rebounds_of_files(
+                    files, Calibration(scale=metres, rate=rate), about,
+                    kind=kind if kind in KINDS else None, stage=stage if stage in STAGES else None,  # type: ignore[arg-type]
+                    progress=lambda done, total, text: say(text, done / total),
+                )
+            )  # fmt: skip
+    if faults or rebounds is None:
+        raise CaromError(*faults)
+    _read(rebounds, bool(films), {"--scale": scale, "--rate": rate, "--view": view},
           {"--contact-height": contact_height, "--floor-friction": floor_friction,
            "--floor-restitution": floor_restitution or None, "--roll": None if roll == 1 else roll})  # fmt: skip
 
-    rebounds = with_height_note(rebounds, contact_height, ours is not None or "contact_height" in {*extra, *fixed})
-
-    def ready(rows: Rebounds) -> Rebounds:
-        return completed(
-            chosen(rows, where or []), sigma_v, sigma_spin, every_spin, first_only=spin is None and not every_contact
-        )
-
-    rebounds, shifted = ready(rebounds), [(words, ready(rows)) for words, rows in (ours.shifted if ours else ())]
-    with noting(rebounds.notes), _bar(console) as say:
+    with _bar(console) as say:
         ranking = fit_laws(
-            rebounds, setting, names or None, profiles=profiles, bootstrap=bootstrap, seed=seed or 0, say=say
-        )
-        ranking = ranking.with_shared_errors(shifted)
-        written = None if report is None else write_report_page(lambda: _page(ranking, report), say)
+            rebounds, setting, names or None, where=where or (), sigma_v=sigma_v, sigma_spin=sigma_spin, spin=spin,
+            every_contact=every_contact, shifted=ours.shifted if ours else (), profiles=profiles, bootstrap=bootstrap,
+            seed=seed or 0, say=say,
+        )  # fmt: skip
+        written = None if report is None else write_report_page(lambda: _page(with_options(ranking), report), say)
     tell(ranking, show, as_json, console, written)
 
 
-def _several(files: list[Path], whole: bool) -> list[str]:
-    """Return what is wrong with several files: only tracks are fitted together."""
-    from carom.tracks.film_files import is_track
+def _held(faults: list[str], fix: list[str] | None, bound: list[str] | None, whole: bool) -> dict[str, Any]:
+    """Return the parameters that are held, and bounds of the others, as fields of a Setting."""
+    from carom.cli.fit_tracks import TRACK_NUMBERS
+    from carom.fitting.parameters import FORMS, INDEX
 
-    if len(files) == 1 or whole:  # (with --whole every file is checked there)
-        return []
-    faults: list[str] = []
-    for file in files:
-        if not file.exists():
-            faults.append(f"{file}: expected a file, got none of that name")
-        elif attempt(faults, is_track, file) is False:
-            faults.append(
-                f"{file}: expected a track, as several files are given, got a table of rebounds; join tables to one"
-            )
-    return faults
+    forms = (p.name for form in FORMS.values() for p in form.parameters)
+    known = sorted({*INDEX, *forms, *(TRACK_NUMBERS if whole else ())})
+    fixed = {
+        name: attempt(faults, parse_number, "--fix", name, text)
+        for name, text in parse_assignments(faults, "--fix", fix, known)
+    }
+    bounds = {
+        name: attempt(faults, parse_bounds, name, text)
+        for name, text in parse_assignments(faults, "--bound", bound, known)
+    }
+    return {field: {name: value for name, value in given.items() if value is not None}
+            for field, given in (("fixed", fixed), ("bounds", bounds))}  # fmt: skip
 
 
 def _words(
-    names: list[str], whole: bool, view: str | None, kind: str | None, stage: str | None, bootstrap: int | None
+    names: list[str] | None,
+    whole: bool,
+    view: str | None,
+    kind: str | None,
+    stage: str | None,
+    bootstrap: int | None,
+    seed: int | None,
 ) -> list[str]:
     """Return one line per invalid option, as far as that does not depend on the file."""
     from carom.data.rebounds import KINDS, STAGES
     from carom.fitting.laws import unknown_laws
 
-    faults = [f"--laws: {fault.removeprefix('law: ')}" for fault in unknown_laws(names)]
+    faults = [f"--laws: {fault.removeprefix('law: ')}" for fault in unknown_laws(names or [])]
+    if names == []:
+        faults.append("--laws: expected names of laws, NAME,NAME, got none; omit the option to fit all laws")
+    if seed is not None and seed < 0:
+        faults.append(f"--seed: expected a whole number >= 0, got {seed}")
     if view not in (None, "above", "side"):
         faults.append(f"--view: expected above (a ball on a table) or side (a ball in flight), got {view!r}")
     if whole:  # (not used)
@@ -320,11 +322,8 @@ def _pages(faults: list[str], report: Path | None, no_report: bool) -> None:
         faults.append("--no-report: expected no --report with it, got one; give one of them")
 
 
-def _read(rebounds: Rebounds, file: Path | None, of_tracks: dict[str, Any], of_tables: dict[str, Any]) -> None:
+def _read(rebounds: Rebounds, track: bool, of_tracks: dict[str, Any], of_tables: dict[str, Any]) -> None:
     """Raise CaromError for options without effect: those of tracks for rebounds, those of tables for planar rebounds."""
-    from carom.tracks.film_files import is_track
-
-    track = file is not None and is_track(file)
     faults = (
         [] if track else [f"{name}: expected a track, got rebounds" for name, x in of_tracks.items() if x is not None]
     )

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from carom.cli.common import attempt, noting, tell, write_report_page
+from carom.cli.option_names import with_options
 from carom.cli.options import parse_length
 from carom.errors import CaromError, shortened_list
 
@@ -74,7 +75,7 @@ def fit_track_files(
             ranking = fit_tracks(
                 measured, setting, laws or None, say=lambda what, done: say(what, MEASURING + (1 - MEASURING) * done)
             )
-        written = None if page is None else write_report_page(lambda: _page(ranking, files, page), say)
+        written = None if page is None else write_report_page(lambda: _page(with_options(ranking), files, page), say)
     tell(ranking, _show, as_json, console, written)
 
 

@@ -169,24 +169,15 @@ def quantity(option: str, unit: str) -> dict[str, Any]:
     return {"parser": functools.partial(parse_with_unit, option, unit), "metavar": what.replace(" ", "_").upper()}
 
 
-def parse_spin(text: str | None, whole: bool = False) -> tuple[float | None, dict[str, Any]]:
-    """Return the spin of all rows, or the prior of unmeasured spins as fields of a Setting; ``whole``: for whole tracks."""
-    name, _, width = (text or "normal").partition(":")
-    if whole and name != "normal":
+def parse_spin(text: str | None, whole: bool = False) -> dict[str, Any]:
+    """Return the prior of unmeasured spins as fields of a Setting, if the text is one; ``whole``: for whole tracks."""
+    from carom.fitting.usable_rows import spin_of_rows
+
+    if whole and (text or "normal").partition(":")[0] != "normal":
         raise CaromError(
             f"--spin: expected normal:WIDTH (in v/a) with --whole, got {text!r}; the spin of each track is fitted"
         )
-    try:
-        if name == "normal" and not width:
-            return None, {}
-        if name in ("normal", "uniform"):
-            if float(width) > 0:
-                return None, {"spin_prior": name, "spin_width": float(width), "spin_mean": 0.0}
-        elif math.isfinite(value := 0.0 if name == "none" else float(name)):
-            return value, {}
-    except ValueError:
-        pass
-    raise CaromError(f"--spin: expected a spin in rad/s, normal, normal:WIDTH or uniform:WIDTH (in v/a), got {text!r}")
+    return spin_of_rows(text)[1]
 
 
 def parse_assignments(

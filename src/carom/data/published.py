@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -12,7 +13,7 @@ from carom.data.datasets import Dataset, load, names
 from carom.data.rebounds import Rebounds, make_rebounds, read_rebounds
 from carom.errors import CaromError
 
-__all__ = ["Published", "published_name", "published_rebounds"]
+__all__ = ["Published", "published_at", "published_name", "published_rebounds"]
 
 
 @dataclass(frozen=True)
@@ -38,6 +39,12 @@ def published_name(text: str) -> str | None:
     """Return the name of the set that a text abbreviates; None if there is none or more than one."""
     found = [name for name in names() if text and name.startswith(text)]
     return text if text in found else found[0] if len(found) == 1 else None
+
+
+def published_at(path: Path) -> Published | None:
+    """Return the set that a path names, where there is no such file; None where it names none, or more than one."""
+    name = None if path.exists() else published_name(str(path))
+    return None if name is None else published_rebounds(name)
 
 
 def published_rebounds(name: str) -> Published:

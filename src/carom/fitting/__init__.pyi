@@ -12,3 +12,4 @@ from .result import Estimate as Estimate
 from .result import Fit as Fit
 from .setting import Setting as Setting
 from .uncertainty import with_bootstrap as with_bootstrap
+from .usable_rows import usable_rows as usable_rows

@@ -137,7 +137,7 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
             )
             faults.append(
                 f"{rebounds.source}: {lacks}: expected error bars, because {why} and its effect cannot be distinguished from"
-                " scatter; got none; add the columns, or give --sigma-v and --sigma-spin"
+                " scatter; got none; add the columns, or give `sigma_v` and `sigma_spin`"
             )
         else:
             notes.append(
@@ -153,7 +153,7 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
     if exact and rebounds.sigma:
         notes.append(f"{', '.join(f'sigma_{name}' for name in exact)}: not given; assumed exact before the wall")
     stages = None if rebounds.stage is None else np.array([STAGES.index(str(s)) for s in rebounds.stage])
-    setting, floor, error = _with_floor(rebounds, setting)
+    setting, floor, error = _with_floor(rebounds, setting.with_height())
     notes += floor
     shared = () if estimated.any() else shared_errors(rebounds, names, error)
     if shared:  # each row keeps the rest of its variance
@@ -235,12 +235,12 @@ def _with_floor(rebounds: Rebounds, setting: Setting) -> tuple[Setting, list[str
     found = film_says(rebounds, "cloth_friction")
     fitted = "floor_friction" in setting.fit or "floor_friction" in setting.fixed
     if found is None:
-        said = f"floor_friction: not given; assumed to be {CLOTH_FRICTION:g}; give --floor-friction, or --fit floor_friction"
+        said = f"floor_friction: not given; assumed to be {CLOTH_FRICTION:g}; give `floor_friction`, or `fit` floor_friction"
         return replace(setting, floor_friction=CLOTH_FRICTION), [] if fitted else [said], 0.0
     value, error, films = found
     bar = f" ± {error:.2g}" if error else ""
     of = "from the film" if films == 1 else f"mean of {films} films"
-    said = f"floor_friction: {value:.4g}{bar}, {of} (column cloth_friction); --floor-friction overrides it"
+    said = f"floor_friction: {value:.4g}{bar}, {of} (column cloth_friction); `floor_friction` overrides it"
     return replace(setting, floor_friction=value), [] if fitted else [said], 0.0 if fitted else error
 
 

@@ -29,6 +29,7 @@ from carom.fitting.model import model_of
 from carom.fitting.parameters import NUMBERS, PARAMETERS
 from carom.fitting.setting import FORM_PARAMETERS, Setting, require_settings
 from carom.fitting.shot_search import LEAST_GAIN, ShotSearch, deviances, gains
+from carom.fitting.usable_rows import usable_rows
 
 __all__ = ["Plan", "Shot", "Shots", "design", "require_plan"]
 
@@ -97,14 +98,22 @@ def design(
     *,
     odds: float = 20.0,
     filmed: Rebounds | None = None,
+    spin: float | str | None = None,
     fine: bool = False,
 ) -> Plan:
     """Plan shots that discriminate between two laws, the first assumed to be true with the parameters ``truth``.
 
-    ``filmed``: rebounds already measured; their evidence counts, and without ``truth`` the first law is fitted to them. ``fine``:
-    compute the gain on a finer grid, too, for a picture. Raises CaromError for empty ranges and unknown laws.
+    ``filmed``: rebounds already measured; their evidence counts, and without ``truth`` the first law is fitted to them. ``spin``:
+    their unmeasured spins, as for :func:`carom.fitting.usable_rows`, which says which of them are used. ``fine``: compute the gain
+    on a finer grid, too, for a picture. Raises CaromError for empty ranges and unknown laws.
     """
     require_plan(setting, laws, shots, truth, odds)
+    said: list[str] = []
+    if filmed is not None:
+        own = filmed.notes
+        filmed, setting = usable_rows(filmed, setting, spin=spin)
+        said = [note for note in filmed.notes if note not in own]
+    setting = setting.with_height()
     chosen, _notes = laws_named(list(laws), kind, setting.contact_height == 1.0)
     if len(chosen) != 2:
         raise CaromError(f"laws: expected two that differ for a {kind} rebound, got {laws[0]} and {laws[1]}")
@@ -162,7 +171,7 @@ def design(
         (true.name, other.name), _named(true, problem, p), _named(other, problem, done.best[0]),
         tuple(sorted(planned, key=lambda shot: -shot.gain * shot.repeat)), count, odds, total + price, rows.axes,
         gain.reshape([len(x) for x in rows.axes]), "",
-        tuple(note for note in remarks if note.startswith(("floor_friction", "rows: only", f"{true.name}: "))),
+        (*said, *(note for note in remarks if note.startswith(("floor_friction", "rows: only", f"{true.name}: ")))),
         so_far + price if have else None,
     )  # fmt: skip
     if fine:

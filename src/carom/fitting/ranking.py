@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from carom.data.rebounds import Rebounds
-from carom.errors import CaromError, require_type
+from carom.data.where import Where
+from carom.errors import CaromError, noting, require_type
 from carom.files import require_library
 from carom.fitting.adequacy import Adequacy, Coverage, adequacy, coverage, nothing_along_the_wall
 from carom.fitting.cross_validation import cross_validated_score, score_warnings
@@ -23,6 +24,7 @@ from carom.fitting.profile_likelihood import with_profiles
 from carom.fitting.result import Fit, finite, with_error_bar
 from carom.fitting.setting import Setting, require_settings
 from carom.fitting.uncertainty import with_bootstrap, with_shared
+from carom.fitting.usable_rows import usable_rows
 from carom.laws.registry import one_or_several
 
 __all__ = ["Outlier", "Ranking", "fit_laws"]
@@ -106,12 +108,18 @@ def fit_laws(
     setting: Setting,
     laws: str | Sequence[str] | None = None,
     *,
+    where: Where = (),
+    sigma_v: float | None = None,
+    sigma_spin: float | None = None,
+    spin: float | str | None = None,
+    every_contact: bool = False,
+    shifted: Sequence[tuple[str, Rebounds]] = (),
     profiles: bool | None = None,
     bootstrap: int | None = None,
     seed: int = 0,
     say: Say | None = None,
 ) -> Ranking:
-    """Fit laws to rebounds and rank them.
+    """Fit laws to the rebounds that may be used for it, and rank them.
 
     Parameters
     ----------
@@ -121,6 +129,12 @@ def fit_laws(
         The ball, the wall's height, what to fit.
     laws : str or sequence of str, optional
         Names. Default: all laws for this kind of rebound.
+    where, sigma_v, sigma_spin, spin, every_contact
+        Which rows are used, and default error bars and spins, as for :func:`carom.fitting.usable_rows`: later contacts of thrown
+        balls are left out unless their spins are known.
+    shifted : sequence of (str, Rebounds)
+        Systematic errors common to all rows: a description of each, and the rebounds shifted by one standard deviation
+        (:class:`carom.data.Published` has them). They are a second error bar of the parameters.
     profiles : bool, optional
         Whether to compute intervals by profile likelihood. Default: if this is fast.
     bootstrap : int, optional
@@ -133,7 +147,7 @@ def fit_laws(
     Returns
     -------
     Ranking
-        All laws, best first, with a verdict.
+        All laws, best first, with a verdict; its notes say which rows were left out, and what was assumed.
 
     Raises
     ------
@@ -159,13 +173,36 @@ def fit_laws(
     require_settings(setting)
     if bootstrap is not None and (bootstrap < 0 or bootstrap == 1):
         raise CaromError(f"bootstrap: expected 0 (none) or a number of draws, 2 or more, got {bootstrap}")
+    choice: Any = {
+        "where": where,
+        "sigma_v": sigma_v,
+        "sigma_spin": sigma_spin,
+        "spin": spin,
+        "every_contact": every_contact,
+    }
+    others = [(words, usable_rows(rows, setting, **choice)[0]) for words, rows in shifted]
+    rebounds, setting = usable_rows(rebounds, setting, **choice)
+    with noting(rebounds.notes):
+        ranking = _fit_rows(rebounds, setting, laws, profiles, bootstrap, seed, say or (lambda _what, _done: None))
+    return ranking.with_shared_errors(others)
+
+
+def _fit_rows(
+    rebounds: Rebounds,
+    setting: Setting,
+    laws: str | Sequence[str] | None,
+    profiles: bool | None,
+    bootstrap: int | None,
+    seed: int,
+    tell: Say,
+) -> Ranking:
+    """Fit laws to all rows of a table, and rank them."""
     chosen, notes = laws_named(
         one_or_several("fit_laws", laws) if laws else None, rebounds.kind, setting.contact_height == 1.0
     )
     problem, remarks = make_problem(rebounds, setting)
     notes = [*rebounds.notes, *notes, *remarks]
     notes = [note for note in notes if not note.startswith("no sigma_ columns")]
-    tell = say or (lambda _what, _done: None)
     fits, needed = [], {}
     for i, law in enumerate(chosen):
         tell(f"fit {law.name}", i / len(chosen) * FIT_SHARE)
@@ -203,7 +240,7 @@ def fit_laws(
     swayed = bool(said)
     if swayed:
         which = f"{outliers[0].row} alone sways" if len(outliers) == 1 else f"{len(outliers)} outliers sway"
-        verdict = f"{verdict} {which[0].upper() + which[1:]} this: remove rows that are not such bounces, or fit with --robust."
+        verdict = f"{verdict} {which[0].upper() + which[1:]} this: remove rows that are not such bounces, or fit with `robust`."
     if not straight:
         said += score_warnings(best.law.name, scores, rival.law.name if rival else "")
         said += [warning for warning in (kinked_rows_warning(best),) if warning]
@@ -238,7 +275,7 @@ def _misfit(best: Fit, found: Adequacy) -> str:
     if not found.chi2_likely:
         return (
             f"No law fits: the best, {best.law.called}, has chi^2 {best.chi2:.4g} for {best.dof} degrees of freedom; error bars"
-            f" would have to be {found.enlarge:.2g} times as large (--scatter fits what contacts scatter beyond them). With such"
+            f" would have to be {found.enlarge:.2g} times as large (`scatter` fits what contacts scatter beyond them). With such"
             " error bars, "
         )
     if not found.fits:
@@ -269,8 +306,8 @@ def _verdict(best: Fit, evidence: Evidence, few: bool, found: Adequacy, covers: 
     if few:
         said = (
             f"these data cannot decide: too few rows, {best.problem.count} measured numbers for up to"
-            f" {max(best.k, evidence.rival.k)} fitted ones, scatter among them; film more, or give error bars (--sigma-v,"
-            " --sigma-spin)"
+            f" {max(best.k, evidence.rival.k)} fitted ones, scatter among them; film more, or give error bars (`sigma_v`,"
+            " `sigma_spin`)"
         )
     else:
         reason = f"{odds_in_words(evidence.odds)} over {evidence.rival.law.name}" if evidence.rival else ""

@@ -46,8 +46,9 @@ class Setting:
     """I / (m a^2)"""
     restitution: str = "constant"
     """One of :data:`carom.fitting.parameters.FORMS`; whole tracks: any but line, which no scene has."""
-    contact_height: float = 1.0
-    """Height of the wall contact above the floor, in radii (billiard cushions: 1.2 to 1.4); for balls on a table."""
+    contact_height: float | None = None
+    """Height of the wall contact above the floor, in radii (billiard cushions: 1.2 to 1.4); for balls on a table. None: taken as 1,
+    and a note says so."""
     floor_friction: float | None = None
     """Friction of the floor. None: of rebounds, from the table's columns cloth_friction and sigma_cloth_friction (of a film), else
     0.2; of whole tracks, fitted."""
@@ -85,6 +86,10 @@ class Setting:
         for name in ("fixed", "bounds"):
             if isinstance(given := getattr(self, name), dict):
                 object.__setattr__(self, name, with_new_names("Setting", given, RENAMED))
+
+    def with_height(self) -> Setting:
+        """Return the setting with a height of the contact: 1 where none is given."""
+        return self if self.contact_height is not None else replace(self, contact_height=1.0)
 
 
 def require_settings(setting: Setting, *, whole: bool = False) -> None:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from carom.data.rebounds import Rebounds
+from carom.data.rebounds import Kind, Rebounds, read_rebounds
 from carom.data.where import Where, rows_where
 from carom.errors import CaromError, attempt, noting
 from carom.files import text_encoding
@@ -20,7 +20,16 @@ from carom.tracks.measurement import Measured, measure
 from carom.tracks.read import TrackFile, format_of, got_instead, read_tracks, require_text, track_text
 from carom.tracks.rebounds import Stage, to_rebounds
 
-__all__ = ["MeasuredFilms", "is_track", "measure_films", "read_films", "rebounds_of_films", "tracks_of_films"]
+__all__ = [
+    "MeasuredFilms",
+    "are_films",
+    "is_track",
+    "measure_films",
+    "read_films",
+    "rebounds_of_files",
+    "rebounds_of_films",
+    "tracks_of_films",
+]
 
 START_BYTES = 4096  # in which the header of a table shows
 REBOUND_COLUMNS = (
@@ -226,6 +235,57 @@ def tracks_of_films(
             kept, settings, lambda done, total: progress(done, max(total, 1), "contacts") if progress else None
         )
     return replace(measured, notes=(*films.reading_notes, *measured.notes))
+
+
+def rebounds_of_files(
+    paths: Sequence[Path],
+    calibration: Calibration | None = None,
+    settings: Settings | None = None,
+    *,
+    kind: Kind | None = None,
+    stage: Stage | None = None,
+    progress: Progress | None = None,
+) -> Rebounds:
+    """Return the rebounds of a table, or of one or more films, which are measured.
+
+    Parameters
+    ----------
+    paths : sequence of paths
+        One table of rebounds (CSV, Parquet), or track files.
+    calibration, settings, progress
+        Of films, as for :func:`measure_films`.
+    kind : "planar" or "table", optional
+        Of a table, as for :func:`carom.data.read_rebounds`.
+    stage : "after_wall" or "rolling", optional
+        Of all rows of a table without that column; of films, the stage of the rebounds.
+
+    Returns
+    -------
+    Rebounds
+
+    Raises
+    ------
+    CaromError
+        With all problems of the files.
+    """
+    if are_films(paths):
+        return rebounds_of_films(paths, calibration, settings, stage=stage or "best", progress=progress)
+    return read_rebounds(paths[0], kind=kind, stage=stage)
+
+
+def are_films(paths: Sequence[Path]) -> bool:
+    """Return whether files are films, not a table of rebounds. Raises CaromError where tables are among several files."""
+    faults: list[str] = []
+    for path in paths if len(paths) > 1 else ():
+        if not path.exists():
+            faults.append(f"{path}: expected a file, got none of that name")
+        elif attempt(faults, is_track, path) is False:
+            faults.append(
+                f"{path}: expected a track, as several files are given, got a table of rebounds; join tables to one"
+            )
+    if faults:
+        raise CaromError(*faults)
+    return len(paths) > 1 or is_track(paths[0])
 
 
 def is_track(path: Path) -> bool:

@@ -14,6 +14,7 @@ from carom.fitting.laws import FittedLaw, track_laws_named
 from carom.fitting.parameters import FORMS, PARAMETERS, Parameter
 from carom.fitting.setting import Setting, decided, form_of, require_settings
 from carom.fitting.tracks.arrays import AffineArrays, Table
+from carom.fitting.usable_rows import assumed_height
 from carom.laws.law import LIKE_SOLIDS
 from carom.scene.ball import SceneBall
 from carom.scene.restitution import Bounce, Constant, Exponential, Polynomial, Viscoelastic
@@ -91,7 +92,7 @@ class TrackModel:
         at, given, engine = {**self.held, **numbers}, self.setting, self.law.engine
         assert engine is not None
         a = given.radius
-        nose = None if self.law.upright or given.contact_height == 1 else given.contact_height * a
+        nose = None if self.law.upright or given.contact_height == 1 else (given.contact_height or 1.0) * a
         reach = a if nose is None else math.sqrt(a * a - (nose - a) ** 2)
         sides = {side_of(wall): at[f"wall_{side_of(wall)}"] for wall in self.walls}
         x0, x1 = sides.get("left", -FAR) - reach, sides.get("right", FAR) + reach
@@ -149,8 +150,10 @@ def track_models(
     ]
     if faults:
         raise CaromError(*faults)
-    chosen, notes = track_laws_named(names, setting.contact_height == 1.0)
-    return [_model(law, setting, walls, start) for law in chosen], notes
+    notes = assumed_height("table", setting)
+    setting = setting.with_height()
+    chosen, more = track_laws_named(names, setting.contact_height == 1.0)
+    return [_model(law, setting, walls, start) for law in chosen], [*notes, *more]
 
 
 def _model(law: FittedLaw, setting: Setting, walls: Sequence[WallLine], start: Mapping[str, float]) -> TrackModel:

@@ -129,7 +129,9 @@ def fit_tracks(
     """
     require_library("scipy", "fit")
     if measured.view != "above":
-        raise CaromError("tracks: expected balls on a table, seen from above, got balls in flight; leave out --whole")
+        raise CaromError(
+            "tracks: expected balls on a table, seen from above, got balls in flight; fit their rebounds instead"
+        )
     require_settings(setting, whole=True)
     found, notes = find_segments(measured, setting.cushions, setting.after)
     if not found:

@@ -1,0 +1,188 @@
+"""The rows of a table that a fit may use, with default error bars and spins, and notes on what was left out or assumed."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.data.rebounds import Kind, Rebounds
+from carom.data.where import Where, kinds_note, rows_where
+from carom.errors import CaromError, attempt, float_or_nan
+from carom.fitting.setting import Setting
+from carom.tracks.rebounds import first_contacts
+
+__all__ = ["assumed_height", "require_error_bars", "spin_of_rows", "usable_rows"]
+
+Rows = NDArray[np.bool_]
+MIN_FIRST_CONTACTS = 4  # so many are fitted without the later ones, whose spin follows from them
+
+
+def usable_rows(
+    rebounds: Rebounds,
+    setting: Setting,
+    *,
+    where: Where = (),
+    sigma_v: float | None = None,
+    sigma_spin: float | None = None,
+    spin: float | str | None = None,
+    every_contact: bool = False,
+) -> tuple[Rebounds, Setting]:
+    """Return the rows of a table that a fit may use, and the setting with what was assumed.
+
+    Parameters
+    ----------
+    rebounds : Rebounds
+    setting : Setting
+    where : str, sequence of str or mapping
+        Conditions that rows have to meet, such as ``"racket=smooth"``: values of the table's additional columns.
+    sigma_v, sigma_spin : float, optional
+        Error bars of speeds (m/s) and spins (rad/s) that have none.
+    spin : float or str, optional
+        Unmeasured spins before the wall: rad/s, of the first contact of each ball; or their prior, ``"normal"``,
+        ``"normal:WIDTH"`` or ``"uniform:WIDTH"`` (in v/a, about 0), in place of the setting's.
+    every_contact : bool
+        Whether later contacts of thrown balls whose spin was not measured enter, as if their spins were independent. They are left
+        out where no spin and no prior is given, and enough first contacts remain.
+
+    Returns
+    -------
+    rows : Rebounds
+        With notes on kinds of rows, on an assumed height of the contact, and on the rows that were left out.
+    setting : Setting
+        With the prior of spins and the height of the contact.
+
+    Raises
+    ------
+    CaromError
+        One line per problem.
+
+    Examples
+    --------
+    >>> from carom.data import make_rebounds
+    >>> from carom.fitting import Setting
+    >>> table = make_rebounds("planar", {"v_n_in": [1.0, 2.0], "v_n_out": [0.8, 1.5]})
+    >>> rows, _setting = usable_rows(table, Setting(radius=0.02), sigma_v=0.02, spin=0.0)
+    >>> rows["sigma_v_n_out"], rows["spin_in"]
+    (array([0.02, 0.02]), array([0., 0.]))
+    """
+    faults: list[str] = []
+    attempt(faults, require_error_bars, sigma_v, sigma_spin)
+    known_spin, prior = attempt(faults, spin_of_rows, spin) or (None, {})
+    keep = attempt(faults, rows_where, rebounds.extra, where, len(rebounds))
+    if faults:
+        raise CaromError(*faults)
+    rows, height_note = rebounds.select(keep), assumed_height(rebounds.kind, setting)
+    rows = replace(rows, notes=(*kinds_note(rows.extra, len(rows)), *height_note, *rows.notes))
+    if spin is None and setting.spin_width is None and not every_contact:
+        rows = _without_later_contacts(rows)
+    rows = _with_defaults(rows, sigma_v, sigma_spin, known_spin)
+    return rows, replace(setting, **prior).with_height()
+
+
+def require_error_bars(sigma_v: float | None, sigma_spin: float | None) -> None:
+    """Raise CaromError for an error bar that is given and not above 0."""
+    faults = [
+        f"`{name}`: expected an error bar above 0, got {value!r}"
+        for name, value in (("sigma_v", sigma_v), ("sigma_spin", sigma_spin))
+        if value is not None and not float_or_nan(value) > 0
+    ]
+    if faults:
+        raise CaromError(*faults)
+
+
+def assumed_height(kind: Kind, setting: Setting) -> list[str]:
+    """Return a note where the height of a contact on a table is assumed: neither given, nor fitted, nor held."""
+    if kind != "table" or setting.contact_height is not None or "contact_height" in {*setting.fit, *setting.fixed}:
+        return []
+    return [
+        "contact_height: not given; assumed to be 1, a wall that touches the ball level with its centre; the nose of a cushion"
+        " touches it higher (`contact_height`, nose height / radius: mostly 1.2 to 1.4)"
+    ]
+
+
+def spin_of_rows(spin: float | str | None) -> tuple[float | None, dict[str, Any]]:
+    """Return the spin of all rows (rad/s; None: not given), and the prior of unmeasured spins as fields of a Setting.
+
+    Raises CaromError for a text that is neither a number nor a prior.
+
+    Examples
+    --------
+    >>> spin_of_rows("12.5"), spin_of_rows("uniform:0.5")[1]["spin_width"]
+    ((12.5, {}), 0.5)
+    """
+    name, _, width = str("normal" if spin is None else spin).partition(":")
+    try:
+        if name == "normal" and not width:
+            return None, {}
+        if name in ("normal", "uniform"):
+            if float(width) > 0:
+                return None, {"spin_prior": name, "spin_width": float(width), "spin_mean": 0.0}
+        elif math.isfinite(value := 0.0 if name == "none" else float(name)):
+            return value, {}
+    except ValueError:
+        pass
+    raise CaromError(
+        f"`spin`: expected a spin in rad/s, normal, normal:WIDTH or uniform:WIDTH (in v/a), got {str(spin)!r}"
+    )
+
+
+def _with_defaults(rows: Rebounds, sigma_v: float | None, sigma_spin: float | None, spin: float | None) -> Rebounds:
+    """Fill in error bars and spins where the table has none; a spin holds for the first contact of each ball."""
+    columns, sigma, notes = dict(rows.columns), dict(rows.sigma), list(rows.notes)
+    first = first_contacts(rows)
+    for name, column in rows.columns.items():
+        if spin is not None and name in ("spin_in", "spin_z_in"):
+            unknown = np.isnan(column)
+            notes += _spin_note(name, spin, first, unknown & ~first)
+            columns[name] = np.where(unknown & first, spin, column)
+            continue
+        given = sigma_spin if name.startswith("spin") else sigma_v
+        if given is not None and name not in sigma and np.isfinite(column).any():
+            sigma[name] = np.full(len(column), given)
+    return replace(rows, columns=columns, sigma=sigma, notes=tuple(notes))
+
+
+def _spin_note(name: str, spin: float, first: Rows, later: Rows) -> list[str]:
+    """Return a note where a given spin does not hold for all rows. Raises CaromError where it holds for none."""
+    if not later.any():
+        return []
+    if not first.any():
+        raise CaromError(
+            f"`spin`: expected rows that are the first contact of a ball (column bounce = 1), got {len(first)} later ones,"
+            " in which the ball spins already; omit the spin"
+        )
+    return [
+        f"{name}: `spin` {spin:g} holds for the first contact of a ball ({first.sum()} of {len(first)} rows); a ball that has"
+        f" bounced spins, so the later contacts ({later.sum()}) count as unmeasured"
+    ]
+
+
+def _without_later_contacts(rows: Rebounds) -> Rebounds:
+    """Leave out the later contacts of balls in flight whose spin was not measured, where enough first ones remain; with a note.
+
+    The first contact sets a ball spinning. Spins of later contacts follow from it, in a narrow range that depends on the law, and
+    are no draws of the distribution from which the spins of throws come: fitted as such, they favour wrong laws by large odds.
+    """
+    if rows.kind != "planar" or not np.isfinite(rows["v_t_in"]).any():
+        return rows
+    first = first_contacts(rows)
+    later = np.isnan(rows["spin_in"]) & ~first
+    if not later.any():
+        return rows
+    why = "spin_in: not measured, and a ball that has bounced spins as its first contact left it"
+    if first.sum() < MIN_FIRST_CONTACTS:
+        note = (
+            f"{why}; {later.sum()} of {len(rows)} rows are later contacts, and count as if their spins were independent, as"
+            f" there are only {first.sum()} first ones: film more throws before relying on a verdict (`spin` 0 if they had none)"
+        )
+        return replace(rows, notes=(*rows.notes, note))
+    note = (
+        f"{why}: the {later.sum()} later contacts of {len(rows)} rows are left out (`every_contact` keeps them, as if their"
+        " spins were independent)"
+    )
+    rest = rows.select(~later)
+    return replace(rest, notes=(*rest.notes, note))
