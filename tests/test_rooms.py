@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import ast
 import collections
+import functools
+import re
 from pathlib import Path
+from typing import Any
 
 import pytest
+import typer
 
 import carom
 
@@ -167,3 +171,66 @@ def test_a_class_name_occurs_once() -> None:
 @pytest.mark.parametrize("name", MODULES)
 def test_modules_are_short(name: str) -> None:
     assert len(MODULES[name].read_text(encoding="utf-8").splitlines()) <= 450
+
+
+# --- words of the command line ----------------------------------------------------------------------------------------
+
+# (a second command, of its own)
+LIBRARY = {
+    name: path for name, path in MODULES.items() if not name.startswith("carom.cli") and path.name != "__main__.py"
+}
+
+
+def texts_of(path: Path, docs: bool) -> list[tuple[int, str]]:
+    """Texts in a module with their lines, docstrings among them or not; what an f-string puts in is {}."""
+    tree = ast.parse(path.read_text(encoding="utf-8"))
+    alone = {id(node.value) for node in ast.walk(tree) if isinstance(node, ast.Expr)}
+    texts = [(node, node.value) for node in ast.walk(tree) if isinstance(node, ast.Constant)]
+    for node in ast.walk(tree):
+        if isinstance(node, ast.JoinedStr):
+            pieces = [one.value if isinstance(one, ast.Constant) else "{}" for one in node.values]
+            texts.append((node, "".join(map(str, pieces))))  # type: ignore[arg-type]
+    return [(node.lineno, text) for node, text in texts if isinstance(text, str) and (docs or id(node) not in alone)]
+
+
+@functools.cache
+def options() -> dict[str, set[str]]:
+    """All options of the command, and the parameters that they stand for."""
+    from carom.cli import app
+    from carom.cli.option_names import parameter_of
+
+    found: dict[str, set[str]] = collections.defaultdict(set)
+
+    def collect(command: Any) -> None:
+        for option in command.params:
+            for name in (*option.opts, *option.secondary_opts) if option.param_type_name == "option" else ():
+                found[name].add(parameter_of(option))
+        for inner in getattr(command, "commands", {}).values():
+            collect(inner)
+
+    collect(typer.main.get_command(app))
+    return found
+
+
+def test_no_text_of_the_library_names_an_option() -> None:
+    """Texts name parameters, in backquotes; the command shows its options in their place (`cli/option_names.py`)."""
+    named = {
+        f"{name}:{line}: {option}"
+        for name, path in LIBRARY.items()
+        for line, text in texts_of(path, docs=True)
+        for option in re.findall(r"(?<![\w-])--(?:[a-z][a-z-]*|\{)", text)
+        if option in options() or option == "--{"
+    }
+    assert named == set()
+
+
+def test_every_parameter_that_a_text_names_is_an_option_of_some_verb() -> None:
+    known = set().union(*options().values())
+    strange = {
+        f"{name}:{line}: {parameter}"
+        for name, path in LIBRARY.items()
+        for line, text in texts_of(path, docs=False)
+        for parameter in re.findall(r"(?<!`)`(\w+)(?:=True)?`", text)
+        if parameter not in known
+    }
+    assert strange == set()

@@ -210,7 +210,7 @@ def _open(source: Path, target: Path | None) -> Any:
     except OSError as error:
         from carom.data import datasets
 
-        hint = f"; carom datasets {source} --out {source}.csv writes it" if str(source) in datasets.names() else ""
+        hint = f"; carom datasets {source} `out` {source}.csv writes it" if str(source) in datasets.names() else ""
         raise CaromError(
             f"table {str(source)!r}: expected a CSV or Parquet file, got: {error.strerror}{hint}"
         ) from None

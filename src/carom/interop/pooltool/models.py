@@ -56,7 +56,7 @@ def _note(flights: list[Flight], flight: Flight) -> None:
     if len(flights) == 1:
         text = (
             f"pooltool in two dimensions has no gravity: a hop {1000 * flight.height:.3g} mm high, {flight.duration:.3g} s and"
-            f" {1000 * flight.distance:.3g} mm long is left out, the ball lands at once; the model's `flights` lists all"
+            f" {1000 * flight.distance:.3g} mm long is left out, the ball lands at once; the model's list flights has all"
         )
         warnings.warn(text, stacklevel=2)
 
