@@ -26,6 +26,7 @@ __all__ = [
     "attempt",
     "broadcast_shape",
     "checked_number",
+    "collected",
     "did_you_mean",
     "first_bad_index",
     "float_array",
@@ -144,13 +145,20 @@ class MissingLibraryError(CaromError, ImportError):
     """Raised where an optional library is needed and not installed; the message names the extra that installs it."""
 
 
-def attempt(found: list[Any], action: Callable[..., Any], *args: Any) -> Any:
-    """Return the result of an action; if it raises CaromError, append its faults to ``found`` and return None."""
+@contextmanager
+def collected(found: list[Any]) -> Iterator[None]:
+    """Append the faults of a CaromError raised in the block to ``found``, in place of raising it."""
     try:
-        return action(*args)
+        yield
     except CaromError as error:
         found += error.records
-        return None
+
+
+def attempt(found: list[Any], action: Callable[..., Any], *args: Any) -> Any:
+    """Return the result of an action; if it raises CaromError, append its faults to ``found`` and return None."""
+    with collected(found):
+        return action(*args)
+    return None
 
 
 @contextmanager

@@ -13,7 +13,7 @@ from reference.commands import command
 from reference.thrown_ball import KAPPA, RADIUS, as_csv, film, table, thrown
 
 import carom
-from carom.cli.option_names import in_options, with_options
+from carom.cli.option_names import with_options
 from carom.data import make_rebounds, published_rebounds, read_rebounds
 from carom.data.datasets import load
 from carom.fitting import Setting, fit_laws
@@ -174,8 +174,7 @@ def test_python_and_the_command_say_the_same(name: str, tmp_path: Path, capsys: 
     for part in ("verdict", "rows", "notes"):
         assert told[part] == with_options(found[part])
     assert told == json.loads(json.dumps(with_options(found)))
-    assert any(case.said in note for note in told["notes"])
-    assert [note for note in found["notes"] if in_options(note) not in told["notes"]] == []
+    assert case.said in "\n".join(told["notes"])
 
 
 def test_six_throws_of_a_ball_that_slides_decide_nothing(tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from carom.data.rebounds import Kind, Rebounds, read_rebounds
 from carom.data.where import Where, rows_where
-from carom.errors import CaromError, attempt, noting
+from carom.errors import CaromError, collected, noting
 from carom.files import text_encoding
 from carom.public.progress import Progress
 from carom.tracks.contact import Settings
@@ -70,14 +70,13 @@ class MeasuredFilms:
     def tables(self, stage: Stage = "best", *, sliding: bool = False) -> dict[str, Rebounds]:
         """Return the rebounds of each film that has some, by its name. Raises CaromError, with a line per film, if none has."""
         faults: list[str] = []
-        tables = {
-            name: attempt(faults, lambda one=one: to_rebounds(one, stage, sliding=sliding))
-            for name, one in zip(self.names, self.measured, strict=True)
-        }
-        some = {name: table for name, table in tables.items() if table is not None}
-        if not some:
+        tables: dict[str, Rebounds] = {}
+        for name, one in zip(self.names, self.measured, strict=True):
+            with collected(faults):
+                tables[name] = to_rebounds(one, stage, sliding=sliding)
+        if not tables:
             raise CaromError(*dict.fromkeys(faults))
-        return some
+        return tables
 
     def rebounds(self, stage: Stage = "best", *, sliding: bool = False) -> Rebounds:
         """Return the rebounds of all films as one table, as :func:`carom.tracks.to_rebounds` does; of several, with a column film.
@@ -95,10 +94,13 @@ def read_films(
 ) -> tuple[TrackFile, ...]:
     """Return the tracks in each file. Raises CaromError with the faults of all of them."""
     faults: list[str] = []
-    found = tuple(attempt(faults, read_tracks, path, format, calibration) for path in paths)
+    found: list[TrackFile] = []
+    for path in paths:
+        with collected(faults):
+            found.append(read_tracks(path, format, calibration))
     if faults:
         raise CaromError(*faults)
-    return found
+    return tuple(found)
 
 
 def measure_films(
@@ -277,12 +279,13 @@ def are_films(paths: Sequence[Path]) -> bool:
     """Return whether files are films, not a table of rebounds. Raises CaromError where tables are among several files."""
     faults: list[str] = []
     for path in paths if len(paths) > 1 else ():
-        if not path.exists():
-            faults.append(f"{path}: expected a file, got none of that name")
-        elif attempt(faults, is_track, path) is False:
-            faults.append(
-                f"{path}: expected a track, as several files are given, got a table of rebounds; join tables to one"
-            )
+        with collected(faults):
+            if not path.exists():
+                raise CaromError(f"{path}: expected a file, got none of that name")
+            if not is_track(path):
+                raise CaromError(
+                    f"{path}: expected a track, as several files are given, got a table of rebounds; join tables to one"
+                )
     if faults:
         raise CaromError(*faults)
     return len(paths) > 1 or is_track(paths[0])
