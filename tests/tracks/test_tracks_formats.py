@@ -163,11 +163,11 @@ def test_what_is_missing_is_asked_for() -> None:
     for name in ("trackpy.csv", "deeplabcut.csv", "mtrack2.txt", "idtracker.txt"):
         found = faults(HERE / name)
         assert len(found) == 2
-        assert "--scale" in found[0]
-        assert "--rate" in found[1]
+        assert "`scale`" in found[0]
+        assert "`rate`" in found[1]
     assert "`scale`" in faults(HERE / "kinovea_2026.csv")[0]
     (fault,) = faults(HERE / "trackpy.csv", Calibration(scale=0.001))
-    assert "--rate" in fault
+    assert "`rate`" in fault
 
 
 def test_a_guess_can_be_overruled() -> None:
@@ -215,7 +215,7 @@ def test_angle_and_spin(tmp_path: Path) -> None:
         ("t,x,y\n,,\n", "expected positions of a ball, got none"),
         (
             "x,y\n0,0\n",
-            "expected a column t (as in 't [s]') or frame, got columns x, y; --rate 60 counts the rows as frames",
+            "expected a column t (as in 't [s]') or frame, got columns x, y; `rate` 60 counts the rows as frames",
         ),
     ],
 )
@@ -289,7 +289,7 @@ def test_a_film_in_centimetres_is_asked_about(tmp_path: Path) -> None:
     rows = "".join(f"{k / 60},{200 * k / 60},{100}\n" for k in range(20))
     for scale, asked in ((None, True), (0.01, False)):
         said = " ".join(read_tracks(put(tmp_path, f"t,x,y\n{rows}"), calibration=Calibration(scale=scale)).notes)
-        assert ("the ball moves at 200 m/s: is the unit right? --scale 1mm (or 1cm" in said) is asked
+        assert ("the ball moves at 200 m/s: is the unit right? `scale` 1mm (or 1cm" in said) is asked
 
 
 def test_not_a_file(tmp_path: Path) -> None:
