@@ -298,10 +298,7 @@ class _Subject:
 
 def _identified(fit: Fit, information: Array) -> Fit:
     """Return the fit with covariance, estimates, and sentences on parameters that are not identifiable."""
-    found = identify(_Subject(fit, information))
-    return replace(
-        fit, covariance=found.covariance, estimates=found.estimates, degenerate=found.degenerate, untold=found.untold
-    )
+    return replace(fit, **vars(identify(_Subject(fit, information))))
 
 
 def kinked_rows_warning(fit: Fit) -> str:

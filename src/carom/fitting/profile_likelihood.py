@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.fitting.model import FitModel, model_of
-from carom.fitting.result import Estimate, Fit, refit, scaled
+from carom.fitting.result import Estimate, Fit, refit, scaled, without_estimate
 
 __all__ = ["LEVELS", "half_width", "profile_ends", "profile_rises", "with_estimate", "with_profiles"]
 
@@ -130,10 +130,7 @@ def with_profiles(fit: Fit, names: Sequence[str] | None = None) -> Fit:
         if (open_[2:] & far_off).any():
             least = f"{end[2]:.3g} or more" if open_[3] and far_off[1] else f"{end[3]:.3g} or less"
             said = f"{fit.law.name}: {name}: only a limit is identifiable, {least} (95 %); values beyond fit as well"
-            fit = with_estimate(fit, name, Estimate(None, None, f"{least} (95 %)", one, two))
-            covariance, i = fit.covariance.copy(), fit.names.index(name)
-            covariance[i, :] = covariance[:, i] = math.nan
-            fit = replace(fit, covariance=covariance, degenerate=(*fit.degenerate, said), untold=(*fit.untold, name))
+            fit = without_estimate(fit, name, Estimate(None, None, f"{least} (95 %)", one, two), said)
         elif estimate.stderr:
             bar = (two[1] - two[0]) / 2 / math.sqrt(LEVELS[1])
             if bar > WIDE * estimate.stderr:

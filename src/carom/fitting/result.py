@@ -16,8 +16,8 @@ from carom.fitting.model import STEPS, FitModel, model_of, predict_law
 from carom.fitting.parameters import FORMS, INDEX, NUMBERS
 
 __all__ = [
-    "Estimate", "Fit", "covariance_dict", "estimate_dict", "finite", "refit", "rows_of_fit", "scaled", "with_error_bar",
-    "working_model",
+    "Estimate", "Fit", "common_dict", "estimate_dict", "finite", "refit", "rows_of_fit", "scaled", "with_error_bar",
+    "without_estimate", "working_model",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -125,7 +125,7 @@ class Fit:
     @property
     def restitution(self) -> float | dict[str, Any] | None:
         """The fitted restitution as a wall of a scene takes it: a number, or a form with its fields; None for a line."""
-        name = self.problem.setting.restitution
+        name = self.problem.setting.restitution if "restitution" in self.law.free else "constant"
         form = FORMS[name]
         values = self.numbers[[INDEX[one] for one in ("restitution", "restitution_1", "restitution_2")]]
         return form.for_scene(name, values[: len(form.parameters)].tolist())
@@ -136,15 +136,9 @@ class Fit:
 
     def as_dict(self) -> dict[str, Any]:
         """Return what JSON holds of the fit."""
-        return {
-            "law": self.law.name,
-            "aicc": finite(self.aicc),
+        return common_dict(self) | {
             "bic": finite(self.bic),
-            "chi2": finite(self.chi2),
-            "dof": self.dof,
-            "parameters": {name: estimate_dict(estimate) for name, estimate in self.estimates.items()},
             "restitution": self.restitution,
-            "covariance": covariance_dict(self.names, self.covariance),
             "scatter": self.scatter,
             "contact_scatter": None if self.contact_scatter is None else estimate_dict(self.contact_scatter),
             "shared_errors": dict(
@@ -160,6 +154,14 @@ def scaled(fit: Any, name: str, by: float) -> Any:
     covariance[:, i] *= by
     wider = replace(fit.estimates[name], stderr=by * (fit.estimates[name].stderr or 0.0))
     return replace(fit, covariance=covariance, estimates=fit.estimates | {name: wider})
+
+
+def without_estimate(fit: Any, name: str, estimate: Estimate, said: str) -> Any:
+    """Return a fit in which one parameter is not identifiable: with an estimate without value, and the sentence that says so."""
+    i, covariance = list(fit.names).index(name), fit.covariance.copy()
+    covariance[i, :] = covariance[:, i] = math.nan
+    known = {"covariance": covariance, "estimates": fit.estimates | {name: estimate}}
+    return replace(fit, **known, degenerate=(*fit.degenerate, said), untold=(*fit.untold, name))
 
 
 def working_model(fit: Fit, problem: Problem) -> FitModel:
@@ -207,9 +209,14 @@ def estimate_dict(estimate: Estimate) -> dict[str, Any]:
     return found
 
 
-def covariance_dict(names: Any, covariance: Array) -> dict[str, Any]:
-    """Return a covariance for JSON."""
-    return {"names": list(names), "matrix": [[finite(x) for x in row] for row in covariance.tolist()]}
+def common_dict(fit: Any) -> dict[str, Any]:
+    """Return for JSON what fits to rebounds and to whole tracks have in common."""
+    rows = [[finite(x) for x in row] for row in fit.covariance.tolist()]
+    return {
+        "law": fit.law.name, "aicc": finite(fit.aicc), "chi2": finite(fit.chi2), "dof": fit.dof,
+        "parameters": {name: estimate_dict(estimate) for name, estimate in fit.estimates.items()},
+        "covariance": {"names": list(fit.names), "matrix": rows},
+    }  # fmt: skip
 
 
 def with_error_bar(estimate: Estimate, *, interval: bool = False) -> str:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from carom.fitting.identifiability import NOT_IDENTIFIABLE, identify
-from carom.fitting.result import Estimate
+from carom.fitting.result import Estimate, without_estimate
 from carom.fitting.tracks.objective import BestStarts, descend, projected, settle, shared_slope
 from carom.fitting.tracks.result import TrackFit
 
@@ -94,15 +95,9 @@ def with_errors(fit: TrackFit, settled: BestStarts) -> TrackFit:
         return fit
     subject = _Subject(fit, settled)
     found = identify(subject)
-    estimates = found.estimates
-    if not (fit.follows or subject.by_shots):
-        estimates = {
-            name: one if one.stderr is None else replace(one, note=ERROR_TOO_SMALL) for name, one in estimates.items()
-        }
-    return replace(
-        fit, covariance=found.covariance, estimates=estimates, degenerate=found.degenerate, untold=found.untold,
-        design_effect=subject.design_effect,
-    )  # fmt: skip
+    note: dict[str, Any] = {} if fit.follows or subject.by_shots else {"note": ERROR_TOO_SMALL}
+    estimates = {name: one if one.stderr is None else replace(one, **note) for name, one in found.estimates.items()}
+    return replace(fit, **{**vars(found), "estimates": estimates}, design_effect=subject.design_effect)
 
 
 def ambiguous(fit: TrackFit, name: str, other: float) -> TrackFit:
@@ -112,10 +107,5 @@ def ambiguous(fit: TrackFit, name: str, other: float) -> TrackFit:
         f"{fit.law.name}: {name}: {min(here, other):.4g} and {max(here, other):.4g} fit equally well: a contact is at the edge"
         " between sliding and sticking; film another shot"
     )
-    covariance = fit.covariance.copy()
-    i = fit.names.index(name)
-    covariance[i, :] = covariance[:, i] = np.nan
-    estimates = fit.estimates | {name: Estimate(None, None, NOT_IDENTIFIABLE)}
-    return replace(
-        fit, covariance=covariance, estimates=estimates, degenerate=(*fit.degenerate, said), untold=(*fit.untold, name)
-    )
+    found: TrackFit = without_estimate(fit, name, Estimate(None, None, NOT_IDENTIFIABLE), said)
+    return found

@@ -6,6 +6,7 @@ import math
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -17,7 +18,7 @@ from carom.fitting.tracks.arrays import AffineArrays, Table
 from carom.fitting.usable_rows import assumed_height
 from carom.laws.law import LIKE_SOLIDS
 from carom.scene.ball import SceneBall
-from carom.scene.restitution import Bounce, Constant, Exponential, Polynomial, Viscoelastic
+from carom.scene.restitution import Constant
 from carom.scene.scene import Floor, Run, Scene
 from carom.scene.shapes import Table as Cushions
 from carom.tracks.events import WallLine
@@ -50,7 +51,8 @@ class TrackSetting(Setting):
     spin_width: float | None = 1.25
 
     def __post_init__(self) -> None:
-        """Warn."""
+        """Warn, and take the names that parameters had."""
+        super().__post_init__()
         said = "TrackSetting: deprecated; give fit_tracks a carom.fitting.Setting, which has the same fields"
         warnings.warn(said, DeprecationWarning, stacklevel=3)
 
@@ -122,17 +124,10 @@ def side_of(wall: WallLine) -> str:
     ]
 
 
-def _form(name: str, at: Mapping[str, float]) -> Bounce:
+def _form(name: str, at: Mapping[str, float]) -> Any:
     """Return the scene's form of restitution, from the parameters of a fit."""
-    value = [at[parameter.name] for parameter in FORMS[name].parameters]
-    if name == "constant":
-        return Constant(value=value[0])
-    if name == "polynomial":
-        return Polynomial(coefficients=(value[0], value[1], value[2]))
-    if name == "viscoelastic":
-        # e = 1 / (1 + c + 2/5 c^2) with c = dissipation v^(1/5)
-        return Viscoelastic(c=max(value[0], 1e-12))
-    return Exponential(at_rest=value[0], at_speed=value[1], speed=value[2])
+    least = 1e-12 if name == "viscoelastic" else -math.inf  # (a scene has no form without dissipation)
+    return FORMS[name].for_scene(name, [max(at[one.name], least) for one in FORMS[name].parameters])
 
 
 def track_models(

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from carom.fitting.evidence import UNLIKELY
 from carom.fitting.laws import FittedLaw
-from carom.fitting.result import Estimate, covariance_dict, estimate_dict, finite
+from carom.fitting.result import Estimate, common_dict, finite
 from carom.fitting.tracks.model import TrackModel
 from carom.fitting.tracks.objective import SIDESPIN, SegmentArrays, Starts, spin_loss
 from carom.simulation.simulate import simulate
@@ -127,15 +127,9 @@ class TrackFit:
 
     def as_dict(self) -> dict[str, Any]:
         """Return the fit for JSON."""
-        return {
-            "law": self.law.name,
-            "aicc": finite(self.aicc),
-            "chi2": finite(self.chi2),
-            "dof": self.dof,
+        return common_dict(self) | {
             "numbers_adjusted": self.k,
             "rms": self.rms(),
             "median_rms": self.median_rms,
-            "parameters": {name: estimate_dict(self.estimates[name]) for name in self.names},
             "held": {name: finite(value) for name, value in self.model.held.items()},
-            "covariance": covariance_dict(self.names, self.covariance),
         }
