@@ -6,8 +6,6 @@ import copy
 import functools
 import pickle
 from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor
-from multiprocessing import get_context
 from pathlib import Path
 from typing import Any
 
@@ -259,13 +257,3 @@ def test_pickled_laws_are_those_of_the_registry_and_custom_ones_go_along() -> No
 
 def soft(v: Any, w: Any, n: Any, a: float, kappa: float, e: float, mu: float, beta: float) -> Any:
     return (-0.5 * v[0], v[1], v[2]), w
-
-
-def test_runs_of_a_pool_of_processes_are_those_of_this_one() -> None:
-    scenes = [carom.replaced(a_scene(), {"balls.0.velocity": (-2, y)}) for y in (0.5, 1.0)]
-    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
-        runs = list(pool.map(carom.simulate, scenes))
-    for run, one in zip(runs, scenes, strict=True):
-        expected = carom.simulate(one)
-        assert run.log.tobytes() == expected.log.tobytes()
-        assert run.at(0.5).position.tobytes() == expected.at(0.5).position.tobytes()

@@ -7,8 +7,10 @@ import importlib.util
 import math
 import sys
 from collections.abc import Callable
-from dataclasses import replace
+from dataclasses import dataclass, fields
+from functools import partial
 from pathlib import Path
+from typing import Any
 
 from carom.core.jit.kernel import kernel
 from carom.errors import CaromError, Fault, require_type, shown, suggestion
@@ -77,7 +79,43 @@ def find_law(name: str) -> Law:
         raise CaromError(Fault("law", name, "a carom.Law or a kernel", type(found).__name__))
     if law.kernel is not None:
         _try_once(name, law.kernel)
-    return replace(law, answer=_guarded(name, law.answer))
+    parts = {one.name: getattr(law, one.name) for one in fields(Law)} | {
+        "answer": partial(_answer_or_fault, name, law.answer)
+    }
+    return LawOfFile(**parts, source=f"{path.resolve()}:{what}", digest=hashlib.sha256(text).hexdigest())
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class LawOfFile(Law):
+    """A custom law out of a Python file: pickled as the place of that file, which is read again where the pickle is opened.
+
+    The law exists because somebody typed its name, or allowed the file that names it; its pickle carries that permission. (Opening
+    any pickle runs code.) The file has to be there, and the same.
+    """
+
+    source: str = ""
+    """``file.py:name``, the path in full."""
+    digest: str = ""
+    """SHA-256 of the file."""
+
+    def __reduce_ex__(self, _protocol: Any) -> tuple[Any, ...]:
+        return law_of_file, (str(self.source), self.digest)
+
+    def __copy__(self) -> LawOfFile:
+        return self
+
+    def __deepcopy__(self, _memo: Any) -> LawOfFile:
+        return self
+
+
+def law_of_file(source: str, digest: str) -> Law:
+    """Return the law that was pickled; CaromError where its file is not there, or has changed."""
+    path = Path(source.rpartition(":")[0])
+    if path.is_file() and hashlib.sha256(path.read_bytes()).hexdigest() != digest:
+        raise CaromError(
+            Fault("law", str(path), "the file as it was when the law was pickled", "one that has changed since")
+        )
+    return find_law(OwnLaw(source))
 
 
 def _try_once(name: str, kernel: WallKernel) -> None:
@@ -97,16 +135,12 @@ def _try_once(name: str, kernel: WallKernel) -> None:
         raise CaromError(Fault("law", name, "(v, w), two triples of finite numbers", repr(found)))
 
 
-def _guarded(name: str, answer: Callable[[Meeting], Answer]) -> Callable[[Meeting], Answer]:
-    """Report an exception of a custom law as one line."""
-
-    def guarded(meeting: Meeting) -> Answer:
-        try:
-            return answer(meeting)
-        except CaromError:
-            raise
-        except Exception as error:
-            first = " ".join(str(error).split())[:300]
-            raise CaromError(Fault("law", name, "numbers for this ball", f"{type(error).__name__}: {first}")) from error
-
-    return guarded
+def _answer_or_fault(name: str, answer: Callable[[Meeting], Answer], meeting: Meeting) -> Answer:
+    """Return the answer of a custom law; an exception of its own is reported as one line."""
+    try:
+        return answer(meeting)
+    except CaromError:
+        raise
+    except Exception as error:
+        first = " ".join(str(error).split())[:300]
+        raise CaromError(Fault("law", name, "numbers for this ball", f"{type(error).__name__}: {first}")) from error
