@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import pytest
+from reference.exploring import tried
 from reference.plane_tables import CLEARANCE, PLANE, first_outside
 from typer.testing import CliRunner
 
@@ -83,7 +84,7 @@ def test_never_outside_and_no_energy_lost(name):
 
 
 def test_a_million_bounces_keep_their_energy():
-    for name in ("circle", "L", "stadium", "sphere"):
+    for name in tried(("L", "sphere"), ("circle", "L", "stadium", "sphere")):
         table = TABLES[name]
         d, kappa = table.dimension, 0.5 if table.dimension == 2 else 0.4
         begin = ((0.3, 0.4, 0.0)[:d], (0.7, 0.4, 0.1)[:d], 0.9 if d == 2 else (0.3, 0.2, 0.9))

@@ -8,6 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from reference.exploring import tried
 
 import carom
 from carom.data import make_rebounds
@@ -166,7 +167,7 @@ def test_errors_before_and_after_that_go_together(spin_seen):
 @pytest.mark.parametrize("rho", [-0.8, 0.8])
 def test_the_scatter_of_errors_that_go_together_is_what_is_said_of_it(rho):
     alone, both = [], []
-    for seed in range(30):
+    for seed in range(tried(16, 30)):
         rebounds = bounces(200 + seed, 40)
         rng = np.random.default_rng(seed)
         columns = dict(rebounds.columns)
@@ -179,11 +180,12 @@ def test_the_scatter_of_errors_that_go_together_is_what_is_said_of_it(rho):
         blurred = replace(rebounds, columns=columns, sigma=rebounds.sigma | bars)
         covariance = np.full(40, rho * 0.02**2)
         known = replace(blurred, extra={"covariance_v_n": covariance, "covariance_v_t": covariance})
-        for found, rows in ((alone, blurred), (both, known)):
+        for found, rows in ((both, known), (alone, blurred))[: 1 if seed % tried(3, 1) else 2]:
             fit = fit_law(law("sliding"), make_problem(rows, SETTING)[0])
             found.append(fit.chi2 / fit.dof)
     assert np.mean(both) == pytest.approx(1, abs=0.06)
-    assert abs(np.mean(alone) - 1) > 0.15
+    # the same rebounds without their covariance
+    assert abs(np.mean(alone) - np.mean(both[:: tried(3, 1)])) > 0.15
 
 
 def test_covariances_that_cannot_be():
@@ -317,15 +319,16 @@ def test_numbers_and_prior_come_back_and_the_true_law_wins():
 def test_error_bars_of_unmeasured_spins_are_those_of_the_scatter():
     pulls = {name: [] for name in TRUTH}
     chi2 = []
-    for seed in range(40):
+    count = tried(16, 40)
+    for seed in range(count):
         fit = fit_law(law("sliding"), make_problem(bounces(100 + seed, 40), SETTING)[0])
         chi2.append(fit.chi2 / fit.dof)
         for name, value in TRUTH.items():
             pulls[name].append((fit.estimates[name].value - value) / fit.estimates[name].stderr)
     assert np.mean(chi2) == pytest.approx(1, abs=0.05)
-    for name, found in pulls.items():  # three standard errors of a count of 40
-        assert np.mean(np.abs(found) < 1) == pytest.approx(0.683, abs=3 * math.sqrt(0.683 * 0.317 / 40)), name
-        assert np.mean(np.abs(found) < 1.96) == pytest.approx(0.95, abs=3 * math.sqrt(0.95 * 0.05 / 40)), name
+    for name, found in pulls.items():  # three standard errors of such a count
+        assert np.mean(np.abs(found) < 1) == pytest.approx(0.683, abs=3 * math.sqrt(0.683 * 0.317 / count)), name
+        assert np.mean(np.abs(found) < 1.96) == pytest.approx(0.95, abs=3 * math.sqrt(0.95 * 0.05 / count)), name
 
 
 def edge(seed: int, friction: float, n: int = 60) -> object:
@@ -455,7 +458,7 @@ def test_rows_near_the_edge_are_as_likely_to_slide_as_they_are():
     assert found[1] - found[0] == pytest.approx(plain[1] - plain[0], abs=0.3)
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(tried(1, 4)))
 def test_no_error_bar_is_given_to_what_unknown_spins_make_up_for(seed):
     """(1 + b)(1 - m) and (1 + b) w are all that such rows tell: each of the three numbers goes along with the others."""
     rebounds = bounces(30 + seed, 100, beta=0.2, blur=0.03, spin_seen=False)
@@ -517,8 +520,9 @@ def test_the_average_does_not_hang_on_how_many_places_there_are(name):
 @pytest.mark.parametrize("name", ["two-step-after", "two-step"])
 def test_a_stretch_more_makes_no_jump(name):
     rows, p = filmed(name)
-    along = np.tile(p, (401, 1))
-    along[:, INDEX["friction"]] += np.linspace(-0.003, 0.003, 401)
+    reach = tried(50, 200)
+    along = np.tile(p, (2 * reach + 1, 1))
+    along[:, INDEX["friction"]] += 1.5e-5 * np.arange(-reach, reach + 1)
     finer = having(rows, spins=SpinGrid(sigma_grid(641), False))
     off = evaluate(rows, along).deviance - evaluate(finer, along).deviance
     near = evaluate(rows, along).deviance < REFINED_C

@@ -6,6 +6,7 @@ import sys
 import numba
 import numpy as np
 import pytest
+from reference.exploring import tried
 from reference.identities import approaching, surfaces, units, with_zeros
 
 import carom
@@ -80,7 +81,7 @@ def test_contact():
 
 
 def test_two_step_of_lifted_balls():
-    count = 6000  # Python takes its time
+    count = tried(2000, 6000)  # Python takes its time
     v, w, n, a, kappa, wall, floor, g, h = rows(51, count, floor=True)
     p = np.stack([a, kappa, *wall, *floor, h], axis=-1)
     same_bits(first_rows, (v, w, n, p, False), lambda: room(count, 3, 3, 3, 3, 0, -1))
@@ -124,10 +125,11 @@ def test_laws(name):
     n[:, 2] = 0
     n[(n == 0).all(axis=-1), 0] = 1.0
     n /= np.linalg.norm(n, axis=-1, keepdims=True)
-    v, w, n, p = (np.ascontiguousarray(x[:5000]) for x in (v, w, n, np.stack([a, kappa, *wall], axis=-1)))
+    count = tried(1500, 5000)
+    v, w, n, p = (np.ascontiguousarray(x[:count]) for x in (v, w, n, np.stack([a, kappa, *wall], axis=-1)))
     if LAWS[name].last == "stiffness_ratio":
         p[:, 4] = 0.5 + 0.5 * np.abs(p[:, 4])
-    same_bits(wall_law_rows(LAWS[name].kernel), (v, w, n, p), lambda: room(5000, 3, 3))
+    same_bits(wall_law_rows(LAWS[name].kernel), (v, w, n, p), lambda: room(count, 3, 3))
 
 
 def test_pairs():

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import pytest
 from reference.brute_force_scene import HOLE, SHEET, _gap, judge, solids
+from reference.exploring import tried
 from reference.table_shots import shot
 
 import carom
@@ -147,6 +148,8 @@ def test_the_same_ball_falls_into_the_same_pocket_by_small_steps(preset: str, sh
     until, h = 8.0, 4e-5
     compared: list[int] = []
     for seed in range(shots):
+        if len(compared) >= tried(2, shots):
+            break
         run_for = {"law": "mirror", "duration": until}
         scene = shot(preset, seed, 2, wall=wall, floor={"friction": 0.0}, ball_contact={}, run=run_for)
         run = carom.simulate(scene)
@@ -170,7 +173,7 @@ def test_the_same_ball_falls_into_the_same_pocket_by_small_steps(preset: str, sh
             if pocket >= 0:
                 assert out[i, 1] == pytest.approx(t, abs=2 * h), seed
                 compared.append(pocket)
-    assert len(compared) >= least
+    assert len(compared) >= tried(2, least)
 
 
 # --- what becomes of a ball that falls -----------------------------------------------------------------------------------

@@ -27,6 +27,7 @@ def bucket(monkeypatch: pytest.MonkeyPatch) -> Iterator[str]:
         ("AWS_ACCESS_KEY_ID", "test"),
         ("AWS_SECRET_ACCESS_KEY", "test"),
         ("AWS_DEFAULT_REGION", "us-east-1"),
+        ("AWS_MAX_ATTEMPTS", "1"),  # (what is not there is not asked for five times, with pauses)
     ):
         monkeypatch.setenv(name, value)
     boto3.client("s3").create_bucket(Bucket="sweeps")
