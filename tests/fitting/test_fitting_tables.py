@@ -13,7 +13,7 @@ from carom.data import make_rebounds
 from carom.fitting import Setting, cross_validation, fit_law, fit_laws, make_problem, tabulated
 from carom.fitting.adequacy import adequacy
 from carom.fitting.laws import laws_for, laws_named
-from carom.fitting.likelihood import predictions
+from carom.fitting.likelihood import evaluate, predictions
 from carom.fitting.model import model_of, predict_law
 from carom.fitting.parameters import INDEX, NUMBERS, PARAMETERS
 
@@ -226,6 +226,21 @@ def test_a_table_says_what_the_law_says():
         slope = said(known, x, there + by) - said(known, x, there)
         true = said(model.likelihood(), x, there + by) - exact
         assert np.median(np.abs(slope - true)[:, :2]) < 0.02 * np.median(np.abs(true)[:, :2])
+
+
+def test_sets_of_a_tabulated_law_are_those_of_each_alone():
+    """To the last bit, however many are evaluated at once, with rows drawn for each."""
+    law, problem = filmed(2, 64, shared=True)
+    model = model_of(law, problem)
+    model = model.using(tabulated.coarse_table(model))
+    p, rng = np.tile(model.start, (18, 1)), np.random.default_rng(1)
+    p[:, INDEX["restitution"]], p[:, INDEX["friction"]] = np.linspace(0.80, 0.81, 18), 0.187
+    weights = rng.multinomial(64, np.full(64, 1 / 64), size=18).astype(float)
+    every = evaluate(model.likelihood(), p, weights)
+    for b in (0, 15, 16, 17):
+        alone = evaluate(model.likelihood(), p[b : b + 1], weights[b : b + 1])
+        for name, values in vars(alone).items():
+            assert np.array_equal(values[0], getattr(every, name)[b]), name
 
 
 def test_what_a_table_does_not_have_is_asked_of_the_law():

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import functools
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from carom.core.jit.compile import array_of, function_type, named_tuple_type, njit, signature
 from carom.core.jit.kernel import kernel
+from carom.core.jit.slices import block_slices
 from carom.core.jit.threads import call_in_threads
 from carom.fitting.deviance import RELATIVE_STEP, RowData, Trial, Workspace, row_deviance
 from carom.fitting.parameters import LAW_NUMBERS, NUMBERS
@@ -35,6 +36,7 @@ __all__ = [
 Array = NDArray[np.float64]
 PARTS = 8
 SHARED_STEP = 0.03  # of an error bar: the step of a derivative in a shared error
+MOST_TABLES = 16  # of a tabulated law, kept at once: each takes a megabyte
 SERIAL_WORK = 4000  # law evaluations up to which one core is faster
 
 
@@ -231,26 +233,27 @@ def evaluate(model: LikelihoodModel, p: Array, weights: Array | None = None) -> 
     p, rows = np.ascontiguousarray(p, float), model.rows
     (n, count), k = (len(rows.x), len(p)), len(model.free)
     weights = np.ones((1, n)) if weights is None else np.ascontiguousarray(weights, float)
-    if model.tabulated is not None:  # a table each
-        plain = replace(model, tabulated=None)
-        each = []
-        for b in range(count):
-            known = rows._replace(known=model.tabulated.at(p[b], model.moves))
-            weight = weights if len(weights) == 1 else weights[b : b + 1]
-            each.append(vars(evaluate(replace(plain, rows=known), p[b : b + 1], weight)))
-        return Evaluation(**{name: np.concatenate([seen[name] for seen in each]) for name in each[0]})
     points = 0 if rows.spins is None else len(rows.spins.sigma)
     loop, law = _evaluating(points > 0), _law(model.kind)
     deviance, chi2 = np.empty((count, n)), np.empty((count, n))
-    work = n * count * max(points, 1)
-    # many sets: a part has some sets and all rows; few sets: a part has some rows
-    sets, parts = (1, 1) if work < SERIAL_WORK else (PARTS, 1) if count >= PARTS else (1, PARTS)
+    if model.tabulated is not None and count > MOST_TABLES:
+        parts_of = [
+            evaluate(model, p[some], weights if len(weights) == 1 else weights[some])
+            for some in block_slices(count, MOST_TABLES)
+        ]
+        return Evaluation(*map(np.concatenate, zip(*(vars(seen).values() for seen in parts_of), strict=True)))
+    # many sets: a part has some sets and all rows; few sets: a part has some rows; of a tabulated law each set has a table
+    tables = None if model.tabulated is None else [model.tabulated.at(one, model.moves) for one in p]
+    quick = n * max(points, 1) * (count if tables is None else 1) < SERIAL_WORK
+    sets, parts = (1, 1) if quick else (PARTS, 1) if count >= PARTS else (1, PARTS)
+    sets, parts = (sets, parts) if tables is None else (count, 1 if quick else PARTS)
     edges = np.linspace(0, n, parts + 1).astype(int).tolist()
     blocks = np.linspace(0, count, sets + 1).astype(int).tolist()
     u, h = np.zeros((parts, count, k)), np.zeros((parts, count, k, k))
 
     def part(some: slice, m: int) -> None:
         own = rows._replace(x=rows.x.copy(), y=rows.y.copy()) if len(model.moved) else rows
+        own = own if tables is None else own._replace(known=tables[some.start])
         loop(
             law, own, rows.spins, (rows.x, rows.y), weights if len(weights) == 1 else weights[some], p[some],
             make_trial(model.free, model.moved), (model.low, model.high), model.moves, (edges[m], edges[m + 1]),
