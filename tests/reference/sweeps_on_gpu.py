@@ -21,7 +21,7 @@ from carom.laws.arrays import wall_law_rows
 from carom.laws.contact import contact_rows
 from carom.laws.mirror import mirror_kernel
 from carom.laws.two_step import first_rows
-from carom.sweeps.shots_loop import LOOP, follow_on_gpu
+from carom.simulation.run_many import LOOP, many_on_gpu
 
 # Instructions of NVIDIA's assembly (PTX).
 ROUNDED, CONTRACTIBLE = [r"(?:mul|add)\.rn\.f64"], [r"(?:mul|add)\.f64"]
@@ -102,7 +102,7 @@ def assemble() -> None:
         (cuda.CudaLoop(wall_law_rows(mirror_kernel)), [*rows, vectors, vectors]),
         (cuda.CudaLoop(contact_rows), [*rows, vectors, vectors, vectors, numbers, codes]),
         (cuda.CudaLoop(first_rows), [*rows, bool, *[vectors] * 4, numbers, codes]),
-        (follow_on_gpu(), list(LOOP[1:])),
+        (many_on_gpu(), list(LOOP[1:])),
     ]
     cuda.why_no_gpu()
     for loop, taken in loops:

@@ -29,7 +29,7 @@ COMPILE_JOBS = (
     "carom.billiards.loop:compiled_many",
     f"{__name__}:fit_bounces",
     f"{__name__}:load_called_laws",
-    "carom.sweeps.shots_loop:compiled_follow",
+    "carom.simulation.run_many:compiled_many",
     "carom.simulation.sensitivity.near_misses:compiled_least_gaps",
     f"{__name__}:draw_shots",
     f"{__name__}:follow_many_runs",

@@ -1,22 +1,20 @@
-"""Compile the event loop: for one run with its log, and for many runs on all cores."""
+"""Compile the event loop."""
 
 from __future__ import annotations
 
 import contextlib
 import functools
-import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from carom.core.geometry.circles import rim_hit
 from carom.core.geometry.features import FEATURES, RIM
 from carom.core.jit.background import compile_in_background
-from carom.core.jit.compile import array_of, cache_folder, njit, parallel_range, signature
+from carom.core.jit.compile import array_of, cache_folder, njit, signature
 from carom.laws.callbacks import register_calls
 from carom.scene.scene import Scene
-from carom.simulation.loop import LIMIT, QUIET, finish, run
+from carom.simulation.loop import finish, run
 from carom.simulation.records import BALLS, LOG, WORLD
-from carom.simulation.resolve import DONE
 from carom.simulation.wall_and_floor import PART, register_joint_impact
 
 __all__ = [
@@ -24,7 +22,6 @@ __all__ = [
     "Engine",
     "compiled_before",
     "compiled_engine",
-    "compiled_many",
     "is_loaded",
     "loops_of",
     "plain_engine",
@@ -96,52 +93,3 @@ def _one_run(
 
 def _one_end(worlds: Any, balls: Any, t: float) -> None:
     finish(worlds[0], balls, t)
-
-
-@functools.cache
-def compiled_many() -> Callable[..., Any]:
-    """Return the compiled loop over many runs, which uses all cores."""
-    global _run, _finish, _prange  # noqa: PLW0603
-    _run, _finish = compiled_engine()
-    _prange = parallel_range()
-    features, users, ended = array_of(FEATURES), array_of(int), array_of(int, 2)
-    many = signature(
-        None,
-        array_of(WORLD),
-        features,
-        array_of(BALLS, 2),
-        array_of(LOG, 2),
-        array_of(float),
-        float,
-        int,
-        int,
-        users,
-        int,
-        ended,
-    )
-    return njit(_many, signature=many, parallel=True)
-
-
-# What ``_many`` calls: the compiled functions, once there are any (a closure over them would not be cached).
-_run, _finish = _one_run, _one_end
-_prange: Any = range
-
-
-def _many(
-    worlds: Any, features: Any, balls: Any, logs: Any, slow: Any, until: float, most: int, share: int, users: Any, keep: int,
-    ended: Any,
-) -> None:  # fmt: skip
-    """Run every row of ``balls`` (N, B) by itself, for at most ``share`` more events; ``logs`` (N, M), ``slow`` (N,) as in run.
-
-    ``ended`` (N, 3): status, events, rows so far. A run goes on while its status is LIMIT, with fewer than ``most`` events.
-    """
-    for n in _prange(balls.shape[0]):
-        before, written = ended[n, 1], ended[n, 2]
-        if ended[n, 0] == LIMIT and before < most:
-            status, events, rows, _ball, slow[n], last = _run(
-                worlds, features, balls[n], logs[n][written:], slow[n], until, min(share, most - before), users, keep
-            )
-            ended[n, 0], ended[n, 1], ended[n, 2] = status, before + events, written + rows
-            if status != LIMIT or before + events >= most:
-                # (no end was given, or it was not reached: the last event's time)
-                _finish(worlds, balls[n], until if until < math.inf and status in (DONE, QUIET) else last)

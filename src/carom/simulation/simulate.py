@@ -19,11 +19,11 @@ from carom.laws.law import Law
 from carom.scene.paths import replaced
 from carom.scene.scene import Run, Scene
 from carom.scene.toml import load_scene
-from carom.simulation.compiled import compiled_many
 from carom.simulation.loop import LIMIT, PHASES_FROM, ROWS
 from carom.simulation.many_runs import ManyRuns
 from carom.simulation.records import KINDS, LOG, START
 from carom.simulation.run_log import FIRST_ROWS, REFUSALS, run_limits, run_scene
+from carom.simulation.run_many import PARTS, ROWS_KEPT, compiled_many, empty_counts, empty_logs
 from carom.simulation.setup import SceneArrays, set_up
 from carom.simulation.starts import starts_of
 from carom.simulation.trajectory import Trajectory
@@ -170,39 +170,31 @@ def _bits(kinds: tuple[str, ...]) -> int:
 
 
 def _run_many(scene: Scene, arrays: SceneArrays, events: int, kinds: tuple[str, ...], progress: Any) -> ManyRuns:
-    many, bits, (until, most) = compiled_many(), _bits(kinds), run_limits(scene)
+    many, bits, (until, most) = compiled_many(), _bits(kinds) if events else 0, run_limits(scene)
     balls, total = arrays.balls, len(arrays.balls)
-    ended, slow = np.zeros((total, 3), np.int64), np.full(total, -1.0)
+    ended, slow, written = np.zeros((total, 2), np.int64), np.full(total, -1.0), empty_counts(total)
     ended[:, 0] = LIMIT
     kept: list[NDArray[np.void]] = []
-    room = events + ROWS - 1 if events else 0
-    rows = room if events <= WHOLE_EVENTS else FIRST_ROWS
+    room = events if events <= WHOLE_EVENTS else FIRST_ROWS
+    logs, first_ones = empty_logs(min(PARTS, total)), np.empty((0, 2), np.int64)
     for block in block_slices(total, BLOCK):
-        logs, here = np.zeros((block.stop - block.start, rows), LOG), ended[block]
-        pace, goes_on = Pace(FIRST_EVENTS), np.ones(len(logs), bool)
+        rows, here, counts = np.zeros((block.stop - block.start, room), LOG), ended[block], written[block]
+        pace, goes_on = Pace(FIRST_EVENTS), np.ones(len(rows), bool)
         while goes_on.any():  # (a few events of every run at a time)
-            share = max(pace.begin() // len(logs), 1)
-            if logs.shape[1] < room:
-                logs = _with_room(logs, int(here[goes_on, 2].max()), room, total)
-                if logs.shape[1] < room:
-                    share = min(share, (logs.shape[1] - int(here[goes_on, 2].max())) // ROWS)
+            share = max(pace.begin() // len(rows), 1)
+            if rows.shape[1] < events:
+                longest = int(counts[goes_on, ROWS_KEPT].max())
+                rows = _with_room(rows, longest, events, total)
+                if rows.shape[1] < events:
+                    share = min(share, (rows.shape[1] - longest) // ROWS)
             many(
-                arrays.world,
-                arrays.features,
-                balls[block],
-                logs,
-                slow[block],
-                until,
-                most,
-                share,
-                arrays.users,
-                bits,
-                here,
-            )
-            pace.done(share * len(logs))
+                arrays.world, arrays.features[None], balls[block], logs, slow[block], until, most, share, arrays.users, bits,
+                first_ones, counts, rows, here,
+            )  # fmt: skip
+            pace.done(share * len(rows))
             goes_on = (here[:, 0] == LIMIT) & (here[:, 1] < most)
-        used = events if events <= WHOLE_EVENTS else min(events, int(here[:, 2].max()))
-        kept.append(np.ascontiguousarray(logs[:, :used]))
+        used = events if events <= WHOLE_EVENTS else int(counts[:, ROWS_KEPT].max())
+        kept.append(np.ascontiguousarray(rows[:, :used]))
         if progress is not None:
             progress(block.stop, total)
     first = _side_by_side(kept) if kept else np.zeros((0, events if events <= WHOLE_EVENTS else 0), LOG)

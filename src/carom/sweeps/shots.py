@@ -25,11 +25,11 @@ from carom.simulation.loop import LIMIT, PHASES_FROM
 from carom.simulation.records import BALL, KINDS, LOG, POCKETED_EVENT
 from carom.simulation.resolve import REFUSED_ROLLING, REFUSED_STALL, REFUSED_UNDEFINED
 from carom.simulation.run_log import run_limits, run_scene
+from carom.simulation.run_many import PARTS, compiled_many, empty_counts, empty_logs, many_on_gpu
 from carom.simulation.setup import SceneArrays, set_up
 from carom.sweeps.axes import Axis
 from carom.sweeps.fields import check_paths, plain_value, unit_of
 from carom.sweeps.outcomes import AXES, FAILURES, Outcome, blank
-from carom.sweeps.shots_loop import CODES, LOG_ROWS, compiled_follow, follow_on_gpu
 from carom.sweeps.starts import START_FIELDS, start_states
 
 __all__ = ["SceneRuns"]
@@ -38,7 +38,6 @@ Array = NDArray[Any]
 Columns = dict[str, Array]
 REFUSED = FAILURES.index("refused")
 FAILURE_OF = {REFUSED_ROLLING: 1, REFUSED_UNDEFINED: 2, REFUSED_STALL: 3}
-PARTS = 64  # of the runs that threads take
 # On a GPU each thread has a log of its own, 6 kB here, and so many take turns at the runs.
 GPU_PARTS, GPU_LOG_ROWS = 1 << 15, 16
 FIRST_EVENTS = 1 << 16  # of all runs in the first call of the loop
@@ -383,21 +382,22 @@ class _Kept:
 def _follow(
     arrays: SceneArrays, until: float, most: int, kept: _Kept, pace: Pace, tick: Any
 ) -> tuple[Array, Array, Array]:
-    """Run all points to their ends; return counts (N, CODES), wanted events (N, W), status and number of events (N, 2)."""
+    """Run all points to their ends; return counts (N, CODES + 1), wanted events (N, W), status and number of events (N, 2)."""
     n, on_gpu = len(arrays.balls), computes_on_gpu()
     wanted = np.array(kept.wanted, dtype=np.int64).reshape(-1, 2)
-    counts, firsts = np.zeros((n, CODES), np.int64), np.zeros((n, len(wanted)), LOG)
+    counts, firsts = empty_counts(n), np.zeros((n, len(wanted)), LOG)
     ended, slow = np.zeros((n, 2), np.int64), np.full(n, -1.0)
     ended[:, 0] = LIMIT
-    parts, rows = (min(GPU_PARTS, n), GPU_LOG_ROWS) if on_gpu else (min(PARTS, n), LOG_ROWS)
+    parts = min(GPU_PARTS if on_gpu else PARTS, n)
+    logs = empty_logs(parts, GPU_LOG_ROWS) if on_gpu else empty_logs(parts)
     tables = (
-        arrays.world, arrays.features, arrays.balls, np.empty((parts, rows), LOG), slow, arrays.users,
+        arrays.world, arrays.features, arrays.balls, logs, slow, arrays.users,
         wanted, counts, firsts, ended,
     )  # fmt: skip
     there: Any
     with on_device(*tables) if on_gpu else nullcontext(tables) as there:
         world, features, balls, logs, speeds, users, events, numbers, copies, statuses = there
-        follow = functools.partial(follow_on_gpu().on, parts) if on_gpu else compiled_follow()
+        follow = functools.partial(many_on_gpu().on, parts) if on_gpu else compiled_many()
 
         def go_on(share: int) -> None:
             follow(

@@ -1,4 +1,4 @@
-"""The compiled loop of a sweep over a scene: every point a run of its own, its events counted, some of them kept."""
+"""The one compiled loop over many runs: of a scene, or of a sweep's scenes; events are counted, and some of them kept."""
 
 from __future__ import annotations
 
@@ -6,6 +6,9 @@ import functools
 import math
 from collections.abc import Callable
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from carom.core.geometry.features import FEATURES
 from carom.core.jit.compile import array_of, njit, parallel_range, signature
@@ -18,31 +21,58 @@ from carom.simulation.predict import write_vector
 from carom.simulation.records import BALLS, LOG, PHASE, WORLD
 from carom.simulation.resolve import DONE
 
-__all__ = ["CODES", "LOG_ROWS", "LOOP", "compiled_follow", "count_rows", "follow_on_gpu"]
+__all__ = ["LOOP", "PARTS", "ROWS_KEPT", "compiled_many", "empty_counts", "empty_logs", "many_on_gpu"]
 
 # Codes of events: kinds, and from PHASES_FROM on the phases that begin.
 CODES = PHASES_FROM + len(PHASES)
+# In the place after the last code stands how many rows were kept, where the first ones are.
+ROWS_KEPT = CODES
+PARTS = 64  # of the runs that threads take
 LOG_ROWS = 128  # of the log of a thread, which is read and emptied again and again
+
+
+def empty_logs(parts: int, rows: int = LOG_ROWS) -> NDArray[np.void]:
+    """Return the logs of so many parts of the runs."""
+    return np.empty((parts, rows), LOG)
+
+
+def empty_counts(runs: int) -> NDArray[np.int64]:
+    """Return the counts of events of so many runs, by code, and of the rows kept."""
+    return np.zeros((runs, CODES + 1), np.int64)
 
 
 @kernel
 def _copy(to: Any, row: Any) -> None:
-    """Copy what outcomes are made of (numba-cuda's simulator has no copy of a whole record)."""
-    to.t, to.kind, to.ball, to.other = row.t, row.kind, row.ball, row.other
+    """Copy a row of a log (numba-cuda's simulator has no copy of a whole record)."""
+    to.t, to.kind, to.ball, to.met, to.other = row.t, row.kind, row.ball, row.met, row.other
     write_vector(to.x, vector(row.x))
+    write_vector(to.v_before, vector(row.v_before))
+    write_vector(to.w_before, vector(row.w_before))
     write_vector(to.v, vector(row.v))
     write_vector(to.w, vector(row.w))
+    to.phase_before, to.phase = row.phase_before, row.phase
+    write_vector(to.impulse, vector(row.impulse))
+    write_vector(to.floor_impulse, vector(row.floor_impulse))
+    to.required, to.regime = row.required, row.regime
 
 
 @kernel
-def count_rows(log: Any, rows: int, wanted: Any, counts: Any, firsts: Any) -> None:
-    """Count the events of a log by their codes; copy those that are wanted: (W, 2) code, and which of its kind."""
+def _keep_rows(log: Any, rows: int, wanted: Any, counts: Any, kept: Any) -> None:
+    """Count the events of a log by their codes, and keep some of them: this is all that remains of a run's log.
+
+    Kept are those that are wanted, (W, 2) code and which of its kind, in W places; with W = 0 the first ones, as many as there are
+    places.
+    """
     for r in range(rows):
         code = PHASES_FROM + log[r].phase if log[r].kind == PHASE else log[r].kind
         for j in range(wanted.shape[0]):
             if wanted[j, 0] == code and wanted[j, 1] == counts[code]:
-                _copy(firsts[j], log[r])
+                _copy(kept[j], log[r])
         counts[code] += 1
+    if wanted.shape[0] == 0:
+        for r in range(min(rows, kept.shape[0] - counts[ROWS_KEPT])):
+            _copy(kept[counts[ROWS_KEPT]], log[r])
+            counts[ROWS_KEPT] += 1
 
 
 # What the loop returns and takes.
@@ -57,14 +87,14 @@ _finish: Any = finish
 _prange: Any = range
 
 
-def _follow(
+def _many(
     worlds: Any, features: Any, balls: Any, logs: Any, slow: Any, until: float, most: int, share: int, users: Any, keep: int,
-    wanted: Any, counts: Any, firsts: Any, ended: Any,
+    wanted: Any, counts: Any, kept: Any, ended: Any,
 ) -> None:  # fmt: skip
     """Continue every run of ``balls`` (N, B) by at most ``share`` events.
 
     ``worlds`` (1 or N,), ``features`` (1 or N, F): of all runs, or of each; ``logs`` (T, rows): of each of T parts of the runs;
-    ``counts`` (N, CODES) and ``firsts`` (N, W): :func:`count_rows`; ``ended`` (N, 2): status and number of events. A run goes on
+    ``counts`` (N, CODES + 1) and ``kept`` (N, W): :func:`_keep_rows`; ``ended`` (N, 2): status and number of events. A run goes on
     while its status is LIMIT, with fewer than ``most`` events.
     """
     total, parts = balls.shape[0], logs.shape[0]
@@ -80,7 +110,7 @@ def _follow(
                 status, events, rows, _ball, slow[n], last = _run(
                     worlds[here : here + 1], shape, balls[n], log, slow[n], until, step, users, keep
                 )
-                count_rows(log, rows, wanted, counts[n], firsts[n])
+                _keep_rows(log, rows, wanted, counts[n], kept[n])
                 left -= events
                 ended[n, 0], ended[n, 1] = status, ended[n, 1] + events
                 if status != LIMIT or ended[n, 1] >= most:
@@ -92,16 +122,16 @@ def _follow(
 
 
 @functools.cache
-def compiled_follow() -> Callable[..., None]:
+def compiled_many() -> Callable[..., None]:
     """Return the compiled loop, which uses all cores."""
     global _run, _finish, _prange  # noqa: PLW0603
     _run, _finish = compiled_engine()
     _prange = parallel_range()
-    return njit(_follow, signature=signature(*LOOP), parallel=True)
+    return njit(_many, signature=signature(*LOOP), parallel=True)
 
 
 @functools.cache
-def follow_on_gpu() -> CudaLoop:
+def many_on_gpu() -> CudaLoop:
     """Return the loop for a GPU: a thread for every part of the runs."""
     one_run, one_end = plain_engine()
-    return CudaLoop(_follow, {"_run": one_run, "_finish": one_end, "_prange": grid_range})
+    return CudaLoop(_many, {"_run": one_run, "_finish": one_end, "_prange": grid_range})
