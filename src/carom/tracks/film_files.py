@@ -22,6 +22,7 @@ from carom.tracks.rebounds import Stage, to_rebounds
 
 __all__ = [
     "MeasuredFilms",
+    "Progress",
     "are_films",
     "is_track",
     "measure_films",
