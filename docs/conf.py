@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import os
 import sys
+import tempfile
 from importlib import metadata
 from pathlib import Path
 
@@ -49,6 +50,9 @@ nb_render_markdown_format = "myst"  # tables and roles in what cells display
 os.environ["PATH"] = os.pathsep.join([str(Path(sys.executable).parent), os.environ.get("PATH", "")])
 # and import the scripts that lie beside this file
 os.environ["PYTHONPATH"] = os.pathsep.join([str(Path(__file__).parent), *filter(None, [os.environ.get("PYTHONPATH")])])
+# results that several pages show are computed by the first of them (derived_paper.py)
+_shared = tempfile.TemporaryDirectory()
+os.environ["CAROM_DOCS_SHARED"] = _shared.name
 # (a kernel sets FORCE_COLOR for its children; TTY_COMPATIBLE comes before it)
 os.environ.update(NO_COLOR="1", TTY_COMPATIBLE="0", COLUMNS="100", PYTHONWARNINGS="default")
 # figures go into the page, also where the caller draws without a screen (MPLBACKEND=Agg)
