@@ -25,7 +25,7 @@ from carom.cli.options import (
     unused_options,
 )
 from carom.cli.ranking_output import show
-from carom.errors import CaromError, collected
+from carom.errors import CaromError
 
 if TYPE_CHECKING:
     from rich.console import Console
@@ -184,22 +184,17 @@ def fit(
     from carom.files import require_library
 
     require_library("scipy", "fit")
-    from carom.cli.fit_tracks import fit_track_files
+    from carom.cli.fit_tracks import TrackOptions, fit_track_files
+    from carom.data.published import published_at
     from carom.data.rebounds import KINDS, STAGES
     from carom.fitting import Setting, fit_laws
-    from carom.fitting.data_files import DataFiles
     from carom.fitting.usable_rows import require_error_bars
+    from carom.tracks.contact import Settings
+    from carom.tracks.film_files import are_films, rebounds_of_files
     from carom.tracks.formats.text_table import Calibration
 
-    faults: list[Any] = []
-    metres = attempt(faults, parse_length, "scale", scale)
-    source = DataFiles(
-        tuple(files), Calibration(scale=metres, rate=rate), view,  # type: ignore[arg-type]
-        kind if kind in KINDS else None, stage if stage in STAGES else None,  # type: ignore[arg-type]
-    )  # fmt: skip
-    own_faults: list[Any] = []
-    ours = attempt(own_faults, lambda: source.published)
-    films = not whole and not own_faults and attempt(faults, lambda: source.films)
+    faults: list[str] = []
+    films = None if whole else attempt(faults, are_films, files)  # (with --whole every file is checked there)
     kappa = None if inertia is None else attempt(faults, parse_inertia, inertia)
     prior = attempt(faults, parse_spin, spin, whole) or {}
     held = _held(faults, fix, bound, whole)
@@ -213,8 +208,11 @@ def fit(
          "--roll": None if roll == 1 else roll},
         {"--noise": noise, "--cushions": cushions if cushions != 3 else None},
     )  # fmt: skip
+    metres = attempt(faults, parse_length, "scale", scale)
     names = [name for text in laws or [] for name in comma_separated(text)]
     faults += _words(names if laws else None, whole, view, kind, stage, bootstrap, seed)
+    own_faults: list[str] = []
+    ours = attempt(own_faults, published_at, files[0])
     if radius is None and ours is None and not own_faults:
         faults.append("--radius: expected the ball's radius in m, got none; a table-tennis ball has --radius 0.02")
     given = {"radius": radius, "kappa": kappa, "contact_height": contact_height, "floor_friction": floor_friction}
@@ -227,18 +225,27 @@ def fit(
         **ball,
         restitution=restitution, floor_restitution=floor_restitution, roll=roll, **prior, **held,
         fit=tuple(name for text in fit_ or [] for name in comma_separated(text)), robust=robust, scatter=scatter or "",
-        noise=attempt(faults, parse_length, "noise", noise), cushions=cushions,
     )  # fmt: skip
     if whole:
-        return fit_track_files(source, setting, names, where or [], report, as_json, faults, _bar)
+        frames = TrackOptions(view, where or [], cushions, noise, Calibration(scale=metres, rate=rate))
+        return fit_track_files(files, setting, names, frames, report, as_json, faults, _bar)
     attempt(faults, _checked, setting)
-    console, rebounds = err(), None
-    # (with wrong options a table is still read, for its faults; contacts, which takes time, are not measured)
-    if not own_faults and films is not None and not (faults and (ours or films)):
-        with _bar(console) as say, collected(faults):
-            rebounds = source.rebounds(setting, lambda done, total, text: say(text, done / total))
-    if faults or rebounds is None:
+    console = err()
+    if own_faults or (faults and (ours or films)):  # (before contacts are measured, which takes time)
         raise CaromError(*faults, *own_faults)
+    rebounds = ours.rebounds if ours else None
+    if films is not None and ours is None:
+        about = Settings(radius=setting.radius, kappa=setting.kappa, view=view)  # type: ignore[arg-type]
+        with _bar(console) as say:
+            rebounds = attempt(
+                faults, lambda: rebounds_of_files(
+                    files, Calibration(scale=metres, rate=rate), about,
+                    kind=kind if kind in KINDS else None, stage=stage if stage in STAGES else None,  # type: ignore[arg-type]
+                    progress=lambda done, total, text: say(text, done / total),
+                )
+            )  # fmt: skip
+    if faults or rebounds is None:
+        raise CaromError(*faults)
     _read(rebounds, bool(films), {"--scale": scale, "--rate": rate, "--view": view},
           {"--contact-height": contact_height, "--floor-friction": floor_friction,
            "--floor-restitution": floor_restitution or None, "--roll": None if roll == 1 else roll})  # fmt: skip

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, noting
+from carom.errors import CaromError
 from carom.files import require_library
 from carom.fitting.evidence import DECIDED, LEANS, Evidence, Ranked, RankedLaws, odds_in_words, verdict_words, weigh
 from carom.fitting.result import finite
@@ -133,24 +133,24 @@ def fit_tracks(
             "tracks: expected balls on a table, seen from above, got balls in flight; fit their rebounds instead"
         )
     require_settings(setting, whole=True)
-    tell, fits = say or (lambda _what, _done: None), []
-    with noting(measured.notes):
-        found, notes = find_segments(measured, setting.cushions, setting.after)
-        if not found:
-            raise CaromError(
-                "tracks: expected a ball that is seen before and after a wall, without another contact in between, got none"
-                + "".join(f"; {note}" for note in notes)
-            )
-        chosen, more = track_models(
-            one_or_several("fit_tracks", laws) if laws else None, setting, measured.walls, starting_numbers(measured)
+    found, notes = find_segments(measured, setting.cushions, setting.after)
+    if not found:
+        raise CaromError(
+            "tracks: expected a ball that is seen before and after a wall, without another contact in between, got none"
+            + "".join(f"; {note}" for note in notes)
         )
-        for i, model in enumerate(chosen):
+    tell = say or (lambda _what, _done: None)
+    chosen, more = track_models(
+        one_or_several("fit_tracks", laws) if laws else None, setting, measured.walls, starting_numbers(measured)
+    )
+    fits = []
+    for i, model in enumerate(chosen):
 
-            def part(done: float, i: int = i, name: str = model.law.name) -> None:
-                tell(f"fit {name}", (i + done) / len(chosen))
+        def part(done: float, i: int = i, name: str = model.law.name) -> None:
+            tell(f"fit {name}", (i + done) / len(chosen))
 
-            part(0.0)
-            fits.append(fit_track_law(model, found, measured.noise, part))
+        part(0.0)
+        fits.append(fit_track_law(model, found, measured.noise, part))
     fits.sort(key=lambda fit: fit.aicc)
     notes = [*measured.notes, *more, *notes]
     rolling = [fit.law.name for fit in fits if fit.model.rolling_only]
