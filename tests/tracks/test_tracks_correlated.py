@@ -11,9 +11,10 @@ from reference.exploring import tried
 from reference.known_films import Fall, drawn_fall, fallen, noise, rotated
 from reference.synthetic_tracks import RADIUS, Camera, seen, shot, truth
 
-from carom.tracks import Measured, Settings, measure, usable_stages
+from carom.tracks import Measured, Settings, Track, measure, usable_stages
 from carom.tracks.correlation import Correlation, FrameGroups, whitening
 from carom.tracks.events import wall_through
+from carom.tracks.flights import fit_flights, flight_path
 
 
 def filmed(seed: int, correlation: float, rate: float = 240.0) -> tuple[Measured, list[dict[str, float]]]:
@@ -119,3 +120,13 @@ def test_turns_of_many_shots_show_the_direction_of_the_walls() -> None:
     ]
     assert len(pairs) >= 5
     assert np.median(np.abs(np.diff(pairs))) < 0.02
+
+
+@pytest.mark.parametrize("seed", [126, 146, 231, 249, 289])
+def test_fits_of_flights_that_diverge_give_no_result(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    count = rng.integers(6, 40)
+    t = np.arange(count) / rng.choice([30.0, 60.0, 240.0])
+    x = flight_path(rng.normal(0, 3, 2), np.array([0.0, -9.8]), rng.uniform(0, 1.5), t)
+    x = x + rng.normal(0, rng.choice([1e-3, 1e-2, 5e-2]), x.shape)
+    assert fit_flights([Track("ball", t, x)], 1e-3, float(t[1]), 9.8) is None

@@ -33,6 +33,7 @@ GAP_FRAMES = 4.5  # in a gap of so many frames the ball may have met something
 # Of gravity, by which a flight's own acceleration may differ from it: else the ball is held or rolls.
 GRAVITY_SHARE = 0.3
 MAX_SCATTER = 3.0  # times the noise; more is no free flight
+MAX_PATH_M = 1e6  # beyond this the steps of a fit have left all paths of balls
 SIGNIFICANT = 4.0  # error bars
 # 1/m: what is known of a ball's drag before its flights are seen. Golf, baseball 0.005; tennis, football, basketball, volleyball
 # 0.015 to 0.025 (half of 1.2 kg/m^3, drag coefficient and cross-section, by the mass)
@@ -98,13 +99,15 @@ def flight_path(velocity: Array, gravity: Array, drag: Array | float, s: Array) 
     def acceleration(v: Array) -> Array:
         return np.asarray(g - k * np.sqrt((v * v).sum(axis=-1, keepdims=True)) * v)
 
-    for _ in range(count):  # Runge and Kutta, fourth order: exact for a parabola
-        a1 = acceleration(v)
-        a2 = acceleration(v + h / 2 * a1)
-        a3 = acceleration(v + h / 2 * a2)
-        a4 = acceleration(v + h * a3)
-        x = x + h * v + h * h / 6 * (a1 + a2 + a3)
-        v = v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)
+    # (followed back, a ball that the air slows down may have been infinitely fast)
+    with np.errstate(over="ignore", invalid="ignore"):
+        for _ in range(count):  # Runge and Kutta, fourth order: exact for a parabola
+            a1 = acceleration(v)
+            a2 = acceleration(v + h / 2 * a1)
+            a3 = acceleration(v + h / 2 * a2)
+            a4 = acceleration(v + h * a3)
+            x = x + h * v + h * h / 6 * (a1 + a2 + a3)
+            v = v + h / 6 * (a1 + 2 * a2 + 2 * a3 + a4)
     return x
 
 
@@ -198,9 +201,11 @@ def _fit_together(
 ) -> tuple[Array, list[tuple[Array, Array]]]:
     """Return gravity and drag (3,), and of each flight the derivatives and residuals, without what its own start can fit.
 
+    Residuals are infinite where Gauss and Newton's steps leave all paths that a ball can take.
     ``starts``: place and velocity (4,) in the middle of each flight, relative to the mean of its positions.
     """
     parts: list[tuple[Array, Array]] = []
+    lost = [(np.zeros((1, int(free.sum()))), np.full(1, np.inf)) for _ in flights]
     for _ in range(ROUNDS):
         parts, own = [], []
         for (s, x), start in zip(flights, starts, strict=True):
@@ -208,6 +213,8 @@ def _fit_together(
             step = np.array([1e-4, 1e-4, 1e-3, 1e-3, 1e-3, 1e-3, 1e-4])
             several = np.concatenate([[theta], theta + np.diag(step), theta - np.diag(step)])
             path = several[:, None, :2] + flight_path(several[:, 2:4], several[:, 4:6], several[:, 6], s)
+            if not np.abs(path).max() < MAX_PATH_M:
+                return shared, lost
             r = ((x - path[0]) / noise).ravel()
             slope = ((path[1:8] - path[8:]) / (2 * step[:, None, None] * noise)).reshape(7, -1).T
             q, upper = np.linalg.qr(slope[:, :4])
@@ -218,10 +225,13 @@ def _fit_together(
         )[0]
         shared = shared.copy()
         shared[free] += change
-        starts = [
-            start + np.linalg.solve(upper, q.T @ (r - b @ change))
-            for start, (q, upper, r, b) in zip(starts, own, strict=True)
-        ]
+        try:
+            starts = [
+                start + np.linalg.solve(upper, q.T @ (r - b @ change))
+                for start, (q, upper, r, b) in zip(starts, own, strict=True)
+            ]
+        except np.linalg.LinAlgError:  # (a path that no longer depends on its start)
+            return shared, lost
     return shared, parts
 
 
