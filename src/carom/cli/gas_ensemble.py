@@ -14,25 +14,16 @@ from rich.text import Text
 from carom.cli.common import attempt, wrote
 from carom.cli.console import out
 from carom.cli.gas_output import (
-    CONTACT_HEADS,
-    KEPT_IN_SPINS,
     LINE_INTERVAL,
     Progress,
-    energy_kept_in_spins,
     finite,
-    new_table,
     no_diffusion,
     print_tables,
-    species_columns,
 )
 from carom.cli.interrupts import say_interrupted
 from carom.errors import CaromError
-from carom.formatting import format_uncertain
-from carom.gas.report import pressure_unit
 
 if TYPE_CHECKING:
-    from rich.table import Table
-
     from carom.gas.ensembles import Ensemble
     from carom.gas.scene import GasScene
 
@@ -90,7 +81,7 @@ def run_ensemble(
         notes = [no_diffusion("displacement" in ensemble.curves or not ensemble.curves)] if undefined else []
         if ensemble.ended_early:
             notes.append(f"{len(ensemble.ended_early)} of {members} gases ended early; each counts up to its end.")
-        print_tables(scene, f"{members} gases: {scene.describe()}", _tables(ensemble), ensemble.mean["looks"], notes)
+        print_tables(scene, f"{members} gases: {scene.describe()}", ensemble.mean, ensemble.error, notes)
         out().print(Text("In brackets: standard error of the mean, in units of the last digits."), soft_wrap=True)
     wrote(*(() if quiet else written))
     if found:
@@ -147,51 +138,3 @@ def _plot(ensemble: Ensemble, path: Path) -> None:
     from carom.plot.gas_ensemble import plot_ensemble
 
     plot_ensemble(ensemble, path)
-
-
-def _tables(ensemble: Ensemble) -> list[Table]:
-    """Return the tables of the whole gas, its species, and its contacts."""
-    mean, error = ensemble.mean, ensemble.error
-
-    def cell(place: Any, deviation: Any, name: str, scale: float = 0.0) -> str:
-        if abs(place[name]) < 1e-9 * scale:  # rounding
-            return "0"
-        return format_uncertain(place[name], deviation[name])
-
-    gas = new_table(["gas", "mean"], 1)
-    pressure = pressure_unit(ensemble.scene)
-    rows = {
-        "pair collisions": "pair_collisions", "wall collisions": "wall_collisions", "simulated time, s": "simulated_time",
-        "mean free time, s": "mean_free_time", f"pressure, {pressure}": "pressure",
-        "translational temperature, J": "temperature_translational",
-        "rotational temperature, J": "temperature_rotational", "  rotational / translational": "temperature_ratio",
-        "diffusion coefficient, m²/s": "diffusion",
-        "energy at the start, J": "energy_start", "energy at the end, J": "energy_end",
-        "energy from the thermostat, J": "energy_from_thermostat",
-    }  # fmt: skip
-    turns = ensemble.scene.spins_change
-    for label, name in rows.items():
-        if name in {"temperature_rotational", "temperature_ratio"} and not turns:
-            continue
-        always = name not in {"wall_collisions", "energy_from_thermostat", "diffusion"}
-        if always or (mean[name] != 0 and not math.isnan(mean[name])):
-            gas.add_row(label, cell(mean, error, name))
-        if name == "energy_end" and energy_kept_in_spins(ensemble.scene, mean) > 0:
-            kept = (energy_kept_in_spins(ensemble.scene, one) for one in (mean, error))
-            gas.add_row(f"  {KEPT_IN_SPINS}", format_uncertain(*kept))
-    for what, label in (("wall_pressure", f"pressure on {{}}, {pressure}"), ("energy_from_walls", "energy from {}, J")):
-        for name, x in mean[what].items():
-            if x != 0:
-                gas.add_row(label.format(name), cell(mean[what], error[what], name))
-    columns = species_columns(ensemble.scene)
-    kinds = new_table(["species", "balls", *columns])
-    for one in ensemble.scene.species:
-        place, deviation = mean["species"][one.name], error["species"][one.name]
-        kinds.add_row(one.name, f"{one.count:,}", *(cell(place, deviation, name) for name in columns.values()))
-    contacts = new_table(CONTACT_HEADS)
-    scale = abs(mean["energy_start"]) + abs(mean["energy_end"])
-    for place, deviation in zip(mean["channels"], error["channels"], strict=True):
-        energies = (cell(place, deviation, name, scale) for name in ("lost_normal", "lost_tangential", "to_spin"))
-        numbers = (cell(place, deviation, "collisions"), cell(place, deviation, "rate"))
-        contacts.add_row(" – ".join(place["between"]), *numbers, *energies)
-    return [gas, kinds, contacts]
