@@ -110,7 +110,7 @@ def test_frame_numbers_are_the_clock_where_the_file_has_them() -> None:
     (found,) = at_rate([ball(frame / 30, frame)], 240.0, "film", notes)
     np.testing.assert_allclose(np.diff(found.time), np.diff(frame) / 240, rtol=1e-12)
     assert notes == [
-        "the file's times say 30 frames per second; --rate 240 overrides them (leave it out if they are right)"
+        "the file's times say 30 frames per second; `rate` 240 overrides them (leave it out if they are right)"
     ]
 
 

@@ -237,13 +237,15 @@ def fit(
     if films is not None and ours is None:
         about = Settings(radius=setting.radius, kappa=setting.kappa, view=view)  # type: ignore[arg-type]
         with _bar(console) as say:
-            rebounds = attempt(
-                faults, lambda: rebounds_of_files(
+
+            def read() -> Rebounds:
+                return rebounds_of_files(
                     files, Calibration(scale=metres, rate=rate), about,
                     kind=kind if kind in KINDS else None, stage=stage if stage in STAGES else None,  # type: ignore[arg-type]
                     progress=lambda done, total, text: say(text, done / total),
-                )
-            )  # fmt: skip
+                )  # fmt: skip
+
+            rebounds = read() if films else attempt(faults, read)  # (an error of films carries notes)
     if faults or rebounds is None:
         raise CaromError(*faults)
     _read(rebounds, bool(films), {"--scale": scale, "--rate": rate, "--view": view},
