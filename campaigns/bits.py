@@ -738,7 +738,7 @@ def kept(file: Path) -> Iterator[Case]:
 
 
 def gases(place: Place) -> Iterator[Case]:
-    """Gases run a third of their way, kept, and gone on with; and two of them without a scene."""
+    """Gases run a third of their way, kept, and resumed; and two of them without a scene."""
     for name, text in GASES.items():
         folder = place.empty()
         (folder / "gas.toml").write_text(text)

@@ -4,7 +4,7 @@
 
 Of each kind N disturbances (100): the process that runs the sweep is killed (SIGKILL) after a random number of blocks and a random
 moment of the next; a worker of a Dask cluster of two processes is killed, most often within a block; a write fails for want of
-room (ENOSPC) at a random file. After each the sweep is gone on with, and begun anew when it is finished. Every finished store is
+room (ENOSPC) at a random file. After each the sweep is resumed, and begun anew when it is finished. Every finished store is
 compared with that of an undisturbed run, file by file.
 """
 

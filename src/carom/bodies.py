@@ -406,7 +406,7 @@ def slip(ball: Ball, state: State, normal: ArrayLike = (0.0, 0.0, 1.0)) -> Array
     ball : Ball
     state : State (...)
     normal : array (..., 3)
-        Unit normal n from the surface to the ball, whose contact point is -a n from its centre; by default that of the floor.
+        Unit normal n from the surface to the ball, whose contact point is -a n from its centre; by default the floor's.
 
     Returns
     -------

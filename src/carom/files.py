@@ -349,7 +349,7 @@ def write_text(target: Path | None, text: str) -> None:
 # --- how large a file becomes --------------------------------------------------------------------------------------
 
 MOST_UNPACKED = 1 << 28  # bytes in memory that the arrays of any file may take,
-MOST_TIMES = 100  # and how many times those of the file itself: measured data and checkpoints stay far below
+MOST_TIMES = 100  # and how many times the bytes of the file itself: measured data and checkpoints stay far below
 
 
 def require_unpacked_size(path: Path, declared: float) -> None:

@@ -1,4 +1,4 @@
-"""carom gas: JSON that is the library's answer, files that are whole, runs that are stopped, killed, and gone on with."""
+"""carom gas: JSON that is the library's answer, files that are whole, runs that are stopped, killed, and resumed."""
 
 from __future__ import annotations
 
@@ -250,7 +250,7 @@ def test_a_gas_that_collapses_is_told(folder, capsys, monkeypatch):
     assert "give a contact_time > 0" in line
 
 
-# --- stopped, killed, gone on with ---------------------------------------------------------------------------------
+# --- stopped, killed, resumed -------------------------------------------------------------------------------------
 
 
 @pytest.mark.parametrize("which", [signal.SIGINT, signal.SIGTERM])

@@ -144,7 +144,7 @@ CASES = {
     "films": Case(side_films, BALL, SETTING, {}, "1 of 5 films have no contact that can be measured"),
     "one film": Case(one_film, BALL, SETTING, {}, "film more throws before relying on a verdict"),
     "kharaz2001": Case("kharaz2001", said="are the second error bar"),
-    "mathavan2009": Case("mathavan2009", said="the printed error bars are those of digitising alone"),
+    "mathavan2009": Case("mathavan2009", said="the printed error bars contain the digitisation alone"),
 }  # fmt: skip
 
 

@@ -184,9 +184,7 @@ def test_into_what_cannot_be_written_into(count):
             carom.CaromError, match=rf"why: expected a contiguous array of shape \({count},\) and type int8"
         ):
             carom.two_step_into(out, wrong, ball, some)
-    with pytest.raises(
-        carom.CaromError, match="out: expected arrays apart from those of the state, got the same memory"
-    ):
+    with pytest.raises(carom.CaromError, match="out: expected arrays apart from the state's own, got the same memory"):
         carom.two_step_into(some, why, ball, some)
     short = carom.State(np.zeros((count - 1, 3)), np.zeros((count - 1, 3)))
     for into in (carom.impact_into, lambda out, *rest, **more: carom.two_step_into(out, why, *rest, **more)):

@@ -1,4 +1,4 @@
-"""Stores of sweeps: killed and gone on with, bit for bit; what is another's is refused; what is damaged is found."""
+"""Stores of sweeps: killed and resumed, bit for bit; what is another's is refused; what is damaged is found."""
 
 from __future__ import annotations
 

@@ -209,9 +209,9 @@ class Drift:
     velocity: Any
     """(...): mean velocity, from the first to the last bounce, m/s."""
     acceleration: Any
-    """(...): that of the parabola fitted to the coordinates, m/s^2."""
+    """(...): acceleration of the parabola fitted to the coordinates, m/s^2."""
     growth: Any
-    """(...): extent of the orbit over that of its first half: 1 bounded, 2 uniform drift, 4 uniform acceleration."""
+    """(...): extent of the orbit over the extent of its first half: 1 bounded, 2 uniform drift, 4 uniform acceleration."""
 
 
 def drift(found: Orbit, axis: int | None = None) -> Drift:

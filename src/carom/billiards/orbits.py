@@ -110,7 +110,7 @@ class Orbit:
 
     @functools.cached_property
     def speed(self) -> Array:
-        """(..., B): sqrt(2 energy / m), the kinetic energy with that of the spin."""
+        """(..., B): sqrt(2 energy / m), the kinetic energy including the spin's."""
         spin = self.spin if self.setup.planar else np.linalg.norm(self.spin, axis=-1)
         ball = self.setup.ball
         found: Array = np.sqrt(self._rolls * (self.velocity**2).sum(-1) + ball.kappa * (ball.radius * spin) ** 2)

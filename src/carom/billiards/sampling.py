@@ -50,7 +50,7 @@ def starts(
     ball, law
         As for :func:`orbit`.
     speed : float
-        sqrt(2 energy / m), m/s; under a force across walls, that of a ball at the origin.
+        sqrt(2 energy / m), m/s; under a force across walls, the speed of a ball at the origin.
 
     Returns
     -------
@@ -191,7 +191,7 @@ def _on_the_wall(shape: Boundary, count: int, rng: np.random.Generator) -> tuple
     if lids:
         high = -float(lids[0].offset)
         x[:, 2] = rng.uniform(-high, high, count)
-        # the share on the lids is that of their area
+        # the share on the lids is the share of their area
         area, length, low, size = _cross_section(side, around)
         on = np.flatnonzero(rng.uniform(size=count) < area / (area + length * high))
         left = on

@@ -29,7 +29,7 @@ SPATIAL = ("s", "b", "v_t", "v_b", "v_n", "spin_t", "spin_b", "spin_n")
 class TangentMap:
     """The derivative of a number of bounces, from just after one bounce to just after another.
 
-    Coordinates are those of the frame (t, b, n) of the wall at each end: t along it, n towards the ball, b = n x t in space. Spins
+    Coordinates refer to the frame (t, b, n) of the wall at each end: t along it, n towards the ball, b = n x t in space. Spins
     are multiplied by sqrt(kappa) a, so that all velocities contribute equally to the energy.
 
     Examples

@@ -82,7 +82,7 @@ def under(table: Table, acceleration: Sequence[float]) -> Table:
     Parameters
     ----------
     table : Table
-    acceleration : (x, y) or (x, y, z), m/s^2; replaces that of the table
+    acceleration : (x, y) or (x, y, z), m/s^2; replaces the table's
 
     Returns
     -------

@@ -49,7 +49,7 @@ class TextConsole(Console):
             self.width = width
 
     def _fit(self, table: Table) -> int:
-        """Set the widths of a table's columns, and return its own: that of the terminal if its numbers have room there.
+        """Set the widths of a table's columns, and return its own: the terminal's if its numbers have room there.
 
         (Rich narrows all columns in proportion, and cuts numbers then.)
         """

@@ -102,7 +102,7 @@ def design(
     }
     prior = attempt(faults, parse_spin, spin) or {}
     if spin is not None and file is None:
-        faults.append("--spin: expected a file of rebounds with it, got none; --spins are those of the shots to come")
+        faults.append("--spin: expected a file of rebounds with it, got none; --spins describes the shots to come")
     pair = comma_separated(laws)
     if kind not in (None, *KINDS):
         faults.append(f"--kind: expected planar or table, got {kind!r}")

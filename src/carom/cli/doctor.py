@@ -14,7 +14,7 @@ import typer
 from carom.cli.options import shared
 
 BASE = ("numpy", "numba", "llvmlite", "pydantic", "pint", "rich", "typer", "lazy_loader")
-# Names of packages where they differ from those of their modules.
+# Names of packages where they differ from the names of their modules.
 PACKAGES = {"imageio_ffmpeg": "imageio-ffmpeg"}
 
 

@@ -25,7 +25,7 @@ def explore(
         str | None,
         typer.Option(
             metavar="NAME,NAME...",
-            help="Laws that are shown at first. Default: the scene's own, and those of carom compare for its walls.",
+            help="Laws that are shown at first. Default: the scene's own laws, and the laws of carom compare for its walls.",
             rich_help_panel=RUN,
         ),
     ] = None,

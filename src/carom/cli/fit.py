@@ -49,7 +49,7 @@ def fit(
             help="A table of rebounds (CSV, Parquet), one or more tracks, or a set of carom datasets.",
         ),
     ],
-    radius: Annotated[float | None, shared("radius", default="that of a set that comes with carom")] = None,
+    radius: Annotated[float | None, shared("radius", default="the radius of a set that comes with carom")] = None,
     inertia: Annotated[str | None, shared("inertia", default="solid")] = None,
     laws: Annotated[
         list[str] | None,
@@ -92,7 +92,7 @@ def fit(
     roll: Annotated[
         float,
         typer.Option(
-            help="Spin before the wall, in units of that of a rolling ball: 1 rolling, 0 without spin.",
+            help="Spin before the wall, in units of a rolling ball's spin: 1 rolling, 0 without spin.",
             rich_help_panel=LAWS,
         ),
     ] = 1.0,
@@ -325,7 +325,7 @@ def _pages(faults: list[str], report: Path | None, no_report: bool) -> None:
 
 
 def _read(rebounds: Rebounds, track: bool, of_tracks: dict[str, Any], of_tables: dict[str, Any]) -> None:
-    """Raise CaromError for options without effect: those of tracks for rebounds, those of tables for planar rebounds."""
+    """Raise CaromError for options without effect: options for tracks with rebounds, options for tables with planar rebounds."""
     faults = (
         [] if track else [f"{name}: expected a track, got rebounds" for name, x in of_tracks.items() if x is not None]
     )

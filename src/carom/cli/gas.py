@@ -224,7 +224,7 @@ def _interval(option: str, text: str) -> int | float:
 
 
 def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any]) -> GasScene | None:
-    """Return the scene of a file, with the options in place of its [run]; None: that of the checkpoint."""
+    """Return the scene of a file, with the options in place of its [run]; None: the checkpoint's."""
     from carom.gas.build import load_gas
     from carom.gas.scene import GasScene
     from carom.gas.schema import GasSettings

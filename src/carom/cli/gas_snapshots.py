@@ -26,7 +26,7 @@ SAID_FROM = 1e8  # bytes: smaller files need no word
 
 
 def size_limit(text: str | None) -> float | None:
-    """Return a size in bytes, such as that of "20 GB"."""
+    """Return a size in bytes, such as "20 GB", as a number."""
     if text is None:
         return None
     words = text.strip().upper()
@@ -64,7 +64,7 @@ def _in_options(fault: str) -> str:
 
 
 class Frames:
-    """Writes snapshots; where that fails, the run goes on without them, and the fault is told at its end, too."""
+    """Writes snapshots; where that fails, the run continues without them, and the fault is printed again at its end."""
 
     def __init__(
         self, path: Path, session: Session, resumed: bool, found: list[str], progress: Progress, most: float
@@ -99,7 +99,7 @@ class Frames:
             self.file, self.failed = None, True
             faults = [_in_options(fault) for fault in error.faults]
             self.found += faults
-            self.progress.say(f"carom: {'; '.join(faults)}; the run goes on without snapshots")
+            self.progress.say(f"carom: {'; '.join(faults)}; the run continues without snapshots")
             return False
         return True
 

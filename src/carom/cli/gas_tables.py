@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 __all__ = ["gas_tables"]
 
 CONSERVED = 1e-6  # a smaller relative change of the energy is rounding, not dissipation
-# Of a species: head and name in the report. The temperatures of the only species are those of the gas.
+# Quantities of a species: head and name in the report. The temperatures of the only species are the gas's own.
 SPECIES_TEMPERATURES = {
     "translational\ntemperature, J": "temperature_translational", "rotational\ntemperature, J": "temperature_rotational",
     "rotational /\ntranslational": "temperature_ratio",

@@ -217,7 +217,7 @@ def parse_bounds(name: str, text: str) -> tuple[float, float]:
 
 
 def unused_options(whole: bool, of_contacts: dict[str, Any], of_frames: dict[str, Any]) -> list[str]:
-    """Return faults of options without effect: those of contacts with ``--whole``, those of whole tracks without it."""
+    """Return faults of options without effect: options for contacts with ``--whole``, options for whole tracks without it."""
     wanted = "no --whole, which fits frames instead of contacts" if whole else "--whole as well"
     given = of_contacts if whole else of_frames
     return [f"{name}: expected {wanted}; omit the option" for name, value in given.items() if value is not None]

@@ -77,7 +77,7 @@ def _exponents(spectrum: Lyapunov) -> dict[str, Any]:
     """Return the exponents of an orbit with their errors; of several their means, standard errors of these, and each one's.
 
     An orbit that ended early has no exponents. Orbits of a mixed phase space have different ones, so the error of a mean over
-    orbits is that of their scatter.
+    orbits is the error of their scatter.
     """
     import numpy as np
 

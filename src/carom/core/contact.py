@@ -58,7 +58,7 @@ def contact(
     cap = mu * pn / slip if slip > 0 else mu
     # (30), for beta = 0: the contact point is left without slip. On the cone the impulse is mu P_n against the slip.
     holds = inside_friction_cone(hold * slip, mu, pn)
-    # (a smooth contact without slip: no impulse either way, but its derivative is that of no friction)
+    # (a smooth contact without slip: no impulse either way, but its derivative is the frictionless one)
     c = -hold if holds and mu > 0 else -cap
     regime = STICK if holds else SLIDE
     presses = -(1 + e) * un > LEAST * slip  # (velocities: balls of 1e-18 kg press too)

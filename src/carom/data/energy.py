@@ -26,7 +26,7 @@ def energy_remarks(rebounds: Rebounds, radius: float | None, kappa: float, roll:
     kappa : float
         I/(m a^2).
     roll : float
-        Spin of a ball on a table before the contact, in units of that of a rolling ball.
+        Spin of a ball on a table before the contact, in units of a rolling ball's spin.
     """
     columns, sigma, n = rebounds.columns, rebounds.sigma, len(rebounds)
     if radius is None:

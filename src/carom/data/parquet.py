@@ -22,7 +22,7 @@ CHUNK_ROWS = 1 << 17
 
 
 class ParquetTable:
-    """A Parquet file; columns of any type are copied, those that are read must hold numbers."""
+    """A Parquet file; columns of any type are copied; columns that are read must hold numbers."""
 
     def __init__(self, path: Path) -> None:
         """Open a file and read its headers. Raises CaromError for a file that is not Parquet."""

@@ -78,7 +78,7 @@ def _mathavan(data: Dataset) -> Published:
     v, out = data.columns["v_n_in_m_s"], data.columns["v_n_out_m_s"]
     rebounds = make_rebounds(
         "table", {"v_n_in": v, "v_n_out": out, "spin_z_in": np.zeros(len(v))}, stage="after_wall", source=data.name,
-        notes=("the printed error bars are those of digitising alone; the scatter is estimated",),
+        notes=("the printed error bars contain the digitisation alone; the scatter is estimated",),
     )  # fmt: skip
     return Published(rebounds, {"radius": 0.02625, "kappa": 0.4, "contact_height": 1.4, "floor_friction": 0.212})
 
@@ -90,7 +90,7 @@ KHARAZ_SHARED = 0.25  # degrees by which they disagree on the average of all sho
 def _kharaz(data: Dataset) -> Published:
     """Return the rebounds of :func:`_kharaz_rows`, also with all angles of a series shifted.
 
-    The sign of the shift is that which lowers the restitution, which has an upper bound.
+    The sign of the shift lowers the restitution, which has an upper bound.
     """
     notes = (
         "v_n_out: from the tangential speed and the angle of rebound, two series that were digitised apart; their angles are"

@@ -30,7 +30,7 @@ def speed_remarks(
     Parameters
     ----------
     columns, sigma : mapping
-        (N,) by name of the column, SI; of ``sigma`` only those that are known.
+        (N,) by name of the column, SI; of ``sigma`` only the known columns.
     covariance : (N,), optional
         Of the errors of v_n_in and v_n_out, m^2/s^2.
     rows : sequence of N str

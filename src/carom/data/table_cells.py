@@ -17,7 +17,7 @@ EMPTY = frozenset({""})
 # As programs and people write that there is no number; in lower case.
 MISSING = frozenset({"", "nan", "na", "n/a", "#n/a", "null", "nil", "-", "--", "none", "<na>", ".", "?"})
 
-# Java, spreadsheets and word processors write the minus sign of a language, not that of ASCII.
+# Java, spreadsheets and word processors write the minus sign of a language instead of ASCII's.
 MINUS = "\u2212\u2010\u2011\u2012\u2013\u2014\u2796\ufe58\ufe63\uff0d"
 PLUS = "\ufe62\uff0b"
 # Marks of the direction of writing beside a sign, in Arabic, Hebrew and Persian; the mark of a byte order

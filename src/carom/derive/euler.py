@@ -184,7 +184,7 @@ def wall_rates(angles: ArrayLike, speed: ArrayLike = 1.0) -> Array:
 
     (6) takes phi' for the independent rate and divides by sin psi: at psi = 0, which is where the paper uses it, phi'
     vanishes and (6) has no value. The solution does: here its size is the angular velocity ``speed`` (rad/s) about
-    (1, 0, -1)/sqrt 2, so that psi = 0 is a regular point. For sin psi != 0 the ratios are those of (6).
+    (1, 0, -1)/sqrt 2, so that psi = 0 is a regular point. For sin psi != 0 the ratios agree with (6).
     At sin theta = 0 the angles themselves are singular and CaromError is raised, as by :func:`euler_rates`.
 
     Examples

@@ -246,7 +246,7 @@ def _ray(m: list[list[float]], mu: float) -> tuple[list[float], list[float]]:
             s = (math.cos(low), math.sin(low))
             k_s = turn(low)[1]
             return [k_s * s[0], k_s * s[1]], [-mu * s[0], -mu * s[1]]
-    raise CaromError("percussion: the contact can neither stick nor slip; its inverse mass is not that of rigid bodies")
+    raise CaromError("percussion: the contact can neither stick nor slip; its inverse mass is not a rigid body's")
 
 
 def _swerve(m: list[list[float]], run: _Run, mu: float) -> tuple[bool, bool]:

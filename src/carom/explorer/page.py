@@ -81,7 +81,7 @@ def explore(
     scene : Scene or path, optional
         Default: the paper's example. At most 100 balls, and walls of at most 2,000 faces, edges and corners.
     laws : names, optional
-        Laws that are shown at first. Default: the scene's own and those of `carom compare`; where walls are the noses of cushions,
+        Laws that are shown at first. Default: the scene's own and laws of `carom compare`; where walls are the noses of cushions,
         `two-step`, the published laws of cushions and, as a contrast, `mirror`; of a scene of more than 6 balls its own alone. The
         scene's own law leads.
     data : Rebounds or path, optional
@@ -194,7 +194,7 @@ def presets() -> list[dict[str, Any]]:
 def page_text(
     scene: Scene | None, laws: list[str], rebounds: Rebounds | None = None, seen: dict[str, Any] | None = None
 ) -> str:
-    """Return the page's HTML; ``seen``: further fields of the first preset, that of the scene (``web/state/types.js``)."""
+    """Return the page's HTML; ``seen``: further fields of the first preset, which is the scene (``web/state/types.js``)."""
     shown = presets()
     main = [law for law in all_laws().values() if not law.variant_of and not law.ignores_floor]
     own = [] if scene is None else [law_name(law) for law in (scene.run.law, *scene.wall_laws)]
@@ -260,7 +260,7 @@ def filled_page(data: dict[str, Any]) -> str:
 
 
 def _card(name: str) -> dict[str, Any]:
-    """Description of a law as the page shows it; colour and dashes are those of its line in figures."""
+    """Description of a law as the page shows it; colour and dashes are the same as in figures."""
     law = law_named(name)
     colour, dashes = law_styles(_compiled())[name]
     return {

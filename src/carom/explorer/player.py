@@ -80,7 +80,7 @@ def _why_recorded(run: Trajectory) -> str:
         return f"{balls:,} balls"
     if events > MOST_EVENTS_RUN:
         return f"{events:,} events"
-    return "its walls or its law are not those of a page" if not_shown(run.scene, "") else ""
+    return "a page does not show its walls or its law" if not_shown(run.scene, "") else ""
 
 
 def _several(run: Trajectory) -> bool:

@@ -44,7 +44,7 @@ def cross_validated_score(fit: Fit) -> float:
     if problem.work(costly) > CROSS_VALIDATION_WORK:
         numbers = one_step_without(fit, problem, left_out)
     else:
-        # a fold's minimum is near that of all; where spins are integrated over evaluations are costly, and few suffice
+        # a fold's minimum is near the minimum of all; where spins are integrated over evaluations are costly, and few suffice
         numbers, _cost = refit(fit, problem, 1 - left_out, steps=STEPS if problem.spins is None else FEW_STEPS)
     total = 0.0
     for one in range(folds):

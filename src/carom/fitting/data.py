@@ -298,7 +298,7 @@ def _unmeasured(problem: Problem, spin: str) -> list[str]:
     ]
     if not seen["v_n_out"]:
         notes.append(
-            "v_n_out: not measured; of the restitution only its product with the friction, where balls slide, has a say"
+            "v_n_out: not measured; the restitution enters only through its product with the friction, where balls slide"
         )
     if not seen[spin]:
         notes.append(f"{spin}: not measured; only v_t depends on friction")

@@ -62,7 +62,7 @@ class Subject(Protocol):
 
 @dataclass(frozen=True, eq=False)
 class Identified:
-    """Covariance and estimates of a law's parameters, and those that are not identifiable."""
+    """Covariance and estimates of a law's parameters, and the parameters that are not identifiable."""
 
     covariance: Array
     estimates: dict[str, Estimate]
@@ -134,7 +134,7 @@ def identify(subject: Subject) -> Identified:
 
 
 def _confirmed(subject: Subject, ranges: Array) -> Array:
-    """Return the information, with that of the profile along directions where the curvature is weak and the profile steep.
+    """Return the information, with the profile's information along directions where the curvature is weak and the profile steep.
 
     At a kink, where a contact changes between sticking and sliding, the curvature says nothing about the slopes to both sides.
     Whether they are steep is tested with all else held, which costs little, and only then with all else fitted.

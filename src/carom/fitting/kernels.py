@@ -121,7 +121,7 @@ def _lagrange_weights(t: float) -> tuple[float, float, float, float]:
 
 @kernel
 def look_up(stage: int, x: Vec, a: float, p: Any, known: Any) -> Vec:
-    """Return what a table says: cubic in direction and spin, linear in what parameters differ from those of the table.
+    """Return a table's prediction: cubic in direction and spin, linear in the difference of the parameters from the table's.
 
     What comes from the other side is mirrored. The law is homogeneous in the speeds.
     """

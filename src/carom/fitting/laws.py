@@ -46,7 +46,7 @@ class FittedLaw:
     name: str
     kind: Kind
     code: int
-    """Code of the contact model (:mod:`carom.fitting.kernels`); -1: that of its ``kernel``."""
+    """Code of the contact model (:mod:`carom.fitting.kernels`); -1: the one of its ``kernel``."""
     free: tuple[str, ...]
     words: str
     """Its name in a sentence."""
@@ -147,7 +147,7 @@ def laws_for(kind: Kind, upright: bool) -> list[FittedLaw]:
 
 
 def unknown_laws(names: Sequence[str], kind: Kind | None = None) -> list[str]:
-    """Return an error message for each name that is not that of a law, whatever the kind of rebound."""
+    """Return an error message for each name that no law has, whatever the kind of rebound."""
     everything = sorted(
         {law.name for law in FITTED} | {name for name, _kind in ALIASES} | {name for name, _kind in ABSENT}
     )

@@ -39,7 +39,7 @@ class FitModel:
     parameters: dict[str, Parameter]
     """The law's free parameters, with bounds."""
     places: dict[str, int]
-    """Their indices among all numbers; those of the restitution's form have different names."""
+    """Their indices among all numbers; parameters of the restitution's form have different names."""
     start: Array
     """(NUMBERS + S,) all numbers, and the shared errors, at the start."""
     free: NDArray[np.int64]

@@ -72,7 +72,7 @@ class ShotSearch:
         return gains(self.fit, self.rows, self.plain, self.rows.cells if cells is None else cells, self.best)
 
     def lost(self, whole: bool = False) -> tuple[Array, float]:
-        """Fit the other law to the shots so far; return its parameters, and its deviance above that of the true law.
+        """Fit the other law to the shots so far; return its parameters, and its deviance above the true law's.
 
         It begins at the last minimum and at the first starting point: there may be two minima; ``whole``: and at the end of a
         search from all starting points.

@@ -95,7 +95,7 @@ def _quartic(b2: float, b1: float, b0: float, t: float) -> float:
 
 @kernel
 def quartic_minimum(q2: float, q1: float, q0: float, b2: float, b1: float, b0: float, low: float, high: float) -> float:
-    """Return the least value of q2 t^2 + 2 q1 t + q0 plus the quartic, by Gauss-Newton steps from that of the parabola."""
+    """Return the least value of q2 t^2 + 2 q1 t + q0 plus the quartic, by Gauss-Newton steps from the parabola's minimum."""
     if b2 == 0:
         return parabola_minimum(q2, q1, q0, low, high)
     t = min(max(-q1 / q2 if q2 > 0 else 0 * q2, low), high)
@@ -298,7 +298,7 @@ def _squared_deviation(rows: Any, i: int, predicted: Any, one: int, two: int, t:
 
 @kernel
 def _initial_intervals(law: Any, rows: Any, trial: Any, i: int, work: Any) -> tuple[int, int]:
-    """Set up the intervals between grid points, those that matter divided at their kink. Return how many points and intervals."""
+    """Set up the intervals between grid points, divided at their kink where they matter. Return how many points and intervals."""
     sigma, predicted, intervals, asked = work.sigma, work.predicted, work.intervals, work.asked
     count = rows.spins.sigma.shape[0]
     speed, _along, mean, width = spin_prior(rows, trial, i)

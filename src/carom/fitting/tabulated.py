@@ -55,7 +55,7 @@ class _Grid:
     radius: float
     steepest: float
     others: tuple[float, ...]
-    """All parameters; those of the lattice are replaced."""
+    """All parameters; the lattice's are replaced."""
     floor_step: float
     """Between nodes in the floor's friction; 0: it does not move."""
 

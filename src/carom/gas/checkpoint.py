@@ -117,7 +117,7 @@ def require_checkpoint(path: Path) -> None:
 def load_checkpoint(
     path: str | Path, scene: GasScene | None = None, *, compiling: Callable[[], None] | None = None
 ) -> Session:
-    """Return the session of a checkpoint; its continuation is bitwise identical to that of the saved session.
+    """Return the session of a checkpoint; its continuation is bitwise identical to the saved session's.
 
     Parameters
     ----------

@@ -312,7 +312,7 @@ def container(
     Parameters
     ----------
     shape : str
-        One of :data:`SHAPES`. ``size`` has two lengths for discs or three for balls, and is that of the box around the shape: a
+        One of :data:`SHAPES`. ``size`` has two lengths for discs or three for balls, and is the size of the box around the shape: a
         circle has (d, d), a sphere (d, d, d). With three lengths, circle (or cylinder), ellipse, stadium, wedge and polygon
         stand upright along z, between flat ends. A wedge is a sector with its tip in the middle of y = 0, which opens along y up
         to an arc about the tip: with an angle A and a radius R it has the size (2 R sin(A/2), R).

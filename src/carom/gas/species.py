@@ -123,7 +123,7 @@ class Drive:
 class Thermostat:
     """Andersen's thermostat: each ball, at random instants, gets a new velocity and spin from a Maxwellian.
 
-    The instants are those of a Poisson process, and events like all others. Where contacts conserve energy, the gas
+    The instants form a Poisson process, and are events like all others. Where contacts conserve energy, the gas
     approaches the canonical distribution, positions included; momentum is not conserved (H. C. Andersen,
     J. Chem. Phys. 72, 2384 (1980)).
 

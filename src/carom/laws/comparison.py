@@ -67,7 +67,7 @@ def incoming(
     angle_deg : float
         Angle of incidence, from the wall's normal, degrees, 0 <= angle_deg < 90: the ball moves along -x and +y.
     spin_z, spin_x, spin_y : float
-        Angular velocity in the fixed frame, rad/s. Default of spin_x and spin_y: those of a rolling ball (27), or zero
+        Angular velocity in the fixed frame, rad/s. Default of spin_x and spin_y: the spin of a rolling ball (27), or zero
         with ``sliding``.
     sliding : bool
         Whether spin_x and spin_y default to zero.
@@ -306,7 +306,7 @@ def compare(
         One ball, one wall. Default: made from ``numbers``, the arguments of :func:`incoming`, such as ``angle_deg=30``;
         without any, the paper's example.
     laws : a name or a Law, or several
-        Default: those of ``carom.LAWS``, in their order, without special cases of others (:attr:`Law.variant_of`); laws
+        Default: the laws of ``carom.LAWS``, in their order, without special cases of others (:attr:`Law.variant_of`); laws
         that ignore the floor (contact) are included only for a ball above it, and published laws of cushions only for a
         ball on the floor and a wall that touches it above the centre.
 

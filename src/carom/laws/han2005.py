@@ -10,7 +10,7 @@ their discussion (pooltool, issue 39 and pull request 247):
 - (14c) and (21a) contradict (24a), which is right;
 - the condition of sticking is printed without the friction, P_zS <= P_zE in place of P_zS <= mu P_zE: the nose would hold a
   ball with any friction, down to 0, as long as the required one is below 1, and the impulse jumps where sliding begins;
-- the angle theta_0 of sliding is not explained. It is that of the slip. Programs that took it for the angle of the velocity
+- the angle theta_0 of sliding is not explained. It is the angle of the slip. Programs that took it for the angle of the velocity
   push the ball in directions in which it does not slip, and can gain energy.
 
 Han's own numbers for a carom table with balls of 65.5 mm and 230 g: e = 0.39 + 0.257 v - 0.044 v^2 (26), the form "han-2005"

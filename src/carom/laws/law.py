@@ -83,7 +83,7 @@ PAPER = "Dynamics of a billiard-ball's collision with wall (the copy at hand nam
 
 @dataclass(frozen=True, eq=False)
 class Meeting:
-    """A ball just before it meets a wall: all that a law may depend on. Shapes (...) are those of the state.
+    """A ball just before it meets a wall: all that a law may depend on. Shapes (...) as in the state.
 
     Examples
     --------
@@ -115,7 +115,7 @@ class Meeting:
 
 @dataclass(frozen=True, eq=False)
 class Answer:
-    """The prediction of a law. Shapes (...) are those of the state."""
+    """The prediction of a law. Shapes (...) as in the state."""
 
     after_wall: State
     final: State
@@ -149,9 +149,9 @@ class FitSpec:
     phrase: str = ""
     """Name of the law in reports. Default: the card's name."""
     free: tuple[str, ...] | None = None
-    """Wall parameters that are fitted. Default: those that the law reads and does not hold fixed."""
+    """Wall parameters that are fitted. Default: the parameters that the law reads and does not hold fixed."""
     pinned: Mapping[str, float] = field(default_factory=dict)
-    """Parameters held fixed in addition to those of :attr:`Law.pinned`, such as the floor's."""
+    """Parameters held fixed in addition to :attr:`Law.pinned`, such as the floor's."""
     nested_in: tuple[str, ...] = ()
     """Laws that contain this one: for some values of their parameters they are equivalent to it, or nearly so."""
     upright: bool = False
@@ -283,7 +283,7 @@ def wall_law(
     reads: tuple[str, ...] | None = None,
     **more: Any,
 ) -> Law:
-    """Make a law from a kernel of the wall; the flight, landing, sliding and rolling that follow are those of any ball.
+    """Make a law from a kernel of the wall; flight, landing, sliding and rolling follow as for any ball.
 
     For a disc in the plane there is no floor, so the state after the wall is final.
 

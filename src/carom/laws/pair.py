@@ -45,7 +45,7 @@ def pair_contact(
 ) -> tuple[Vec, Vec, Vec, Vec, Vec, float, int]:  # fmt: skip
     """Both velocities and spins after the contact, the impulse (N s) on ball 1, required friction, regime.
 
-    n points from the centre of ball 2 to that of ball 1.
+    n points from the centre of ball 2 to the centre of ball 1.
     """
     # Ball 1 is touched at -a1 n, ball 2 at +a2 n: the velocity of the first point relative to the second.
     r = cross((a1 * w1[0] + a2 * w2[0], a1 * w1[1] + a2 * w2[1], a1 * w1[2] + a2 * w2[2]), n)
@@ -88,7 +88,7 @@ def pair_rows(
 
 @dataclass(frozen=True, eq=False)
 class Collision:
-    """Contact of two balls: states before and after, impulse and regime. Shapes (...) are those of the states.
+    """Contact of two balls: states before and after, impulse and regime. Shapes (...) as in the states.
 
     Examples
     --------
@@ -134,7 +134,7 @@ def collide(
     state, other_state : State
         Their velocities (m/s) and spins (rad/s) before the contact, shape (...).
     normal : array (..., 3)
-        From the centre of the second ball to that of the first; any length.
+        From the centre of the second ball to the centre of the first; any length.
     surface : Surface
         Restitution, friction and tangential restitution between the two.
 

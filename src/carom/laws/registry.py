@@ -34,7 +34,7 @@ def laws() -> dict[str, Law]:
 
 @functools.cache
 def cards() -> dict[str, Card]:
-    """Return every card by name, first those of the laws, then those of parts of laws: the value of ``carom.CARDS``."""
+    """Return every card by name, first of the laws, then of parts of laws: the value of ``carom.CARDS``."""
     others = [x for module in _modules() for x in vars(module).values() if isinstance(x, Card)]
     return {card.name: card for card in (*(law.card for law in laws().values()), *others)}
 

@@ -66,7 +66,7 @@ def times_mass(impulse: Array, mass: Any) -> Array:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Impact:
-    """One impact: the states before and after, impulse, required friction and regime. Shapes are those of the state.
+    """One impact: the states before and after, impulse, required friction and regime. Shapes as in the state.
 
     Examples
     --------
@@ -128,7 +128,7 @@ class Flight:
 
 @dataclass(frozen=True, eq=False)
 class Settled:
-    """Flight, landing and final rolling of a ball that leaves a wall. Shapes are those of the state.
+    """Flight, landing and final rolling of a ball that leaves a wall. Shapes as in the state.
 
     Examples
     --------
@@ -165,7 +165,7 @@ class Settled:
 
 @dataclass(frozen=True, eq=False, repr=False)
 class TwoStep(Settled):
-    """Prediction of the two-step law, step by step. Shapes are those of the state.
+    """Prediction of the two-step law, step by step. Shapes as in the state.
 
     Examples
     --------

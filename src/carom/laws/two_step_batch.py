@@ -1,6 +1,6 @@
 """The two-step law for many balls in existing arrays; pressed balls take their integration steps in lockstep.
 
-The steps are those of :mod:`carom.laws.wall_and_floor.both_sliding`, in vector registers.
+The steps are the same as in :mod:`carom.laws.wall_and_floor.both_sliding`, in vector registers.
 
 The balls of a block that slide at both contacts occupy lanes; all lanes take one step at a time, and finished balls are
 replaced by others. A ball whose slip vanishes is integrated on its own (:func:`carom.laws.wall_and_floor.solver.integrate_impact`)
@@ -284,7 +284,7 @@ def two_step_into(
     # (pressed balls are computed when the other balls of their block have been written)
     if any(np.may_share_memory(x, y) for x in (v, w) for y in (v3, w3)):
         raise CaromError(
-            "out: expected arrays apart from those of the state, got the same memory; write into a State of zeros"
+            "out: expected arrays apart from the state's own, got the same memory; write into a State of zeros"
         )
     loop = loop_for(two_step_final_rows, len(v) // 3)
     loop(v, w, one_normal(normal), np.array(parameters), together, v3, w3, reason_array(state, why))

@@ -134,7 +134,7 @@ def _is_number(x: Any) -> bool:
 
 
 def _ffmpeg() -> str:
-    """Return the program that writes .mp4: the system's ffmpeg, or that of the package imageio-ffmpeg."""
+    """Return the program that writes .mp4: the system's ffmpeg, or the ffmpeg of the package imageio-ffmpeg."""
     found = shutil.which("ffmpeg")
     if found is None:
         try:

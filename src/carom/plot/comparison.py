@@ -336,7 +336,7 @@ POINTS_PER_CURVE = 41
 
 @dataclass(frozen=True, eq=False)
 class PathAfterWall:
-    """Path of the centre after the wall, relative to its position at the wall; z is relative to that of a ball on the floor.
+    """Path of the centre after the wall, relative to its position at the wall; z is relative to a ball on the floor.
 
     Examples
     --------

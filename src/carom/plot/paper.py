@@ -244,7 +244,7 @@ def collision() -> Any:
         b = centre - a * X
         _room(view, a, (-2.2, 1.5), 3.6, 2.8)
         view.ball(centre, a)
-        # steeper than the paper's example, so that R_y can be seen; the components are those of (31), to scale
+        # steeper than the paper's example, so that R_y can be seen; the components follow (31), to scale
         comparison = compare(incoming(angle_deg=68.0), ["two-step"])
         answer = comparison["two-step"].answer
         assert answer is not None

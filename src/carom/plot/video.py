@@ -25,7 +25,7 @@ WORDS = {
 Array = NDArray[np.float64]
 # Duration of the dark part of a trail, s.
 TRAIL = 0.5
-# Spots at the ends of three axes of the ball; those of the third are paler, to distinguish it from the others.
+# Spots at the ends of three axes of the ball; the third axis has paler ones, to distinguish it from the others.
 SPOTS = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0], [0, 0, 1], [0, 0, -1]], dtype=float)
 SPOT, RIM = 0.36, np.linspace(0, 2 * math.pi, 28, endpoint=False)
 DISC = np.stack([np.cos(np.linspace(0, 2 * math.pi, 56)), np.sin(np.linspace(0, 2 * math.pi, 56))], axis=1)

@@ -134,7 +134,7 @@ def _explained(
 
 
 def _parameters(signature: inspect.Signature, where: str, options: Any) -> str:
-    """Return which arguments a function takes, and for those that it does not know the name that is nearest."""
+    """Return which arguments a function takes, and the nearest name for each argument that it does not know."""
     known = [name for name in signature.parameters if name not in ("self", "cls")]
     hints = [did_you_mean(name, known) for name in options if name not in known]
     return f"{where} takes {', '.join(known) or 'no arguments'}{next((f'; {hint}' for hint in hints if hint), '')}"

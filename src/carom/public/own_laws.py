@@ -1,4 +1,4 @@
-"""Which texts may name a Python file that is run as a law: those that a user types, and none that comes out of a file.
+"""Permission of a text to name a Python file that is run as a law: texts that a user types have it, texts out of files do not.
 
 A law can be asked for by a text, and ``file.py:name`` runs that file. Texts come in many ways: files of a dozen kinds, stores,
 links. So none of these ways is trusted, and none has to remember to refuse. A text carries its permission with it: it is an

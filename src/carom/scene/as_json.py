@@ -14,7 +14,7 @@ __all__ = ["plain_model", "scene_dict"]
 def scene_dict(scene: Scene) -> dict[str, Any]:
     """Return a scene as lists, dicts and SI numbers, with the names of a scene file; infinity is the string "inf".
 
-    Nothing is left to be inferred from other fields but the spin of a ball that rolls, which is that of its velocity (27) with
+    Nothing is left to be inferred from other fields but the spin of a ball that rolls, which follows from its velocity (27) with
     ``spin_z``: every ``inertia`` is a number, every position has three, and a ball that does not roll has a ``spin``. What is
     not there is None: a floor, a name, a limit of the run, a wall's own law or a surface's number that its law does not read.
 

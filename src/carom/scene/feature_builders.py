@@ -41,7 +41,7 @@ class Feature(NamedTuple):
     lo2: float = -math.inf
     hi2: float = math.inf
     pocket: int = -1
-    """Number of the pocket whose edge it is, among those of its wall; -1 for none."""
+    """Number of the pocket whose edge it is, among its wall's pockets; -1 for none."""
 
 
 # --- vectors ------------------------------------------------------------------------------------------------------

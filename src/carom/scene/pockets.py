@@ -38,7 +38,7 @@ class Pockets(Model):
 
     Parameters
     ----------
-    mouth : m: from tip to tip, where the lines of the noses meet those of the facings
+    mouth : m: from tip to tip, where the lines of the noses meet the lines of the facings
     jaw_angle : degrees, 90 to 175: between nose and facing; a corner pocket with parallel facings has 135, a side pocket 90
     jaw_radius : m: of the arc that rounds each tip
     shelf : m: from the middle of the mouth to the pocket's edge; negative where the edge comes in front of the mouth

@@ -27,7 +27,7 @@ class Sourced:
 
 @dataclass(frozen=True)
 class Preset:
-    """A table by name: numbers of its cushions, and by part those of pockets, balls and floor."""
+    """A table by name: numbers of its cushions, and by part of pockets, balls and floor."""
 
     name: str
     title: str

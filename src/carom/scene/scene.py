@@ -298,7 +298,7 @@ class Scene(Model):
 
 
 def _pinned(contact: ContactParameters, law: Law) -> ContactParameters:
-    """Return a wall's surface as numbers, with those that its law holds fixed."""
+    """Return a wall's surface as numbers, with the numbers that its law holds fixed."""
     p = law.pinned
     form, e = (CONSTANT, (p["restitution"], 0.0, 0.0)) if "restitution" in p else (contact.form, contact.p)
     return ContactParameters(form, e, p.get("friction", contact.mu), p.get("tangential_restitution", contact.beta))

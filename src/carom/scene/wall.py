@@ -57,7 +57,7 @@ class ContactParameters(NamedTuple):
 def contact(
     restitution: Restitution | None, friction: float | None, tangential_restitution: float
 ) -> ContactParameters:
-    """Return a surface as numbers. Defaults are those of carom.Surface: restitution 1, infinite friction."""
+    """Return a surface as numbers. Defaults as in carom.Surface: restitution 1, infinite friction."""
     form, p = (CONSTANT, (1.0, 0.0, 0.0)) if restitution is None else (restitution.code, restitution.p)
     return ContactParameters(form, p, math.inf if friction is None else friction, tangential_restitution)
 

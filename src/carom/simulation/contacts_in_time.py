@@ -36,7 +36,7 @@ def contact_duration(mass: float, radius: float, speed: float) -> float:
     """Return how long two elastic spheres of phenolic resin touch, s.
 
     By Hertz it is 2.94 (5 m/(4 k))^(2/5) u^(-1/5) with k = (4/3) E* sqrt(R). ``mass`` and ``radius`` are the reduced ones of the
-    pair, ``speed`` is that of approach.
+    pair, ``speed`` is the speed of approach.
 
     >>> round(1e6 * contact_duration(0.17 / 2, 0.028575 / 2, 1.0))
     389

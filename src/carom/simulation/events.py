@@ -1,4 +1,4 @@
-"""Events of a run: one by one as records, all of them, and those of some kinds or of one ball."""
+"""Events of a run: one by one as records, all of them, or the events of some kinds or of one ball."""
 
 from __future__ import annotations
 

@@ -58,7 +58,7 @@ class ManyRuns:
     pocket, or -1. ``phase``, ``phase_before``: 0 flight, 1 sliding, 2 rolling, 3 pivoting, 4 rest, 5 bouncing, 6 held, 7 left,
     8 pocketed. ``regime``: 0 graze, 1 stick, 2 slide, 3 jam, -1 none."""
     scene: Scene = field(kw_only=True)
-    """The scene; its balls' starts are not those of the runs."""
+    """The scene; the runs have other starts than its balls."""
 
     @property
     def phase(self) -> NDArray[np.str_]:

@@ -98,7 +98,7 @@ def event_columns(run: EventSource, rows: NDArray[np.void]) -> Columns:
     """Return rows of a run's log as named columns (N,).
 
     ``vx`` ... ``wz`` are velocity and spin just after the event, ``vx_before`` ... just before; ``other`` is the number of the
-    wall, of the other ball or of the pocket, -1 for none, ``name`` its name; ``energy_lost`` is that of this ball.
+    wall, of the other ball or of the pocket, -1 for none, ``name`` its name; ``energy_lost`` is this ball's.
     """
     wall = np.where(rows["met"] == WALL, rows["other"], -1)
     ball = np.where(rows["met"] == BALL, rows["other"], -1)

@@ -205,7 +205,7 @@ class Trajectory:
         """Return kinetic plus potential energy at a time or times, J: of all balls (...), or of each (..., B).
 
         The potential energy is measured from the floor's contact (z = a), without a floor from z = 0. A ball that is pocketed has
-        none (NaN), and adds nothing to that of all balls.
+        none (NaN), and adds nothing to the energy of all balls.
         """
         state = self.at(t)
         x, balls = state.position, self.arrays.balls

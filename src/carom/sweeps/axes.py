@@ -156,7 +156,7 @@ def normal(mean: float, deviation: float) -> Draw:
 
 
 def sobol(low: float, high: float, count: int, dim: str = "sample") -> Design:
-    """Return a parameter's column of a scrambled Sobol sequence: those of one dimension fill the space evenly together.
+    """Return a parameter's column of a scrambled Sobol sequence: the columns of one dimension fill the space evenly together.
 
     Parameters
     ----------

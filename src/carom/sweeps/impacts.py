@@ -37,7 +37,7 @@ class ImpactCase(Model):
     ----------
     law : name of a law; default: "two-step"
     speed, angle : m/s; degrees from the wall's normal, 0 to below 90
-    spin_z : rad/s; spin_x, spin_y : default: those of a rolling ball
+    spin_z : rad/s; spin_x, spin_y : default: the spin of a rolling ball
     radius, mass, inertia : of the ball; default: a snooker ball, solid
     restitution, friction, tangential_restitution : of the wall; default: the paper's
     floor_restitution, floor_friction : of the floor; default: the paper's
@@ -147,7 +147,7 @@ class Impacts:
     def _answer_accepted(
         self, case: ImpactCase, given: Columns, rows: Array, outcomes: list[Outcome], found: Columns, failed: Array
     ) -> None:
-        """Answer all points but those that no impact has, such as a kappa above 2/3: the halves are asked until these are alone."""
+        """Answer all points except impossible ones, such as a kappa above 2/3: the halves are asked until these are alone."""
         try:
             self._answer(case, given, rows, outcomes, found, failed)
         except CaromError:

@@ -23,7 +23,7 @@ NOT_DONE = -1  # of a point that was not computed yet
 class Outcome:
     """One variable of a sweep's result.
 
-    ``dims`` are its dimensions beside those of the space, with the labels of their places.
+    ``dims`` are its dimensions in addition to the space's, with the labels of their places.
     """
 
     name: str

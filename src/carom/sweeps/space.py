@@ -34,7 +34,7 @@ class Coordinate:
 
     @property
     def dims(self) -> tuple[str, ...]:
-        """The dimension, and for vectors that of their components."""
+        """The dimension, and for vectors the dimension of their components."""
         return (self.dim, *(VECTOR_DIMS[size] for size in self.values.shape[1:]))
 
 
@@ -46,7 +46,7 @@ class Space:
     subject : Scene, GasScene, ImpactCase or OrbitCase
         What is computed at every point.
     parameters : mapping of paths to what they run through
-        A path is that of a number of the subject, such as ``balls.0.velocity``, ``walls.*.friction``, ``run.law``. It runs through
+        A path leads to a number of the subject, such as ``balls.0.velocity``, ``walls.*.friction``, ``run.law``. It runs through
         a list or array (a dimension of its own), :func:`carom.sweeps.along` (a named dimension: parameters of one dimension vary
         together), :func:`carom.polar`, :func:`carom.sweeps.uniform` or :func:`carom.sweeps.normal` (drawn anew at every point),
         :func:`carom.sweeps.sobol` or :func:`carom.sweeps.latin_hypercube`. Different dimensions multiply.

@@ -41,7 +41,7 @@ class SweepSubject(Protocol):
     def evaluate(
         self, columns: Columns, outcomes: list[Outcome], first: int, seed: int, tick: Any = None
     ) -> tuple[Columns, NDArray[np.int8]]:
-        """Return the outcomes of N points by name, and (N,) the codes of those that have none."""
+        """Return the outcomes of N points by name, and (N,) the codes of points that have none."""
 
     def why(self, columns: Columns) -> str:
         """Return why the one point of ``columns`` has no outcome; empty if it has one."""

@@ -1,4 +1,4 @@
-"""Sweeps: a space, what is kept of every point, and where; computed block by block, gone on with where they stopped."""
+"""Sweeps: a space, the outcomes of every point, and a store; computed block by block, and resumed after an interruption."""
 
 from __future__ import annotations
 
@@ -139,10 +139,10 @@ class Sweep:
                 raise CaromError(
                     f"{self.store.name}: expected a store of this version of carom, got one computed by other code"
                     f" (or by another version of Python or Numba; carom {there.get('versions', {}).get('carom', '?')}, sources"
-                    f" {there.get('sources')}; here {here['sources']}); name a new store, or go on with that version"
+                    f" {there.get('sources')}; here {here['sources']}); name a new store, or resume it with that version"
                 )
             raise CaromError(
-                f"{self.store.name}: expected the store of this sweep, got that of another, which differs in"
+                f"{self.store.name}: expected the store of this sweep, got the store of another, which differs in"
                 f" {', '.join(parts)}; name a new store"
             )
 
@@ -165,7 +165,7 @@ class Sweep:
             assert self.store is not None
             raise CaromError(
                 f"{self.store.name}: expected on={place!r}, where its blocks were computed (a GPU's last bits may differ), got"
-                f" on={str(on)[:60]!r}; go on with that, or name a new store"
+                f" on={str(on)[:60]!r}; resume it with that, or name a new store"
             )
         if self.on_gpu:
             require_gpu(self.space)
@@ -315,7 +315,7 @@ class Sweep:
         }
 
     def verify(self, blocks: int = 3, progress: Progress | None = None) -> list[int]:
-        """Compute some blocks of the store again, spread over it, and compare; return those that differ.
+        """Compute some blocks of the store again, spread over it, and compare; return the blocks that differ.
 
         What the store holds is compared with its checksums as well, for all blocks that are done.
         """
@@ -352,7 +352,7 @@ def sweep(
     Parameters
     ----------
     space : Space, or str or Path of a store
-        With a store: the sweep that it holds, to be gone on with, or looked at.
+        With a store: the sweep that it holds, to resume or to read it.
     keep : sequence of str
         Outcomes of every point; of a scene "final.position", "final.phase", "final.pocket", "final.time", "events.count",
         "events.wall.count", "events.wall.0.position", ...; the error about an unknown name lists them.

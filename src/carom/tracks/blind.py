@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 BINS = 40  # of half a frame
 FAR_FRAMES, MIN_FAR = 5.0, 50  # residuals beyond so many frames show the usual scatter; so many are needed
 USUAL_QUANTILE, EXCEEDS = 0.8, 1.8  # a residual is large if it exceeds this quantile of the usual ones so many times
-# (of a few contacts, large residuals may come from a floor that is not that of the literature)
+# (of a few contacts, large residuals may come from a floor unlike the literature's)
 MIN_CONTACTS = 10
 LARGE_SHARE = 0.5  # of the residuals within the blind time
 MIN_SHARE = 0.02  # of large residuals far away, at least

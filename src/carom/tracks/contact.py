@@ -123,7 +123,7 @@ class TrackContact:
     group: str
     wall: WallLine
     time: float
-    """s; that of the frame nearest to the wall if it was not measured."""
+    """s; the time of the frame nearest to the wall if it was not measured."""
     before: int
     """Number of frames before the contact."""
     after: int

@@ -384,7 +384,7 @@ def averaged_frames(t: Array, x: Array, middle: float) -> tuple[Array, Array, Fr
 
 
 def pooled_noise(contacts: Sequence[TrackContact], otherwise: float) -> float:
-    """Estimate the noise from the residuals of all contacts, leaving out those that scatter far more than the others.
+    """Estimate the noise from the residuals of all contacts, leaving out contacts that scatter far more than the others.
 
     Places without noise, computed and not measured, leave no residuals at all; the noise stays above 0.
     """

@@ -76,7 +76,7 @@ class _Candidate(NamedTuple):
     theta: Array
     chi2: float
     penalty: float
-    """By how much chi2 has to be lower than that of rolling."""
+    """Difference by which chi2 has to be lower than for rolling."""
     free: Free
     slid_until_contact: bool = False
 

@@ -89,7 +89,7 @@ def file_interval(time: Array, rate: float) -> float | None:
 def _interval_with_gaps(
     time: Array, step: Array, known: tuple[float, float], whole: tuple[float, float]
 ) -> float | None:
-    """Return the interval of the clock with the fewest missing frames: that of the rate, of whole steps, or the slowest of all.
+    """Return the interval of the clock with the fewest missing frames: of the rate, of whole steps, or the slowest of all.
 
     ``known``, ``whole``: the number of missing frames and the interval, s, of the first two.
     """
@@ -184,7 +184,7 @@ def _missing_steps(time: Array) -> tuple[float, float]:
 
 
 def _next_share(number: Array) -> float:
-    """Return the share of rows (n,) that are the frame after that of the row before; 0 if a row is no later frame."""
+    """Return the share of rows (n,) that are the frame after the previous row's; 0 if a row is no later frame."""
     step = np.diff(number)
     return float((step == 1).mean()) if (step > 0).all() else 0.0
 

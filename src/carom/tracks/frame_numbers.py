@@ -40,7 +40,7 @@ def at_rate(tracks: Sequence[Track], rate: float, name: str, notes: list[str]) -
 
 
 def without_rounding(tracks: Sequence[Track], notes: list[str]) -> list[Track]:
-    """Return the tracks with even times where those of the file are rounded so far that rows share one; add a note.
+    """Return the tracks with even times where the file's times are rounded so far that rows share one; add a note.
 
     The rows are taken for successive frames if the times, with the rounding that they show, allow it: one clock per group.
     """
@@ -127,14 +127,14 @@ def _interval_behind_rounding(time: Array) -> float | None:
 
 
 def _interval_by_frames(track: Track) -> float:
-    """Return the time of the file from frame to frame, s; that of one frame if there is only one."""
+    """Return the time of the file from frame to frame, s; the time of one frame if there is only one."""
     frame = np.asarray(track.frame)
     span = float(track.time[-1] - track.time[0])
     return span / float(frame[-1] - frame[0]) if frame[-1] > frame[0] and span > MIN_INTERVAL_S else np.inf
 
 
 def _compare(interval: float, track: Track, rate: float, moved: bool, notes: list[str]) -> None:
-    """Add a note if the file's times differ from those of the rate, or are rounded to much of a frame and so ``moved``."""
+    """Add a note if the file's times differ from the times of the rate, or are rounded to much of a frame and so ``moved``."""
     step = float(rounding_of_times(track.time).max())
     span = float(track.time[-1] - track.time[0])
     note = ""

@@ -1,4 +1,4 @@
-"""Free fall in tracks filmed from the side: its acceleration, and which unit, frame rate or axis would make it that of gravity."""
+"""Free fall in tracks filmed from the side: its acceleration, and the unit, frame rate or axis that would make it gravity's."""
 
 from __future__ import annotations
 
@@ -138,7 +138,7 @@ def likely_unit(tracks: Sequence[Track]) -> tuple[str, float]:
 
 
 def what_would_give(fall: float, gravity: float, interval: float) -> str:
-    """Return which frame rate, or which scale, would make the acceleration of a fall that of gravity; both m/s^2, interval in s.
+    """Return which frame rate, or which scale, would make the acceleration of a fall equal to gravity; both m/s^2, interval in s.
 
     Examples
     --------

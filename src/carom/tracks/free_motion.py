@@ -1,4 +1,4 @@
-"""Which frames beside a contact belong to it: those of one flight, and a turn within a frame.
+"""Frames beside a contact that belong to it: the frames of one flight, and a turn within a frame.
 
 A bounce that is too low, too short or cut off by the end of the film is not found as an event. A ball in flight that leaves
 the wall with v_n is back after 2 v_n/g_n, g_n the acceleration toward the wall: whatever the film shows later is another flight.

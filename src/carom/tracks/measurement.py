@@ -262,7 +262,7 @@ def _plausibility_notes(
 ) -> list[str]:  # fmt: skip
     """Return notes on signs of a misplaced wall, or of a wrong scale, rate or view.
 
-    ``gravity``: that of the film, m/s^2; ``other``: what would make it that of the settings, if that is known.
+    ``gravity``: from the film, m/s^2; ``other``: the change that would make it the setting's, if known.
     """
     met = {event.what for some in events.values() for event in some}
     notes = [

@@ -228,7 +228,7 @@ def on_camera_clock(tracks: Sequence[Track], notes: list[str]) -> tuple[list[Tra
         notes.append(f"{off:,} rows lie between the camera's frames: interpolated by a program, and omitted")
     if rounded:
         notes.append(
-            f"times were rounded: replaced by those of the camera's clock, one frame every {1e3 * interval:.4g} ms"
+            f"times were rounded: replaced by the times of the camera's clock, one frame every {1e3 * interval:.4g} ms"
         )
     if unsteady:
         notes.append(
@@ -279,7 +279,7 @@ def _distance_from_neighbours(track: Track, interval: float, gravity: float) -> 
 
 
 def initial_noise(tracks: Sequence[Track], interval: float, step: tuple[float, float]) -> float:
-    """Estimate the noise of a coordinate, m, before anything is fitted; at least that of rounding."""
+    """Estimate the noise of a coordinate, m, before anything is fitted; at least the noise of rounding."""
     found = [position_noise(track.time, track.position, interval) for track in tracks]
     found = [x for x in found if x > 0]
     least = max(step) / np.sqrt(12.0)

@@ -96,7 +96,7 @@ def to_rebounds(measured: Measured, stage: Stage = "best", *, sliding: bool = Fa
         One row per contact. Extra columns: shot, ball, wall, contact (its number in the film), bounce (its number among the
         contacts of its ball in its shot), t (s); spin_source, the source of the spin before the contact (tracked, rolling
         (inferred), sliding (fitted), none); covariance_v_n and covariance_v_t of the errors before and after, m^2/s^2, which fits
-        use; of a table also the slips on the floor (velocity less that of rolling, m/s, with the axes and signs of v_n and v_t)
+        use; of a table also the slips on the floor (velocity less rolling, m/s, with the axes and signs of v_n and v_t)
         with their errors, and the floor as estimated from the film.
 
     Raises

@@ -1,9 +1,9 @@
 """Cosine and sine of an angle in degrees, with the same bits on every machine.
 
-math.cos and math.sin are those of the platform's libm, which differ in the last digit; a wall at an angle would stand elsewhere in
+math.cos and math.sin come from the platform's libm, and differ in the last digit; a wall at an angle would stand elsewhere in
 a browser. Here there are + - * and an exact remainder only, and multiples of 90 degrees are exact.
 
-The polynomials are those of fdlibm's __kernel_sin and __kernel_cos, for |x| <= pi/4, with an error below 1 in the last digit.
+The polynomials are fdlibm's __kernel_sin and __kernel_cos, for |x| <= pi/4, with an error below 1 in the last digit.
 """
 
 # fdlibm: Copyright (C) 1993 by Sun Microsystems, Inc. All rights reserved. Developed at SunSoft, a Sun Microsystems, Inc. business.

@@ -119,7 +119,7 @@ def _motion_after(r: Vec, v: Vec, acc: Vec, s: float) -> tuple[Vec, Vec]:
 def _passes(q: Vec, v: Vec, b: Vec, reach: float, until: float) -> bool:
     """Whether a straight way, seen along the axis, leads past a circle of radius ``reach``: most rims, cheaply.
 
-    Straight are the ways of balls that fly or roll; of those that roll, b is along v but for its rounding.
+    Straight are the ways of balls that fly or roll; of a ball that rolls, b is along v but for its rounding.
     """
     along, speed2, off2 = dot(q, v), dot(v, v), dot(q, q)
     clear = reach * reach * (1 + CLEAR)

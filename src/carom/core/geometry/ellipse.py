@@ -69,7 +69,7 @@ def oval_depth(p: float, q: float, x: float, y: float) -> tuple[float, float, fl
 
 @kernel
 def inner_axes(p: float, q: float, d: float) -> tuple[float, float]:
-    """Half axes of an ellipse within the curve at the distance d within that of the half axes p and q."""
+    """Half axes of an ellipse within the curve at the distance d inside the ellipse of the half axes p and q."""
     if p >= q:
         return math.sqrt((q - d) * (p * p / q - d)), q - d
     return p - d, math.sqrt((p - d) * (q * q / p - d))

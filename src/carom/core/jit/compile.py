@@ -186,7 +186,7 @@ def call_compiled(function: Callable[..., Any], provide: Callable[[], Callable[.
 
 
 def plain_numbers(*kinds: Any) -> bool:
-    """Return whether Numba's types are those of numbers and of tuples of them (and none of numbers with derivatives)."""
+    """Return whether Numba's types are numbers and tuples of numbers (and none of numbers with derivatives)."""
     from numba import types
 
     return all(

@@ -36,7 +36,7 @@ _on_gpu: ContextVar[bool] = ContextVar("carom_on_gpu", default=False)
 
 @contextmanager
 def computing_on_gpu() -> Iterator[None]:
-    """Have loops over rows of arrays, and those of sweeps, run on the GPU."""
+    """Have loops over rows of arrays, and loops of sweeps, run on the GPU."""
     before = _on_gpu.set(True)
     try:
         yield
@@ -123,7 +123,7 @@ def _rounded_one_by_one() -> Iterator[None]:
 
 @contextmanager
 def _cached() -> Iterator[None]:
-    """Keep the GPU's code beside that of the cores, under the hash of carom's sources."""
+    """Keep the GPU's code beside the cores', under the hash of carom's sources."""
     from numba.cuda.core import config
 
     before = getattr(config, "CACHE_DIR", "")
@@ -189,7 +189,7 @@ class CudaLoop:
 
 @contextmanager
 def on_device(*arrays: Any) -> Iterator[list[Any]]:
-    """Copy arrays to the GPU; at the end copy them back, but for those that may not be written to."""
+    """Copy arrays to the GPU; at the end copy them back, except read-only ones."""
     there = [cuda.to_device(one.view(aligned(one.dtype))) for one in arrays]
     yield there
     for one, here in zip(there, arrays, strict=True):

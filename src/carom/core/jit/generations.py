@@ -25,7 +25,9 @@ KEPT_BYTES = 2_000_000_000
 MARK_SECONDS = 86_400.0  # a use is marked at most once a day, and that often is looked for what is no longer used
 NAME = re.compile(r"[0-9a-f]{16}")  # of a generation's folder: no other folder is touched
 SET_ASIDE = re.compile(r"removed-\d+-[0-9a-f]{16}")
-MARK = "used"  # the file in a generation whose time is that of its last use; each process that uses it holds its lock
+MARK = (
+    "used"  # the file in a generation whose time is the time of its last use; each process that uses it holds its lock
+)
 LOCK = "lock"  # held for a moment, while a process begins to use a generation or sets one aside
 SOURCES = "sources*.json"  # hashes of modules, one file for each place from which carom was run
 
@@ -61,7 +63,9 @@ def use_generation(folder: Path) -> None:
         try_lock(file, shared=True)
         about = os.fstat(file)
         if due := about.st_size == 0 or time.time() - about.st_mtime > MARK_SECONDS:
-            mark.write_text("the time of this file is that of the last use of this compiled code\n", encoding="utf-8")
+            mark.write_text(
+                "the time of this file is the time of the last use of this compiled code\n", encoding="utf-8"
+            )
     if due:
         with contextlib.suppress(OSError):
             _remove_unused(base, folder)

@@ -58,7 +58,7 @@ def hot_kernel(function: Function) -> Function:
     return kernel(function)
 
 
-# Kernels whose derivatives are not those of their steps, with the kernels that have them.
+# Kernels whose derivatives differ from the derivatives of their steps, with the kernels that have them.
 DERIVED: dict[Callable[..., Any], Callable[..., Any]] = {}
 
 
@@ -93,7 +93,7 @@ def vector(row: Any) -> Vec:
 def root_of(x: Number, gap: Any, rate: Any) -> Number:
     """Return x, a root that was found by trial: of a function with the value ``gap`` and the derivative ``rate`` there.
 
-    Trial and error carry no derivatives. Of dual numbers the root has that of the implicit function theorem, x - gap / rate.
+    Trial and error carry no derivatives. A dual root is x - gap / rate, by the implicit function theorem.
     """
     if not hasattr(gap, "d"):
         return x
@@ -112,7 +112,7 @@ def steepest(x: Any) -> float:
 
 
 def without_slopes(x: Any) -> Any:
-    """Return the value of x: that of a number whose derivatives are of no meaning, such as the length of a step."""
+    """Return the value of x, a number whose derivatives have no meaning, such as the length of a step."""
     return getattr(x, "x", x)
 
 

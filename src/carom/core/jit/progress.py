@@ -1,4 +1,4 @@
-"""Progress of compiling: which function is being compiled, and how many of those that a loop calls are done."""
+"""Progress of compiling: which function is being compiled, and how many of the functions that a loop calls are done."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 
 Numba types and lowers the functions to LLVM's intermediate code, as for every compiled loop (:mod:`carom.core.jit.link`). That
 code is told to be for WebAssembly, is optimised and brought to an object by llvmlite, which carries that target, and is linked
-with musl's mathematical functions (libm), so that all browsers give the same bits. Linker and C compiler are those of ziglang.
+with musl's mathematical functions (libm), so that all browsers give the same bits. Linker and C compiler are ziglang's.
 
 This relies on how Numba writes its code (as of 0.68); where that has changed, a WebAssemblyError says so.
 """
@@ -195,7 +195,7 @@ def _wrapper(export: Export, name: str, text: str) -> str:
 
 
 def _require_signature(name: str, text: str, given: Sequence[str]) -> None:
-    """Refuse a function whose arguments are not those that Numba has written so far."""
+    """Refuse a function whose arguments differ from the arguments that Numba has written so far."""
     found = re.search(rf'^define [^@]*\bi32 @"?{re.escape(name)}"?\((.*?)\) [^()]*\{{$', text, flags=re.M)
     if found is None:
         raise _changed(f"no function {name:.40} that returns i32")

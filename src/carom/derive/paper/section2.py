@@ -267,7 +267,7 @@ def integration() -> list[Entry]:
             steps=(null, Step("Invert.", eq(turn_of, turn))),
         ),
     ]
-    # between (10) and (11); the root is that of cos(psi) > 0, where psi = 0 lies
+    # between (10) and (11); the root is the one with cos(psi) > 0, where psi = 0 lies
     along = turn.subs(psi, sp.asin(path))
     root = sp.sqrt(2 * SIN(theta) ** 2 - 1)
     entries.append(

@@ -28,7 +28,7 @@ class _Subject:
     If the law follows the frames, the covariance is computed from derivatives and the noise, with all starts free. If not,
     residuals are correlated from frame to frame; only shots are independent, and the covariance is computed from the scores of
     shots, each corrected for how much of the information is its own (CR2 of Bell & McCaffrey, Survey Methodology 28, 169 (2002)).
-    The design effect is the median over the parameters of this variance over that of independent frames.
+    The design effect is the median over the parameters of this variance over the variance of independent frames.
     """
 
     def __init__(self, fit: TrackFit, settled: BestStarts) -> None:

@@ -72,7 +72,7 @@ class TrackModel:
     held: dict[str, float]
     """Parameters that are not fitted."""
     family: AffineArrays | None = None
-    """The arrays of :meth:`scene` by parameter, of those that are held later on as well."""
+    """The arrays of :meth:`scene` by parameter, also of parameters that are held later on."""
 
     @property
     def rolling_only(self) -> bool:

@@ -203,7 +203,7 @@ def settle(table: Table, frames: SegmentArrays, starts: Starts, q: Array, steps:
 
 
 def scan(table: Table, frames: SegmentArrays, q: Array, tried: Array) -> Array:
-    """Return sums of squares (N, M) with M sidespins (N, M) instead of those of the starts."""
+    """Return sums of squares (N, M) with M sidespins (N, M) instead of the starts' own."""
     starts = np.repeat(q[:, None], tried.shape[1], axis=1)
     starts[:, :, SIDESPIN] = tried
     return np.asarray(np.square(_many(table.setup, frames, starts)).sum(axis=-1))

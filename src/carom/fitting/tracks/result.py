@@ -56,7 +56,7 @@ class TrackFit:
     untold: tuple[str, ...] = ()
     """The parameters concerned."""
     design_effect: float = 1.0
-    """Variance of the parameters over that of independent frames, by the scatter of shots; 1 where the law follows the frames."""
+    """Variance of the parameters over that for independent frames, by the scatter of shots; 1 where the law follows the frames."""
 
     @property
     def law(self) -> FittedLaw:

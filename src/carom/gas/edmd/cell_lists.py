@@ -183,7 +183,7 @@ def _copy_cell(slots: Any, links: Any, found: Any, first: int, n: int, code: int
 
 @hot_kernel
 def block_around(flat: bool, plan: Any) -> Block:
-    """Return all the cells around that of a ball."""
+    """Return the block of cells around a ball's cell."""
     return Block(I64(plan.cx), I64(plan.cy), I64(plan.cz), 0, 3, 0, 3, 1 if flat else 0, 2 if flat else 3)
 
 

@@ -196,7 +196,7 @@ def earliest_collision(
 
 @hot_kernel
 def _nearest_image(x: float, side: float, periodic: int) -> float:
-    """Return a coordinate difference, that of the nearest images if the axis is periodic."""
+    """Return a coordinate difference, between nearest images if the axis is periodic."""
     if periodic == 0:
         return x
     if x > side / 2:

@@ -71,7 +71,7 @@ SPECIES = np.dtype([("radius", _FLOAT), ("mass", _FLOAT), ("kappa", _FLOAT)])
 # restitution, and the energy transferred from translation to spin.
 _TOTALS = [("collisions", "i8"), ("lost_normal", _FLOAT), ("lost_tangential", _FLOAT), ("to_spin", _FLOAT)]
 
-# The contact of two species, at [first * number of species + second]; ``first`` is that of the ball whose event it was.
+# The contact of two species, at [first * number of species + second]; ``first`` is the species of the ball whose event it was.
 PAIR = np.dtype(
     [
         ("distance", _FLOAT),  # of the centres in contact
@@ -162,7 +162,7 @@ SYSTEM = np.dtype(
         # random numbers: the key, and how many were drawn
         ("key", "i8", (2,)),
         ("drawn", "i8"),
-        # The thermostat: kicks of all balls per unit time (0: none), k_B T and that of spins.
+        # The thermostat: kicks of all balls per unit time (0: none), k_B T of velocities and of spins.
         ("rate", _FLOAT),
         ("temperature", _FLOAT),
         ("spin_temperature", _FLOAT),

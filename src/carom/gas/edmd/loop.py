@@ -80,7 +80,7 @@ def fill_cells(system: Any, grid: Any, balls: Any, materials: Any, cells: Any) -
 
 @kernel
 def restore_lists(system: Any, balls: Any, calendar: Any, cells: Any) -> None:
-    """Enter every ball in its cell and its bin: those of a restored system are empty."""
+    """Enter every ball in its cell and its bin, which are empty in a restored system."""
     plans = balls.plans
     for i in range(balls.motions.shape[0]):
         insert_ball(cells, plans[i], i)
@@ -189,7 +189,7 @@ def run(  # noqa: PLR0915  (the loop)
     ahead = (0, 0, 0)
     while system.pair_collisions + system.wall_collisions < last and status == LIMIT and steps < max_steps:
         steps += 1
-        # the balls to predict for, and which of the cells around are searched: all, or those that come within reach
+        # the balls to predict for, and which of the cells around are searched: all, or the cells that come within reach
         i, j = planned, NO_BALL
         x0, x1, y0, y1, z0, z1 = 0, 3, 0, 3, 0, 3
         if flat:

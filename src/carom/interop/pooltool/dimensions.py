@@ -1,4 +1,4 @@
-"""Balls of pooltool 0.6.0 stay on the table; those of its main branch fly if asked (``is_3d``)."""
+"""Balls of pooltool 0.6.0 stay on the table; balls of its main branch fly if asked (``is_3d``)."""
 
 from __future__ import annotations
 

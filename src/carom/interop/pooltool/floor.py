@@ -43,5 +43,5 @@ class CaromFloor(CoreBallTableCollision):
 
 
 def register_floor() -> None:
-    """Add the model to those that pooltool knows in resolver files."""
+    """Add the model to the models that pooltool knows in resolver files."""
     ball_table_models[FLOOR] = CaromFloor

@@ -176,7 +176,7 @@ def make_engine(resolver: Any, is_3d: bool) -> Any:
 
 
 def register_models() -> None:
-    """Add carom's models to those that pooltool knows in resolver files."""
+    """Add carom's models to the models that pooltool knows in resolver files."""
     ball_lcushion_models[CUSHION] = CaromLinear
     ball_ccushion_models[CUSHION] = CaromCircular
     ball_ball_models[PAIR] = CaromPair

@@ -19,7 +19,7 @@ from carom.scene.wall import WallShape
 __all__ = ["walls_of"]
 
 Array = NDArray[np.float64]
-SAME = 1e-6  # m: places in a file and those of a carom table that count as the same
+SAME = 1e-6  # m: places in a file and on a carom table this close count as the same
 CORNERS, SIDES = ("lb", "rb", "rt", "lt"), ("lc", "rc")
 
 
@@ -100,9 +100,9 @@ def _side(lines: dict[str, Array], jaw: Array, hole: Array, x: float, middle: fl
 
 
 def _same(table: Table, lines: dict[str, Array], circles: dict[str, Array], holes: dict[str, Array]) -> bool:
-    """Return whether all noses, arcs of jaws and pockets of a carom table are those of the file.
+    """Return whether all noses, arcs of jaws and pockets of a carom table agree with the file.
 
-    (Facings are not compared: those of pooltool's middle pockets are drawn with sin for tan, and end 0.04 mm beside their line.)
+    (Facings are not compared: pooltool draws the middle pockets' ones with sin for tan, and they end 0.04 mm beside their line.)
     """
     noses, mouths = table._layout
     own = [(*start, *end) for start, end, _along in noses]

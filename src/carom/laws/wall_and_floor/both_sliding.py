@@ -36,7 +36,7 @@ GROWS = 0.8  # weight of a growing slip relative to a decreasing one
 LAST, NEAR = 0.6, 0.85
 FIRST = 1e-3  # of the unloading of the wall's spring: close to its start w is dominated by rounding
 SAFE, FADE_SAFE = 0.8, 0.85  # of the step that the error would allow
-# The error estimate is that of order 5, an upper bound: the true error is 10 to 10,000 times smaller. (Hairer's combination with
+# The error estimate is the one of order 5, an upper bound: the true error is 10 to 10,000 times smaller. (Hairer's combination with
 # the one of order 3 is closer on average, but passes zero in one of some hundred steps, and is then 1e5 times too small.)
 ESTIMATE = 30_000
 SLOPE_ERROR = 1e-10  # of the derivatives, for a change of the slips by 1

@@ -121,7 +121,7 @@ def _with_slopes_of(
     value: float, x: Slopes, by: tuple[float, float, float, float, float, float, float, float], x2: Slopes,
     by2: tuple[float, float, float, float], both: bool,
 ) -> float:  # fmt: skip
-    """Return a value with derivatives: those of ``x`` times dual numbers of value zero, and with ``both`` those of ``x2``."""
+    """Return a value with the derivatives of ``x``, and with ``both`` of ``x2``, times dual numbers of value zero."""
     y = value + (
         x[1] * by[0] + x[2] * by[1] + x[3] * by[2] + x[4] * by[3] + x[5] * by[4] + x[6] * by[5] + x[7] * by[6] + x[8] * by[7]
     )  # fmt: skip

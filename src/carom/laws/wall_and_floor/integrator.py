@@ -50,7 +50,7 @@ def dormand_prince_step(
 ) -> tuple[Slips, float, float]:
     """Take one step of Dormand & Prince 8(5,3) (Hairer, Norsett & Wanner, Solving ODEs I, II.5) from y with rates k1.
 
-    Returns its error, and that of its derivatives (of order 5).
+    Returns its error, and the error of its derivatives (of order 5).
     """
     x = combination(y, h, A2[1], k1, 0, k1, 0, k1)
     k2, _spare = pressed_rates(x, q, wall, floor, dw, df, tiny)
@@ -182,7 +182,7 @@ def _implicit_euler_step(
 def extrapolated_euler_step(
     y: Slips, h: float, q: Couplings, wall: int, floor: int, dw: Pair, df: Pair, tiny: float
 ) -> tuple[Slips, float, float, bool]:
-    """Take an implicit Euler step extrapolated from 1 to 6 substeps; return its error, that of its derivatives, and False if
+    """Take an implicit Euler step extrapolated from 1 to 6 substeps; return its error, the error of its derivatives, and False if
     it does not converge.
 
     dw and df are the directions in which a slip starts from zero.

@@ -205,7 +205,7 @@ def decide_mode(  # noqa: PLR0911  (one return a mode)
     _k, spare = pressed_rates(y, q, STICK, FLOOR_SLIP, dw, df, tiny)
     if spare >= 0:  # on an infinitely rough floor the normal force is zero, and friction keeps it at zero
         return STICK, FLOOR_SLIP, 0, dw, df
-    if rough_floor:  # its slip jumps, and changes that of the wall
+    if rough_floor:  # its slip jumps, and changes the wall's
         slip = norm(e * df[0], d * df[1])
         return SLIDE, FLOOR_JUMP, level, (e * df[0] / slip, -d * df[1] / slip) if slip > 0 else dw, df
     return SLIDE, FLOOR_SLIP, level, _start_at_wall(fast, df), df

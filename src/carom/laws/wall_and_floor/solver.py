@@ -331,7 +331,7 @@ def integrate_impact(  # noqa: PLR0915  (one loop over events; its parts stand a
 
     The integration begins at the wall's impulse p, in compression or not, with the energy ``peak`` to return. With ``waits``
     it stops where a contact at rest begins to slip and both then slip (AGAIN); the next four results describe that state. The last
-    one is the sequence of modes, appended to that of ``way``.
+    one is the sequence of modes, appended to ``way``.
     """
     c, m, b, k, d, ee, _drive, muw, _muf, _heed = q
     zero, follows = 0 * vz, carries_slopes(vz)

@@ -78,7 +78,7 @@ def _joint_impact(
     v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float,
     floor_e: float, floor_mu: float, floor_beta: float, together: bool,
 ) -> Any:  # fmt: skip
-    """:func:`joint_impact` of dual numbers; that of floats is compiled by itself."""
+    """:func:`joint_impact` of dual numbers; the version for floats is compiled by itself."""
     return first_impact_and_way(v, w, n, a, kappa, e, mu, beta, floor_e, floor_mu, floor_beta, 0.0, together)
 
 

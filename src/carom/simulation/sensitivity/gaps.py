@@ -1,4 +1,4 @@
-"""The gap between a ball and what it meets, as a kernel: its derivative gives that of the time of the event."""
+"""The gap between a ball and the object that it meets, as a kernel: its derivative gives the derivative of the event's time."""
 
 from __future__ import annotations
 

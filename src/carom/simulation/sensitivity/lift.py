@@ -3,7 +3,7 @@
 A kernel is a function of numbers that names what it calls by the globals of its module. The derived one has the same code and other
 globals, in which ``math`` is :data:`carom.simulation.sensitivity.dual.DUAL_MATH` and every function is a derived one too. So each
 law, phase and shape has its exact derivative, without a line written by hand for it. What a kernel finds by trial and error
-says so (:func:`carom.core.jit.kernel.root_of`), and has that of the implicit function theorem.
+says so (:func:`carom.core.jit.kernel.root_of`), and has the derivative of the implicit function theorem.
 """
 
 from __future__ import annotations
@@ -49,7 +49,7 @@ _INSTEAD: dict[Any, Any] = {call_user: _call_law, seeded: _seeded}
 
 
 def _space(names: dict[str, Any], module: str, spaces: dict[Any, dict[str, Any]], key: Any) -> dict[str, Any]:
-    """Return the globals of a module with derived functions in the place of its own and of those that it has imported."""
+    """Return the globals of a module with derived functions in the place of its own and of imported functions."""
     if key in spaces:
         return spaces[key]
     space = spaces[key] = dict(names)

@@ -25,7 +25,7 @@ GROWS = 1e-3  # change of the derivatives between these two steps that is too la
 
 
 class OneSided(NamedTuple):
-    """Derivatives of the final states for values of each parameter below, and above, that of the scene."""
+    """Derivatives of the final states for values of each parameter below, and above, the scene's value."""
 
     below: StateSensitivity
     above: StateSensitivity
@@ -35,7 +35,7 @@ def one_sided(run: Any, columns: list[Column]) -> OneSided:
     """Return the derivatives of a run's final states on both sides of each parameter's value.
 
     The run is repeated a little on each side, with the other parameters as they are, and its derivatives there are extrapolated
-    to the value. CaromError where they grow without bound, as those of a ball that just touches do.
+    to the value. CaromError where they grow without bound, as for a ball that just touches.
     """
     sides = [np.stack([_limit(run, one, sign) for one in columns], axis=-1) for sign in (-1, 1)]
     return OneSided(*(StateSensitivity(*one) for one in sides))
@@ -84,7 +84,7 @@ def warn_of_switches(run: Any, passages: Passages) -> None:
 
 
 def _sticks_just(row: Any, friction: float) -> bool:
-    """Return whether the required friction is that of the border (a pressed ball that slides requires all there is)."""
+    """Return whether the required friction is the border's (a pressed ball that slides requires all there is)."""
     return bool(0 < friction < np.inf and not np.any(row["floor_impulse"]))
 
 

@@ -53,7 +53,7 @@ def packed(slopes: Sequence[Tangents], dtypes: Mapping[str, Any]) -> dict[str, A
 
 
 def unpacked(found: Array, p: int) -> Array:
-    """Return derivatives (N, numbers, p) of those of compiled code, (C, N, numbers, LANES)."""
+    """Return derivatives (N, numbers, p) from the compiled code's, (C, N, numbers, LANES)."""
     return np.moveaxis(found, 0, 2).reshape(*found.shape[1:3], -1)[..., :p]
 
 

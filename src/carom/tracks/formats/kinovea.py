@@ -100,7 +100,7 @@ def _trajectories(name: str, text: str, scale: np.ndarray) -> list[Track]:
 
 
 def _where_times_begin_anew(rows: list[tuple[int, list[str]]]) -> list[list[tuple[int, list[str]]]]:
-    """Return the rows of a block in parts: a time that comes again is that of the first row of another track."""
+    """Return the rows of a block in parts: a time that comes again begins the first row of another track."""
     starts = [k for k, (_n, words) in enumerate(rows) if k == 0 or words[0] == rows[0][1][0]]
     spaced = len(starts) > 1 and min(np.diff(starts)) > 1
     edges = [*(starts if spaced else starts[:1]), len(rows)]

@@ -86,7 +86,7 @@ def foreign_file(path: str | Path, start: bytes) -> ForeignFile | None:
 
 
 def _from_start(start: bytes) -> tuple[str, str] | None:
-    """Return what the first bytes of a file are those of, and the advice; None if they may be a table of text."""
+    """Return the kind of file that begins with these bytes, and the advice; None if they may be a table of text."""
     plain = start.replace(b"\0", b"")
     if start.startswith(HDF5[0]):
         return next(((what, advice) for sign, what, advice in IN_HDF5 if sign in start), HDF5[1:])

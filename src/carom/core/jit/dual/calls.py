@@ -1,4 +1,4 @@
-"""Call functions of dual numbers through their addresses (:mod:`carom.core.jit.pointers` for those of floats)."""
+"""Call functions of dual numbers through their addresses (functions of floats: :mod:`carom.core.jit.pointers`)."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """Records whose numbers are dual: NumPy's records hold the values, an array beside them the derivatives.
 
 Kernels read and write ``ball.v[0]`` and ``balls[k]`` as they do with plain records. The derivatives of record k are row k of an
-array (N, numbers in a record, LANES); :func:`float_places` says where those of each field are.
+array (N, numbers in a record, LANES); :func:`float_places` says where the derivatives of each field are.
 """
 
 from __future__ import annotations
@@ -191,7 +191,7 @@ def _fields() -> None:
 
 
 def _items() -> None:
-    """Read the items of vectors and arrays, and write those of vectors."""
+    """Read the items of vectors and arrays, and write the items of vectors."""
     from llvmlite import ir
     from numba import types
     from numba.core.typing.templates import signature

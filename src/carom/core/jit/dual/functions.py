@@ -1,6 +1,6 @@
 """The functions of ``math``, and Python's of numbers, for dual numbers in compiled code.
 
-The rules are those of :mod:`carom.simulation.sensitivity.dual`, with the same bits.
+The rules are the same as in :mod:`carom.simulation.sensitivity.dual`, with the same bits.
 """
 
 from __future__ import annotations

@@ -254,7 +254,7 @@ def _pairs() -> Any:
 
 
 def _opened(context: Any, builder: Any, sig: Any, args: Any) -> list[tuple[Any, Any]]:
-    """Return values and derivatives of arguments, None for those of floats."""
+    """Return values and derivatives of arguments, None for floats."""
     kind = dual_type()
     return [
         parts_of(context, builder, one) if of is kind else (one, None) for of, one in zip(sig.args, args, strict=True)
