@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 from reference.brute_force_gas import Brute, follow
+from reference.exploring import tried
 
 from carom import Ball, CaromError, Disc, Surface
 from carom.gas import WALLS, Gas, Species, lattice
@@ -71,8 +72,8 @@ def brute_of(gas, contacts, names):
 def test_the_same_events_as_all_pairs(axes, periodic, gravity, rough):
     gas, contacts, names = box(axes=axes, periodic=periodic, gravity=gravity, rough=rough)
     brute = brute_of(gas, contacts, names)
-    walls = sum(follow(gas, brute) for _ in range(150))
-    assert (walls > 20) == (periodic is not True)
+    walls = sum(follow(gas, brute) for _ in range(tried(80, 150)))
+    assert (walls > tried(10, 20)) == (periodic is not True)
 
 
 def test_a_dense_gas_in_the_smallest_periodic_box():
@@ -80,7 +81,7 @@ def test_a_dense_gas_in_the_smallest_periodic_box():
     gas, contacts, names = box(counts=(27, 0, 0), dense=1.28, elastic=True)
     assert (gas.arrays.system[0]["cells"] == 3).any()
     brute = brute_of(gas, contacts, names)
-    for _ in range(200):
+    for _ in range(tried(80, 200)):
         follow(gas, brute)
 
 

@@ -9,6 +9,7 @@ from importlib.util import find_spec
 from pathlib import Path
 
 import pytest
+from reference.exploring import tried
 from reference.sweep_scenes import table_scene
 
 import carom
@@ -42,7 +43,7 @@ def test_the_simulator_gives_the_bits_of_the_cores() -> None:
 @needs_nvvm
 def test_assembly_rounds_every_product_by_itself() -> None:
     lines = program("assemble").splitlines()
-    assert len(lines) == 4
+    assert len(lines) == tried(2, 4)  # a short loop and the longest, which calls what the others do
     for line in lines:
         name, numbers = line.split(": ")
         counts = dict(zip(("rounded", "contractible", "bytewise"), map(int, numbers.split()), strict=True))

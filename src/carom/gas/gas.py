@@ -283,7 +283,8 @@ class Gas:
         before, done, self.ended_early = self.collisions, 0, None
         while done < most:
             begin = clocks.thread_time()
-            engine.advance(self.arrays, until, min(chunk, most - done))
+            # (a number of the type float: a whole one would have the loop compiled again)
+            engine.advance(self.arrays, end, min(chunk, most - done))
             self.cpu_seconds += clocks.thread_time() - begin
             self._time = max(self._time, engine.time_of_last_event(self.arrays))
             done = self.collisions - before
