@@ -5,7 +5,11 @@ from __future__ import annotations
 import html
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import is_dataclass
+from typing import Any
+
+import numpy as np
 
 __all__ = [
     "counted",
@@ -16,6 +20,7 @@ __all__ = [
     "format_time",
     "format_uncertain",
     "html_table",
+    "json_value",
 ]
 
 # What steers a terminal and is no text: C0 without tab and new line, C1, line separators, changes of the writing direction, and
@@ -30,6 +35,27 @@ def escape_controls(text: str) -> str:
     \x1b[31mred
     """
     return _CONTROLS.sub(lambda found: ascii(found[0])[1:-1], text)
+
+
+def json_value(value: Any, *, infinite: bool = False) -> Any:
+    """Return a value as JSON has it: arrays as lists, records as dictionaries, undefined and infinite numbers as None.
+
+    With ``infinite``, infinities are the texts "inf" and "-inf".
+
+    >>> json_value({"size": np.array([1.0, np.nan]), "friction": np.inf}, infinite=True)
+    {'size': [1.0, None], 'friction': 'inf'}
+    """
+    if isinstance(value, np.ndarray | np.generic):
+        value = value.tolist()
+    if isinstance(value, float):
+        if math.isfinite(value):
+            return float(value)
+        return None if not infinite or math.isnan(value) else "inf" if value > 0 else "-inf"
+    if is_dataclass(value) and not isinstance(value, type):
+        value = vars(value)
+    if isinstance(value, Mapping):
+        return {key: json_value(one, infinite=infinite) for key, one in value.items()}
+    return [json_value(one, infinite=infinite) for one in value] if isinstance(value, list | tuple) else value
 
 
 def counted(number: int, noun: str) -> str:

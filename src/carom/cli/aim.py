@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import shlex
-import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -12,6 +11,7 @@ import typer
 
 from carom.cli.common import attempt, require_outputs, wrote
 from carom.cli.options import OUTPUT, RUN, quantity, shared
+from carom.cli.streams import say_json
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -147,7 +147,7 @@ def aim(
             }
             for one in aims
         ]
-        sys.stdout.write(json.dumps(plain, indent=2) + "\n")
+        say_json(plain)
     elif not quiet:
         _show(aims, scene)
     if plot is not None:

@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
@@ -15,6 +14,7 @@ import typer
 from carom.cli.common import require_outputs, wrote
 from carom.cli.console import err
 from carom.cli.options import shared
+from carom.cli.streams import say_json
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -40,7 +40,7 @@ def laws(
     if as_json:
         facts = [asdict(card) for card in cards]
         shown = facts[0] if name is not None else {"laws": facts}
-        sys.stdout.write(json.dumps(shown, indent=2, ensure_ascii=False) + "\n")
+        say_json(shown, ensure_ascii=False)
     elif name is not None:
         _card(cards[0])
     else:
@@ -128,7 +128,7 @@ def datasets(
             {key: str(getattr(one, key)) for key in ("name", "title", "citation", "doi", "notes", "path")}
             for one in chosen
         ]
-        print(json.dumps(cards if name is None else cards[0], indent=2, ensure_ascii=False))  # noqa: T201
+        say_json(cards if name is None else cards[0], ensure_ascii=False)
     if name is None:
         if not json_:
             _list(chosen)
@@ -162,7 +162,7 @@ def _carom_tracks(source: Path | None, out: Path | None, as_json: bool) -> None:
     written = write_carom_tracks(source, out)
     if as_json:
         facts = {"name": NAME, "citation": SOURCE, "path": str(out), "rows": written.rows, "expected": written.expected}
-        print(json.dumps(facts, indent=2, ensure_ascii=False))  # noqa: T201
+        say_json(facts, ensure_ascii=False)
     console = err()
     console.print(SOURCE, soft_wrap=True)
     if written.rows != written.expected:

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import json
-import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from carom.cli.option_names import with_options
-from carom.cli.streams import note
+from carom.cli.streams import note, say_json
 from carom.errors import Fault, attempt, noting
 from carom.files import require_library, require_writable
 
@@ -78,7 +75,7 @@ def tick(console: Console, good: bool) -> str:
 def tell(ranking: Any, show: Callable[[Any], None], as_json: bool, console: Console, written: Path | None) -> None:
     """Print a ranking of laws, as JSON or by ``show``; on the console also its notes, and the path of its report."""
     if as_json:
-        sys.stdout.write(json.dumps(with_options(ranking.as_dict()), indent=2, allow_nan=False) + "\n")
+        say_json(ranking.as_dict())
     else:
         show(ranking)
     for text in ranking.notes:

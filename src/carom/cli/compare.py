@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
 import math
-import sys
 import textwrap
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -18,7 +16,7 @@ from rich.text import Text
 from carom.cli.common import attempt, require_outputs, tick, wrote
 from carom.cli.console import out
 from carom.cli.options import BALL, OUTPUT, comma_separated, quantity, shared
-from carom.cli.streams import say_notes
+from carom.cli.streams import say_json, say_notes
 from carom.errors import CaromError
 from carom.formatting import format_length, format_number
 from carom.public.own_laws import with_own_laws
@@ -135,7 +133,7 @@ def compare(
         pictures.save(pictures.compare(comparison), plot)
         wrote(plot)
     if as_json:
-        sys.stdout.write(json.dumps(comparison.as_dict(), indent=2, allow_nan=False) + "\n")
+        say_json(comparison.as_dict())
     else:
         show(comparison)
 

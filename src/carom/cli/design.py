@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import json
-import sys
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 from carom.cli.common import attempt, require_outputs, working, wrote
-from carom.cli.option_names import with_options
 from carom.cli.options import (
     BALL,
     WALL,
@@ -21,7 +18,7 @@ from carom.cli.options import (
     parse_spin,
     shared,
 )
-from carom.cli.streams import note
+from carom.cli.streams import note, say_json
 from carom.errors import CaromError
 
 SHOTS = "Shots"
@@ -142,7 +139,7 @@ def design(
         save(plot_design(plan), plot)
         wrote(plot)
     if as_json:
-        sys.stdout.write(json.dumps(with_options(plan.as_dict()), indent=2, allow_nan=False) + "\n")
+        say_json(plan.as_dict())
     else:
         _show(plan)
     for line in plan.notes:

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import importlib.metadata
-import json
 import platform
-import sys
 from pathlib import Path
 from typing import Annotated, Any
 
 import typer
 
 from carom.cli.options import shared
+from carom.cli.streams import say_json
 
 BASE = ("numpy", "numba", "llvmlite", "pydantic", "pint", "rich", "typer", "lazy_loader")
 # Names of packages where they differ from the names of their modules.
@@ -27,7 +26,7 @@ def doctor(as_json: Annotated[bool, shared("json")] = False) -> None:
     """Say what this installation has: versions, optional libraries, the cache of compiled code, cores."""
     found = report()
     if as_json:
-        sys.stdout.write(json.dumps(found, indent=2) + "\n")
+        say_json(found)
         return
     from rich import box
     from rich.table import Table

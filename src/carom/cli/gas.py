@@ -2,12 +2,10 @@
 
 from __future__ import annotations
 
-import json
 import shlex
-import signal
 import sys
-from collections.abc import Callable, Iterator
-from contextlib import ExitStack, contextmanager
+from collections.abc import Callable
+from contextlib import ExitStack
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -15,8 +13,9 @@ import typer
 
 from carom.cli.common import attempt, require_outputs, wrote
 from carom.cli.gas_snapshots import Frames, open_frames, size_limit
+from carom.cli.interrupts import stop_requests
 from carom.cli.options import OUTPUT, RUN, shared
-from carom.cli.streams import note, say_notes
+from carom.cli.streams import json_text, note, say_notes
 from carom.errors import CaromError
 from carom.formatting import counted
 
@@ -132,7 +131,7 @@ def gas(
     if ensemble is not None:
         return run_ensemble(given, str(scene), ensemble, progress, plot, measures, as_json, quiet)
     with ExitStack() as stack:
-        signals = stack.enter_context(_signals())
+        signals = stack.enter_context(stop_requests())
         session = _session(scene, given, resume, progress)
         snapshot_every = _keep_outputs(
             session, {"--snapshots": snapshots, "--measures": measures, "--plot": plot}, snapshot_every, progress
@@ -316,25 +315,6 @@ def _run(
         return True
 
 
-@contextmanager
-def _signals() -> Iterator[list[int]]:
-    """Collect signals that ask the run to end; the second one ends it at once."""
-    received: list[int] = []
-
-    def receive(which: int, _frame: Any) -> None:
-        if received:
-            note("carom: interrupted; nothing was saved")
-            raise typer.Exit(128 + which)
-        received.append(which)
-
-    before = {which: signal.signal(which, receive) for which in (signal.SIGINT, signal.SIGTERM)}
-    try:
-        yield received
-    finally:
-        for which, handler in before.items():
-            signal.signal(which, handler)
-
-
 class _Checkpoints:
     """Writes checkpoints at intervals."""
 
@@ -414,11 +394,10 @@ def _plot(session: Session, plot: Path) -> None:
 
 def _write_measures(session: Session, measures: Path) -> None:
     """Write all measures as JSON."""
-    from carom.cli.gas_output import finite
     from carom.files import write_text
     from carom.gas.report import report, series
 
-    write_text(measures, json.dumps(finite(report(session) | series(session)), allow_nan=False) + "\n")
+    write_text(measures, json_text(report(session) | series(session), None))
 
 
 def _print_report(session: Session, as_json: bool, quiet: bool) -> None:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
 import math
-import sys
 import time
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,11 +14,11 @@ from carom.cli.console import out
 from carom.cli.gas_output import (
     LINE_INTERVAL,
     Progress,
-    finite,
     no_diffusion,
     print_tables,
 )
 from carom.cli.interrupts import say_interrupted
+from carom.cli.streams import json_text, say_json
 from carom.errors import CaromError
 
 if TYPE_CHECKING:
@@ -75,7 +73,7 @@ def run_ensemble(
             written += [path] * (len(found) == before)
     # the report is printed even if a file cannot be written
     if as_json:
-        sys.stdout.write(json.dumps(finite(_numbers(ensemble)), allow_nan=False, indent=1) + "\n")
+        say_json(_numbers(ensemble), 1)
     elif not quiet:
         undefined = not scene.container.geometry.faces and math.isnan(ensemble.mean["diffusion"])
         notes = [no_diffusion("displacement" in ensemble.curves or not ensemble.curves)] if undefined else []
@@ -131,7 +129,7 @@ def _write(ensemble: Ensemble, path: Path) -> None:
         for name, curve in ensemble.curves.items()
     }
     found = _numbers(ensemble) | {"curves": curves, "members": ensemble.members}
-    write_text(path, json.dumps(finite(found), allow_nan=False) + "\n")
+    write_text(path, json_text(found, None))
 
 
 def _plot(ensemble: Ensemble, path: Path) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import math
 import time
 from collections.abc import Sequence
@@ -13,6 +12,7 @@ from rich.text import Text
 
 from carom.cli.console import err, out
 from carom.cli.gas_tables import gas_tables
+from carom.cli.streams import json_text
 from carom.formatting import counted, format_number
 from carom.gas.report import UNITS_NOTE, report
 
@@ -20,7 +20,6 @@ __all__ = [
     "LINE_INTERVAL",
     "Progress",
     "as_json",
-    "finite",
     "no_diffusion",
     "print_tables",
     "show",
@@ -40,16 +39,7 @@ LINE_INTERVAL = 20.0  # s between lines of progress where there is no terminal
 
 def as_json(session: Session) -> str:
     """Return the report of a session as JSON, in full precision; infinite and undefined numbers are null."""
-    return json.dumps(finite(report(session)), allow_nan=False, indent=1) + "\n"
-
-
-def finite(value: Any) -> Any:
-    """Return a value with None in place of infinite and undefined numbers, which JSON does not have."""
-    if isinstance(value, float):
-        return value if math.isfinite(value) else None
-    if isinstance(value, dict):
-        return {key: finite(part) for key, part in value.items()}
-    return [finite(part) for part in value] if isinstance(value, (list, tuple)) else value
+    return json_text(report(session), 1)
 
 
 def show(session: Session) -> None:

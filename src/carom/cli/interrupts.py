@@ -7,12 +7,14 @@ import contextlib
 import signal
 import sys
 import threading
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any
+
+import typer
 
 from carom.public.interrupts import LINE
 
-__all__ = ["noticed_interrupts", "say_interrupted"]
+__all__ = ["noticed_interrupts", "say_interrupted", "stop_requests"]
 
 SWALLOWED = 0.01  # s, after which an interrupt that was swallowed is raised again
 # What was said of an interrupt: once is enough, by the command that knows what it leaves, or at the end.
@@ -58,17 +60,43 @@ def noticed_interrupts(always: bool = False) -> Iterator[list[bool]]:
     if not always and signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         yield asked
         return
-    try:
-        before = signal.signal(signal.SIGINT, note)
-    except ValueError:  # (not in the main thread, which alone gets signals)
-        yield asked
-        return
     unraisable, excepthook = sys.unraisablehook, sys.excepthook
-    sys.unraisablehook, sys.excepthook = again, show
-    inside.append(True)
-    try:
+    with _received_by(note, signal.SIGINT) as received:
+        if received:
+            sys.unraisablehook, sys.excepthook = again, show
+            inside.append(True)
+        try:
+            yield asked
+        finally:
+            inside.clear()
+            sys.unraisablehook, sys.excepthook = unraisable, excepthook
+
+
+@contextlib.contextmanager
+def stop_requests() -> Iterator[list[int]]:
+    """While inside, collect the signals that ask a run to end (Ctrl-C, SIGTERM) in a list; the second ends the command at once."""
+    asked: list[int] = []
+
+    def note(which: int, _frame: Any) -> None:
+        if asked:
+            say_interrupted("carom: interrupted; nothing was saved")
+            raise typer.Exit(128 + which)
+        asked.append(which)
+
+    with _received_by(note, signal.SIGINT, signal.SIGTERM):
         yield asked
+
+
+@contextlib.contextmanager
+def _received_by(receive: Callable[[int, Any], None], *signals: signal.Signals) -> Iterator[bool]:
+    """While inside, have a function receive signals; yield whether it does, which is so in the main thread alone."""
+    try:
+        before = {which: signal.signal(which, receive) for which in signals}
+    except ValueError:
+        yield False
+        return
+    try:
+        yield True
     finally:
-        inside.clear()
-        signal.signal(signal.SIGINT, before)
-        sys.unraisablehook, sys.excepthook = unraisable, excepthook
+        for which, handler in before.items():
+            signal.signal(which, handler)

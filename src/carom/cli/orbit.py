@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -12,6 +11,7 @@ from carom.billiards.named import SIZES
 from carom.cli.common import attempt, require_outputs, working, wrote
 from carom.cli.options import BALL, OUTPUT, quantity, shared
 from carom.cli.orbit_output import every_bounce, orbit_facts, print_orbit
+from carom.cli.streams import say_json
 from carom.errors import CaromError
 from carom.public.defaults import BOUNCES
 from carom.public.own_laws import with_own_laws
@@ -158,7 +158,7 @@ def orbit(
         facts = orbit_facts(found)
     if json_:
         facts["bounces"] = every_bounce(found)
-        print(json.dumps(facts, indent=2, allow_nan=False))  # noqa: T201
+        say_json(facts)
     else:
         print_orbit(facts, found)
     _draw(found, plot, portrait, boundary)

@@ -6,7 +6,7 @@ import math
 from statistics import median
 from typing import TYPE_CHECKING, Any
 
-from carom.formatting import counted
+from carom.formatting import counted, json_value
 
 if TYPE_CHECKING:
     from carom.billiards import Lyapunov, Orbit, OrbitResult
@@ -65,7 +65,7 @@ def orbit_facts(found: OrbitResult) -> dict[str, Any]:
             drift = billiards.drift(found, axis)
             names_ = ("extent", "velocity", "acceleration", "growth")
             if len(made) == 1:
-                facts["drift"] = {"axis": "xyz"[axis]} | {n: _plain(np.ravel(getattr(drift, n))[0]) for n in names_}
+                facts["drift"] = {"axis": "xyz"[axis]} | {n: json_value(np.ravel(getattr(drift, n))[0]) for n in names_}
     if found.reversal_error is not None:
         facts["reversal_error"] = float(np.max(found.reversal_error))
     if found.spectrum is not None:
@@ -90,14 +90,10 @@ def _exponents(spectrum: Lyapunov) -> dict[str, Any]:
     if lasted.sum() > 1:
         error = np.std(every[lasted], axis=0, ddof=1) / math.sqrt(lasted.sum())
     named = {"per_bounce": per_bounce, "per_time": per_time, "error": error}
-    found: dict[str, Any] = {name: [_plain(x) for x in values] for name, values in named.items()}
+    found: dict[str, Any] = {name: json_value(values) for name, values in named.items()}
     if len(every) > 1:
-        found["per_bounce_of_each"] = [[_plain(x) for x in row] for row in every]
+        found["per_bounce_of_each"] = json_value(every)
     return found
-
-
-def _plain(x: Any) -> float | None:
-    return float(x) if math.isfinite(x) else None
 
 
 def every_bounce(found: Orbit) -> list[Any]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Callable
 from contextlib import contextmanager
@@ -14,7 +13,7 @@ import typer
 from carom.cli.common import wrote
 from carom.cli.console import err, out
 from carom.cli.options import shared
-from carom.cli.streams import say
+from carom.cli.streams import json_text, say
 from carom.errors import CaromError
 from carom.files import require_library, require_writable, write_text
 
@@ -64,7 +63,7 @@ def derive(
         )
     if as_json:
         records = [paper.as_record(entry, verdict) for entry, verdict in rows]
-        _put(json.dumps({"equations": records}, indent=2, ensure_ascii=False) + "\n", destination)
+        _put(json_text({"equations": records}, ensure_ascii=False), destination)
     elif as_tex:
         _put(paper.as_tex(rows), destination)
     elif equation is None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -12,8 +11,9 @@ from rich.text import Text
 
 from carom.cli.common import attempt, require_outputs, working, wrote
 from carom.cli.console import err
-from carom.cli.option_names import in_options, with_options
+from carom.cli.option_names import in_options
 from carom.cli.options import WALL, quantity, shared
+from carom.cli.streams import say_json
 from carom.errors import CaromError
 from carom.public.defaults import CONTACT_HEIGHT, FLOOR_CONTACT, GRAVITY
 from carom.public.own_laws import with_own_laws
@@ -109,7 +109,7 @@ def predict(
             table, typed, out=out or STANDARD_OUTPUT, strict=strict, progress=progress, say=say, **options
         )
     if json_:
-        print(json.dumps(with_options(summary.as_dict()), indent=2, allow_nan=False))  # noqa: T201
+        say_json(summary.as_dict())
     _report(console, summary)
 
 

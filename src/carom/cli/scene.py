@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from pathlib import Path
 from typing import Annotated, Any
@@ -10,6 +9,7 @@ from typing import Annotated, Any
 import typer
 
 from carom.cli.options import shared
+from carom.cli.streams import say_json
 
 
 def register(app: typer.Typer) -> None:
@@ -90,4 +90,4 @@ def check(
 
 
 def _print(found: dict[str, Any]) -> None:
-    sys.stdout.write(json.dumps(found, indent=2, allow_nan=False) + "\n")
+    say_json(found)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import io
+import json
 import os
 import sys
 import warnings
@@ -11,11 +12,11 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager, suppress
 from typing import Any
 
-from carom.cli.option_names import in_options
+from carom.cli.option_names import in_options, with_options
 from carom.files import cannot_write
-from carom.formatting import escape_controls
+from carom.formatting import escape_controls, json_value
 
-__all__ = ["guarded_streams", "note", "say"]
+__all__ = ["guarded_streams", "json_text", "note", "say", "say_json", "say_notes"]
 
 
 def say(line: str) -> None:
@@ -26,6 +27,16 @@ def say(line: str) -> None:
 def note(line: str) -> None:
     """Print a line on standard error, with control characters escaped and parameters named as options."""
     sys.stderr.write(escape_controls(in_options(line)) + "\n")
+
+
+def json_text(value: Any, indent: int | None = 2, **layout: Any) -> str:
+    """Return a value as JSON, with null for undefined and infinite numbers, and the command's options in its texts."""
+    return json.dumps(with_options(json_value(value)), indent=indent, allow_nan=False, **layout) + "\n"
+
+
+def say_json(value: Any, indent: int | None = 2, **layout: Any) -> None:
+    """Print a value as JSON on standard output."""
+    sys.stdout.write(json_text(value, indent, **layout))
 
 
 def say_notes(lines: Iterable[str]) -> None:

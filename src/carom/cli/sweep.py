@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections import Counter
 from collections.abc import Iterator
@@ -14,6 +13,7 @@ import typer
 
 from carom.cli.common import attempt, require_outputs, wrote
 from carom.cli.options import OUTPUT, RUN, shared
+from carom.cli.streams import say_json
 from carom.errors import CaromError
 from carom.formatting import counted, format_number
 
@@ -324,4 +324,4 @@ def _first_failures(made: Sweep) -> list[str]:
 
 
 def _print(found: dict[str, Any]) -> None:
-    sys.stdout.write(json.dumps(found, indent=2) + "\n")
+    say_json(found)

@@ -5,7 +5,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -16,8 +15,8 @@ from rich.console import Console
 from carom.cli.common import attempt, require_outputs, working, wrote
 from carom.cli.console import err
 from carom.cli.console import out as stdout
-from carom.cli.option_names import with_options
 from carom.cli.options import FLOOR, parse_inertia, parse_length, quantity, shared
+from carom.cli.streams import say_json
 from carom.cli.tracks_output import facts, tell, tell_contacts
 from carom.errors import CaromError, shortened_list
 from carom.formatting import counted
@@ -160,8 +159,7 @@ def show(
         save(plot_tracks(measured[0]), plot)
     if json_:
         each = [facts(film, one, stage, sliding) for film, one in zip(found, measured, strict=True)]
-        shown = with_options(each[0] if len(each) == 1 else {"films": each})
-        print(json.dumps(shown, indent=2, allow_nan=False))  # noqa: T201
+        say_json(each[0] if len(each) == 1 else {"films": each})
     else:
         _tell(names, found, measured, stage, sliding)
     _notes(console, names, found, measured, table)

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from rich.console import Console
 from rich.text import Text
 
-from carom.formatting import counted, format_length, format_number
+from carom.formatting import counted, format_length, format_number, json_value
 
 if TYPE_CHECKING:
     from rich.table import Table
@@ -36,19 +36,19 @@ def facts(found: TrackFile, measured: Measured, stage: str, sliding: bool) -> di
         "format": found.format,
         "view": measured.view,
         "view_reason": measured.view_reason,
-        "frame_interval": _plain(measured.interval),
-        "noise": _plain(measured.noise),
+        "frame_interval": json_value(measured.interval),
+        "noise": json_value(measured.noise),
         "noise_given": measured.noise_given,
-        "rounded_to": [_plain(x) for x in measured.step],
+        "rounded_to": json_value(measured.step),
         "blind": list(measured.blind[:2]),
         "blind_stderr": list(measured.blind[2:]),
         "tracks": [
             {"group": track.group, "name": track.name, "samples": len(track), "missing": int((~track.seen).sum()),
-             "time": [_plain(track.time.min()), _plain(track.time.max())]} for track in found.tracks
+             "time": [json_value(track.time.min()), json_value(track.time.max())]} for track in found.tracks
         ],
         "walls": [{"name": one.name, "point": one.point, "normal": one.normal, "clamped": one.clamped, "found": one.found}
                   for one in measured.walls],
-        "floor": {name: {"value": _plain(value), "stderr": _plain(error)} for name, (value, error) in measured.floor.items()},
+        "floor": {name: {"value": value, "stderr": error} for name, (value, error) in measured.floor.items()},
         "contacts": [_contact(one, stage, sliding) for one in measured.contacts],
         "notes": [*found.notes, *measured.notes],
     }  # fmt: skip
@@ -60,23 +60,18 @@ def _contact(one: TrackContact, stage: str, sliding: bool) -> dict[str, Any]:
     from carom.tracks.rebounds import usable_stages
 
     stages, why = usable_stages(one, stage, sliding)  # type: ignore[arg-type]
-    found: dict[str, Any] = {"group": one.group, "track": one.track, "wall": one.wall.name, "t": _plain(one.time),
+    found: dict[str, Any] = {"group": one.group, "track": one.track, "wall": one.wall.name, "t": json_value(one.time),
              "frames_before": one.before, "frames_after": one.after, "stages": stages, "why_not": why,
              "impossible": impossible(one)}  # fmt: skip
     if one.fit is not None:
         found["fit"] = {
             "names": list(OUTPUTS),
-            "values": [_plain(x) for x in one.fit.value],
-            "covariance": [[_plain(x) for x in row] for row in one.fit.covariance],
+            "values": json_value(one.fit.value),
+            "covariance": json_value(one.fit.covariance),
             "chi2": one.fit.chi2,
             "dof": one.fit.dof,
         }
     return found
-
-
-def _plain(x: Any) -> float | None:
-    """Return a number for JSON: null if it is unknown."""
-    return float(x) if abs(float(x)) < float("inf") else None
 
 
 def _place_of(wall: WallLine) -> str:

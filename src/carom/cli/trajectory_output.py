@@ -14,7 +14,7 @@ from rich.table import Table
 from rich.text import Text
 
 from carom.cli.console import out
-from carom.formatting import format_number
+from carom.formatting import format_number, json_value
 from carom.simulation.budget import budget
 from carom.simulation.narrate import cushion_side, describe_run, with_count
 from carom.simulation.records import kind_names
@@ -257,12 +257,4 @@ def _listed(lines: list[str]) -> str:
 
 
 def _line(value: Any) -> str:
-    return json.dumps(_finite(value), allow_nan=False)
-
-
-def _finite(value: Any) -> Any:
-    if isinstance(value, float):
-        return value if math.isfinite(value) else None
-    if isinstance(value, dict):
-        return {key: _finite(part) for key, part in value.items()}
-    return [_finite(part) for part in value] if isinstance(value, (list, tuple)) else value
+    return json.dumps(json_value(value), allow_nan=False)

@@ -5,12 +5,12 @@ Read from the models of :mod:`carom.scene`, so that a bound stands in one place.
 
 from __future__ import annotations
 
-import math
 from types import UnionType
 from typing import Annotated, Any, Literal, Union, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
+from carom.formatting import json_value
 from carom.scene.ball import SceneBall
 from carom.scene.pockets import Pockets
 from carom.scene.restitution import Constant, Exponential, Han2005, Polynomial, Power, Viscoelastic
@@ -79,8 +79,8 @@ def _described(annotation: Any, metadata: list[Any]) -> dict[str, Any]:  # noqa:
     number = next((one for one in checks if isinstance(one, Number)), None)
     if number is not None:
         return {
-            "kind": "number", "what": number.what, "unit": number.unit, "least": _bound(number.least), "most": _bound(number.most),
-            "above": number.above, "infinite": number.infinite,
+            "kind": "number", "what": number.what, "unit": number.unit,
+            "least": json_value(number.least), "most": json_value(number.most), "above": number.above, "infinite": number.infinite,
         }  # fmt: skip
     if get_origin(annotation) is Literal:
         return {"kind": "choice", "values": list(get_args(annotation))}
@@ -89,7 +89,3 @@ def _described(annotation: Any, metadata: list[Any]) -> dict[str, Any]:  # noqa:
     if annotation is str:
         return {"kind": "text"}
     return {"kind": "whole"} if annotation is int else {"kind": "number"} if annotation is float else {"kind": "part"}
-
-
-def _bound(x: float) -> float | None:
-    return x if math.isfinite(x) else None

@@ -18,7 +18,8 @@ from numpy.typing import NDArray
 from carom.fitting.data import Problem
 from carom.fitting.evidence import UNLIKELY
 from carom.fitting.model import feels_spins
-from carom.fitting.result import Fit, finite
+from carom.fitting.result import Fit
+from carom.formatting import json_value
 from carom.public.renamed import renamed_attribute
 
 __all__ = ["Adequacy", "Coverage", "adequacy", "coverage", "nothing_along_the_wall"]
@@ -59,8 +60,8 @@ class Adequacy:
     def as_dict(self) -> dict[str, object]:
         """Return the tests for JSON."""
         return {
-            "chi2_probability": finite(self.chi2_probability),
-            "residual_pattern_probability": finite(self.pattern_probability),
+            "chi2_probability": json_value(self.chi2_probability),
+            "residual_pattern_probability": json_value(self.pattern_probability),
             "residual_pattern": self.pattern or None,
         }
 

@@ -21,10 +21,11 @@ from carom.fitting.model import SETTING_NUMBERS
 from carom.fitting.outliers import Outlier, outliers_of
 from carom.fitting.parameters import FORMS
 from carom.fitting.profile_likelihood import with_profiles
-from carom.fitting.result import Fit, finite, with_error_bar
+from carom.fitting.result import Fit, with_error_bar
 from carom.fitting.setting import Setting, require_settings
 from carom.fitting.uncertainty import with_bootstrap, with_shared
 from carom.fitting.usable_rows import usable_rows
+from carom.formatting import json_value
 from carom.laws.registry import one_or_several
 
 __all__ = ["Outlier", "Ranking", "fit_laws"]
@@ -89,7 +90,7 @@ class Ranking(RankedLaws[Fit]):
         """Return the ranking for JSON: numbers in full precision, None where there is none."""
         problem, found = self.best.problem, super().as_dict()
         for one, said in zip(self.ranked, found["ranking"], strict=True):
-            said["cross_validated_log_score"] = finite(one.score)
+            said["cross_validated_log_score"] = json_value(one.score)
         return found | {
             "fits": self.fits,
             "enlarge_error_bars": self.enlarge,

@@ -14,9 +14,10 @@ from carom.fitting.laws import FittedLaw
 from carom.fitting.likelihood import TabulatedLaw
 from carom.fitting.model import STEPS, FitModel, model_of, predict_law
 from carom.fitting.parameters import FORMS, INDEX, NUMBERS
+from carom.formatting import json_value
 
 __all__ = [
-    "Estimate", "Fit", "common_dict", "estimate_dict", "finite", "refit", "rows_of_fit", "scaled", "with_error_bar",
+    "Estimate", "Fit", "common_dict", "estimate_dict", "refit", "rows_of_fit", "scaled", "with_error_bar",
     "without_estimate", "working_model",
 ]  # fmt: skip
 
@@ -137,7 +138,7 @@ class Fit:
     def as_dict(self) -> dict[str, Any]:
         """Return what JSON holds of the fit."""
         return common_dict(self) | {
-            "bic": finite(self.bic),
+            "bic": json_value(self.bic),
             "restitution": self.restitution,
             "scatter": self.scatter,
             "contact_scatter": None if self.contact_scatter is None else estimate_dict(self.contact_scatter),
@@ -190,20 +191,15 @@ def refit(
     return found.p, found.value
 
 
-def finite(value: float | None) -> float | None:
-    """Return a finite number, or None."""
-    return float(value) if value is not None and math.isfinite(value) else None
-
-
 def estimate_dict(estimate: Estimate) -> dict[str, Any]:
     """Return an estimate for JSON."""
-    found: dict[str, Any] = {"value": finite(estimate.value), "stderr": finite(estimate.stderr)}
+    found: dict[str, Any] = {"value": json_value(estimate.value), "stderr": json_value(estimate.stderr)}
     if estimate.interval_68 and estimate.interval_95:
         found |= {"interval_68": list(estimate.interval_68), "interval_95": list(estimate.interval_95)}
     if estimate.bootstrap is not None:
-        found["bootstrap_stderr"] = finite(estimate.bootstrap)
+        found["bootstrap_stderr"] = json_value(estimate.bootstrap)
     if estimate.shared is not None:
-        found["shared_stderr"] = finite(estimate.shared)
+        found["shared_stderr"] = json_value(estimate.shared)
     if estimate.note:
         found["note"] = estimate.note
     return found
@@ -211,11 +207,10 @@ def estimate_dict(estimate: Estimate) -> dict[str, Any]:
 
 def common_dict(fit: Any) -> dict[str, Any]:
     """Return for JSON what fits to rebounds and to whole tracks have in common."""
-    rows = [[finite(x) for x in row] for row in fit.covariance.tolist()]
     return {
-        "law": fit.law.name, "aicc": finite(fit.aicc), "chi2": finite(fit.chi2), "dof": fit.dof,
+        "law": fit.law.name, "aicc": json_value(fit.aicc), "chi2": json_value(fit.chi2), "dof": fit.dof,
         "parameters": {name: estimate_dict(estimate) for name, estimate in fit.estimates.items()},
-        "covariance": {"names": list(fit.names), "matrix": rows},
+        "covariance": {"names": list(fit.names), "matrix": json_value(fit.covariance)},
     }  # fmt: skip
 
 

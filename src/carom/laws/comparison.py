@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 
 from carom.bodies import Ball, State, Surface, kinetic_energy
 from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, checked_number, require_type, suggestion
-from carom.formatting import format_number, html_table
+from carom.formatting import format_number, html_table, json_value
 from carom.laws.arrays import require_approach
 from carom.laws.law import LIKE_SOLIDS, Answer, Law, Meeting, holds_everywhere
 from carom.laws.registry import law_named, one_or_several
@@ -202,17 +202,20 @@ class Verdict:
     def as_dict(self) -> dict[str, Any]:
         """Return the verdict as JSON has it: NaN as None, infinity as the string "inf"."""
         steps = None if self.answer is None else self.answer.steps
-        flight = None if steps is None else {key: plain(x) for key, x in vars(steps.flight).items()}
+        flight = None if steps is None else json_value(steps.flight, infinite=True)
         wall = steps.wall if isinstance(steps, TwoStep) else None
         return {
             "law": self.law,
             "after_wall": state_dict(self.after_wall),
             "final": state_dict(self.final),
-            "angle_after_wall_deg": plain(self.angle_after_wall_deg),
-            "reflection_angle_deg": plain(self.reflection_angle_deg),
-            "energy_ratio_after_wall": plain(self.energy_ratio_after_wall),
-            "energy_ratio": plain(self.energy_ratio),
-            "required_friction": {"wall": plain(self.required_wall), "floor": plain(self.required_floor)},
+            "angle_after_wall_deg": json_value(self.angle_after_wall_deg, infinite=True),
+            "reflection_angle_deg": json_value(self.reflection_angle_deg, infinite=True),
+            "energy_ratio_after_wall": json_value(self.energy_ratio_after_wall, infinite=True),
+            "energy_ratio": json_value(self.energy_ratio, infinite=True),
+            "required_friction": {
+                "wall": json_value(self.required_wall, infinite=True),
+                "floor": json_value(self.required_floor, infinite=True),
+            },
             "regime": {"wall": wall and wall.regime, "floor": steps and steps.floor.regime},
             "flight": flight,
             "after_floor": None if steps is None else state_dict(steps.after_floor),
@@ -285,12 +288,12 @@ class Comparison:
             "laws": [verdict.as_dict() for verdict in self.verdicts],
             "settings": {
                 "ball": {"radius": m.ball.radius, "mass": m.ball.mass, "kappa": m.ball.kappa},
-                "wall": {**{key: plain(x) for key, x in vars(m.wall).items()}, "normal": m.normal.tolist()},
-                "floor": {key: plain(x) for key, x in vars(m.floor).items()},
+                "wall": {**json_value(m.wall, infinite=True), "normal": m.normal.tolist()},
+                "floor": json_value(m.floor, infinite=True),
                 "gravity": m.gravity,
                 "height": m.height,
                 "floor_contact": m.floor_contact,
-                "stiffness_ratio": plain(m.stiffness_ratio),
+                "stiffness_ratio": json_value(m.stiffness_ratio, infinite=True),
             },
         }
 
@@ -405,13 +408,6 @@ def _angle(meeting: Meeting, state: State) -> float | None:
 def _known(x: ArrayLike) -> float | None:
     value = float(np.asarray(x))
     return None if math.isnan(value) else value
-
-
-def plain(x: Any) -> Any:
-    """Return a number for JSON: None for NaN and None, "inf" for infinity."""
-    if x is None or math.isnan(x):
-        return None
-    return ("inf" if x > 0 else "-inf") if math.isinf(x) else float(x)
 
 
 def state_dict(state: State | None) -> dict[str, Any] | None:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
+from carom.formatting import json_value
 from carom.scene.scene import Scene
 from carom.scene.schema import Model
 
@@ -42,14 +42,4 @@ def scene_dict(scene: Scene) -> dict[str, Any]:
 
 def plain_model(model: Model) -> Any:
     """Return a model as lists, dicts and numbers; infinity is the string "inf"."""
-    return _finite(model.model_dump(mode="json"))
-
-
-def _finite(value: Any) -> Any:
-    if isinstance(value, dict):
-        return {key: _finite(one) for key, one in value.items()}
-    if isinstance(value, list):
-        return [_finite(one) for one in value]
-    if isinstance(value, float) and math.isinf(value):
-        return "inf" if value > 0 else "-inf"
-    return value
+    return json_value(model.model_dump(mode="json"), infinite=True)

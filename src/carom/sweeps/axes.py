@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.errors import CaromError, Fault, shown, suggestion
 from carom.files import import_optional
+from carom.formatting import json_value
 from carom.public.own_laws import OwnLaw
 from carom.public.renamed import renamed_arguments, renamed_attribute
 
@@ -293,15 +294,7 @@ def axis_to_data(axis: Axis) -> Any:
         even = _without_rounding(np.linspace(values[0], values[-1], len(values)))
         if np.array_equal(even, values):
             return {"linspace": [float(values[0]), float(values[-1]), len(values)], **named}
-    return {"values": [_plain(one) for one in values.tolist()], **named}
-
-
-def _plain(value: Any) -> Any:
-    if isinstance(value, list):
-        return [_plain(one) for one in value]
-    if isinstance(value, float) and math.isinf(value):
-        return "inf" if value > 0 else "-inf"
-    return value
+    return {"values": json_value(values, infinite=True), **named}
 
 
 def from_plain(value: Any) -> Any:

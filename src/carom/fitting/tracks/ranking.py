@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.files import require_library
 from carom.fitting.evidence import DECIDED, LEANS, Evidence, Ranked, RankedLaws, odds_in_words, verdict_words, weigh
-from carom.fitting.result import finite
 from carom.fitting.setting import Setting, require_settings
 from carom.fitting.tracks.errors import ERROR_TOO_SMALL
 from carom.fitting.tracks.fit import starting_numbers
@@ -22,6 +21,7 @@ from carom.fitting.tracks.result import TrackFit
 from carom.fitting.tracks.search import fit_track_law
 from carom.fitting.tracks.segments import find_segments
 from carom.fitting.tracks.stages import distances_through_contacts, failing_part
+from carom.formatting import json_value
 from carom.laws.registry import one_or_several
 from carom.tracks.measurement import Measured
 
@@ -67,7 +67,7 @@ class TrackRanking(RankedLaws[TrackFit]):
         return super().as_dict() | {
             "follows": best.follows,
             "closer_in": None if self.closer is None else {"shots": self.closer[0], "of": self.closer[1]},
-            "chance": finite(self.chance),
+            "chance": json_value(self.chance),
             "distance_through_contacts": self.distances.tolist(),
             "noise": best.noise,
             "noise_given": best.known,

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 
 from carom.fitting.evidence import UNLIKELY
 from carom.fitting.laws import FittedLaw
-from carom.fitting.result import Estimate, common_dict, finite
+from carom.fitting.result import Estimate, common_dict
 from carom.fitting.tracks.model import TrackModel
 from carom.fitting.tracks.objective import SIDESPIN, SegmentArrays, Starts, spin_loss
+from carom.formatting import json_value
 from carom.simulation.simulate import simulate
 from carom.simulation.trajectory import Trajectory
 
@@ -131,5 +132,5 @@ class TrackFit:
             "numbers_adjusted": self.k,
             "rms": self.rms(),
             "median_rms": self.median_rms,
-            "held": {name: finite(value) for name, value in self.model.held.items()},
+            "held": json_value(self.model.held),
         }
