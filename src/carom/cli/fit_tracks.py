@@ -13,8 +13,8 @@ from carom.cli.options import parse_length
 from carom.errors import CaromError, shortened_list
 
 if TYPE_CHECKING:
-    from carom.fitting import Setting
-    from carom.fitting.tracks import TrackRanking
+    from carom.fitting import Ranked, Setting
+    from carom.fitting.tracks import TrackFit, TrackRanking
     from carom.tracks.formats.text_table import Calibration
 
 __all__ = ["TRACK_NUMBERS", "TrackOptions", "fit_track_files"]
@@ -86,50 +86,24 @@ def _page(ranking: TrackRanking, files: Sequence[Path], page: Path) -> Path:
 
 
 def _show(ranking: TrackRanking) -> None:
-    """Print the ranking as a table, and the sentences below it."""
-    from rich import box
-    from rich.table import Table
-    from rich.text import Text
-
+    """Print a ranking of fits to whole tracks."""
     from carom.cli.console import out
-    from carom.cli.ranking_output import show_unidentified
+    from carom.cli.ranking_output import print_ranking
     from carom.fitting.result import with_error_bar
     from carom.formatting import counted
 
-    console, best = out(), ranking.best
-    tracks = best.frames.segments
-    console.print(
+    best, tracks = ranking.best, ranking.best.frames.segments
+    out().print(
         f"{counted(len(tracks), 'track segment')}, {counted(sum(len(one.contacts) for one in tracks), 'contact')},"
         f" {int(best.frames.count.sum()):,} frames; noise {1e3 * best.noise:.3g} mm {'as given' if best.known else 'estimated'}"
     )
-    table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
-    for head, side in (
-        ("law", "left"),
-        ("ΔAICc", "right"),
-        ("chi²/dof", "right"),
-        ("RMS, mm", "right"),
-        ("parameters", "left"),
-    ):
-        table.add_column(head, justify=side, no_wrap=head != "parameters")  # type: ignore[arg-type]
-    for fit in ranking.fits:
-        numbers = ", ".join(
-            f"{name} {with_error_bar(estimate)}"
-            for name, estimate in fit.estimates.items()
-            if not name.startswith("wall_")
-        )
-        table.add_row(
-            fit.law.name,
-            f"{fit.aicc - best.aicc:.1f}",
-            f"{fit.chi2:.4g}/{fit.dof:.0f}" if fit.known else "–",
-            f"{1e3 * fit.median_rms:.3g}",
-            numbers,
-            style="bold" if fit is best else None,
-        )
-    console.print(table)
-    console.print(
-        f"{ranking.aicc_note}\n"
-        f"RMS: median of the segments; {best.law.name} over all {1e3 * best.rms():.3g} mm. Wall positions: --json, --report",
-        style="dim",
-    )
-    console.print(Text(ranking.verdict, style="bold green" if ranking.decisive else "bold yellow"), soft_wrap=True)
-    show_unidentified(dict.fromkeys(s for fit in ranking.fits for s in fit.degenerate))
+
+    def cells(one: Ranked[TrackFit]) -> tuple[str, ...]:
+        fit = one.fit
+        known = [f"{name} {with_error_bar(e)}" for name, e in fit.estimates.items() if not name.startswith("wall_")]
+        chi2 = f"{fit.chi2:.4g}/{fit.dof:.0f}" if fit.known else "–"
+        return chi2, f"{1e3 * fit.median_rms:.3g}", ", ".join(known)
+
+    over_all = f"{best.law.name} over all {1e3 * best.rms():.3g} mm"
+    more = f"\nRMS: median of the segments; {over_all}. Wall positions: --json, --report"
+    print_ranking(ranking, ("chi²/dof", "RMS, mm"), cells, more)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import html
 import io
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -19,6 +19,7 @@ __all__ = ["plot_design", "plot_fit", "plot_laws", "plot_residuals", "write_repo
 
 if TYPE_CHECKING:
     from carom.fitting import Fit, Ranked, Ranking
+    from carom.fitting.tracks import TrackRanking
 
 
 SHOWN = 4  # laws in one picture
@@ -247,19 +248,26 @@ def _cell(text: str, number: bool = True) -> str:
     return f'<td class="n">{text}</td>' if number else f"<td>{text}</td>"
 
 
+def table_of_laws(ranking: Ranking | TrackRanking, heads: Sequence[str], cells: Callable[[Any], Sequence[str]]) -> str:
+    """Return the table of laws, best first; ``cells`` of a ranked fit: one for each of ``heads``, and the parameters."""
+    rows = []
+    for one in ranking.ranked:
+        law, (*numbers, parameters) = one.fit.law, cells(one)
+        made = _cell(f"<b>{law.name}</b><br>{html.escape(law.words)}", False)
+        made += "".join(map(_cell, (f"{one.fit.aicc - ranking.best.aicc:.1f}", *numbers))) + _cell(parameters, False)
+        rows.append(f'<tr class="{"best" if one is ranking.ranked[0] else ""}">{made}</tr>')
+    head = "".join(f"<th>{head}</th>" for head in ("law", "ΔAICc", *heads, "parameters"))
+    return f'<div class="wide"><table><tr>{head}</tr>{"".join(rows)}</table></div>'
+
+
 def _estimate(estimate: Any) -> str:
     return html.escape(with_error_bar(estimate, interval=True))
 
 
-def tabled(heads: list[str], rows: list[str]) -> str:
-    head = "".join(f"<th>{head}</th>" for head in heads)
-    return f'<div class="wide"><table><tr>{head}</tr>{"".join(rows)}</table></div>'
-
-
 def _laws(ranking: Ranking) -> str:
-    rows = []
-    least, least_bic = ranking.best.aicc, min(one.fit.bic for one in ranking.ranked)
-    for i, one in enumerate(ranking.ranked):
+    least_bic = min(one.fit.bic for one in ranking.ranked)
+
+    def cells(one: Ranked[Fit]) -> tuple[str, ...]:
         fit = one.fit
         numbers = "<br>".join(f"{html.escape(n)} {_estimate(e)}" for n, e in fit.estimates.items()) or "none"
         if fit.contact_scatter is not None:
@@ -267,17 +275,13 @@ def _laws(ranking: Ranking) -> str:
         elif fit.scatter:
             numbers += "<br>scatter: " + ", ".join(f"{n} {s:.3g}" for n, s in fit.scatter.items())
         goodness = "–" if fit.scatter or fit.dof <= 0 else f"{fit.chi2:.1f} / {fit.dof}"
-        cells = _cell(f"<b>{fit.law.name}</b><br>{html.escape(fit.law.words)}", False) + _cell(
-            f"{fit.aicc - least:.1f}"
+        weight, score = (
+            f"{one.weight:.3g}" if one.weight >= 1e-6 else "0",
+            "–" if math.isnan(one.score) else f"{one.score:.3f}",
         )
-        cells += (
-            _cell(f"{fit.bic - least_bic:.1f}")
-            + _cell(f"{one.weight:.3g}" if one.weight >= 1e-6 else "0")
-            + _cell(goodness)
-        )
-        cells += _cell("–" if math.isnan(one.score) else f"{one.score:.3f}") + _cell(numbers, False)
-        rows.append(f'<tr class="{"best" if i == 0 else ""}">{cells}</tr>')
-    return tabled(["law", "ΔAICc", "ΔBIC", "weight", "chi² / dof", "CV log score", "parameters"], rows)
+        return f"{fit.bic - least_bic:.1f}", weight, goodness, score, numbers
+
+    return table_of_laws(ranking, ("ΔBIC", "weight", "chi² / dof", "CV log score"), cells)
 
 
 def listed(title: str, lines: list[str]) -> str:

@@ -10,10 +10,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from carom.fitting.result import with_error_bar
-from carom.plot.fit import PAGE, SHOWN, listed, svg, tabled
+from carom.plot.fit import PAGE, SHOWN, listed, svg, table_of_laws
 from carom.plot.style import GREY, INK, law_styles, literal, new_figure, style
 
 if TYPE_CHECKING:
+    from carom.fitting import Ranked
     from carom.fitting.tracks import TrackFit, TrackRanking
 
 __all__ = ["plot_tracks", "write_track_report"]
@@ -124,18 +125,13 @@ def _over_time(axes: Any, fit: TrackFit) -> None:
 
 
 def _laws(ranking: TrackRanking) -> str:
-    rows = []
-    least = ranking.best.aicc
-    for i, fit in enumerate(ranking.fits):
+    def cells(one: Ranked[TrackFit]) -> tuple[str, ...]:
+        fit = one.fit
         numbers = "<br>".join(f"{name} {html.escape(with_error_bar(e))}" for name, e in fit.estimates.items())
         goodness = f"{fit.chi2:.5g} / {fit.dof:.0f}" if fit.known else "–"
-        cells = f"<td><b>{fit.law.name}</b><br>{html.escape(fit.law.words)}</td>"
-        cells += f'<td class="n">{fit.aicc - least:.1f}</td><td class="n">{goodness}</td>'
-        cells += (
-            f'<td class="n">{1e3 * fit.median_rms:.3g}</td><td class="n">{1e3 * fit.rms():.3g}</td><td>{numbers}</td>'
-        )
-        rows.append(f'<tr class="{"best" if i == 0 else ""}">{cells}</tr>')
-    return tabled(["law", "ΔAICc", "chi² / dof", "median RMS, mm", "RMS, mm", "parameters"], rows)
+        return goodness, f"{1e3 * fit.median_rms:.3g}", f"{1e3 * fit.rms():.3g}", numbers
+
+    return table_of_laws(ranking, ("chi² / dof", "median RMS, mm", "RMS, mm"), cells)
 
 
 def write_track_report(ranking: TrackRanking, source: str, path: str | Path) -> Path:
@@ -154,7 +150,7 @@ def write_track_report(ranking: TrackRanking, source: str, path: str | Path) -> 
         f"<p>{len(tracks)} track segments, {contacts} contacts, {int(best.frames.count.sum()):,} frames; each segment is simulated"
         f" from its own start. Ball of radius {ball}.</p>",
         svg(plot_tracks(ranking)), "<h2>The laws, best first</h2>", _laws(ranking),
-        listed("Unconstrained parameters", [s for fit in ranking.fits for s in fit.degenerate]),
+        listed("Unconstrained parameters", ranking.degenerate),
         listed("Notes", list(ranking.notes)),
         f"<footer>carom {__version__}. {ranking.aicc_note} wall_left, ...: position at which"
         " the ball's centre is reflected, m.</footer>",
