@@ -152,7 +152,7 @@ class Gas:
     def _begin(self, arrays: GasArrays) -> None:
         self.arrays = arrays  # of the engine; not to be changed from outside
         self._time = engine.time_of_last_event(self.arrays)
-        self.cpu_seconds = 0.0  # of the event loop
+        self.cpu_seconds, self._compiled = 0.0, False  # of the event loop
         self.ended_early: EarlyEnd | None = None  # why the last run ended before the collisions or the time asked for
 
     @property
@@ -281,6 +281,9 @@ class Gas:
         faults.raise_if_any()
         most = 1 << 62 if collisions is None else int(collisions)
         before, done, self.ended_early = self.collisions, 0, None
+        if not self._compiled:  # (nothing happens before that time: this compiles the loop, whose time is not measured)
+            engine.advance(self.arrays, -1.0, 1)
+            self._compiled = True
         while done < most:
             begin = clocks.thread_time()
             # (a number of the type float: a whole one would have the loop compiled again)

@@ -7,6 +7,7 @@ is in :func:`carom.gas.channels` and :class:`carom.gas.GasRun`.
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -320,7 +321,7 @@ class Measures:
 
     @classmethod
     def restore(
-        cls, gas: Gas, names: tuple[str, ...], container: Container | None, state: dict[str, NDArray[Any]]
+        cls, gas: Gas, names: tuple[str, ...], container: Container | None, state: Mapping[str, NDArray[Any]]
     ) -> Measures:
         """Return the measures with a :meth:`state`, to continue."""
         found = cls(gas, names, container)

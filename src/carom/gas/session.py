@@ -87,8 +87,6 @@ class Session:
         self.outputs: dict[str, str] = {}  # options that name files of the run, for those who resume it
         self.max_wait = _max_wait(scene, gas)
         self.oscillations = sorted({one.frequency or 0.0 for one in scene.drives if one.amplitude > 0})
-        # this advances nothing, but compiles the loop, whose time is not measured
-        gas.advance(1, until=-1.0)
         self.names = tuple(one.name for one in scene.species)
 
     # --- progress ------------------------------------------------------------------------------------------------
@@ -318,14 +316,14 @@ class Session:
         if compiling is not None:
             compiling()
         found = object.__new__(cls)
-        found._set(scene, Gas.restore(_GasPart(state)))
+        found._set(scene, Gas.restore(_Part(state, "gas.")))
         found.first_collision, found.last_sample_collisions, found.sample_interval, found.snapshots_taken, timed = map(
             int, state["session"]
         )
         found.sample_due, found.last_sample_time, found.snapshot_due = map(float, state["clock"])
         found.snapshots_by_time = bool(timed)
         found.mark, found.measures = None, None
-        if (kept := _part(state, "mark.")) and (measures := _part(state, "measures.")):
+        if (kept := _Part(state, "mark.")) and (measures := _Part(state, "measures.")):
             *energy, time, cpu = map(float, kept["numbers"])
             found.mark = Mark(
                 kept["system"][0],
@@ -357,22 +355,17 @@ def _max_wait(scene: GasScene, gas: Gas) -> float:
     return 30 * side / speed if speed > 0 and collides else math.inf
 
 
-def _part(state: Mapping[str, NDArray[Any]], prefix: str) -> State:
-    """Return the arrays whose names have a prefix, by the rest of the name."""
-    return {name.removeprefix(prefix): state[name] for name in state if name.startswith(prefix)}
+class _Part(Mapping[str, NDArray[Any]]):
+    """The arrays whose names have a prefix, by the rest of the name; none is read before it is asked for."""
 
-
-class _GasPart(Mapping[str, NDArray[Any]]):
-    """The arrays of the gas by their own names, none of them read before it is asked for."""
-
-    def __init__(self, state: Mapping[str, NDArray[Any]]) -> None:
-        self._state = state
+    def __init__(self, state: Mapping[str, NDArray[Any]], prefix: str) -> None:
+        self._state, self._prefix = state, prefix
 
     def __getitem__(self, name: str) -> NDArray[Any]:
-        return self._state[f"gas.{name}"]
+        return self._state[self._prefix + name]
 
     def __iter__(self) -> Iterator[str]:
-        return (name.removeprefix("gas.") for name in self._state if name.startswith("gas."))
+        return (name.removeprefix(self._prefix) for name in self._state if name.startswith(self._prefix))
 
     def __len__(self) -> int:
         return sum(1 for _ in self)

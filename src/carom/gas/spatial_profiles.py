@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -182,7 +182,7 @@ class Profiles:
         """Return all that was counted, as arrays."""
         return {name: np.array(getattr(self, name)) for name in STATE}
 
-    def restore(self, state: dict[str, NDArray[Any]]) -> None:
+    def restore(self, state: Mapping[str, NDArray[Any]]) -> None:
         """Continue with a :meth:`state`; that of an earlier version has none, and the counts begin anew."""
         if not any(name in state for name in STATE):
             return
