@@ -44,7 +44,7 @@ def rows_where(
         rows = cells == value
         if not rows.any():
             known = list(dict.fromkeys(sorted(cells.tolist())))
-            wanted = f"one of its values ({shortened_list(known)})"
+            wanted = f"one of its values ({shortened_list([one or 'an empty text' for one in known])})"
             faults.add(f"`where` {name}", wanted, repr(value), did_you_mean(value, known))
         keep &= rows
     if not faults and not keep.any():

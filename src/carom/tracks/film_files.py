@@ -183,6 +183,20 @@ def rebounds_of_films(
     ------
     CaromError
         As :func:`measure_films`, and if no film has a contact that can be measured.
+
+    Examples
+    --------
+    >>> import pathlib, tempfile
+    >>> import numpy as np
+    >>> from carom.tracks import Settings
+    >>> t = np.arange(40) / 200
+    >>> y = np.where(t < 0.1, 2 * (0.1 - t), 1.6 * (t - 0.1)) - 9.81 / 2 * (t - 0.1) ** 2
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = pathlib.Path(folder) / "throw.csv"
+    ...     np.savetxt(path, np.stack([t, 0.5 * t, y], axis=-1), delimiter=",", header="t [s],x [m],y [m]", comments="")
+    ...     table = rebounds_of_films([path], settings=Settings(view="side", noise=1e-4))
+    >>> len(table), table["v_n_in"].round(2)
+    (1, array([2.]))
     """
     films = measure_films(paths, calibration, settings, format=format, wall=wall, progress=progress)
     notes = films.notes
