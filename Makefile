@@ -10,7 +10,7 @@ doctest:
 lint:
 	ruff check . && ruff format --check . && mypy && lint-imports
 docs:
-	sphinx-build -q -j auto -W --keep-going -b html docs docs/_build/html
+	sphinx-build -q -j 4 -W --keep-going -b html docs docs/_build/html
 # the explorer's WebAssembly module, from today's kernels (extra wasm)
 wasm:
 	python -m carom.explorer.build

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import fcntl
 import json
 import os
 from functools import cache
@@ -16,15 +17,20 @@ from carom.files import write_text
 def records() -> list[dict[str, Any]]:
     """Return every entry as ``carom derive --json`` prints it, with its ``section``, in the order of the derivation."""
     shared = os.environ.get("CAROM_DOCS_SHARED")  # a folder of this build (conf.py)
-    file = Path(shared) / "paper.json" if shared else None
-    if file is not None and file.exists():
+    if not shared:
+        return _derived()
+    file = Path(shared) / "paper.json"
+    with open(Path(shared) / "paper.lock", "w") as lock:  # one page derives them, another one waits
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        if not file.exists():
+            write_text(file, json.dumps(_derived()))
         found: list[dict[str, Any]] = json.loads(file.read_text(encoding="utf-8"))
         return found
-    found = [
+
+
+def _derived() -> list[dict[str, Any]]:
+    return [
         {"section": section, **paper.as_record(entry, paper.judge(entry))}
         for _, build, _, section in paper.STAGES
         for entry in build()
     ]
-    if file is not None:
-        write_text(file, json.dumps(found))
-    return found

@@ -1,4 +1,4 @@
-"""The pages of the docs name files and functions that exist: what they include from the sources, import in cells, and refer to."""
+"""The pages of the docs name files and functions that exist: what they include from the sources, import in cells, list and refer to."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from pathlib import Path
 ROOT = Path(__file__).parents[1]
 PAGES = [page for page in sorted((ROOT / "docs").rglob("*.md")) if "_build" not in page.parts]
 INCLUDED = re.compile(r"literalinclude\} (\S+)\n(?:(?!```).*\n)*?:pyobject: (\S+)")
+MEMBERS = re.compile(r"automodule:: (carom[\w.]*)\n(?: +:.*\n)*? +:members: (\w.*)")
 IMPORTED = re.compile(r"^from (carom[\w.]*) import ([\w, ]+)$", re.MULTILINE)
 REFERRED = re.compile(r"\{py:\w+\}`~?(carom\.[\w.]+)`")
 
@@ -50,6 +51,7 @@ def test_imported_and_referred_names_exist() -> None:
     for page in PAGES:
         text = page.read_text(encoding="utf-8")
         names |= {f"{module}.{one.split()[0]}" for module, some in IMPORTED.findall(text) for one in some.split(",")}
+        names |= {f"{module}.{one.strip()}" for module, some in MEMBERS.findall(text) for one in some.split(",")}
         names |= set(REFERRED.findall(text))
     assert len(names) > 50
     assert not sorted(name for name in names if not exists(name))
