@@ -26,6 +26,7 @@ from .data import rebounds as rebounds
 from .data.predict import predict as predict
 from .errors import CaromError as CaromError
 from .explorer.page import explore as explore
+from .fitting.fit_files import fit as fit
 from .laws.comparison import Comparison as Comparison
 from .laws.comparison import Verdict as Verdict
 from .laws.comparison import compare as compare

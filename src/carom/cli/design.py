@@ -84,7 +84,6 @@ def design(
     from carom.fitting import Setting
     from carom.fitting.design import Shots, require_plan
     from carom.fitting.design import design as plan_shots
-    from carom.fitting.parameters import FORMS, INDEX
 
     faults: list[str] = []
     kappa = attempt(faults, parse_inertia, inertia)
@@ -92,10 +91,9 @@ def design(
         None if name == "--spins" and text == "unknown" else attempt(faults, _range, name, text)
         for name, text in (("--angles", angles), ("--speeds", speeds), ("--spins", spins))
     ]
-    known = sorted({*INDEX, *(p.name for form in FORMS.values() for p in form.parameters)})
     numbers = {
         name: attempt(faults, parse_number, "--truth", name, text)
-        for name, text in parse_assignments(faults, "--truth", truth, known)
+        for name, text in parse_assignments(faults, "--truth", truth)
     }
     prior = attempt(faults, parse_spin, spin) or {}
     if spin is not None and file is None:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.cli.common import attempt, require_outputs, tell, write_report_page
+from carom.cli.fit_tracks import show_whole, write_whole_page
 from carom.cli.option_names import with_options
 from carom.cli.options import (
     OUTPUT,
@@ -17,21 +18,16 @@ from carom.cli.options import (
     comma_separated,
     parse_assignments,
     parse_bounds,
-    parse_inertia,
     parse_length,
     parse_number,
-    parse_spin,
     shared,
-    unused_options,
 )
 from carom.cli.ranking_output import show
 from carom.errors import CaromError
+from carom.public.defaults import CUSHIONS
 
 if TYPE_CHECKING:
     from rich.console import Console
-
-    from carom.data.rebounds import Rebounds
-    from carom.fitting import Ranking, Setting
 
 DATA, LAWS = REBOUNDS, "Laws"
 
@@ -113,7 +109,7 @@ def fit(
     ] = False,
     cushions: Annotated[
         int, typer.Option(help="With --whole: largest number of contacts followed per ball.", rich_help_panel=DATA)
-    ] = 3,
+    ] = CUSHIONS,
     noise: Annotated[str | None, shared("noise", default="estimated; only with --whole")] = None,
     where: Annotated[
         list[str] | None,
@@ -184,138 +180,50 @@ def fit(
     from carom.files import require_library
 
     require_library("scipy", "fit")
-    from carom.cli.fit_tracks import TrackOptions, fit_track_files
-    from carom.data.published import published_at
-    from carom.data.rebounds import KINDS, STAGES
-    from carom.fitting import Setting, fit_laws
-    from carom.fitting.usable_rows import require_error_bars
-    from carom.tracks.contact import Settings
-    from carom.tracks.film_files import are_films, rebounds_of_files
-    from carom.tracks.formats.text_table import Calibration
+    from carom.fitting.fit_files import check_fit
+    from carom.fitting.fit_files import fit as fit_laws_to
 
-    faults: list[str] = []
-    films = None if whole else attempt(faults, are_films, files)  # (with --whole every file is checked there)
-    kappa = None if inertia is None else attempt(faults, parse_inertia, inertia)
-    prior = attempt(faults, parse_spin, spin, whole) or {}
-    held = _held(faults, fix, bound, whole)
-    attempt(faults, require_error_bars, sigma_v, sigma_spin)
+    faults: list[Any] = []
+    fixed, bounds = _held(faults, fix, bound)
     _pages(faults, report, no_report)
-    faults += unused_options(
-        whole,
-        {"--sigma-v": sigma_v, "--sigma-spin": sigma_spin, "--bootstrap": bootstrap, "--profiles": profiles,
-         "--every-contact": every_contact or None, "--kind": kind, "--stage": stage, "--seed": seed,
-         "--robust": robust or None, "--scatter": scatter,
-         "--roll": None if roll == 1 else roll},
-        {"--noise": noise, "--cushions": cushions if cushions != 3 else None},
-    )  # fmt: skip
-    metres = attempt(faults, parse_length, "scale", scale)
-    names = [name for text in laws or [] for name in comma_separated(text)]
-    faults += _words(names if laws else None, whole, view, kind, stage, bootstrap, seed)
-    own_faults: list[str] = []
-    ours = attempt(own_faults, published_at, files[0])
-    if radius is None and ours is None and not own_faults:
-        faults.append("--radius: expected the ball's radius in m, got none; a table-tennis ball has --radius 0.02")
-    given = {"radius": radius, "kappa": kappa, "contact_height": contact_height, "floor_friction": floor_friction}
-    ball = (
-        {"radius": 1.0}
-        | (ours.setting if ours else {})
-        | {key: value for key, value in given.items() if value is not None}
-    )
-    setting = Setting(
-        **ball,
-        restitution=restitution, floor_restitution=floor_restitution, roll=roll, **prior, **held,
-        fit=tuple(name for text in fit_ or [] for name in comma_separated(text)), robust=robust, scatter=scatter or "",
-    )  # fmt: skip
-    if whole:
-        frames = TrackOptions(view, where or [], cushions, noise, Calibration(scale=metres, rate=rate))
-        return fit_track_files(files, setting, names, frames, report, as_json, faults, _bar)
-    attempt(faults, _checked, setting)
+    options: dict[str, Any] = {
+        "radius": radius, "inertia": inertia, "laws": [name for text in laws for name in comma_separated(text)] if laws else None,
+        "restitution": restitution, "fit": [name for text in fit_ or [] for name in comma_separated(text)], "fix": fixed,
+        "bound": bounds, "robust": robust, "contact_height": contact_height, "floor_friction": floor_friction,
+        "floor_restitution": floor_restitution, "roll": roll, "kind": kind, "stage": stage, "rate": rate,
+        "scale": attempt(faults, parse_length, "scale", scale), "view": view, "whole": whole, "cushions": cushions,
+        "noise": attempt(faults, parse_length, "noise", noise), "where": where or (), "sigma_v": sigma_v,
+        "sigma_spin": sigma_spin, "spin": spin, "every_contact": every_contact, "scatter": scatter, "bootstrap": bootstrap,
+        "profiles": profiles, "seed": seed,
+    }  # fmt: skip
+    if faults:
+        found: list[Any] = []
+        attempt(found, lambda: check_fit(files=files, **options))
+        raise CaromError(*found, *faults)
     console = err()
-    if own_faults or (faults and (ours or films)):  # (before contacts are measured, which takes time)
-        raise CaromError(*faults, *own_faults)
-    rebounds = ours.rebounds if ours else None
-    if films is not None and ours is None:
-        about = Settings(radius=setting.radius, kappa=setting.kappa, view=view)  # type: ignore[arg-type]
-        with _bar(console) as say:
-
-            def read() -> Rebounds:
-                return rebounds_of_files(
-                    files, Calibration(scale=metres, rate=rate), about,
-                    kind=kind if kind in KINDS else None, stage=stage if stage in STAGES else None,  # type: ignore[arg-type]
-                    progress=lambda done, total, text: say(text, done / total),
-                )  # fmt: skip
-
-            rebounds = read() if films else attempt(faults, read)  # (an error of films carries notes)
-    if faults or rebounds is None:
-        raise CaromError(*faults)
-    _read(rebounds, bool(films), {"--scale": scale, "--rate": rate, "--view": view},
-          {"--contact-height": contact_height, "--floor-friction": floor_friction,
-           "--floor-restitution": floor_restitution or None, "--roll": None if roll == 1 else roll})  # fmt: skip
-
-    with _bar(console) as say:
-        ranking = fit_laws(
-            rebounds, setting, names or None, where=where or (), sigma_v=sigma_v, sigma_spin=sigma_spin, spin=spin,
-            every_contact=every_contact, shifted=ours.shifted if ours else (), profiles=profiles, bootstrap=bootstrap,
-            seed=seed or 0, say=say,
-        )  # fmt: skip
-        written = None if report is None else write_report_page(lambda: _page(with_options(ranking), report), say)
-    tell(ranking, show, as_json, console, written)
+    with _bar(console) as progress:
+        ranking = fit_laws_to(files, progress=progress, **options)
+        written = None
+        if report is not None:
+            written = write_report_page(
+                lambda: _page(with_options(ranking), files, report), lambda text, done: progress(done, 1.0, text)
+            )
+    tell(ranking, show_whole if whole else show, as_json, console, written)
 
 
-def _held(faults: list[str], fix: list[str] | None, bound: list[str] | None, whole: bool) -> dict[str, Any]:
-    """Return the parameters that are held, and bounds of the others, as fields of a Setting."""
-    from carom.cli.fit_tracks import TRACK_NUMBERS
-    from carom.fitting.parameters import FORMS, INDEX
-
-    forms = (p.name for form in FORMS.values() for p in form.parameters)
-    known = sorted({*INDEX, *forms, *(TRACK_NUMBERS if whole else ())})
+def _held(
+    faults: list[Any], fix: list[str] | None, bound: list[str] | None
+) -> tuple[dict[str, float], dict[str, tuple[float, float]]]:
+    """Return the parameters that are held, and the bounds of others."""
     fixed = {
         name: attempt(faults, parse_number, "--fix", name, text)
-        for name, text in parse_assignments(faults, "--fix", fix, known)
+        for name, text in parse_assignments(faults, "--fix", fix)
     }
     bounds = {
-        name: attempt(faults, parse_bounds, name, text)
-        for name, text in parse_assignments(faults, "--bound", bound, known)
+        name: attempt(faults, parse_bounds, name, text) for name, text in parse_assignments(faults, "--bound", bound)
     }
-    return {field: {name: value for name, value in given.items() if value is not None}
-            for field, given in (("fixed", fixed), ("bounds", bounds))}  # fmt: skip
-
-
-def _words(
-    names: list[str] | None,
-    whole: bool,
-    view: str | None,
-    kind: str | None,
-    stage: str | None,
-    bootstrap: int | None,
-    seed: int | None,
-) -> list[str]:
-    """Return one line per invalid option, as far as that does not depend on the file."""
-    from carom.data.rebounds import KINDS, STAGES
-    from carom.fitting.laws import unknown_laws
-
-    faults = [f"--laws: {fault.removeprefix('law: ')}" for fault in unknown_laws(names or [])]
-    if names == []:
-        faults.append("--laws: expected names of laws, NAME,NAME, got none; omit the option to fit all laws")
-    if seed is not None and seed < 0:
-        faults.append(f"--seed: expected a whole number >= 0, got {seed}")
-    if view not in (None, "above", "side"):
-        faults.append(f"--view: expected above (a ball on a table) or side (a ball in flight), got {view!r}")
-    if whole:  # (not used)
-        return faults
-    if kind not in (None, *KINDS):
-        faults.append(f"--kind: expected planar or table, got {kind!r}")
-    if stage not in (None, *STAGES):
-        faults.append(f"--stage: expected after_wall or rolling, got {stage!r}")
-    if bootstrap is not None and (bootstrap < 0 or bootstrap == 1):
-        faults.append(f"--bootstrap: expected 0 (none) or a number of draws, 2 or more, got {bootstrap}")
-    return faults
-
-
-def _checked(setting: Setting) -> None:
-    from carom.fitting.setting import require_settings
-
-    require_settings(setting)
+    return ({name: x for name, x in fixed.items() if x is not None},
+            {name: x for name, x in bounds.items() if x is not None})  # fmt: skip
 
 
 def _pages(faults: list[str], report: Path | None, no_report: bool) -> None:
@@ -324,33 +232,22 @@ def _pages(faults: list[str], report: Path | None, no_report: bool) -> None:
         faults.append("--no-report: expected no --report with it, got one; give one of them")
 
 
-def _read(rebounds: Rebounds, track: bool, of_tracks: dict[str, Any], of_tables: dict[str, Any]) -> None:
-    """Raise CaromError for options without effect: options for tracks with rebounds, options for tables with planar rebounds."""
-    faults = (
-        [] if track else [f"{name}: expected a track, got rebounds" for name, x in of_tracks.items() if x is not None]
-    )
-    if rebounds.kind == "planar":
-        said = "expected rebounds of a ball on a table, got planar ones"
-        faults += [f"{name}: {said}" for name, value in of_tables.items() if value is not None]
-    if faults:
-        raise CaromError(*(f"{fault}; omit the option" for fault in faults))
-
-
 @contextmanager
 def _bar(console: Console) -> Iterator[Any]:
     """Show a progress bar on standard error, where that is a terminal."""
     if not console.is_terminal:
-        yield lambda _what, _done: None
+        yield lambda _done, _total, _text: None
         return
     from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
     columns = (BarColumn(), TextColumn("{task.description}", markup=False), TimeElapsedColumn())
     with Progress(*columns, console=console, transient=True) as progress:
         task = progress.add_task("compiling, once", total=1.0)
-        yield lambda what, done: progress.update(task, completed=done, description=what)
+        yield lambda done, total, text: progress.update(task, completed=done / total, description=text)
 
 
-def _page(ranking: Ranking, path: Path) -> Path:
+def _page(ranking: Any, files: list[Path], path: Path) -> Path:
+    from carom.fitting import Ranking
     from carom.plot.fit import write_report
 
-    return write_report(ranking, path)
+    return write_report(ranking, path) if isinstance(ranking, Ranking) else write_whole_page(ranking, files, path)

@@ -29,7 +29,6 @@ __all__ = [
     "parse_with_unit",
     "quantity",
     "shared",
-    "unused_options",
 ]
 
 # Headings in the help, for options of all commands.
@@ -180,18 +179,12 @@ def parse_spin(text: str | None, whole: bool = False) -> dict[str, Any]:
     return spin_of_rows(text)[1]
 
 
-def parse_assignments(
-    faults: list[str], option: str, texts: list[str] | None, known: list[str]
-) -> Iterator[tuple[str, str]]:
-    """Yield names and values of repeated NAME=VALUE; names that are not known become faults."""
-    from carom.errors import suggestion
-
+def parse_assignments(faults: list[Any], option: str, texts: list[str] | None) -> Iterator[tuple[str, str]]:
+    """Yield names and values of repeated NAME=VALUE; the library knows the names."""
     for text in texts or []:
         name, equals, value = text.partition("=")
         if not equals:
             faults.append(f"{option}: expected NAME=..., got {text!r}")
-        elif name not in known:
-            faults.append(f"{option}: expected a parameter of a law, got {name!r}; {suggestion(name, known)}")
         else:
             yield name, value
 
@@ -214,10 +207,3 @@ def parse_bounds(name: str, text: str) -> tuple[float, float]:
     if not found[0] < found[1]:
         raise CaromError(f"--bound: {name}: expected LOW:HIGH, LOW below HIGH, got {text!r}")
     return found
-
-
-def unused_options(whole: bool, of_contacts: dict[str, Any], of_frames: dict[str, Any]) -> list[str]:
-    """Return faults of options without effect: options for contacts with ``--whole``, options for whole tracks without it."""
-    wanted = "no --whole, which fits frames instead of contacts" if whole else "--whole as well"
-    given = of_contacts if whole else of_frames
-    return [f"{name}: expected {wanted}; omit the option" for name, value in given.items() if value is not None]

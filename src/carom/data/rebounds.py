@@ -357,7 +357,7 @@ def read_rebounds(path: str | Path, *, kind: Kind | None = None, stage: str | No
             faults.append(f"{path}: column {header!r}: expected one column for {meaning.quantity}, got two")
         else:
             measured[meaning.quantity] = meaning.unit.to_si(number(i, header))
-    kind = kind or _kind(path, measured, stages is not None, headers, faults)
+    kind = kind or kind_of_columns(path, measured, stages is not None, headers, faults)
     if faults:
         # check the columns as well, to report all problems at once
         try:
@@ -371,7 +371,9 @@ def read_rebounds(path: str | Path, *, kind: Kind | None = None, stage: str | No
     return make_rebounds(kind, measured, stage=stages, extra=extra, rows=rows, source=str(path))
 
 
-def _kind(path: Path, measured: Mapping[str, Array], staged: bool, headers: list[str], faults: list[str]) -> Kind:
+def kind_of_columns(
+    path: Path | str, measured: Mapping[str, Array], staged: bool, headers: list[str], faults: list[str]
+) -> Kind:
     bare = {name.removeprefix("sigma_") for name in measured}
     planar, table = bare & {"spin_in", "spin_out"}, bare & {"spin_z_in", "spin_z_out"}
     if planar and table:

@@ -1,0 +1,341 @@
+"""Laws fitted to files, arrays and films: ``carom fit``, in Python ``carom.fit``."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from carom.bodies import inertia_number
+from carom.data.columns import is_columns
+from carom.data.published import published_at
+from carom.data.rebound_columns import as_rebounds
+from carom.data.rebounds import KINDS, STAGES, Rebounds
+from carom.data.where import Where
+from carom.errors import CaromError, attempt, noting, suggestion
+from carom.files import as_path, require_library
+from carom.fitting.laws import unknown_laws
+from carom.fitting.parameters import FORMS, INDEX
+from carom.fitting.ranking import Ranking, fit_laws
+from carom.fitting.setting import Setting, require_settings
+from carom.fitting.tracks.ranking import TrackRanking, fit_tracks
+from carom.fitting.usable_rows import require_error_bars, spin_of_rows
+from carom.public.defaults import CUSHIONS
+from carom.public.progress import Progress
+from carom.tracks.contact import Settings
+from carom.tracks.film_files import MeasuredFilms, are_films, is_track, rebounds_of_files, tracks_of_films
+from carom.tracks.formats.text_table import Calibration
+
+__all__ = ["TRACK_NUMBERS", "check_fit", "fit"]
+
+TRACK_NUMBERS = ("rolling_resistance", "spin_loss", "wall_left", "wall_right", "wall_bottom", "wall_top")
+"""Parameters of whole tracks that a table of rebounds does not have."""
+MEASURING = 0.4  # of the progress, until all contacts are measured
+
+
+def fit(
+    files: str | Path | Sequence[str | Path] | Rebounds | MeasuredFilms | Any,
+    radius: float | None = None,
+    *,
+    inertia: str | float | None = None,
+    laws: str | Sequence[str] | None = None,
+    restitution: str = "constant",
+    fit: Sequence[str] = (),
+    fix: Mapping[str, float] | None = None,
+    bound: Mapping[str, tuple[float, float]] | None = None,
+    robust: bool = False,
+    contact_height: float | None = None,
+    floor_friction: float | None = None,
+    floor_restitution: float = 0.0,
+    roll: float = 1.0,
+    kind: str | None = None,
+    stage: str | None = None,
+    rate: float | None = None,
+    scale: float | None = None,
+    view: str | None = None,
+    whole: bool = False,
+    cushions: int = CUSHIONS,
+    noise: float | None = None,
+    where: Where = (),
+    sigma_v: float | None = None,
+    sigma_spin: float | None = None,
+    spin: float | str | None = None,
+    every_contact: bool = False,
+    scatter: str | None = None,
+    bootstrap: int | None = None,
+    profiles: bool | None = None,
+    seed: int | None = None,
+    progress: Progress | None = None,
+) -> Ranking | TrackRanking:
+    """Fit the laws of impact to measured rebounds or whole tracks: ``carom fit``, for files and for arrays.
+
+    Parameters
+    ----------
+    files : path, sequence of paths, columns, Rebounds, or films that were measured
+        A table of rebounds, one or more track files, or the name of a published set; or a dict of arrays, a DataFrame, a structured
+        array with the columns of such a table; or what :func:`carom.measure_tracks` returns.
+    radius : float
+        Of the ball, m; a published set has its own.
+    inertia : "solid", "hollow" or I/(m a^2), optional
+    laws : str or sequence of str, optional
+        Names. Default: all laws for this kind of rebound.
+    restitution : str
+        As a function of speed: constant, line, polynomial, viscoelastic, exponential.
+    fit, fix, bound : optional
+        Parameters to fit as well; held ones with their values; bounds of fitted ones.
+    robust : bool
+        Whether errors have heavy tails (Student's t).
+    contact_height, floor_friction, floor_restitution, roll
+        As in :class:`carom.fitting.Setting`.
+    kind, stage : optional
+        Of a table of rebounds, as for :func:`carom.data.read_rebounds`.
+    rate, scale, view : optional
+        Of films: frames per second, metres per unit, "above" or "side".
+    whole : bool
+        Whether whole tracks are fitted, each simulated from its own initial state, with at most ``cushions`` contacts per ball and
+        the ``noise`` of one coordinate, m.
+    where, sigma_v, sigma_spin, spin, every_contact
+        As for :func:`carom.fitting.usable_rows`.
+    scatter : "share" or "absolute", optional
+        Of contacts beyond the error bars.
+    bootstrap, profiles, seed
+        As for :func:`carom.fitting.fit_laws`.
+    progress : callable(done, total, text), optional
+
+    Returns
+    -------
+    Ranking, with ``whole`` TrackRanking
+
+    Raises
+    ------
+    CaromError
+        One line per problem.
+
+    Examples
+    --------
+    >>> import carom
+    >>> v = [1.0, 2.0, 3.0, 4.0]
+    >>> columns = {"v_n_in": v, "v_t_in": v, "spin_in": [0.0] * 4, "v_n_out": [0.81, 1.59, 2.42, 3.18],
+    ...            "v_t_out": [0.71, 1.43, 2.15, 2.85], "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02}
+    >>> carom.fit(columns, 0.02, laws=["sticking", "mirror"], bootstrap=0).best.law.name
+    'sticking'
+    """
+    options = {name: value for name, value in locals().items() if name != "progress"}
+    require_library("scipy", "fit")
+    ready = _checked(**options)
+    film = Calibration(scale=scale, rate=rate)
+    if whole:
+        return _fit_whole(ready, film, where, progress)
+    rebounds = _rebounds(ready, film, kind, stage, view, progress)
+    _require_effect(
+        rebounds, ready.films, {"scale": scale, "rate": rate, "view": view},
+        {"contact_height": contact_height, "floor_friction": floor_friction, "floor_restitution": floor_restitution or None,
+         "roll": None if roll == 1 else roll},
+    )  # fmt: skip
+    return fit_laws(
+        rebounds, ready.setting, ready.laws or None, where=where, sigma_v=sigma_v, sigma_spin=sigma_spin, spin=spin,
+        every_contact=every_contact, shifted=ready.published.shifted if ready.published else (), profiles=profiles,
+        bootstrap=bootstrap, seed=seed or 0, say=None if progress is None else lambda text, done: progress(done, 1.0, text),
+    )  # fmt: skip
+
+
+def check_fit(**options: Any) -> None:
+    """Raise CaromError, one line per problem, for arguments of :func:`fit` that it refuses before it reads the data."""
+    _checked(**options)
+
+
+class _Request(NamedTuple):
+    """Validated arguments of a fit."""
+
+    paths: list[Path]
+    data: Any
+    """A table or films in memory; None for files."""
+    published: Any
+    films: bool
+    laws: list[str]
+    setting: Setting
+
+
+def _checked(
+    files: Any,
+    radius: float | None = None,
+    *,
+    inertia: str | float | None = None,
+    laws: str | Sequence[str] | None = None,
+    fit: Sequence[str] = (),
+    fix: Mapping[str, float] | None = None,
+    bound: Mapping[str, tuple[float, float]] | None = None,
+    contact_height: float | None = None,
+    floor_friction: float | None = None,
+    floor_restitution: float = 0.0,
+    restitution: str = "constant",
+    robust: bool = False,
+    roll: float = 1.0,
+    kind: str | None = None,
+    stage: str | None = None,
+    view: str | None = None,
+    whole: bool = False,
+    cushions: int = CUSHIONS,
+    noise: float | None = None,
+    sigma_v: float | None = None,
+    sigma_spin: float | None = None,
+    spin: float | str | None = None,
+    every_contact: bool = False,
+    scatter: str | None = None,
+    bootstrap: int | None = None,
+    profiles: bool | None = None,
+    seed: int | None = None,
+    **_others: Any,
+) -> _Request:
+    """Return validated arguments of :func:`fit`; CaromError with all problems that can be found before the data are read."""
+    faults: list[Any] = []
+    memory = isinstance(files, Rebounds | MeasuredFilms) or is_columns(files)
+    several = isinstance(files, list | tuple)
+    paths = [] if memory else [as_path("fit", one) for one in (files if several else [files])]
+    if not memory and not paths:
+        raise CaromError("fit: files: expected a table of rebounds, or track files, got none")
+    films: bool | None = isinstance(files, MeasuredFilms)
+    if paths and not whole:  # (of whole tracks every file is looked at below)
+        films = attempt(faults, are_films, paths)
+    kappa = None if inertia is None else attempt(faults, inertia_number, inertia)
+    prior = attempt(faults, _prior, spin, whole) or {}
+    fixed, bounds = dict(fix or {}), dict(bound or {})
+    faults += [*_strange_parameters("fix", fixed, whole), *_strange_parameters("bound", bounds, whole)]
+    attempt(faults, require_error_bars, sigma_v, sigma_spin)
+    of_contacts = {
+        "sigma_v": sigma_v, "sigma_spin": sigma_spin, "bootstrap": bootstrap, "profiles": profiles,
+        "every_contact": every_contact or None, "kind": kind, "stage": stage, "seed": seed, "robust": robust or None,
+        "scatter": scatter or None, "roll": None if roll == 1 else roll,
+    }  # fmt: skip
+    of_frames = {"noise": noise, "cushions": None if cushions == CUSHIONS else cushions}
+    wanted = "no `whole`, which fits frames instead of contacts" if whole else "`whole` as well"
+    unused = of_contacts if whole else of_frames
+    faults += [f"`{name}`: expected {wanted}; omit it" for name, value in unused.items() if value is not None]
+    names = [laws] if isinstance(laws, str) else list(laws or [])
+    faults += _strange_words(names if laws is not None else None, whole, view, kind, stage, bootstrap, seed)
+    before: list[Any] = []
+    ours = attempt(before, published_at, paths[0]) if paths else None
+    if radius is None and ours is None and not before:
+        faults.append("`radius`: expected the ball's radius in m, got none; a table-tennis ball has `radius` 0.02")
+    given = {"radius": radius, "kappa": kappa, "contact_height": contact_height, "floor_friction": floor_friction}
+    ball = {"radius": 1.0} | (ours.setting if ours else {}) | {k: x for k, x in given.items() if x is not None}
+    of_whole: dict[str, Any] = {"noise": noise, "cushions": cushions} if whole else {}
+    setting = Setting(
+        **ball, restitution=restitution, floor_restitution=floor_restitution, roll=roll, **prior, fixed=fixed, bounds=bounds,
+        fit=tuple(fit), robust=robust, scatter=scatter or "",
+        **of_whole,
+    )  # fmt: skip
+    attempt(faults, lambda: require_settings(setting, whole=whole))
+    if whole:
+        for path in paths:
+            if path.is_file() and attempt(faults, is_track, path) is False:
+                faults.append(f"{path}: expected a track with `whole`, got a table of rebounds; omit `whole`")
+        if memory:
+            faults.append(f"fit: files: expected track files with `whole`, got {type(files).__name__}")
+        if view == "side":
+            faults.append("`view`: expected above with `whole` (balls on a table), got side")
+        before = []
+    if before or (faults and (ours or films or whole or memory)):  # (before contacts are measured, which takes time)
+        raise CaromError(*faults, *before)
+    if faults:  # (with those of the table)
+        said = {"kind": kind if kind in KINDS else None, "stage": stage if stage in STAGES else None}
+        if films is not None:
+            attempt(faults, lambda: rebounds_of_files(paths, **said))  # type: ignore[arg-type]
+        raise CaromError(*faults)
+    return _Request(paths, files if memory else None, ours, bool(films), names, setting)
+
+
+def _prior(spin: float | str | None, whole: bool) -> dict[str, Any]:
+    name = "normal" if spin is None else str(spin).partition(":")[0]
+    if whole and name != "normal":
+        raise CaromError(
+            f"`spin`: expected normal:WIDTH (in v/a) with `whole`, got {spin!r}; the spin of each track is fitted"
+        )
+    return spin_of_rows(spin)[1]
+
+
+def _strange_parameters(argument: str, given: Mapping[str, Any], whole: bool) -> list[str]:
+    """Return faults of names that no law has as a parameter, and of values that are no numbers."""
+    forms = (p.name for form in FORMS.values() for p in form.parameters)
+    known = sorted({*INDEX, *forms, *(TRACK_NUMBERS if whole else ())})
+    faults = []
+    for name, value in given.items():
+        ends = value if argument == "bound" and isinstance(value, tuple | list) else [value]
+        good = all(isinstance(x, int | float) and not isinstance(x, bool) and not math.isnan(x) for x in ends)
+        if name not in known:
+            faults.append(f"`{argument}`: expected a parameter of a law, got {name!r}; {suggestion(name, known)}")
+        elif not good or (argument == "bound" and not (len(ends) == 2 and ends[0] < ends[1])):
+            what = "LOW:HIGH, LOW below HIGH" if argument == "bound" else "a number"
+            faults.append(f"`{argument}`: {name}: expected {what}, got {value!r}")
+    return faults
+
+
+def _strange_words(
+    names: list[str] | None,
+    whole: bool,
+    view: str | None,
+    kind: str | None,
+    stage: str | None,
+    bootstrap: int | None,
+    seed: int | None,
+) -> list[str]:
+    """Return one line per invalid argument, as far as that does not depend on the data."""
+    faults = [f"`laws`: {fault.removeprefix('law: ')}" for fault in unknown_laws(names or [])]
+    if names == []:
+        faults.append("`laws`: expected names of laws, got none; omit it to fit all laws")
+    if seed is not None and seed < 0:
+        faults.append(f"`seed`: expected a whole number >= 0, got {seed}")
+    if view not in (None, "above", "side"):
+        faults.append(f"`view`: expected above (a ball on a table) or side (a ball in flight), got {view!r}")
+    if whole:  # (not used)
+        return faults
+    if kind not in (None, *KINDS):
+        faults.append(f"`kind`: expected planar or table, got {kind!r}")
+    if stage not in (None, *STAGES):
+        faults.append(f"`stage`: expected after_wall or rolling, got {stage!r}")
+    if bootstrap is not None and (bootstrap < 0 or bootstrap == 1):
+        faults.append(f"`bootstrap`: expected 0 (none) or a number of draws, 2 or more, got {bootstrap}")
+    return faults
+
+
+def _rebounds(
+    ready: _Request, film: Calibration, kind: Any, stage: Any, view: Any, progress: Progress | None
+) -> Rebounds:
+    if ready.published is not None:
+        return ready.published.rebounds  # type: ignore[no-any-return]
+    if isinstance(ready.data, MeasuredFilms):
+        return ready.data.rebounds(stage or "best")
+    if ready.data is not None:
+        return as_rebounds(ready.data, kind, stage)
+    about = Settings(radius=ready.setting.radius, kappa=ready.setting.kappa, view=view)
+    return rebounds_of_files(ready.paths, film, about, kind=kind, stage=stage, progress=progress)
+
+
+def _require_effect(rebounds: Rebounds, films: bool, of_films: Mapping[str, Any], of_tables: Mapping[str, Any]) -> None:
+    """Raise CaromError for arguments without effect: those of films for rebounds, those of tables for planar rebounds."""
+    faults = (
+        [] if films else [f"`{name}`: expected a track, got rebounds" for name, x in of_films.items() if x is not None]
+    )
+    if rebounds.kind == "planar":
+        said = "expected rebounds of a ball on a table, got planar ones"
+        faults += [f"`{name}`: {said}" for name, x in of_tables.items() if x is not None]
+    if faults:
+        raise CaromError(*(f"{fault}; omit it" for fault in faults))
+
+
+def _fit_whole(ready: _Request, film: Calibration, where: Where, progress: Progress | None) -> TrackRanking:
+    setting = ready.setting
+
+    def tell(share: float, text: str) -> None:
+        if progress is not None:
+            progress(share, 1.0, text)
+
+    about = Settings(radius=setting.radius, kappa=setting.kappa, view="above", noise=setting.noise)
+    measured = tracks_of_films(
+        ready.paths, film, about, where=where, progress=lambda done, total, text: tell(MEASURING * done / total, text)
+    )
+    with noting(measured.notes):
+        return fit_tracks(
+            measured, setting, ready.laws or None, say=lambda text, done: tell(MEASURING + (1 - MEASURING) * done, text)
+        )
