@@ -26,6 +26,7 @@ from .data import rebounds as rebounds
 from .data.predict import predict as predict
 from .errors import CaromError as CaromError
 from .explorer.page import explore as explore
+from .fitting.design_shots import design as design
 from .fitting.fit_files import fit as fit
 from .laws.comparison import Comparison as Comparison
 from .laws.comparison import Verdict as Verdict
@@ -83,5 +84,6 @@ from .sweeps.axes import polar as polar
 from .sweeps.space import Space as Space
 from .sweeps.sweep import Sweep as Sweep
 from .sweeps.sweep import sweep as sweep
+from .tracks.film_files import measure_tracks as measure_tracks
 
 __version__: str

@@ -11,15 +11,13 @@ from carom.cli.common import attempt, require_outputs, working, wrote
 from carom.cli.options import (
     BALL,
     WALL,
-    comma_separated,
     parse_assignments,
-    parse_inertia,
     parse_number,
-    parse_spin,
     shared,
 )
 from carom.cli.streams import note, say_json
 from carom.errors import CaromError
+from carom.public.defaults import ANGLES_DEG, DESIGNED_LAWS, ODDS, RADIUS, SIGMA_V, SPEEDS, SPINS
 
 SHOTS = "Shots"
 
@@ -33,8 +31,8 @@ def design(
     file: Annotated[Path | None, typer.Argument(help="Rebounds measured so far. Default: none.")] = None,
     laws: Annotated[
         str, typer.Option(metavar="TRUE,OTHER", help="Two laws; the first is assumed to be true.")
-    ] = "contact,sliding",
-    radius: Annotated[float, shared("radius")] = 0.02625,
+    ] = ",".join(DESIGNED_LAWS),
+    radius: Annotated[float, shared("radius")] = RADIUS,
     inertia: Annotated[str, shared("inertia")] = "solid",
     kind: Annotated[str | None, shared("kind", default="FILE's, else planar", rich_help_panel=BALL)] = None,
     stage: Annotated[
@@ -47,11 +45,15 @@ def design(
     ] = None,
     contact_height: Annotated[float | None, shared("contact_height", default="1")] = None,
     floor_friction: Annotated[float | None, shared("floor_friction", default="what FILE says, else 0.2")] = None,
-    angles: Annotated[
+    angles_deg: Annotated[
         str,
-        typer.Option(metavar="LOW:HIGH", help="Angles of incidence, degrees from the normal.", rich_help_panel=SHOTS),
-    ] = "5:75",
-    speeds: Annotated[str, typer.Option(metavar="LOW:HIGH", help="Speeds, m/s.", rich_help_panel=SHOTS)] = "1:3",
+        typer.Option(
+            "--angles", metavar="LOW:HIGH", help="Angles of incidence, degrees from the normal.", rich_help_panel=SHOTS
+        ),
+    ] = "{:g}:{:g}".format(*ANGLES_DEG),
+    speeds: Annotated[
+        str, typer.Option(metavar="LOW:HIGH", help="Speeds, m/s.", rich_help_panel=SHOTS)
+    ] = "{:g}:{:g}".format(*SPEEDS),
     spins: Annotated[
         str,
         typer.Option(
@@ -59,7 +61,7 @@ def design(
             help="Spin before the wall, rad/s; unknown if not measured.",
             rich_help_panel=SHOTS,
         ),
-    ] = "0:0",
+    ] = "{:g}:{:g}".format(*SPINS),
     spin: Annotated[
         str | None,
         typer.Option(
@@ -68,11 +70,11 @@ def design(
             rich_help_panel=SHOTS,
         ),
     ] = None,
-    sigma_v: Annotated[float, shared("sigma_v", rich_help_panel=SHOTS)] = 0.02,
+    sigma_v: Annotated[float, shared("sigma_v", rich_help_panel=SHOTS)] = SIGMA_V,
     sigma_spin: Annotated[
         float | None, shared("sigma_spin", default="spin not measured", rich_help_panel=SHOTS)
     ] = None,
-    odds: Annotated[float, typer.Option(help="Target odds, N:1.", rich_help_panel=SHOTS)] = 20.0,
+    odds: Annotated[float, typer.Option(help="Target odds, N:1.", rich_help_panel=SHOTS)] = ODDS,
     plot: Annotated[Path | None, shared("plot")] = None,
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
@@ -80,56 +82,36 @@ def design(
 
     carom design --laws maw,contact --radius 0.02 --inertia hollow --sigma-v 0.15 --sigma-spin 10 --speeds 3:10
     """
-    from carom.data.rebounds import KINDS, STAGES, read_rebounds
-    from carom.fitting import Setting
-    from carom.fitting.design import Shots, require_plan
-    from carom.fitting.design import design as plan_shots
+    from carom.fitting.design_shots import check_design
+    from carom.fitting.design_shots import design as plan_shots
 
-    faults: list[str] = []
-    kappa = attempt(faults, parse_inertia, inertia)
-    ranges = [
-        None if name == "--spins" and text == "unknown" else attempt(faults, _range, name, text)
-        for name, text in (("--angles", angles), ("--speeds", speeds), ("--spins", spins))
-    ]
+    faults: list[Any] = []
+    ranges = {
+        name: None if text == "unknown" and name == "spins" else attempt(faults, _range, f"--{option}", text)
+        for name, option, text in (
+            ("angles_deg", "angles", angles_deg),
+            ("speeds", "speeds", speeds),
+            ("spins", "spins", spins),
+        )
+    }
     numbers = {
         name: attempt(faults, parse_number, "--truth", name, text)
         for name, text in parse_assignments(faults, "--truth", truth)
     }
-    prior = attempt(faults, parse_spin, spin) or {}
-    if spin is not None and file is None:
-        faults.append("--spin: expected a file of rebounds with it, got none; --spins describes the shots to come")
-    pair = comma_separated(laws)
-    if kind not in (None, *KINDS):
-        faults.append(f"--kind: expected planar or table, got {kind!r}")
     require_outputs(faults, {"--plot": plot})
-    filmed = None if file is None else attempt(faults, read_rebounds, file)
-    clash = ""
-    if filmed is not None:
-        if kind not in (None, filmed.kind):
-            clash = f"--kind: expected {filmed.kind}, the kind of {file}, got {kind}; omit the option"
-        kind = filmed.kind
-    if clash:  # reported only if there is no other fault
-        faults.append(clash)
-    elif kind in (None, "planar") and (file is None or filmed is not None):
-        faults += _no_table(stage in STAGES[1:], contact_height is not None, floor_friction is not None)
-    usual = Shots()  # replaces values already reported as faults
-    shots = Shots(ranges[0] or usual.angles_deg, ranges[1] or usual.speeds, ranges[2], sigma_v, sigma_spin, stage)
-    setting = Setting(
-        radius=radius,
-        kappa=0.4 if kappa is None else kappa,
-        contact_height=contact_height,
-        floor_friction=floor_friction,
-        **prior,
-    )
-    true = {name: value for name, value in numbers.items() if value is not None}
-    attempt(faults, require_plan, setting, tuple(pair), shots, true, odds)
+    options: dict[str, Any] = {
+        "file": file, "laws": laws, "radius": radius, "inertia": inertia, "kind": kind, "stage": stage,
+        "truth": {name: value for name, value in numbers.items() if value is not None}, "contact_height": contact_height,
+        "floor_friction": floor_friction, "spin": spin, "sigma_v": sigma_v, "sigma_spin": sigma_spin, "odds": odds,
+        **{name: ends for name, ends in ranges.items() if ends is not None},
+        **({"spins": "unknown"} if spins == "unknown" else {}),
+    }  # fmt: skip
     if faults:
-        raise CaromError(*faults)
+        found: list[Any] = []
+        attempt(found, lambda: check_design(**options))
+        raise CaromError(*found, *faults)
     with working("planning"):
-        plan = plan_shots(
-            kind or "planar",  # type: ignore[arg-type]
-            setting, (pair[0], pair[1]), shots, true or None, odds=odds, filmed=filmed, spin=spin, fine=plot is not None,
-        )  # fmt: skip
+        plan = plan_shots(**options, fine=plot is not None)
     if plot is not None:
         from carom.plot.fit import plot_design
         from carom.plot.style import save
@@ -142,16 +124,6 @@ def design(
         _show(plan)
     for line in plan.notes:
         note(f"note: {line}")
-
-
-def _no_table(stage: bool, contact_height: bool, floor_friction: bool) -> list[str]:
-    """Return faults of options of a ball on a table given for one in flight, for which they have no effect."""
-    given = {"--stage": stage, "--contact-height": contact_height, "--floor-friction": floor_friction}
-    return [
-        f"{option}: expected a ball on a table, got one in flight; use --kind table, or omit the option"
-        for option, there in given.items()
-        if there
-    ]
 
 
 def _range(option: str, text: str) -> tuple[float, float]:

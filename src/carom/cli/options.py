@@ -22,10 +22,8 @@ __all__ = [
     "comma_separated",
     "parse_assignments",
     "parse_bounds",
-    "parse_inertia",
     "parse_length",
     "parse_number",
-    "parse_spin",
     "parse_with_unit",
     "quantity",
     "shared",
@@ -120,19 +118,6 @@ def comma_separated(text: str) -> list[str]:
     return [part.strip() for part in text.split(",") if part.strip()]
 
 
-def parse_inertia(text: str) -> float:
-    """Return kappa = I/(m a^2) of solid, hollow or a number."""
-    from carom.bodies import INERTIAS
-
-    try:
-        kappa = INERTIAS[text] if text in INERTIAS else float(text)
-    except ValueError:
-        kappa = math.nan
-    if not 0 < kappa <= 1:
-        raise CaromError(f"--inertia: expected solid, hollow or kappa = I/(m a^2) above 0, up to 1, got {text!r}")
-    return kappa
-
-
 def parse_length(name: str, text: str | None) -> float | None:
     """Return a length in m from a text with or without a unit."""
     if text is None:
@@ -166,17 +151,6 @@ def quantity(option: str, unit: str) -> dict[str, Any]:
     """Return the arguments of typer.Option for a value that may have a unit: ``--radius 0.0286`` or ``--radius 28.6mm``."""
     what = _QUANTITIES[unit][0].partition(" ")[2]
     return {"parser": functools.partial(parse_with_unit, option, unit), "metavar": what.replace(" ", "_").upper()}
-
-
-def parse_spin(text: str | None, whole: bool = False) -> dict[str, Any]:
-    """Return the prior of unmeasured spins as fields of a Setting, if the text is one; ``whole``: for whole tracks."""
-    from carom.fitting.usable_rows import spin_of_rows
-
-    if whole and (text or "normal").partition(":")[0] != "normal":
-        raise CaromError(
-            f"--spin: expected normal:WIDTH (in v/a) with --whole, got {text!r}; the spin of each track is fitted"
-        )
-    return spin_of_rows(text)[1]
 
 
 def parse_assignments(faults: list[Any], option: str, texts: list[str] | None) -> Iterator[tuple[str, str]]:

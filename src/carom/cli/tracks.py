@@ -15,11 +15,12 @@ from rich.console import Console
 from carom.cli.common import attempt, require_outputs, working, wrote
 from carom.cli.console import err
 from carom.cli.console import out as stdout
-from carom.cli.options import FLOOR, parse_inertia, parse_length, quantity, shared
+from carom.cli.options import FLOOR, parse_length, quantity, shared
 from carom.cli.streams import say_json
 from carom.cli.tracks_output import facts, tell, tell_contacts
 from carom.errors import CaromError, shortened_list
 from carom.formatting import counted
+from carom.public.defaults import GRAVITY, WINDOW
 
 if TYPE_CHECKING:
     from carom.data.rebounds import Rebounds
@@ -85,7 +86,7 @@ def show(
     rolling: Annotated[
         float | None, typer.Option(help="Deceleration / g of a rolling ball. Default: fitted.", rich_help_panel=FLOOR)
     ] = None,
-    gravity: Annotated[float, shared("gravity")] = 9.80665,
+    gravity: Annotated[float, shared("gravity")] = GRAVITY,
     drag: Annotated[
         float | None,
         typer.Option(
@@ -99,7 +100,7 @@ def show(
         typer.Option(
             help="Time fitted before and after a contact, s.", rich_help_panel=FIT, **quantity("--window", "s")
         ),
-    ] = 0.5,
+    ] = WINDOW,
     blind: Annotated[
         float | None,
         typer.Option(
@@ -113,13 +114,12 @@ def show(
 
     carom tracks show films/*.txt --out rebounds.csv
     """
-    from carom.tracks.contact import Settings
-    from carom.tracks.film_files import measure_films
-    from carom.tracks.formats.text_table import Calibration
+    from carom.bodies import inertia_number
+    from carom.tracks.film_files import measure_tracks
 
     faults: list[str] = []
     lengths = {name: attempt(faults, parse_length, name, text) for name, text in (("scale", scale), ("noise", noise))}
-    kappa = attempt(faults, parse_inertia, inertia)
+    attempt(faults, inertia_number, inertia)
     for name, value, known in (
         ("stage", stage, ("best", "after_wall", "rolling", "both")),
         ("view", view, ("above", "side")),
@@ -133,15 +133,12 @@ def show(
     faults = list(dict.fromkeys(faults))
     if faults:
         raise CaromError(*faults)
-    settings = Settings(
-        radius=radius, kappa=kappa, view=view, noise=lengths["noise"],  # type: ignore[arg-type]
-        cloth=cloth, rolling=rolling, gravity=gravity, window=window, blind=blind, hard=hard, drag=drag,
-    )  # fmt: skip
     console = err()
     with working("contacts", console) as bar:
-        films = measure_films(
-            files, Calibration(lengths["scale"], rate, down), settings, format=format_, wall=wall or (),
-            progress=bar,
+        films = measure_tracks(
+            files, format=format_, scale=lengths["scale"], rate=rate, down=down, view=view, radius=radius, inertia=inertia,
+            wall=wall or (), hard=hard, cloth=cloth, rolling=rolling, gravity=gravity, drag=drag, noise=lengths["noise"],
+            window=window, blind=blind, progress=bar,
         )  # fmt: skip
     names, found, measured = films.names, films.files, films.measured
     written = None

@@ -138,7 +138,7 @@ class ColumnTable:
             try:
                 numbers[name] = np.asarray(column, dtype=float)
             except (TypeError, ValueError):
-                faults.append(f"column {source.header!r}: expected numbers, got {column.ravel()[0]!r:.40}")
+                faults.append(f"column {source.header!r}: expected numbers, got {column.tolist()[0]!r:.40}")
         if faults:
             raise CaromError(*faults)
         count = len(next(iter(self.columns.values()), ()))

@@ -45,7 +45,7 @@ def as_rebounds(table: Any, kind: Kind | None = None, stage: str | None = None) 
             try:
                 measured[meaning.quantity] = meaning.unit.to_si(np.asarray(column, dtype=float))
             except (TypeError, ValueError):
-                faults.append(f"rebounds: column {header!r}: expected numbers, got {column.ravel()[0]!r:.40}")
+                faults.append(f"rebounds: column {header!r}: expected numbers, got {column.tolist()[0]!r:.40}")
     kind = kind or kind_of_columns("rebounds", measured, stages is not None, list(columns), faults)
     if faults:
         raise CaromError(*faults)

@@ -201,7 +201,10 @@ def _checked(
     kappa = None if inertia is None else attempt(faults, inertia_number, inertia)
     prior = attempt(faults, _prior, spin, whole) or {}
     fixed, bounds = dict(fix or {}), dict(bound or {})
-    faults += [*_strange_parameters("fix", fixed, whole), *_strange_parameters("bound", bounds, whole)]
+    strange = [*_strange_parameters("fix", fixed, whole), *_strange_parameters("bound", bounds, whole)]
+    faults += strange
+    if strange:  # (said once)
+        fixed, bounds = {}, {}
     attempt(faults, require_error_bars, sigma_v, sigma_spin)
     of_contacts = {
         "sigma_v": sigma_v, "sigma_spin": sigma_spin, "bootstrap": bootstrap, "profiles": profiles,

@@ -6,10 +6,12 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from carom.bodies import inertia_number
 from carom.data.rebounds import Kind, Rebounds, read_rebounds
 from carom.data.where import Where, rows_where
-from carom.errors import CaromError, collected, noting
-from carom.files import text_encoding
+from carom.errors import CaromError, attempt, collected, noting
+from carom.files import as_path, text_encoding
+from carom.public.defaults import GRAVITY, WINDOW
 from carom.public.progress import Progress
 from carom.tracks.contact import Settings
 from carom.tracks.events import wall_of_text
@@ -152,6 +154,72 @@ def measure_films(
 
     with noting(MeasuredFilms(found, ()).reading_notes):
         return MeasuredFilms(found, tuple(hops_together([once(number) for number in range(len(found))], once)))
+
+
+def measure_tracks(
+    files: str | Path | Sequence[str | Path],
+    *,
+    format: str | None = None,  # noqa: A002
+    scale: float | None = None,
+    rate: float | None = None,
+    down: bool | None = None,
+    view: str | None = None,
+    radius: float | None = None,
+    inertia: str | float = "solid",
+    wall: Sequence[str] = (),
+    hard: bool = False,
+    cloth: float | None = None,
+    rolling: float | None = None,
+    gravity: float = GRAVITY,
+    drag: float | None = None,
+    noise: float | None = None,
+    window: float = WINDOW,
+    blind: float | None = None,
+    progress: Progress | None = None,
+) -> MeasuredFilms:
+    """Measure the contacts in films: ``carom tracks show``, with the names and defaults of its options.
+
+    Parameters
+    ----------
+    files : path or sequence of paths
+        Track files of one table, or of one kind of throw.
+    format : str, optional
+        A key of FORMATS; default: recognised from the content.
+    scale, rate, down : optional
+        Metres per unit of the files, frames per second, and whether the second axis points down.
+    view : "above" or "side", optional
+        Default: by the motion.
+    radius, inertia
+        Of the ball, m; "solid", "hollow" or I/(m a^2).
+    wall, hard
+        Lines at which the balls' centres are reflected, ``"x=0.03"``, ``"y=1.4"`` or ``"x1,y1,x2,y2"`` (m), default: found; and
+        whether the walls are rigid.
+    cloth, rolling, gravity, drag, noise, window, blind
+        As in :class:`carom.tracks.Settings`.
+    progress : callable(done, total, text), optional
+
+    Returns
+    -------
+    MeasuredFilms
+        ``found.rebounds()`` is their table, which :func:`carom.fit` and :func:`carom.predict` take.
+
+    Raises
+    ------
+    CaromError
+        With the faults of all arguments, or of all files.
+    """
+    faults: list[str] = []
+    kappa = attempt(faults, inertia_number, inertia)
+    if view not in (None, "above", "side"):
+        faults.append(f"`view`: expected one of above, side, got {view!r}")
+    if faults:
+        raise CaromError(*faults)
+    settings = Settings(
+        radius=radius, kappa=kappa, view=view, noise=noise, cloth=cloth, rolling=rolling, gravity=gravity,  # type: ignore[arg-type]
+        window=window, blind=blind, hard=hard, drag=drag,
+    )  # fmt: skip
+    paths = [as_path("measure_tracks", one) for one in (files if isinstance(files, list | tuple) else [files])]
+    return measure_films(paths, Calibration(scale, rate, down), settings, format=format, wall=wall, progress=progress)
 
 
 def rebounds_of_films(

@@ -1,0 +1,151 @@
+"""Which shots to film next: ``carom design``, in Python ``carom.design``, for rebounds in files and in memory."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from carom.bodies import inertia_number
+from carom.data.rebound_columns import as_rebounds
+from carom.data.rebounds import KINDS, STAGES, Rebounds, read_rebounds
+from carom.errors import CaromError, attempt
+from carom.fitting.design import Plan, Shots, require_plan
+from carom.fitting.design import design as plan_shots
+from carom.fitting.setting import Setting
+from carom.fitting.usable_rows import spin_of_rows
+from carom.public.defaults import ANGLES_DEG, DESIGNED_LAWS, ODDS, RADIUS, SIGMA_V, SPEEDS, SPINS
+
+__all__ = ["check_design", "design"]
+
+
+def design(
+    file: str | Path | Rebounds | Any | None = None,
+    laws: str | Sequence[str] = DESIGNED_LAWS,
+    *,
+    radius: float = RADIUS,
+    inertia: str | float = "solid",
+    kind: str | None = None,
+    stage: str = "after_wall",
+    truth: Mapping[str, float] | None = None,
+    contact_height: float | None = None,
+    floor_friction: float | None = None,
+    angles_deg: tuple[float, float] = ANGLES_DEG,
+    speeds: tuple[float, float] = SPEEDS,
+    spins: tuple[float, float] | str = SPINS,
+    spin: float | str | None = None,
+    sigma_v: float = SIGMA_V,
+    sigma_spin: float | None = None,
+    odds: float = ODDS,
+    fine: bool = False,
+) -> Plan:
+    """Find the shots that discriminate best between two laws, and how many are needed: ``carom design``.
+
+    Parameters
+    ----------
+    file : path, columns or Rebounds, optional
+        Rebounds measured so far; their evidence counts.
+    laws : two names, or "TRUE,OTHER"
+        The first is assumed to be true.
+    radius, inertia
+        Of the ball: m; "solid", "hollow" or I/(m a^2).
+    kind : "planar" or "table", optional
+        Default: that of ``file``, else planar.
+    stage : "after_wall" or "rolling"
+        At which a ball on a table is measured.
+    truth : mapping, optional
+        Parameters of the first law by name. Default: fitted to ``file``.
+    contact_height, floor_friction : float, optional
+        As in :class:`carom.fitting.Setting`.
+    angles_deg, speeds, spins : pairs
+        Ranges of the shots: incidence from the normal, degrees; m/s; rad/s before the wall, or "unknown".
+    spin : float or str, optional
+        Unmeasured spins in ``file``, as for :func:`carom.fitting.usable_rows`.
+    sigma_v, sigma_spin : float
+        Error bars of the shots to come, m/s and rad/s. Default of ``sigma_spin``: spin is not measured.
+    odds : float
+        To reach, N to 1.
+    fine : bool
+        Whether the gain is computed on a finer grid too, for a picture.
+
+    Returns
+    -------
+    Plan
+
+    Raises
+    ------
+    CaromError
+        One line per problem.
+
+    Examples
+    --------
+    >>> import carom
+    >>> plan = carom.design(laws="sliding,mirror", truth={"restitution": 0.8, "friction": 0.2}, speeds=(2.0, 2.0))
+    >>> plan.laws, plan.count
+    (('sliding', 'mirror'), 1)
+    """
+    options = {name: value for name, value in locals().items() if name != "fine"}
+    filmed, of, setting, pair, shots = _checked(**options)
+    return plan_shots(
+        of or "planar", setting, pair, shots, dict(truth) if truth else None, odds=odds, filmed=filmed, spin=spin, fine=fine
+    )  # fmt: skip
+
+
+def check_design(**options: Any) -> None:
+    """Raise CaromError, one line per problem, for arguments of :func:`design` that it refuses before it begins."""
+    _checked(**options)
+
+
+def _checked(
+    file: Any = None,
+    laws: Any = DESIGNED_LAWS,
+    *,
+    radius: float = RADIUS,
+    inertia: str | float = "solid",
+    kind: Any = None,
+    stage: str = "after_wall",
+    truth: Mapping[str, float] | None = None,
+    contact_height: float | None = None,
+    floor_friction: float | None = None,
+    angles_deg: Any = ANGLES_DEG,
+    speeds: Any = SPEEDS,
+    spins: Any = SPINS,
+    spin: float | str | None = None,
+    sigma_v: float = SIGMA_V,
+    sigma_spin: float | None = None,
+    odds: float = ODDS,
+) -> tuple[Rebounds | None, Any, Setting, tuple[str, str], Shots]:
+    faults: list[Any] = []
+    kappa = attempt(faults, inertia_number, inertia)
+    prior: dict[str, Any] = (attempt(faults, spin_of_rows, spin) or (None, {}))[1]
+    if spin is not None and file is None:
+        faults.append("`spin`: expected a file of rebounds with it, got none; `spins` describes the shots to come")
+    pair = tuple(part.strip() for part in laws.split(",") if part.strip()) if isinstance(laws, str) else tuple(laws)
+    if kind not in (None, *KINDS):
+        faults.append(f"`kind`: expected planar or table, got {kind!r}")
+    read = read_rebounds if isinstance(file, str | os.PathLike) else as_rebounds
+    filmed: Rebounds | None = None if file is None else attempt(faults, read, file)
+    clash = ""
+    if filmed is not None:
+        if kind not in (None, filmed.kind):
+            clash = f"`kind`: expected {filmed.kind}, the kind of {filmed.source}, got {kind}; omit it"
+        kind = filmed.kind
+    if clash:  # reported only if there is no other fault
+        faults.append(clash)
+    elif kind in (None, "planar") and (file is None or filmed is not None):
+        given = {"stage": stage in STAGES[1:], "contact_height": contact_height is not None,
+                 "floor_friction": floor_friction is not None}  # fmt: skip
+        faults += [
+            f"`{name}`: expected a ball on a table, got one in flight; choose `kind` table, or omit it"
+            for name, there in given.items()
+            if there
+        ]
+    shots = Shots(angles_deg, speeds, None if spins == "unknown" else spins, sigma_v, sigma_spin, stage)
+    setting = Setting(
+        radius=radius, kappa=0.4 if kappa is None else kappa, contact_height=contact_height, floor_friction=floor_friction, **prior
+    )  # fmt: skip
+    attempt(faults, require_plan, setting, pair, shots, dict(truth or {}), odds)
+    if faults:
+        raise CaromError(*faults)
+    return filmed, kind, setting, (pair[0], pair[1]), shots

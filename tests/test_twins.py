@@ -1,0 +1,138 @@
+"""Each verb of the command is a function of Python: the same names and defaults, and the command calls it."""
+
+from __future__ import annotations
+
+import inspect
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+import pytest
+import typer
+
+import carom
+from carom.cli import app
+from carom.fitting import Ranking
+
+# What the command alone has: how results are shown and where they are written, and texts that the library takes as values.
+OUTPUT = {"as_json", "json_", "quiet", "plot", "portrait", "boundary", "lyapunov_plot", "report", "no_report"}
+TWINS: dict[str, tuple[Callable[..., Any], set[str], set[str]]] = {
+    # verb: its function; parameters of the command alone; parameters of the function alone
+    "predict": (carom.predict, OUTPUT, {"progress", "say"}),
+    "orbit": (carom.orbit, OUTPUT, {"progress"}),
+    "design": (carom.design, OUTPUT, {"fine"}),
+    "fit": (carom.fit, OUTPUT, {"progress"}),
+    "tracks show": (
+        carom.measure_tracks,
+        OUTPUT | {"out", "stage", "sliding"},
+        {"progress"},
+    ),  # (of its table: found.rebounds())
+    "compare": (carom.incoming, OUTPUT | {"law"}, set()),  # (carom.compare(laws, ...) hands its numbers on)
+}
+# Texts of the command, lists of one option each, and switches that are told apart from None: the same values in other words.
+WORDS: dict[Any, Any] = {
+    "contact,sliding": ("contact", "sliding"), "5:75": (5.0, 75.0), "1:3": (1.0, 3.0), "0:0": (0.0, 0.0),
+}  # fmt: skip
+
+
+def commands(group: Any, path: str = "") -> dict[str, Any]:
+    found = {}
+    for name, one in group.commands.items():
+        inner = commands(one, f"{path}{name} ") if hasattr(one, "commands") else {f"{path}{name}": one}
+        found |= inner
+    return found
+
+
+COMMANDS = commands(typer.main.get_command(app))
+
+
+@pytest.mark.parametrize("verb", TWINS)
+def test_the_verb_and_its_function_have_the_same_parameters_and_defaults(verb: str) -> None:
+    function, of_command, of_function = TWINS[verb]
+    given = inspect.signature(COMMANDS[verb].callback).parameters
+    options = {name.strip("_"): one.default for name, one in given.items() if name not in of_command}
+    own = {name: one.default for name, one in inspect.signature(function).parameters.items() if name not in of_function}
+    own = {"file" if name == "table" and verb == "design" else name: value for name, value in own.items()}
+    assert set(options) == set(own)
+    for name, value in options.items():
+        found = (
+            None
+            if value is inspect.Parameter.empty
+            else WORDS.get(value, value)
+            if not isinstance(value, list)
+            else value
+        )
+        expected = None if own[name] in (inspect.Parameter.empty, ()) else own[name]
+        assert found == expected, (verb, name, found, expected)
+
+
+@pytest.mark.parametrize("verb", TWINS)
+def test_every_parameter_is_documented(verb: str) -> None:
+    function = TWINS[verb][0]
+    text = inspect.getdoc(function) or ""
+    missing = [name for name in inspect.signature(function).parameters if name not in text]
+    assert not missing
+
+
+def test_each_verb_has_a_function_or_is_known_to_have_none() -> None:
+    others = {
+        "figures", "simulate", "aim", "explore", "gas", "sweep new", "sweep run", "scene new", "scene check", "laws", "datasets",
+        "derive", "tracks example", "doctor", "warm",
+    }  # fmt: skip
+    left = {
+        verb for verb in COMMANDS if verb not in TWINS and verb.split()[0] not in {one.split()[0] for one in others}
+    }
+    assert not left, left
+
+
+V = [1.0, 2.0, 3.0, 4.0]
+REBOUNDS: dict[str, Any] = {
+    "v_n_in": V, "v_t_in": V, "spin_in": [0.0] * 4, "v_n_out": [0.81, 1.59, 2.42, 3.18], "v_t_out": [0.71, 1.43, 2.15, 2.85],
+    "sigma_v_n_out": 0.02, "sigma_v_t_out": 0.02,
+}  # fmt: skip
+
+
+def test_fits_take_files_columns_and_rebounds_alike(tmp_path: Any) -> None:
+    table = carom.data.make_rebounds("planar", REBOUNDS)
+    kinds = [table.save(tmp_path / "t.csv"), str(tmp_path / "t.csv"), REBOUNDS, table]
+    found = [carom.fit(one, 0.02, laws=["sticking", "mirror"], bootstrap=0) for one in kinds]
+    assert all(isinstance(one, Ranking) for one in found)
+    assert len({one.best.aicc for one in found}) == 1
+    inches = REBOUNDS | {"v_n_in_mm_s": [1000.0 * v for v in V]}
+    del inches["v_n_in"]
+    again = carom.fit(inches, 0.02, laws="sticking", bootstrap=0)
+    assert again.best.aicc == pytest.approx(found[0].best.aicc, rel=1e-9)
+
+
+def test_designs_take_the_rebounds_measured_so_far() -> None:
+    plan = carom.design(REBOUNDS, "sliding,mirror", truth={"restitution": 0.8, "friction": 0.3}, radius=0.02)
+    assert plan.filmed is not None
+    assert not math.isnan(plan.filmed)
+    alone = carom.design(laws=("sliding", "mirror"), truth={"restitution": 0.8, "friction": 0.3}, radius=0.02)
+    assert alone.filmed is None
+    assert np.isfinite(alone.gain).all()
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (lambda: carom.fit(REBOUNDS), "`radius`: expected the ball's radius in m"),
+        (
+            lambda: carom.fit(REBOUNDS, 0.02, fix={"frction": 0.2}),
+            "`fix`: expected a parameter of a law, got 'frction'",
+        ),
+        (lambda: carom.fit(REBOUNDS, 0.02, bound={"friction": (1, 0)}), "`bound`: friction: expected LOW:HIGH"),
+        (lambda: carom.fit(REBOUNDS, 0.02, view="above", laws="mirror"), "`view`: expected a track, got rebounds"),
+        (lambda: carom.fit(REBOUNDS, 0.02, whole=True), "expected track files with `whole`, got dict"),
+        (lambda: carom.fit({"v_n_in": ["a"], "v_n_out": [1.0], "spin_in": [0.0]}, 0.02), "expected numbers, got 'a'"),
+        (lambda: carom.design(kind="tabel"), "`kind`: expected planar or table"),
+        (lambda: carom.design(spin=0.0), "`spin`: expected a file of rebounds with it"),
+        (lambda: carom.measure_tracks("nothing.txt", view="below"), "`view`: expected one of above, side"),
+    ],
+)
+def test_faults_name_arguments(call: Callable[[], Any], said: str) -> None:
+    with pytest.raises(carom.CaromError) as error:
+        call()
+    assert len(error.value.faults) == 1
+    assert said in error.value.faults[0]
