@@ -256,8 +256,8 @@ def test_design_tells_all_faults_of_words_and_numbers_at_once(here, monkeypatch,
     code, out, err = run(monkeypatch, capsys, "design", *words, *numbers)
     assert (code, out) == (2, "")
     said = [line.removeprefix("carom: ").split(": expected")[0] for line in err.splitlines()]
-    assert said == ["--inertia", "--angles", "--kind", "no.csv", "radius", "speeds", "sigma_v", "sigma_spin", "stage", "odds",
-                    "law", "truth: friction"]  # fmt: skip
+    assert said == ["--inertia", "--kind", "no.csv", "radius", "speeds", "sigma_v", "sigma_spin", "stage", "odds", "law",
+                    "truth: friction", "--angles"]  # fmt: skip
     assert "got 'slidng'; did you mean 'sliding'?" in err
 
 
