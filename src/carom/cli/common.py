@@ -1,9 +1,8 @@
-"""Shared by commands: collection of errors, the console, progress bars, and checks of output files before a run."""
+"""Shared by commands: collection of errors, the console, and checks of output files before a run."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,52 +16,12 @@ __all__ = [
     "require_outputs",
     "tell",
     "tick",
-    "working",
     "write_report_page",
     "wrote",
 ]
 
 if TYPE_CHECKING:
     from rich.console import Console
-
-
-@contextmanager
-def working(
-    what: str, console: Console | None = None, compiling: str = "compiling, once"
-) -> Iterator[Callable[[float, float, str], None] | None]:
-    """Show a progress bar on standard error if that is a terminal; yield its update function (done, total, text), else None.
-
-    While loops are compiled, ``compiling`` is shown in place of ``what``.
-    """
-    from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
-
-    from carom.cli.console import err
-    from carom.core.jit.progress import watch_compiling
-
-    console = console or err()
-    if not console.is_terminal:
-        yield None
-        return
-    columns = (
-        TextColumn("{task.description}", markup=False),
-        BarColumn(),
-        TaskProgressColumn(),
-        TimeRemainingColumn(),
-    )
-    with Progress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task(what, total=None)
-        depth = 0
-
-        def describe(_function: str, finished: bool) -> None:
-            nonlocal depth
-            depth += -1 if finished else 1
-            bar.update(task, description=compiling if depth else what)
-
-        def update(done: float, total: float, _text: str = "") -> None:
-            bar.update(task, completed=done, total=total)
-
-        with watch_compiling(describe):
-            yield update
 
 
 def tick(console: Console, good: bool) -> str:

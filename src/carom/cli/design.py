@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from carom.cli.common import attempt, require_outputs, working, wrote
+from carom.cli.common import attempt, require_outputs, wrote
 from carom.cli.options import (
     BALL,
     WALL,
@@ -15,6 +15,7 @@ from carom.cli.options import (
     parse_number,
     shared,
 )
+from carom.cli.progress import working
 from carom.cli.streams import note, say_json
 from carom.errors import CaromError
 from carom.public.defaults import ANGLES_DEG, DESIGNED_LAWS, ODDS, RADIUS, SIGMA_V, SPEEDS, SPINS

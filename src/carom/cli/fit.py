@@ -22,6 +22,7 @@ from carom.cli.options import (
     parse_number,
     shared,
 )
+from carom.cli.progress import working
 from carom.cli.ranking_output import show
 from carom.errors import CaromError
 from carom.public.defaults import CUSHIONS
@@ -235,15 +236,8 @@ def _pages(faults: list[str], report: Path | None, no_report: bool) -> None:
 @contextmanager
 def _bar(console: Console) -> Iterator[Any]:
     """Show a progress bar on standard error, where that is a terminal."""
-    if not console.is_terminal:
-        yield lambda _done, _total, _text: None
-        return
-    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
-
-    columns = (BarColumn(), TextColumn("{task.description}", markup=False), TimeElapsedColumn())
-    with Progress(*columns, console=console, transient=True) as progress:
-        task = progress.add_task("compiling, once", total=1.0)
-        yield lambda done, total, text: progress.update(task, completed=done / total, description=text)
+    with working("fit", console) as update:
+        yield update or (lambda _done, _total, _text: None)
 
 
 def _page(ranking: Any, files: list[Path], path: Path) -> Path:

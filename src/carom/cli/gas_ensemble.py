@@ -101,9 +101,8 @@ class _Bar:
         self.announced = True
         rate = f"{events / max(now - self.begin, 1e-9):,.0f} events/s"
         if one.bar is not None:
-            if one.task is None:
-                one.task = one.bar.add_task(f"{self.members} gases", total=1.0, events="", rate="", time="")
-            one.bar.update(one.task, completed=share, events=f"{events:,} events", rate=rate)
+            one.bar.describe(f"{self.members} gases")
+            one.bar.show(share, 1.0, f"{events:,} events  {rate}")
         elif now - one.last_line >= LINE_INTERVAL:
             one.last_line = now
             one.say(f"{self.members} gases: {share:.0%}, {events:,} events, {rate}")

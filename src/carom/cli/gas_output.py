@@ -12,6 +12,7 @@ from rich.text import Text
 
 from carom.cli.console import err, out
 from carom.cli.gas_tables import gas_tables
+from carom.cli.progress import Bar
 from carom.cli.streams import json_text
 from carom.formatting import counted, format_number
 from carom.gas.report import UNITS_NOTE, report
@@ -95,8 +96,7 @@ class Progress:
     def __init__(self, quiet: bool) -> None:
         self.console = err()
         self.quiet = quiet
-        self.bar: Any = None
-        self.task: Any = None
+        self.bar: Bar | None = None
         self.part: bool | None = None
         self.begin = self.last_line = time.monotonic()
         self.first = 0
@@ -125,15 +125,7 @@ class Progress:
     def __enter__(self) -> Progress:
         """Start the display."""
         if self.console.is_terminal and not self.quiet:
-            from rich.progress import BarColumn, TaskProgressColumn, TextColumn, TimeRemainingColumn
-            from rich.progress import Progress as Bar
-
-            text = TextColumn("{task.fields[events]}  {task.fields[rate]}  {task.fields[time]}")
-            self.bar = Bar(
-                TextColumn("{task.description:13}"), BarColumn(), TaskProgressColumn(), text, TimeRemainingColumn(),
-                console=self.console, transient=True,
-            )  # fmt: skip
-            self.bar.start()
+            self.bar = Bar(self.console)
         return self
 
     def __exit__(
@@ -154,7 +146,7 @@ class Progress:
         rate = (session.gas.collisions - self.first) / took if took > 0 else 0.0
         words = (f"{session.done:,} events", f"{rate:,.0f} events/s", f"t = {session.gas.time:.5g}")
         if self.bar is not None:
-            self.bar.update(self.task, completed=session.completed, events=words[0], rate=words[1], time=words[2])
+            self.bar.show(session.completed, 1.0, "  ".join(words))
         elif now - self.last_line >= LINE_INTERVAL:
             self.last_line = now
             self.say(f"{self._part_name(session)}: {session.completed:.0%}, {', '.join(words)}")
@@ -162,9 +154,7 @@ class Progress:
     def _next_part(self, session: Session, now: float) -> None:
         self.part, self.begin, self.first = session.measuring, now, session.gas.collisions
         if self.bar is not None:
-            if self.task is not None:
-                self.bar.remove_task(self.task)
-            self.task = self.bar.add_task(self._part_name(session), total=1.0, events="", rate="", time="")
+            self.bar.describe(self._part_name(session), anew=True)
         elif not session.finished:
             self.say(f"{self._part_name(session)}: {counted(session.scene.count, 'ball')}")
 

@@ -8,9 +8,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.billiards.named import SIZES
-from carom.cli.common import attempt, require_outputs, working, wrote
+from carom.cli.common import attempt, require_outputs, wrote
 from carom.cli.options import BALL, OUTPUT, quantity, shared
 from carom.cli.orbit_output import every_bounce, orbit_facts, print_orbit
+from carom.cli.progress import working
 from carom.cli.streams import say_json
 from carom.errors import CaromError
 from carom.public.defaults import BOUNCES

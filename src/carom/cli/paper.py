@@ -13,6 +13,7 @@ import typer
 from carom.cli.common import wrote
 from carom.cli.console import err, out
 from carom.cli.options import shared
+from carom.cli.progress import working
 from carom.cli.streams import json_text, say
 from carom.errors import CaromError
 from carom.files import require_library, require_writable, write_text
@@ -82,18 +83,15 @@ def _put(text: str, destination: Path | None) -> None:
 
 @contextmanager
 def _progress() -> Iterator[Callable[[str, int, int], None]]:
-    """Show a progress bar on standard error, and remove it at the end."""
-    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
-
+    """Show a progress bar on standard error, or a line for each equation where that is no terminal."""
     console = err()
-    columns = (TextColumn("{task.description:<34}"), BarColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=console, transient=True) as bar:
-        task = bar.add_task("starting", total=None)
+    with working("deriving", console) as show:
 
         def report(name: str, done: int, total: int) -> None:
-            bar.update(task, description=name, completed=done, total=total)
-            if not console.is_terminal:
+            if show is None:
                 console.print(f"derive: {done}/{total} {name}", highlight=False, markup=False)
+            else:
+                show(done, total, name)
 
         yield report
 

@@ -9,10 +9,11 @@ import typer
 from rich.console import Console
 from rich.text import Text
 
-from carom.cli.common import attempt, require_outputs, working, wrote
+from carom.cli.common import attempt, require_outputs, wrote
 from carom.cli.console import err
 from carom.cli.option_names import in_options
 from carom.cli.options import WALL, quantity, shared
+from carom.cli.progress import working
 from carom.cli.streams import say_json
 from carom.errors import CaromError
 from carom.public.defaults import CONTACT_HEIGHT, FLOOR_CONTACT, GRAVITY

@@ -1,4 +1,4 @@
-"""Progress of a run and of its compiling on standard error: a bar on a terminal, else a line for each quarter of the compiling."""
+"""The progress of all verbs on standard error: a bar on a terminal; of compiling, else, a line for each quarter."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ if TYPE_CHECKING:
 
     from carom.core.jit.progress import CompileProgress
 
-__all__ = ["show_progress"]
+__all__ = ["Bar", "show_progress", "working"]
 
 
 @contextmanager
@@ -25,10 +25,19 @@ def show_progress(console: Console, quiet: bool, *loops: Callable[..., Any]) -> 
     if quiet:
         yield lambda _text: None
     elif console.is_terminal:
-        bar = _Bar(console)
+        bar = Bar(console)
+
+        def show(now: CompileProgress) -> None:
+            bar.describe(f"compiling, once: {now.part}")
+            bar.show(now.share, 1.0, f"{now.done} of {now.expected} functions")
+
+        def say(text: str) -> None:
+            bar.describe(text)
+            bar.show(0, None)
+
         try:
-            with compile_progress(bar.show, *loops):
-                yield bar.say
+            with compile_progress(show, *loops):
+                yield say
         finally:
             bar.stop()
     else:
@@ -36,28 +45,77 @@ def show_progress(console: Console, quiet: bool, *loops: Callable[..., Any]) -> 
             yield lambda _text: None
 
 
-class _Bar:
-    """A progress bar, shown from the first update on."""
+@contextmanager
+def working(
+    what: str,
+    console: Console | None = None,
+    compiling: str = "compiling, once",
+    *,
+    quiet: bool = False,
+    unit: str = "",
+) -> Iterator[Callable[..., None] | None]:
+    """Show a progress bar on standard error if that is a terminal; yield its update function (done, total, text), else None.
 
-    def __init__(self, console: Console) -> None:
-        from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+    While loops are compiled, ``compiling`` is shown in place of ``what``. With a unit, such as "points", their number and how
+    many of them are done in a second are shown, too.
+    """
+    from carom.cli.console import err
+    from carom.core.jit.progress import watch_compiling
 
-        texts = TextColumn("{task.description}", markup=False), TextColumn("{task.fields[count]}", markup=False)
-        self._bar = Progress(texts[0], BarColumn(), texts[1], TimeElapsedColumn(), console=console, transient=True)
-        self._task = self._bar.add_task("", total=None, count="")
+    console = console or err()
+    if quiet or not console.is_terminal:
+        yield None
+        return
+    bar = Bar(console, unit)
+    depth = 0
+
+    def describe(_function: str, finished: bool) -> None:
+        nonlocal depth
+        depth += -1 if finished else 1
+        bar.describe(compiling if depth else what)
+
+    try:
+        bar.describe(what)
+        with watch_compiling(describe):
+            yield bar.show
+    finally:
+        bar.stop()
+
+
+class Bar:
+    """The progress bar of all verbs, shown from the first update on: what is done, how much of it, and the time that is left."""
+
+    def __init__(self, console: Console, unit: str = "") -> None:
+        from rich.progress import BarColumn, Progress, TaskProgressColumn, TextColumn, TimeRemainingColumn
+
+        texts = TextColumn("{task.description}", markup=False), TextColumn("{task.fields[said]}", markup=False)
+        columns = (texts[0], BarColumn(), TaskProgressColumn(), texts[1], TimeRemainingColumn())
+        self._bar = Progress(*columns, console=console, transient=True)
+        self._task: Any = None
+        self._unit = unit
         self.stop = self._bar.stop
 
-    def show(self, now: CompileProgress) -> None:
-        """Show the progress of a compilation."""
-        count = f"{now.done} of {now.expected} functions"
-        self._update(total=1.0, completed=now.share, description=f"compiling, once: {now.part}", count=count)
+    def show(self, done: float, total: float | None, text: str = "") -> None:
+        """Show how much is done, and a text beside it."""
+        if self._task is None:
+            self.describe("")
+        if total is not None and self._bar.tasks[0].total is None:  # (what was done before counts for no rate)
+            self._bar.reset(self._task, total=total, completed=int(done))
+        self._bar.update(self._task, total=total, completed=done)
+        if self._unit:
+            speed = self._bar.tasks[0].speed
+            text = f"{done:,.0f} of {total:,.0f} {self._unit}" + (f", {speed:,.0f} {self._unit}/s" if speed else "")
+        self._bar.update(self._task, said="" if text == self._bar.tasks[0].description else text)
+        self._bar.start()
 
-    def say(self, text: str) -> None:
-        """Show a text with an indeterminate bar."""
-        self._update(total=None, description=text, count="")
-
-    def _update(self, **fields: Any) -> None:
-        self._bar.update(self._task, **fields)
+    def describe(self, what: str, *, anew: bool = False) -> None:
+        """Say in front of the bar what is done; ``anew``: with a bar and a time of its own."""
+        if anew and self._task is not None:
+            self._bar.remove_task(self._task)
+            self._task = None
+        if self._task is None:
+            self._task = self._bar.add_task(what, total=None, said="")
+        self._bar.update(self._task, description=what)
         self._bar.start()
 
 

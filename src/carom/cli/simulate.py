@@ -16,6 +16,7 @@ import typer
 from carom.cli.common import attempt, require_outputs, wrote
 from carom.cli.interrupts import noticed_interrupts, say_interrupted
 from carom.cli.options import OUTPUT, RUN, shared
+from carom.cli.progress import working
 from carom.errors import CaromError, FaultList
 from carom.public.own_laws import with_own_laws
 
@@ -275,14 +276,9 @@ def _table(run: Trajectory, path: Path) -> None:
 
 
 def _animate(run: Trajectory, path: Path, quiet: bool) -> None:
-    from rich.progress import Progress
 
-    from carom.cli.console import err
-
-    console = err()
-    with Progress(console=console, transient=True, disable=quiet or not console.is_terminal) as bar:
-        task = bar.add_task("rendering", total=None)
-        run.animate(path, progress=lambda done, total: bar.update(task, completed=done, total=total))
+    with working("rendering", quiet=quiet) as progress:
+        run.animate(path, progress=progress)
 
 
 def _tell(

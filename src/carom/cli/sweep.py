@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import sys
 from collections import Counter
-from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Any
 
@@ -13,13 +11,12 @@ import typer
 
 from carom.cli.common import attempt, require_outputs, wrote
 from carom.cli.options import OUTPUT, RUN, shared
+from carom.cli.progress import working
 from carom.cli.streams import say_json
 from carom.errors import CaromError
 from carom.formatting import counted, format_number
 
 if TYPE_CHECKING:
-    from collections.abc import Callable
-
     from carom.sweeps.sweep import Sweep
 
 FILE = Annotated[
@@ -117,7 +114,7 @@ def run(
     made = _sweep(str(file), store or str(file.with_suffix(".zarr")), allow_own_laws)
     assert made.store is not None
     try:
-        with _progress(quiet or as_json) as report:
+        with working("sweep", quiet=quiet or as_json, unit="points") as report:
             made.run(on=place, part=part, progress=report)
     except KeyboardInterrupt:
         say_interrupted(f"carom: stopped; what is done stays in {made.store.name}: the same command goes on")
@@ -140,7 +137,7 @@ def verify(
     from carom.cli.streams import say
 
     made = _stored(store, allow_own_laws)
-    with _progress(as_json) as report:
+    with working("sweep", quiet=as_json, unit="points") as report:
         bad = made.verify(blocks, report)
     done = made.blocks.number - len(made.missing())
     if as_json:
@@ -232,48 +229,6 @@ def _part(text: str) -> tuple[int, int]:
     if not (slash and first.isdecimal() and second.isdecimal() and 1 <= int(first) <= int(second)):
         raise CaromError(f"--block: expected K/N with 1 <= K <= N, such as 17/64, got {text!r}")
     return int(first), int(second)
-
-
-@contextmanager
-def _progress(quiet: bool) -> Iterator[Callable[[int, int], None] | None]:
-    """Show a bar with points, points per second, and the time left, if standard error is a terminal."""
-    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
-
-    from carom.cli.console import err
-    from carom.core.jit.progress import watch_compiling
-
-    console = err()
-    if quiet or not console.is_terminal:
-        yield None
-        return
-    columns = (
-        TextColumn("{task.description}", markup=False),
-        BarColumn(),
-        TextColumn("{task.completed:,.0f} of {task.total:,.0f} points"),
-        TextColumn("{task.fields[rate]}"),
-        TimeRemainingColumn(),
-    )
-    with Progress(*columns, console=console, transient=True) as bar:
-        task: Any = None
-        depth = 0
-
-        def describe(_function: str, finished: bool) -> None:
-            nonlocal depth
-            depth += -1 if finished else 1
-            if task is not None:
-                bar.update(task, description="compiling, once" if depth else "sweep")
-
-        def report(done: int, total: int) -> None:
-            nonlocal task
-            if task is None:
-                task = bar.add_task("sweep", total=total, completed=done, rate="")
-                return
-            bar.update(task, completed=done)
-            speed = bar.tasks[0].speed
-            bar.update(task, rate="" if speed is None else f"{speed:,.0f} points/s")
-
-        with watch_compiling(describe):
-            yield report
 
 
 def _report(made: Sweep, as_json: bool, quiet: bool) -> None:

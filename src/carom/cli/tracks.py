@@ -12,10 +12,11 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.console import Console
 
-from carom.cli.common import attempt, require_outputs, working, wrote
+from carom.cli.common import attempt, require_outputs, wrote
 from carom.cli.console import err
 from carom.cli.console import out as stdout
 from carom.cli.options import FLOOR, parse_length, quantity, shared
+from carom.cli.progress import working
 from carom.cli.streams import say_json
 from carom.cli.tracks_output import facts, tell, tell_contacts
 from carom.errors import CaromError, shortened_list

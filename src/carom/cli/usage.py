@@ -6,7 +6,7 @@ import sys
 from typing import Any
 
 from carom.cli.option_names import verbs_with
-from carom.errors import Fault, did_you_mean, near_name
+from carom.errors import Fault, did_you_mean, near_name, shortened_list
 
 __all__ = ["usage_fault"]
 
@@ -36,7 +36,9 @@ def _unknown_option(name: str, context: Any) -> Fault:
     """Return the fault of an option that a verb does not have, with one that is near, or other verbs that have it."""
     own = [one for option in context.command.params for one in option.opts if one.startswith("--")]
     verbs = verbs_with(name)
-    listed = " and ".join([", ".join(verbs[:-1]), verbs[-1]] if len(verbs) > 1 else verbs)
+    listed = (
+        shortened_list(verbs, 3) if len(verbs) > 3 else " and ".join(filter(None, (", ".join(verbs[:-1]), *verbs[-1:])))
+    )
     elsewhere = f"{listed} {'have' if len(verbs) > 1 else 'has'} {name}" if verbs else ""
     near = "" if verbs and name not in near_name(name, own) else did_you_mean(name, own)
     return Fault("", name, f"an option of {' '.join(_path(context))}", "", near or elsewhere)
