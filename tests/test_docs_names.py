@@ -1,4 +1,4 @@
-"""The pages of the docs name files and functions that exist: what they include from the sources, import in cells, list and refer to."""
+"""The pages of the docs name files and functions that exist: those included, imported in cells, listed and referred to."""
 
 from __future__ import annotations
 

@@ -246,7 +246,7 @@ def checked_number(
 
 
 def with_size_limit(expected: str, value: float) -> str:
-    """Return what is expected, with the largest or least size allowed if ``value`` is finite and beyond it."""
+    """Return the expectation, with the largest or least size allowed if ``value`` is finite and beyond it."""
     if MAX_MAGNITUDE < abs(value) < np.inf:
         return f"{expected}, at most {MAX_MAGNITUDE:g} in size"
     return f"{expected}, at least {MIN_MAGNITUDE:g} in size" if 0 < abs(value) < MIN_MAGNITUDE else expected

@@ -127,7 +127,7 @@ def _program(executable: str) -> str:
 
 
 def _requirement(extra: str) -> str:
-    """Return what pip is to install: carom with an extra, from where it was installed from (PEP 610)."""
+    """Return the requirement for pip: carom with an extra, from where it was installed from (PEP 610)."""
     import json
     from urllib.parse import urlsplit
     from urllib.request import url2pathname

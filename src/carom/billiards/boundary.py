@@ -28,7 +28,7 @@ class Face(NamedTuple):
     offset: float
     """The face is n.x = offset, the ball at n.x > offset."""
     separation: float
-    """Of a window of a periodic cell: distance to the opposite one."""
+    """Distance of a window of a periodic cell from the opposite one."""
     begin: float
     """Where it begins, along the tangent (ny, -nx)."""
     end: float

@@ -58,7 +58,7 @@ def doctor(as_json: Annotated[bool, shared("json")] = False) -> None:
 
 
 def report() -> dict[str, Any]:
-    """Return what the installation has."""
+    """Return the versions and features of the installation."""
     import carom
     from carom.core.jit.background import core_count
     from carom.core.jit.cache import cache_base

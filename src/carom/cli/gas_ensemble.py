@@ -112,7 +112,7 @@ class _Bar:
 
 
 def _numbers(ensemble: Ensemble) -> dict[str, Any]:
-    """Return what ``--json`` prints."""
+    """Return the object of ``--json``."""
     return {
         "ensemble": len(ensemble.seeds), "seeds": list(ensemble.seeds), "mean": ensemble.mean, "error": ensemble.error,
         "ended_early": {str(seed): end.to_dict() for seed, end in ensemble.ended_early.items()},

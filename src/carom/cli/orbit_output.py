@@ -182,7 +182,7 @@ def print_orbit(facts: dict[str, Any], found: Orbit) -> None:
 
 
 def _meaning(exponents: dict[str, Any]) -> str:
-    """Return what the exponents and their errors are."""
+    """Return a sentence on the exponents and their errors."""
     largest = sorted(row[0] for row in exponents.get("per_bounce_of_each", ()) if row[0] is not None)
     if len(largest) < 2:
         return "±: standard error of the exponents per bounce, from their scatter between 20 parts of the orbit."

@@ -12,7 +12,7 @@ __all__ = ["usage_fault"]
 
 
 def usage_fault(error: Any) -> str:
-    """Return what was expected of the command's words, and what came; Typer's own sentence where it is another fault."""
+    """Return expectation and finding for the command's words; Typer's own sentence where it is another fault."""
     context, kind = getattr(error, "ctx", None), type(error).__name__
     message, said = str(error.format_message()), str(getattr(error, "message", ""))
     if kind == "NoSuchOption" and context is not None:

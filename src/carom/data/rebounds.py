@@ -242,7 +242,7 @@ def make_rebounds(
 
 
 def _bad_cells(given: Mapping[str, Array], rows: Sequence[str], source: str) -> list[str]:
-    """Return what is wrong with the numbers, one line per column and kind of problem."""
+    """Return the faults of the numbers, one line per column and kind of problem."""
     faults = []
 
     def check(name: str, bad: NDArray[np.bool_], expected: str, remedy: str) -> None:

@@ -35,7 +35,7 @@ class ModuleFunction(NamedTuple):
     returns: Any
     arguments: tuple[Any, ...]
     numbers: int = 0
-    """Of a function that is called by its address: how many numbers it takes, beside the place that it writes to."""
+    """Number of the arguments of a function that is called by its address, beside the place that it writes to."""
 
 
 def entries() -> list[ModuleFunction]:

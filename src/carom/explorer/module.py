@@ -55,7 +55,7 @@ def version() -> str:
 
 
 def description() -> dict[str, Any]:
-    """Return what ``engine.json`` says of today's sources; the versions of the tools that build the module are added to it."""
+    """Return the content of ``engine.json`` for today's sources; the versions of the building tools are added to it."""
     return {"version": version(), **_described()}
 
 

@@ -32,9 +32,9 @@ class RowData(NamedTuple):
     """N rebounds in the form used by compiled code."""
 
     code: int
-    """Of the contact model (:mod:`carom.fitting.kernels`)."""
+    """Code of the contact model (:mod:`carom.fitting.kernels`)."""
     form: int
-    """Of the restitution."""
+    """Form of the restitution."""
     stages: Any
     radius: float
     spins: Any

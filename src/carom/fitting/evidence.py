@@ -41,7 +41,7 @@ class FittedModel(Protocol):
     @property
     def untold(self) -> tuple[str, ...]: ...
     def as_dict(self) -> dict[str, Any]:
-        """Return what JSON holds of the fit."""
+        """Return the fit for JSON."""
 
 
 OneFit = TypeVar("OneFit", bound=FittedModel)

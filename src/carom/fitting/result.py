@@ -88,7 +88,7 @@ class Fit:
     untold: tuple[str, ...] = ()
     """The parameters concerned."""
     scatter: dict[str, float] = field(default_factory=dict)
-    """Of the outputs without error bars, or between ``contacts`` beyond the error bars."""
+    """Scatter of the outputs without error bars, or between ``contacts`` beyond the error bars."""
     contact_scatter: Estimate | None = None
     """The scatter between contacts, where it was fitted: a share of the speed before the wall, or m/s,"""
     determinants: float = 0.0
@@ -136,7 +136,7 @@ class Fit:
         return predict_law(self.law, self.problem, self.numbers)
 
     def as_dict(self) -> dict[str, Any]:
-        """Return what JSON holds of the fit."""
+        """Return the fit for JSON."""
         return common_dict(self) | {
             "bic": json_value(self.bic),
             "restitution": self.restitution,

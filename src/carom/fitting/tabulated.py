@@ -81,7 +81,7 @@ class _Grid:
 
 @functools.lru_cache(maxsize=MOST_NODES)
 def _node(grid: _Grid, restitution: float, friction: float, floor: float) -> Array:
-    """Return what the law says on the grid, flat: (stages, directions, spins, 3)."""
+    """Return the law's predictions on the grid, flat: (stages, directions, spins, 3)."""
     one, two = np.meshgrid(grid.directions, grid.spins, indexing="ij")
     v_n, v_t = 1 - np.abs(one), one
     speed = np.hypot(v_n, v_t)

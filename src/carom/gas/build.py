@@ -58,7 +58,7 @@ def build(scene: GasScene, where: str = "gas", progress: Callable[[float], None]
 
 
 def _from_file(scene: GasScene, where: str) -> dict[str, Any]:
-    """Return what the start's file gives, as options of Gas."""
+    """Return the content of the start's file, as options of Gas."""
     axes, path = scene.container.dimensions, Path(scene.run.start)
     try:
         start = read_initial_state(path, axes, scene.container.geometry.size, scene.count)

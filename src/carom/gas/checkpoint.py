@@ -231,7 +231,7 @@ class _Arrays(Mapping[str, NDArray[Any]]):
 
 
 def _description(about: Any) -> dict[str, Any]:
-    """Return what a checkpoint says of itself: format, carom's version, scene, and names of files; ValueError for what is none."""
+    """Return the description in a checkpoint: format, carom's version, scene, and names of files; ValueError for what is none."""
     if not isinstance(about, dict) or type(about.get("format")) is not int:
         raise ValueError("it does not say its format")
     # (a checkpoint of an earlier version names no files, and one of another format may hold anything else)

@@ -114,7 +114,7 @@ class Container:
     periodic: tuple[bool, ...]
     faces: tuple[ContainerFace, ...]
     volume: float
-    """Of the space that the walls bound; of discs the area."""
+    """Volume of the space that the walls bound; for discs the area."""
     outline: Array | None = None
     """The corners (N, 2) of a polygon that is not convex: a point behind one of its sides may be inside."""
 

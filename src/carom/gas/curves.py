@@ -21,7 +21,7 @@ class Distribution:
     """Distribution of the velocity or spin components of a species, in units of their standard deviation at each time."""
 
     center: Array
-    """Of the bins, (B,), in standard deviations."""
+    """Middles of the bins, (B,), in standard deviations."""
     density: Array
     """Probability density, (B,)."""
     error: Array
@@ -60,7 +60,7 @@ class PairCorrelation:
     """Pair correlation function g(r) of two species."""
 
     distance: Array
-    """Of the centres, (B,): the middles of the bins."""
+    """Distances of the centres, (B,): the middles of the bins."""
     g: Array
     error: Array
     """Statistical error of g, from the counts, (B,)."""

@@ -48,7 +48,7 @@ class Ensemble:
 
     scene: GasScene
     seeds: tuple[int, ...]
-    """Of the members; each runs alone as a gas with this seed."""
+    """Seeds of the members; each runs alone as a gas with this seed."""
     members: tuple[dict[str, Any], ...]
     """The JSON object that ``carom gas`` prints for each."""
     mean: dict[str, Any]

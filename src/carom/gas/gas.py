@@ -327,7 +327,7 @@ class Gas:
         return int(self.arrays.system[0]["pair_collisions"] + self.arrays.system[0]["wall_collisions"])
 
     def measured_since(self, since: Mark) -> GasRun:
-        """Return what was measured since a :meth:`mark`."""
+        """Return the measurements since a :meth:`mark`."""
         one, before, energy0, time0 = self.arrays.system[0], since.system, since.energy, since.time
         count, axes, t = int(one["balls"]), int(one["dimensions"]), self._time - time0
         about = 3 if axes == 3 else 1

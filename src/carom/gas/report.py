@@ -151,7 +151,7 @@ def _ratio(rotational: float, translational: float) -> float:
 
 
 def series(session: Session) -> dict[str, Any]:
-    """Return what is plotted, as lists: series over time, distributions, pair correlations, mean square displacement."""
+    """Return the plotted curves, as lists: series over time, distributions, pair correlations, mean square displacement."""
     measures = session.measures
     assert measures is not None
     found: dict[str, Any] = {"series": {name: values.tolist() for name, values in measures.series.items()}}

@@ -32,7 +32,7 @@ class Profile:
     axis: str
     """Across which the slices lie: "x", "y" or "z"."""
     edges: Array
-    """Of the slices (m), (B + 1,)."""
+    """Edges of the slices (m), (B + 1,)."""
     density: Array
     """Number of balls per volume of the container, of discs per area, (B,); nan in a slice outside the walls. Between side walls,
     which centres do not reach, it is lower than far from them."""

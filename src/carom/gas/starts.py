@@ -22,7 +22,7 @@ TOUCH = 1e-9  # of a radius: balls that overlap by less count as touching
 
 
 def vectors(faults: FaultList, name: str, given: Any, count: int, axes: int) -> Array:
-    """Return what was given as (count, 3): two components are along x and y, one is about z. Zeros if nothing was given."""
+    """Return given vectors as (count, 3): two components are along x and y, one is about z. Zeros if nothing was given."""
     rows = np.zeros((count, 3))
     if given is None:
         return rows

@@ -60,7 +60,7 @@ def user_address(law: WallKernel, compiled: bool = True) -> int:
 
 
 def _not_compiled(law: WallKernel, said: str) -> str:
-    """Return what is wrong with a custom law that Numba cannot compile."""
+    """Return the faults of a custom law that Numba cannot compile."""
     lines = [line.strip() for line in said.splitlines() if line.strip()]
     known = ("Unknown", "Untyped", "Use of", "Cannot", "Unsupported", "No implementation", "NameError")
     told = next((line for line in lines if line.startswith(known)), next(iter(lines), ""))

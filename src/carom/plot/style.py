@@ -98,7 +98,7 @@ def style() -> Iterator[None]:
 
 
 def literal(text: object) -> str:
-    r"""Return what a user has named, as Matplotlib is to draw it: as it stands.
+    r"""Return a name given by a user as Matplotlib is to draw it: as it stands.
 
     A dollar sign would begin a formula, a control character is none, and what begins with an underscore has no place in a legend.
     All names of balls, walls, species, tracks, shots, laws and dimensions, and all titles, come to a figure through here.

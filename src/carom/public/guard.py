@@ -229,7 +229,7 @@ _PHRASES = {float: "a number", int: "a whole number", bool: "True or False", str
 
 
 def _phrase(annotation: Any) -> str:  # noqa: PLR0911
-    """Return what an annotation expects, in words."""
+    """Return the expectation of an annotation, in words."""
     origin, inside = typing.get_origin(annotation), typing.get_args(annotation)
     if annotation is None or annotation is type(None):
         return "None"

@@ -101,7 +101,7 @@ class CueStrike(Model):
     cue: SceneCue = SceneCue()
 
     def on(self, ball: Ball) -> Strike:
-        """Return what it does to a ball."""
+        """Return its effect on a ball."""
         return strike(ball, Cue(**dict(self.cue)), self.speed, self.azimuth, self.elevation, self.offset)
 
 

@@ -213,7 +213,7 @@ class Scene(Model):
 
     @functools.cached_property
     def kept(self) -> dict[str, Any]:
-        """Return what was computed from this scene, by name, such as its arrays; neither a copy nor a pickle takes it along."""
+        """Return objects computed from this scene, by name, such as its arrays; neither a copy nor a pickle takes it along."""
         return {}
 
     def __getstate__(self) -> dict[Any, Any]:

@@ -92,7 +92,7 @@ def raise_faults(faults: Iterable[Fault]) -> None:
 
 
 def with_faults_of_part(make: Callable[[], Any]) -> Any:
-    """Return what ``make`` makes; the faults of its arguments become faults of the fields with the same names."""
+    """Return the result of ``make``; the faults of its arguments become faults of the fields with the same names."""
     try:
         return make()
     except CaromError as error:

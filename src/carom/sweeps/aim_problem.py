@@ -75,7 +75,7 @@ class AimProblem:
     # --- many runs ---------------------------------------------------------------------------------------------------
 
     def outcomes(self, x: Array, events: int) -> tuple[Outcomes, NDArray[np.bool_]]:
-        """Return what starts (N, U) do, with the first ``events`` of walls, balls and pockets, and which of them can be run."""
+        """Return the runs of starts (N, U), with the first ``events`` of walls, balls and pockets, and which of them can be run."""
         arrays = set_up(self.scene).for_runs(len(x))
         columns = {path_match(self.scene, path): column for path, column in columns_at(self.unknowns, x).items()}
         doubtful = start_states(self.scene, columns, arrays)
@@ -94,7 +94,7 @@ class AimProblem:
         return np.where(runs[:, None], size, np.inf), reached & runs, rows, done
 
     def sweep(self, x: Array) -> CoarseSweep:
-        """Return what starts (N, U) come to."""
+        """Return the results of starts (N, U)."""
         parts = []
         places = [target.ball for target in self.targets if target.kind == "point"]
         for part in np.array_split(x, math.ceil(len(x) * FOLLOWED / ROWS_AT_ONCE)):
@@ -127,14 +127,14 @@ class AimProblem:
         return run, signature(codes_of(log)[0], self.targets, found), found
 
     def miss(self, run: Any, found: list[int], derivatives: Any, x: Array) -> tuple[Array, Array]:
-        """Return what a run misses the targets by, as shares of what is allowed (R,), and its derivatives (R, U)."""
+        """Return a run's misses of the targets, as shares of what is allowed (R,), and its derivatives (R, U)."""
         parts = [slopes(target, run, row, derivatives) for target, row in zip(self.targets, found, strict=True)]
         return np.concatenate(self.missed(run, found)), np.concatenate(parts) @ slopes_at(
             self.unknowns, x, derivatives.columns
         )
 
     def missed(self, run: Any, found: list[int]) -> list[Array]:
-        """Return what a run misses each target by, (R,) as shares of what is allowed."""
+        """Return a run's miss of each target, (R,) as shares of what is allowed."""
         done = Outcomes.of_run(run)
         return [residuals(target, done, np.array([row]))[0] for target, row in zip(self.targets, found, strict=True)]
 
@@ -145,7 +145,7 @@ class AimProblem:
 
 
 def codes_of(log: NDArray[np.void]) -> NDArray[np.int32]:
-    """Return what happens in logs (N, M): kind, ball, and which wall, ball or pocket it meets, (N, M, 3)."""
+    """Return the events in logs (N, M): kind, ball, and which wall, ball or pocket it meets, (N, M, 3)."""
     return np.stack([log["kind"], log["ball"], log["other"]], axis=-1).astype(np.int32)
 
 

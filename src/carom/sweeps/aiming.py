@@ -358,7 +358,7 @@ def _names(unknowns: Sequence[Unknown]) -> list[str]:
 
 
 def _sequence(problem: AimProblem, run: Any) -> tuple[tuple[str, ...], float]:
-    """Return what the balls of the targets meet, up to the last target, and the time of that."""
+    """Return the objects that the balls of the targets meet, up to the last target, and its time."""
     scene = problem.scene
     rows = run.log[np.isin(run.log["kind"], EVENTS)]
     found = [int(find(target, rows[None, :])[0]) for target in problem.targets]

@@ -243,7 +243,7 @@ def _quietly(engine: Any, count: int) -> Any:
 
 
 def as_axis(value: Any, where: str) -> Axis:
-    """Return what a parameter runs through: an axis as it is, else values. CaromError, one line, for what is neither."""
+    """Return the axis of a parameter: an axis as it is, else values. CaromError, one line, for what is neither."""
     if isinstance(value, Values | Draw | Design | Polar):
         return value
     try:

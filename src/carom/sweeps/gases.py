@@ -42,7 +42,7 @@ class Gases(PointByPoint):
         return [Outcome(name) for name in names]
 
     def compute(self, model: GasScene, seed: int, index: int) -> dict[str, Any]:
-        """Return what is reported of a run whose seed follows from the sweep's, the scene's, and the point's index."""
+        """Return the report of a run whose seed follows from the sweep's, the scene's, and the point's index."""
         number = threefry(seed, model.run.seed & WORD, index & WORD, index >> 32)[0]
         session = Session(replaced(model, {"run.seed": number}))
         session.run()

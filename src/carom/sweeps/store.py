@@ -139,7 +139,7 @@ class Store:
     # --- reading ---------------------------------------------------------------------------------------------------
 
     def attributes(self) -> dict[str, Any] | None:
-        """Return what the store says of its sweep; None where there is nothing. CaromError for what is no store of a sweep."""
+        """Return the store's description of its sweep; None where there is nothing. CaromError for what is no store of a sweep."""
         with self._explaining("read"):
             try:
                 group = self.zarr.open_group(self.place, mode="r", zarr_format=3)

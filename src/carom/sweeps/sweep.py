@@ -48,7 +48,7 @@ class SweepPlan:
         self.blocks_done: int = numbers["blocks_done"]
         self.bytes: int = numbers["bytes"]
         self.seconds: float = numbers["seconds"]
-        """Of the blocks that are not done, on this machine's cores."""
+        """Time for the blocks that are not done, on this machine's cores."""
 
     def __repr__(self) -> str:
         """Return the table as text."""
@@ -88,7 +88,7 @@ class Sweep:
 
     @functools.cached_property
     def specification(self) -> dict[str, Any]:
-        """Return what identifies the sweep, as plain data: what it computes, the hash of the kernels' sources, types, blocks."""
+        """Return the identity of the sweep, as plain data: its computation, the hash of the kernels' sources, types, blocks."""
         import carom
 
         data = {

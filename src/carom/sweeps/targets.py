@@ -119,13 +119,13 @@ class TargetEvent(NamedTuple):
     windows: tuple[float, ...]
     """Greatest allowed size of each number of the residual."""
     centers: Array
-    """Of all pockets, (P, 2)."""
+    """Centres of all pockets, (P, 2)."""
     speed: float | None = None
     """With which the ball comes there, m/s."""
 
     @property
     def units(self) -> tuple[str, ...]:
-        """Of each number of the residual."""
+        """Unit of each number of the residual."""
         return ("m", "m") if self.kind == "point" else ("m", "m/s")[: len(self.windows)]
 
 

@@ -52,7 +52,7 @@ class Unknown(NamedTuple):
 
     name: str
     path: str
-    """Of the number in the scene, or of the vector that it is a part of."""
+    """Path of the number in the scene, or of the vector that contains it."""
     low: float
     high: float
     error: float
@@ -124,7 +124,7 @@ def unknowns_of(
 
 
 def _faults_of_errors(errors: Any) -> list[str]:
-    """Return what is wrong with the player's errors."""
+    """Return the faults of the player's errors."""
     known = shortened_list(list(ERRORS))
     if not isinstance(errors, Mapping):
         return [f"aim: errors: expected a mapping of {known} to numbers, got {errors!r:.60}"]

@@ -30,7 +30,7 @@ class RobustMean(NamedTuple):
 
     mean: float
     variance: float
-    """Of the mean."""
+    """Variance of the mean."""
     between: float
     """Variance between the values beyond their errors."""
 

@@ -40,7 +40,7 @@ def with_hops(contacts: Sequence[TrackContact], known: bool | None = None, doubt
 
 
 def hop_excess(one: TrackContact) -> float:
-    """Return what a contact adds to the sum for all: by how much chi2 is higher with a hop, within MOST."""
+    """Return a contact's part of the sum for all: the rise of chi2 by a hop, within MOST."""
     return 0.0 if one.fit is None else float(np.clip(one.fit.hop_chi2, -MOST, MOST))
 
 

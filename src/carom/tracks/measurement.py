@@ -71,11 +71,11 @@ class Measured:
     gravity: float = 9.80665
     """m/s^2, by which decelerations were divided to give the friction of the floor."""
     radius: float | None = None
-    """Of the balls, m; None if it was not given."""
+    """Radius of the balls, m; None if it was not given."""
     kappa: float = 2 / 5
     """I/(m a^2)."""
     correlation: float = 0.0
-    """Of the noise between neighbouring frames; 0 where the frames show none."""
+    """Correlation of the noise between neighbouring frames; 0 where the frames show none."""
     view_reason: str = ""
     """Why the view was taken for what it is; empty if it was given."""
 

@@ -73,7 +73,7 @@ def drag_note(contacts: Sequence[TrackContact], air: Air) -> list[str]:
 def why_implausible(
     contacts: Sequence[TrackContact], view: View, floor: Mapping[str, WithError], gravity: float
 ) -> str:
-    """Return what speaks against the view in which contacts were measured; empty if nothing does, or too few were measured."""
+    """Return objections to the view in which contacts were measured; empty if nothing does, or too few were measured."""
     judged = [one for one in contacts if np.isfinite(one.scatter)]
     if len(judged) < MIN_JUDGED:
         return ""

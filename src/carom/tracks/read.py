@@ -193,7 +193,7 @@ def format_of(text: str) -> str | None:
 
 
 def got_instead(text: str) -> str:
-    """Return what a text of no known format has, for a message: its columns, or how it begins.
+    """Return the description of a text of no known format, for a message: its columns, or its beginning.
 
     Examples
     --------

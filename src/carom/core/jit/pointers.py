@@ -20,7 +20,7 @@ _alive: list[Any] = []
 
 
 def answer_at(address: int, numbers: tuple[float, ...]) -> Answer:
-    """Return what the function at an address writes, given so many numbers; compiled code jumps to it."""
+    """Return the numbers that the function at an address writes, given so many numbers; compiled code jumps to it."""
     out = _functions[address](numbers)
     return (out[0], out[1], out[2], out[3], out[4], out[5])
 
@@ -102,7 +102,7 @@ def compiled_address(compiled: Any) -> int:
 
 @functools.cache
 def caller_of(returns: Any, *arguments: Any) -> Any:
-    """Return what calls a compiled function from compiled code, as ``caller(address, (arguments, ...))``.
+    """Return the caller of a compiled function from compiled code, as ``caller(address, (arguments, ...))``.
 
     A loop that names such a function is compiled together with it, once more; and a function that is passed as an argument takes
     80 us to hand over.

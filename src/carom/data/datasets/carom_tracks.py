@@ -81,7 +81,7 @@ class _NumbersOnly(pickle.Unpickler):
     """Makes NumPy arrays; any other class or function is left out."""
 
     def find_class(self, module: str, name: str) -> Any:
-        """Return what a pickle calls by this name."""
+        """Return the object that a pickle calls by this name."""
         if (module, name) == ("_codecs", "encode"):
             return _latin1
         return ARRAYS.get(name, _LeftOut) if module.split(".", maxsplit=1)[0] == "numpy" else _LeftOut

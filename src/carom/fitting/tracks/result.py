@@ -44,7 +44,7 @@ class TrackFit:
     gap: Array
     """(N, T, 2) m: simulated less tracked, NaN where there is no frame."""
     chi2: float
-    """Of all frames, and of the prior of the starts."""
+    """chi^2 of all frames, and of the prior of the starts."""
     k: float
     """Effective number of fitted parameters; of a start's parameter with a prior, the share determined by the frames."""
     dof: float

@@ -309,7 +309,7 @@ def synchronized_blocks(
 
 
 def synchronized(arrays: GasArrays, time: float) -> tuple[NDArray[np.void], NDArray[np.void], NDArray[np.int32]]:
-    """Return what :func:`synchronized_blocks` yields, in one piece."""
+    """Return the blocks of :func:`synchronized_blocks`, in one piece."""
     count = len(arrays.balls.motions)
     motions, bodies, images = np.empty(count, MOTION), np.empty(count, BODY), np.empty((count, 3), np.int32)
     for rows, *parts in synchronized_blocks(arrays, time):

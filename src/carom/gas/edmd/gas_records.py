@@ -206,7 +206,7 @@ class WallRecords(NamedTuple):
     faces: NDArray[np.void]
     contacts: NDArray[np.void]
     cell_sets: NDArray[np.int32]
-    """Of each cell: where its set begins in ``sets``."""
+    """Place in ``sets`` at which the set of each cell begins."""
     sets: NDArray[np.int32]
     """One set after the other: the number of faces, then their indices."""
 

@@ -14,7 +14,7 @@ __all__ = ["leave", "needed"]
 
 
 def needed(is_3d: bool) -> Any:
-    """Return what main asks of a model: in which of its simulations it may act. 0.6.0 does not ask."""
+    """Return the answer to main's question to a model: in which of its simulations it may act. 0.6.0 does not ask."""
     from pooltool.physics.dimensionality import Dim
 
     return Dim.THREE if is_3d else Dim.TWO

@@ -100,7 +100,7 @@ class Field:
 
 
 def open_file(path: Path) -> Field:
-    """Return what a file holds. CaromError, one line, for what is no file of pooltool's, and for damage."""
+    """Return the content of a file. CaromError, one line, for what is no file of pooltool's, and for damage."""
     if path.suffix.lower() not in ENDINGS:
         raise CaromError(
             f"{path}: expected a file of pooltool's, with a name that ends with .json or .msgpack, got"

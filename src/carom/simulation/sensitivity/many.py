@@ -116,7 +116,7 @@ class ManySensitivities:
     final: State
     """(N, B, 3)."""
     derivatives: StateSensitivity
-    """Of the final states at the fixed time ``end``, each (N, B, 3, p); NaN where a run has none (``why``)."""
+    """Derivatives of the final states at the fixed time ``end``, each (N, B, 3, p); NaN where a run has none (``why``)."""
     code: NDArray[np.int64]
     """(N, B): final phases as numbers; ``phase`` has their names."""
     end: Array

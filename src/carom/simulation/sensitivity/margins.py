@@ -154,7 +154,7 @@ class _JointImpacts:
         return Margin("stick/slip", float(np.linalg.norm(slopes[:3] @ inverse)) / size**2, 1 / size)
 
     def _numbers(self, row: Any, one: Passage) -> list[Any]:
-        """Return what the impact depends on, with derivatives: v, w, n, a, kappa, e, mu, beta, the floor's e, mu, beta."""
+        """Return the arguments of the impact, with derivatives: v, w, n, a, kappa, e, mu, beta, the floor's e, mu, beta."""
         ball, f, world = self.balls[row["ball"]], self.features[self._feature(row)], self.world[0]
         n = lifted(contact_normal)(f, one.ball.x, one.before.v)
         e = lifted(restitution)(f.form, f.e, one.approach)
@@ -164,7 +164,7 @@ class _JointImpacts:
         ]  # fmt: skip
 
     def _sequence(self, x: Array) -> tuple[int, int]:
-        """Return what happens in an impact: the regime at the wall, and all modes of both contacts, one after the other."""
+        """Return the course of an impact: the regime at the wall, and all modes of both contacts, one after the other."""
         y = x.tolist()
         v, w, n, rest = tuple(y[:3]), tuple(y[3:6]), tuple(y[6:9]), y[9:]
         *_after, regime, way = self.impact(v, w, n, *rest, True)

@@ -115,7 +115,7 @@ def tangents_of(scene: Scene, wrt: Any, phases: Any, setup: SceneArrays) -> tupl
 
 
 def _fixed_by(scene: Scene, path: str) -> str:
-    """Return what fixes a number: the strike has a struck ball's velocity and spin."""
+    """Return the path that fixes a number: the strike has a struck ball's velocity and spin."""
     for keys in path_match(scene, path).places:
         if (
             keys[0] == "balls"

@@ -114,7 +114,7 @@ class Sensitivity:
         return np.asarray(np.linalg.norm(self.final.position, axis=1) * np.abs(self.values) / 100)
 
     def table(self) -> SensitivityTable:
-        """Return what matters: how far each ball's final place moves when a parameter changes by 1 %, mm, the largest first."""
+        """Return the displacement of each ball's final place when a parameter changes by 1 %, mm, the largest first."""
         moved = 1e3 * self.what_matters()
         order = np.argsort(-moved.max(axis=0), kind="stable")
         rows = [

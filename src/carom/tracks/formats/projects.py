@@ -77,7 +77,7 @@ ENDINGS = {
 
 
 def foreign_file(path: str | Path, start: bytes) -> ForeignFile | None:
-    """Return what a file is that holds no table of text, from its name and its first bytes; None if it may hold one."""
+    """Return the kind of a file that holds no table of text, from its name and its first bytes; None if it may hold one."""
     ending = ENDINGS.get(Path(path).suffix.lower())
     found = _from_start(start)
     if found is not None:  # a name says more than the beginnings that many programs share
