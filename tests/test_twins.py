@@ -86,6 +86,29 @@ def test_each_verb_has_a_function_or_is_known_to_have_none() -> None:
     assert not left, left
 
 
+def test_gases_by_the_names_of_the_command(tmp_path: Any) -> None:
+    names = inspect.signature(COMMANDS["gas"].callback).parameters
+    own = inspect.signature(carom.simulate_gas).parameters
+    assert {"max_events", "duration", "seed", "ensemble"} <= set(names) & set(own)
+    assert all(
+        own[name].default is names[name].default is None for name in ("max_events", "duration", "seed", "ensemble")
+    )
+    file = tmp_path / "gas.toml"
+    file.write_text(
+        '[container]\nshape = "periodic"\nsize = [6, 6, 6]\n[[species]]\nname = "a"\ncount = 30\nradius = 0.5\n'
+        '[[contacts]]\nbetween = ["a", "a"]\nrestitution = 1\nfriction = 0\n[run]\nmax_events = 300\n'
+    )
+    seen: list[Any] = []
+    gas, run = carom.simulate_gas(file, max_events=200, seed=3, progress=lambda *one: seen.append(one))
+    assert (run.pair_collisions, gas.collisions) == (200, 40 * 30 + 200)
+    assert all((total, text) == (1400, "collisions") for _done, total, text in seen)
+    scene = carom.replaced(carom.gas.load_gas(file), {"run.seed": 3})
+    assert carom.gas.simulate_gas(scene, collisions=200)[0].balls().position.tobytes() == gas.balls().position.tobytes()
+    assert len(carom.simulate_gas(file, max_events=100, ensemble=2).seeds) == 2
+    with pytest.raises(carom.CaromError, match="collisions: expected max_events alone, got both"):
+        carom.simulate_gas(file, max_events=1, collisions=1)
+
+
 V = [1.0, 2.0, 3.0, 4.0]
 REBOUNDS: dict[str, Any] = {
     "v_n_in": V, "v_t_in": V, "spin_in": [0.0] * 4, "v_n_out": [0.81, 1.59, 2.42, 3.18], "v_t_out": [0.71, 1.43, 2.15, 2.85],

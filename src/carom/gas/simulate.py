@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+import os
+from collections.abc import Sequence
+from pathlib import Path
 from typing import Any, overload
 
 from carom.errors import FaultList
+from carom.gas.build import load_gas
 from carom.gas.containers import Container
+from carom.gas.ensembles import Ensemble, simulate_ensemble
 from carom.gas.gas import Gas
 from carom.gas.results import GasRun
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
 from carom.gas.species import Species
+from carom.public.progress import Progress
 from carom.scene.paths import replaced
 
 __all__ = ["simulate_gas"]
@@ -19,8 +25,30 @@ __all__ = ["simulate_gas"]
 
 @overload
 def simulate_gas(
-    species: GasScene, *, collisions: int | None = None, equilibrate: int | None = None
+    species: GasScene | str | Path,
+    *,
+    max_events: int | None = None,
+    duration: float | str | None = None,
+    seed: int | None = None,
+    ensemble: None = None,
+    equilibrate: int | None = None,
+    collisions: int | None = None,
+    progress: Progress | None = None,
 ) -> tuple[Gas, GasRun]: ...
+
+
+@overload
+def simulate_gas(
+    species: GasScene | str | Path,
+    *,
+    max_events: int | None = None,
+    duration: float | str | None = None,
+    seed: int | None = None,
+    ensemble: int,
+    equilibrate: int | None = None,
+    collisions: int | None = None,
+    progress: Progress | None = None,
+) -> Ensemble: ...
 
 
 @overload
@@ -35,28 +63,42 @@ def simulate_gas(
 
 
 def simulate_gas(
-    species: Sequence[Species] | GasScene,
+    species: Sequence[Species] | GasScene | str | Path,
     side: Sequence[float] | Container | None = None,
     *,
-    collisions: int | None = None,
+    max_events: int | None = None,
+    duration: float | str | None = None,
+    seed: int | None = None,
+    ensemble: int | None = None,
     equilibrate: int | None = None,
+    collisions: int | None = None,
+    progress: Progress | None = None,
     **options: Any,
-) -> tuple[Gas, GasRun]:
+) -> tuple[Gas, GasRun] | Ensemble:
     """Make a gas, equilibrate it, and measure the next collisions.
 
     Parameters
     ----------
-    species : sequence of Species, or GasScene
-        A scene, such as :func:`load_gas` returns, has all the rest too.
+    species : path, GasScene, or sequence of Species
+        A scene, as a file or as :func:`load_gas` returns it, has all the rest too.
     side, **options : as for :class:`Gas`; not with a scene
-    collisions : int
-        Number of collisions that are measured, with walls included; default with a scene: its ``max_events`` or ``duration``.
+    max_events : int
+        Number of collisions that are measured, with walls included; default with a scene: its own, or its duration.
+        ``collisions`` is its older name.
+    duration : float or str, optional
+        Of a scene: time that is measured.
+    seed : int, optional
+        Of the random numbers. Default: the scene's.
+    ensemble : int, optional
+        Of a scene: simulate so many independent gases, on all cores, as :func:`simulate_ensemble` does.
     equilibrate : int, optional
         Number of collisions before; default: the scene's, or 40 per ball.
+    progress : callable(done, total, text), optional
+        Of a scene: called some ten times per second with the number of collisions so far, and of all (NaN: not known).
 
     Returns
     -------
-    Gas, GasRun
+    Gas, GasRun; with ``ensemble`` an Ensemble
         The gas at the end, and what was measured. Raises CaromError as :class:`Gas` and :meth:`Gas.run` do. Of a scene,
         :class:`Session` also measures distributions, g(r) and diffusion, and :func:`simulate_ensemble` gives error bars.
 
@@ -79,32 +121,49 @@ def simulate_gas(
     >>> simulate_gas(scene)[1].pair_collisions, simulate_gas(scene, collisions=500)[1].pair_collisions
     (2000, 500)
     """
-    if isinstance(species, GasScene):
-        given = {"side": side, **options}
-        return _simulate_scene(
-            species, {name: x for name, x in given.items() if x is not None}, collisions, equilibrate
-        )
     faults = FaultList("simulate_gas")
+    if max_events is not None and collisions is not None:
+        faults.add("collisions", "max_events alone", "both", "collisions is its older name")
+        faults.raise_if_any()
+    collisions = max_events if collisions is None else collisions
+    if isinstance(species, str | os.PathLike):
+        species = load_gas(species)
+    if isinstance(species, GasScene):
+        run = {"max_events": collisions, "equilibrate": equilibrate, "duration": duration, "seed": seed}
+        for name, value in {"side": side, **options}.items():
+            if value is not None:
+                faults.add(name, "none beside a GasScene", f"{value!r}", "change the scene")
+        faults.raise_if_any()
+        scene = replaced(species, {f"run.{name}": x for name, x in run.items() if x is not None})
+        return _simulate_scene(scene, progress) if ensemble is None else _simulate_members(scene, ensemble, progress)
+    for name, value in {"duration": duration, "ensemble": ensemble}.items():
+        if value is not None:
+            faults.add(name, "a scene, to which it belongs", "a list of Species", "omit it")
     if side is None:
         faults.add("side", "two or three lengths, or a container, with a list of Species", "none")
     if collisions is None:
         faults.add("collisions", "the number of collisions to measure", "none")
     faults.raise_if_any()
     assert side is not None
-    gas = Gas(species, side, **options)
+    given: dict[str, Any] = options if seed is None else {**options, "seed": seed}
+    gas = Gas(species, side, **given)
     gas.run(40 * sum(one.count for one in species) if equilibrate is None else equilibrate)
     return gas, gas.run(collisions)
 
 
-def _simulate_scene(
-    scene: GasScene, others: Mapping[str, Any], collisions: int | None, equilibrate: int | None
-) -> tuple[Gas, GasRun]:
-    """Run a scene, with other numbers of collisions if these are given; ``others`` are arguments that a scene excludes."""
-    faults = FaultList("simulate_gas")
-    for name, value in others.items():
-        faults.add(name, "none beside a GasScene", f"{value!r}", "change the scene")
-    faults.raise_if_any()
-    run = {"run.max_events": collisions, "run.equilibrate": equilibrate}
-    session = Session(replaced(scene, {path: x for path, x in run.items() if x is not None}))
-    session.run()
+def _simulate_scene(scene: GasScene, progress: Progress | None) -> tuple[Gas, GasRun]:
+    most = scene.run.max_events
+    total = math.nan if most is None else scene.equilibrate + most
+    session = Session(scene)
+    tell = None if progress is None else lambda now: progress(now.gas.collisions, total, "collisions")
+    session.run(progress=tell)
     return session.gas, session.result
+
+
+def _simulate_members(scene: GasScene, members: int, progress: Progress | None) -> Ensemble:
+    tell = (
+        None
+        if progress is None
+        else lambda share, events: progress(events, events / share if share else math.nan, "collisions")
+    )
+    return simulate_ensemble(scene, members, progress=tell)
