@@ -47,7 +47,7 @@ def test_a_sweep_in_a_bucket(bucket: str) -> None:
     for name in memory.data_vars:
         assert np.array_equal(found[name].values, memory[name].values, equal_nan=found[name].dtype.kind == "f")
     assert again.verify(2) == []
-    with pytest.raises(carom.CaromError, match="got that of another, which differs in keep"):
+    with pytest.raises(carom.CaromError, match="got the store of another, which differs in keep"):
         carom.sweep(space(), ["final.spin"], store=f"{bucket}/s.zarr", block=100).run()
 
 

@@ -162,7 +162,7 @@ def test_a_store_of_another_sweep_is_refused(tmp_path: Path) -> None:
         (carom.sweep(space(), ["final.spin"], store=tmp_path / "s.zarr", block=100), "keep, dtypes"),
     ):
         with pytest.raises(
-            carom.CaromError, match=f"got that of another, which differs in {differs}; name a new store"
+            carom.CaromError, match=f"got the store of another, which differs in {differs}; name a new store"
         ):
             made.run()
     assert files_of(tmp_path / "s.zarr") == before

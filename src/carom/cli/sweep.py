@@ -210,18 +210,17 @@ def plot(
 
 def _sweep(file: str, store: str | None, allow_own_laws: bool) -> Sweep:
     """Return the sweep of a file, or of a store."""
-    from carom.sweeps.sweep import sweep
     from carom.sweeps.toml import load_sweep
 
     if "://" in file or Path(file).is_dir():
-        return sweep(file, allow_own_laws=allow_own_laws)
+        return _stored(file, allow_own_laws)
     return load_sweep(file, store, allow_own_laws=allow_own_laws)
 
 
 def _stored(store: str, allow_own_laws: bool) -> Sweep:
-    from carom.sweeps.sweep import sweep
+    from carom.sweeps.sweep import stored_sweep
 
-    return sweep(store, allow_own_laws=allow_own_laws)
+    return stored_sweep(store, allow_own_laws)
 
 
 def _part(text: str) -> tuple[int, int]:

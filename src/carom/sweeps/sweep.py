@@ -24,10 +24,11 @@ from carom.sweeps.cluster import run_on_cluster
 from carom.sweeps.dataset import dataset_of, open_dataset
 from carom.sweeps.gpu import require_gpu
 from carom.sweeps.outcomes import FAILED, FAILURES, NOT_DONE, Outcome
+from carom.sweeps.plan import SweepPlan
 from carom.sweeps.space import Space
 from carom.sweeps.store import BLOCKS, Blocks, Store, blocks_of, checksum, identity, require_few
 
-__all__ = ["Sweep", "SweepPlan", "sweep"]
+__all__ = ["Sweep", "stored_sweep", "sweep", "sweep_over"]
 
 Array = NDArray[Any]
 Progress = Callable[[int, int], None]
@@ -36,23 +37,6 @@ HERE = ("cores", "cuda")
 COMPUTED_ON = "computed_on"
 SAMPLE_SECONDS = 0.25  # that points are computed for, so as to estimate how long all take
 SAMPLE_PLACES = 16  # where these points lie, spread over the space
-
-
-class SweepPlan:
-    """Plan of a sweep: :meth:`Sweep.explain`."""
-
-    def __init__(self, text: str, **numbers: Any) -> None:
-        self.text = text
-        self.points: int = numbers["points"]
-        self.blocks: int = numbers["blocks"]
-        self.blocks_done: int = numbers["blocks_done"]
-        self.bytes: int = numbers["bytes"]
-        self.seconds: float = numbers["seconds"]
-        """Time for the blocks that are not done, on this machine's cores."""
-
-    def __repr__(self) -> str:
-        """Return the table as text."""
-        return self.text
 
 
 class Sweep:
@@ -381,7 +365,12 @@ def sweep(
     array([0.5, 1. ])
     """
     if isinstance(space, str | Path):
-        return _from_store(Store(space), allow_own_laws)
+        return stored_sweep(space, allow_own_laws)
+    return sweep_over(space, keep, store, block)
+
+
+def sweep_over(space: Space, keep: tuple[str, ...] | list[str], store: Any, block: int) -> Sweep:
+    """Return the sweep over a space, as :func:`sweep` does."""
     if not isinstance(space, Space):
         raise CaromError(
             f"sweep: space: expected a Space or the name of a store, got {type(space).__name__} {space!r:.60}"
@@ -395,10 +384,12 @@ def sweep(
     )
 
 
-def _from_store(store: Store, allow_own_laws: bool) -> Sweep:
+def stored_sweep(place: str | Path, allow_own_laws: bool = False) -> Sweep:
+    """Return the sweep of a store, as :func:`sweep` does."""
     from carom.sweeps.axes import axis_from_data, from_plain
     from carom.sweeps.subjects import subject_from_data
 
+    store = Store(place)
     data = store.attributes()
     if data is None:
         raise CaromError(
@@ -428,7 +419,7 @@ _turns = threading.Lock()
 
 @functools.lru_cache(maxsize=4)
 def _opened(place: str, identity: str, own_laws: bool) -> Sweep:
-    found = sweep(place, allow_own_laws=own_laws)
+    found = stored_sweep(place, own_laws)
     if found.specification["identity"] != identity:
         raise CaromError(
             f"{place}: expected workers with the same version of carom as here, got other sources"

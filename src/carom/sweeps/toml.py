@@ -16,7 +16,7 @@ from carom.scene.toml import load_scene, read_toml
 from carom.sweeps.axes import Axis, axis_from_data
 from carom.sweeps.space import Space
 from carom.sweeps.subjects import subject_from_data
-from carom.sweeps.sweep import BLOCK_POINTS, Sweep, sweep
+from carom.sweeps.sweep import BLOCK_POINTS, Sweep, sweep_over
 
 __all__ = ["load_sweep", "new_sweep"]
 
@@ -88,7 +88,7 @@ def load_sweep(path: str | Path, store: Any = None, *, allow_own_laws: bool = Fa
     if subject is not None and parameters:  # (what is sound is looked at even where something is not)
         try:
             space = Space(subject, parameters, table.get("repeats", 1), table.get("seed", 0))
-            made = sweep(space, table.get("keep", ()), store, block=table.get("block", BLOCK_POINTS))
+            made = sweep_over(space, table.get("keep", ()), store, table.get("block", BLOCK_POINTS))
         except CaromError as error:
             found += error.records_at(str(path))
     if found or made is None:
