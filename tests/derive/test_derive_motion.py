@@ -1,5 +1,7 @@
 """Impulsive motion: two derivations on every body, published results, restitution, redundancy, bad input."""
 
+import functools
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -53,11 +55,18 @@ CASES = {
 }
 
 
-@pytest.mark.parametrize("name", CASES)
-def test_both_derivations_agree_symbolically(name):
+@functools.cache
+def solved(name):
+    """Return the motion of a case, its modes, and the jump by multipliers."""
     build, modes = CASES[name]
     motion = build()
-    one, other = motion.solve("multipliers", modes), motion.solve("virtual", modes)
+    return motion, modes, motion.solve("multipliers", modes)
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_both_derivations_agree_symbolically(name):
+    motion, modes, one = solved(name)
+    other = motion.solve("virtual", modes)
     for u in motion.speeds.names:
         assert is_zero(one.after[u] - other.after[u]), u
     assert set(one.impulses) == set(other.impulses)
@@ -73,9 +82,7 @@ def test_both_derivations_agree_symbolically(name):
 @pytest.mark.parametrize("name", CASES)
 def test_energy_change_is_the_work_of_the_impulses(name):
     # Kelvin: each impulse works on the mean of its velocity before and after
-    build, modes = CASES[name]
-    motion = build()
-    jump = motion.solve(modes=modes)
+    motion, _modes, jump = solved(name)
     rows = {
         r.name: r for r in [*motion.permanent, *motion.imposed, *(r for c in motion.contact_rows.values() for r in c)]
     }

@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from reference.commands import command, fails
+from reference.exploring import tried
 from reference.synthetic_tracks import Camera, bounce, seen, shot
 from reference.thrown_ball import film, thrown
 
@@ -93,7 +94,7 @@ def test_a_second_axis_that_points_down(tmp_path: Path, capsys: pytest.CaptureFi
     assert measure(read_tracks(file).tracks, Settings(view="above")).view == "above"
 
 
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(tried(2, 6)))
 @pytest.mark.parametrize("camera", [Camera(60, 4e-4), Camera(25, 3e-3), Camera(240, 1e-3)])
 def test_a_ball_on_a_table_does_not_fall(seed: int, camera: Camera) -> None:
     rng = np.random.default_rng(seed)

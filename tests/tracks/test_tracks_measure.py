@@ -10,6 +10,7 @@ from types import ModuleType, SimpleNamespace
 
 import numpy as np
 import pytest
+from reference.exploring import tried
 from reference.synthetic_tracks import HIGH, LOW, RADIUS, Camera, bounce, filmed, seen, shot, surfaces, truth
 
 import carom
@@ -399,7 +400,7 @@ def test_a_thrown_ball_of_which_frames_are_missing_is_not_rounded() -> None:
         assert rounding_step([x]) == 0.0
 
 
-@pytest.mark.parametrize("seed", [0, 2])
+@pytest.mark.parametrize("seed", tried([2], [0, 2]))
 def test_the_floor_is_as_sure_as_the_frames(seed: int) -> None:
     """Of 20 films with frames missing (one of seed 2 looks rounded): each frame counts once, and the noise is what it is."""
     rng = np.random.default_rng(seed)
@@ -569,7 +570,7 @@ def soft(run: carom.Trajectory, camera: Camera, rng: np.random.Generator, shot_n
     return replace(track, position=places, group=shot_name)
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(tried(1, 4)))
 def test_a_soft_wall_is_found_on_eleven_shots_and_its_time_has_an_error_that_the_rows_share(seed: int) -> None:
     rng = np.random.default_rng(seed)
     on = surfaces(rng)
@@ -590,7 +591,7 @@ def test_a_soft_wall_is_found_on_eleven_shots_and_its_time_has_an_error_that_the
 
 
 def test_frames_that_show_free_motion_are_all_kept() -> None:
-    for seed in range(4):
+    for seed in range(tried(1, 4)):
         _on, measured, rows = filmed("with", Camera(60, 3e-4), seed, 11)
         assert measured.blind[:2] == (0, 0), seed
         assert "blind_v_n_out" not in rows.extra

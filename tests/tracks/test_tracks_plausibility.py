@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from reference.exploring import tried
 from reference.synthetic_tracks import Camera, bounce, seen, shot
 
 from carom.cli import main
@@ -49,7 +50,7 @@ def test_a_ball_on_a_curved_rail_fits_no_view() -> None:
     assert measured.view_reason == "the ball does not fall with gravity"
 
 
-@pytest.mark.parametrize("seed", range(4))
+@pytest.mark.parametrize("seed", range(tried(2, 4)))
 def test_what_is_possible_is_not_flagged(seed: int) -> None:
     rng = np.random.default_rng(seed)
     table = measure([seen(shot(rng), Camera(120, 3e-4), rng)])
