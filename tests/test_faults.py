@@ -49,12 +49,14 @@ def test_the_command_names_its_options(monkeypatch: pytest.MonkeyPatch) -> None:
     verb = SimpleNamespace(
         params=[
             SimpleNamespace(name="rate", opts=["--rate", "--fps"], **option),
+            SimpleNamespace(name="most", opts=["--max-size"], **option),
             SimpleNamespace(name="view", opts=["--view"], **option),
         ],
         invoke=lambda _context: None,
     )
     remember_verbs(verb, "carom imagined").invoke(None)
     assert in_options("`rate` or `view='side'`, not `nothing`") == "--rate or --view side, not nothing"
+    assert in_options("allow more with `max_bytes`") == "allow more with --max-size"
     assert str(as_option(Fault("tracks", "rate", "a number", "x"))) == "--rate: expected a number, got x"
     assert str(as_option(Fault("film.csv", "rate", "a number", "x"))) == "film.csv: rate: expected a number, got x"
 

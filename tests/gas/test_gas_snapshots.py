@@ -218,7 +218,7 @@ def test_the_command_refuses_large_files_in_one_line(tmp_path, monkeypatch):
     done = CliRunner().invoke(app, [*words, "20"])  # (13 GB)
     (line,) = done.exception.faults
     assert line.startswith("--snapshots s.gsd: expected snapshots of at most 1 GB, got about 13")
-    assert line.endswith("choose a larger --every, or allow more with --max-size")
+    assert line.endswith("choose a larger `every`, or allow more with `max_bytes`")
     assert not (tmp_path / "s.gsd").exists()
     done = CliRunner().invoke(app, [*words, "50000 events", "--max-size", "0.00001GB"])
     assert done.exit_code == 1

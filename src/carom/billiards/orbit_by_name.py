@@ -144,12 +144,7 @@ def orbit(
     options = {name: value for name, value in locals().items() if name not in ("lyapunov", "progress")}
     setup, start = _checked(**options)
     if start is None:
-        try:
-            start = starts(setup.table, orbits, seed, ball=setup.ball, law=law)
-        except CaromError as error:
-            raise CaromError(
-                *(fault.replace("starts of your own", "`position` and `velocity`") for fault in error.faults)
-            ) from None
+        start = starts(setup.table, orbits, seed, ball=setup.ball, law=law)
     found = orbit_from_setup(setup, start, bounces, progress)
     spectrum = None
     if lyapunov:

@@ -145,7 +145,7 @@ def _cut_at_energy(table: Table, shape: Boundary, speed: float) -> Boundary:
                         "table",
                         "a force that brings back every ball",
                         f"a {table.name}, whose walls are infinite",
-                        "give an acceleration towards the vertex (of a wedge such as -9.81,0), or starts of your own",
+                        "give an acceleration towards the vertex (of a wedge such as -9.81,0), or `position` and `velocity`",
                     )
                 )
             reach = max(left, 0.0) / -rate

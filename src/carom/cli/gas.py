@@ -243,11 +243,7 @@ def _scene(path: Path | None, resume: Path | None, changes: dict[str, Any]) -> G
     if "duration" in changes:
         value = _interval("--duration", changes["duration"])
         changes["duration"] = float(value)
-    try:
-        run = GasSettings(**{name: getattr(scene.run, name) for name in GasSettings.model_fields} | changes)
-    except CaromError as error:
-        said = [fault.replace("GasSettings: ", "--").replace("max_events", "max-events", 1) for fault in error.faults]
-        raise CaromError(*said) from None
+    run = GasSettings(**{name: getattr(scene.run, name) for name in GasSettings.model_fields} | changes)
     return scene.model_copy(update={"run": run}) if isinstance(scene, GasScene) else scene
 
 

@@ -48,19 +48,13 @@ def _allowed_size(path: Path, scene: GasScene, every: int | float, most: float |
     try:
         require_size(path, size, scene.count, limit)
     except CaromError as error:
-        faults = [f"--snapshots {_in_options(fault)}" for fault in error.faults]
+        faults = [f"--snapshots {fault}" for fault in error.faults]
         asked = most is None and size.total > limit and progress.console.is_terminal and sys.stdin.isatty()
         if not asked or not typer.confirm(f"Write {format_bytes(size.total)} of snapshots to {path}?", err=True):
             raise CaromError(*faults) from None
         require_size(path, size, scene.count, size.total)  # (the disk still needs room)
         return float("inf")
     return limit
-
-
-def _in_options(fault: str) -> str:
-    """Return a fault with the options of the command in place of the library's arguments."""
-    fault = fault.replace("choose a longer interval", "choose a larger --every")
-    return fault.replace("allow more with max_bytes", "allow more with --max-size")
 
 
 class Frames:
@@ -97,9 +91,8 @@ class Frames:
         except CaromError as error:
             self.file.close()
             self.file, self.failed = None, True
-            faults = [_in_options(fault) for fault in error.faults]
-            self.found += faults
-            self.progress.say(f"carom: {'; '.join(faults)}; the run continues without snapshots")
+            self.found += error.faults
+            self.progress.say(f"carom: {'; '.join(error.faults)}; the run continues without snapshots")
             return False
         return True
 

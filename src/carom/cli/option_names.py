@@ -21,6 +21,7 @@ ARGUMENTS: dict[str, dict[str, str]] = {
     "Run": {}, "simulate": {}, "predict": {}, "fit": {}, "design": {}, "aim": {}, "tracks": {}, "measure_tracks": {},
     "GasSettings": {}, "simulate_gas": {}, "simulate_ensemble": {}, "orbit": {}, "starts": {},
 }  # fmt: skip
+SYNONYMS = {"max_bytes": "max_size"}  # parameters of other names than their option's, in all verbs
 _verbs: dict[str, dict[str, str]] = {}  # options by parameter, by verb
 _running: list[str] = [""]
 
@@ -54,7 +55,7 @@ def option_of(parameter: str) -> str:
 
 
 def _own(parameter: str) -> str | None:
-    own = _verbs.get(_running[0], {})
+    own, parameter = _verbs.get(_running[0], {}), SYNONYMS.get(parameter, parameter)
     return own.get(parameter, own.get(parameter.removesuffix("_deg")))
 
 

@@ -117,8 +117,8 @@ def require_size(path: Path, size: SnapshotSize, balls: int, most: float) -> Non
     said = size.describe(balls)
     if size.total > most:
         raise CaromError(
-            f"{path}: expected snapshots of at most {format_bytes(most)}, got {said}; choose a longer interval, or allow more"
-            " with max_bytes"
+            f"{path}: expected snapshots of at most {format_bytes(most)}, got {said}; choose a larger `every`, or allow more"
+            " with `max_bytes`"
         )
     try:
         free = shutil.disk_usage(path.absolute().parent).free

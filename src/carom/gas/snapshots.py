@@ -117,7 +117,7 @@ class Snapshots:
         if self._bytes + self._last_frame > self.max_bytes:
             raise CaromError(
                 f"{self.path}: expected snapshots of at most {format_bytes(self.max_bytes)}, got {self._file.nframes:,} frames"
-                f" with {format_bytes(self._bytes)}; choose a longer interval, or allow more with max_bytes"
+                f" with {format_bytes(self._bytes)}; choose a larger `every`, or allow more with `max_bytes`"
             )
         with self._writing():
             starts, before = self._file.nframes == 0, self._bytes
