@@ -95,7 +95,7 @@ class RankedLaws(Generic[OneFit]):
 
     @property
     def aicc_note(self) -> str:
-        """What the differences of AICc in tables and reports are to."""
+        """The reference of the differences of AICc in tables and reports."""
         return f"ΔAICc: AICc above that of {self.best.law.name}, {self.best.aicc:.1f}."
 
     def as_dict(self) -> dict[str, Any]:
