@@ -45,24 +45,24 @@ def find_law(name: str) -> Law:
     file, colon, what = name.rpartition(":")
     if not colon or not file.endswith(".py"):
         if name.endswith(".py"):
-            raise CaromError(Fault("law", name, f"the law's name in the file as well, as in {name}:law"))
+            raise CaromError(Fault("", f"`law` {name}", f"the law's name in the file as well, as in {name}:law"))
         return law_named(name)
     path = Path(file)
     try:
         text = path.read_bytes()
     except OSError as error:
-        raise CaromError(Fault("law", file, "a Python file", f": {error.strerror}")) from None
+        raise CaromError(Fault("", f"`law` {file}", "a Python file", f": {error.strerror}")) from None
     # The module's name depends on the file's content: compiled loops are cached by it, and an edited law is a different law.
     module_name = f"carom_law_{hashlib.sha256(str(path.resolve()).encode() + text).hexdigest()[:16]}"
     spec = importlib.util.spec_from_file_location(module_name, path)
     if spec is None or spec.loader is None:
-        raise CaromError(Fault("law", file, "a Python file", "one that Python cannot load"))
+        raise CaromError(Fault("", f"`law` {file}", "a Python file", "one that Python cannot load"))
     module = importlib.util.module_from_spec(spec)
     sys.modules[module_name] = module
     try:
         spec.loader.exec_module(module)
     except Exception as error:
-        raise CaromError(Fault("law", file, "a file that runs", f"{type(error).__name__}: {error}")) from error
+        raise CaromError(Fault("", f"`law` {file}", "a file that runs", f"{type(error).__name__}: {error}")) from error
     found = getattr(module, what, None)
     if found is None:
         names = [
@@ -70,13 +70,13 @@ def find_law(name: str) -> Law:
             for key, value in vars(module).items()
             if not key.startswith("_") and (callable(value) or isinstance(value, Law))
         ]
-        raise CaromError(Fault("law", name, f"{what!r} in the file", "no such name", suggestion(what, names)))
+        raise CaromError(Fault("", f"`law` {name}", f"{what!r} in the file", "no such name", suggestion(what, names)))
     if isinstance(found, Law):
         law = found
     elif callable(found):
         law = wall_law(Card(what, "A custom law.", (), "", str(path), ""), kernel(found))
     else:
-        raise CaromError(Fault("law", name, "a carom.Law or a kernel", type(found).__name__))
+        raise CaromError(Fault("", f"`law` {name}", "a carom.Law or a kernel", type(found).__name__))
     if law.kernel is not None:
         _try_once(name, law.kernel)
     parts = {one.name: getattr(law, one.name) for one in fields(Law)} | {
@@ -124,7 +124,9 @@ def _try_once(name: str, kernel: WallKernel) -> None:
         found = kernel((-1.0, 0.5, 0.0), (1.0, 2.0, 3.0), (1.0, 0.0, 0.0), 0.03, 0.4, 0.9, 0.2, 0.0)
     except Exception as error:
         raise CaromError(
-            Fault("law", name, "law(v, w, n, a, kappa, e, mu, beta) -> (v, w)", f"{type(error).__name__}: {error}")
+            Fault(
+                "", f"`law` {name}", "law(v, w, n, a, kappa, e, mu, beta) -> (v, w)", f"{type(error).__name__}: {error}"
+            )
         ) from error
     try:
         v, w = found
@@ -132,7 +134,7 @@ def _try_once(name: str, kernel: WallKernel) -> None:
     except (TypeError, ValueError):
         good = False
     if not good:
-        raise CaromError(Fault("law", name, "(v, w), two triples of finite numbers", repr(found)))
+        raise CaromError(Fault("", f"`law` {name}", "(v, w), two triples of finite numbers", repr(found)))
 
 
 def _answer_or_fault(name: str, answer: Callable[[Meeting], Answer], meeting: Meeting) -> Answer:
@@ -143,4 +145,6 @@ def _answer_or_fault(name: str, answer: Callable[[Meeting], Answer], meeting: Me
         raise
     except Exception as error:
         first = " ".join(str(error).split())[:300]
-        raise CaromError(Fault("law", name, "numbers for this ball", f"{type(error).__name__}: {first}")) from error
+        raise CaromError(
+            Fault("", f"`law` {name}", "numbers for this ball", f"{type(error).__name__}: {first}")
+        ) from error

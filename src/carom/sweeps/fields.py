@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from carom.errors import CaromError
+from carom.errors import CaromError, Fault, FaultList
 from carom.scene.paths import PathMatch, overlapping_paths, path_match, replaced
 from carom.scene.schema import Model
 from carom.sweeps.axes import Axis, Design, Draw, Polar, Values
@@ -32,7 +32,7 @@ def unit_of(path: str) -> str:
 
 def check_paths(model: Model, parameters: Mapping[str, Axis]) -> None:
     """Raise CaromError for paths that lead nowhere or overlap, and for values that the model refuses wherever they stand."""
-    found: list[str] = []
+    found = FaultList("Space")
     matches = []
     for path, axis in parameters.items():
         try:
@@ -42,14 +42,11 @@ def check_paths(model: Model, parameters: Mapping[str, Axis]) -> None:
                 replaced(model, {path: value})
             _require_kind(model, match, axis)
         except CaromError as error:
-            fault = error.faults[0]
-            found.append(fault if fault.startswith("Space:") else f"Space: {path}: {fault}")
-    found += [
-        f"Space: {one} and {two}: expected parameters of different numbers, got two of the same; leave one out"
-        for one, two in overlapping_paths(matches)
-    ]
-    if found:
-        raise CaromError(*found)
+            fault = error.records[0]
+            found.append(fault if fault.where == "Space" else Fault("Space", path, advice=str(fault)))
+    for one, two in overlapping_paths(matches):
+        found.add(f"{one} and {two}", "parameters of different numbers", "two of the same", "leave one out")
+    found.raise_if_any()
 
 
 def ends_of(axis: Axis) -> list[Any]:

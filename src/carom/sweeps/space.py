@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, Fault, shown
+from carom.errors import CaromError, Fault, FaultList, shown
 from carom.public.own_laws import holds_own_laws
 from carom.sweeps.axes import Axis, Design, Draw, Polar, Values, as_axis, axis_to_data, design_columns
 from carom.sweeps.draws import normal_draws, polar_rows, uniform_draws
@@ -73,7 +73,7 @@ class Space:
 
     def __init__(self, subject: Any, parameters: Mapping[str, Any], repeats: int = 1, seed: int = 0) -> None:
         self.subject: SweepSubject = subject_of(subject)
-        found: list[str] = []
+        found = FaultList("Space")
         if not isinstance(parameters, Mapping) or not parameters:
             raise CaromError(
                 Fault(
@@ -86,17 +86,17 @@ class Space:
             )
         for name, value, low, high in (("repeats", repeats, 1, 10**15), ("seed", seed, 0, 2**32 - 1)):
             if isinstance(value, bool) or not isinstance(value, int | np.integer) or not low <= value <= high:
-                found.append(f"Space: {name}: expected a whole number from {low} to {high}, got {value!r:.60}")
+                found.add(name, f"a whole number from {low} to {high}", shown(value, 60))
         self.parameters: dict[str, Axis] = {}
         for path, value in parameters.items():
             try:
                 self.parameters[path] = as_axis(value, f"Space: {path}")
             except CaromError as error:
-                found += error.faults
+                found += error.records
         try:
             self.subject.check(self.parameters)
         except CaromError as error:
-            found += error.faults
+            found += error.records
         if found:
             raise CaromError(*found)
         self.repeats, self.seed = int(repeats), int(seed)
