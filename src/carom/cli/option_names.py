@@ -9,7 +9,16 @@ from typing import Any
 
 from carom.errors import Fault
 
-__all__ = ["as_option", "in_options", "option_of", "parameter_of", "remember_verbs", "verbs_with", "with_options"]
+__all__ = [
+    "SYNONYMS",
+    "as_option",
+    "in_options",
+    "option_of",
+    "parameter_of",
+    "remember_verbs",
+    "verbs_with",
+    "with_options",
+]
 
 PARAMETER = re.compile(r"(?:(carom(?: [a-z]+)+) )?`(\w+)(?:=([^`]*))?`")  # maybe after the verb that has it
 TEXTS = ("verdict", "sentence", "notes")  # fields of results
