@@ -59,8 +59,8 @@ from .laws.strike import strike as strike
 from .laws.two_step import two_step as two_step
 from .laws.two_step_batch import two_step_into as two_step_into
 from .scene.ball import SceneBall as SceneBall
+from .scene.ball_contact import BallContact as BallContact
 from .scene.paths import replaced as replaced
-from .scene.scene import BallContact as BallContact
 from .scene.scene import Floor as Floor
 from .scene.scene import Run as Run
 from .scene.scene import Scene as Scene

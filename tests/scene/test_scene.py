@@ -721,7 +721,8 @@ position = [-0.1, 0.2, 0.3]
             {"radius": 0.03, "mass": 0.2, "inertia": 2 / 3, "position": [-0.1, 0.2, 0.3], "velocity": [0.0, 0.0, 0.0],
              "rolling": False, "spin": [0.0, 0.0, 0.0], "spin_z": None, "name": None},
         ],
-        "ball_contact": {"restitution": {"form": "constant", "value": 1.0}, "friction": 0.0, "tangential_restitution": 0.0},
+        "ball_contact": {"restitution": {"form": "constant", "value": 1.0}, "friction": 0.0, "tangential_restitution": 0.0,
+                         "young": 5.84e9, "poisson": 0.34, "overlap": True},
         "run": {"law": "two-step", "duration": None, "max_events": None, "floor_contact": "with"},
     }  # fmt: skip
     gas = tmp_path / "gas.toml"

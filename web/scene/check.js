@@ -12,6 +12,7 @@ import { SHAPES } from "./shapes.js";
 import { centerOf, kappaOf, lawOf, setUp } from "./setup.js";
 
 const TOUCH = 1e-9; // of the radius: what overlaps by less touches
+const BALLS_TOUCH = 1e-7; // so do balls: a rack in a file is rounded to some digits
 const [MOST_BALLS, MOST_FEATURES] = [100, 2000];
 
 /** All that is wrong with a scene, one line per problem. @param {Module} module @param {Scene} scene @returns {string[]} */
@@ -161,7 +162,7 @@ function overlaps(module, scene) {
     for (let k = 0; k < i; k++) {
       const reach = a + scene.balls[k].radius;
       const gap = Math.hypot(x[0] - centers[k][0], x[1] - centers[k][1], x[2] - centers[k][2]) - reach;
-      if (gap < -TOUCH * Math.min(a, scene.balls[k].radius)) found.push(touches(i, x, `balls[${k}]`, -gap));
+      if (gap < -BALLS_TOUCH * Math.min(a, scene.balls[k].radius)) found.push(touches(i, x, `balls[${k}]`, -gap));
     }
   });
   return found;

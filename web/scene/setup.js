@@ -73,6 +73,9 @@ export function surfaceOf(scene, wall, law, layout) {
   return contact;
 }
 
+/** E* of the contacts of two balls, Pa; 0 where they are resolved one pair after the other. @param {Scene["ball_contact"]} pair */
+const contactModulus = ({ young, poisson, overlap }) => (overlap ? extended(young) / (2 * (1 - poisson * poisson)) : 0);
+
 /** A scene as records; `address` is that of rims. @param {Scene} scene @param {Layout} layout @param {number} address @returns {Setup} */
 export function setUp(scene, layout, address) {
   const floor = scene.floor;
@@ -82,6 +85,7 @@ export function setUp(scene, layout, address) {
     ...(floor && { floor: 1, g: -scene.gravity[2], ...prefixed("floor", contactOf(floor, layout)) }),
     ...(floor && { resistance: floor.rolling_resistance, spin_friction: floor.spin_friction }),
     ...prefixed("pair", contactOf(scene.ball_contact, layout)),
+    pair_modulus: contactModulus(scene.ball_contact),
     together: scene.run.floor_contact === "with",
   };
   const found = scene.walls.map((wall) => lawOf(scene, wall, layout));

@@ -37,7 +37,7 @@
  * @property {Floor | null} floor
  * @property {Wall[]} walls
  * @property {Ball[]} balls
- * @property {Surface} ball_contact
+ * @property {Surface & {young: number, poisson: number, overlap: boolean}} ball_contact
  * @property {{law: string, duration: number | null, max_events: number | null, floor_contact: "with" | "after"}} run
  */
 

@@ -12,9 +12,10 @@ from pydantic.fields import FieldInfo
 
 from carom.formatting import json_value
 from carom.scene.ball import SceneBall
+from carom.scene.ball_contact import BallContact
 from carom.scene.pockets import Pockets
 from carom.scene.restitution import Constant, Exponential, Han2005, Polynomial, Power, Viscoelastic
-from carom.scene.scene import BallContact, Floor, Run, Scene
+from carom.scene.scene import Floor, Run, Scene
 from carom.scene.schema import Components, Model, Number
 from carom.scene.shapes import Arc, Box, Cylinder, Plane, Polygon, Segment, Sphere, Stadium, Strip, Table, Wedge
 

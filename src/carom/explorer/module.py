@@ -29,7 +29,7 @@ from carom.laws.stronge import MOST_OMEGA, STIFFNESS
 from carom.laws.wall_and_floor.solver import LEAST_FIRM
 from carom.scene.restitution import Han2005
 from carom.simulation.loop import ALL, FULL, LIMIT, QUIET, ROWS
-from carom.simulation.records import BALLS, KINDS, LOG, WORLD
+from carom.simulation.records import BALL, BALLS, IN_CLUSTER, KINDS, LOG, WORLD
 from carom.simulation.resolve import DONE
 from carom.simulation.run_log import REFUSALS
 
@@ -68,7 +68,7 @@ def _described() -> dict[str, Any]:
         "functions": [entry.name for entry in entries()],
         "features": {"face": FACE, "over": OVER, "line": LINE, "point": POINT, "rim": RIM},
         "gates": {"goes_on": GOES_ON, "leaves": LEAVES, "falls": FALLS},
-        "kinds": list(KINDS),
+        "kinds": [*KINDS[:IN_CLUSTER], KINDS[BALL]],  # (as people see them)
         "phases": list(PHASES),
         "regimes": [str(name) for name in REGIME_NAMES],
         "forms": {name: code for code, name in enumerate(FORMS)},

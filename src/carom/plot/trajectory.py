@@ -15,7 +15,18 @@ from carom.formatting import format_time
 from carom.plot.scene_view import SEEN, View, colour, last_time, steps, view, walls_in, way
 from carom.plot.style import GREY, INK, PALE, drawn, literal, new_figure, spread_apart
 from carom.scene.paths import ball_index
-from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, POCKETED_EVENT, START, WALL
+from carom.simulation.records import (
+    BALL,
+    FLOOR,
+    HELD_EVENT,
+    IN_CLUSTER,
+    LEFT_EVENT,
+    MEETINGS,
+    POCKETED_EVENT,
+    START,
+    WALL,
+    event_numbers,
+)
 from carom.simulation.trajectory import Trajectory
 
 __all__ = ["plot_trajectory"]
@@ -200,7 +211,7 @@ MARKS: dict[int, tuple[str, str, float]] = {
 
 def _marked(run: Trajectory, balls: list[int]) -> Any:
     """Return the rows of the log that are marked."""
-    rows = run.log[np.isin(run.log["kind"], list(MARKS)) & np.isin(run.log["ball"], balls)]
+    rows = run.log[np.isin(run.log["kind"], [*MARKS, IN_CLUSTER]) & np.isin(run.log["ball"], balls)]
     return rows if len(rows) <= MOST_MARKS else rows[:0]
 
 
@@ -208,7 +219,7 @@ def _marks(axes: Any, run: Trajectory, balls: list[int]) -> None:
     rows = _marked(run, balls)
     for kind, (_label, mark, size) in MARKS.items():
         for i in balls:
-            x = rows["x"][(rows["kind"] == kind) & (rows["ball"] == i)]
+            x = rows["x"][np.isin(rows["kind"], MEETINGS if kind == BALL else (kind,)) & (rows["ball"] == i)]
             face = "white" if kind == FLOOR else colour(run, i)
             axes.plot(
                 x[:, 0],
@@ -232,10 +243,11 @@ def _marks(axes: Any, run: Trajectory, balls: list[int]) -> None:
 
 def _numbers(run: Trajectory, balls: list[int]) -> list[tuple[Any, int]]:
     """Return the rows of the log of contacts with walls and balls, and their numbers in the figure; empty if too many."""
-    rows = run.log[np.isin(run.log["kind"], (WALL, BALL)) & np.isin(run.log["ball"], balls)]
-    # a contact of two balls has two rows and one number
-    told = [r for r in rows if not (r["kind"] == BALL and r["other"] < r["ball"] and r["other"] in balls)]
-    return [(row, k) for k, row in enumerate(told, 1)] if len(told) <= MOST_NUMBERS else []
+    rows = np.flatnonzero(np.isin(run.log["kind"], (WALL, *MEETINGS)) & np.isin(run.log["ball"], balls))
+    # a contact of balls has several rows and one number, at the ball of the lowest number
+    rows = rows[np.lexsort((run.log["ball"][rows], event_numbers(run.log)[rows]))]
+    _events, first = np.unique(event_numbers(run.log)[rows], return_index=True)
+    return [(run.log[row], k) for k, row in enumerate(rows[first], 1)] if len(first) <= MOST_NUMBERS else []
 
 
 def _hops(run: Trajectory, ways: dict[int, list[Any]]) -> tuple[float, float] | None:

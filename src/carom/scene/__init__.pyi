@@ -1,6 +1,6 @@
 from .ball import SceneBall as SceneBall
+from .ball_contact import BallContact as BallContact
 from .pockets import Pockets as Pockets
-from .scene import BallContact as BallContact
 from .scene import Floor as Floor
 from .scene import Run as Run
 from .scene import Scene as Scene

@@ -11,9 +11,10 @@ from carom.formatting import format_length
 from carom.scene.ball import SceneBall
 from carom.scene.wall import format_vector
 
-__all__ = ["TOUCH", "name_faults", "overlap_faults"]
+__all__ = ["BALLS_TOUCH", "TOUCH", "name_faults", "overlap_faults"]
 
 TOUCH = 1e-9  # of the radius: what overlaps by less touches
+BALLS_TOUCH = 1e-7  # so do balls: a rack in a file is rounded to some digits
 
 
 def name_faults(balls: Sequence[SceneBall], names: Sequence[str]) -> list[Fault]:
@@ -41,7 +42,7 @@ def overlap_faults(balls: Sequence[SceneBall]) -> list[Fault]:
     for i in range(len(x) - 1):
         near = slice(i + 1, last[i])
         gap = np.sqrt(((x[near] - x[i]) ** 2).sum(axis=1)) - a[near] - a[i]
-        for j in np.flatnonzero(gap < -TOUCH * np.minimum(a[near], a[i])):
+        for j in np.flatnonzero(gap < -BALLS_TOUCH * np.minimum(a[near], a[i])):
             one, two = sorted((int(order[i]), int(order[i + 1 + j])))
             found.append((one, two, float(-gap[j])))
     faults = FaultList()

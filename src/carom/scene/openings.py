@@ -12,13 +12,13 @@ from carom.scene.presets import Preset, Sourced, preset_fault, presets
 
 __all__ = ["table_scene"]
 
-GAP = 1e-4  # m: between racked balls; touching balls would be struck all at once, which a run takes one by one
-# said in scenes with a rack: in real ones contacts overlap in time, and more balls leave it (docs/theory/pairs.md)
-RACK = "# Balls of the rack are struck one pair at a time: fewer of them spread than on a real table (docs, Ball-ball collisions)."
+GAP = 1e-4  # m: between racked balls, some of which touch in a real rack
+# said in scenes with a rack
+RACK = "# Contacts of the rack overlap in time, and are resolved together (docs, Ball-ball collisions)."
 WIDTH = 30  # of a field with its value, before its source
 # WPBSA, official rules: baulk-line and D, and where black stands, m
 BAULK, D_RADIUS, BLACK = 0.737, 0.292, 0.324
-BREAK_SPEED, BREAK_FROM = 9.5, 0.15  # m/s; m beside the middle: on all three tables one ball falls, and white does not
+BREAK_SPEED, BREAK_FROM = 9.5, 0.15  # m/s; m beside the middle: white falls on no table
 
 
 @dataclass(frozen=True)
@@ -151,4 +151,4 @@ def _snooker(length: float, radius: float) -> Opening:
         ("black", length / 2 - BLACK, 0.0),
     ]  # fmt: skip
     about = "The break-off: white grazes the last row of the reds and comes back to baulk."
-    return Opening(about, [("white", baulk, -0.14), *colours, *reds], (4.38, 0.004), -22.0, 20.0, racked=True)
+    return Opening(about, [("white", baulk, -0.14), *colours, *reds], (4.3, 0.008), -20.0, 20.0, racked=True)

@@ -25,6 +25,7 @@ from carom.laws.registry import laws
 from carom.laws.user import find_law
 from carom.scene.among_balls import TOUCH, name_faults, overlap_faults
 from carom.scene.ball import SceneBall
+from carom.scene.ball_contact import BallContact
 from carom.scene.feature_builders import Feature
 from carom.scene.restitution import Bounce, Constant
 from carom.scene.schema import (
@@ -42,7 +43,7 @@ from carom.scene.schema import (
 from carom.scene.shapes import AnyWall
 from carom.scene.wall import ContactParameters, LawChoice, WallShape, contact, format_vector, law_name
 
-__all__ = ["BallContact", "Floor", "Run", "Scene", "scene_faults"]
+__all__ = ["Floor", "Run", "Scene", "scene_faults"]
 
 
 class Floor(Model):
@@ -74,34 +75,6 @@ class Floor(Model):
     @property
     def contact(self) -> ContactParameters:
         """Return the parameters of its surface as numbers."""
-        return contact(self.restitution, self.friction, self.tangential_restitution)
-
-
-class BallContact(Model):
-    """The surface of the balls for impacts of two of them; default: elastic, without friction.
-
-    Parameters
-    ----------
-    restitution : number from 0 to 1, or a form of the normal speed; default: 1
-    friction : >= 0, or inf; default: 0
-    tangential_restitution : -1 to 1; default: 0
-
-    Raises CaromError, one line per problem.
-
-    Examples
-    --------
-    >>> import carom
-    >>> carom.BallContact(restitution=0.95, friction=0.06).friction
-    0.06
-    """
-
-    restitution: Bounce = Constant(value=1.0)
-    friction: Friction = 0.0
-    tangential_restitution: Spring = 0.0
-
-    @property
-    def contact(self) -> ContactParameters:
-        """Return the parameters of the contact as numbers."""
         return contact(self.restitution, self.friction, self.tangential_restitution)
 
 

@@ -42,10 +42,12 @@ __all__ = [
     "Length",
     "Mass",
     "Model",
+    "Modulus",
     "NotNegative",
     "Number",
     "Place",
     "Point",
+    "PoissonRatio",
     "PositiveNumber",
     "Share",
     "Size",
@@ -321,6 +323,8 @@ Length = Annotated[float, BeforeValidator(Number("a length in m", "m"))]
 Size = Annotated[float, BeforeValidator(Number("a length in m, > 0", "m", least=0, above=True))]
 Extent = Annotated[float, BeforeValidator(Number("a length in m, or inf", "m", infinite=True))]
 Mass = Annotated[float, BeforeValidator(Number("a mass in kg, > 0", "kg", least=0, above=True))]
+Modulus = Annotated[float, BeforeValidator(Number("Young's modulus in Pa, > 0", "Pa", least=0, above=True))]
+PoissonRatio = Annotated[float, BeforeValidator(Number("Poisson's ratio, from 0 to 0.5", least=0, most=0.5))]
 Time = Annotated[float, BeforeValidator(Number("a time in s, > 0", "s", least=0, above=True))]
 Speed = Annotated[float, BeforeValidator(Number("a speed in m/s", "m/s"))]
 Spin = Annotated[float, BeforeValidator(Number("a spin in rad/s", "rad/s"))]

@@ -1,4 +1,4 @@
-"""Contacts of balls that overlap in time, which a run resolves one pair at a time: in racks, cradles, rows of balls."""
+"""Contacts of balls that overlap in time, where a run is to resolve one pair at a time: in racks, cradles, rows of balls."""
 
 from __future__ import annotations
 
@@ -9,15 +9,14 @@ from numpy.typing import NDArray
 
 from carom.core.motion.phases import HELD, LEFT, POCKETED
 from carom.formatting import counted, format_length
+from carom.laws.hertz import contact_modulus, contact_time, stiffness
 from carom.scene.scene import Scene
 from carom.simulation.records import BALL
 from carom.simulation.tables import RunRecord
 
-__all__ = ["OverlapInTime", "contact_duration", "overlap_note", "overlaps"]
+__all__ = ["OverlapInTime", "overlap_note", "overlaps"]
 
 Array = NDArray[np.float64]
-YOUNG, POISSON = 5.84e9, 0.34  # of phenolic resin, Pa: billiard balls
-HERTZ = 2.94  # a contact lasts so many times the largest indentation over the speed of approach
 ROUNDING = 1e-9  # of the speed of approach: slower balls do not approach
 MEETINGS = 1000  # that are looked at, from the first on
 
@@ -30,19 +29,6 @@ class OverlapInTime(NamedTuple):
     third: int
     gap: float
     """From the third ball to the nearer of the two, m."""
-
-
-def contact_duration(mass: float, radius: float, speed: float) -> float:
-    """Return how long two elastic spheres of phenolic resin touch, s.
-
-    By Hertz it is 2.94 (5 m/(4 k))^(2/5) u^(-1/5) with k = (4/3) E* sqrt(R). ``mass`` and ``radius`` are the reduced ones of the
-    pair, ``speed`` is the speed of approach.
-
-    >>> round(1e6 * contact_duration(0.17 / 2, 0.028575 / 2, 1.0))
-    389
-    """
-    stiffness = 4 / 3 * YOUNG / (2 * (1 - POISSON**2)) * radius**0.5
-    return float(HERTZ * (5 * mass / (4 * stiffness)) ** 0.4 * speed**-0.2)
 
 
 def overlaps(run: RunRecord) -> list[OverlapInTime]:
@@ -98,8 +84,9 @@ def _third(scene: Scene, x: Array, before: Array, after: Array, i: int, j: int) 
     approach = float((before[i] - before[j]) @ n) / float(np.linalg.norm(n))
     if not approach > 0:
         return None
-    reduced = mass[i] * mass[j] / (mass[i] + mass[j]), radius[i] * radius[j] / (radius[i] + radius[j])
-    lasts, nearest = contact_duration(*reduced, approach), None
+    reduced, pair = mass[i] * mass[j] / (mass[i] + mass[j]), scene.ball_contact
+    stiff = stiffness(contact_modulus(pair.young, pair.poisson), radius[i], radius[j])
+    lasts, nearest = contact_time(reduced, stiff, approach), None
     for k in (i, j):
         away = x - x[k]
         distance = np.linalg.norm(away, axis=1)
@@ -116,7 +103,9 @@ def _third(scene: Scene, x: Array, before: Array, after: Array, i: int, j: int) 
 
 
 def overlap_note(run: RunRecord) -> str | None:
-    """Return a line on contacts that overlap in time, None where there are none: what a run says of the balls then is not right.
+    """Return a line on contacts that overlap in time and were resolved one by one; None where there are none.
+
+    There are none in a scene whose ``ball_contact.overlap`` is true: they are resolved together.
 
     Examples
     --------
@@ -126,10 +115,10 @@ def overlap_note(run: RunRecord) -> str | None:
     >>> from carom.simulation.contacts_in_time import overlap_note
     >>> ball = {"radius": 0.03, "mass": 0.17}
     >>> row = [{**ball, "position": (x, 0, 0.03), "velocity": (v, 0, 0)} for x, v in ((0, 1), (0.5, 0), (0.56, 0))]
-    >>> overlap_note(carom.simulate(carom.Scene(balls=row, run={"duration": 1.0})))[:60]
+    >>> overlap_note(carom.simulate(carom.Scene(balls=row, ball_contact={"overlap": False}, run={"duration": 1.0})))[:60]
     'contacts overlap in time at 1 of 2 meetings of balls (first '
     """
-    found = overlaps(run)
+    found = [] if run.scene.ball_contact.overlap else overlaps(run)
     if not found:
         return None
     names, first = run.scene.ball_names, found[0]

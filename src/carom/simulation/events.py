@@ -16,7 +16,7 @@ from carom.errors import CaromError, Fault, did_you_mean
 from carom.formatting import html_table
 from carom.laws.results import REGIME_NAMES as NAMES
 from carom.scene.paths import ball_index
-from carom.simulation.records import BALL, KINDS, POCKETED_EVENT, WALL, kind_names
+from carom.simulation.records import BALL, EVENT_KINDS, POCKETED_EVENT, WALL, kind_names
 from carom.simulation.tables import RunRecord, events_table
 
 if TYPE_CHECKING:
@@ -26,13 +26,11 @@ __all__ = ["Event", "Events"]
 
 Array = NDArray[np.float64]
 HTML_ROWS = 20  # of events in a notebook
-# The end of a phase is called by the phase that begins.
-EVENT_KINDS = tuple(dict.fromkeys(kind for kind in (*KINDS, *PHASES) if kind not in ("start", "phase", "nothing")))
 
 
 @dataclass(frozen=True, eq=False)
 class Event:
-    """One event of one ball. An impact of two balls is two events, one for each.
+    """One event of one ball. An impact of two balls is two events, one for each; of several at once, as in a rack, one for each.
 
     Examples
     --------
@@ -51,7 +49,7 @@ class Event:
     "pocketed": it fell into a pocket, and is followed no further."""
     ball: int
     other: int
-    """Number of the wall, of the other ball, or of the pocket (in ``scene.pocket_names``); -1 for none."""
+    """Number of the wall, of the other ball (the first of several), or of the pocket (in ``scene.pocket_names``); -1 for none."""
     name: str
     """Name of the wall, of the other ball, or of the pocket; empty for none."""
     phase: str

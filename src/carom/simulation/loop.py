@@ -12,13 +12,13 @@ from typing import Any
 
 from carom.core.geometry.features import FALLS, GOES_ON, OVER
 from carom.core.jit.kernel import Vec, dot, kernel, vector
-from carom.core.motion.bounces import bounces
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, PIVOTING, POCKETED, grounded, next_phase
-from carom.simulation.predict import begin_phase, predict, state_at, write_vector
+from carom.simulation.predict import begin_phase, move_by, predict, write_vector
 from carom.simulation.records import (
     BALL,
     FLOOR,
     HELD_EVENT,
+    IN_CLUSTER,
     LEFT_EVENT,
     NO_REGIME,
     NOTHING,
@@ -31,20 +31,25 @@ from carom.simulation.records import (
 from carom.simulation.resolve import DONE, meet_ball, meet_floor, meet_wall
 from carom.simulation.resting_contact import stays_clear
 
-__all__ = ["ALL", "FULL", "LIMIT", "PHASES_FROM", "QUIET", "ROWS", "finish", "move_by", "run"]
+__all__ = ["ALL", "FULL", "LIMIT", "PHASES_FROM", "QUIET", "ROWS", "finish", "rows_of_an_event", "run"]
 
 # How a call of ``run`` ends, apart from the errors of resolve: DONE (no more events before the end), the log is full (call again),
 # the number of events is reached, or no event will ever follow and nothing moves.
 FULL, LIMIT, QUIET = 10, 11, 12
 # A ball with so many events at one place is caught between things that send it to and fro without end.
 PINNED = 10_000
-STILL = 1e-12  # of the radius: a ball that moved by less is where it was
 # Below this share of the speeds a ball in contact is not approaching. It is far above rounding, and no distance in any run.
 SLOW = 1e-14
-# Rows that one event can write: both balls, and that both are held.
+# Rows that one event can write, IN_CLUSTER aside: both balls, and that both are held.
 ROWS = 4
 # Which events are logged: bit ``kind``; for the end of a phase, bit PHASES_FROM + the phase that begins.
 ALL, PHASES_FROM = -1, 16
+
+
+@kernel
+def rows_of_an_event(balls: int, keep: int) -> int:
+    """Return how many rows one event of a scene of so many balls can write at most: where contacts overlap, one for each ball."""
+    return max(ROWS, balls) if (keep >> IN_CLUSTER) & 1 != 0 else ROWS
 
 
 @kernel
@@ -76,24 +81,6 @@ def _start(world: Any, features: Any, balls: Any) -> float:
 
 
 @kernel
-def move_by(world: Any, ball: Any, s: float, t: float) -> None:
-    """Advance a ball by s, to the time t."""
-    v = vector(ball.v)
-    if ball.phase == BOUNCING:
-        x, v1, w, _time = bounces(
-            vector(ball.x), v, vector(ball.w), ball.radius, ball.kappa,
-            world.g, world.floor_form, vector(world.floor_p), world.floor_mu, world.floor_beta, s,
-        )  # fmt: skip
-    else:
-        x, v1, w = state_at(ball, s)
-    write_vector(ball.x, x)
-    write_vector(ball.v, v1)
-    write_vector(ball.w, w)
-    ball.repeats = ball.repeats + 1 if s * math.sqrt(dot(v, v)) <= STILL * ball.radius else 0
-    ball.clock = t
-
-
-@kernel
 def _note(log: Any, ball: Any, kind: int, i: int, met: int, other: int, v: Vec, w: Vec, phase: int) -> None:
     """Write a row of the log: ball i as it is now, and (v, w) and its phase before."""
     log.t, log.kind, log.ball, log.met, log.other = ball.clock, kind, i, met, other
@@ -114,6 +101,15 @@ def _note_impulse(log: Any, j: Vec, jf: Vec, required: float, regime: int) -> No
     write_vector(log.impulse, j)
     write_vector(log.floor_impulse, jf)
     log.required, log.regime = required, regime
+
+
+@kernel
+def _note_held(log: Any, rows: int, ball: Any, i: int, met: int, other: int, before: int) -> int:
+    """Write that a ball is held, if it is; return how many rows there are then."""
+    if ball.phase != HELD:
+        return rows
+    _note(log[rows], ball, HELD_EVENT, i, met, other, vector(ball.v), vector(ball.w), before)
+    return rows + 1
 
 
 @kernel
@@ -141,14 +137,19 @@ def _earliest(balls: Any) -> int:
 
 
 @kernel
-def _happen(world: Any, features: Any, balls: Any, i: int, users: Any) -> tuple[int, int, Vec, Vec, float, int, int]:
-    """Resolve the event of ball i, which is at its place: return kind, partner, impulses, required friction, regime, error code."""
+def _happen(
+    world: Any, features: Any, balls: Any, i: int, users: Any
+) -> tuple[int, int, Vec, Vec, float, int, int, int]:
+    """Resolve the event of ball i, which is at its place: return kind, partner, impulses, required friction, regime, error code.
+
+    And how many balls were touched where contacts overlap in time, else 0.
+    """
     ball = balls[i]
     kind, who = ball.next_kind, ball.next_who
     none = (0.0, 0.0, 0.0)
     if kind != WALL:
         ball.energy = balls[who if kind == BALL else i].energy = math.nan
-    j, jf, required, regime, refusal = none, none, 0.0, NO_REGIME, DONE
+    j, jf, required, regime, refusal, many = none, none, 0.0, NO_REGIME, DONE, 0
     if ball.repeats > PINNED:
         if kind == BALL and balls[who].repeats > 0:  # the other one has not moved either
             balls[who].phase = HELD
@@ -157,7 +158,7 @@ def _happen(world: Any, features: Any, balls: Any, i: int, users: Any) -> tuple[
     elif kind == FLOOR:
         j, required, regime = meet_floor(world, features, balls, i)
     elif kind == BALL:
-        j, required, regime = meet_ball(world, ball, balls[who])
+        j, required, regime, many = meet_ball(world, balls, i, who)
     elif kind == WALL:
         f = features[who]
         who = f.wall
@@ -177,7 +178,7 @@ def _happen(world: Any, features: Any, balls: Any, i: int, users: Any) -> tuple[
             ball.phase, v, w = next_phase(ball.phase, v, w, ball.radius, ball.kappa)
         write_vector(ball.v, v)
         write_vector(ball.w, w)
-    return kind, who, j, jf, required, regime, refusal
+    return kind, who, j, jf, required, regime, refusal, many
 
 
 @kernel
@@ -201,6 +202,33 @@ def _look_ahead(world: Any, features: Any, balls: Any, i: int, k: int, t: float,
     for m in range(balls.shape[0]):
         if _overtaken(balls, m):
             predict(world, features, balls, m, slow)
+
+
+@kernel
+def _look_ahead_of(world: Any, features: Any, balls: Any, many: int, t: float, slow: float) -> None:
+    """Predict what comes next after the balls of a cluster have changed their phases at time t."""
+    for p in range(many):
+        ball = balls[balls[p].touched]
+        begin_phase(world, ball)
+        ball.energy = math.nan
+        ball.next_kind, ball.next_at = NOTHING, math.inf  # it has no event yet: its path is valid for ever
+    for p in range(many):
+        i = balls[p].touched
+        _look_ahead(world, features, balls, i, i, t, slow)
+
+
+@kernel
+def _note_cluster(log: Any, rows: int, balls: Any, many: int, keep: int) -> int:
+    """Write the rows of the balls of a cluster; return how many rows there are then."""
+    for p in range(many):
+        i = balls[p].touched
+        ball, kind = balls[i], BALL if p < 2 else IN_CLUSTER
+        if (keep >> kind) & 1 != 0:
+            m, v, u = ball.mass, ball.v, ball.dv
+            _note(log[rows], ball, kind, i, BALL, ball.met, vector(u), vector(ball.dw), ball.was)
+            write_vector(log[rows].impulse, (m * (v[0] - u[0]), m * (v[1] - u[1]), m * (v[2] - u[2])))
+            rows += 1
+    return rows
 
 
 @kernel
@@ -257,7 +285,7 @@ def run(
             continue
         if events >= most:
             return LIMIT, events, rows, -1, slow, _last(balls)
-        room = rows + ROWS <= log.shape[0]
+        room = rows + rows_of_an_event(balls.shape[0], keep) <= log.shape[0]
         if keep == ALL and not room:
             return FULL, events, rows, -1, slow, _last(balls)
         events += 1
@@ -269,14 +297,15 @@ def run(
         if k != i:
             move_by(world, other, t - other.clock, t)
         v, w, vk, wk = vector(ball.v), vector(ball.w), vector(other.v), vector(other.w)
-        kind, who, j, jf, required, regime, refusal = _happen(world, features, balls, i, users)
+        kind, who, j, jf, required, regime, refusal, many = _happen(world, features, balls, i, users)
         if refusal != DONE:
             return refusal, events, rows, i, slow, _last(balls)
-        if kind == POCKETED_EVENT:
-            met = kind
-        bit = PHASES_FROM + ball.phase if kind == PHASE else kind
-        if room and (keep >> bit) & 1 != 0:
-            _note(log[rows], ball, kind, i, met, who, v, w, before)
+        if many > 0:
+            rows = _note_cluster(log, rows, balls, many, keep if room else 0)
+            _look_ahead_of(world, features, balls, many, t, slow)
+            continue
+        if room and (keep >> (PHASES_FROM + ball.phase if kind == PHASE else kind)) & 1 != 0:
+            _note(log[rows], ball, kind, i, kind if kind == POCKETED_EVENT else met, who, v, w, before)
             _note_impulse(log[rows], j, jf, required, regime)
             rows += 1
             if kind == BALL:
@@ -284,12 +313,10 @@ def run(
                 _note_impulse(log[rows], (-j[0], -j[1], -j[2]), jf, required, regime)
                 rows += 1
         if room and (keep >> HELD_EVENT) & 1 != 0:  # what is held now is held by what it met
-            if ball.phase == HELD and kind != HELD_EVENT:
-                _note(log[rows], ball, HELD_EVENT, i, met, who, vector(ball.v), vector(ball.w), before)
-                rows += 1
-            if k != i and other.phase == HELD:
-                _note(log[rows], other, HELD_EVENT, k, met, i, vector(other.v), vector(other.w), before_k)
-                rows += 1
+            if kind != HELD_EVENT:
+                rows = _note_held(log, rows, ball, i, met, who, before)
+            if k != i:
+                rows = _note_held(log, rows, other, k, met, i, before_k)
         _look_ahead(world, features, balls, i, k, t, slow)
 
 

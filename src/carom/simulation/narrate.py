@@ -17,12 +17,22 @@ from carom.formatting import format_length, format_number, format_time
 from carom.laws.law import CONTACT_WALL, TWO_STEP_WALL
 from carom.laws.wall_and_floor.solver import JAM
 from carom.simulation.contacts_in_time import overlap_note
-from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, POCKETED_EVENT, START, WALL
+from carom.simulation.records import (
+    BALL,
+    FLOOR,
+    HELD_EVENT,
+    IN_CLUSTER,
+    LEFT_EVENT,
+    MEETINGS,
+    POCKETED_EVENT,
+    START,
+    WALL,
+)  # fmt: skip
 from carom.simulation.tables import RunRecord
 
 __all__ = ["cushion_side", "describe_run", "wall_normal", "with_count"]
 
-IMPACT_KINDS = (START, WALL, BALL, LEFT_EVENT, HELD_EVENT, POCKETED_EVENT)
+IMPACT_KINDS = (START, WALL, *MEETINGS, LEFT_EVENT, HELD_EVENT, POCKETED_EVENT)
 # How many impacts of a ball are described, the first and the last; those between are counted.
 FIRST, LAST = 6, 3
 # Lower bounces (m) and shorter phases (s) are not mentioned.
@@ -38,6 +48,7 @@ PHASE_VERBS = {
     REST: "rests",
     BOUNCING: "bounces",
 }
+RACK = 6  # balls at rest that are struck at once are a rack
 REGIME_PHRASES = {STICK: ", sticks", SLIDE: ", slides along it", JAM: ", is wedged between it and the floor"}
 
 Rows = NDArray[np.void]
@@ -46,7 +57,7 @@ Rows = NDArray[np.void]
 def describe_run(run: RunRecord) -> list[str]:
     """Describe a run: a paragraph for each of the first balls that move, one for all others, one for how it ended.
 
-    A line before the last one says where contacts of balls overlap in time, which the run resolves one pair at a time.
+    A line before the last one says where contacts of balls overlap in time that the run was to resolve one pair at a time.
 
     Of a ball with many impacts, the first and the last are described and the others counted.
     """
@@ -124,7 +135,7 @@ def _skipped(parts: list[Rows]) -> str:
 
 
 def _met(firsts: list[Any], more: str = "") -> str:
-    kinds = Counter(int(row["kind"]) for row in firsts)
+    kinds = Counter(BALL if row["kind"] == IN_CLUSTER else int(row["kind"]) for row in firsts)
     said = [with_count(kinds[kind], f"{more}{noun}") for kind, noun in ((WALL, "wall"), (BALL, "ball")) if kinds[kind]]
     if kinds[LEFT_EVENT]:
         said.append(with_count(kinds[LEFT_EVENT], f"{more}wall that it clears", f"{more}walls that it clears"))
@@ -139,7 +150,7 @@ def _sentence(run: RunRecord, features: Any, part: Rows, end: float) -> str:
         head = _start(run, row)
     elif kind == WALL:
         head = _wall(run, features, row)
-    elif kind == BALL:
+    elif kind in MEETINGS:
         head = _other_ball(run, row)
     elif kind == POCKETED_EVENT:
         return f"{_at(row)} it falls into the {run.scene.pocket_names[row['other']]} at {format_number(_speed(row['v']))} m/s."
@@ -260,12 +271,25 @@ def _other_ball(run: RunRecord, row: Any) -> str:
     other = run.scene.ball_names[row["other"]]
     before, after = _speed(row["v_before"]), _speed(row["v"])
     how = f"is struck by {other}" if before == 0 else f"meets {other} at {format_number(before)} m/s"
+    met = _met_at_once(run, row)
+    if len(met) >= RACK and before > 0 and not np.any(met["v_before"]):
+        how = f"breaks the rack, {len(met)} balls, at {format_number(before)} m/s"
+    elif len(met) > 1:
+        how += f", together with {with_count(len(met) - 1, 'other ball')}"
     text = f"{_at(row)} it {how}"
     if row["phase"] in (HELD, LEFT):
         return text
     if after <= 1e-9 * before:
         return f"{text} and stops"
     return f"{text} and goes off at {format_number(after)} m/s{_direction(row['v'])}"
+
+
+def _met_at_once(run: RunRecord, row: Any) -> Rows:
+    """Return the rows of the other balls of a meeting of balls whose contacts overlap in time; none where two meet."""
+    log = run.log[run.log["t"] == row["t"]]
+    rows = log[np.isin(log["kind"], MEETINGS) & (log["ball"] != row["ball"])]
+    found: Rows = rows if (rows["kind"] == IN_CLUSTER).any() else rows[:0]
+    return found
 
 
 # --- what it does between two meetings --------------------------------------------------------------------------------

@@ -12,11 +12,10 @@ from numpy.typing import NDArray
 from carom.core.geometry.features import OVER, gap_to_feature
 from carom.core.jit.kernel import vector
 from carom.core.jit.slices import row_slices
+from carom.scene.among_balls import BALLS_TOUCH, TOUCH
 from carom.simulation.setup import SceneArrays
 
 __all__ = ["overlapping"]
-
-TOUCH = 1e-9  # of the radius: what overlaps by less touches
 
 
 def _overlaps(worlds: Any, features: Any, balls: Any, bad: Any) -> None:
@@ -32,7 +31,7 @@ def _overlaps(worlds: Any, features: Any, balls: Any, bad: Any) -> None:
                     bad[n] = True
             for k in range(i):
                 other = balls[n, k]
-                reach = a + other.radius - TOUCH * min(a, other.radius)
+                reach = a + other.radius - BALLS_TOUCH * min(a, other.radius)
                 r = (x[0] - other.x[0], x[1] - other.x[1], x[2] - other.x[2])
                 if r[0] * r[0] + r[1] * r[1] + r[2] * r[2] < reach * reach:
                     bad[n] = True
@@ -46,7 +45,7 @@ def _compiled() -> Callable[..., None]:
 
 
 def overlapping(setup: SceneArrays, balls: NDArray[np.void]) -> NDArray[np.bool_]:
-    """Return (N,) which of the initial states ``balls`` (N, B) overlap a wall, the floor, or each other, by more than 1e-9 a."""
+    """Return (N,) which of the initial states ``balls`` (N, B) overlap a wall, the floor, or each other, by more than touches."""
     bad = np.zeros(len(balls), dtype=bool)
     check = _compiled()
     for rows in row_slices(len(balls), 1024):

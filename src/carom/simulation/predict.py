@@ -11,11 +11,14 @@ from typing import Any
 
 from carom.core.geometry.features import SEAM, feature_hit, never_closes
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, vector
+from carom.core.motion.bounces import bounces
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, accelerations, advance
 from carom.core.roots.first_root import hit2, hit4
 from carom.simulation.records import BALL, FLOOR, NOTHING, PHASE, SETTLED, WALL
 
-__all__ = ["accelerations_of", "begin_phase", "predict", "state_at", "write_vector"]
+__all__ = ["accelerations_of", "begin_phase", "move_by", "predict", "state_after", "state_at", "write_vector"]
+
+STILL = 1e-12  # of the radius: a ball that moved by less is where it was
 
 
 @hot_kernel
@@ -28,6 +31,31 @@ def write_vector(row: Any, value: Vec) -> None:
 def state_at(ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
     """Return position, velocity and spin of a ball a time s after its clock, in its present phase."""
     return advance(vector(ball.x), vector(ball.v), vector(ball.w), vector(ball.acc), vector(ball.turn), s)
+
+
+@kernel
+def state_after(world: Any, ball: Any, s: float) -> tuple[Vec, Vec, Vec]:
+    """Return position, velocity and spin of a ball a time s after its clock, also of one that bounces infinitely often."""
+    if ball.phase == BOUNCING:
+        x, v, w, _time = bounces(
+            vector(ball.x), vector(ball.v), vector(ball.w), ball.radius, ball.kappa,
+            world.g, world.floor_form, vector(world.floor_p), world.floor_mu, world.floor_beta, s,
+        )  # fmt: skip
+    else:
+        x, v, w = state_at(ball, s)
+    return x, v, w
+
+
+@kernel
+def move_by(world: Any, ball: Any, s: float, t: float) -> None:
+    """Advance a ball by s, to the time t."""
+    v = vector(ball.v)
+    x, v1, w = state_after(world, ball, s)
+    write_vector(ball.x, x)
+    write_vector(ball.v, v1)
+    write_vector(ball.w, w)
+    ball.repeats = ball.repeats + 1 if s * math.sqrt(dot(v, v)) <= STILL * ball.radius else 0
+    ball.clock = t
 
 
 @kernel

@@ -14,14 +14,20 @@ from numpy.typing import NDArray
 from carom.core.motion.phases import PHASES
 
 __all__ = [
-    "BALL", "BALLS", "FLOOR", "HELD_EVENT", "KINDS", "LEFT_EVENT", "LOG", "NOTHING", "NO_REGIME",
-    "PHASE", "POCKETED_EVENT", "SETTLED", "START", "WALL", "WORLD", "kind_names",
+    "BALL", "BALLS", "EVENT_KINDS", "FLOOR", "HELD_EVENT", "IN_CLUSTER", "KINDS", "LEFT_EVENT", "LOG", "MEETINGS", "NOTHING",
+    "NO_REGIME", "PHASE", "POCKETED_EVENT", "SETTLED", "START", "WALL", "WORLD", "event_numbers", "kind_names",
 ]  # fmt: skip
 
-# What can come next for a ball, and what a log says of it.
-START, WALL, FLOOR, BALL, PHASE, SETTLED, LEFT_EVENT, HELD_EVENT, NOTHING, POCKETED_EVENT = range(10)
-# What people see; the end of a phase is called after the phase that begins.
-KINDS = ("start", "wall", "floor", "ball", "phase", "settled", "left", "held", "nothing", "pocketed")
+# What can come next for a ball, and what a log says of it. A meeting of balls has two rows of the kind BALL; where contacts overlap
+# in time (carom.simulation.cluster) a row of the kind IN_CLUSTER for every other ball that was touched follows.
+START, WALL, FLOOR, BALL, PHASE, SETTLED, LEFT_EVENT, HELD_EVENT, NOTHING, POCKETED_EVENT, IN_CLUSTER = range(11)
+# As files have them. People see that a phase ends by the name of the one that begins, and "ball" for every ball of a cluster.
+KINDS = ("start", "wall", "floor", "ball", "phase", "settled", "left", "held", "nothing", "pocketed", "in-cluster")
+MEETINGS = (BALL, IN_CLUSTER)
+# The kinds that people see; the end of a phase is called by the phase that begins.
+EVENT_KINDS = tuple(
+    dict.fromkeys(kind for kind in (*KINDS[:IN_CLUSTER], *PHASES) if kind not in ("start", "phase", "nothing"))
+)
 
 NO_REGIME = -1
 
@@ -39,6 +45,7 @@ WORLD = np.dtype(
         ("resistance", _NUMBER),
         ("spin_friction", _NUMBER),
         *((f"pair_{name}", *kind) for name, *kind in _SURFACE),
+        ("pair_modulus", _NUMBER),  # E* of the balls, Pa; 0: contacts take no time, one pair after the other
         ("together", _WHOLE),  # wall and floor act at once on a ball that the wall pushes down
     ]
 )
@@ -63,6 +70,18 @@ BALLS = np.dtype(
         ("next_who", _WHOLE),  # the feature, or the other ball
         ("repeats", _WHOLE),  # events in a row at one place
         ("energy", _NUMBER),  # a unit of mass, since nothing takes any: what rounding must not change; else NaN
+        # In a cluster (carom.simulation.cluster). Record k also holds what is of its member k: the ball's number, and bits for the
+        # members before it that are near; and the number of the ball that was touched as number k.
+        ("member", _WHOLE),
+        ("near", _WHOLE),
+        ("joined", _WHOLE),  # so for those that stay in contact
+        ("touched", _WHOLE),
+        ("met", _WHOLE),  # the ball that it touched first
+        ("was", _WHOLE),  # its phase before
+        *((f"c{name}", *_VECTOR) for name in "xvw"),  # place, velocity and spin in the cluster's own time
+        *((f"d{name}", *_VECTOR) for name in "xvw"),  # their changes; then velocity and spin before
+        ("push", *_VECTOR),  # force, and its torque per radius
+        ("twist", *_VECTOR),
     ]
 )
 
@@ -89,8 +108,15 @@ LOG = np.dtype(
 
 
 def kind_names(rows: NDArray[np.void]) -> NDArray[Any]:
-    """Return the kinds of a log's rows by name; the end of a phase has the name of the phase that begins."""
-    kinds = np.array(KINDS, dtype=object)[rows["kind"]]
+    """Return the kinds of a log's rows as people see them."""
+    kinds = np.array([*KINDS[:IN_CLUSTER], KINDS[BALL]], dtype=object)[rows["kind"]]
     phases = np.array(PHASES, dtype=object)[rows["phase"]]
     names: NDArray[Any] = np.where(rows["kind"] == PHASE, phases, kinds)
     return names
+
+
+def event_numbers(log: NDArray[np.void]) -> NDArray[np.int64]:
+    """Return the number of the event (M,) that each row of a whole log is of: a meeting of balls has two rows or more."""
+    kind = log["kind"]
+    second = (kind == BALL) & (np.cumsum(kind == BALL) % 2 == 0)
+    return np.asarray(np.cumsum(~second & (kind != IN_CLUSTER)) - 1)

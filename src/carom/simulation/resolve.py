@@ -20,13 +20,14 @@ from carom.laws.law import CALLED_WALL, CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL,
 from carom.laws.pair import pair_contact
 from carom.laws.two_step import UNDEFINED
 from carom.laws.wall_and_floor.solver import STALL
+from carom.simulation.cluster import collide_cluster, overlaps_in_time, place_all
 from carom.simulation.predict import write_vector
 from carom.simulation.records import NO_REGIME
 from carom.simulation.resting_contact import (
     continue_ball_contact,
     continue_wall_contact,
-    is_driven_into_ball,
     is_driven_into_wall,
+    is_pressed_on_ball,
     sum_bounces,
 )
 from carom.simulation.wall_and_floor import joint_impact
@@ -167,24 +168,36 @@ def meet_floor(world: Any, features: Any, balls: Any, i: int) -> tuple[Vec, floa
 
 
 @kernel
-def meet_ball(world: Any, ball: Any, other: Any) -> tuple[Vec, float, int]:
-    """Resolve the impact of two balls: impulse on the first, required friction, regime."""
+def meet_ball(world: Any, balls: Any, i: int, k: int) -> tuple[Vec, float, int, int]:
+    """Resolve the impact of balls i and k: impulse on the first, required friction, regime.
+
+    And how many balls were touched where contacts overlap in time (:func:`carom.simulation.cluster.collide_cluster`), else 0.
+    """
+    ball, other = balls[i], balls[k]
     x, y = vector(ball.x), vector(other.x)
     r = (x[0] - y[0], x[1] - y[1], x[2] - y[2])
     far = math.sqrt(dot(r, r))
     n = (r[0] / far, r[1] / far, r[2] / far)
     v, w, v2, w2 = vector(ball.v), vector(ball.w), vector(other.v), vector(other.w)
     approach = dot((v2[0] - v[0], v2[1] - v[1], v2[2] - v[2]), n)
-    e = (
-        1.0
-        if is_driven_into_ball(world, ball, other, n, approach)
-        else restitution(world.pair_form, vector(world.pair_p), max(approach, 0.0))
-    )
+    pressed, driven = is_pressed_on_ball(world, ball, other, n, approach)
+    e = 1.0 if driven else restitution(world.pair_form, vector(world.pair_p), max(approach, 0.0))
     v, w, v2, w2, j, required, regime = pair_contact(
         v, w, v2, w2, n, ball.radius, ball.mass, ball.kappa, other.radius, other.mass, other.kappa,
         e, world.pair_mu, world.pair_beta,
     )  # fmt: skip
+    if world.pair_modulus > 0 and balls.shape[0] > 2 and not pressed:
+        place_all(world, balls, i, k)
+        if overlaps_in_time(world, balls, i, k, v, v2, approach):
+            count = collide_cluster(world, balls, i, k)
+            if count > 0:
+                for p in range(count):
+                    one = balls[balls[p].touched]
+                    leave(world, one, vector(one.cv), vector(one.cw), _on_floor(world, one))
+                c, m = vector(ball.dv), ball.mass
+                v = vector(ball.v)
+                return (m * (v[0] - c[0]), m * (v[1] - c[1]), m * (v[2] - c[2])), 0 * required, NO_REGIME, count
     leave(world, ball, v, w, _on_floor(world, ball))
     leave(world, other, v2, w2, _on_floor(world, other))
     continue_ball_contact(world, ball, other, n, approach)
-    return j, required, regime
+    return j, required, regime, 0

@@ -23,7 +23,7 @@ from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, grounded
 from carom.simulation.predict import accelerations_of, write_vector
 
 __all__ = [
-    "continue_ball_contact", "continue_wall_contact", "is_driven_into_ball", "is_driven_into_wall", "stays_clear",
+    "continue_ball_contact", "continue_wall_contact", "is_driven_into_wall", "is_pressed_on_ball", "stays_clear",
     "sum_bounces",
 ]  # fmt: skip
 
@@ -186,10 +186,14 @@ def _pair_contact(world: Any, ball: Any, other: Any, n: Vec) -> tuple[float, flo
 
 
 @kernel
-def is_driven_into_ball(world: Any, ball: Any, other: Any, n: Vec, approach: float) -> bool:
-    """Return whether two balls meet again only because the floor's friction, or weight, drives one against the other."""
+def is_pressed_on_ball(world: Any, ball: Any, other: Any, n: Vec, approach: float) -> tuple[bool, bool]:
+    """Return whether two balls meet again only because a force presses them together, and whether neither rests on the other.
+
+    Then it is the floor's friction, or weight, that drives one against the other.
+    """
     _rate, bend, lies = _pair_contact(world, ball, other, n)
-    return bool(not lies and approach * approach < -2 * bend * ELASTIC_HEIGHT * min(ball.radius, other.radius))
+    pressed = bool(approach * approach < -2 * bend * ELASTIC_HEIGHT * min(ball.radius, other.radius))
+    return pressed, pressed and not lies
 
 
 @kernel

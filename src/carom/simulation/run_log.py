@@ -93,8 +93,8 @@ def run_scene(scene: Scene, progress: Callable[[int, float], None] | None = None
             rows = 4 * len(log)
             if answer is not None:
                 pace.done(written)
-                rows = max(pace.amount, FIRST_ROWS)
-            log = _rows(len(log) if interpreted else min(rows, MOST_ROWS))
+                rows = max(pace.amount, FIRST_ROWS + len(balls))
+            log = _rows(len(log) if interpreted else min(rows, MOST_ROWS + len(balls)))
             if progress is not None and answer is not None:
                 progress(events, last)
     if status not in (DONE, QUIET, LIMIT):

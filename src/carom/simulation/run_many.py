@@ -16,12 +16,12 @@ from carom.core.jit.cuda import CudaLoop, grid_range
 from carom.core.jit.kernel import kernel, vector
 from carom.core.motion.phases import PHASES
 from carom.simulation.compiled import compiled_engine, plain_engine
-from carom.simulation.loop import LIMIT, PHASES_FROM, QUIET, ROWS, finish, run
+from carom.simulation.loop import LIMIT, PHASES_FROM, QUIET, finish, rows_of_an_event, run
 from carom.simulation.predict import write_vector
 from carom.simulation.records import BALLS, LOG, PHASE, WORLD
 from carom.simulation.resolve import DONE
 
-__all__ = ["LOOP", "PARTS", "ROWS_KEPT", "compiled_many", "empty_counts", "empty_logs", "many_on_gpu"]
+__all__ = ["LOG_ROWS", "LOOP", "PARTS", "ROWS_KEPT", "compiled_many", "empty_counts", "empty_logs", "many_on_gpu"]
 
 # Codes of events: kinds, and from PHASES_FROM on the phases that begin.
 CODES = PHASES_FROM + len(PHASES)
@@ -105,8 +105,8 @@ def _many(
             shape = features[n if features.shape[0] > 1 else 0]
             left = min(share, most - ended[n, 1])
             while ended[n, 0] == LIMIT and left > 0:
-                # (a full log loses rows, and one event may write ROWS of them)
-                step = min(left, log.shape[0] // ROWS) if keep != 0 else left
+                # (a full log loses rows, and one event may write several of them)
+                step = min(left, log.shape[0] // rows_of_an_event(balls.shape[1], keep)) if keep != 0 else left
                 status, events, rows, _ball, slow[n], last = _run(
                     worlds[here : here + 1], shape, balls[n], log, slow[n], until, step, users, keep
                 )

@@ -59,6 +59,7 @@ def _set_up(scene: Scene, compiled: bool) -> SceneArrays:
         _surface(world, "floor", floor.contact)
         world["resistance"], world["spin_friction"] = floor.rolling_resistance, floor.spin_friction
     _surface(world, "pair", scene.ball_contact.contact)
+    world["pair_modulus"] = scene.ball_contact.modulus
     world["together"] = scene.run.floor_contact == "with"
     balls = np.zeros(len(scene.balls), BALLS)
     for row, ball in zip(balls, scene.balls, strict=True):

@@ -19,11 +19,11 @@ from carom.laws.law import Law
 from carom.scene.paths import replaced
 from carom.scene.scene import Run, Scene
 from carom.scene.toml import load_scene
-from carom.simulation.loop import LIMIT, PHASES_FROM, ROWS
+from carom.simulation.loop import LIMIT, PHASES_FROM, rows_of_an_event
 from carom.simulation.many_runs import ManyRuns
-from carom.simulation.records import KINDS, LOG, START
+from carom.simulation.records import BALL, EVENT_KINDS, IN_CLUSTER, KINDS, LOG, START
 from carom.simulation.run_log import FIRST_ROWS, REFUSALS, run_limits, run_scene
-from carom.simulation.run_many import PARTS, ROWS_KEPT, compiled_many, empty_counts, empty_logs
+from carom.simulation.run_many import LOG_ROWS, PARTS, ROWS_KEPT, compiled_many, empty_counts, empty_logs
 from carom.simulation.setup import SceneArrays, set_up
 from carom.simulation.starts import starts_of
 from carom.simulation.trajectory import Trajectory
@@ -138,12 +138,12 @@ def simulate_many(
     faults = FaultList("simulate_many")
     if isinstance(events, bool) or not isinstance(events, int | np.integer) or events < 0:
         faults.add("events", "a whole number >= 0", repr(events))
-    names = [*KINDS, *PHASES]
+    names = ("start", "phase", "nothing", *EVENT_KINDS)
     for kind in kinds:
         if kind not in names:
             faults.add(
                 "kinds",
-                f"kinds of events ({', '.join(sorted(set(names) - {'start', 'phase', 'nothing'}))})",
+                f"kinds of events ({', '.join(sorted(EVENT_KINDS))})",
                 repr(kind),
             )
     faults.raise_if_any()
@@ -166,7 +166,7 @@ def _bits(kinds: tuple[str, ...]) -> int:
     bits = 0
     for kind in kinds or tuple(KINDS[1:]) + PHASES:
         bits |= 1 << (KINDS.index(kind) if kind in KINDS else PHASES_FROM + PHASES.index(kind))
-    return bits
+    return bits | ((bits >> BALL) & 1) << IN_CLUSTER
 
 
 def _run_many(scene: Scene, arrays: SceneArrays, events: int, kinds: tuple[str, ...], progress: Any) -> ManyRuns:
@@ -176,7 +176,8 @@ def _run_many(scene: Scene, arrays: SceneArrays, events: int, kinds: tuple[str, 
     ended[:, 0] = LIMIT
     kept: list[NDArray[np.void]] = []
     room = events if events <= WHOLE_EVENTS else FIRST_ROWS
-    logs, first_ones = empty_logs(min(PARTS, total)), np.empty((0, 2), np.int64)
+    one, first_ones = rows_of_an_event(len(scene.balls), bits), np.empty((0, 2), np.int64)
+    logs = empty_logs(min(PARTS, total), max(LOG_ROWS, len(scene.balls)))
     for block in block_slices(total, BLOCK):
         rows, here, counts = np.zeros((block.stop - block.start, room), LOG), ended[block], written[block]
         pace, goes_on = Pace(FIRST_EVENTS), np.ones(len(rows), bool)
@@ -184,9 +185,9 @@ def _run_many(scene: Scene, arrays: SceneArrays, events: int, kinds: tuple[str, 
             share = max(pace.begin() // len(rows), 1)
             if rows.shape[1] < events:
                 longest = int(counts[goes_on, ROWS_KEPT].max())
-                rows = _with_room(rows, longest, events, total)
+                rows = _with_room(rows, longest, events, total, one)
                 if rows.shape[1] < events:
-                    share = min(share, (rows.shape[1] - longest) // ROWS)
+                    share = min(share, (rows.shape[1] - longest) // one)
             many(
                 arrays.world, arrays.features[None], balls[block], logs, slow[block], until, most, share, arrays.users, bits,
                 first_ones, counts, rows, here,
@@ -206,12 +207,12 @@ def _run_many(scene: Scene, arrays: SceneArrays, events: int, kinds: tuple[str, 
     )
 
 
-def _with_room(logs: NDArray[np.void], written: int, room: int, total: int) -> NDArray[np.void]:
-    """Return logs with room for events after ``written`` rows, at most ``room`` rows; CaromError where they would be too large."""
-    if logs.shape[1] - written >= ROWS * LEAST_SHARE:
+def _with_room(logs: NDArray[np.void], written: int, room: int, total: int, one: int) -> NDArray[np.void]:
+    """Return logs with room for events of ``one`` row at most after ``written`` rows, at most ``room``; CaromError if too large."""
+    if logs.shape[1] - written >= one * LEAST_SHARE:
         return logs
     rows = min(room, 4 * logs.shape[1], int(MAX_KEPT_BYTES / LOG.itemsize / total))
-    if rows < min(room, written + ROWS * LEAST_SHARE):
+    if rows < min(room, written + one * LEAST_SHARE):
         raise CaromError(
             f"simulate_many: events: expected runs of no more than {rows:,} events, which fill {MAX_KEPT_BYTES / 1e9:g} GB, of"
             f" {counted(total, 'run')}, got one with more than {written:,}; keep fewer, choose kinds, or run the starts in parts"

@@ -16,8 +16,7 @@ from carom.core.jit.objects import as_objects, write_back
 from carom.core.jit.slices import sliced
 from carom.core.motion.phases import BOUNCING, HELD
 from carom.core.motion.rotation import orientation_after, orientation_after_bounces
-from carom.simulation.loop import move_by
-from carom.simulation.predict import accelerations_of, begin_phase
+from carom.simulation.predict import accelerations_of, begin_phase, move_by
 
 __all__ = ["orientations", "state_rows", "states"]
 

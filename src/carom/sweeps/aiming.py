@@ -368,7 +368,7 @@ def _sequence(problem: AimProblem, run: Any) -> tuple[tuple[str, ...], float]:
     names = {WALL: scene.wall_names, BALL: scene.ball_names, POCKETED_EVENT: scene.pocket_names}
     met = [
         (f"{scene.ball_names[int(row['ball'])]}: " if len(balls) > 1 else "")
-        + names[int(row["kind"])][int(row["other"])]
+        + names[int(row["met"])][int(row["other"])]
         for row in rows[:last]
         if int(row["ball"]) in balls
     ]

@@ -24,7 +24,7 @@ from carom.errors import CaromError, Fault, FaultList, did_you_mean, shown
 from carom.scene.paths import ball_index
 from carom.scene.scene import Scene
 from carom.scene.schema import Model, Number, Place, Size, refused
-from carom.simulation.records import BALL, POCKETED_EVENT, WALL
+from carom.simulation.records import BALL, IN_CLUSTER, MEETINGS, POCKETED_EVENT, WALL
 
 __all__ = [
     "EVENTS", "Outcomes", "Target", "TargetEvent", "find", "is_reached", "residuals", "sizes", "slopes", "targets_of",
@@ -34,7 +34,7 @@ Array = NDArray[np.float64]
 WHERE = "aim: reach"
 EXAMPLE = "a target such as {'ball': 0, 'hit': 1}"
 # Kinds of events among which targets are looked for.
-EVENTS = (WALL, BALL, POCKETED_EVENT)
+EVENTS = (WALL, *MEETINGS, POCKETED_EVENT)
 # Phases in which a ball ends at a place: in flight, in a pocket, beside the table and while it rolls it does not.
 LYING = (REST, PIVOTING, HELD)
 
@@ -193,7 +193,7 @@ class Outcomes(NamedTuple):
     """Outcomes of N runs, as far as targets ask for them."""
 
     log: NDArray[np.void]
-    """(N, M): rows of walls, balls and pockets; a meeting of two balls has two rows, one for each, one after the other."""
+    """(N, M): rows of walls, balls and pockets; a meeting of balls has a row for each, one after the other."""
     position: Array
     """(N, B, 3), m: where the balls are at the end."""
     phase: NDArray[np.int64]
@@ -220,9 +220,12 @@ def find(target: TargetEvent, log: NDArray[np.void]) -> NDArray[np.int64]:
     else:
         row = np.zeros(count, np.int64)
         for other in target.others:
-            there = (log["kind"] == BALL) & mine & (log["other"] == other)
+            there = np.isin(log["kind"], MEETINGS) & mine & (log["other"] == other)
             if width > 1:  # (a log that is cut off between the two rows of a meeting does not have it)
-                there[:, -1] &= (log["ball"][:, -2] == other) & (log["t"][:, -2] == log["t"][:, -1])
+                cut = log["kind"][:, -1] == BALL
+                there[:, -1] &= ~cut | ((log["ball"][:, -2] == other) & (log["t"][:, -2] == log["t"][:, -1]))
+            # of several balls at once it is the other one's row that says that this one touched it first
+            there |= (log["kind"] == IN_CLUSTER) & (log["ball"] == other) & (log["other"] == target.ball)
             row = np.maximum(row, np.where(there.any(axis=1), there.argmax(axis=1), far))
         cushions = ((log["kind"] == WALL) & mine).cumsum(axis=1)
         before = cushions[np.arange(count), np.minimum(row, width - 1)]
@@ -243,7 +246,7 @@ def residuals(target: TargetEvent, done: Outcomes, rows: NDArray[np.int64]) -> A
         return np.where(lies[:, None], apart / windows, np.inf)
     found = np.full((len(rows), len(windows)), np.inf)
     n = np.flatnonzero(rows >= 0)
-    r, u, v, _other = _meeting(target, done.log, n, rows[n])
+    r, u, v, _own, _other = _meeting(target, done.log, n, rows[n])
     found[n, 0] = _impact_parameter(r, u)
     if target.speed is not None:
         found[n, 1] = np.hypot(v[:, 0], v[:, 1]) - target.speed
@@ -270,8 +273,8 @@ def slopes(target: TargetEvent, run: Any, row: int, derivatives: Any) -> Array:
     if target.kind == "point":
         return np.asarray(derivatives.final.position[target.ball, :2] / windows)
     places = np.flatnonzero(np.isin(run.log["kind"], EVENTS))
-    (r,), (u,), (v,), (other,) = _meeting(target, run.log[places][None, :], np.array([0]), np.array([row]))
-    dx, dv = _slopes_at(run, places[row], derivatives)
+    (r,), (u,), (v,), (own,), (other,) = _meeting(target, run.log[places][None, :], np.array([0]), np.array([row]))
+    dx, dv = _slopes_at(run, places[own], derivatives)
     if target.kind == "pocket":
         dr, du = -dx, dv
     else:
@@ -287,20 +290,32 @@ def slopes(target: TargetEvent, run: Any, row: int, derivatives: Any) -> Array:
 
 def _meeting(
     target: TargetEvent, log: NDArray[np.void], n: NDArray[np.int64], rows: NDArray[np.int64]
-) -> tuple[Array, Array, Array, NDArray[np.int64]]:
-    """Return r, u, v (K, 2) just before the target's events, rows of runs ``n`` (K,), and the rows of the other ball (K,).
+) -> tuple[Array, Array, Array, NDArray[np.int64], NDArray[np.int64]]:
+    """Return r, u, v (K, 2) just before the target's events, rows of runs ``n`` (K,), and the rows (K,) of both balls.
 
     r: from the ball to the ball or pocket that it meets; u: its velocity relative to it; v: its velocity.
     """
-    own = log[n, rows]
-    v = own["v_before"][:, :2]
     if target.kind == "pocket":
-        return target.centers[own["other"]] - own["x"][:, :2], v, v, rows
-    after = np.minimum(rows + 1, log.shape[1] - 1)
-    follows = (log[n, after]["ball"] == own["other"]) & (log[n, after]["t"] == own["t"])
-    other = np.where(follows, after, rows - 1)
-    met = log[n, other]
-    return (met["x"] - own["x"])[:, :2], v - met["v_before"][:, :2], v, other
+        own = log[n, rows]
+        v = own["v_before"][:, :2]
+        return target.centers[own["other"]] - own["x"][:, :2], v, v, rows, rows
+    theirs = log[n, rows]["ball"] != target.ball
+    partner = _nearest(log, n, rows, log[n, rows]["other"])
+    mine, other = np.where(theirs, partner, rows), np.where(theirs, rows, partner)
+    own, met = log[n, mine], log[n, other]
+    v = own["v_before"][:, :2]
+    return (met["x"] - own["x"])[:, :2], v - met["v_before"][:, :2], v, mine, other
+
+
+def _nearest(
+    log: NDArray[np.void], n: NDArray[np.int64], rows: NDArray[np.int64], ball: NDArray[np.int64]
+) -> NDArray[np.int64]:
+    """Return the rows (K,) of the balls ``ball`` (K,) in the same event: the nearest ones, of two the later."""
+    here = log[n]
+    same = np.isin(here["kind"], MEETINGS) & (here["ball"] == ball[:, None]) & (here["t"] == log[n, rows]["t"][:, None])
+    apart = np.arange(log.shape[1]) - rows[:, None]
+    far = np.where(same, np.abs(2 * apart - 1), 2 * log.shape[1] + 1)
+    return np.asarray(far.argmin(axis=1))
 
 
 def _impact_parameter(r: Array, u: Array) -> Array:

@@ -24,8 +24,8 @@ from carom.core.jit.slices import block_slices
 from carom.core.jit.threads import call_in_threads
 from carom.core.motion.phases import HELD
 from carom.simulation.compiled import ENGINE_RUN, compiled_engine
-from carom.simulation.loop import ALL, QUIET, move_by
-from carom.simulation.predict import begin_phase, write_vector
+from carom.simulation.loop import ALL, QUIET
+from carom.simulation.predict import begin_phase, move_by, write_vector
 from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.resolve import DONE
 from carom.simulation.sensitivity.compiled import FOLLOW, SLOPES, STATES, compiled_follow, compiled_states

@@ -20,7 +20,7 @@ from carom.core.jit.objects import as_objects
 from carom.core.motion.phases import SLIDING
 from carom.core.motion.restitution import restitution
 from carom.laws.law import TWO_STEP_WALL
-from carom.simulation.records import BALL, WALL
+from carom.simulation.records import BALL, MEETINGS, WALL, event_numbers
 from carom.simulation.sensitivity.dual import derivative, value
 from carom.simulation.sensitivity.interpreted import seeded
 from carom.simulation.sensitivity.lift import lifted
@@ -65,7 +65,7 @@ def margins(run: Any, parameters: Parameters, passages: Passages) -> list[Margin
             choices.append(_linear("stick/slip", one.required - one.friction, p))
         if one.slip is not None:
             choices.append(_vanishing(one.slip, p))
-        if row["phase_before"] == SLIDING and row["kind"] in (WALL, BALL):
+        if row["phase_before"] == SLIDING and row["kind"] in (WALL, *MEETINGS):
             # (the slip goes to zero along its direction: had it vanished just before, the ball would have rolled)
             choices.append(_linear("roll/slide", _slip_before(run, row, one), p))
         j = _next_of_its_balls(log, k)
@@ -98,7 +98,7 @@ def _slip_before(run: Any, row: Any, one: Passage) -> Any:
 
 def _next_of_its_balls(log: Any, k: int) -> int | None:
     """Return the row of the next event of the balls that row k is about; events of other balls may change places with it."""
-    its = [int(log["ball"][k]), *([int(log["other"][k])] if log["kind"][k] == BALL else [])]
+    its = [int(log["ball"][k]), *([int(log["other"][k])] if log["kind"][k] in MEETINGS else [])]
     later = (log["t"] > log["t"][k]) & np.isin(log["ball"], its)
     at_once = impacts_at_once(log, k, its) & (np.arange(len(log)) > k)
     rows = np.flatnonzero(later | at_once)
@@ -108,9 +108,12 @@ def _next_of_its_balls(log: Any, k: int) -> int | None:
 def impacts_at_once(log: Any, k: int, balls: Sequence[int]) -> NDArray[np.bool_]:
     """Mark the rows in which one of these balls, of row k, meets something else at the time of row k."""
     t, kind, other = log["t"], log["kind"], log["other"]
-    found = np.isin(kind, (WALL, BALL)) & (np.abs(t - t[k]) <= EXACT * t[k]) & np.isin(log["ball"], balls)
+    found = np.isin(kind, (WALL, *MEETINGS)) & (np.abs(t - t[k]) <= EXACT * t[k]) & np.isin(log["ball"], balls)
     found &= (other != other[k]) | (kind != kind[k])
-    return np.asarray(found & ~((kind == BALL) & np.isin(other, balls)))  # (the other row of one meeting of two balls)
+    number = event_numbers(log)
+    return np.asarray(
+        found & (number != number[k]) & ~((kind == BALL) & np.isin(other, balls))
+    )  # (the same two once more)
 
 
 # --- impacts at wall and floor at once -------------------------------------------------------------------------------

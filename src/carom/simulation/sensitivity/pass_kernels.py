@@ -21,9 +21,19 @@ from carom.core.geometry.features import FALLS, OVER, gap_to_feature
 from carom.core.jit.dual.numbers import as_dual, depends, scaled, value_of, with_value
 from carom.core.jit.kernel import Vec, dot, kernel, steepest, vector
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, POCKETED, REST, SLIDING, grounded, next_phase
-from carom.simulation.loop import move_by
-from carom.simulation.predict import begin_phase, write_vector
-from carom.simulation.records import BALL, FLOOR, HELD_EVENT, LEFT_EVENT, NOTHING, PHASE, POCKETED_EVENT, SETTLED, WALL
+from carom.simulation.predict import begin_phase, move_by, write_vector
+from carom.simulation.records import (
+    BALL,
+    FLOOR,
+    HELD_EVENT,
+    IN_CLUSTER,
+    LEFT_EVENT,
+    NOTHING,
+    PHASE,
+    POCKETED_EVENT,
+    SETTLED,
+    WALL,
+)  # fmt: skip
 from carom.simulation.resolve import meet_ball, meet_floor, meet_wall
 from carom.simulation.resting_contact import stays_clear
 from carom.simulation.sensitivity.gaps import feature_gap, feature_gap_rate, pair_gap
@@ -192,7 +202,7 @@ def _resolve_event(
     approach = required = friction = as_dual(math.nan)
     if kind == BALL:
         approach = _closing(ball, balls[k])
-        _j, required, _regime = meet_ball(world, ball, balls[k])
+        _j, required, _regime, _many = meet_ball(world, balls, i, k)
         friction = world.pair_mu
     elif kind == FLOOR:
         approach = -ball.v[2]
@@ -310,6 +320,15 @@ def follow_log(world: Any, features: Any, walls: Any, balls: Any, plain: Any, lo
             _record_after(world, balls[k], log[n + 1], one, approach, required, friction)
             _record_slip(one, balls[k])
         n += 1 if k == i else 2
+        while n < rows and log[n].kind == IN_CLUSTER:
+            # (its contacts were integrated again with all others of the event, whose time changes for it too)
+            other, one = balls[log[n].ball], out[min(n, last)]
+            write_vector(one.v_before, vector(other.dv))
+            write_vector(one.w_before, vector(other.dw))
+            none = as_dual(math.nan)
+            _record_after(world, other, log[n], one, none, none, none)
+            _record_slip(one, other)
+            n += 1
         if n < rows:
             _release(world, walls, balls, plain, i, k, ball.clock)
     return -1
