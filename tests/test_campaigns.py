@@ -148,6 +148,6 @@ def test_a_mutant_is_killed_by_a_test_that_reaches_it_and_survives_where_there_i
                 Mutant(path, 1, "", function, before, after, source.replace(before, after)), baseline
             )
 
-        assert fate("pace", "phase > PIVOTING or not", "phase > PIVOTING and not") == "plain"
-        assert fate("pace", "phase > PIVOTING or not", "PIVOTING < phase or not") == "survived"
+        assert fate("accelerations", "phase > PIVOTING or not", "phase > PIVOTING and not") == "plain"
+        assert fate("accelerations", "phase > PIVOTING or not", "PIVOTING < phase or not") == "survived"
         assert fate("advance", "h = s * s / 2", "h = s * s / 3") == "survived"  # which none of these tests calls

@@ -307,15 +307,18 @@ def require_type(where: str, field: str, value: Any, kind: type, remedy: str = "
 def near_name(name: object, known: Iterable[object]) -> str:
     """Return the known name that a mistyped one is meant to be, if one is near; else an empty text.
 
-    Upper and lower case, hyphens, underscores and spaces are the same here. A beginning of only one known name is near, and so are
-    a name that begins with only one, and one of the same letters.
+    Upper and lower case, hyphens, underscores and spaces are the same here. A beginning of only one known name is near, with its
+    letters in any order, and so are a name that begins with only one, and one of the same letters.
     """
     plain = {_plain(one): str(one) for one in reversed(list(known))}
     said = _plain(name)
     alike = [
         one
         for one in plain
-        if one.startswith(said) or (len(one) > 2 and said.startswith(one)) or sorted(one) == sorted(said)
+        if one.startswith(said)
+        or (len(one) > 2 and said.startswith(one))
+        or sorted(one) == sorted(said)
+        or (len(said) > 3 and sorted(one[: len(said)]) == sorted(said))
     ]
     near = (
         (alike if len(alike) == 1 else [])

@@ -8,6 +8,7 @@ import json
 import os
 import subprocess
 import sys
+import time
 from pathlib import Path
 from typing import Any
 
@@ -530,6 +531,8 @@ def test_a_bar_on_a_terminal() -> None:
         for name in called_kernels(hit4):
             announce(name, False)
             announce(name, True)
+        while "functions" not in screen.file.getvalue():  # type: ignore[attr-defined]
+            time.sleep(0.05)  # (drawn ten times a second)
         say("simulating: 7 events, 1 s")
     shown = screen.file.getvalue()  # type: ignore[attr-defined]
     assert "compiling, once" in shown

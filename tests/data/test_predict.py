@@ -682,7 +682,7 @@ def test_compiling_is_told_and_loading_is_not(tmp_path):
 
     from rich.console import Console
 
-    from carom.cli.common import working
+    from carom.cli.progress import working
     from carom.core.jit.progress import watch_compiling
 
     text = "velocity_x,velocity_y\n" + "-1,1\n" * 500

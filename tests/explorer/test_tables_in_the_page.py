@@ -75,7 +75,7 @@ def test_the_laws_are_compared_at_the_first_wall_even_after_other_balls(page_of:
     said = page.locator("#laws .contact").inner_text()
     assert said.startswith("The laws are compared at the first wall that white meets: ")
     assert f"at {hits[0].t:.3f} s" in said
-    assert said.endswith("other balls.")
+    assert said.endswith("after another ball.")
     assert page.locator('[data-law="two-step"] .angle dd').inner_text() != "–"
     assert page.locator("#angles .curve").count() == 1
     assert page.locator("#angles .now").count() == 1

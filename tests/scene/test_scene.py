@@ -791,3 +791,13 @@ def test_no_two_balls_have_one_name():
         "ball 2",
         "9",
     )  # (of a rack: a name goes before a number)
+
+
+def test_the_modulus_of_the_balls_has_units(tmp_path: Path) -> None:
+    text = "[[balls]]\nradius = 0.03\nmass = 0.2\nposition = [0, 0, 0.03]\n[ball_contact]\nyoung = {}\n"
+    assert load(tmp_path, text.format('"5.84 GPa"')).ball_contact.young == 5.84e9
+    with pytest.raises(
+        carom.CaromError,
+        match=r"young: expected Young's modulus in Pa, > 0, got '5 m'; units are written as in '5.84 GPa'",
+    ):
+        load(tmp_path, text.format('"5 m"'))

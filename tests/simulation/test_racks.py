@@ -15,9 +15,9 @@ SPEED, RACKS = 9.5, 48
 Array = Any
 
 
-def speeds_of_both(gap: float, spread: float = 0.0) -> tuple[Array, Array, Array]:
+def speeds_of_both(gap: float, spread: float = 0.0, seed: int = 1) -> tuple[Array, Array, Array]:
     """Speeds (16,) after the break of smooth balls: carom's, those of the integration, and those of one pair at a time."""
-    centres = np.vstack([[-2.002 * RADIUS, 0.0, RADIUS], rack(gap, spread, seed=1)])
+    centres = np.vstack([[-2.05 * RADIUS, 0.0, RADIUS], rack(gap, spread, seed)])
     moving = np.zeros_like(centres)
     moving[0] = SPEED, 0.02, 0.0
     case = Case(centres, moving, 0 * moving, 0.97, 0.0)
@@ -37,11 +37,13 @@ def speeds_of_both(gap: float, spread: float = 0.0) -> tuple[Array, Array, Array
     return together, np.linalg.norm(integrate(case, 0.008)[1], axis=1), one_by_one
 
 
-@pytest.mark.parametrize(("gap", "spread"), [(1e-4, 0.0), (1e-3, 8e-4)])
-def test_as_many_balls_leave_a_rack_as_with_contacts_that_take_time(gap: float, spread: float) -> None:
-    found, right, one_by_one = speeds_of_both(gap, spread)
+@pytest.mark.parametrize(("gap", "spread", "seed", "most"), [(1e-4, 0.0, 1, 0.02), (3e-4, 2e-4, 4, 0.05)])
+def test_a_rack_leaves_as_with_contacts_that_take_time(gap: float, spread: float, seed: int, most: float) -> None:
+    # (gaps of 1 mm are as large as the places that the event neglects, u tau/2: speeds differ by up to 0.8 m/s there)
+    found, right, one_by_one = speeds_of_both(gap, spread, seed)
     assert (found > 1).sum() == (right > 1).sum() > (one_by_one > 1).sum()
-    assert np.median(found) == pytest.approx(np.median(right), abs=0.1)
+    assert np.abs(found - right).max() < most
+    assert np.abs(one_by_one - right).max() > 1
 
 
 def break_of(seed: int, *, overlap: bool = True) -> tuple[Array, Array]:
@@ -62,7 +64,7 @@ def break_of(seed: int, *, overlap: bool = True) -> tuple[Array, Array]:
     away = np.linalg.norm((x - centres.mean(axis=0))[:, :2], axis=1)
     return (
         np.array([(speed > 1).sum(), np.median(speed), (speed**2).max() / (speed**2).sum(), v[0, 0]]),
-        np.array([away.mean(), (x[:, 0] < 0).sum()]),
+        np.array([away.mean(), (run.final.position[:, 0] < 0).sum()]),  # (of all 16, white too)
     )
 
 

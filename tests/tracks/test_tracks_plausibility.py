@@ -45,7 +45,7 @@ def said(measured: Measured) -> str:
 def test_a_ball_on_a_curved_rail_fits_no_view() -> None:
     measured = measure([rocking()])
     assert "the motion fits no view: from above, the ball turns in a smooth curve in " in said(measured)
-    assert "try --view side" in said(measured)
+    assert "try `view` side" in said(measured)
     assert not [one for one in measured.contacts if usable_stages(one, "both", True)[0]]
     assert measured.view_reason == "the ball does not fall with gravity"
 

@@ -186,7 +186,7 @@ def _check_files(
     named = {"--plot": plot, "--measures": measures, "--snapshots": snapshots, **kept}
     require_outputs(found, named, {"--measures": (".json",), "--snapshots": (".gsd",), **kinds})
     checkpoint = kept["--checkpoint"]
-    if checkpoint is not None and not any(fault.startswith("--checkpoint ") for fault in found):
+    if checkpoint is not None and not any(str(fault).startswith("--checkpoint ") for fault in found):
         faults: list[str] = []
         attempt(faults, require_checkpoint, checkpoint)
         found += [f"--checkpoint {fault}" for fault in faults]

@@ -58,8 +58,10 @@ def design(
         Parameters of the first law by name. Default: fitted to ``file``.
     contact_height, floor_friction : float, optional
         As in :class:`carom.fitting.Setting`.
-    angles_deg, speeds, spins : pairs
-        Ranges of the shots: incidence from the normal, degrees; m/s; rad/s before the wall, or "unknown".
+    angles_deg : pair
+        Range of the shots' angles of incidence from the normal, degrees.
+    speeds, spins : pairs
+        Ranges of their speeds, m/s, and of their spins before the wall, rad/s, or "unknown".
     spin : float or str, optional
         Unmeasured spins in ``file``, as for :func:`carom.fitting.usable_rows`.
     sigma_v, sigma_spin : float

@@ -241,7 +241,7 @@ def _expectation(owner: type[Model], field: str) -> str:
 Vector = tuple[float, float, float]
 EXAMPLES = {
     "m": "61.5 mm", "m/s": "2 m/s", "m/s^2": "9.81 m/s^2", "kg": "210 g", "s": "10 s", "rad/s": "30 rev/s", "degree": "0.5 rad",
-    "J": "2 uJ", "1/s": "50 Hz",
+    "J": "2 uJ", "1/s": "50 Hz", "Pa": "5.84 GPa",
 }  # fmt: skip
 
 

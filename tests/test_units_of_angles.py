@@ -122,7 +122,7 @@ def test_warnings_point_at_the_code_that_uses_the_old_name() -> None:
         warnings.simplefilter("always")
         assert carom.incoming(angle=45.0)
         assert carom.compare().incident_angle == carom.compare(angle=45.0).incident_angle_deg
-    assert [Path(one.filename).name for one in heard] == ["test_angles.py"] * 3
+    assert [Path(one.filename).name for one in heard] == ["test_units_of_angles.py"] * 3
     with pytest.raises(carom.CaromError, match="expected angle_deg alone, got both"):
         carom.incoming(angle=20.0, angle_deg=30.0)
 
