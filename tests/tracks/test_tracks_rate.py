@@ -10,7 +10,7 @@ import pytest
 from carom.errors import CaromError
 from carom.tracks import Calibration, Settings, Track, TrackFile, measure, read_tracks
 from carom.tracks.film_files import rebounds_of_films
-from carom.tracks.frame_clock import rounding_of_times
+from carom.tracks.frame_clock import even_interval, rounding_of_times
 from carom.tracks.frame_numbers import at_rate, without_rounding
 from carom.tracks.preprocess import on_camera_clock
 
@@ -156,3 +156,8 @@ def test_carom_fit_takes_the_rate_as_well(film: Path) -> None:
     rows = rebounds_of_films([film], Calibration(rate=RATE), Settings(radius=0.02, view="side"))
     assert rows["v_n_in"].max() == pytest.approx(np.sqrt(2 * 9.80665), rel=2e-3)
     assert any("`rate` 119.88 replaces them" in note for note in rows.notes)
+
+
+def test_one_row_and_rows_of_one_frame_have_no_interval() -> None:
+    assert even_interval(np.array([0.3]), np.zeros(1)) is None
+    assert even_interval(np.array([0.3, 0.4]), np.zeros(2), np.array([7.0, 7.0])) is None

@@ -115,7 +115,8 @@ def even_interval(time: Array, step: Array, frame: Array | None = None) -> float
     """
     row = np.arange(len(time), dtype=float) if frame is None else frame
     row = row - row.mean()
-    interval = float(row @ time / (row @ row))
+    square = float(row @ row)
+    interval = float(row @ time) / square if square > 0 else 0.0  # (one row, or rows of one frame, have no interval)
     if not interval > MIN_INTERVAL_S:
         return None
     half = np.maximum(step / 2, OFF_CLOCK * interval) * (1 + 1e-6)
