@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 
 import carom
+from carom.core.jit.compile import njit
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, PIVOTING, ROLLING, SLIDING
 from carom.simulation.records import (
     BALL,
@@ -555,15 +556,15 @@ def _judge(  # noqa: PLR0911
 
 @functools.cache
 def _compiled() -> Any:
+    """The judge, compiled; all that it calls stands in this file, whose changes the cache sees."""
     import numba
 
     jit = numba.njit(error_model="numpy")
     space = dict(globals())
-    for name in ("_gap", "_slip", "_push", "_strike", "_move", "_energy", "_differ", "_pace", "_speed", "_judge"):
+    for name in ("_gap", "_slip", "_push", "_strike", "_move", "_energy", "_differ", "_pace", "_speed"):
         function = globals()[name]
-        fresh = type(function)(function.__code__, space, name)
-        space[name] = jit(fresh)
-    return space["_judge"]
+        space[name] = jit(type(function)(function.__code__, space, name))
+    return njit(type(_judge)(_judge.__code__, space, "_judge"))
 
 
 def judge(run: carom.Trajectory) -> tuple[str, int, float, int]:

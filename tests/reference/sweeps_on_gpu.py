@@ -5,9 +5,12 @@ NUMBA_ENABLE_CUDASIM=1 python -m reference.sweeps_on_gpu
 
 from __future__ import annotations
 
+import os
 import re
 import sys
 from collections.abc import Iterator
+from hashlib import sha256
+from importlib.metadata import version
 from typing import Any
 
 import numpy as np
@@ -17,7 +20,7 @@ from reference.sweep_scenes import table_scene
 import carom
 from carom import sweeps
 from carom.core.jit import cuda
-from carom.core.jit.compile import ArrayOf, array_of, signature
+from carom.core.jit.compile import ArrayOf, array_of, cache_folder, signature
 from carom.laws.arrays import wall_law_rows
 from carom.laws.contact import contact_rows
 from carom.laws.mirror import mirror_kernel
@@ -107,9 +110,23 @@ def assemble() -> None:
     ]
     cuda.why_no_gpu()
     for loop, taken in tried([loops[1], loops[3]], loops):
-        text = cuda.ptx(loop, signature(None, *(aligned(one) for one in taken)))
+        text = assembly(loop, taken)
         counts = [sum(len(re.findall(one, text)) for one in ones) for ones in (ROUNDED, CONTRACTIBLE, BYTEWISE)]
         sys.stdout.write(f"{loop.name}: {' '.join(map(str, counts))}\n")
+
+
+def assembly(loop: cuda.CudaLoop, taken: list[Any]) -> str:
+    """Return a loop's assembly, kept as compiled loops are (half a minute): under the hash of carom's sources, and of the rest."""
+    types = signature(None, *(aligned(one) for one in taken))
+    known = f"{types} {[(name, version(name)) for name in ('numba-cuda', 'nvidia-nvvm', 'llvmlite')]}"
+    place = cache_folder() / "cuda" / f"{loop.name}-{sha256(known.encode()).hexdigest()[:16]}.ptx"
+    if not place.is_file():
+        text = cuda.ptx(loop, types)
+        place.parent.mkdir(parents=True, exist_ok=True)
+        part = place.with_suffix(f".{os.getpid()}")
+        part.write_text(text, encoding="utf-8")
+        part.replace(place)
+    return place.read_text(encoding="utf-8")
 
 
 def aligned(taken: Any) -> Any:

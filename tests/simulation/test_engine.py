@@ -298,10 +298,10 @@ def test_the_same_bits_with_one_thread_and_with_two() -> None:
         subprocess.run(
             [sys.executable, "-c", code], env={**os.environ, "NUMBA_NUM_THREADS": n}, capture_output=True, check=True
         ).stdout
-        for n in ("1", "2", "2")
+        for n in tried(("1", "2"), ("1", "2", "2"))
     ]
     assert len(said[0]) == 2 * hashlib.sha256().digest_size + 1
-    assert said[0] == said[1] == said[2]
+    assert len(set(said)) == 1
 
 
 @pytest.mark.parametrize("seed", range(0, 60, tried(6, 3)))

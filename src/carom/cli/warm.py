@@ -23,6 +23,9 @@ COMPILE_JOBS = (
     "carom.simulation.compiled:compiled_engine",
     "carom.simulation.sensitivity.compiled:compiled_follow",
     f"{__name__}:measure_gas",
+    f"{__name__}:measure_gas_in_ellipse",
+    f"{__name__}:follow_called_laws",
+    f"{__name__}:measure_gas_in_container",
     f"{__name__}:answer_many_rows",
     "carom.billiards.tangent:compiled_tangent_loop",
     f"{__name__}:settle_many_rows",
@@ -125,6 +128,15 @@ def load_called_laws() -> None:
             user_address(law.kernel)
 
 
+def follow_called_laws() -> None:
+    """Compile the laws that loops call by their address, with derivatives."""
+    from carom.laws.law import CALLED_WALL
+    from carom.laws.registry import laws
+    from carom.simulation.sensitivity.compiled import dual_users
+
+    dual_users(law for law in laws().values() if law.response == CALLED_WALL)
+
+
 def draw_shots() -> None:
     """Compile the states of a run between its events, and many runs at once."""
     import numpy as np
@@ -163,6 +175,27 @@ def measure_gas() -> None:
     gas.run(10)
     measures.sample(gas)
     scattered([0.5] * 50, side)
+
+
+def measure_gas_in_container() -> None:
+    """Compile the event loop of gases whose walls are not all fixed planes, random starts there, and checks of given places."""
+    _run_in("circle", (10.0, 10.0))
+
+
+def measure_gas_in_ellipse() -> None:
+    """Compile the event loop of gases in an ellipse that bounds their surfaces."""
+    _run_in("ellipse", (10.0, 6.0))
+
+
+def _run_in(shape: str, size: tuple[float, float]) -> None:
+    import numpy as np
+
+    import carom
+    from carom.gas import Gas, Species, container
+
+    discs = Species(carom.Disc(0.5, 1.0), 2)
+    position = np.array([[4.0, 3.0], [6.0, 3.0]])
+    Gas([discs], container(shape, size), contacts=carom.Surface(1, math.inf, 1), position=position).run(10)
 
 
 def fit_bounces() -> None:

@@ -28,6 +28,7 @@ def first_overlap(one: Any, radius: Array, x: Array, touch: float) -> tuple[int,
     for rows in row_slices(len(x)):
         _, enter = compiled_loops()
         enter(x, rows.start, rows.stop, n, side, periodic, first, after)
+    touch = float(touch)  # (an int, or an array of no axes, would have the search compiled again)
     for rows in row_slices(len(x)):
         search, _ = compiled_loops()
         # (the first ball has the pair that is asked for: its partner is the least)

@@ -78,7 +78,7 @@ class AffineArrays:
     @functools.cached_property
     def duals(self) -> NDArray[np.int64]:
         """Addresses of laws that are called by address, of dual numbers."""
-        return dual_users(self._scene(self.start))
+        return dual_users(self._scene(self.start).called_laws)
 
     def packed(self, names: Sequence[str]) -> dict[str, Array]:
         """Return the derivatives of world and features with respect to some parameters, as compiled code takes them."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from typing import Any
 
 import numpy as np
@@ -18,6 +18,7 @@ from carom.core.jit.dual.numbers import LANES, as_dual, register_numbers
 from carom.core.jit.kernel import Vec, kernel
 from carom.core.motion.phases import HELD
 from carom.laws.callbacks import NUMBERS, WallKernel, register_calls
+from carom.laws.law import Law
 from carom.laws.two_step import first_impact_and_way
 from carom.simulation.compiled import compiled_engine
 from carom.simulation.predict import move_by
@@ -133,10 +134,10 @@ def _user(law: WallKernel) -> int:
     return dual_address(entry, keep=str(law.__module__).startswith("carom."))
 
 
-def dual_users(scene: Any) -> NDArray[np.int64]:
-    """Return the addresses of the laws that are not compiled in; raises whatever the compiler says of one that it refuses."""
+def dual_users(laws: Iterable[Law]) -> NDArray[np.int64]:
+    """Return the addresses of laws that are not compiled in; raises whatever the compiler says of one that it refuses."""
     register_pass()
-    return np.array([_user(law.kernel) for law in scene.called_laws if law.kernel is not None], dtype=np.int64)
+    return np.array([_user(law.kernel) for law in laws if law.kernel is not None], dtype=np.int64)
 
 
 def follow_compiled(scene: Any, parameters: Parameters, log: NDArray[np.void], end: float) -> tuple[Passages, int]:
@@ -156,7 +157,7 @@ def follow_compiled(scene: Any, parameters: Parameters, log: NDArray[np.void], e
         last_d,
         last,
         log,
-        dual_users(scene),
+        dual_users(scene.called_laws),
         end,
         out,
         out_d,

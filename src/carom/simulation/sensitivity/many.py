@@ -187,7 +187,7 @@ def _phases(scene: Scene) -> list[int]:
 
 
 def _run_all(scene: Scene, arrays: SceneArrays, parameters: Parameters, starts: NDArray[np.void]) -> ManySensitivities:
-    many, laws, p = compiled_many(), dual_users(scene), len(parameters)
+    many, laws, p = compiled_many(), dual_users(scene.called_laws), len(parameters)
     world_d, features_d, starts_d = (parameters.packed[name] for name in ARRAYS)
     places = float_places(BALLS)
     first, last = places["x"].start, places["w"].stop
