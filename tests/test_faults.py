@@ -59,6 +59,11 @@ def test_the_command_names_its_options(monkeypatch: pytest.MonkeyPatch) -> None:
     assert in_options("allow more with `max_bytes`") == "allow more with --max-size"
     assert str(as_option(Fault("tracks", "rate", "a number", "x"))) == "--rate: expected a number, got x"
     assert str(as_option(Fault("film.csv", "rate", "a number", "x"))) == "film.csv: rate: expected a number, got x"
+    assert str(as_option(Fault(advice="rate: expected a number, got x"))) == "--rate: expected a number, got x"
+    assert str(as_option(Fault(advice="view: side: expected above"))) == "--view: side: expected above"
+    assert str(as_option(Fault(advice="aim: reach: view: expected x"))) == "--view: expected x"
+    assert str(as_option(Fault(advice="film.csv: rate: expected x"))) == "film.csv: rate: expected x"
+    assert str(as_option(Fault(advice="rows: expected 3"))) == "rows: expected 3"
 
 
 @pytest.mark.parametrize(

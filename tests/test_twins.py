@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import inspect
 import math
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -120,12 +121,20 @@ def test_fits_take_files_columns_and_rebounds_alike(tmp_path: Any) -> None:
     table = carom.data.make_rebounds("planar", REBOUNDS)
     kinds = [table.save(tmp_path / "t.csv"), str(tmp_path / "t.csv"), REBOUNDS, table]
     found = [carom.fit(one, 0.02, laws=["sticking", "mirror"], bootstrap=0) for one in kinds]
+    assert re.fullmatch(r"<Ranking: AICc sticking -?[\d.]+, mirror \+[\d.]+>", repr(found[0]))
     assert all(isinstance(one, Ranking) for one in found)
     assert len({one.best.aicc for one in found}) == 1
     inches = REBOUNDS | {"v_n_in_mm_s": [1000.0 * v for v in V]}
     del inches["v_n_in"]
     again = carom.fit(inches, 0.02, laws="sticking", bootstrap=0)
     assert again.best.aicc == pytest.approx(found[0].best.aicc, rel=1e-9)
+
+
+def test_measured_films_are_one_line(tmp_path: Any) -> None:
+    film = tmp_path / "film.csv"
+    film.write_text("t [s],x [m],y [m]\n" + "".join(f"{k / 100},{abs(0.2 - k / 100)},{k / 1000}\n" for k in range(40)))
+    found = carom.measure_tracks(film, view="above", noise=1e-4)
+    assert repr(found) == "<MeasuredFilms: 1 film, 1 contact>"
 
 
 def test_designs_take_the_rebounds_measured_so_far() -> None:

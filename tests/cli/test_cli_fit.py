@@ -256,8 +256,8 @@ def test_design_tells_all_faults_of_words_and_numbers_at_once(here, monkeypatch,
     code, out, err = run(monkeypatch, capsys, "design", *words, *numbers)
     assert (code, out) == (2, "")
     said = [line.removeprefix("carom: ").split(": expected")[0] for line in err.splitlines()]
-    assert said == ["--inertia", "--kind", "no.csv", "radius", "speeds", "sigma_v", "sigma_spin", "stage", "odds", "law",
-                    "truth: friction", "--angles"]  # fmt: skip
+    assert said == ["--inertia", "--kind", "no.csv", "--radius", "--speeds", "--sigma-v", "--sigma-spin", "--stage",
+                    "--odds", "law", "--truth: friction", "--angles"]  # fmt: skip
     assert "got 'slidng'; did you mean 'sliding'?" in err
 
 
@@ -291,7 +291,7 @@ def test_fit_tells_misspelt_laws_with_all_other_faults(here, monkeypatch, capsys
     said = [line.removeprefix("carom: ").split(": expected")[0] for line in err.splitlines()]
     assert said == ["--inertia", "--laws", "--laws", "--view", "--kind", "--stage", "--bootstrap", "--radius", "no.csv"]
     code, out, err = run(monkeypatch, capsys, "fit", "no.csv", "--whole", "--laws", "slidng,stronge", "--cushions", "0")
-    assert [line.split()[1] for line in err.splitlines()] == ["--laws:", "--radius:", "cushions:"]
+    assert [line.split()[1] for line in err.splitlines()] == ["--laws:", "--radius:", "--cushions:"]
     assert "slidng" in err
     assert "'stronge'" not in err
 
@@ -420,7 +420,7 @@ def test_whole_tracks_look_at_the_floor_s_friction_too(here, monkeypatch, capsys
     words = ("fit", "far.csv", "--radius", "0.03", "--whole", "--floor-friction", "-1")
     code, _out, err = run(monkeypatch, capsys, *words)
     assert code == 2
-    assert "floor_friction: expected a number of at least 0, got -1.0" in err
+    assert "carom: --floor-friction: expected a number of at least 0, got -1.0" in err
 
 
 @pytest.mark.parametrize("whole", [(), ("--whole",)])

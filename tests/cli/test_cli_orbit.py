@@ -340,7 +340,7 @@ def test_all_faults_of_the_options_at_once(monkeypatch: pytest.MonkeyPatch, caps
         "--velocity",
     ]
     words = ("circle", "--law", "contact", "--friction", "0.3", "--reverse", "--position", "3,0", "--velocity", "1,0")
-    assert [line.split(": ")[1] for line in fails(monkeypatch, capsys, *words)] == ["reverse", "orbit"]
+    assert [line.split(": ")[1] for line in fails(monkeypatch, capsys, *words)] == ["--reverse", "--position"]
     lines = fails(monkeypatch, capsys, "circle", "--orbits", "-1", "--seed", "-5")
     assert [line.split(": ")[1] for line in lines] == ["--seed", "--orbits"]
 

@@ -513,7 +513,7 @@ def test_all_faults_of_the_options_at_once(tmp_path, carom_run):
     ran = carom_run("predict", source, "--law", "no-slipp", "--radius", "0", "--inertia", "3", "--spin", "x", "--json")
     assert [line.split(":")[1].strip() for line in ran.err.splitlines()] == [
         "--inertia",
-        "law",
+        "--law",
         "--spin",
         "--radius",
         "--out",
@@ -788,6 +788,18 @@ def test_a_result_is_the_input_of_the_next_function(tmp_path):
     found = carom.predict(rebounds, "sticking", radius=0.02)
     assert found["v_n_out"].tolist() == [0.8, 1.6]  # as measured
     assert found["v_n_out_predicted"].tolist() == [1.0, 2.0]
+
+
+def test_a_table_that_is_not_there_is_one_line_from_python(tmp_path):
+    """It had been "expected arguments that fit its documentation", with the system's own exception."""
+    for out in (None, tmp_path / "out.csv"):
+        with pytest.raises(carom.CaromError) as caught:
+            carom.predict(tmp_path / "none.csv", out=out)
+        assert caught.value.faults == (
+            f"table {str(tmp_path / 'none.csv')!r}: expected a CSV or Parquet file, got: No such file or directory",
+        )
+    with pytest.raises(carom.CaromError, match=r"got none$"):
+        carom.predict({})
 
 
 def test_misuse_from_python_is_one_line():

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 import pytest
 
 import carom
 from carom.simulation.budget import budget
+from carom.simulation.records import IN_CLUSTER
 
 MASS, RADIUS, G = 0.2, 0.03, 9.8
 
@@ -57,3 +59,19 @@ def test_walls_and_balls_lose_what_their_restitution_takes() -> None:
     # of the relative motion, with the reduced mass
     assert found.balls == pytest.approx(MASS / 4 * 0.8**2 * (1 - 0.5**2))
     assert found.end == pytest.approx(found.start - found.walls - found.balls)
+
+
+def test_balls_whose_contacts_overlap_lose_energy_between_balls() -> None:
+    """In a break the balls met counted the breaker's loss alone, and "sliding, rolling and small bounces" gained the rest."""
+    balls = [
+        carom.SceneBall(radius=RADIUS, mass=MASS, position=(2 * RADIUS * k, 0, 0), velocity=(0, 0, 0))
+        for k in range(1, 5)
+    ]
+    first = carom.SceneBall(radius=RADIUS, mass=MASS, position=(-0.1, 0, 0), velocity=(1, 0, 0))
+    meet = carom.BallContact(restitution=0.9, young=5.5e9, poisson=0.3)
+    run = carom.simulate(carom.Scene(gravity=0, balls=[first, *balls], ball_contact=meet))
+    assert np.isin(IN_CLUSTER, run.log["kind"])
+    found = budget(run)
+    assert found.balls == pytest.approx(found.start - found.end, rel=1e-12)
+    assert 0 < found.balls < found.start
+    assert found.way == pytest.approx(0, abs=1e-12 * found.start)

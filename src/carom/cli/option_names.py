@@ -27,9 +27,15 @@ TEXTS = ("verdict", "sentence", "notes")  # fields of results
 ARGUMENTS: dict[str, dict[str, str]] = {
     "Ball": {}, "Disc": {}, "wall": {}, "Surface": {}, "incoming": {}, "compare": {},
     "floor": {name: f"floor_{name}" for name in ("restitution", "friction", "tangential_restitution")},
-    "Run": {}, "simulate": {}, "predict": {}, "fit": {}, "design": {}, "aim": {}, "tracks": {}, "measure_tracks": {},
-    "GasSettings": {}, "simulate_gas": {}, "simulate_ensemble": {}, "orbit": {}, "starts": {},
+    "Run": {}, "simulate": {}, "predict": {}, "fit": {}, "design": {}, "tracks": {}, "measure_tracks": {},
+    "aim": {"errors": "error"}, "aim: reach": {}, "sensitivity": {"wrt": "sensitivity"},
+    "GasSettings": {}, "simulate_gas": {}, "simulate_ensemble": {}, "orbit": {}, "orbit: start": {}, "starts": {},
 }  # fmt: skip
+# A fault of an argument, in the text of any fault: its function, where it is named, the argument, and the rest.
+ARGUMENT = re.compile(
+    rf"(?:({'|'.join(sorted(ARGUMENTS, key=len, reverse=True))}): (\w+): |(\w+): (?=(?:\w+: )?expected ))(.*)",
+    re.DOTALL,
+)
 SYNONYMS = {"max_bytes": "max_size"}  # parameters of other names than their option's, in all verbs
 _verbs: dict[str, dict[str, str]] = {}  # options by parameter, by verb
 _running: list[str] = [""]
@@ -93,8 +99,11 @@ def _in_options(found: re.Match[str]) -> str:
 
 def as_option(fault: Fault) -> Fault:
     """Return a fault of an argument that the running verb takes as an option as a fault of that option."""
-    option = _own(ARGUMENTS[fault.where].get(fault.field, fault.field)) if fault.where in ARGUMENTS else None
-    return replace(fault, where="", field=option) if option else fault
+    if (found := ARGUMENT.fullmatch(str(fault))) is None:
+        return fault
+    argument = ARGUMENTS[found[1]].get(found[2], found[2]) if found[1] else found[3]
+    option = _own(argument)
+    return Fault(field=option, advice=found[4]) if option else fault
 
 
 def with_options(found: Any) -> Any:

@@ -17,7 +17,7 @@ from carom.cli.console import out
 from carom.formatting import format_number, json_value
 from carom.simulation.budget import budget
 from carom.simulation.narrate import cushion_side, describe_run, with_count
-from carom.simulation.records import kind_names
+from carom.simulation.records import BALL, IN_CLUSTER, kind_names
 from carom.simulation.tables import event_columns
 
 if TYPE_CHECKING:
@@ -150,7 +150,7 @@ def _event_row(run: Trajectory, features: Any, folded: list[int], several: bool,
     # energy is lost instantaneously only in contacts
     lost = sum(one.energy_lost for one in events) if event.kind in ("wall", "floor") else math.nan
     if event.kind == "ball" and _is_first(run.events.rows, folded[0]):
-        lost = event.energy_lost + run.events[folded[0] + 1].energy_lost
+        lost = sum(one.energy_lost for one in _meeting(run.events, folded[0]))
     return [
         *row,
         format_number(0.0 if abs(lost) < ROUNDING else lost),
@@ -159,17 +159,23 @@ def _event_row(run: Trajectory, features: Any, folded: list[int], several: bool,
 
 
 def _is_first(rows: Any, k: int) -> bool:
-    """Return whether a row is the first of the two of a meeting of balls, which has the energy that both lost together."""
+    """Return whether a row is the first of a meeting of balls, which has the energy that all of them lost together."""
 
     def paired(i: int) -> bool:
         one, two = rows[i], rows[i + 1]
-        meet = one["kind"] == two["kind"] and (one["ball"], one["other"]) == (two["other"], two["ball"])
+        meet = one["kind"] == two["kind"] == BALL and (one["ball"], one["other"]) == (two["other"], two["ball"])
         return bool(meet and one["t"] == two["t"])
 
     start = k  # (the same balls may meet several times in an instant)
     while start > 0 and paired(start - 1):
         start -= 1
     return (k - start) % 2 == 0 and k + 1 < len(rows) and paired(k)
+
+
+def _meeting(events: Any, first: int) -> list[Any]:
+    """Return the events of the balls that met, from its first row on: two, and all whose contacts overlapped with theirs."""
+    kinds = events.rows["kind"][first + 2 :]
+    return [events[k] for k in range(first, first + 2 + int(np.argmin([*(kinds == IN_CLUSTER), False])))]
 
 
 def _states(run: Trajectory, times: list[float], wide: bool) -> Table:

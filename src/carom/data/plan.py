@@ -200,7 +200,7 @@ def _form(
             near for name in ("velocity_x", "v_n_in", "speed", "incidence_deg") if (near := near_name(name, headers))
         ]
         faults.append(
-            f"columns: expected an incoming state, {'; or '.join(FORMS)}; got {', '.join(map(repr, headers))}"
+            f"columns: expected an incoming state, {'; or '.join(FORMS)}; got {', '.join(map(repr, headers)) or 'none'}"
             + (f"; did you mean {near[0]!r}?" if near else "")
         )
     return "angle"

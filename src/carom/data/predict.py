@@ -203,10 +203,11 @@ def _strict(source: str, summary: PredictSummary, count: int) -> list[str]:
     return faults
 
 
-def _open(source: Path, target: Path | None) -> Any:
+def _first_bytes(source: Path) -> bytes:
+    """Return the first four bytes of a table. Raises CaromError for a file that cannot be read."""
     try:
         with source.open("rb") as file:
-            start = file.read(4)
+            return file.read(4)
     except OSError as error:
         from carom.data import datasets
 
@@ -214,7 +215,10 @@ def _open(source: Path, target: Path | None) -> Any:
         raise CaromError(
             f"table {str(source)!r}: expected a CSV or Parquet file, got: {error.strerror}{hint}"
         ) from None
-    if start != b"PAR1" and source.suffix.lower() not in (".parquet", ".pq"):
+
+
+def _open(source: Path, target: Path | None) -> Any:
+    if _first_bytes(source) != b"PAR1" and source.suffix.lower() not in (".parquet", ".pq"):
         if target is not None and target.suffix.lower() in (".parquet", ".pq"):
             raise CaromError(
                 f"`out` {target}: expected a CSV file, as the table is one, got the name of a Parquet file"
@@ -343,7 +347,9 @@ def predict(
             raise CaromError(f"predict: out: expected none with columns in memory, got {str(out)!r}; save the result")
         memory = ColumnTable(as_columns(table, "predict: table"))
     else:
-        memory = ColumnTable(*read_columns(as_path("predict", table)))
+        path = as_path("predict", table)
+        _first_bytes(path)
+        memory = ColumnTable(*read_columns(path))
     summary = _add_predictions(memory, None, None, settings, strict, progress, say)
     summary.columns = memory.made()
     return summary

@@ -83,6 +83,11 @@ class RankedLaws(Generic[OneFit]):
     """Name of that other law."""
     notes: tuple[str, ...]
 
+    def __repr__(self) -> str:
+        """Return one line: the laws, best first, and how far each law's AICc is above that of the best."""
+        others = [f"{one.fit.law.name} {one.fit.aicc - self.best.aicc:+.1f}" for one in self.ranked[1:]]
+        return f"<{type(self).__name__}: AICc {', '.join([f'{self.best.law.name} {self.best.aicc:.1f}', *others])}>"
+
     @property
     def best(self) -> OneFit:
         """The best fit."""

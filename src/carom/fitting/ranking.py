@@ -39,7 +39,7 @@ RESTITUTIONS = tuple(dict.fromkeys(p.name for form in FORMS.values() for p in fo
 Say = Callable[[str, float], None]
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Ranking(RankedLaws[Fit]):
     """All laws, best first, and the verdict; made by :func:`fit_laws`.
 

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from carom.simulation.records import BALL, FLOOR, WALL
+from carom.simulation.records import FLOOR, MEETINGS, WALL
 from carom.simulation.trajectory import Trajectory
 
 __all__ = ["Budget", "budget"]
@@ -36,10 +36,9 @@ def budget(run: Trajectory) -> Budget:
         log["ball"], log["v"], log["w"]
     )
     start, end = run.start, run.final
-    at = {kind: float(lost[log["kind"] == kind].sum()) for kind in (WALL, FLOOR, BALL)}
+    walls, floor, balls = (float(lost[np.isin(log["kind"], kinds)].sum()) for kinds in (WALL, FLOOR, MEETINGS))
     e0, e1 = _energy(run, start), _energy(run, end)
-    way = e0 - e1 - sum(at.values())
-    return Budget(e0, at[WALL], at[FLOOR], at[BALL], way, e1)
+    return Budget(e0, walls, floor, balls, e0 - e1 - walls - floor - balls, e1)
 
 
 def _energy(run: Trajectory, state: Any) -> float:

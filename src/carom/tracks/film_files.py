@@ -11,6 +11,7 @@ from carom.data.rebounds import Kind, Rebounds, read_rebounds
 from carom.data.where import Where, rows_where
 from carom.errors import CaromError, attempt, collected, noting
 from carom.files import as_path, text_encoding
+from carom.formatting import counted
 from carom.public.defaults import GRAVITY, WINDOW
 from carom.public.progress import Progress
 from carom.tracks.contact import Settings
@@ -49,6 +50,11 @@ class MeasuredFilms:
     files: tuple[TrackFile, ...]
     measured: tuple[Measured, ...]
     """The contacts of each."""
+
+    def __repr__(self) -> str:
+        """Return one line: the number of films, and of contacts."""
+        contacts = sum(len(one.contacts) for one in self.measured)
+        return f"<{type(self).__name__}: {counted(len(self.files), 'film')}, {counted(contacts, 'contact')}>"
 
     @property
     def names(self) -> list[str]:
@@ -271,7 +277,7 @@ def rebounds_of_films(
     with noting(notes):
         tables = films.tables(stage, sliding=sliding)
         rebounds = combined_rebounds(tables) if len(paths) > 1 else next(iter(tables.values()))
-    notes.append(f"{len(rebounds)} rebounds measured (carom tracks shows them)")
+    notes.append(f"{counted(len(rebounds), 'rebound')} measured (carom tracks shows them)")
     if len(paths) > len(tables):
         notes.append(f"{len(paths) - len(tables)} of {len(paths)} films have no contact that can be measured")
     source = str(paths[0]) if len(paths) == 1 else rebounds.source

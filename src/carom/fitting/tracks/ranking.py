@@ -35,7 +35,7 @@ SURE, HINT = (
 )  # probabilities of such a difference between laws that are equally good (Wilcoxon's signed ranks)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class TrackRanking(RankedLaws[TrackFit]):
     """All laws fitted to whole tracks, best first, and the verdict; made by :func:`fit_tracks`, with an example there.
 
