@@ -97,12 +97,28 @@ def overlaps_in_time(world: Any, balls: Any, i: int, k: int, v: Vec, v2: Vec, u:
             and (_closes_in_time(ball, v, third, m, stiff, u) or _closes_in_time(other, v2, third, m, stiff, u))
         ):
             return True
+    return _others_meet(balls, i, k)
+
+
+@kernel
+def _others_meet(balls: Any, i: int, k: int) -> bool:
+    """Return whether another two of the balls that touch meet at this instant: of two meetings none would know of the other."""
+    count = _gather(balls, i, k, 1 + LEAST_DEPTH)
+    for p in range(2, count):
+        one = balls[balls[p].member]
+        for q in range(p):
+            if (balls[p].near >> min(q, LAST_BIT)) & 1 != 0:
+                other = balls[balls[q].member]
+                r, v, u = _apart(one, other), one.cv, other.cv
+                c = dot(r, (v[0] - u[0], v[1] - u[1], v[2] - u[2]))
+                if c > 0 and c * c > CLOSES * CLOSES * dot(r, r) * (dot(v, v) + dot(u, u)):
+                    return True
     return False
 
 
 @kernel
-def _gather(balls: Any, i: int, k: int) -> int:
-    """Find the members, by chains of near balls from i and k on; return how many there are."""
+def _gather(balls: Any, i: int, k: int, share: float) -> int:
+    """Find the members, by chains of balls within a share of the radii from i and k on; return how many there are."""
     for m in range(balls.shape[0]):
         balls[m].met = OUTSIDE
     balls[0].member, balls[1].member = i, k
@@ -113,7 +129,7 @@ def _gather(balls: Any, i: int, k: int) -> int:
         one = balls[balls[p].member]
         for m in range(balls.shape[0]):
             other = balls[m]
-            if other.met == OUTSIDE and other.phase < HELD and _are_near(one, other):
+            if other.met == OUTSIDE and other.phase < HELD and _are_near(one, other, share):
                 other.met = NO_BALL
                 balls[count].member = m
                 count += 1
@@ -121,15 +137,15 @@ def _gather(balls: Any, i: int, k: int) -> int:
     for p in range(count):
         near = 0
         for q in range(p):
-            if _are_near(balls[balls[p].member], balls[balls[q].member]):
+            if _are_near(balls[balls[p].member], balls[balls[q].member], share):
                 near |= 1 << min(q, LAST_BIT)
         balls[p].near = near
     return count
 
 
 @kernel
-def _are_near(one: Any, other: Any) -> bool:
-    r, reach = _apart(one, other), (1 + NEAR / 2) * (one.radius + other.radius)
+def _are_near(one: Any, other: Any, share: float) -> bool:
+    r, reach = _apart(one, other), share * (one.radius + other.radius)
     return bool(dot(r, r) <= reach * reach)
 
 
@@ -376,7 +392,7 @@ def collide_cluster(world: Any, balls: Any, i: int, k: int) -> int:
     after it are cv and cw, those before it dv and dw, and it touched the ball ``met`` first. Returns 0 and changes nothing where i
     and k are a pair: no third ball was touched in time, or they are too slow beside the others to count.
     """
-    count = _gather(balls, i, k)
+    count = _gather(balls, i, k, 1 + NEAR / 2)
     fastest, h = _scales(world, balls, count)
     none = (0.0, 0.0, 0.0)
     for p in range(count):
@@ -386,13 +402,14 @@ def collide_cluster(world: Any, balls: Any, i: int, k: int) -> int:
         write_vector(one.dw, none)
     alpha = damping(world.pair_p[0]) if world.pair_form == CONSTANT else 0 * h
     touched, on, left = 0, True, STEPS * (10 + 4 * count)
-    while on and left > 0:
+    # (balls that touch but for their last digits begin to push a little later)
+    while (on or balls[i].met == NO_BALL) and left > 0:
         touched, on = _step(world, balls, count, touched, h, alpha, LEAST_SPEED * fastest)
         left -= 1
-    plastic = world.pair_form == CONSTANT and world.pair_p[0] < LEAST_RESTITUTION
-    _join(balls, count, 2 * LEAST_RESTITUTION * fastest if plastic else -1)
     if touched <= 2 or balls[i].met == NO_BALL or balls[k].met == NO_BALL:
         return 0
+    plastic = world.pair_form == CONSTANT and world.pair_p[0] < LEAST_RESTITUTION
+    _join(balls, count, 2 * LEAST_RESTITUTION * fastest if plastic else -1)
     _first(balls, i, 0, touched)
     _first(balls, k, 1, touched)
     balls[i].met, balls[k].met = k, i
