@@ -176,9 +176,7 @@ def test_modules_are_short(name: str) -> None:
 # --- words of the command line ----------------------------------------------------------------------------------------
 
 # (a second command, of its own)
-LIBRARY = {
-    name: path for name, path in MODULES.items() if not name.startswith("carom.cli") and path.name != "__main__.py"
-}
+LIBRARY = {name: path for name, path in MODULES.items() if not name.startswith("carom.cli")}
 
 
 def texts_of(path: Path, docs: bool) -> list[tuple[int, str]]:

@@ -22,14 +22,16 @@ def main() -> None:
 
 @app.command()
 def play(
+    context: typer.Context,
     cushion: Annotated[str, typer.Option(help="Law of the cushions, as listed by `carom laws`.")] = "two-step",
     restitution: Annotated[float | None, typer.Option(help="Of the cushions. Default: the balls' own e_c.")] = None,
     friction: Annotated[float | None, typer.Option(help="Of the cushions. Default: the balls' own f_c.")] = None,
-    own_balls: Annotated[bool, typer.Option("--own-balls", help="Keep pooltool's model where balls meet.")] = False,
+    own_balls: Annotated[bool, typer.Option(help="Keep pooltool's model where balls meet.")] = False,
 ) -> None:
     """Open pooltool's game; shots are played with carom's laws. Nothing of pooltool's settings is changed."""
     if (restitution is None) != (friction is None):
-        raise CaromError("play: expected --restitution and --friction together, got one of them; give both or none")
+        names = [one.opts[0] for one in context.command.params if one.name in ("restitution", "friction")]
+        raise CaromError(f"play: expected {' and '.join(names)} together, got one of them; give both or none")
     wall = None if restitution is None or friction is None else Surface(restitution, friction)
     use_as_default(engine(cushion, wall, None if own_balls else "carom"))
     from pooltool.main import run
