@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import inspect
 import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any, NamedTuple
 
 from carom.bodies import inertia_number
@@ -121,9 +123,9 @@ def fit(
     >>> carom.fit(columns, 0.02, laws=["sticking", "mirror"], bootstrap=0).best.law.name
     'sticking'
     """
-    options = {name: value for name, value in locals().items() if name != "progress"}
+    options = SimpleNamespace(**locals())
     require_library("scipy", "fit")
-    ready = _checked(**options)
+    ready = _checked(options)
     film = Calibration(scale=scale, rate=rate)
     if whole:
         return _fit_whole(ready, film, where, progress)
@@ -142,7 +144,9 @@ def fit(
 
 def check_fit(**options: Any) -> None:
     """Raise CaromError, one line per problem, for arguments of :func:`fit` that it refuses before it reads the data."""
-    _checked(**options)
+    bound = inspect.signature(fit).bind(**options)
+    bound.apply_defaults()
+    _checked(SimpleNamespace(**bound.arguments))
 
 
 class _Request(NamedTuple):
@@ -157,96 +161,83 @@ class _Request(NamedTuple):
     setting: Setting
 
 
-def _checked(
-    files: Any,
-    radius: float | None = None,
-    *,
-    inertia: str | float | None = None,
-    laws: str | Sequence[str] | None = None,
-    fit: Sequence[str] = (),
-    fix: Mapping[str, float] | None = None,
-    bound: Mapping[str, tuple[float, float]] | None = None,
-    contact_height: float | None = None,
-    floor_friction: float | None = None,
-    floor_restitution: float = 0.0,
-    restitution: str = "constant",
-    robust: bool = False,
-    roll: float = 1.0,
-    kind: str | None = None,
-    stage: str | None = None,
-    view: str | None = None,
-    whole: bool = False,
-    cushions: int = CUSHIONS,
-    noise: float | None = None,
-    sigma_v: float | None = None,
-    sigma_spin: float | None = None,
-    spin: float | str | None = None,
-    every_contact: bool = False,
-    scatter: str | None = None,
-    bootstrap: int | None = None,
-    profiles: bool | None = None,
-    seed: int | None = None,
-    **_others: Any,
-) -> _Request:
+def _checked(asked: SimpleNamespace) -> _Request:
     """Return validated arguments of :func:`fit`; CaromError with all problems that can be found before the data are read."""
     faults: list[Any] = []
-    memory = isinstance(files, Rebounds | MeasuredFilms) or is_columns(files)
-    several = isinstance(files, list | tuple)
-    paths = [] if memory else [as_path("fit", one) for one in (files if several else [files])]
+    memory = isinstance(asked.files, Rebounds | MeasuredFilms) or is_columns(asked.files)
+    several = isinstance(asked.files, list | tuple)
+    paths = [] if memory else [as_path("fit", one) for one in (asked.files if several else [asked.files])]
     if not memory and not paths:
         raise CaromError("fit: files: expected a table of rebounds, or track files, got none")
-    films: bool | None = isinstance(files, MeasuredFilms)
-    if paths and not whole:  # (of whole tracks every file is looked at below)
+    films: bool | None = isinstance(asked.files, MeasuredFilms)
+    if paths and not asked.whole:  # (of whole tracks every file is looked at below)
         films = attempt(faults, are_films, paths)
-    kappa = None if inertia is None else attempt(faults, inertia_number, inertia)
-    prior = attempt(faults, _prior, spin, whole) or {}
-    fixed, bounds = dict(fix or {}), dict(bound or {})
-    strange = [*_strange_parameters("fix", fixed, whole), *_strange_parameters("bound", bounds, whole)]
+    kappa = None if asked.inertia is None else attempt(faults, inertia_number, asked.inertia)
+    prior = attempt(faults, _prior, asked.spin, asked.whole) or {}
+    fixed, bounds = dict(asked.fix or {}), dict(asked.bound or {})
+    strange = [*_strange_parameters("fix", fixed, asked.whole), *_strange_parameters("bound", bounds, asked.whole)]
     faults += strange
     if strange:  # (said once)
         fixed, bounds = {}, {}
-    attempt(faults, require_error_bars, sigma_v, sigma_spin)
+    attempt(faults, require_error_bars, asked.sigma_v, asked.sigma_spin)
     of_contacts = {
-        "sigma_v": sigma_v, "sigma_spin": sigma_spin, "bootstrap": bootstrap, "profiles": profiles,
-        "every_contact": every_contact or None, "kind": kind, "stage": stage, "seed": seed, "robust": robust or None,
-        "scatter": scatter or None, "roll": None if roll == 1 else roll,
+        "sigma_v": asked.sigma_v, "sigma_spin": asked.sigma_spin, "bootstrap": asked.bootstrap, "profiles": asked.profiles,
+        "every_contact": asked.every_contact or None, "kind": asked.kind, "stage": asked.stage, "seed": asked.seed,
+        "robust": asked.robust or None, "scatter": asked.scatter or None, "roll": None if asked.roll == 1 else asked.roll,
     }  # fmt: skip
-    of_frames = {"noise": noise, "cushions": None if cushions == CUSHIONS else cushions}
-    wanted = "no `whole`, which fits frames instead of contacts" if whole else "`whole` as well"
-    unused = of_contacts if whole else of_frames
+    of_frames = {"noise": asked.noise, "cushions": None if asked.cushions == CUSHIONS else asked.cushions}
+    wanted = "no `whole`, which fits frames instead of contacts" if asked.whole else "`whole` as well"
+    unused = of_contacts if asked.whole else of_frames
     faults += [f"`{name}`: expected {wanted}; omit it" for name, value in unused.items() if value is not None]
-    names = [laws] if isinstance(laws, str) else list(laws or [])
-    faults += _strange_words(names if laws is not None else None, whole, view, kind, stage, bootstrap, seed)
+    names = [asked.laws] if isinstance(asked.laws, str) else list(asked.laws or [])
+    faults += _strange_words(
+        names if asked.laws is not None else None,
+        asked.whole,
+        asked.view,
+        asked.kind,
+        asked.stage,
+        asked.bootstrap,
+        asked.seed,
+    )
     before: list[Any] = []
     ours = attempt(before, published_at, paths[0]) if paths else None
-    if radius is None and ours is None and not before:
+    if asked.radius is None and ours is None and not before:
         faults.append("`radius`: expected the ball's radius in m, got none; a table-tennis ball has `radius` 0.02")
-    given = {"radius": radius, "kappa": kappa, "contact_height": contact_height, "floor_friction": floor_friction}
+    given = {
+        "radius": asked.radius,
+        "kappa": kappa,
+        "contact_height": asked.contact_height,
+        "floor_friction": asked.floor_friction,
+    }
     ball = {"radius": 1.0} | (ours.setting if ours else {}) | {k: x for k, x in given.items() if x is not None}
-    of_whole: dict[str, Any] = {"noise": noise, "cushions": cushions} if whole else {}
+    of_whole: dict[str, Any] = {"noise": asked.noise, "cushions": asked.cushions} if asked.whole else {}
     setting = Setting(
-        **ball, restitution=restitution, floor_restitution=floor_restitution, roll=roll, **prior, fixed=fixed, bounds=bounds,
-        fit=tuple(fit), robust=robust, scatter=scatter or "",
+        **ball, restitution=asked.restitution, floor_restitution=asked.floor_restitution, roll=asked.roll,
+        **prior, fixed=fixed, bounds=bounds, fit=tuple(asked.fit), robust=asked.robust, scatter=asked.scatter or "",
         **of_whole,
     )  # fmt: skip
-    attempt(faults, lambda: require_settings(setting, whole=whole))
-    if whole:
+    attempt(faults, lambda: require_settings(setting, whole=asked.whole))
+    if asked.whole:
         for path in paths:
             if path.is_file() and attempt(faults, is_track, path) is False:
                 faults.append(f"{path}: expected a track with `whole`, got a table of rebounds; omit `whole`")
         if memory:
-            faults.append(f"fit: files: expected track files with `whole`, got {type(files).__name__}")
-        if view == "side":
+            faults.append(f"fit: files: expected track files with `whole`, got {type(asked.files).__name__}")
+        if asked.view == "side":
             faults.append("`view`: expected above with `whole` (balls on a table), got side")
         before = []
-    if before or (faults and (ours or films or whole or memory)):  # (before contacts are measured, which takes time)
+    # (before contacts are measured, which takes time)
+    if before or (faults and (ours or films or asked.whole or memory)):
         raise CaromError(*faults, *before)
     if faults:  # (with those of the table)
-        said = {"kind": kind if kind in KINDS else None, "stage": stage if stage in STAGES else None}
+        said = {
+            "kind": asked.kind if asked.kind in KINDS else None,
+            "stage": asked.stage if asked.stage in STAGES else None,
+        }
         if films is not None:
-            attempt(faults, lambda: rebounds_of_files(paths, **said))  # type: ignore[arg-type]
+            attempt(faults, lambda: rebounds_of_files(paths, **said))
         raise CaromError(*faults)
-    return _Request(paths, files if memory else None, ours, bool(films), names, setting)
+    return _Request(paths, asked.files if memory else None, ours, bool(films), names, setting)
 
 
 def _prior(spin: float | str | None, whole: bool) -> dict[str, Any]:
