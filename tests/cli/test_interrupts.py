@@ -81,6 +81,28 @@ def test_the_exit_code_is_that_of_the_command(tmp_path: Path) -> None:
     assert (done.returncode, done.stdout, done.stderr) == (130, "", "carom: interrupted\n")
 
 
+def test_while_the_handler_is_set(tmp_path: Path) -> None:
+    """Between the command's handler and the code that it protects, an interrupt ended the process by the signal itself."""
+    (tmp_path / "early.py").write_text(
+        "import signal, sys\n"
+        "from carom.cli import main\n"
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"
+        "change, left = signal.signal, [signal.SIGINT]\n"
+        "def change_and_interrupt(which, handler):\n"
+        "    before = change(which, handler)\n"
+        "    if left:\n"
+        "        signal.raise_signal(left.pop())\n"
+        "    return before\n"
+        "signal.signal = change_and_interrupt\n"
+        "sys.argv = ['carom', 'laws', 'maw']\n"
+        "main()\n"
+    )
+    environment = {**os.environ, "PYTHONPATH": str(Path(carom.__file__).parents[1])}
+    order = [sys.executable, "-m", "early"]
+    done = subprocess.run(order, cwd=tmp_path, capture_output=True, text=True, check=False, env=environment)
+    assert (done.returncode, done.stdout, done.stderr) == (130, "", "carom: interrupted\n")
+
+
 def test_one_line_is_enough(capsys: pytest.CaptureFixture[str]) -> None:
     with noticed_interrupts():
         say_interrupted("carom: interrupted; nothing was written\n")

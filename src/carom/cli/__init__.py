@@ -53,14 +53,13 @@ def root(
 
 def main() -> None:
     """Run the command; each problem is one line on standard error, and the exit code is 2."""
-    with noticed_interrupts() as asked:
-        try:
+    try:  # (outside: Ctrl-C may come while its handler is being set)
+        with noticed_interrupts() as asked:
             code = _guarded(asked)
-        except KeyboardInterrupt:
-            code = _interrupted()
-    if code == INTERRUPTED:
-        # (after an interrupt in a text that is executed, of a namedtuple, python -m ends by the signal itself; another text helps)
-        exec("pass")
+    except KeyboardInterrupt:
+        code = _interrupted()
+    # (after an interrupt in a text that is executed, of a namedtuple, python -m ends by the signal itself; another text helps)
+    exec("pass")
     sys.exit(code)
 
 
