@@ -5,7 +5,16 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from carom.core.geometry.features import feature_normal, gap_derivatives, gap_to_feature
+from carom.core.geometry.circles import rim_hit
+from carom.core.geometry.features import (
+    OVER,
+    RIM,
+    feature_hit,
+    feature_normal,
+    gap_derivatives,
+    gap_to_feature,
+    is_out_of_reach,
+)
 from carom.scene.feature_builders import corner, disc, line, plane, rim, unit
 
 TILTED = unit((1.0, 2.0, 2.0))
@@ -48,3 +57,21 @@ def test_the_normal_is_where_the_gap_grows_fastest(name: str) -> None:
         for e in np.eye(3)
     ]
     assert feature_normal(feature, tuple(x.tolist())) == pytest.approx(grows, abs=1e-8)
+
+
+@pytest.mark.parametrize("name", [*FEATURES, "gate"])
+def test_a_feature_out_of_reach_is_not_hit(name: str) -> None:
+    f = disc((0.1, 0.2, 0.3), TILTED, 0.5)._replace(kind=OVER) if name == "gate" else FEATURES[name]
+    rng, a, hits, far = np.random.default_rng(7), 0.1, 0, 0
+    for _ in range(400):
+        place, noise, pull = rng.normal(0, 1.5, 3), rng.normal(0, 0.2, 3), rng.normal(0, 0.5, 3)
+        v = 2 * (np.array(f.p) + f.R * np.array(unit(noise)) - place)  # (towards it)
+        x, v, acc = (tuple(one.tolist()) for one in (place, v, pull))
+        path = (a, x, v, acc, 1.0, 0.0)
+        s = rim_hit(f.p, f.d, f.R, f.u, f.lo1, *path) if f.kind == RIM else feature_hit(f, *path)
+        if s < np.inf:
+            hits += 1
+            assert not is_out_of_reach(f, a, x, (np.linalg.norm(v) + np.linalg.norm(acc) * s / 2) * s)
+        far += is_out_of_reach(f, a, x, 0.2)
+    assert hits > 50
+    assert far > 20

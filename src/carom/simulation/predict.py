@@ -9,7 +9,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.core.geometry.features import SEAM, feature_hit, never_closes
+from carom.core.geometry.features import SEAM, feature_hit, is_out_of_reach, never_closes
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, vector
 from carom.core.motion.bounces import bounces
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, accelerations, advance
@@ -96,6 +96,22 @@ def _pair_hit(ball: Any, other: Any, now: float, until: float, slow: float) -> f
 
 
 @kernel
+def _lands_first(world: Any, features: Any, ball: Any, slow: float) -> bool:
+    """Return whether a ball in flight comes down on the floor before it has come as far as any wall; most hops do."""
+    if ball.phase != FLIGHT or world.floor == 0:
+        return False
+    x, v, acc, a = vector(ball.x), vector(ball.v), vector(ball.acc), ball.radius
+    s = hit2(x[2] - a, v[2], acc[2] / 2, math.inf, slow)
+    way = (math.sqrt(dot(v, v)) + math.sqrt(dot(acc, acc)) * s / 2) * s
+    if not way < math.inf:
+        return False
+    for f in range(features.shape[0]):  # noqa: SIM110  (a kernel makes no generator)
+        if not is_out_of_reach(features[f], a, x, way):
+            return False
+    return True
+
+
+@kernel
 def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
     """Predict the next event of ball i and store it, for the other ball too where two will meet."""
     ball = balls[i]
@@ -105,7 +121,7 @@ def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
         best = ball.lasts
     if phase < REST:
         x, v, acc = vector(ball.x), vector(ball.v), vector(ball.acc)
-        for f in range(features.shape[0]):
+        for f in range(0 if _lands_first(world, features, ball, slow) else features.shape[0]):
             s = feature_hit(features[f], a, x, v, acc, best, slow)
             if s < best or (s == best and kind == NOTHING and s < math.inf):
                 best, kind, who = s, WALL, f

@@ -25,7 +25,7 @@ from carom.core.roots.first_root import hit2, hit4, next_hit4
 
 __all__ = [
     "FACE", "FALLS", "FEATURES", "GOES_ON", "LEAVES", "LINE", "OVER", "POINT", "RIM", "contact_normal", "feature_hit",
-    "feature_normal", "gap_derivatives", "gap_to_feature", "never_closes", "pocket_distance",
+    "feature_normal", "gap_derivatives", "gap_to_feature", "is_out_of_reach", "never_closes", "pocket_distance",
 ]  # fmt: skip
 
 # Kinds. OVER is no wall: it is the upward continuation of a low one, and a ball whose centre passes it has cleared it; of a
@@ -164,7 +164,7 @@ def _round_hit(f: Any, a: float, x: Vec, v: Vec, acc: Vec, until: float, slow: f
     if f.kind == OVER and s == 0 and f.ends != FALLS:  # it stands in the gate, having just come through
         s = next_hit4(c0, c1, c2, c3, c4, 0 * a, until)
     for _ in range(2):
-        if not s <= until:
+        if s == math.inf or not s <= until:  # (where until is infinite too, a later hit would be sought)
             break
         on = c0 + (c1 + (c2 + (c3 + c4 * s) * s) * s) * s >= deep
         if on and _within(f, _place_after(x, v, acc, s), a):
@@ -240,6 +240,24 @@ def gap_to_feature(f: Any, a: float, x: Vec) -> float:
             r = (r[0] - c * d[0], r[1] - c * d[1], r[2] - c * d[2])
         gap = side * (math.sqrt(dot(r, r)) - f.R) - a
     return gap if _within(f, x, a) else math.inf
+
+
+@kernel
+def is_out_of_reach(f: Any, a: float, x: Vec, way: float) -> bool:
+    """Whether a ball at x that comes no further than ``way`` cannot touch feature f, wherever that ends: a quick test."""
+    p, d = vector(f.p), vector(f.d)
+    r = (x[0] - p[0], x[1] - p[1], x[2] - p[2])
+    way = way + SEAM * (way + a)
+    if f.kind == FACE:
+        gap = dot(r, d) - a
+        return bool(gap > way or gap < -BEHIND * a - way)
+    if f.kind == RIM:
+        return bool(rim_gap(p, d, f.R, x) - a > way)
+    c = dot(r, d) if f.kind != POINT else 0 * a
+    far = math.sqrt(max(dot(r, r) - c * c, 0 * a))
+    if f.kind == OVER:
+        return bool(f.R > 0 and abs(far - f.R) > way)
+    return bool(f.side * (far - f.R) - a > way)
 
 
 @kernel
