@@ -28,6 +28,7 @@ from carom.errors import (
 __all__ = ["INERTIAS", "Ball", "Disc", "State", "Surface", "inertia_number", "kinetic_energy", "rolling", "slip"]
 
 Array = NDArray[np.float64]
+Numbers = float | Array  # one number, or an array of them
 Inertia = Literal["solid", "hollow"]
 # kappa = I/(m a^2)
 INERTIAS = {"solid": 2 / 5, "hollow": 2 / 3}
@@ -69,9 +70,9 @@ class Ball:
     0.026
     """
 
-    radius: Any
-    mass: Any
-    kappa: Any
+    radius: Numbers
+    mass: Numbers
+    kappa: Numbers
     planar: bool
 
     def __init__(
@@ -80,7 +81,7 @@ class Ball:
         _fill(self, "Ball", radius, mass, inertia, INERTIAS, 2 / 3, planar=False)
 
     @property
-    def moment(self) -> Any:
+    def moment(self) -> Numbers:
         """Moment of inertia I about an axis through the centre, kg m^2."""
         return self.kappa * self.mass * self.radius * self.radius
 
@@ -191,9 +192,9 @@ class Surface:
     Surface(restitution=0.85, friction=0.2, tangential_restitution=0.0)
     """
 
-    restitution: Any
-    friction: Any
-    tangential_restitution: Any
+    restitution: Numbers
+    friction: Numbers
+    tangential_restitution: Numbers
 
     def __init__(
         self, restitution: ArrayLike = 1.0, friction: ArrayLike = math.inf, tangential_restitution: ArrayLike = 0.0
@@ -368,7 +369,7 @@ def rolling(ball: Ball, velocity: ArrayLike = (-1.0, 1.0), spin_z: ArrayLike = 0
     return State.of(velocities, spins)
 
 
-def kinetic_energy(ball: Ball, state: State) -> Any:
+def kinetic_energy(ball: Ball, state: State) -> Numbers:
     """Return the kinetic energy m v^2/2 + I omega^2/2, the paper's (20).
 
     Parameters

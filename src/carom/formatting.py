@@ -7,7 +7,7 @@ import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import is_dataclass
-from typing import Any
+from typing import Any, SupportsFloat
 
 import numpy as np
 
@@ -67,14 +67,15 @@ def counted(number: int, noun: str) -> str:
     return f"{number:,} {noun}{'' if number == 1 else 's'}"
 
 
-def format_number(x: float | None, digits: int = 3) -> str:
+def format_number(x: SupportsFloat | None, digits: int = 3) -> str:
     """Return ``digits`` significant digits without trailing zeros, one less with an exponent, and all before the decimal point; a
     dash for None or NaN, the sign of infinity for infinity.
 
     >>> format_number(0.28571), format_number(-14999.8508), format_number(1.5e-7), format_number(None)
     ('0.286', '-15000', '1.5e-07', '–')
     """
-    if x is None or math.isnan(x):
+    x = math.nan if x is None else float(x)
+    if math.isnan(x):
         return "–"
     if math.isinf(x):
         return "∞" if x > 0 else "−∞"
@@ -102,24 +103,26 @@ def format_uncertain(x: float, error: float) -> str:
     return f"{x:.{places}f}({error * 10**places:.0f})" + (f"e{power:+03d}" if power else "")
 
 
-def format_length(x: float, digits: int = 3) -> str:
+def format_length(x: SupportsFloat, digits: int = 3) -> str:
     """Return a length given in m as text in m, mm or µm.
 
     >>> format_length(0.02625, 4), format_length(-2.0)
     ('26.25 mm', '-2 m')
     """
+    x = float(x)
     for size, unit, factor in ((1.0, "m", 1.0), (1e-3, "mm", 1e3), (0.0, "µm", 1e6)):
         if abs(x) >= size:
             return f"{format_number(x * factor, digits)} {unit}"
     return "0 m"
 
 
-def format_time(x: float) -> str:
+def format_time(x: SupportsFloat) -> str:
     """Return a time given in s as text in s or ms.
 
     >>> format_time(0.25), format_time(12.0)
     ('250 ms', '12 s')
     """
+    x = float(x)
     return f"{format_number(x)} s" if x >= 1 else f"{format_number(x * 1e3)} ms"
 
 

@@ -14,7 +14,7 @@ from carom.billiards.orbits import Orbit, orbit_from_setup
 from carom.billiards.sampling import starts
 from carom.billiards.setup import orbit_setup
 from carom.billiards.tables import Table
-from carom.bodies import Ball, Surface
+from carom.bodies import Ball, Numbers, Surface
 from carom.errors import CaromError, Fault
 
 __all__ = [
@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 MAX_BOUNCES_AT_ONCE = 20_000_000
 
 
-def period(found: Orbit, tolerance: float = 1e-9) -> Any:
+def period(found: Orbit, tolerance: float = 1e-9) -> int | NDArray[np.int64]:
     """Return the period (...) of orbits in bounces: the least p with equal states at bounces k and k + p; 0 where none is found.
 
     Positions (relative to the table's size; in a periodic cell or a cylinder, within it), velocities and spins (relative to the
@@ -204,13 +204,13 @@ class Drift:
     0.3
     """
 
-    extent: Any
+    extent: Numbers
     """(...): greatest minus least coordinate, m."""
-    velocity: Any
+    velocity: Numbers
     """(...): mean velocity, from the first to the last bounce, m/s."""
-    acceleration: Any
+    acceleration: Numbers
     """(...): acceleration of the parabola fitted to the coordinates, m/s^2."""
-    growth: Any
+    growth: Numbers
     """(...): extent of the orbit over the extent of its first half: 1 bounded, 2 uniform drift, 4 uniform acceleration."""
 
 
@@ -244,8 +244,9 @@ def drift(found: Orbit, axis: int | None = None) -> Drift:
     coordinate, t = found.position[..., axis], found.t
     half = coordinate.shape[-1] // 2
 
-    def extent(part: Array) -> Any:
-        return np.nanmax(part, axis=-1) - np.nanmin(part, axis=-1)
+    def extent(part: Array) -> Array:
+        found: Array = np.nanmax(part, axis=-1) - np.nanmin(part, axis=-1)
+        return found
 
     span = np.nanmax(t, axis=-1) - t[..., 0]
     u = (t - t[..., :1]) / span[..., None]

@@ -13,7 +13,7 @@ from carom.billiards.loop import MEMORY, compiled_many, follow_one
 from carom.billiards.setup import OrbitSetup, Start, orbit_setup, start_rows
 from carom.billiards.table_records import DONE, ENDING, ENDS, POSITION, TIME
 from carom.billiards.tables import Table
-from carom.bodies import Ball, Surface
+from carom.bodies import Ball, Numbers, Surface
 from carom.core.jit.slices import Pace
 from carom.errors import CaromError, Fault
 from carom.public.progress import Progress, as_progress
@@ -55,9 +55,9 @@ class Orbit:
     """(..., B) in the plane, (..., B, 3) in space: rad/s."""
     piece: NDArray[np.int32]
     """(..., B): index of the piece of the boundary that was met; -1 for none."""
-    count: Any
+    count: NDArray[np.integer]
     """(...): number of bounces."""
-    ending: Any
+    ending: NDArray[np.integer]
     """(...): why it ended, as an index into :data:`carom.billiards.ENDS`."""
     last: Array
     """(..., 10): time, position, velocity and spin at the end, each with three components."""
@@ -68,9 +68,10 @@ class Orbit:
         return f"<Orbit: {self.setup.table}: {self.setup.law}, {many}{int(np.sum(self.count)):,} bounces>"
 
     @property
-    def ended(self) -> Any:
+    def ended(self) -> str | NDArray[np.str_]:
         """(...): why it ended, as text; see :data:`carom.billiards.ENDS`."""
-        return np.array(ENDS)[self.ending]
+        found: str | NDArray[np.str_] = np.array(ENDS)[self.ending]
+        return found
 
     @functools.cached_property
     def folded(self) -> Array:
@@ -117,7 +118,7 @@ class Orbit:
         return found
 
     @property
-    def _rolls(self) -> float:
+    def _rolls(self) -> Numbers:
         """Factor of velocity^2 in twice the energy per mass: a rolling ball's horizontal spin is tied to its velocity."""
         return 1.0 + self.setup.ball.kappa if self.setup.rolls else 1.0
 

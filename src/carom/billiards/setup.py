@@ -70,9 +70,9 @@ class Start:
     array(2)
     """
 
-    position: Any
-    velocity: Any
-    spin: Any = 0.0
+    position: ArrayLike
+    velocity: ArrayLike
+    spin: ArrayLike = 0.0
 
 
 @dataclass(frozen=True, eq=False)

@@ -80,7 +80,7 @@ class Lyapunov:
     """(blocks, ..., 4): ``per_bounce`` up to the end of each block."""
     bounces: int
     """Number of bounces."""
-    ended: Any
+    ended: str | NDArray[np.str_]
     """(...): as :attr:`Orbit.ended`; other than "bounces", the exponents are NaN."""
 
 

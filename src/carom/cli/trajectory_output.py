@@ -210,7 +210,9 @@ def _energy(run: Trajectory) -> str:
     ]
     left = format_number(0.0 if abs(found.end) < rounding else found.end)
     fallen = [i for i, phase in enumerate(run.final_phase) if phase == "pocketed"]
-    theirs = run.kinetic_energy(fallen, run.final.velocity[fallen], run.final.spin[fallen]).sum() if fallen else 0.0
+    theirs = (
+        float(np.sum(run.kinetic_energy(fallen, run.final.velocity[fallen], run.final.spin[fallen]))) if fallen else 0.0
+    )
     held = f" ({format_number(theirs)} J as balls fell into pockets)" if theirs > rounding else ""
     return f"Energy: {format_number(found.start)} J at the start; {''.join(f'{part}, ' for part in told)}{left} J left{held}."
 

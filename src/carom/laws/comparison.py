@@ -373,8 +373,8 @@ def _verdict(law: Law, meeting: Meeting) -> Verdict:
         return _refusal(law, f"no prediction: {answer.why}")
     why = tuple(law.objections(m, answer))
     final = None if np.isnan(answer.final.velocity).any() else answer.final
-    energy = kinetic_energy(m.ball, m.state)
-    ratio = kinetic_energy(m.ball, answer.after_wall) / energy if energy > 0 else None
+    energy = float(kinetic_energy(m.ball, m.state))
+    ratio = float(kinetic_energy(m.ball, answer.after_wall)) / energy if energy > 0 else None
     verdict = Verdict(
         law=law.name,
         admissible=not why,
@@ -384,7 +384,7 @@ def _verdict(law: Law, meeting: Meeting) -> Verdict:
         final=final,
         angle_after_wall_deg=_angle(m, answer.after_wall),
         reflection_angle_deg=None if final is None else _angle(m, final),
-        energy_ratio=kinetic_energy(m.ball, final) / energy if final is not None and energy > 0 else None,
+        energy_ratio=float(kinetic_energy(m.ball, final)) / energy if final is not None and energy > 0 else None,
         energy_ratio_after_wall=ratio,
         required_wall=_known(answer.required_wall),
         required_floor=_known(answer.required_floor),

@@ -14,7 +14,7 @@ from typing import Any, Literal, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.bodies import Ball, State, Surface, kinetic_energy, slip
+from carom.bodies import Ball, Numbers, State, Surface, kinetic_energy, slip
 from carom.core.contact import slip_velocity, wall_contact
 from carom.core.jit.kernel import Vec, kernel
 from carom.laws.arrays import (
@@ -105,11 +105,11 @@ class Meeting:
     """By default the paper's floor: e = 0, sticking."""
     gravity: float = GRAVITY
     """m/s^2."""
-    height: Any = 0.0
+    height: Numbers = 0.0
     """(...), m: of the centre above its position when the ball rests on the floor."""
     floor_contact: FloorContact = "with"
     """Whether a ball that the wall presses down meets the floor together with the wall, or after it."""
-    stiffness_ratio: Any = LIKE_SOLIDS
+    stiffness_ratio: Numbers = LIKE_SOLIDS
     """(...): tangential over normal stiffness of the wall contact; read by laws with tangential compliance."""
 
 

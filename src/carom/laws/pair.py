@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.bodies import Ball, State, Surface, kinetic_energy, rolling
+from carom.bodies import Ball, Numbers, State, Surface, kinetic_energy, rolling
 from carom.core.contact import contact
 from carom.core.jit.kernel import Vec, cross, dot, kernel, prange
 from carom.core.motion.phases import ROUNDING
@@ -16,7 +16,7 @@ from carom.core.motion.rolling import rolls_at_last
 from carom.errors import CaromError, broadcast_shape, first_bad_index, require_type
 from carom.laws.arrays import loop_for, require_resolved, unit_normal
 from carom.laws.law import Card
-from carom.laws.results import REGIME_NAMES, name_codes
+from carom.laws.results import REGIME_NAMES, Names, name_codes
 
 __all__ = ["CARD", "Collision", "Scattering", "collide", "domenech"]
 
@@ -104,18 +104,18 @@ class Collision:
     after: tuple[State, State]
     impulse: Array
     """(..., 3), N s, on the first ball; the second receives the opposite impulse."""
-    required_friction: Any
+    required_friction: Numbers
     """(...): the least friction with which the contact sticks."""
-    code: Any
+    code: int | NDArray[np.int8]
     """(...): the regime as an integer."""
 
     @property
-    def regime(self) -> Any:
+    def regime(self) -> Names:
         """ "stick", "slide" or "graze" (no impulse): a string or an array (...)."""
         return name_codes(self.code, REGIME_NAMES)
 
     @property
-    def energy_lost(self) -> Any:
+    def energy_lost(self) -> Numbers:
         """Kinetic energy lost by both balls together, (...), J."""
         pairs = zip(self.balls, self.before, self.after, strict=True)
         return sum(kinetic_energy(ball, old) - kinetic_energy(ball, new) for ball, old, new in pairs)
@@ -185,7 +185,7 @@ def collide(
     loop_for(pair_rows, count)(*args, out, required, code)
     part = [out[:, 3 * i : 3 * i + 3].reshape(*shape, 3) for i in range(5)]
     after = (State.of(part[0], part[1]), State.of(part[2], part[3]))
-    scalars = [x[0].item() if shape == () else x.reshape(shape) for x in (required, code)]
+    scalars: list[Any] = [x[0].item() if shape == () else x.reshape(shape) for x in (required, code)]
     return Collision(balls, (state, other_state), after, part[4], *scalars)
 
 
@@ -207,17 +207,17 @@ class Scattering:
     """Both balls once they roll (on a floor with friction; independent of gravity)."""
 
     @property
-    def regime(self) -> Any:
+    def regime(self) -> Names:
         """ "gross slip" or "slip-stick" ("graze" if there is no impulse): a string or an array (...)."""
         return name_codes(self.collision.code, np.array(["graze", "slip-stick", "gross slip"]))
 
     @property
-    def post_collision_angles(self) -> tuple[Any, Any]:
+    def post_collision_angles(self) -> tuple[Numbers, Numbers]:
         """Angles (...) between both paths just after the impact and the first ball's incoming path, on the floor, rad."""
         return self._angles(self.collision.after)
 
     @property
-    def post_transition_angles(self) -> tuple[Any, Any]:
+    def post_transition_angles(self) -> tuple[Numbers, Numbers]:
         """The same angles once both balls roll, rad."""
         return self._angles(self.rolling)
 
@@ -296,5 +296,6 @@ def domenech(
 def _roll(ball: Ball, state: State) -> State:
     """(39) for arrays."""
     v, w = np.moveaxis(state.velocity, -1, 0), np.moveaxis(state.spin, -1, 0)
-    v3, w3 = rolls_at_last(tuple(v), tuple(w), ball.radius, ball.kappa)
+    numbers: Any = (ball.radius, ball.kappa)  # (the kernel takes arrays too)
+    v3, w3 = rolls_at_last(tuple(v), tuple(w), *numbers)
     return State.of(np.stack(v3, axis=-1), np.stack(w3, axis=-1))

@@ -32,7 +32,7 @@ def _wall(meeting: Meeting, steps: TwoStep) -> Iterator[str]:
     hit = steps.wall
     mu = float(meeting.wall.friction)
     if np.any(steps.floor_impulse != 0):
-        end = _ENDS[hit.regime]
+        end = _ENDS[str(hit.regime)]
         yield f"the wall presses the ball on the floor: both act at once, and the wall contact ends {end}"
     elif hit.regime == "slide":
         needed = format_number(float(hit.required_friction))

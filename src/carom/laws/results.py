@@ -9,7 +9,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.bodies import Ball, State, Surface, kinetic_energy
+from carom.bodies import Ball, Numbers, State, Surface, kinetic_energy
 from carom.core.contact import REGIMES
 from carom.formatting import format_length, format_number, format_time
 from carom.public.defaults import GRAVITY
@@ -20,6 +20,7 @@ __all__ = [
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
+Names = str | NDArray[np.str_]  # one text, or an array of them
 FloorContact = Literal["with", "after"]
 """Order of the contacts of a ball that the wall presses on the floor: both at once, or the wall first and then the floor."""
 
@@ -44,7 +45,7 @@ WHY = (
 REASONS = np.array([*WHY])
 
 
-def name_codes(code: Any, names: NDArray[np.str_]) -> Any:
+def name_codes(code: Any, names: NDArray[np.str_]) -> Names:
     """Return the names of integer codes (...): a string for one, an array of strings for many."""
     found = names[code]
     return str(found) if found.ndim == 0 else found
@@ -82,9 +83,9 @@ class Impact:
     after: State
     impulse: Array
     """(..., 3), N s, on the ball."""
-    required_friction: Any
+    required_friction: Numbers
     """(...): the least friction with which the contact sticks (if the floor acts too: the friction that was mobilised)."""
-    code: Any
+    code: int | NDArray[np.int8]
     """(...): the regime as an integer."""
 
     def __repr__(self) -> str:
@@ -95,12 +96,12 @@ class Impact:
         return f"<Impact: {self.regime}, impulse ({impulse}) N s, required friction {format_number(float(self.required_friction))}>"
 
     @property
-    def regime(self) -> Any:
+    def regime(self) -> Names:
         """ "stick", "slide", "graze" (no impulse) or "jam" (wedged between wall and floor): a string or an array (...)."""
         return name_codes(self.code, REGIME_NAMES)
 
     @property
-    def energy_lost(self) -> Any:
+    def energy_lost(self) -> Numbers:
         """Kinetic energy lost, (...), J."""
         return kinetic_energy(self.ball, self.before) - kinetic_energy(self.ball, self.after)
 
@@ -118,11 +119,11 @@ class Flight:
     4.16
     """
 
-    duration: Any
+    duration: Numbers
     """(...), s."""
-    height: Any
+    height: Numbers
     """(...), m: largest height of the centre above its position when the ball rests on the floor."""
-    distance: Any
+    distance: Numbers
     """(...), m, along the floor."""
 
 
@@ -147,18 +148,18 @@ class Settled:
     """The first landing."""
     rolling: State
     """The state once the ball rolls again; NaN where ``rolls`` is False."""
-    rolls: Any
+    rolls: bool | NDArray[np.bool_]
     """(...): whether the ball comes to roll before it meets the wall again."""
-    why_code: Any
+    why_code: int | NDArray[np.int8]
     """(...): why it does not, as an integer; 0 where it rolls."""
 
     @property
-    def why(self) -> Any:
+    def why(self) -> Names:
         """Why the ball does not come to roll, a text or an array (...) of them; empty where it rolls."""
         return name_codes(self.why_code, REASONS)
 
     @property
-    def reflection_angle(self) -> Any:
+    def reflection_angle(self) -> Numbers:
         """Angle (...) between the final velocity and the wall's normal, both projected on the floor, rad."""
         return angle_from(self.normal, self.rolling)
 
@@ -196,7 +197,7 @@ class TwoStep(Settled):
         return f"<TwoStep: {end}, {flight}, wall {self.wall.regime}, floor {self.floor.regime}>"
 
 
-def angle_from(normal: Array, state: State, *, incoming: bool = False) -> Any:
+def angle_from(normal: Array, state: State, *, incoming: bool = False) -> Numbers:
     """Angle (...) of a velocity along the floor from the normal, rad: 0 normal, pi/2 along the wall, more towards it.
 
     NaN where the normal is vertical.

@@ -9,12 +9,11 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.bodies import Ball, State
+from carom.bodies import Ball, Numbers, State
 from carom.core.jit.kernel import kernel, prange
 from carom.errors import (
     CaromError,
@@ -121,10 +120,10 @@ class Cue:
     0.546
     """
 
-    mass: Any
-    end_mass: Any
-    friction: Any
-    restitution: Any
+    mass: Numbers
+    end_mass: Numbers
+    friction: Numbers
+    restitution: Numbers
 
     def __init__(
         self,
@@ -185,11 +184,11 @@ class Strike:
     """(..., 3), N s, on the ball."""
     cue_velocity: Array
     """(...), m/s: the cue along its axis, after the contact."""
-    squirt_deg: Any
+    squirt_deg: Numbers
     """(...): between the cue's axis and the way the ball goes."""
-    required_friction: Any
+    required_friction: Numbers
     """(...): what the tip needs so as not to slip."""
-    miscue: Any
+    miscue: bool | NDArray[np.bool_]
     """(...): whether it slips."""
 
     squirt = renamed_attribute("squirt", "squirt_deg")

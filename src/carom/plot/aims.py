@@ -16,6 +16,8 @@ from carom.plot.trajectory import CUSHION, FILLS
 from carom.sweeps.unknowns import UNITS
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from carom.sweeps.aiming import Aim, Aims
 
 __all__ = ["plot_aims"]
@@ -23,7 +25,7 @@ __all__ = ["plot_aims"]
 WIDTH, COLUMNS = 4.2, 2  # inches, of a panel; panels side by side
 
 
-def plot_aims(aims: Aims, file: str | os.PathLike[str] | None = None, *, solutions: int = 4) -> Any:
+def plot_aims(aims: Aims, file: str | os.PathLike[str] | None = None, *, solutions: int = 4) -> Figure:
     """Draw solutions of :func:`carom.aim`, a panel each: the balls' paths, and the target's error ellipse.
 
     Parameters
@@ -62,7 +64,7 @@ def plot_aims(aims: Aims, file: str | os.PathLike[str] | None = None, *, solutio
     columns = min(COLUMNS, len(shown))
     rows = math.ceil(len(shown) / columns)
 
-    def draw() -> Any:
+    def draw() -> Figure:
         panel = WIDTH * seen.size[1] / seen.size[0] + 0.45
         figure = new_figure(WIDTH * columns, panel * rows)
         for k, one in enumerate(shown):

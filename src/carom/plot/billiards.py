@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,9 @@ from carom.errors import CaromError
 from carom.formatting import format_number
 from carom.plot.style import GREY, INK, new_figure, style
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 __all__ = ["plot_lyapunov", "plot_orbit"]
 
 Array = NDArray[np.float64]
@@ -22,7 +25,7 @@ WALL = "#b9b4a6"
 MAX_FLIGHTS = 5_000  # with more flights the figure is illegible
 
 
-def plot_orbit(found: Orbit, which: Any = None) -> Any:
+def plot_orbit(found: Orbit, which: Any = None) -> Figure:
     """Draw one orbit in its table, its flights coloured by the spin; in space projected along z, with its height over time.
 
     Parameters
@@ -230,7 +233,7 @@ def _outline(shape: Boundary, low: Array, high: Array) -> list[Array]:
     return lines
 
 
-def plot_lyapunov(found: Lyapunov) -> Any:
+def plot_lyapunov(found: Lyapunov) -> Figure:
     """Draw the convergence of Lyapunov exponents with the number of bounces.
 
     Parameters

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,9 @@ from carom.laws.landing import fall_time
 from carom.laws.law import Answer, Meeting
 from carom.plot.style import GREY, INK, PALE, arrow, law_styles, literal, new_figure, spread_apart, style
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 __all__ = ["PathAfterWall", "compare", "path_after_wall"]
 
 HALF_HEIGHT_OVER_WIDTH = 0.72  # of the view from above
@@ -29,7 +32,7 @@ FLAG = 0.19  # height of a line of labels above or below that view, inches
 Array = NDArray[np.float64]
 
 
-def compare(comparison: laws_compared.Comparison | Meeting | None = None, **settings: Any) -> Any:
+def compare(comparison: laws_compared.Comparison | Meeting | None = None, **settings: Any) -> Figure:
     """Draw each law's prediction for one ball, to scale: from above, and from the side.
 
     Parameters
@@ -78,7 +81,7 @@ def _draw(
     shown: list[laws_compared.Verdict],
     paths: dict[str, PathAfterWall],
     reach: float,
-) -> Any:
+) -> Figure:
     m = comparison.meeting
     a = float(m.ball.radius) * 1e3
     r = reach * 1e3

@@ -18,6 +18,8 @@ from carom.plot.style import GREY, INK, law_styles, new_figure, style
 __all__ = ["plot_design", "plot_fit", "plot_laws", "plot_residuals", "write_report"]
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from carom.fitting import Fit, Ranked, Ranking
     from carom.fitting.tracks import TrackRanking
 
@@ -27,7 +29,7 @@ NAMES = ("normal speed after", "speed along the wall after", "spin after")
 UNITS = ("m/s", "m/s", "rad/s")
 
 
-def plot_fit(ranking: Ranking) -> Any:
+def plot_fit(ranking: Ranking) -> Figure:
     """Plot weights, normal speeds and the motion along the wall, measured and predicted by the best laws (a Matplotlib Figure)."""
     with style():
         figure = new_figure(9.6, 3.5)
@@ -40,7 +42,7 @@ def plot_fit(ranking: Ranking) -> Any:
     return figure
 
 
-def plot_laws(ranking: Ranking) -> Any:
+def plot_laws(ranking: Ranking) -> Figure:
     """Plot the motion along the wall, measured and predicted, in one panel per law, best first. Returns a Matplotlib Figure."""
     count = len(ranking.ranked)
     columns = min(count, 3)
@@ -192,7 +194,7 @@ def _spin_out(rebounds: Any) -> Any:
     return rebounds["spin_out" if rebounds.kind == "planar" else "spin_z_out"]
 
 
-def plot_residuals(ranking: Ranking) -> Any:
+def plot_residuals(ranking: Ranking) -> Figure:
     """Plot the residuals of the two best laws, in error bars, against the angle of incidence. Returns a Matplotlib Figure."""
     with style():
         fits = [one.fit for one in ranking.ranked[:2]]
@@ -333,7 +335,7 @@ if TYPE_CHECKING:
     from carom.fitting.design import Plan
 
 
-def plot_design(plan: Plan) -> Any:
+def plot_design(plan: Plan) -> Figure:
     """Plot the gain of one more shot over angle and speed, and over angle and spin where spins vary, with the shots of the plan."""
     from matplotlib.patheffects import withStroke  # makes a circle visible on every colour
 

@@ -14,6 +14,8 @@ from carom.plot.fit import PAGE, SHOWN, listed, svg, table_of_laws
 from carom.plot.style import GREY, INK, law_styles, literal, new_figure, style
 
 if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
     from carom.fitting import Ranked
     from carom.fitting.tracks import TrackFit, TrackRanking
 
@@ -23,7 +25,7 @@ SHOTS, MORE = 6, 12  # largest number of shots drawn from above, and that for wi
 BALLS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 
 
-def plot_tracks(ranking: TrackRanking) -> Any:
+def plot_tracks(ranking: TrackRanking) -> Figure:
     """Plot shots from above, tracked and simulated, distances by shot and law, and over time. Returns a Matplotlib Figure."""
     best = ranking.best
     shots = list(dict.fromkeys(one.group for one in best.frames.segments))
@@ -31,7 +33,7 @@ def plot_tracks(ranking: TrackRanking) -> Any:
     shown = shots[: MORE if size[0] > 1.5 * size[1] else SHOTS]
     with style():
         figure = new_figure(10.4, 6.6)
-        left, right = figure.subfigures(1, 2, width_ratios=[1.55, 1])
+        left, right = figure.subfigures(1, 2, squeeze=False, width_ratios=[1.55, 1]).flat
         columns = min(3, len(shown)) if len(shown) > 1 else 1
         rows = -(-len(shown) // columns)
         panels = left.subplots(rows, columns, squeeze=False)

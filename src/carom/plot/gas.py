@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import os
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +19,9 @@ from carom.gas.scene import GasScene
 from carom.gas.session import Session
 from carom.plot.style import GREY, INK, PALE, drawn, literal, new_figure
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 __all__ = [
     "COLOURS", "MAX_PAIRS", "density_title", "draw_maxwell", "heading", "note_maxwell", "pair_title", "panel_title", "plot_gas",
     "scale_temperatures",
@@ -32,7 +35,7 @@ MAX_PAIRS = 6  # of species
 OUTLINE_POINTS = 400  # along each side of the grid on which walls are found
 
 
-def plot_gas(session: Session, file: str | os.PathLike[str] | None = None, *, title: str | None = None) -> Any:
+def plot_gas(session: Session, file: str | os.PathLike[str] | None = None, *, title: str | None = None) -> Figure:
     """Plot what a session measured.
 
     Parameters

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -24,12 +24,17 @@ from carom.plot.gas import (
 )
 from carom.plot.style import GREY, drawn, literal, new_figure
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 __all__ = ["plot_ensemble"]
 
 BAND = 0.3  # opacity
 
 
-def plot_ensemble(ensemble: Ensemble, file: str | os.PathLike[str] | None = None, *, title: str | None = None) -> Any:
+def plot_ensemble(
+    ensemble: Ensemble, file: str | os.PathLike[str] | None = None, *, title: str | None = None
+) -> Figure:
     """Plot what an ensemble measured.
 
     Parameters

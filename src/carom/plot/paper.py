@@ -6,7 +6,7 @@ import math
 import os
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,9 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.laws.comparison import compare, incoming
 from carom.plot.style import GREY, INK, PALE, arrow, law_styles, new_figure, require_matplotlib, save, style
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 __all__ = ["collision", "figures", "incidence_and_reflection", "setting"]
 
@@ -131,7 +134,7 @@ class ParallelProjection:
         self.curve(ring[~front], color=GREY, lw=0.5, ls=(0, (3, 3)), zorder=3)
 
 
-def _blank(width: float, height: float) -> tuple[Any, Any]:
+def _blank(width: float, height: float) -> tuple[Figure, Any]:
     figure = new_figure(width, height)
     axes = figure.add_axes((0.01, 0.01, 0.98, 0.98))
     axes.set_aspect("equal")
@@ -149,7 +152,7 @@ def _room(view: ParallelProjection, a: float, wide: tuple[float, float], deep: f
     view.label((deep - 0.25 * a, far - 0.45 * a, 0), "floor", color="#6b675c", size=9)
 
 
-def setting() -> Any:
+def setting() -> Figure:
     """Draw Figure 1: ball, floor and wall, the frame, the contact points A and B, the Euler angles of (1).
 
     Returns
@@ -221,7 +224,7 @@ def _euler(view: ParallelProjection, c: Array) -> None:
         view.label(arc[60], word, shift, color=colour)
 
 
-def collision() -> Any:
+def collision() -> Figure:
     """Draw Figure 2: the impulse R of the wall at B, its components by (31), and the friction cone (29).
 
     Returns
@@ -282,7 +285,7 @@ def _hull(rim: Array, tip: Array) -> Array:
     return np.concatenate([[tip], rim[far], [tip]])
 
 
-def incidence_and_reflection() -> Any:
+def incidence_and_reflection() -> Figure:
     """Draw Figure 3: incidence at 45 degrees, reflection at arctan 39/31 = 51.5 (two-step) and arctan 5/9 = 29.1 (conventional).
 
     Returns

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,9 @@ from carom.billiards import Orbit
 from carom.errors import CaromError
 from carom.formatting import format_number
 from carom.plot.style import GREY, INK, literal, new_figure, style
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 __all__ = ["on_curves", "plot_boundary", "plot_portrait"]
 
@@ -105,7 +108,7 @@ def _dots(count: int) -> float:
     return float(np.clip(4e4 / max(count, 1), 0.02, 6.0))
 
 
-def plot_portrait(found: Orbit) -> Any:
+def plot_portrait(found: Orbit) -> Figure:
     """Draw the velocity phase portrait (after Cox & Feres): every bounce is a point of the unit disc.
 
     Orbits that stay on smooth curves (islands) are highlighted, each in one of six colours; all others share one ink.
@@ -152,7 +155,7 @@ def plot_portrait(found: Orbit) -> Any:
     return figure
 
 
-def plot_boundary(found: Orbit) -> Any:
+def plot_boundary(found: Orbit) -> Figure:
     """Draw the boundary map: arc length s, and the velocity along the wall over that in the plane (the sine of the angle).
 
     Parameters

@@ -12,12 +12,15 @@ import warnings
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from carom import files
 from carom.files import as_path, atomic_path, require_library
 from carom.formatting import escape_controls
 from carom.laws.registry import law_styles
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 __all__ = [
     "GREY",
@@ -110,7 +113,7 @@ def literal(text: object) -> str:
     return f" {found}" if found.startswith("_") else found
 
 
-def drawn(draw: Callable[[], Any], file: str | os.PathLike[str] | None) -> Any:
+def drawn(draw: Callable[[], Figure], file: str | os.PathLike[str] | None) -> Figure:
     """Return the figure that ``draw`` makes, in carom's style; written if a file is named, which is checked first."""
     if file is not None:
         require_writable(file)
@@ -121,7 +124,7 @@ def drawn(draw: Callable[[], Any], file: str | os.PathLike[str] | None) -> Any:
     return figure
 
 
-def save(figure: Any, path: str | os.PathLike[str]) -> None:
+def save(figure: Figure, path: str | os.PathLike[str]) -> None:
     """Write a figure as .svg, .pdf or .png; atomically, and the same figure gives the same bytes.
 
     Parameters
@@ -157,7 +160,7 @@ def save(figure: Any, path: str | os.PathLike[str]) -> None:
 INK, GREY, PALE = "#222222", "#8a8a8a", "#eceae4"
 
 
-def new_figure(width: float, height: float) -> Any:
+def new_figure(width: float, height: float) -> Figure:
     """Return an empty figure of a size in inches that notebooks display; to be called in the context of :func:`style`."""
     from matplotlib.figure import Figure
 

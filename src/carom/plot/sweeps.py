@@ -4,13 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from carom.errors import CaromError, Fault, did_you_mean
 from carom.formatting import format_number
 from carom.plot.style import INK, literal, new_figure, style
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 __all__ = ["plot_sweep"]
 
@@ -30,7 +33,7 @@ def plot_sweep(
     y: str | None = None,
     panels: str | None = None,
     at: Mapping[str, Any] | None = None,
-) -> Any:
+) -> Figure:
     """Draw an outcome of a sweep: a line over one dimension, a map over two, small multiples for a third.
 
     Of numbers, the mean over repeats is drawn, along a line with its standard error, unless ``repeat`` is one of the dimensions
@@ -151,7 +154,7 @@ def _label(array: Any, dim: str) -> str:
     return literal(f"{dim} ({units})" if units else dim)
 
 
-def _draw(array: Any, error: Any, x: str, y: str | None, panels: str | None, title: str) -> Any:
+def _draw(array: Any, error: Any, x: str, y: str | None, panels: str | None, title: str) -> Figure:
     with style():
         count = 1 if panels is None else array.sizes[panels]
         # (as few empty places as possible)
@@ -161,7 +164,7 @@ def _draw(array: Any, error: Any, x: str, y: str | None, panels: str | None, tit
         figure.set_layout_engine("constrained")
         grid = figure.subplots(rows, columns, sharex=True, sharey=True, squeeze=False)
         flat = grid.ravel().tolist()
-        drawn = None
+        drawn: Any = None
         names = list(array.attrs.get("flag_meanings", ()))
         names = names.split() if isinstance(names, str) else names
         values = array.values.astype(float)

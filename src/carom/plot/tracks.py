@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,6 +12,9 @@ from carom.tracks.contact import TrackContact
 from carom.tracks.measurement import Measured
 from carom.tracks.rebounds import usable_stages
 from carom.tracks.track import Track
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 __all__ = ["plot_tracks"]
 
@@ -23,7 +26,7 @@ MIN_WIDTH_SHARE, MAX_TICKS = 0.4, 6  # of the paths: the narrow side as a share 
 LINE_TOP = 0.87  # height of the lines at contacts, below the legend, as a fraction of the panel
 
 
-def plot_tracks(measured: Measured) -> Any:
+def plot_tracks(measured: Measured) -> Figure:
     """Draw measured tracks: paths with walls and contacts, the speed of the ball with most contacts, and residuals.
 
     Parameters

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,6 +29,9 @@ from carom.simulation.records import (
 )
 from carom.simulation.trajectory import Trajectory
 
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
 __all__ = ["plot_trajectory"]
 
 Array = NDArray[np.float64]
@@ -47,7 +50,7 @@ def plot_trajectory(
     *,
     ball: int | str | Sequence[int | str] | None = None,
     title: str | None = None,
-) -> Any:
+) -> Figure:
     """Draw a run: paths from above, heights of the balls (if they leave the floor), and the energy over time.
 
     Parameters
@@ -286,11 +289,11 @@ def _height(axes: Any, run: Trajectory, ways: dict[int, list[Any]]) -> None:
 
 def _energy(axes: Any, run: Trajectory, balls: list[int], until: float) -> None:
     t = steps(run, until)
-    each = run.energy(t, each=True)[:, balls]
+    each = np.asarray(run.energy(t, each=True))[:, balls]
     # (what happens at t = 0, as the landing of a ball that is struck downwards, is seen as a step)
     first = run.log[(run.log["t"] == 0) & (run.log["kind"] != START)]
     if len(first):
-        lost = run.kinetic_energy(first["ball"], first["v_before"], first["w_before"])
+        lost = np.asarray(run.kinetic_energy(first["ball"], first["v_before"], first["w_before"]))
         lost -= run.kinetic_energy(first["ball"], first["v"], first["w"])
         start = each[:1] + np.array([lost[first["ball"] == i].sum() for i in balls])
         t, each = np.concatenate([[0.0], t]), np.concatenate([start, each])

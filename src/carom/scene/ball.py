@@ -52,10 +52,10 @@ def _three(value: tuple[float, ...]) -> Vector:
 class SceneCue(Model):
     """A cue in a scene: the numbers of :class:`carom.Cue`."""
 
-    mass: Mass = DEFAULT_CUE.mass
-    end_mass: Mass = DEFAULT_CUE.end_mass
-    friction: Friction = DEFAULT_CUE.friction
-    restitution: Share = DEFAULT_CUE.restitution
+    mass: Mass = float(DEFAULT_CUE.mass)
+    end_mass: Mass = float(DEFAULT_CUE.end_mass)
+    friction: Friction = float(DEFAULT_CUE.friction)
+    restitution: Share = float(DEFAULT_CUE.restitution)
 
 
 def _on_the_ball(value: tuple[float, float]) -> tuple[float, float]:

@@ -32,9 +32,8 @@ def budget(run: Trajectory) -> Budget:
     A ball that left, or is held, counts with the energy that it had last.
     """
     log = run.log
-    lost = run.kinetic_energy(log["ball"], log["v_before"], log["w_before"]) - run.kinetic_energy(
-        log["ball"], log["v"], log["w"]
-    )
+    before, after = (run.kinetic_energy(log["ball"], log[f"v{when}"], log[f"w{when}"]) for when in ("_before", ""))
+    lost = np.asarray(before - after)
     start, end = run.start, run.final
     walls, floor, balls = (float(lost[np.isin(log["kind"], kinds)].sum()) for kinds in (WALL, FLOOR, MEETINGS))
     e0, e1 = _energy(run, start), _energy(run, end)
@@ -47,4 +46,4 @@ def _energy(run: Trajectory, state: Any) -> float:
     lift = -((state.position - base) * np.array(run.scene.gravity)).sum(axis=1) * np.array(
         [ball.mass for ball in balls]
     )
-    return float((run.kinetic_energy(slice(None), state.velocity, state.spin) + lift).sum())
+    return float(np.sum(run.kinetic_energy(slice(None), state.velocity, state.spin) + lift))

@@ -23,8 +23,8 @@ def law_notes(run: Trajectory) -> list[str]:
     """Return a line for each law that creates energy, and for each custom one that leaves balls moving into the wall."""
     rows = run.log[run.log["kind"] == WALL]
     with np.errstate(over="ignore", invalid="ignore"):  # (a law that doubles speeds soon has no number for the energy)
-        before = run.kinetic_energy(rows["ball"], rows["v_before"], rows["w_before"])
-        gained = run.kinetic_energy(rows["ball"], rows["v"], rows["w"]) - before
+        before = np.asarray(run.kinetic_energy(rows["ball"], rows["v_before"], rows["w_before"]))
+        gained = np.asarray(run.kinetic_energy(rows["ball"], rows["v"], rows["w"]) - before)
     known = {law.name for law in laws().values()}
     names = np.array([law_name(law) for law in run.scene.wall_laws], dtype=object)[rows["other"]]
     found = []

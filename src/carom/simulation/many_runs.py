@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.bodies import State
+from carom.bodies import Numbers, State
 from carom.core.motion.phases import PHASES
 from carom.formatting import counted
 from carom.scene.scene import Scene
@@ -65,7 +65,7 @@ class ManyRuns:
         """(N, B): flight, sliding, rolling, pivoting, rest, bouncing, held, left, pocketed."""
         return np.array(PHASES)[self.code]
 
-    def kinetic_energy(self, ball: Any, velocity: NDArray[np.float64], spin: NDArray[np.float64]) -> Any:
+    def kinetic_energy(self, ball: Any, velocity: NDArray[np.float64], spin: NDArray[np.float64]) -> Numbers:
         """Return the kinetic energies, J, of balls given by number (N,) at velocities and spins (N, 3)."""
         return kinetic_energy(set_up(self.scene, compiled=False).balls, ball, velocity, spin)
 

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.bodies import State
+from carom.bodies import Numbers, State
 from carom.core.motion.phases import PHASES
 from carom.files import import_optional
 from carom.laws.results import REGIME_NAMES as NAMES
@@ -44,7 +44,7 @@ class EventSource(Protocol):
         """Return the scene."""
         ...
 
-    def kinetic_energy(self, ball: Any, velocity: NDArray[np.float64], spin: NDArray[np.float64]) -> Any:
+    def kinetic_energy(self, ball: Any, velocity: NDArray[np.float64], spin: NDArray[np.float64]) -> Numbers:
         """Return kinetic energies (N,), J, of balls given by number (N,) at velocities and spins (N, 3)."""
         ...
 
@@ -65,7 +65,7 @@ class RunRecord(EventSource, Protocol):
         """Return states (..., B, 3) at times (...)."""
         ...
 
-    def phase(self, t: ArrayLike) -> Any:
+    def phase(self, t: ArrayLike) -> NDArray[np.str_]:
         """Return the names of phases (..., B)."""
         ...
 
@@ -73,15 +73,18 @@ class RunRecord(EventSource, Protocol):
         """Return unit quaternions (..., B, 4)."""
         ...
 
-    def energy(self, t: ArrayLike, *, each: bool = False) -> Any:
+    def energy(self, t: ArrayLike, *, each: bool = False) -> Numbers:
         """Return energies (...), or (..., B) of each ball, J."""
         ...
 
 
-def kinetic_energy(balls: NDArray[np.void], ball: Any, velocity: NDArray[np.float64], spin: NDArray[np.float64]) -> Any:
+def kinetic_energy(
+    balls: NDArray[np.void], ball: Any, velocity: NDArray[np.float64], spin: NDArray[np.float64]
+) -> Numbers:
     """Return the kinetic energy, J, of ball number ``ball`` at a velocity and spin (3,); or of several (N,) at (N, 3)."""
     m, moment = balls["mass"][ball], (balls["kappa"] * balls["mass"] * balls["radius"] ** 2)[ball]
-    return m * (velocity * velocity).sum(axis=-1) / 2 + moment * (spin * spin).sum(axis=-1) / 2
+    found: Numbers = m * (velocity * velocity).sum(axis=-1) / 2 + moment * (spin * spin).sum(axis=-1) / 2
+    return found
 
 
 def _parts(columns: Columns, name: str, vectors: NDArray[np.float64], after: str = "") -> None:
@@ -127,9 +130,8 @@ def event_columns(run: EventSource, rows: NDArray[np.void]) -> Columns:
     columns["required_friction"] = np.array(rows["required"])
     columns["regime"] = np.array([*NAMES, ""], dtype=object)[rows["regime"]]
     of = rows["ball"]
-    columns["energy_lost"] = run.kinetic_energy(of, rows["v_before"], rows["w_before"]) - run.kinetic_energy(
-        of, rows["v"], rows["w"]
-    )
+    before, after = (run.kinetic_energy(of, rows[f"v{when}"], rows[f"w{when}"]) for when in ("_before", ""))
+    columns["energy_lost"] = np.asarray(before - after)
     return columns
 
 

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.bodies import State
+from carom.bodies import Numbers, State
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, float_array
 from carom.files import as_path
@@ -29,6 +29,10 @@ from carom.simulation.tables import kinetic_energy, states_dataset, states_table
 if TYPE_CHECKING:
     import pandas
     import xarray
+    from matplotlib.figure import Figure
+
+    from carom.simulation.sensitivity.lyapunov import DisplacementGrowth
+    from carom.simulation.sensitivity.sensitivity import Sensitivity
 
 __all__ = ["Trajectory"]
 
@@ -125,10 +129,11 @@ class Trajectory:
         shape = (*times.shape, len(self.scene.balls), 3)
         return State.of(v.reshape(shape), w.reshape(shape), x.reshape(shape))
 
-    def phase(self, t: ArrayLike) -> Any:
+    def phase(self, t: ArrayLike) -> NDArray[np.str_]:
         """Return the names of the phases at a time or times, s: (B,) or (..., B)."""
         times, _after, rows = self._find(t)
-        return np.array(PHASES)[self.log["phase"][rows]].reshape(*times.shape, len(self.scene.balls))
+        found: NDArray[np.str_] = np.array(PHASES)[self.log["phase"][rows]].reshape(*times.shape, len(self.scene.balls))
+        return found
 
     def index(self, ball: int | str) -> int:
         """Return the number of a ball by its name: ``run.at(0.5).position[run.index("white")]``. CaromError for an unknown one."""
@@ -197,11 +202,11 @@ class Trajectory:
 
     # --- energy ----------------------------------------------------------------------------------------------------
 
-    def kinetic_energy(self, ball: Any, velocity: Array, spin: Array) -> Any:
+    def kinetic_energy(self, ball: Any, velocity: Array, spin: Array) -> Numbers:
         """Return the kinetic energy, J, of ball number ``ball`` at a velocity and spin (3,); or of several (N,) at (N, 3)."""
         return kinetic_energy(self.arrays.balls, ball, velocity, spin)
 
-    def energy(self, t: ArrayLike, *, each: bool = False) -> Any:
+    def energy(self, t: ArrayLike, *, each: bool = False) -> Numbers:
         """Return kinetic plus potential energy at a time or times, J: of all balls (...), or of each (..., B).
 
         The potential energy is measured from the floor's contact (z = a), without a floor from z = 0. A ball that is pocketed has
@@ -224,7 +229,7 @@ class Trajectory:
 
     # --- derivatives -------------------------------------------------------------------------------------------------
 
-    def sensitivity(self, wrt: str | Sequence[str]) -> Any:
+    def sensitivity(self, wrt: str | Sequence[str]) -> Sensitivity:
         """Compute exact derivatives of events and states with respect to numbers of the scene.
 
         Sources: Kong, Payne, Zhu & Johnson (2023), arXiv 2306.06862 (saltation matrices); Zhong et al. (2023), arXiv 2305.00092.
@@ -261,7 +266,7 @@ class Trajectory:
 
         return sensitivity(self, wrt)
 
-    def lyapunov(self) -> Any:
+    def lyapunov(self) -> DisplacementGrowth:
         """Compute how small displacements of the balls grow: ``t`` (N,), ``stretch`` (N,), ``exponent``, ``horizon(error, size)``.
 
         They end before a graze, where no derivative exists. Raises CaromError for a law that has none.
@@ -291,9 +296,9 @@ class Trajectory:
         """Write the run to a .parquet or .nc file; :func:`carom.load_trajectory` gives back the same bits."""
         return save(self, as_path("Trajectory.save", path))
 
-    def plot(self, file: str | Path | None = None, **options: Any) -> Any:
+    def plot(self, file: str | Path | None = None, **options: Any) -> Figure:
         """Return a Matplotlib figure: the run from above and from the side, its energy over time. ``file``: write it there."""
-        return figure_maker("plot_trajectory")(self, file, **options)
+        return figure_maker("plot_trajectory")(self, file, **options)  # type: ignore[no-any-return]
 
     def animate(self, file: str | Path, **options: Any) -> Path:
         """Write an animation to ``file``: .mp4, .gif, or a self-contained .html page."""

@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from numbers import Integral
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,6 +21,9 @@ from carom.simulation.simulate import simulate
 from carom.sweeps.aim_problem import AimProblem, CoarseSweep, Signature, signature
 from carom.sweeps.targets import EVENTS, TargetEvent, find, targets_of
 from carom.sweeps.unknowns import Unknown, unknowns_of, values_at
+
+if TYPE_CHECKING:
+    from carom.simulation.trajectory import Trajectory
 
 __all__ = ["Aim", "Aims", "aim", "is_linear"]
 
@@ -60,7 +63,7 @@ class Aim:
     """Whether spread and covariance hold: gradients say of the shots that were run by about how much they miss."""
 
     @property
-    def run(self) -> Any:
+    def run(self) -> Trajectory:
         """The run of this start."""
         return simulate(self.scene)
 

@@ -10,7 +10,7 @@ import time
 from collections.abc import Callable
 from contextlib import nullcontext
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,6 +27,9 @@ from carom.sweeps.outcomes import FAILED, FAILURES, NOT_DONE, Outcome
 from carom.sweeps.plan import SweepPlan
 from carom.sweeps.space import Space
 from carom.sweeps.store import BLOCKS, Blocks, Store, blocks_of, checksum, identity, require_few
+
+if TYPE_CHECKING:
+    import xarray
 
 __all__ = ["Sweep", "stored_sweep", "sweep", "sweep_over"]
 
@@ -159,7 +162,9 @@ class Sweep:
         assert self.store is not None
         return self.store.write(block, self.blocks, self.outcomes, self.compute(block, tick))
 
-    def run(self, on: Any = "cores", *, part: tuple[int, int] | None = None, progress: Progress | None = None) -> Any:
+    def run(
+        self, on: Any = "cores", *, part: tuple[int, int] | None = None, progress: Progress | None = None
+    ) -> xarray.Dataset:
         """Compute what is missing, and return the result.
 
         Parameters

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
@@ -12,6 +12,9 @@ from carom.errors import CaromError, require_type
 from carom.interop.pooltool.installed import has_flights, require_pooltool
 from carom.laws.law import Law
 from carom.laws.registry import law_named
+
+if TYPE_CHECKING:
+    from pooltool.physics import PhysicsEngine
 
 __all__ = ["engine", "register", "use_as_default"]
 
@@ -22,7 +25,7 @@ def engine(
     ball_ball: Literal["carom"] | None = "carom",
     *,
     is_3d: bool = False,
-) -> Any:
+) -> PhysicsEngine:
     """Make a physics engine for ``pooltool.simulate`` in which a law of carom's acts at the cushions.
 
     pooltool's main branch (June 2026) lets balls fly, with ``is_3d=True``: the ball leaves a cushion with its vertical velocity and

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,9 @@ from carom.scene.restitution import Constant
 from carom.scene.scene import Scene
 from carom.scene.table import Table
 from carom.simulation.trajectory import Trajectory
+
+if TYPE_CHECKING:
+    from pooltool import System
 
 __all__ = ["to_system"]
 
@@ -34,7 +37,7 @@ FLYING = 5  # in pooltool's main branch
 LEAST = 1e-12  # pooltool refuses frictions of 0
 
 
-def to_system(run: Trajectory, dt: float = 0.01) -> Any:
+def to_system(run: Trajectory, dt: float = 0.01) -> System:
     """Turn a run into a System, for ``pooltool.show`` and ``System.save``, with hops: pooltool draws the heights that it is given.
 
     Parameters
