@@ -201,9 +201,9 @@ def _terminated_as_interrupted() -> Iterator[None]:
 
 
 def left_to_the_parent() -> None:
-    """Let a worker's parent decide what Ctrl-C means: for the worker's process."""
+    """Let a worker's parent decide what Ctrl-C and SIGTERM mean, which ``timeout`` sends to all: for the worker's process."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
 
 
 def counting_errors(count: int) -> tuple[float, float]:

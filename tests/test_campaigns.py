@@ -7,11 +7,12 @@ import os
 import re
 import signal
 import time
+from concurrent.futures import ProcessPoolExecutor
 from contextlib import closing
 from pathlib import Path
 
 import pytest
-from campaign import NAMES, RESULTS, ROOT, campaign, counting_errors, held, shares, write_result
+from campaign import NAMES, RESULTS, ROOT, campaign, counting_errors, held, left_to_the_parent, shares, write_result
 from mutation.places import Mutant
 from mutation.runs import Copy, NotGreenError
 
@@ -71,6 +72,18 @@ def test_a_complete_run_is_written(tmp_path: Path, capsys: pytest.CaptureFixture
     assert "second 1" in text
     assert not re.search("first|small|seven|\\na 1", text)
     assert len(capsys.readouterr().out.splitlines()) == 5
+
+
+def _survives() -> str:
+    for one in (signal.SIGINT, signal.SIGTERM):
+        os.kill(os.getpid(), one)
+    return "it goes on"
+
+
+def test_a_worker_leaves_signals_to_its_parent() -> None:
+    """``timeout`` sends SIGTERM to all: the workers ended first, and the campaign with a traceback of their pool."""
+    with ProcessPoolExecutor(1, initializer=left_to_the_parent) as pool:
+        assert pool.submit(_survives).result() == "it goes on"
 
 
 def test_a_run_that_is_ended_reports_and_goes_on_from_its_rows(

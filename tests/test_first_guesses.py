@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
+import pandas
 import pytest
 
 import carom
@@ -131,3 +132,56 @@ def test_results_in_one_line(file: Path) -> None:
 def test_a_part_of_a_scene_takes_fields_by_name(make: Callable[[], object]) -> None:
     with pytest.raises(carom.CaromError, match=r"^(Table|Floor): expected fields by name, of restitution, friction"):
         make()
+
+
+def test_what_cannot_be_meant_is_said_once_with_what_is_meant(tmp_path: Path) -> None:
+    rows = tmp_path / "rows.csv"
+    rows.write_text("v_n_in,v_t_in\n1.5,0.5\n", encoding="utf-8")
+    table = "expected a CSV file, as the table is one (.csv or .tsv or .txt), got the ending"
+    balls = [carom.SceneBall(radius=0.03, mass=0.2, position=(0, 0))]
+    for call, said in (
+        (lambda: carom.simulate({"balls": []}),
+         "simulate: scene: expected a Scene, got dict {'balls': []}; carom.Scene(**scene) makes one"),
+        (lambda: carom.simulate_gas(3),
+         "simulate_gas: species: expected a scene (the name of a file, or a GasScene), or a list of Species, got int 3"),
+        (lambda: carom.predict(rows, out=tmp_path / "p.qqq"), f"`out` {tmp_path / 'p.qqq'}: {table} .qqq"),
+        (lambda: carom.predict(rows, out=tmp_path / "p.pq"), f"`out` {tmp_path / 'p.pq'}: {table} .pq"),
+        (lambda: carom.measure_tracks([3]),
+         "measure_tracks: files: expected the name of a track file, columns t, x, y, or Tracks, got int 3"),
+        (lambda: carom.Scene(walls=[{"shape": "boks"}], balls=balls),
+         "Scene: walls[0].shape: expected one of plane, segment, polygon, table, box, strip, wedge, cylinder, arc, sphere, stadium,"
+         " got 'boks'; did you mean 'box'?"),
+    ):  # fmt: skip
+        with pytest.raises(carom.CaromError) as error:
+            call()
+        assert error.value.faults == (said,)
+    assert [path.name for path in tmp_path.iterdir()] == ["rows.csv"]
+    laws = {"v_n_in": [1.0, 2.0, 3.0], "v_t_in": [1.0] * 3, "v_n_out": [0.8, 1.6, 2.4], "v_t_out": [0.9] * 3}
+    for name, advice in (("foo", ""), ("mirorr", "; did you mean 'mirror'?")):
+        with pytest.raises(carom.CaromError, match="expected one of mirror, ") as error:
+            carom.fit(laws, radius=0.03, laws=[name])
+        assert error.value.faults[0].endswith(f"got {name!r}{advice}")
+
+
+def test_films_in_memory_are_measured_as_their_file_is(tmp_path: Path) -> None:
+    t = np.arange(0.0, 0.6, 0.01)
+    x, y = np.where(t < 0.3, 0.6 - 2 * t, 1.5 * (t - 0.3)), 0.1 + t
+    path = tmp_path / "film.csv"
+    rows = zip(t.tolist(), x.tolist(), y.tolist(), strict=True)
+    path.write_text("t,x,y\n" + "".join(f"{a!r},{b!r},{c!r}\n" for a, b, c in rows), encoding="utf-8")
+    track = carom.tracks.Track("ball", t, np.stack([x, y], axis=-1))
+    columns = {"t": t, "x": x, "y": y}
+    settings = {"view": "above", "radius": 0.03, "noise": 1e-4}
+    first, *others = (
+        carom.measure_tracks(film, **settings).rebounds()
+        for film in (path, columns, pandas.DataFrame(columns), track, [track])
+    )
+    for other in others:
+        assert {name: column.tobytes() for name, column in other.columns.items()} == {
+            name: column.tobytes() for name, column in first.columns.items()
+        }
+    assert len(carom.measure_tracks([columns, path], **settings).rebounds()) == 2
+    with pytest.raises(carom.CaromError, match="`scale` has no effect with Tracks, which are in m; omit it"):
+        carom.measure_tracks(track, scale=2.0, **settings)
+    with pytest.raises(carom.CaromError, match="table 1: expected a column y"):
+        carom.measure_tracks({"t": t, "x": x}, **settings)

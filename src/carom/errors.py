@@ -329,7 +329,8 @@ def near_name(name: object, known: Iterable[object]) -> str:
 
 
 def _plain(name: object) -> str:
-    return str(name).lower().strip("-_. ").replace("-", "_").replace(" ", "_")
+    """Return a name without what is often mistyped: "box" is "boks", too."""
+    return str(name).lower().strip("-_. ").replace("-", "_").replace(" ", "_").replace("ks", "x")
 
 
 def suggestion(name: object, known: Sequence[str]) -> str:

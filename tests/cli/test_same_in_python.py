@@ -121,7 +121,7 @@ CASES = {
     "throws, every contact": Case(throws, (*BALL, "--every-contact"), SETTING, {"every_contact": True}, "in 18 of 18 rows"),
     "throws, a prior": Case(throws, (*BALL, "--spin", "normal:0.5"), SETTING, {"spin": "normal:0.5"}, "width 0.5 v/a"),
     "few throws": Case(few_throws, BALL, SETTING, {}, "film more throws before relying on a verdict (--spin 0 if"),
-    "rolled": Case(rolled, ("--radius", "0.025"), {"radius": 0.025}, {}, "contact_height: not given; assumed to be 1"),
+    "rolled": Case(rolled, ("--radius", "0.025"), {"radius": 0.025}, {}, "--contact-height is not given: assumed to be 1"),
     "rolled, a nose": Case(
         rolled, ("--radius", "0.025", "--contact-height", "1.2", "--floor-friction", "0.25"),
         {"radius": 0.025, "contact_height": 1.2, "floor_friction": 0.25},

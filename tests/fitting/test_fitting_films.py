@@ -296,12 +296,12 @@ def test_the_floor_is_what_the_film_says():
     def floor(setting: Setting | None = None, **extra: np.ndarray) -> tuple[float | None, str]:
         rebounds = make_rebounds("table", rolling(), stage="rolling", extra=extra)  # type: ignore[arg-type]
         problem, notes = make_problem(rebounds, setting or Setting(radius=RADIUS))
-        return problem.setting.floor_friction, " ".join(note for note in notes if note.startswith("floor_friction"))
+        return problem.setting.floor_friction, " ".join(note for note in notes if note.startswith("`floor_friction`"))
 
     says = {"cloth_friction": np.full(12, "0.23"), "sigma_cloth_friction": np.full(12, "0.004")}  # as a file has it
     assert floor() == (
         0.2,
-        "floor_friction: not given; assumed to be 0.2; give `floor_friction`, or `fit` floor_friction",
+        "`floor_friction` is not given: assumed to be 0.2; give it, or `fit` floor_friction",
     )
     value, said = floor(**says)
     assert value == 0.23
@@ -338,7 +338,7 @@ def test_a_film_says_it_as_far_as_the_page(tmp_path, monkeypatch, capsys):
     code, out, err = command(capsys, *words, "--report", "page.html")
     assert code == 0
     assert json.loads(out)["setting"]["floor_friction"] == value
-    assert f"floor_friction: {value:.4g} ± {error:.2g}, from the film" in err
+    assert f"--floor-friction is {value:.4g} ± {error:.2g}, from the film" in err
     page = (tmp_path / "page.html").read_text()
     assert f"friction of the cloth {value:.4g}" in page
     assert f"{value:.4g} ± {error:.2g}, from the film" in page
@@ -359,7 +359,7 @@ def test_a_film_says_it_as_far_as_the_page(tmp_path, monkeypatch, capsys):
     code, out, err = command(capsys, *shots, "--sigma-v", "0.05", "--spins", "unknown", "--json")
     plan = json.loads(out)
     assert code == 0
-    assert f"floor_friction: {value:.4g} ± {error:.2g}, from the film" in err
+    assert f"--floor-friction is {value:.4g} ± {error:.2g}, from the film" in err
     assert plan["filmed_2_log_odds"] > 10
     assert {"spin_mean", "spin_width"} <= set(plan["truth"])
     assert plan["map"]["spin"] == [None]

@@ -38,7 +38,7 @@ def test_an_assumed_height_is_noted(
     options = ("--radius", str(A), "--laws", "mirror", "--no-profiles", "--bootstrap", "0")
     code, _out, err = command(capsys, "fit", str(file), *options, *words)
     assert code == 0, err
-    assert ("contact_height: not given; assumed to be 1" in " ".join(err.split())) is said
+    assert ("--contact-height is not given: assumed to be 1" in " ".join(err.split())) is said
 
 
 def test_a_chi2_that_is_seldom_so_large_is_not_as_expected() -> None:

@@ -374,3 +374,19 @@ def test_a_cooling_gas_is_run_in_few_pieces(tmp_path: Path) -> None:
     assert session.done == 6000
     assert session.gas.time > 1e6
     assert len(pieces) < 250
+
+
+@pytest.mark.parametrize(
+    ("array", "field", "place"),
+    [("gas.system", "pair_collisions", 0), ("gas.system", "wall_collisions", 0), ("gas.pairs", "collisions", 0),
+     ("gas.motions", "collisions", 3), ("session", None, 0), ("session", None, 1)],
+)  # fmt: skip
+def test_counts_that_disagree_are_refused(tmp_path, array, field, place):
+    """A checkpoint that said it had had 2^31 collisions ran on without end."""
+    scene = scene_of(tmp_path, MIXED)
+    session = Session(scene)
+    session.run(stop=stops([3]))
+    state = {name: values.copy() for name, values in session.state().items()}
+    (state[array] if field is None else state[array][field])[place] += 2**31
+    with pytest.raises(ValueError, match="contents that no gas of this scene has"):
+        Session.restore(scene, state)

@@ -230,7 +230,7 @@ def _held(
 def _pages(faults: list[str], report: Path | None, no_report: bool) -> None:
     require_outputs(faults, {"--report": report}, {"--report": (".html", ".htm")})
     if report is not None and no_report:
-        faults.append("--no-report: expected no --report with it, got one; give one of them")
+        faults.append("--no-report has no effect with --report; omit one of them")
 
 
 @contextmanager

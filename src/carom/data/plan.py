@@ -349,8 +349,8 @@ def _added(
     again = [base + tail for base in bases if base + tail in there]
     if again:
         raise CaromError(
-            f"columns: expected no {', '.join(map(repr, again))} in the table, since the added columns have these names;"
-            " choose others with `suffix`"
+            f"columns: the table has {', '.join(map(repr, again))} already, and the added columns have these names; choose others"
+            " with `suffix`"
         )
     added = [
         OutputColumn(header_with_unit(f"{name}_{stage}{tail}", unit, first.style), unit) for name, stage, unit in names

@@ -35,6 +35,7 @@ from carom.public.progress import Progress, as_progress
 __all__ = ["PredictSettings", "PredictSummary", "predict", "predict_settings", "predict_table"]
 
 # So many rows without an answer are listed; the note column has them all.
+TEXT, PARQUET = (".csv", ".tsv", ".txt"), (".parquet", ".pq")  # endings of names of tables
 MAX_LISTED_ROWS = 20
 STANDARD_OUTPUT = "-"
 
@@ -218,16 +219,15 @@ def _first_bytes(source: Path) -> bytes:
 
 
 def _open(source: Path, target: Path | None) -> Any:
-    if _first_bytes(source) != b"PAR1" and source.suffix.lower() not in (".parquet", ".pq"):
-        if target is not None and target.suffix.lower() in (".parquet", ".pq"):
-            raise CaromError(
-                f"`out` {target}: expected a CSV file, as the table is one, got the name of a Parquet file"
-            )
-        return CsvTable(source)
-    if target is None:
+    is_text = _first_bytes(source) != b"PAR1" and source.suffix.lower() not in PARQUET
+    if target is None and not is_text:
         raise CaromError(f"`out`: expected a file to write Parquet to, got none, and {source} is Parquet")
-    if target.suffix.lower() in (".csv", ".tsv", ".txt"):
-        raise CaromError(f"`out` {target}: expected a Parquet file, as the table is one, got the name of a text file")
+    endings = {*(TEXT if is_text else PARQUET), source.suffix.lower(), ""}
+    if target is not None and (ending := target.suffix.lower()) not in endings:
+        wanted = f"a {'CSV' if is_text else 'Parquet'} file, as the table is one ({' or '.join(TEXT if is_text else PARQUET)})"
+        raise CaromError(f"`out` {target}: expected {wanted}, got the ending {ending}")
+    if is_text:
+        return CsvTable(source)
     from carom.data.parquet import ParquetTable
 
     return ParquetTable(source)

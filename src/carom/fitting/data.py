@@ -151,7 +151,8 @@ def make_problem(rebounds: Rebounds, setting: Setting) -> tuple[Problem, list[st
         raise CaromError(*faults)
     exact = [name for name in names[:3] if name not in rebounds.sigma and np.nan_to_num(rebounds[name]).any()]
     if exact and rebounds.sigma:
-        notes.append(f"{', '.join(f'sigma_{name}' for name in exact)}: not given; assumed exact before the wall")
+        bars = ", ".join(f"sigma_{name}" for name in exact)
+        notes.append(f"the table has no error bars {bars}: these are assumed to be exact before the wall")
     stages = None if rebounds.stage is None else np.array([STAGES.index(str(s)) for s in rebounds.stage])
     setting, floor, error = _with_floor(rebounds, setting.with_height())
     notes += floor
@@ -235,12 +236,12 @@ def _with_floor(rebounds: Rebounds, setting: Setting) -> tuple[Setting, list[str
     found = film_says(rebounds, "cloth_friction")
     fitted = "floor_friction" in setting.fit or "floor_friction" in setting.fixed
     if found is None:
-        said = f"floor_friction: not given; assumed to be {CLOTH_FRICTION:g}; give `floor_friction`, or `fit` floor_friction"
+        said = f"`floor_friction` is not given: assumed to be {CLOTH_FRICTION:g}; give it, or `fit` floor_friction"
         return replace(setting, floor_friction=CLOTH_FRICTION), [] if fitted else [said], 0.0
     value, error, films = found
     bar = f" ± {error:.2g}" if error else ""
     of = "from the film" if films == 1 else f"mean of {films} films"
-    said = f"floor_friction: {value:.4g}{bar}, {of} (column cloth_friction); `floor_friction` overrides it"
+    said = f"`floor_friction` is {value:.4g}{bar}, {of} (column cloth_friction)"
     return replace(setting, floor_friction=value), [] if fitted else [said], 0.0 if fitted else error
 
 

@@ -171,7 +171,7 @@ def design(
         (true.name, other.name), _named(true, problem, p), _named(other, problem, done.best[0]),
         tuple(sorted(planned, key=lambda shot: -shot.gain * shot.repeat)), count, odds, total + price, rows.axes,
         gain.reshape([len(x) for x in rows.axes]), "",
-        (*said, *(note for note in remarks if note.startswith(("floor_friction", "rows: only", f"{true.name}: ")))),
+        (*said, *(note for note in remarks if note.startswith(("`floor_friction`", "rows: only", f"{true.name}: ")))),
         so_far + price if have else None,
     )  # fmt: skip
     if fine:

@@ -10,7 +10,7 @@ from dataclasses import dataclass, field
 from typing import Literal
 
 from carom.data.rebounds import Kind
-from carom.errors import CaromError, suggestion
+from carom.errors import CaromError, Fault, did_you_mean
 from carom.fitting.kernels import CONTACT, CONVENTIONAL, SMOOTH, TOGETHER, TURN
 from carom.laws.arrays import WallKernel
 from carom.laws.callbacks import user_address
@@ -153,7 +153,7 @@ def unknown_laws(names: Sequence[str], kind: Kind | None = None) -> list[str]:
     )
     known = list(dict.fromkeys(law.name for law in FITTED if kind in (None, law.kind)))
     return [
-        f"law: expected one of {', '.join(known)}, got {name!r}; {suggestion(name, everything)}"
+        str(Fault("law", "", f"one of {', '.join(known)}", repr(name), did_you_mean(name, everything)))
         for name in names
         if name not in everything
     ]

@@ -99,8 +99,8 @@ def assumed_height(kind: Kind, setting: Setting) -> list[str]:
     if kind != "table" or setting.contact_height is not None or "contact_height" in {*setting.fit, *setting.fixed}:
         return []
     return [
-        "contact_height: not given; assumed to be 1, a wall that touches the ball level with its centre; the nose of a cushion"
-        " touches it higher (`contact_height`, nose height / radius: mostly 1.2 to 1.4)"
+        "`contact_height` is not given: assumed to be 1, a wall that touches the ball level with its centre; the nose of a cushion"
+        " touches it higher (nose height / radius: mostly 1.2 to 1.4)"
     ]
 
 

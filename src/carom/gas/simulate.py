@@ -136,6 +136,10 @@ def simulate_gas(
         faults.raise_if_any()
         scene = replaced(species, {f"run.{name}": x for name, x in run.items() if x is not None})
         return _simulate_scene(scene, progress) if ensemble is None else _simulate_members(scene, ensemble, progress)
+    if not isinstance(species, list | tuple) or not all(isinstance(one, Species) for one in species):
+        wanted = "a scene (the name of a file, or a GasScene), or a list of Species"
+        faults.add("species", wanted, f"{type(species).__name__} {species!r:.60}")
+        faults.raise_if_any()
     for name, value in {"duration": duration, "ensemble": ensemble}.items():
         if value is not None:
             faults.add(name, "a scene, to which it belongs", "a list of Species", "omit it")

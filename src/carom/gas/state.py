@@ -71,19 +71,27 @@ def _require_no_nan(name: str, array: NDArray[Any]) -> None:
 
 
 def _require_contents(scene: GasScene, state: State) -> None:
-    """Raise ValueError for indices out of range, places that are not finite, and another container."""
+    """Raise ValueError for indices out of range, places that are not finite, counts that disagree, and another container."""
     motions, plans, bodies = (state[f"gas.{name}"] for name in ("motions", "plans", "bodies"))
     one, count = state["gas.system"][0], scene.count
     size = np.array([*scene.container.geometry.size, 1.0])[:3]
     cells, plan = one["cells"], plans[:count]
     places = np.stack([plan["cx"], plan["cy"], plan["cz"]], axis=1)
     partner, boundary = plan["partner"], plan["boundary"].astype(np.int64)
+    pairs, walls = (int(one[f"{name}_collisions"]) for name in ("pair", "wall"))
+    counted = {
+        name: int(state[f"gas.{name}"]["collisions"].sum()) for name in ("motions", "pairs", "contacts", "faces")
+    }
+    first, sampled, interval, snapshots, _timed = state["session"].tolist()
     whole = {
         "numbers": np.array_equal(np.sort(state["gas.numbers"]), np.arange(count)),
         "motions": all(np.isfinite(motions[name]).all() for name in MOTION.names or () if motions[name].dtype.kind == "f")
-        and bool((motions["species"] < len(scene.species)).all()),
+        and bool((motions["species"] < len(scene.species)).all())
+        and (counted["motions"] - 2 * pairs - walls) % 2**32 == 0,  # (a ball's number of collisions is kept modulo 2^32)
         "bodies": all(np.isfinite(bodies[name]).all() for name in ("wx", "wy", "wz")),
-        "system": one["balls"] == count
+        "session": 0 <= first <= pairs + walls and 0 <= sampled <= pairs + walls and interval >= 1 and snapshots >= 0,
+        "system": (pairs, walls, walls) == tuple(counted[name] for name in ("pairs", "contacts", "faces"))
+        and one["balls"] == count
         and one["species"] == len(scene.species)
         and one["bins"] == BINS_PER_BALL * count
         and one["dimensions"] == scene.container.dimensions

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -79,7 +79,8 @@ def simulate(
     """
     if isinstance(scene, str | Path):
         scene = load_scene(scene)
-    require_type("simulate", "scene", scene, Scene)
+    remedy = "carom.Scene(**scene) makes one" if isinstance(scene, Mapping) else ""
+    require_type("simulate", "scene", scene, Scene, remedy)
     settings: dict[str, Any] = {"law": law, "duration": duration, "max_events": max_events}
     if given := {name: value for name, value in settings.items() if value is not None}:
         try:

@@ -5,12 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 from carom.bodies import inertia_number
 from carom.data.rebounds import Kind, Rebounds, read_rebounds
 from carom.data.where import Where, rows_where
 from carom.errors import CaromError, attempt, collected, noting
-from carom.files import as_path, text_encoding
+from carom.files import text_encoding
 from carom.formatting import counted
 from carom.public.defaults import GRAVITY, WINDOW
 from carom.public.progress import Progress
@@ -20,8 +21,17 @@ from carom.tracks.films import combined_rebounds, film_names, hops_together
 from carom.tracks.formats.columns import HEADER_EXAMPLE
 from carom.tracks.formats.text_table import Calibration
 from carom.tracks.measurement import Measured, measure
-from carom.tracks.read import TrackFile, format_of, got_instead, read_tracks, require_text, track_text
+from carom.tracks.read import (
+    TrackFile,
+    film_of,
+    format_of,
+    got_instead,
+    read_tracks,
+    require_text,
+    track_text,
+)
 from carom.tracks.rebounds import Stage, to_rebounds
+from carom.tracks.track import Track
 
 __all__ = [
     "MeasuredFilms",
@@ -97,23 +107,23 @@ class MeasuredFilms:
 
 
 def read_films(
-    paths: Sequence[Path],
+    paths: Sequence[Path | TrackFile],
     calibration: Calibration | None = None,
     format: str | None = None,  # noqa: A002
 ) -> tuple[TrackFile, ...]:
-    """Return the tracks in each file. Raises CaromError with the faults of all of them."""
+    """Return the tracks in each file, and those that were read before. Raises CaromError with the faults of all of them."""
     faults: list[str] = []
     found: list[TrackFile] = []
     for path in paths:
         with collected(faults):
-            found.append(read_tracks(path, format, calibration))
+            found.append(path if isinstance(path, TrackFile) else read_tracks(path, format, calibration))
     if faults:
         raise CaromError(*faults)
     return tuple(found)
 
 
 def measure_films(
-    paths: Sequence[Path],
+    paths: Sequence[Path | TrackFile],
     calibration: Calibration | None = None,
     settings: Settings | None = None,
     *,
@@ -125,8 +135,8 @@ def measure_films(
 
     Parameters
     ----------
-    paths : sequence of paths
-        One or more track files.
+    paths : sequence of paths, or of TrackFile
+        One or more track files, read before or not.
     calibration : Calibration, optional
         Scale and frame rate of all of them, if the files lack these.
     settings : Settings, optional
@@ -163,7 +173,7 @@ def measure_films(
 
 
 def measure_tracks(
-    files: str | Path | Sequence[str | Path],
+    files: str | Path | Any,
     *,
     format: str | None = None,  # noqa: A002
     scale: float | None = None,
@@ -187,8 +197,10 @@ def measure_tracks(
 
     Parameters
     ----------
-    files : path or sequence of paths
-        Track files of one table, or of one kind of throw.
+    files : path, columns or Track, or a sequence of these
+        Films of one table, or of one kind of throw: track files; tables in memory (a dict of arrays, a DataFrame, a structured
+        array) with the columns of such a file, ``t``, ``x``, ``y``, and ``ball`` where there are several; or :class:`Track`. A
+        list of Track is one film.
     format : str, optional
         A key of FORMATS; default: recognised from the content.
     scale, rate, down : optional
@@ -213,6 +225,15 @@ def measure_tracks(
     ------
     CaromError
         With the faults of all arguments, or of all files.
+
+    Examples
+    --------
+    >>> import carom, numpy as np
+    >>> t = np.arange(0.0, 0.6, 0.01)
+    >>> x = np.where(t < 0.3, 0.6 - 2 * t, 1.5 * (t - 0.3))
+    >>> found = carom.measure_tracks({"t [s]": t, "x [m]": x, "y [m]": 0.1 + t}, view="above", radius=0.03, noise=1e-4)
+    >>> found
+    <MeasuredFilms: 1 film, 1 contact>
     """
     faults: list[str] = []
     kappa = attempt(faults, inertia_number, inertia)
@@ -224,8 +245,11 @@ def measure_tracks(
         radius=radius, kappa=kappa, view=view, noise=noise, cloth=cloth, rolling=rolling, gravity=gravity,  # type: ignore[arg-type]
         window=window, blind=blind, hard=hard, drag=drag,
     )  # fmt: skip
-    paths = [as_path("measure_tracks", one) for one in (files if isinstance(files, list | tuple) else [files])]
-    return measure_films(paths, Calibration(scale, rate, down), settings, format=format, wall=wall, progress=progress)
+    several = isinstance(files, list | tuple) and not all(isinstance(one, Track) for one in files)
+    calibration = Calibration(scale, rate, down)
+    each: Any = files if several else [files]
+    films = [film_of(one, number + 1, calibration) for number, one in enumerate(each)]
+    return measure_films(films, calibration, settings, format=format, wall=wall, progress=progress)
 
 
 def rebounds_of_films(

@@ -3,14 +3,18 @@
 from __future__ import annotations
 
 import contextlib
+import csv
+import io
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.data.columns import as_columns, is_columns
 from carom.errors import CaromError, Fault, suggestion
 from carom.files import as_path, read_text
 from carom.laws.results import GRAVITY
@@ -34,7 +38,17 @@ from carom.tracks.free_fall import likely_unit
 from carom.tracks.preprocess import MIN_INTERVAL_S, position_noise
 from carom.tracks.track import Track
 
-__all__ = ["FORMATS", "Format", "TrackFile", "format_of", "got_instead", "read_tracks", "require_text", "track_text"]
+__all__ = [
+    "FORMATS",
+    "Format",
+    "TrackFile",
+    "film_of",
+    "format_of",
+    "got_instead",
+    "read_tracks",
+    "require_text",
+    "track_text",
+]
 
 MIN_POSITIONS = 9  # fewer cannot hold a contact
 # Beyond these a number is damaged, or its unit wrong.
@@ -144,11 +158,21 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
             f"{path}: expected a track of {', '.join(FORMATS)}, {got_instead(text)}; a table can always be read if its header"
             f" is like {columns.HEADER_EXAMPLE!r} or 't/s;x/cm;height/cm'; or name the format with `format`"
         )
+    return _tracks_of_text(path, text, name, calibration)
+
+
+def _tracks_of_text(path: Path, text: str, name: str, calibration: Calibration) -> TrackFile:
+    """Return the tracks in a text of a format; ``path`` says where it stands. Raises CaromError as :func:`read_tracks` does."""
     tracks = FORMATS[name].read(str(path), text, calibration)
     if not tracks or not any(track.seen.any() for track in tracks):
         raise CaromError(f"{path}: {FORMATS[name].title}: expected positions of a ball, got none")
     if name != "columns":  # (which does so before its units are converted)
         tracks = [without_marked_places(track, calibration.scale or 1.0) for track in tracks]
+    return _checked_tracks(path, name, tracks, calibration)
+
+
+def _checked_tracks(path: Path, name: str, tracks: Sequence[Track], calibration: Calibration) -> TrackFile:
+    """Return tracks with increasing times and on one clock, with notes; CaromError for times and places that cannot be right."""
     notes: list[str] = []
     faults: list[str] = []
     checked = [_in_order(track, str(path), notes, faults) for track in tracks]
@@ -166,6 +190,26 @@ def read_tracks(path: str | Path, format: str | None = None, calibration: Calibr
         notes += [note for note in track.notes if note not in notes]
     _plausibility_notes(checked, notes)
     return TrackFile(path, name, tuple(checked), tuple(notes))
+
+
+def film_of(one: Any, number: int, calibration: Calibration) -> Path | TrackFile:
+    """Return a film as a file to read, or its tracks where it is given as columns or as tracks."""
+    if is_columns(one):
+        rows = io.StringIO()
+        columns = as_columns(one, "measure_tracks: files")
+        csv.writer(rows).writerows(
+            [list(columns), *zip(*(column.tolist() for column in columns.values()), strict=True)]
+        )
+        return _tracks_of_text(Path(f"table {number}"), rows.getvalue(), "columns", calibration)
+    tracks = [one] if isinstance(one, Track) else one
+    if isinstance(tracks, list | tuple) and tracks and all(isinstance(track, Track) for track in tracks):
+        if calibration.scale is not None:
+            raise CaromError("measure_tracks: `scale` has no effect with Tracks, which are in m; omit it")
+        return _checked_tracks(Path(f"film {number}"), "tracks", tracks, calibration)
+    if not isinstance(one, str | Path):
+        wanted = "the name of a track file, columns t, x, y, or Tracks"
+        raise CaromError(Fault("measure_tracks", "files", wanted, f"{type(one).__name__} {one!r:.60}"))
+    return as_path("measure_tracks", one)
 
 
 def require_text(path: Path, wanted: str) -> None:
