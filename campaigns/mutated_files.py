@@ -12,9 +12,12 @@ files. The commands take turns, so that a run that is ended has files of each. E
 from __future__ import annotations
 
 import contextlib
+import hashlib
 import io
 import json
 import multiprocessing
+import os
+import pickle
 import re
 import signal
 import sys
@@ -22,7 +25,7 @@ import tempfile
 import threading
 import traceback
 import warnings
-from collections import Counter
+from collections import Counter, OrderedDict
 from collections.abc import Callable, Iterator, Sequence
 from functools import cache
 from multiprocessing.connection import Connection
@@ -46,7 +49,7 @@ COMMANDS: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {
     "predict": (("predict", "FILE"), ("states", "rebounds")),
     "scene check": (("scene", "check", "FILE"), ("scene", "gas")),
     "simulate": (("simulate", "FILE", "--max-events", "40", "--duration", "2", "--json"), ("scene",)),
-    "gas": (("gas", "FILE", "--max-events", "40", "--quiet"), ("gas",)),
+    "gas": (("gas", "FILE", "--max-events", "10", "--quiet"), ("gas",)),  # (a run of few events has hundreds of samples)
     "gas from a checkpoint": (("gas", "--resume", "FILE", "--quiet"), ("checkpoint",)),
 }  # fmt: skip
 SLOW = {"fit of rebounds": 0.2, "fit of tracks": 0.1, "fit of whole tracks": 0.005, "design": 0.05, "gas": 0.5}
@@ -78,6 +81,7 @@ ENCODINGS = ("utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "utf-32", "latin-1
 
 COMPILING_S = 600.0
 PATIENCE = 30.0
+KEPT_FILMS = 300
 
 
 class _LateError(BaseException):
@@ -416,6 +420,8 @@ class Worker:
         """Run one; the first of a command may compile."""
         if self.process is None:
             context = multiprocessing.get_context("spawn")
+            # (several threads for a small matrix wait for each other, and the longer the busier the machine is)
+            os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
             self.line, there = context.Pipe()
             self.process = context.Process(target=_serve, args=(there, self.limit, self.keep), daemon=True)
             self.process.start()
@@ -445,6 +451,7 @@ class Worker:
 
 def _serve(line: Connection, limit: float, keep: Path | None) -> None:
     left_to_the_parent()
+    _measure_each_film_once()
     compiled = set()
     with contextlib.suppress(EOFError):
         while True:
@@ -455,6 +462,24 @@ def _serve(line: Connection, limit: float, keep: Path | None) -> None:
                     for raw in dict.fromkeys([*bases()[kind][:2], *bases()[kind][-2:]]):
                         run_on(raw, command, COMPILING_S)
             line.send(one(seed, command, limit, keep))
+
+
+def _measure_each_film_once() -> None:
+    """Keep the latest films that were measured: many changes of a file leave its tracks as they were."""
+    from carom.tracks import film_files
+
+    known: OrderedDict[bytes, Any] = OrderedDict()
+    measure = film_files.measure
+
+    def once(tracks: Any, settings: Any = None, progress: Any = None) -> Any:
+        key = hashlib.sha256(pickle.dumps((tracks, settings))).digest()
+        found = known.pop(key) if key in known else measure(tracks, settings, progress)
+        known[key] = found
+        if len(known) > KEPT_FILMS:
+            known.popitem(last=False)
+        return found
+
+    film_files.measure = once
 
 
 @contextlib.contextmanager
