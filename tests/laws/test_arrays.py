@@ -137,7 +137,8 @@ def test_pairs():
     v1, w1, v2, w2 = (with_zeros(rng, rng.normal(size=(COUNT, 3))) for _ in range(4))
     n = units(rng, COUNT)
     balls = [rng.uniform(0.5, 2, COUNT), 10 ** rng.uniform(-1, 1, COUNT), rng.choice([2 / 5, 2 / 3], COUNT)]
-    p = np.stack([*balls, *balls[::-1][1:], balls[2], *surfaces(rng, COUNT)], axis=-1)
+    falls = [with_zeros(rng, rng.uniform(0, 0.3, (COUNT, 1)))[:, 0], rng.uniform(0, 2, COUNT)]  # of mu with the slip
+    p = np.stack([*balls, *balls[::-1][1:], balls[2], *surfaces(rng, COUNT), *falls], axis=-1)
     p[:, 3], p[:, 4] = balls[0][::-1], balls[1][::-1]
     same_bits(pair_rows, (v1, w1, v2, w2, n, p), lambda: room(COUNT, 15, 0, -1))
 

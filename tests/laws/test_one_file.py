@@ -36,6 +36,58 @@ def half_slide(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: flo
 LAW = wall_law(CARD, half_slide, reads=("restitution",))
 '''
 
+PAIR_LAW = '''
+"""Two balls that rub twice as much, an example."""
+
+from __future__ import annotations
+
+from carom.core.jit.kernel import Vec, kernel
+from carom.laws.law import Card, contact_kernel, wall_law
+
+CARD = Card("double-rub", "Friction counts twice.", ("one contact",), "A test.", "none", "none")
+
+
+@kernel
+def double_rub(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: float, beta: float) -> tuple[Vec, Vec]:
+    """Velocity and spin after the contact."""
+    return contact_kernel(v, w, n, a, kappa, e, 2 * mu, beta)
+
+
+LAW = wall_law(CARD, double_rub, reads=("restitution", "friction"), in_flight=True)
+'''
+
+PAIR_SCENE = """
+gravity = 0.0
+[[balls]]
+radius = 0.03
+mass = 0.1
+position = [0.0, 0.0]
+velocity = [1.0, 0.0]
+[[balls]]
+radius = 0.03
+mass = 0.1
+position = [0.2, 0.03]
+[ball_contact]
+friction = 0.05
+law = "double-rub"
+[run]
+duration = 1.0
+"""
+
+PAIR = """
+import json, carom
+scene = carom.load_scene("pair.toml")
+run = carom.simulate(scene)
+(_, _, first, second) = run.log[:4]
+ball, at = carom.Ball(0.03, 0.1), carom.State.of(first["v_before"], first["w_before"])
+rest, n = carom.State((0.0, 0.0, 0.0), (0.0, 0.0, 0.0)), first["x"] - second["x"]
+hit = carom.collide(ball, at, ball, rest, n, carom.Surface(1.0, 0.05), law="double-rub")
+plain = carom.simulate(scene.model_copy(update={"ball_contact": carom.BallContact(friction=0.1)}))
+swept = carom.sweep(carom.Space(scene, {"ball_contact.law": ["contact", "double-rub"]}), ["final.velocity"]).run()["final.velocity"]
+found = [second["v"], hit.after[1].velocity, plain.log[3]["v"], swept.values]
+print(json.dumps([one.tolist() for one in found]))
+"""
+
 SCENE = """
 gravity = 0.0
 [[walls]]
@@ -68,7 +120,9 @@ def package(tmp_path_factory: pytest.TempPathFactory) -> Path:
     folder = tmp_path_factory.mktemp("copy")
     shutil.copytree(Path(carom.__file__).parent, folder / "carom", ignore=shutil.ignore_patterns("__pycache__"))
     (folder / "carom" / "laws" / "half_slide.py").write_text(LAW)
+    (folder / "carom" / "laws" / "double_rub.py").write_text(PAIR_LAW)
     (folder / "scene.toml").write_text(SCENE)
+    (folder / "pair.toml").write_text(PAIR_SCENE)
     (folder / "shots.csv").write_text("v_n_in,v_t_in,spin_z_in\n1.0,0.5,0.0\n2.0,0.5,0.0\n")
     rows = [(1 + 0.1 * k, 0.5 + 0.2 * (k % 4), 0.0) for k in range(12)]
     lines = [f"{n:.3f},{t:.3f},{s:.1f},{0.7 * n:.3f},{0.5 * t:.3f},{s:.1f},0.02,0.02,0.5" for n, t, s in rows]
@@ -91,7 +145,8 @@ WHERE = "from carom.core.jit.cache import cache_folder; print(cache_folder())"
 
 
 def test_the_command_knows_it(package: Path) -> None:
-    assert "half-slide" in {law["name"] for law in json.loads(run(package, "-m", "carom", "laws", "--json"))["laws"]}
+    pairs = {law["name"]: law["for_pairs"] for law in json.loads(run(package, "-m", "carom", "laws", "--json"))["laws"]}
+    assert [pairs[name] for name in ("double-rub", "contact", "half-slide", "two-step")] == [True, True, False, False]
     compared = json.loads(run(package, "-m", "carom", "compare", "--restitution", "0.5", "--json"))["laws"]
     found = next(law for law in compared if law["law"] == "half-slide")
     assert found["after_wall"]["velocity"][:2] == pytest.approx([0.5 * 0.5**0.5, 0.5 * 0.5**0.5])
@@ -107,6 +162,13 @@ def test_scenes_many_runs_and_billiards_know_it(package: Path) -> None:
     many, bounces, law = json.loads(run(package, "-c", MANY).splitlines()[-1])
     assert [v[0][:2] for v in many] == [[0.5, 0.5], [1.0, 0.5]]
     assert (bounces, law) == (3, "half-slide")
+
+
+def test_two_balls_meet_by_a_law_of_one_file(package: Path) -> None:
+    scene, collide, twice, swept = json.loads(run(package, "-c", PAIR).splitlines()[-1])
+    assert scene == collide == pytest.approx(twice, abs=1e-15)
+    assert swept[1][1] == pytest.approx(twice, abs=1e-12)
+    assert swept[0][1] != pytest.approx(twice, abs=1e-3)
 
 
 def test_fits_know_it(package: Path) -> None:

@@ -722,7 +722,7 @@ position = [-0.1, 0.2, 0.3]
              "rolling": False, "spin": [0.0, 0.0, 0.0], "spin_z": None, "name": None},
         ],
         "ball_contact": {"restitution": {"form": "constant", "value": 1.0}, "friction": 0.0, "tangential_restitution": 0.0,
-                         "young": 5.84e9, "poisson": 0.34, "overlap": True},
+                         "law": "contact", "stiffness_ratio": None, "young": 5.84e9, "poisson": 0.34, "overlap": True},
         "run": {"law": "two-step", "duration": None, "max_events": None, "floor_contact": "with"},
     }  # fmt: skip
     gas = tmp_path / "gas.toml"

@@ -23,6 +23,8 @@
  * @property {Record<string, number>} defaults its authors' parameters, where a wall has none
  * @property {string} on_table the law that it equals but for the vertical velocity, which stays zero; else empty
  * @property {string} variant_of
+ * @property {boolean} one_contact whether the engine's own contact of two balls is this law
+ * @property {Vec | null} slip_friction
  * @property {boolean} ignores_floor
  * @property {string | null} colour
  * @property {number[]} dashes

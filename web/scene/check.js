@@ -9,7 +9,7 @@ import { fieldFaults } from "./fields.js";
 import { extended } from "./numbers.js";
 import { pocketFaults } from "./pockets.js";
 import { SHAPES } from "./shapes.js";
-import { centerOf, kappaOf, lawOf, setUp } from "./setup.js";
+import { centerOf, kappaOf, lawOf, pairLawOf, pairStiffness, setUp } from "./setup.js";
 
 const TOUCH = 1e-9; // of the radius: what overlaps by less touches
 const BALLS_TOUCH = 1e-7; // so do balls: a rack in a file is rounded to some digits
@@ -90,7 +90,11 @@ function floorFaults(scene) {
 
 /** @param {Scene} scene @param {Layout} layout */
 function lawFaults(scene, layout) {
-  return scene.walls.flatMap((wall, i) => wallLawFaults(scene, wall, lawOf(scene, wall, layout), layout).map((fault) => `walls[${i}].${fault}`));
+  const pair = /** @type {any} */ ({ ...scene.ball_contact, stiffness_ratio: pairStiffness(scene.ball_contact) });
+  return [
+    ...scene.walls.flatMap((wall, i) => wallLawFaults(scene, wall, lawOf(scene, wall, layout), layout).map((fault) => `walls[${i}].${fault}`)),
+    ...wallLawFaults(scene, pair, pairLawOf(scene, layout), layout).map((fault) => `ball_contact.${fault}`),
+  ];
 }
 
 /** What a law needs of a wall, whatever ball comes. @param {Scene} scene @param {Wall} wall @param {Law} law @param {Layout} layout */

@@ -17,6 +17,8 @@ import { extended } from "./numbers.js";
  * @property {string[]} [values]
  * @property {boolean} [optional]
  * @property {boolean} [required]
+ * @property {Field} [number] of a friction
+ * @property {Record<string, Field>} [falling] of a friction that falls with the slip
  */
 
 /** @typedef {Record<string, Field>} Fields */
@@ -101,6 +103,8 @@ class FieldChecker {
       this.fault(at, `one of ${this.layout.laws.map((law) => law.name).join(", ")}`, value);
     } else if (field.kind === "pockets") this.table(at, value, this.layout.fields.pockets);
     else if (field.kind === "restitution") this.restitution(at, value);
+    else if (field.kind === "friction" && isTable(value)) this.table(at, value, field.falling ?? {});
+    else if (field.kind === "friction" && field.number) this.field(at, value, field.number);
     else if (field.kind === "inertia" && value !== "solid" && value !== "hollow") {
       if (!isNumber(value, { kind: "number", least: 0, most: (2 / 3) * (1 + 1e-12), above: true })) this.fault(at, KAPPA, value);
     }

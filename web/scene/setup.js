@@ -20,13 +20,21 @@ export function spinOf(ball) {
   return ball.rolling ? [-y / ball.radius, x / ball.radius, ball.spin_z ?? 0] : (ball.spin ?? [0, 0, 0]);
 }
 
-/** The law of a wall. @param {Scene} scene @param {Wall} wall @param {Layout} layout @returns {Law} */
-export function lawOf(scene, wall, layout) {
-  const name = wall.law ?? scene.run.law;
+/** @param {string} name @param {Layout} layout @returns {Law} */
+function lawNamed(name, layout) {
   const law = layout.laws.find((one) => one.name === name);
   if (law === undefined) throw new Error(`law: expected one of ${layout.laws.map((one) => one.name).join(", ")}, got ${name}`);
   return law;
 }
+
+/** The law of a wall. @param {Scene} scene @param {Wall} wall @param {Layout} layout */
+export const lawOf = (scene, wall, layout) => lawNamed(wall.law ?? scene.run.law, layout);
+
+/** The law by which two balls meet. @param {Scene} scene @param {Layout} layout */
+export const pairLawOf = (scene, layout) => lawNamed(scene.ball_contact.law ?? "contact", layout);
+
+/** Tangential over normal stiffness of two balls. @param {Scene["ball_contact"]} pair */
+export const pairStiffness = ({ stiffness_ratio: k, poisson }) => k ?? (2 * (1 - poisson)) / (2 - poisson);
 
 /** A restitution as a code and three numbers. @param {Restitution | null} found @param {Layout} layout @returns {[number, Vec]} */
 export function restitutionNumbers(found, layout) {
@@ -59,16 +67,21 @@ export function withDefaults(wall, { defaults }) {
   return { ...wall, restitution, friction: wall.friction ?? defaults.friction ?? null };
 }
 
-/** The surface of a wall as its law reads it. @param {Scene} scene @param {Wall} wall @param {Law} law @param {Layout} layout */
-export function surfaceOf(scene, wall, law, layout) {
-  const contact = contactOf(withDefaults(wall, law), layout);
+/** Give a contact the numbers that its law's kernel takes. @param {ReturnType<typeof contactOf>} contact @param {Law} law @param {number} stiffness @param {Layout} layout */
+function underLaw(contact, law, stiffness, layout) {
   if (law.response === layout.responses.contact) {
     const { restitution, friction, tangential_restitution: beta } = law.pinned;
     if (restitution !== undefined) [contact.form, contact.p] = [layout.forms.constant, [extended(restitution), 0, 0]];
     if (friction !== undefined) contact.mu = extended(friction);
     if (beta !== undefined) contact.beta = extended(beta);
   }
-  if (law.last === "stiffness_ratio") contact.beta = wall.stiffness_ratio;
+  if (law.last === "stiffness_ratio") contact.beta = stiffness;
+  return contact;
+}
+
+/** The surface of a wall as its law reads it. @param {Scene} scene @param {Wall} wall @param {Law} law @param {Layout} layout */
+export function surfaceOf(scene, wall, law, layout) {
+  const contact = underLaw(contactOf(withDefaults(wall, law), layout), law, wall.stiffness_ratio, layout);
   if (law.last === "floor_friction") contact.beta = scene.floor ? contactOf(scene.floor, layout).mu : 0;
   return contact;
 }
@@ -76,20 +89,33 @@ export function surfaceOf(scene, wall, law, layout) {
 /** E* of the contacts of two balls, Pa; 0 where they are resolved one pair after the other. @param {Scene["ball_contact"]} pair */
 const contactModulus = ({ young, poisson, overlap }) => (overlap ? extended(young) / (2 * (1 - poisson * poisson)) : 0);
 
+/** Balls that meet under their law, the fields of the world. @param {Scene} scene @param {Law} law @param {Law[]} called @param {Layout} layout @returns {Row} */
+function pairFields({ ball_contact: pair }, law, called, layout) {
+  const falls = typeof pair.friction === "object" && law.pinned.friction === undefined ? pair.friction : null;
+  const contact = underLaw(contactOf({ ...pair, friction: falls ? falls.at_speed : pair.friction }, layout), law, pairStiffness(pair), layout);
+  const { contact: own, called: first } = layout.responses;
+  const [mu, drop, rate] = law.slip_friction ?? (falls ? [falls.at_speed, falls.at_rest - falls.at_speed, 1 / falls.speed] : [contact.mu, 0, 0]);
+  return {
+    ...prefixed("pair", { ...contact, mu }), pair_drop: drop, pair_rate: rate,
+    pair_law: law.one_contact ? own : first + called.indexOf(law), pair_modulus: contactModulus(pair),
+  };
+}
+
 /** A scene as records; `address` is that of rims. @param {Scene} scene @param {Layout} layout @param {number} address @returns {Setup} */
 export function setUp(scene, layout, address) {
   const floor = scene.floor;
+  const found = scene.walls.map((wall) => lawOf(scene, wall, layout));
+  const pairLaw = pairLawOf(scene, layout);
+  const byAddress = found.filter((law) => law.response === layout.responses.called);
+  const called = [...new Set(pairLaw.one_contact ? byAddress : [...byAddress, pairLaw])];
   /** @type {Row} */
   const world = {
     force: scene.gravity,
     ...(floor && { floor: 1, g: -scene.gravity[2], ...prefixed("floor", contactOf(floor, layout)) }),
     ...(floor && { resistance: floor.rolling_resistance, spin_friction: floor.spin_friction }),
-    ...prefixed("pair", contactOf(scene.ball_contact, layout)),
-    pair_modulus: contactModulus(scene.ball_contact),
+    ...pairFields(scene, pairLaw, called, layout),
     together: scene.run.floor_contact === "with",
   };
-  const found = scene.walls.map((wall) => lawOf(scene, wall, layout));
-  const called = [...new Set(found.filter((law) => law.response === layout.responses.called))];
   let pockets = 0; // of the walls before
   const features = scene.walls.flatMap((wall, i) => {
     const law = found[i];

@@ -37,7 +37,7 @@
  * @property {Floor | null} floor
  * @property {Wall[]} walls
  * @property {Ball[]} balls
- * @property {Surface & {young: number, poisson: number, overlap: boolean}} ball_contact
+ * @property {Omit<Surface, "friction"> & {friction: Extended | {at_rest: number, at_speed: number, speed: number}, law?: string, stiffness_ratio: number | null, young: number, poisson: number, overlap: boolean}} ball_contact
  * @property {{law: string, duration: number | null, max_events: number | null, floor_contact: "with" | "after"}} run
  */
 

@@ -31,14 +31,14 @@ def laws(
     name: Annotated[str | None, typer.Argument(metavar="NAME", help="Name of a law, to print its full card.")] = None,
     as_json: Annotated[bool, shared("json")] = False,
 ) -> None:
-    """List the laws, or print one law's card: assumptions, range of validity, source."""
+    """List the laws, or print one law's card: assumptions, range of validity, source; and whether two balls may meet by it."""
     from dataclasses import asdict
 
-    from carom.laws.registry import CARDS, card_named
+    from carom.laws.registry import CARDS, card_named, laws_of_pairs
 
     cards = [card_named(name)] if name is not None else list(CARDS.values())
     if as_json:
-        facts = [asdict(card) for card in cards]
+        facts = [asdict(card) | {"for_pairs": card.name in laws_of_pairs()} for card in cards]
         shown = facts[0] if name is not None else {"laws": facts}
         say_json(shown, ensure_ascii=False)
     elif name is not None:
@@ -53,13 +53,16 @@ def _table(cards: list[Card]) -> None:
     from rich.text import Text
 
     from carom.cli.console import out
+    from carom.laws.registry import laws_of_pairs
 
+    pairs = laws_of_pairs()
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False, header_style="bold")
     table.add_column("law", no_wrap=True, style="bold")
     table.add_column("model", overflow="fold")
     table.add_column("valid for", overflow="fold")
     for i, card in enumerate(cards):
-        table.add_row(card.name, Text(card.summary), Text(_first_sentence(card.valid)), end_section=i == len(cards) - 1)
+        name = Text.assemble(card.name, ("\nalso of pairs", "dim not bold") if card.name in pairs else "")
+        table.add_row(name, Text(card.summary), Text(_first_sentence(card.valid)), end_section=i == len(cards) - 1)
         if i < len(cards) - 1:
             table.add_row()
     console = out()
@@ -76,6 +79,7 @@ def _card(card: Card) -> None:
     from rich.text import Text
 
     from carom.cli.console import out
+    from carom.laws.registry import laws_of_pairs
 
     table = Table.grid(padding=(0, 2))
     table.add_column(no_wrap=True, style="bold")
@@ -85,6 +89,11 @@ def _card(card: Card) -> None:
     for i, assumption in enumerate(card.assumptions):
         table.add_row("" if i else "assumes", Text(f"- {assumption}"))
     table.add_row("valid for", Text(card.valid))
+    if card.name in laws_of_pairs():
+        table.add_row(
+            "two balls",
+            Text(f"by it in scenes, ball_contact.law = {card.name!r}, and carom.collide(law={card.name!r})"),
+        )
     table.add_row("equations", Text(card.equations))
     table.add_row("source", Text(card.citation))
     if card.doi:

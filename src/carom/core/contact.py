@@ -17,13 +17,14 @@ import math
 from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel
 
 __all__ = [
-    "GRAZE", "REGIMES", "SLIDE", "STICK", "contact", "inside_friction_cone", "one_contact", "slip_velocity", "struck_along",
-    "wall_contact",
+    "GRAZE", "NO_REGIME", "REGIMES", "SLIDE", "STICK", "contact", "friction_at_slip", "inside_friction_cone", "one_contact",
+    "slip_velocity", "struck_along", "wall_contact",
 ]  # fmt: skip
 
 # What a contact did; the names that people see are REGIMES[code].
 GRAZE, STICK, SLIDE = 0, 1, 2
 REGIMES = ("graze", "stick", "slide")
+NO_REGIME = -1  # a law does not say
 # An approach slower than this share of the slip is none: it is the rounding of a ball that moves along the wall, whose sign
 # must not decide whether an infinitely rough wall takes hold of it.
 LEAST = 1e-15
@@ -43,6 +44,12 @@ def inside_friction_cone(tangential: float, mu: float, normal: float) -> bool:
     """Return whether Coulomb's friction can supply a tangential impulse: whether it lies within the cone about the normal one."""
     # (29): inside the friction cone the contact holds (a bare product: mu may be infinite)
     return tangential <= mu * normal
+
+
+@kernel
+def friction_at_slip(mu: float, drop: float, rate: float, slip: float) -> float:
+    """Return the friction coefficient of a contact that slips with so many m/s: mu, or mu + drop exp(-rate slip) where drop > 0."""
+    return mu + drop * math.exp(-rate * slip) if drop > 0 else mu + 0 * drop
 
 
 @hot_kernel

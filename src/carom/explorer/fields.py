@@ -11,8 +11,9 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic.fields import FieldInfo
 
 from carom.formatting import json_value
+from carom.laws.registry import laws_of_pairs
 from carom.scene.ball import SceneBall
-from carom.scene.ball_contact import BallContact
+from carom.scene.ball_contact import BallContact, FallingFriction
 from carom.scene.pockets import Pockets
 from carom.scene.restitution import Constant, Exponential, Han2005, Polynomial, Power, Viscoelastic
 from carom.scene.scene import Floor, Run, Scene
@@ -38,7 +39,7 @@ def scene_fields() -> dict[str, Any]:
         "scene": _fields(Scene),
         "floor": _fields(Floor),
         "ball": _fields(SceneBall),
-        "ball_contact": _fields(BallContact),
+        "ball_contact": _pair_fields(),
         "run": _fields(Run),
         "walls": {model.model_fields["shape"].default: _fields(model) for model in SHAPES},
         "pockets": _fields(Pockets),
@@ -49,6 +50,14 @@ def scene_fields() -> dict[str, Any]:
 def _fields(model: type[Model]) -> dict[str, Any]:
     # (a strike has become velocity and spin before a scene is shown)
     return {name: _field(name, info) for name, info in model.model_fields.items() if name != "strike"}
+
+
+def _pair_fields() -> dict[str, Any]:
+    """Return the fields of a contact of two balls: its laws by their names, its friction with the form that falls with the slip."""
+    friction = {"kind": "friction", "number": _fields(Floor)["friction"], "falling": _fields(FallingFriction)}
+    return _fields(BallContact) | {
+        "law": {"kind": "choice", "values": laws_of_pairs(), "optional": True}, "friction": friction
+    }  # fmt: skip
 
 
 def _field(name: str, info: FieldInfo) -> dict[str, Any]:

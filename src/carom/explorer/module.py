@@ -112,6 +112,8 @@ def _law(law: Any) -> dict[str, Any]:
         "defaults": dict(law.defaults),
         "on_table": law.on_table,
         "variant_of": law.variant_of,
+        "one_contact": law.one_contact,
+        "slip_friction": law.slip_friction and list(law.slip_friction),
         "ignores_floor": law.ignores_floor,
         "colour": law.line[0] if law.line else None,
         "dashes": list(law.line[1][1]) if law.line and not isinstance(law.line[1], str) else [],

@@ -143,7 +143,7 @@ def not_shown(scene: Scene, where: str) -> list[str]:
     for what, count, most in (("balls", len(scene.balls), MOST_BALLS), ("features of walls", features, MOST_FEATURES)):
         if count > most:
             faults.append(f"{where}: {what}: expected at most {most:,}, got {count:,}; carom simulate takes more")
-    for law in dict.fromkeys((*scene.wall_laws, scene.run.law)):
+    for law in scene.given_laws:
         name = law_name(law)
         if isinstance(law, Law) or name not in all_laws():
             advice = "the page holds no law of your own; carom simulate runs it"

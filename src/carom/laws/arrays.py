@@ -30,8 +30,8 @@ from carom.errors import (
 )
 
 __all__ = [
-    "FEW", "RESOLVED", "answer_rows", "approaching", "loop_for", "motion_resolved", "one_normal", "reason_array",
-    "require_approach", "require_resolved", "state_arrays", "unit_normal", "wall_law_rows",
+    "FEW", "RESOLVED", "WallKernel", "answer_rows", "approaching", "fresh_unless_own", "loop_for", "motion_resolved", "one_normal",
+    "reason_array", "require_approach", "require_resolved", "state_arrays", "unit_normal", "wall_law_rows",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -277,6 +277,11 @@ def wall_law_rows(law: WallKernel) -> Callable[..., None]:
             v1[i, 0], v1[i, 1], v1[i, 2] = x
             w1[i, 0], w1[i, 1], w1[i, 2] = y
 
+    return fresh_unless_own(rows, law)
+
+
+def fresh_unless_own(rows: Callable[..., None], law: WallKernel) -> Callable[..., None]:
+    """Return the loop over rows of a law, marked as one that is not cached where the law is a custom one."""
     if not law.__module__.startswith("carom."):
         _FRESH.add(rows)
     return rows

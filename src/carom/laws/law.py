@@ -203,7 +203,11 @@ class Law:
     defaults: Mapping[str, float] = field(default_factory=dict)
     """Its authors' parameters, which scenes and tables use where they give none."""
     in_flight: bool = False
-    """The law describes a single contact: in a table without spins the ball is assumed to be in flight."""
+    """The law describes a single contact: in a table without spins the ball is assumed to be in flight, and two balls may meet by
+    it (:attr:`for_pairs`)."""
+    slip_friction: tuple[float, float, float] | None = None
+    """mu, drop, rate (s/m) of a contact whose friction falls with the slip, mu + drop exp(-rate slip), whatever the surface has.
+    Its kernel evaluates the same; where balls meet, the engine does."""
     ignores_floor: bool = False
     """The law ignores the floor: by default `compare` includes it only for a ball above the floor."""
     on_table: str = ""
@@ -230,6 +234,16 @@ class Law:
     def name(self) -> str:
         """The card's name."""
         return self.card.name
+
+    @property
+    def for_pairs(self) -> bool:
+        """Whether two balls may meet by it: a single contact, which depends on their relative motion alone."""
+        return self.in_flight and self.kernel is not None
+
+    @property
+    def one_contact(self) -> bool:
+        """Whether the engine's own contact of two balls is this law, with the numbers that it holds fixed."""
+        return self.response == CONTACT_WALL or self.slip_friction is not None
 
     @property
     def free(self) -> tuple[str, ...]:

@@ -1,7 +1,14 @@
-"""Ball against ball: one contact with the masses of the pair, and Doménech's two-step description of it."""
+"""Ball against ball: one contact with the masses of the pair, and Doménech's two-step description of it.
+
+Two balls meet as one ball meets a wall at rest: with their relative velocity, their reduced mass and radius. So every law of a
+single contact (:attr:`carom.laws.law.Law.for_pairs`) is a law of pairs, with the same kernel.
+"""
 
 from __future__ import annotations
 
+import functools
+import math
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,14 +16,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import Ball, Numbers, State, Surface, kinetic_energy, rolling
-from carom.core.contact import contact
-from carom.core.jit.kernel import Vec, cross, dot, kernel, prange
+from carom.core.contact import GRAZE, NO_REGIME, REGIMES, contact, friction_at_slip
+from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel, prange
 from carom.core.motion.phases import ROUNDING
 from carom.core.motion.rolling import rolls_at_last
-from carom.errors import CaromError, broadcast_shape, first_bad_index, require_type
-from carom.laws.arrays import loop_for, require_resolved, unit_normal
-from carom.laws.law import Card
-from carom.laws.results import REGIME_NAMES, Names, name_codes
+from carom.errors import CaromError, FaultList, broadcast_shape, checked_number, first_bad_index, require_type
+from carom.laws.arrays import WallKernel, fresh_unless_own, loop_for, require_resolved, unit_normal
+from carom.laws.law import LIKE_SOLIDS, ON_WALL, Card, Law, Meeting, approaches
+from carom.laws.registry import law_for_pairs
+from carom.laws.results import Names, name_codes
+from carom.laws.user import find_law
 
 __all__ = ["CARD", "Collision", "Scattering", "collide", "domenech"]
 
@@ -38,6 +47,16 @@ CARD = Card(
 )
 
 
+@hot_kernel
+def pair_slip(v1: Vec, w1: Vec, v2: Vec, w2: Vec, n: Vec, a1: float, a2: float) -> tuple[float, Vec]:
+    """Velocity of the point of ball 1 that touches ball 2, relative to that of ball 2: its normal part, and the slip."""
+    # Ball 1 is touched at -a1 n, ball 2 at +a2 n
+    r = cross((a1 * w1[0] + a2 * w2[0], a1 * w1[1] + a2 * w2[1], a1 * w1[2] + a2 * w2[2]), n)
+    u = (v1[0] - v2[0] - r[0], v1[1] - v2[1] - r[1], v1[2] - v2[2] - r[2])
+    un = dot(u, n)
+    return un, (u[0] - un * n[0], u[1] - un * n[1], u[2] - un * n[2])
+
+
 @kernel
 def pair_contact(
     v1: Vec, w1: Vec, v2: Vec, w2: Vec, n: Vec,
@@ -47,43 +66,113 @@ def pair_contact(
 
     n points from the centre of ball 2 to the centre of ball 1.
     """
-    # Ball 1 is touched at -a1 n, ball 2 at +a2 n: the velocity of the first point relative to the second.
-    r = cross((a1 * w1[0] + a2 * w2[0], a1 * w1[1] + a2 * w2[1], a1 * w1[2] + a2 * w2[2]), n)
-    u = (v1[0] - v2[0] - r[0], v1[1] - v2[1] - r[1], v1[2] - v2[2] - r[2])
-    un = dot(u, n)
-    ut = (u[0] - un * n[0], u[1] - un * n[1], u[2] - un * n[2])
+    un, ut = pair_slip(v1, w1, v2, w2, n, a1, a2)
     mn = m1 * m2 / (m1 + m2)
     mt = 1 / ((1 + 1 / kappa1) / m1 + (1 + 1 / kappa2) / m2)
     pn, f, required, regime = contact(un, ut, mn, mt, e, mu, beta)
     j = (pn * n[0] + f[0], pn * n[1] + f[1], pn * n[2] + f[2])
-    t = cross(n, f)
+    return *struck_pair(v1, w1, v2, w2, j, cross(n, f), a1, m1, kappa1, a2, m2, kappa2), j, required, regime
+
+
+@hot_kernel
+def struck_pair(
+    v1: Vec, w1: Vec, v2: Vec, w2: Vec, j: Vec, t: Vec,
+    a1: float, m1: float, kappa1: float, a2: float, m2: float, kappa2: float,
+) -> tuple[Vec, Vec, Vec, Vec]:  # fmt: skip
+    """Both velocities and spins after an impulse j (N s) on ball 1, and its opposite on ball 2; t is n x j."""
     c1, c2 = kappa1 * m1 * a1, kappa2 * m2 * a2
     return (
         (v1[0] + j[0] / m1, v1[1] + j[1] / m1, v1[2] + j[2] / m1),
         (w1[0] - t[0] / c1, w1[1] - t[1] / c1, w1[2] - t[2] / c1),
         (v2[0] - j[0] / m2, v2[1] - j[1] / m2, v2[2] - j[2] / m2),
         (w2[0] - t[0] / c2, w2[1] - t[1] / c2, w2[2] - t[2] / c2),
-        j,
-        required,
-        regime,
     )
+
+
+@kernel
+def pair_as_wall(
+    v1: Vec, w1: Vec, v2: Vec, w2: Vec,
+    a1: float, m1: float, kappa1: float, a2: float, m2: float, kappa2: float,
+) -> tuple[Vec, Vec, float, float, float]:  # fmt: skip
+    """The one ball whose contact with a wall at rest is that of the pair: velocity, spin, radius, kappa, mass.
+
+    It has the pair's relative velocity, reduced radius and reduced mass; its kappa gives it the pair's tangential mass.
+    """
+    a = a1 * a2 / (a1 + a2)
+    c1, c2 = a1 / a, a2 / a
+    kappa = (m1 + m2) / (m2 / kappa1 + m1 / kappa2)
+    return (
+        (v1[0] - v2[0], v1[1] - v2[1], v1[2] - v2[2]),
+        (c1 * w1[0] + c2 * w2[0], c1 * w1[1] + c2 * w2[1], c1 * w1[2] + c2 * w2[2]),
+        a,
+        kappa,
+        m1 * m2 / (m1 + m2),
+    )
+
+
+@kernel
+def struck_as_wall(
+    v1: Vec, w1: Vec, v2: Vec, w2: Vec, n: Vec, before: Vec, after: Vec, m: float,
+    a1: float, m1: float, kappa1: float, a2: float, m2: float, kappa2: float,
+) -> tuple[Vec, Vec, Vec, Vec, Vec]:  # fmt: skip
+    """Both velocities and spins, and the impulse on ball 1, after a law has turned the velocity of :func:`pair_as_wall`.
+
+    The impulse acts at the point of contact, so that momentum and angular momentum are kept whatever the law does to spins.
+    """
+    j = (m * (after[0] - before[0]), m * (after[1] - before[1]), m * (after[2] - before[2]))
+    return *struck_pair(v1, w1, v2, w2, j, cross(n, j), a1, m1, kappa1, a2, m2, kappa2), j
 
 
 def pair_rows(
     v1: Array, w1: Array, v2: Array, w2: Array, n: Array, p: Array, out: Array, required: Array, regime: Any
 ) -> None:
-    """Evaluate ball-ball contacts; parameters a, m, kappa of both, e, mu, beta; ``out`` (N, 15): both states, impulse."""
+    """Evaluate ball-ball contacts; parameters a, m, kappa of both, e, mu, beta, drop and rate of mu with the slip.
+
+    ``out`` (N, 15): both states, impulse.
+    """
     for i in prange(v1.shape[0]):
+        v, w = (v1[i, 0], v1[i, 1], v1[i, 2]), (w1[i, 0], w1[i, 1], w1[i, 2])
+        u, r = (v2[i, 0], v2[i, 1], v2[i, 2]), (w2[i, 0], w2[i, 1], w2[i, 2])
+        normal = (n[i, 0], n[i, 1], n[i, 2])
+        _un, ut = pair_slip(v, w, u, r, normal, p[i, 0], p[i, 3])
         a, b, c, d, j, required[i], regime[i] = pair_contact(
-            (v1[i, 0], v1[i, 1], v1[i, 2]),
-            (w1[i, 0], w1[i, 1], w1[i, 2]),
-            (v2[i, 0], v2[i, 1], v2[i, 2]),
-            (w2[i, 0], w2[i, 1], w2[i, 2]),
-            (n[i, 0], n[i, 1], n[i, 2]),
-            p[i, 0], p[i, 1], p[i, 2], p[i, 3], p[i, 4], p[i, 5], p[i, 6], p[i, 7], p[i, 8],
+            v, w, u, r, normal, p[i, 0], p[i, 1], p[i, 2], p[i, 3], p[i, 4], p[i, 5],
+            p[i, 6], friction_at_slip(p[i, 7], p[i, 9], p[i, 10], math.sqrt(dot(ut, ut))), p[i, 8],
         )  # fmt: skip
         for k in range(3):
             out[i, k], out[i, 3 + k], out[i, 6 + k], out[i, 9 + k], out[i, 12 + k] = a[k], b[k], c[k], d[k], j[k]
+
+
+@functools.cache
+def pair_law_rows(law: WallKernel) -> Callable[..., None]:
+    """Return the loop over ball-ball contacts by a law's own kernel: parameters a, m, kappa of both, e, mu, last number."""
+    kernel(law)
+
+    def rows(
+        v1: Array, w1: Array, v2: Array, w2: Array, n: Array, p: Array, out: Array, required: Array, regime: Any
+    ) -> None:
+        for i in prange(v1.shape[0]):
+            v, w = (v1[i, 0], v1[i, 1], v1[i, 2]), (w1[i, 0], w1[i, 1], w1[i, 2])
+            u, r = (v2[i, 0], v2[i, 1], v2[i, 2]), (w2[i, 0], w2[i, 1], w2[i, 2])
+            normal = (n[i, 0], n[i, 1], n[i, 2])
+            before, spin, radius, kappa, m = pair_as_wall(
+                v, w, u, r, p[i, 0], p[i, 1], p[i, 2], p[i, 3], p[i, 4], p[i, 5]
+            )
+            after, _spin = law(before, spin, normal, radius, kappa, p[i, 6], p[i, 7], p[i, 8])
+            a, b, c, d, j = struck_as_wall(
+                v, w, u, r, normal, before, after, m, p[i, 0], p[i, 1], p[i, 2], p[i, 3], p[i, 4], p[i, 5]
+            )
+            jn = dot(j, normal)
+            f = (j[0] - jn * normal[0], j[1] - jn * normal[1], j[2] - jn * normal[2])
+            required[i] = math.sqrt(dot(f, f)) / jn if jn > 0 else 0 * jn
+            regime[i] = NO_REGIME if jn > 0 else GRAZE
+            for k in range(3):
+                out[i, k], out[i, 3 + k], out[i, 6 + k], out[i, 9 + k], out[i, 12 + k] = a[k], b[k], c[k], d[k], j[k]
+
+    return fresh_unless_own(rows, law)
+
+
+NAMES = np.array([*REGIMES, ""])  # (NO_REGIME is the last)
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,14 +194,14 @@ class Collision:
     impulse: Array
     """(..., 3), N s, on the first ball; the second receives the opposite impulse."""
     required_friction: Numbers
-    """(...): the least friction with which the contact sticks."""
+    """(...): the least friction with which the contact sticks; of a law of another kernel, tangential over normal impulse."""
     code: int | NDArray[np.int8]
     """(...): the regime as an integer."""
 
     @property
     def regime(self) -> Names:
-        """ "stick", "slide" or "graze" (no impulse): a string or an array (...)."""
-        return name_codes(self.code, REGIME_NAMES)
+        """ "stick", "slide" or "graze" (no impulse), "" where the law does not say: a string or an array (...)."""
+        return name_codes(self.code, NAMES)
 
     @property
     def energy_lost(self) -> Numbers:
@@ -124,8 +213,9 @@ class Collision:
 def collide(
     ball: Ball, state: State, other: Ball, other_state: State, normal: ArrayLike = (-1.0, 0.0, 0.0),
     surface: Surface = Surface(),  # noqa: B008
+    law: str | Law = "contact", stiffness_ratio: ArrayLike = LIKE_SOLIDS,
 ) -> Collision:  # fmt: skip
-    """Compute the contact of two balls: the law of ball and wall, (19), (28)-(31), with the reduced masses of the pair.
+    """Compute the contact of two balls: a law of ball and wall, by default (19), (28)-(31), with the reduced masses of the pair.
 
     Parameters
     ----------
@@ -137,6 +227,11 @@ def collide(
         From the centre of the second ball to the centre of the first; any length.
     surface : Surface
         Restitution, friction and tangential restitution between the two.
+    law : str or Law
+        A law of one contact: "contact", "sliding", "sticking", "alciatore" (friction that falls with the slip),
+        "maw" and "stronge" (tangential compliance), or one of your own ("file.py:name").
+    stiffness_ratio : float or array (...)
+        Tangential over normal stiffness of the contact, for the laws that read it.
 
     Returns
     -------
@@ -145,7 +240,7 @@ def collide(
     Raises
     ------
     CaromError
-        If the balls move apart, or a normal has zero length.
+        If the balls move apart, a normal has zero length, or the law is not one of a single contact.
 
     Examples
     --------
@@ -155,6 +250,9 @@ def collide(
     >>> hit = carom.collide(ball, striking, ball, rest, surface=carom.Surface(restitution=0.95, friction=0.06))
     >>> [after.velocity.round(4).tolist() for after in hit.after]
     [[0.025, 0.0, 0.0], [0.975, 0.0, 0.0]]
+    >>> thrown = carom.collide(ball, striking, ball, rest, (-0.866, 0.5, 0.0), law="alciatore").after[1].velocity
+    >>> thrown.round(4).tolist()
+    [0.7658, -0.4064, 0.0]
     """
     for field, value, kind in (("ball", ball, Ball), ("state", state, State), ("other", other, Ball),
                                ("other_state", other_state, State), ("surface", surface, Surface)):  # fmt: skip
@@ -164,7 +262,9 @@ def collide(
     n = unit_normal(normal)
     balls = (ball, other)
     numbers = [x for b in balls for x in (b.radius, b.mass, b.kappa)]
-    numbers += [surface.restitution, surface.friction, surface.tangential_restitution]
+    law = law_for_pairs(law if isinstance(law, Law) else find_law(law))
+    rows, given = _loop_of(law, surface, stiffness_ratio)
+    numbers += given
     shape = broadcast_shape(state.shape, other_state.shape, n.shape[:-1], *(np.shape(x) for x in numbers))
     v1, w1, v2, w2, normals = (
         np.broadcast_to(x, (*shape, 3)).reshape(-1, 3)
@@ -178,15 +278,49 @@ def collide(
             f"collide: expected two balls that approach, got two that move apart{first_bad_index(apart)};"
             " the normal points from the second ball to the first"
         )
+    if law.conditions is not approaches:
+        _require_conditions(law, balls, state, other_state, n, surface, stiffness_ratio)
     count = len(v1)
     p = np.stack([np.broadcast_to(x, shape).reshape(count) for x in numbers], axis=-1)
     out, required, code = np.empty((count, 15)), np.empty(count), np.empty(count, dtype=np.int8)
     args = (np.ascontiguousarray(x) for x in (v1, w1, v2, w2, normals, p))
-    loop_for(pair_rows, count)(*args, out, required, code)
+    loop_for(rows, count)(*args, out, required, code)
     part = [out[:, 3 * i : 3 * i + 3].reshape(*shape, 3) for i in range(5)]
     after = (State.of(part[0], part[1]), State.of(part[2], part[3]))
     scalars: list[Any] = [x[0].item() if shape == () else x.reshape(shape) for x in (required, code)]
     return Collision(balls, (state, other_state), after, part[4], *scalars)
+
+
+def _loop_of(law: Law, surface: Surface, stiffness_ratio: ArrayLike) -> tuple[Callable[..., None], list[Any]]:
+    """Return the loop that evaluates a law, and the numbers of the contact that it reads, with those that the law holds fixed."""
+    e, mu, last = (law.pinned.get(name, getattr(surface, name)) for name in ON_WALL)
+    if law.one_contact:
+        mu, drop, rate = law.slip_friction or (mu, 0.0, 0.0)
+        return pair_rows, [e, mu, last, drop, rate]
+    if law.last == "stiffness_ratio":
+        last = checked_number(FaultList("collide"), "stiffness_ratio", stiffness_ratio, "a number > 0", lambda x: x > 0)
+    return pair_law_rows(law.kernel), [e, mu, last]
+
+
+def _require_conditions(
+    law: Law,
+    balls: tuple[Ball, Ball],
+    state: State,
+    other: State,
+    n: Array,
+    surface: Surface,
+    stiffness_ratio: ArrayLike,
+) -> None:
+    """Raise CaromError where a law of walls would not take the one ball that the two are to each other."""
+    b, c = balls
+    given: list[Any] = [np.moveaxis(x, -1, 0) for x in (state.velocity, state.spin, other.velocity, other.spin)]
+    given += [b.radius, b.mass, b.kappa, c.radius, c.mass, c.kappa]
+    v, w, a, kappa, m = pair_as_wall(*given)
+    relative = State.of(np.stack(v, axis=-1), np.stack(np.broadcast_arrays(*w), axis=-1))
+    meeting = Meeting(Ball(a, m, kappa), relative, n, surface, stiffness_ratio=stiffness_ratio)
+    for holds, expected, *_field in law.conditions(meeting):
+        if not np.all(holds):
+            raise CaromError(f"collide: expected {expected}, for the law {law.name}")
 
 
 @dataclass(frozen=True, eq=False)

@@ -15,7 +15,7 @@ from typing import Any
 from carom.errors import CaromError, Fault, did_you_mean, require_type
 from carom.laws.law import Card, Law
 
-__all__ = ["card_named", "cards", "law_named", "law_styles", "laws", "one_or_several"]
+__all__ = ["card_named", "cards", "law_for_pairs", "law_named", "law_styles", "laws", "laws_of_pairs", "one_or_several"]
 
 
 @functools.cache
@@ -46,6 +46,20 @@ def law_named(name: str) -> Law:
         if name == law.name or name in law.aliases:
             return law
     raise CaromError(Fault("law", "", f"one of {', '.join(laws())}", repr(name), did_you_mean(name, list(laws()))))
+
+
+def laws_of_pairs() -> list[str]:
+    """Return the names of the laws by which two balls may meet."""
+    return [law.name for law in laws().values() if law.for_pairs]
+
+
+def law_for_pairs(law: Law) -> Law:
+    """Return a law by which two balls may meet; CaromError for one that is more than a contact. Custom ones are trusted."""
+    known = laws().get(law.name) is law
+    if law.kernel is None or (known and not law.for_pairs):
+        got = f"{law.name!r}, a law of {'walls' if law.kernel is not None else 'walls without a kernel'}"
+        raise CaromError(Fault("law", "", f"a law of one contact: {', '.join(laws_of_pairs())}, or file.py:name", got))
+    return law
 
 
 def _pickled(law: Law) -> Any:

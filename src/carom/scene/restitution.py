@@ -10,7 +10,17 @@ from pydantic import BeforeValidator, Field
 from carom.core.motion.restitution import CONSTANT, EXPONENTIAL, POLYNOMIAL, POWER, VISCOELASTIC, restitution
 from carom.scene.schema import Coefficient, Components, Model, Number, PositiveNumber, Share, Vector
 
-__all__ = ["Bounce", "Constant", "Exponential", "Han2005", "Polynomial", "Power", "Restitution", "Viscoelastic"]
+__all__ = [
+    "Bounce",
+    "Constant",
+    "Exponential",
+    "FasterThanNothing",
+    "Han2005",
+    "Polynomial",
+    "Power",
+    "Restitution",
+    "Viscoelastic",
+]
 
 FasterThanNothing = Annotated[float, BeforeValidator(Number("a speed in m/s, > 0", "m/s", least=0, above=True))]
 

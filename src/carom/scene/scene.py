@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import functools
 import math
+from collections.abc import Callable
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -17,10 +18,9 @@ from pydantic_core.core_schema import ValidationInfo
 from carom.bodies import State, Surface
 from carom.core.geometry.features import FALLS, FEATURES, GOES_ON, LEAVES, OVER, feature_normal, gap_to_feature
 from carom.core.jit.kernel import Vec
-from carom.core.motion.restitution import CONSTANT
 from carom.errors import Fault, FaultList, shown
 from carom.formatting import format_length, format_time
-from carom.laws.law import CALLED_WALL, CONTACT_WALL, Law, Meeting
+from carom.laws.law import CALLED_WALL, Law, Meeting
 from carom.laws.registry import laws
 from carom.laws.user import find_law
 from carom.scene.among_balls import TOUCH, name_faults, overlap_faults
@@ -179,9 +179,14 @@ class Scene(Model):
         """Return the law of each wall as it was given: its own, or the run's."""
         return tuple(wall.law or self.run.law for wall in self.walls)
 
+    @property
+    def given_laws(self) -> tuple[str | Law, ...]:
+        """Return every law as it was given, each once: the run's, those of walls, that of pairs."""
+        return tuple(dict.fromkeys((self.run.law, *self.wall_laws, self.ball_contact.law)))
+
     @functools.cached_property
     def found_laws(self) -> dict[str | Law, Law]:
-        """Laws by what walls call them: a custom law's file is run once. (A copy with other walls shares them.)"""
+        """Laws by their names in the scene: a custom law's file is run once. (A copy with other walls shares them.)"""
         return {}
 
     @functools.cached_property
@@ -204,18 +209,26 @@ class Scene(Model):
         """Copy as :meth:`__copy__` does: the parts cannot be changed, so that copies share them."""
         return self.__copy__()
 
+    def _found(self, law: str | Law) -> Law:
+        if law not in self.found_laws:
+            self.found_laws[law] = law if isinstance(law, Law) else find_law(law)
+        return self.found_laws[law]
+
     @property
     def laws(self) -> tuple[Law, ...]:
         """The law of each wall."""
-        for law in self.wall_laws:
-            if law not in self.found_laws:
-                self.found_laws[law] = law if isinstance(law, Law) else find_law(law)
-        return tuple(self.found_laws[law] for law in self.wall_laws)
+        return tuple(map(self._found, self.wall_laws))
+
+    @property
+    def pair_law(self) -> Law:
+        """The law by which two balls meet."""
+        return self._found(self.ball_contact.law)
 
     @property
     def called_laws(self) -> tuple[Law, ...]:
-        """The laws that the event loop calls by their address: each once, in the order of the walls."""
-        return tuple(dict.fromkeys(law for law in self.laws if law.response == CALLED_WALL))
+        """The laws that the event loop calls by their address: each once, in the order of the walls, then that of pairs."""
+        called = [law for law in self.laws if law.response == CALLED_WALL]
+        return tuple(dict.fromkeys(called if self.pair_law.one_contact else [*called, self.pair_law]))
 
     def features(self) -> NDArray[np.void]:
         """Return all that a ball can touch, (F,) of :data:`carom.core.geometry.features.FEATURES`, wall by wall.
@@ -229,11 +242,7 @@ class Scene(Model):
             number, contact = law.response, wall.contact_of(law)
             if number == CALLED_WALL:
                 number += self.called_laws.index(law)
-            elif number == CONTACT_WALL:
-                contact = _pinned(contact, law)
-            if law.last == "stiffness_ratio":
-                contact = contact._replace(beta=wall.stiffness_ratio)
-            elif law.last == "floor_friction":
+            if law.last == "floor_friction":
                 contact = contact._replace(beta=0.0 if self.floor is None else self.floor.contact.mu)
             gate = LEAVES if wall.encloses else GOES_ON
             for *shape, pocket in wall.features():
@@ -268,13 +277,6 @@ class Scene(Model):
         run = [] if self.run.duration is None else [format_time(self.run.duration)]
         run += [] if self.run.max_events is None else [f"at most {self.run.max_events:,} events"]
         return ", ".join([*floor, *shown, balls, law, *run])
-
-
-def _pinned(contact: ContactParameters, law: Law) -> ContactParameters:
-    """Return a wall's surface as numbers, with the numbers that its law holds fixed."""
-    p = law.pinned
-    form, e = (CONSTANT, (p["restitution"], 0.0, 0.0)) if "restitution" in p else (contact.form, contact.p)
-    return ContactParameters(form, e, p.get("friction", contact.mu), p.get("tangential_restitution", contact.beta))
 
 
 def scene_faults(scene: Scene) -> list[Fault]:
@@ -327,39 +329,48 @@ def _law_faults(scene: Scene) -> list[Fault]:
                 ]
                 advice = f"the law {law.name} reads it; {', '.join(others)} do not need it"
                 found.add(f"{at}.{name}", expected, "nothing", advice)
-        found += _condition_faults(scene, wall, law, i)
-        if law.last == "stiffness_ratio" and wall.tangential_restitution != 0:
-            advice = "that law computes the tangential rebound from springs; omit it, and give stiffness_ratio"
-            expected = f"0 for the law {law.name}"
-            found.add(f"{at}.tangential_restitution", expected, shown(wall.tangential_restitution), advice)
-    return found
+        got = {
+            "shape": (wall.describe(), at),
+            "floor": ("a scene without a floor", f"{at}.law" if wall.law else "run.law"),
+        }
+        found += _condition_faults(scene, wall, law, at, got, wall.stiffness_ratio, wall.vertical)
+    pair = scene.ball_contact
+    return [*found, *_condition_faults(scene, pair, scene.pair_law, "ball_contact", {}, pair.tangential_stiffness)]
 
 
 NEEDED = {"restitution": "a number from 0 to 1, or a form", "friction": "a number >= 0 (inf: never slips)"}
 
 
-def _condition_faults(scene: Scene, wall: WallShape, law: Law, i: int) -> list[Fault]:
-    """Ask a law's conditions on what a scene declares (its walls, its floor) of each ball, coming square to the wall."""
+def _condition_faults(
+    scene: Scene, surface: WallShape | BallContact, law: Law, at: str, got: dict[str, tuple[str, str]], stiffness_ratio: float,
+    vertical: Callable[[float], bool] = lambda z: True,
+) -> list[Fault]:  # fmt: skip
+    """Ask a law's conditions on what a scene declares (a wall, the floor, the pairs) of each ball, coming square to the surface.
+
+    (The one ball that two are to each other has an inertia between theirs.)
+    """
     found: dict[str, Fault] = {}
-    at = f"walls[{i}]"
-    restitution = wall.restitution
+    restitution = surface.restitution
     e = 1.0 if restitution is None else restitution.value if isinstance(restitution, Constant) else 0.5
-    got = {
-        "shape": (wall.describe(), at),
-        "floor": ("a scene without a floor", f"{at}.law" if wall.law else "run.law"),
+    got |= {
         "restitution": ("" if restitution is None else restitution.describe().removeprefix("restitution "),
                         f"{at}.restitution"),
-        "stiffness_ratio": (shown(wall.stiffness_ratio), f"{at}.stiffness_ratio"),
+        "stiffness_ratio": (shown(stiffness_ratio), f"{at}.stiffness_ratio"),
     }  # fmt: skip
     for ball in {(ball.ball.kappa, ball.radius): ball for ball in scene.balls}.values():
         towards = State((-1.0, 0.0, 0.0), (0.0, -1.0 / ball.radius if scene.floor else 0.0, 0.0))
-        normal = np.array([1.0, 0.0, 0.0] if wall.vertical(ball.radius) else [0.8, 0.0, 0.6])
-        meeting = Meeting(ball.ball, towards, normal, Surface(e), stiffness_ratio=wall.stiffness_ratio)
+        normal = np.array([1.0, 0.0, 0.0] if vertical(ball.radius) else [0.8, 0.0, 0.6])
+        meeting = Meeting(ball.ball, towards, normal, Surface(e), stiffness_ratio=stiffness_ratio)
         for holds, expected, *field in law.conditions(meeting):
             if field and field[0] in got and not np.all(holds):
                 value, place = got[field[0]]
                 found.setdefault(field[0], Fault("", place, f"{expected}, for the law {law.name}", value))
-    return list(found.values())
+    faults = list(found.values())
+    if law.last == "stiffness_ratio" and surface.tangential_restitution != 0:
+        advice = "that law computes the tangential rebound from springs; omit it, and give stiffness_ratio"
+        got_beta = shown(surface.tangential_restitution)
+        faults.append(Fault("", f"{at}.tangential_restitution", f"0 for the law {law.name}", got_beta, advice))
+    return faults
 
 
 # --- walls --------------------------------------------------------------------------------------------------------

@@ -137,7 +137,7 @@ def save_scene(scene: Scene, path: str | Path) -> Path:
 
 def require_named_laws(where: str, scene: Scene) -> None:
     """Raise CaromError for a scene with a carom.Law, which no file can hold."""
-    for law in (scene.run.law, *scene.wall_laws):
+    for law in scene.given_laws:
         if isinstance(law, Law):
             raise CaromError(
                 Fault(
@@ -167,7 +167,7 @@ def _plain(value: Any) -> Any:
 def _beside(table: dict[str, Any], folder: Path) -> None:
     """Make the paths of custom laws relative to the scene's folder."""
     walls = table.get("walls")
-    for part in [table.get("run"), *(walls if isinstance(walls, list) else [])]:
+    for part in [table.get("run"), table.get("ball_contact"), *(walls if isinstance(walls, list) else [])]:
         law = part.get("law") if isinstance(part, dict) else None
         if isinstance(part, dict) and isinstance(law, str) and ".py:" in law:
             part["law"] = str(folder / law)

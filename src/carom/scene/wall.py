@@ -15,8 +15,8 @@ from pydantic_core.core_schema import ValidationInfo
 
 from carom.core.motion.restitution import CONSTANT
 from carom.errors import CaromError, shown, suggestion
-from carom.laws.law import LIKE_SOLIDS, Law
-from carom.laws.registry import laws
+from carom.laws.law import CONTACT_WALL, LIKE_SOLIDS, Law
+from carom.laws.registry import law_for_pairs, laws, laws_of_pairs
 from carom.laws.user import FORBIDDEN, find_law
 from carom.public.own_laws import OwnLaw
 from carom.scene.feature_builders import Feature, Flat
@@ -26,6 +26,7 @@ from carom.scene.schema import Friction, Model, PositiveNumber, Spring, Vector, 
 __all__ = [
     "ContactParameters",
     "LawChoice",
+    "PairLawChoice",
     "Pocket",
     "WallShape",
     "contact",
@@ -53,6 +54,13 @@ class ContactParameters(NamedTuple):
     mu: float
     beta: float
 
+    def under(self, law: Law, stiffness_ratio: float) -> ContactParameters:
+        """Return the numbers that a law's kernel takes: with those that it holds fixed, and its last one in the place of beta."""
+        p = law.pinned if law.response == CONTACT_WALL else {}
+        form, e = (CONSTANT, (p["restitution"], 0.0, 0.0)) if "restitution" in p else (self.form, self.p)
+        beta = stiffness_ratio if law.last == "stiffness_ratio" else p.get("tangential_restitution", self.beta)
+        return ContactParameters(form, e, p.get("friction", self.mu), beta)
+
 
 def contact(
     restitution: Restitution | None, friction: float | None, tangential_restitution: float
@@ -64,7 +72,22 @@ def contact(
 
 def _known_law(value: Any, info: ValidationInfo) -> str | Law:
     """Validate the law of a wall."""
-    known = [law.name for law in laws().values() if law.kernel is not None]
+    return _one_of([law.name for law in laws().values() if law.kernel is not None], value, info)
+
+
+def _law_of_pairs(value: Any, info: ValidationInfo) -> str | Law:
+    """Validate the law by which two balls meet."""
+    found = _one_of(laws_of_pairs(), value, info)
+    if isinstance(found, Law):
+        try:
+            law_for_pairs(found)
+        except CaromError as error:
+            raise refused(error.records[0].expected, error.records[0].got) from None
+    return found
+
+
+def _one_of(known: list[str], value: Any, info: ValidationInfo) -> str | Law:
+    """Validate a law that is one of those known, or a custom one."""
     expected = f"one of {', '.join(known)}, or file.py:name"
     if isinstance(value, Law):
         if value.kernel is None:
@@ -102,6 +125,7 @@ def law_name(law: str | Law) -> str:
 
 # (no validator of pydantic's after it: one of texts would take an OwnLaw's mark off)
 LawChoice = Annotated[str | Law, PlainValidator(_known_law), PlainSerializer(law_name)]
+PairLawChoice = Annotated[str | Law, PlainValidator(_law_of_pairs), PlainSerializer(law_name)]
 
 
 def format_vector(v: tuple[float, ...]) -> str:
@@ -143,12 +167,12 @@ class WallShape(Model):
         return contact(self.restitution, self.friction, self.tangential_restitution)
 
     def contact_of(self, law: Law) -> ContactParameters:
-        """Return its surface as numbers, with a law's defaults for what it does not give."""
+        """Return its surface as numbers under a law, with the law's defaults for what it does not give."""
         e = self.restitution
         if e is None and "restitution" in law.defaults:
             e = Constant(value=law.defaults["restitution"])
         mu = law.defaults.get("friction") if self.friction is None else self.friction
-        return contact(e, mu, self.tangential_restitution)
+        return contact(e, mu, self.tangential_restitution).under(law, self.stiffness_ratio)
 
     @property
     def encloses(self) -> bool:

@@ -8,8 +8,8 @@ friction) are integrated in the event's own time until all have opened. Velociti
 back, so that the event takes no time, as any other.
 
 Neglected are the floor's and the walls' forces meanwhile (they come after, as for a pair), the time itself and the places that
-change with it (some 0.1 mm; the loop's balls are rigid wherever they meet), and the spring of the tangent: a tangential
-restitution does not act, a contact whose slip ends stays without slip.
+change with it (some 0.1 mm; the loop's balls are rigid wherever they meet), and the spring of the tangent: whatever the law of the
+pair, friction is Coulomb's here (with the coefficient of the contact's slip), and a contact whose slip ends stays without slip.
 
 Steps are those of the five-stage method of order four of M. H. Carpenter & C. A. Kennedy, NASA TM-109112 (1994), which keeps one
 change beside the state. It writes to fields of the balls' records, so that nothing is allocated.
@@ -20,6 +20,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
+from carom.core.contact import friction_at_slip
 from carom.core.jit.kernel import Vec, cross, dot, kernel, vector
 from carom.core.motion.phases import HELD
 from carom.core.motion.restitution import CONSTANT, restitution
@@ -218,7 +219,7 @@ def _push(
         one.met, balls[touched].touched = k, i
         touched += 1
     f = (push * n[0], push * n[1], push * n[2])
-    if world.pair_mu > 0:
+    if world.pair_mu > 0 or world.pair_drop > 0:
         w, w2 = one.cw, other.cw
         a, a2 = one.radius, other.radius
         s = cross((a * w[0] + a2 * w2[0], a * w[1] + a2 * w2[1], a * w[2] + a2 * w2[2]), n)
@@ -226,7 +227,8 @@ def _push(
         slip = math.sqrt(dot(t, t))
         mt = 1 / ((1 + 1 / one.kappa) / one.mass + (1 + 1 / other.kappa) / other.mass)
         # (what would end the slip within a step, if that is less: so also where there is none, for its derivatives)
-        c = mt / h if mt * slip <= world.pair_mu * push * h else world.pair_mu * push / slip
+        mu = friction_at_slip(world.pair_mu, world.pair_drop, world.pair_rate, slip)
+        c = mt / h if mt * slip <= mu * push * h else mu * push / slip
         f = (f[0] - c * t[0], f[1] - c * t[1], f[2] - c * t[2])
         twist = cross(n, f)
         _add(one.twist, twist, 1)
@@ -363,7 +365,7 @@ def _energies(balls: Any, count: int, mean: Vec) -> tuple[float, float, float]:
 @kernel
 def _restore(world: Any, balls: Any, count: int) -> None:
     """Scale the velocities to the energy before, where none is lost, or where the error of the steps has added some."""
-    elastic = world.pair_form == CONSTANT and world.pair_p[0] == 1 and world.pair_mu == 0
+    elastic = world.pair_form == CONSTANT and world.pair_p[0] == 1 and world.pair_mu == 0 and world.pair_drop == 0
     mean = _mean_velocity(balls, count)
     before, after, spins = _energies(balls, count, mean)
     if (elastic or after > before) and after > spins and before > spins:

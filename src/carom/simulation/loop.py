@@ -158,7 +158,7 @@ def _happen(
     elif kind == FLOOR:
         j, required, regime = meet_floor(world, features, balls, i)
     elif kind == BALL:
-        j, required, regime, many = meet_ball(world, balls, i, who)
+        j, required, regime, many = meet_ball(world, balls, i, who, users)
     elif kind == WALL:
         f = features[who]
         who = f.wall

@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.core.contact import NO_REGIME
 from carom.core.motion.phases import PHASES
 
 __all__ = [
@@ -29,8 +30,6 @@ EVENT_KINDS = tuple(
     dict.fromkeys(kind for kind in (*KINDS[:IN_CLUSTER], *PHASES) if kind not in ("start", "phase", "nothing"))
 )
 
-NO_REGIME = -1
-
 _NUMBER, _WHOLE, _VECTOR = "f8", "i8", ("f8", (3,))
 
 # A surface: a form of restitution and its three numbers (carom.core.motion.restitution), friction, tangential restitution.
@@ -45,6 +44,13 @@ WORLD = np.dtype(
         ("resistance", _NUMBER),
         ("spin_friction", _NUMBER),
         *((f"pair_{name}", *kind) for name, *kind in _SURFACE),
+        # friction that falls with the slip, mu + drop exp(-rate slip) (carom.core.contact.friction_at_slip): 0, 0 where it does not
+        ("pair_drop", _NUMBER),
+        ("pair_rate", _NUMBER),
+        (
+            "pair_law",
+            _WHOLE,
+        ),  # CONTACT_WALL, or from CALLED_WALL on the place of a law that is called, whose last number is pair_beta
         ("pair_modulus", _NUMBER),  # E* of the balls, Pa; 0: contacts take no time, one pair after the other
         ("together", _WHOLE),  # wall and floor act at once on a ball that the wall pushes down
     ]

@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.core.contact import STICK, one_contact, slip_velocity
+from carom.core.contact import STICK, friction_at_slip, one_contact, slip_velocity
 from carom.core.geometry.features import contact_normal
 from carom.core.jit.kernel import Vec, dot, kernel, vector
 from carom.core.motion.phases import FLIGHT, REST, ROLLING, ROUNDING, SLIDING, grounded
@@ -17,7 +17,7 @@ from carom.core.motion.rolling import UP
 from carom.laws.callbacks import call_user
 from carom.laws.conventional import conventional_reflection
 from carom.laws.law import CALLED_WALL, CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL, ROLLING_WALL, TWO_STEP_WALL
-from carom.laws.pair import pair_contact
+from carom.laws.pair import pair_as_wall, pair_contact, pair_slip, struck_as_wall
 from carom.laws.two_step import UNDEFINED
 from carom.laws.wall_and_floor.solver import STALL
 from carom.simulation.cluster import collide_cluster, overlaps_in_time, place_all
@@ -32,7 +32,10 @@ from carom.simulation.resting_contact import (
 )
 from carom.simulation.wall_and_floor import joint_impact
 
-__all__ = ["DONE", "REFUSED_ROLLING", "REFUSED_STALL", "REFUSED_UNDEFINED", "meet_ball", "meet_floor", "meet_wall"]
+__all__ = [
+    "DONE", "REFUSED_ROLLING", "REFUSED_STALL", "REFUSED_UNDEFINED", "line_of_centres", "meet_ball", "meet_floor", "meet_wall",
+    "pair_friction",
+]  # fmt: skip
 
 # How a run may end: DONE, or with an event for which the law has no answer.
 DONE, REFUSED_ROLLING, REFUSED_UNDEFINED, REFUSED_STALL = 0, 1, 2, 3
@@ -168,24 +171,45 @@ def meet_floor(world: Any, features: Any, balls: Any, i: int) -> tuple[Vec, floa
 
 
 @kernel
-def meet_ball(world: Any, balls: Any, i: int, k: int) -> tuple[Vec, float, int, int]:
+def line_of_centres(ball: Any, other: Any) -> Vec:
+    """Return the unit vector from the centre of the other ball to the centre of the first."""
+    x, y = vector(ball.x), vector(other.x)
+    r = (x[0] - y[0], x[1] - y[1], x[2] - y[2])
+    far = math.sqrt(dot(r, r))
+    return (r[0] / far, r[1] / far, r[2] / far)
+
+
+@kernel
+def pair_friction(world: Any, ball: Any, other: Any, n: Vec) -> float:
+    """Return the friction coefficient of two balls that meet: at the slip that they have, where it depends on it."""
+    if not world.pair_drop > 0:
+        return float(world.pair_mu)
+    v, w, v2, w2 = vector(ball.v), vector(ball.w), vector(other.v), vector(other.w)
+    _un, ut = pair_slip(v, w, v2, w2, n, ball.radius, other.radius)
+    return friction_at_slip(world.pair_mu, world.pair_drop, world.pair_rate, math.sqrt(dot(ut, ut)))
+
+
+@kernel
+def meet_ball(world: Any, balls: Any, i: int, k: int, users: Any) -> tuple[Vec, float, int, int]:
     """Resolve the impact of balls i and k: impulse on the first, required friction, regime.
 
     And how many balls were touched where contacts overlap in time (:func:`carom.simulation.cluster.collide_cluster`), else 0.
     """
     ball, other = balls[i], balls[k]
-    x, y = vector(ball.x), vector(other.x)
-    r = (x[0] - y[0], x[1] - y[1], x[2] - y[2])
-    far = math.sqrt(dot(r, r))
-    n = (r[0] / far, r[1] / far, r[2] / far)
+    n = line_of_centres(ball, other)
     v, w, v2, w2 = vector(ball.v), vector(ball.w), vector(other.v), vector(other.w)
     approach = dot((v2[0] - v[0], v2[1] - v[1], v2[2] - v[2]), n)
     pressed, driven = is_pressed_on_ball(world, ball, other, n, approach)
     e = 1.0 if driven else restitution(world.pair_form, vector(world.pair_p), max(approach, 0.0))
-    v, w, v2, w2, j, required, regime = pair_contact(
-        v, w, v2, w2, n, ball.radius, ball.mass, ball.kappa, other.radius, other.mass, other.kappa,
-        e, world.pair_mu, world.pair_beta,
-    )  # fmt: skip
+    a, m, kappa, a2, m2, kappa2 = ball.radius, ball.mass, ball.kappa, other.radius, other.mass, other.kappa
+    mu, last, law = pair_friction(world, ball, other, n), world.pair_beta, world.pair_law
+    if law >= CALLED_WALL:
+        before, spin, radius, inertia, mass = pair_as_wall(v, w, v2, w2, a, m, kappa, a2, m2, kappa2)
+        after, _spin = call_user(users[law - CALLED_WALL], before, spin, n, radius, inertia, e, mu, last)
+        v, w, v2, w2, j = struck_as_wall(v, w, v2, w2, n, before, after, mass, a, m, kappa, a2, m2, kappa2)
+        required, regime = 0 * mass, NO_REGIME
+    else:
+        v, w, v2, w2, j, required, regime = pair_contact(v, w, v2, w2, n, a, m, kappa, a2, m2, kappa2, e, mu, last)
     if world.pair_modulus > 0 and balls.shape[0] > 2 and not pressed:
         place_all(world, balls, i, k)
         if overlaps_in_time(world, balls, i, k, v, v2, approach):

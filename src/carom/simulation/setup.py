@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from carom.core.geometry.circles import rim_address
 from carom.core.geometry.features import RIM
 from carom.laws.callbacks import user_address
+from carom.laws.law import CALLED_WALL, CONTACT_WALL
 from carom.scene.scene import Scene
 from carom.simulation.records import BALLS, WORLD
 
@@ -58,7 +59,10 @@ def _set_up(scene: Scene, compiled: bool) -> SceneArrays:
         world["floor"], world["g"] = 1, -scene.gravity[2]
         _surface(world, "floor", floor.contact)
         world["resistance"], world["spin_friction"] = floor.rolling_resistance, floor.spin_friction
-    _surface(world, "pair", scene.ball_contact.contact)
+    law = scene.pair_law
+    _surface(world, "pair", scene.ball_contact.contact_of(law))
+    world["pair_law"] = CONTACT_WALL if law.one_contact else CALLED_WALL + scene.called_laws.index(law)
+    world["pair_mu"], world["pair_drop"], world["pair_rate"] = scene.ball_contact.friction_of(law)
     world["pair_modulus"] = scene.ball_contact.modulus
     world["together"] = scene.run.floor_contact == "with"
     balls = np.zeros(len(scene.balls), BALLS)

@@ -56,6 +56,8 @@ FILLED = {
         "pair_p",
         "pair_mu",
         "pair_beta",
+        "pair_drop",
+        "pair_rate",
     ),
     "features": ("e", "mu", "beta"),
     "balls": ("mass", "kappa"),

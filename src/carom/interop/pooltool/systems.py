@@ -139,7 +139,9 @@ def _pooltool_table(pt: Any, table: Table, turn: Array) -> Any:
 def _params(scene: Scene) -> dict[str, float]:
     """Return pooltool's numbers of the balls; those of which the scene has none, or a form, are pooltool's own."""
     ball, floor, wall, pair = scene.balls[0], scene.floor, scene.walls[0], scene.ball_contact
-    found = {"m": ball.mass, "R": ball.radius, "u_b": max(pair.friction, LEAST), "g": -scene.gravity[2]}
+    found = {"m": ball.mass, "R": ball.radius, "g": -scene.gravity[2]}
+    if isinstance(pair.friction, float):
+        found["u_b"] = max(pair.friction, LEAST)
     if floor is not None:
         found["u_s"] = max(floor.friction, LEAST)
         found["u_r"] = max(floor.rolling_resistance, LEAST)

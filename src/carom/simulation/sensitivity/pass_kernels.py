@@ -34,7 +34,7 @@ from carom.simulation.records import (
     SETTLED,
     WALL,
 )  # fmt: skip
-from carom.simulation.resolve import meet_ball, meet_floor, meet_wall
+from carom.simulation.resolve import line_of_centres, meet_ball, meet_floor, meet_wall, pair_friction
 from carom.simulation.resting_contact import stays_clear
 from carom.simulation.sensitivity.gaps import feature_gap, feature_gap_rate, pair_gap
 
@@ -202,8 +202,8 @@ def _resolve_event(
     approach = required = friction = as_dual(math.nan)
     if kind == BALL:
         approach = _closing(ball, balls[k])
-        _j, required, _regime, _many = meet_ball(world, balls, i, k)
-        friction = world.pair_mu
+        friction = pair_friction(world, ball, balls[k], line_of_centres(ball, balls[k]))
+        _j, required, _regime, _many = meet_ball(world, balls, i, k, users)
     elif kind == FLOOR:
         approach = -ball.v[2]
         _j, required, _regime = meet_floor(world, features, balls, i)
