@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import carom
-from carom.data import make_rebounds
+from carom.data import make_rebounds, rebounds_of_collisions
 from carom.fitting import Setting, cross_validation, fit_law, fit_laws, make_problem, tabulated
 from carom.fitting.adequacy import adequacy
 from carom.fitting.laws import laws_for, laws_named
@@ -250,3 +250,27 @@ def test_what_a_table_does_not_have_is_asked_of_the_law():
         assert tabulated.coarse_table(model_of(law, other)) is None
     assert tabulated.coarse_table(model_of(law, problem)) is not None
     assert tabulated.coarse_table(model_of(law, problem.select(np.arange(30)))) is None
+
+
+def test_restitution_and_friction_between_two_balls_come_back():
+    rng = np.random.default_rng(1)
+    n, sigma = 40, 0.01
+    speed, cut = rng.uniform(0.8, 3, n), np.radians(rng.uniform(-70, 70, n))
+    turn = rng.uniform(0, 2 * np.pi, n)  # (whatever the direction on the table)
+    centres = np.stack([np.cos(turn + cut), np.sin(turn + cut), 0 * cut], axis=-1)
+    rolling = carom.rolling(BALL, np.stack([speed * np.cos(turn), speed * np.sin(turn)], axis=-1))
+    rest = carom.State(np.zeros((n, 3)), np.zeros((n, 3)))
+    hit = carom.collide(BALL, rolling, BALL, rest, -centres, carom.Surface(0.93, 0.06))
+    one, other = (state.velocity[:, :2] + sigma * rng.normal(size=(n, 2)) for state in hit.after)
+    before = rolling.velocity[:, :2] + sigma * rng.normal(size=(n, 2))
+    table = rebounds_of_collisions(before, one, other, 0.06 * centres[:, :2], sigma_v=sigma)
+    ranking = carom.fit(table, radius=A, laws=["sliding"], spin="0")
+    assert ranking.fits
+    for name, value, error in (("restitution", 0.93, 0.003), ("friction", 0.06, 0.002)):
+        found = ranking.best.estimates[name]
+        assert abs(found.value - value) < 3 * found.stderr
+        assert found.stderr < error
+    with pytest.raises(carom.CaromError, match=r"struck: expected an array of shape \(40, 2\), got \(39, 2\)"):
+        rebounds_of_collisions(before, one, other[1:], centres[:, :2])
+    with pytest.raises(carom.CaromError, match=r"centres: expected a direction, got zero length at index \(3,\)"):
+        rebounds_of_collisions(before, one, other, centres[:, :2] * (np.arange(n) != 3)[:, None])

@@ -1,5 +1,6 @@
 from . import datasets as datasets
 from . import rebounds as rebounds
+from .collisions import rebounds_of_collisions as rebounds_of_collisions
 from .predict import PredictSettings as PredictSettings
 from .predict import PredictSummary as PredictSummary
 from .predict import predict_table as predict_table

@@ -252,7 +252,7 @@ def collide(
     [[0.025, 0.0, 0.0], [0.975, 0.0, 0.0]]
     >>> thrown = carom.collide(ball, striking, ball, rest, (-0.866, 0.5, 0.0), law="alciatore").after[1].velocity
     >>> thrown.round(4).tolist()
-    [0.7658, -0.4064, 0.0]
+    [0.7814, -0.3785, 0.0]
     """
     for field, value, kind in (("ball", ball, Ball), ("state", state, State), ("other", other, Ball),
                                ("other_state", other_state, State), ("surface", surface, Surface)):  # fmt: skip
@@ -317,7 +317,7 @@ def _require_conditions(
     given += [b.radius, b.mass, b.kappa, c.radius, c.mass, c.kappa]
     v, w, a, kappa, m = pair_as_wall(*given)
     relative = State.of(np.stack(v, axis=-1), np.stack(np.broadcast_arrays(*w), axis=-1))
-    meeting = Meeting(Ball(a, m, kappa), relative, n, surface, stiffness_ratio=stiffness_ratio)
+    meeting = Meeting(Ball(a, m, kappa), relative, n, surface, stiffness_ratio=np.asarray(stiffness_ratio, dtype=float))
     for holds, expected, *_field in law.conditions(meeting):
         if not np.all(holds):
             raise CaromError(f"collide: expected {expected}, for the law {law.name}")
