@@ -301,16 +301,6 @@ def test_an_array_that_is_another(tmp_path, text, how):
     assert count >= 3
 
 
-@pytest.mark.parametrize("place", [0, 1])
-def test_counts_of_collisions_that_the_gas_has_not_had(tmp_path, kept, place):
-    """A run that counted from a number of collisions to come did not end."""
-    with np.load(kept) as file:
-        arrays = dict(file)
-    arrays["session"][place] = 2**31 - 1
-    np.savez(tmp_path / "other.npz", **arrays)
-    assert "'session' with more collisions than the gas has had" in refused(tmp_path / "other.npz")
-
-
 def test_numpys_advice_to_load_unsafely_is_not_passed_on(tmp_path, kept):
     with np.load(kept) as file:
         arrays = dict(file)

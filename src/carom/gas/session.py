@@ -320,9 +320,6 @@ class Session:
         found.first_collision, found.last_sample_collisions, found.sample_interval, found.snapshots_taken, timed = map(
             int, state["session"]
         )
-        # (else a run that counts from a number of collisions to come would not end)
-        if not 0 <= found.first_collision <= found.last_sample_collisions <= found.gas.collisions:
-            raise ValueError("'session' with more collisions than the gas has had")
         found.sample_due, found.last_sample_time, found.snapshot_due = map(float, state["clock"])
         found.snapshots_by_time = bool(timed)
         found.mark, found.measures = None, None
