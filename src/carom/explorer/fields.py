@@ -48,8 +48,8 @@ def scene_fields() -> dict[str, Any]:
 
 
 def _fields(model: type[Model]) -> dict[str, Any]:
-    # (a strike has become velocity and spin before a scene is shown)
-    return {name: _field(name, info) for name, info in model.model_fields.items() if name != "strike"}
+    # (a strike has become velocity and spin, and a rack positions, before a scene is shown)
+    return {name: _field(name, info) for name, info in model.model_fields.items() if name not in ("strike", "rack")}
 
 
 def _pair_fields() -> dict[str, Any]:

@@ -9,7 +9,6 @@ import functools
 import math
 from typing import Annotated, Any, Literal
 
-import numpy as np
 from pydantic import BeforeValidator, model_validator
 
 from carom.bodies import DISC_INERTIAS, INERTIAS, Ball, Disc, Surface
@@ -19,6 +18,8 @@ from carom.gas.containers import SHAPES, WALLS, Container, container
 from carom.gas.species import Drive, Species, Thermostat
 from carom.scene.schema import (
     Components,
+    Count,
+    CountOrZero,
     Friction,
     Length,
     Mass,
@@ -42,7 +43,6 @@ _TEMPERATURE = Number("a temperature k_B T >= 0", "J", least=0)
 _FREQUENCY = Number("a frequency > 0", "1/s", least=0, above=True)
 _RATE = Number("a rate > 0: kicks per ball per unit time", "1/s", least=0, above=True)
 _AMPLITUDE = Number("an amplitude >= 0", "m", least=0)
-_COUNT_LIMIT = 2**63  # counts are 64-bit integers
 _ENDINGS = (".csv", ".npz", ".gsd")
 
 
@@ -113,22 +113,6 @@ class GasContainer(Model):
 # --- species and contacts ------------------------------------------------------------------------------------------
 
 
-def _count(value: Any) -> int:
-    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 1:
-        raise refused("a whole number >= 1", shown(value))
-    if value >= _COUNT_LIMIT:
-        raise refused("a whole number < 2^63", shown(value))
-    return int(value)
-
-
-def _count_or_zero(value: Any) -> int:
-    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 0:
-        raise refused("a whole number >= 0", shown(value))
-    if value >= _COUNT_LIMIT:
-        raise refused("a whole number < 2^63", shown(value))
-    return int(value)
-
-
 def _inertia(value: Any) -> str | float:
     if not isinstance(value, str):
         return _KAPPA(value)
@@ -159,7 +143,7 @@ class GasSpecies(Model):
     """
 
     name: Annotated[str, BeforeValidator(_name)] = "a"
-    count: Annotated[int, BeforeValidator(_count)]
+    count: Count
     radius: Size
     mass: Mass = 1.0
     inertia: Annotated[str | float, BeforeValidator(_inertia)] | None = None
@@ -262,10 +246,10 @@ class GasSettings(Model):
     """
 
     start: Annotated[str, BeforeValidator(_start)] = "lattice"
-    equilibrate: Annotated[int, BeforeValidator(_count_or_zero)] | None = None
-    max_events: Annotated[int, BeforeValidator(_count)] | None = None
+    equilibrate: CountOrZero | None = None
+    max_events: Count | None = None
     duration: Time | None = None
-    seed: Annotated[int, BeforeValidator(_count_or_zero)] = 0
+    seed: CountOrZero = 0
 
     @model_validator(mode="after")
     def _ends(self) -> GasSettings:

@@ -1,6 +1,7 @@
 from .ball import SceneBall as SceneBall
 from .ball_contact import BallContact as BallContact
 from .pockets import Pockets as Pockets
+from .rack import Rack as Rack
 from .scene import Floor as Floor
 from .scene import Run as Run
 from .scene import Scene as Scene

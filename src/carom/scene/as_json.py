@@ -15,8 +15,9 @@ def scene_dict(scene: Scene) -> dict[str, Any]:
     """Return a scene as lists, dicts and SI numbers, with the names of a scene file; infinity is the string "inf".
 
     Nothing is left to be inferred from other fields but the spin of a ball that rolls, which follows from its velocity (27) with
-    ``spin_z``: every ``inertia`` is a number, every position has three, and a ball that does not roll has a ``spin``. What is
-    not there is None: a floor, a name, a limit of the run, a wall's own law or a surface's number that its law does not read.
+    ``spin_z``: every ``inertia`` is a number, every position has three (a rack has become positions), and a ball that does not roll
+    has a ``spin``. What is not there is None: a floor, a name, a limit of the run, a wall's own law or a surface's number that its
+    law does not read.
 
     Examples
     --------
@@ -28,6 +29,7 @@ def scene_dict(scene: Scene) -> dict[str, Any]:
     ('inf', [1.0, 0.0, 0.03], 0.4)
     """
     found = plain_model(scene)
+    del found["rack"]
     for entry, ball in zip(found["balls"], scene.balls, strict=True):
         entry["inertia"] = float(ball.ball.kappa)
         if entry.pop("strike") is not None:

@@ -15,6 +15,10 @@ __all__ = ["table_scene"]
 GAP = 1e-4  # m: between racked balls, some of which touch in a real rack
 # said in scenes with a rack
 RACK = "# Contacts of the rack overlap in time, and are resolved together (docs, Ball-ball collisions)."
+GAPS = """\
+# In a real rack some balls touch. With gap = "0.05 mm" in this table the balls are laid anew around the first, so far apart, and
+# moved at random with gap_spread = "0.04 mm", so that no gap differs from it by more; seed = 1 draws another rack.
+[rack]"""
 WIDTH = 30  # of a field with its value, before its source
 # WPBSA, official rules: baulk-line and D, and where black stands, m
 BAULK, D_RADIUS, BLACK = 0.737, 0.292, 0.324
@@ -30,7 +34,7 @@ class Opening:
     velocity: tuple[float, float]
     spin_z: float = 0.0
     duration: float = 20.0
-    racked: bool = False
+    racked: tuple[str, ...] = ()
 
 
 def table_scene(name: str) -> str:
@@ -71,6 +75,9 @@ def table_scene(name: str) -> str:
             lines += [f"velocity = [{opening.velocity[0]:g}, {opening.velocity[1]:g}]", "rolling = true"]
             lines += [f"spin_z = {opening.spin_z:g}"] if opening.spin_z else []
         lines.append("")
+    if opening.racked:
+        names = textwrap.wrap(", ".join(f'"{name}"' for name in opening.racked), 110)
+        lines += [GAPS, "balls = [", *(f"    {line}" for line in names), "]", ""]
     lines += ["[ball_contact]", *_numbers(preset.parts["ball_contact"]), ""]
     lines += ["[run]", 'law = "two-step"', f"duration = {opening.duration:g}", "", *_sources(preset)]
     return "\n".join(lines) + "\n"
@@ -139,7 +146,9 @@ def _pool(length: float, radius: float) -> Opening:
     far = math.hypot(dx, dy)
     velocity = (round(BREAK_SPEED * dx / far, 2), round(BREAK_SPEED * dy / far, 3))
     about = "The break: white meets the rack from the head string."
-    return Opening(about, [("white", -length / 4, -BREAK_FROM), *rack], velocity, 0.0, 15.0, racked=True)
+    return Opening(
+        about, [("white", -length / 4, -BREAK_FROM), *rack], velocity, 0.0, 15.0, tuple(name for name, *_ in rack)
+    )
 
 
 def _snooker(length: float, radius: float) -> Opening:
@@ -151,4 +160,6 @@ def _snooker(length: float, radius: float) -> Opening:
         ("black", length / 2 - BLACK, 0.0),
     ]  # fmt: skip
     about = "The break-off: white grazes the last row of the reds and comes back to baulk."
-    return Opening(about, [("white", baulk, -0.14), *colours, *reds], (4.3, 0.008), -20.0, 20.0, racked=True)
+    return Opening(
+        about, [("white", baulk, -0.14), *colours, *reds], (4.3, 0.008), -20.0, 20.0, tuple(name for name, *_ in reds)
+    )

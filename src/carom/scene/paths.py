@@ -175,7 +175,14 @@ def replaced(model: AnyModel, changes: Mapping[str, Any]) -> AnyModel:
             for key in place[:-1]:
                 here = here.setdefault(key, {})
             here[place[-1]] = _Leaf(value)
-    return type(model)(**_fields(model, tree))
+    made = type(model)(**_fields(model, tree))
+    balls = tree.get("balls")
+    if isinstance(made, Scene) and made.rack is not None and isinstance(balls, dict):
+        for i, change in balls.items():
+            if made.rack.lays(name := made.ball_names[i]) and isinstance(change, dict) and "position" in change:
+                got = f"a ball of the rack, {name!r}, whose place follows from rack.gap"
+                raise CaromError(Fault("path", f"balls.{name}.position", "a ball that is placed by itself", got))
+    return made
 
 
 class _Leaf(NamedTuple):

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Annotated, Any, Literal
 
 import numpy as np
@@ -27,10 +27,12 @@ from carom.scene.among_balls import TOUCH, name_faults, overlap_faults
 from carom.scene.ball import SceneBall
 from carom.scene.ball_contact import BallContact
 from carom.scene.feature_builders import Feature
+from carom.scene.rack import Rack
 from carom.scene.restitution import Bounce, Constant
 from carom.scene.schema import (
     Acceleration,
     Components,
+    Count,
     Friction,
     Model,
     NotNegative,
@@ -78,12 +80,6 @@ class Floor(Model):
         return contact(self.restitution, self.friction, self.tangential_restitution)
 
 
-def _count(value: Any) -> int:
-    if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < 1:
-        raise refused("a whole number >= 1", shown(value))
-    return int(value)
-
-
 class Run(Model):
     """Run settings: the law of the walls, and when to stop.
 
@@ -106,7 +102,7 @@ class Run(Model):
 
     law: LawChoice = "two-step"
     duration: Time | None = None
-    max_events: Annotated[int, BeforeValidator(_count)] | None = None
+    max_events: Count | None = None
     floor_contact: Literal["with", "after"] = "with"
 
 
@@ -127,6 +123,7 @@ class Scene(Model):
     gravity : m/s^2: a number, downwards, or 3 numbers; default: 9.80665
     floor : Floor; default: none
     walls : walls of any shape (:mod:`carom.scene`); default: none
+    rack : Rack: which balls lie in a rack, and the gaps between them; default: none
     balls : SceneBalls, at least one
     ball_contact : BallContact; default: elastic, without friction
     run : Run; default: the two-step law, no limits
@@ -151,6 +148,7 @@ class Scene(Model):
     )
     floor: Floor | None = None
     walls: tuple[AnyWall, ...] = ()
+    rack: Rack | None = None
     balls: Annotated[tuple[SceneBall, ...], Field(validate_default=True)] = ()
     ball_contact: BallContact = BallContact()
     run: Run = Run()
@@ -158,15 +156,24 @@ class Scene(Model):
     @field_validator("balls")
     @classmethod
     def _placed(cls, balls: tuple[SceneBall, ...], info: ValidationInfo) -> tuple[SceneBall, ...]:
-        """Balls with three numbers for a position: on the floor, or in the plane z = 0."""
+        """Balls with three numbers for a position: on the floor, or in the plane z = 0; of a rack, with its gaps."""
         if not balls:
             raise refused("at least one ball", "none", "a file has a table [[balls]] for each")
-        floor = info.data.get("floor")
-        return tuple(
+        floor, rack = info.data.get("floor"), info.data.get("rack")
+        placed = tuple(
             ball
             if len(ball.position) == 3
             else ball.model_copy(update={"position": (*ball.position, ball.radius if floor else 0.0)})
             for ball in balls
+        )
+        names = _names(placed)
+        if rack is None or rack.gap is None or rack.faults(names, placed):
+            return placed
+        first = placed[names.index(rack.balls[0])]
+        laid = dict(zip(rack.balls, rack.places(first.center, first.radius), strict=True))
+        return tuple(
+            ball.model_copy(update={"position": laid[name]}) if name in laid else ball
+            for name, ball in zip(names, placed, strict=True)
         )
 
     @model_validator(mode="after")
@@ -264,7 +271,7 @@ class Scene(Model):
     @property
     def ball_names(self) -> tuple[str, ...]:
         """Return the balls' names; of one without, its number."""
-        return tuple(ball.name or f"ball {i}" for i, ball in enumerate(self.balls))
+        return _names(self.balls)
 
     def describe(self) -> str:
         """Return one line: floor, walls, balls, law, limits of the run."""
@@ -272,6 +279,8 @@ class Scene(Model):
         shown = words if len(words) <= 3 else [*words[:2], f"{len(words) - 2} more walls"]
         floor = [] if self.floor is None else ["a floor"]
         balls = f"{len(self.balls)} ball{'s' if len(self.balls) > 1 else ''}"
+        if self.rack is not None and self.rack.gap is not None:
+            balls += f" ({self.rack.describe()})"
         laws = dict.fromkeys(map(law_name, self.wall_laws)) or {law_name(self.run.law): None}
         law = f"law{'s' if len(laws) > 1 else ''} {' and '.join(laws)}"
         run = [] if self.run.duration is None else [format_time(self.run.duration)]
@@ -279,9 +288,14 @@ class Scene(Model):
         return ", ".join([*floor, *shown, balls, law, *run])
 
 
+def _names(balls: Sequence[SceneBall]) -> tuple[str, ...]:
+    return tuple(ball.name or f"ball {i}" for i, ball in enumerate(balls))
+
+
 def scene_faults(scene: Scene) -> list[Fault]:
     """Return all problems of a scene whose parts are valid."""
     among = [*name_faults(scene.balls, scene.ball_names), *overlap_faults(scene.balls)]
+    among += [] if scene.rack is None else scene.rack.faults(scene.ball_names, scene.balls)
     return [*_floor_faults(scene), *_law_faults(scene), *_wall_overlaps(scene), *among]
 
 

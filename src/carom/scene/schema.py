@@ -303,6 +303,22 @@ class Components:
         raise refused(self.what, shown(value))
 
 
+@dataclass(frozen=True)
+class Whole:
+    """Expectation of a whole number."""
+
+    what: str
+    least: int
+
+    def __call__(self, value: Any) -> int:
+        """The number as an int."""
+        if isinstance(value, bool) or not isinstance(value, (int, np.integer)) or value < self.least:
+            raise refused(self.what, shown(value))
+        if value >= 1 << 63:
+            raise refused("a whole number < 2^63", shown(value))
+        return int(value)
+
+
 def _not_zero(value: Vector) -> Vector:
     if not any(value):
         raise refused("a direction, not all zero", repr(list(value)))
@@ -310,6 +326,8 @@ def _not_zero(value: Vector) -> Vector:
 
 
 Flag = Annotated[bool, Strict()]
+Count = Annotated[int, BeforeValidator(Whole("a whole number >= 1", 1))]
+CountOrZero = Annotated[int, BeforeValidator(Whole("a whole number >= 0", 0))]
 Coefficient = Annotated[float, BeforeValidator(Number("a number"))]
 PositiveNumber = Annotated[float, BeforeValidator(Number("a number > 0", least=0, above=True))]
 NotNegative = Annotated[float, BeforeValidator(Number("a number >= 0", least=0))]
@@ -321,6 +339,7 @@ Friction = Annotated[
 
 Length = Annotated[float, BeforeValidator(Number("a length in m", "m"))]
 Size = Annotated[float, BeforeValidator(Number("a length in m, > 0", "m", least=0, above=True))]
+Gap = Annotated[float, BeforeValidator(Number("a length in m, >= 0", "m", least=0))]
 Extent = Annotated[float, BeforeValidator(Number("a length in m, or inf", "m", infinite=True))]
 Mass = Annotated[float, BeforeValidator(Number("a mass in kg, > 0", "kg", least=0, above=True))]
 Modulus = Annotated[float, BeforeValidator(Number("Young's modulus in Pa, > 0", "Pa", least=0, above=True))]
