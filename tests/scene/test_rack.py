@@ -101,6 +101,21 @@ def test_a_place_of_a_ball_that_the_gaps_lay_is_refused_and_so_are_two_radii() -
         carom.replaced(laid, {"balls.4.radius": 0.027})
 
 
+def test_balls_that_are_too_soft_or_too_hard_are_refused_in_one_line() -> None:
+    for young, said in (
+        (
+            1.0,
+            r"ball_contact\.young: expected at least 4\.\d+e\+06 Pa: softer balls press deeper than 14.3 mm at 9.5 m/s",
+        ),
+        (1e16, r"ball_contact\.young: expected at most 1e\+15 Pa, got 1e\+16 Pa"),
+    ):
+        with pytest.raises(carom.CaromError, match=said) as caught:
+            carom.replaced(POOL, {"ball_contact.young": young})
+        assert len(caught.value.faults) == 1
+    assert carom.replaced(POOL, {"ball_contact.young": 1.0, "ball_contact.overlap": False}).ball_contact.young == 1
+    assert carom.replaced(POOL, {"ball_contact.young": 5e6}).ball_contact.young == 5e6
+
+
 def test_a_rack_that_overlaps_by_digits_passes_and_a_deeper_one_says_how_much_and_which() -> None:
     balls = [{"radius": A, "mass": 0.17, "position": (x, 0, A)} for x in (0.0, 2 * A - 7e-10)]
     assert len(carom.Scene(balls=balls).balls) == 2

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 import numpy as np
@@ -9,12 +10,15 @@ import numpy as np
 from carom.errors import Fault, FaultList
 from carom.formatting import format_length
 from carom.scene.ball import SceneBall
+from carom.scene.ball_contact import BallContact
 from carom.scene.wall import format_vector
 
-__all__ = ["BALLS_TOUCH", "TOUCH", "name_faults", "overlap_faults"]
+__all__ = ["BALLS_TOUCH", "TOUCH", "name_faults", "overlap_faults", "stiffness_faults"]
 
 TOUCH = 1e-9  # of the radius: what overlaps by less touches
 BALLS_TOUCH = 1e-7  # so do balls: a rack in a file is rounded to some digits
+DEEPEST = 0.5  # of the radius: softer balls would press deeper, where Hertz's force is no answer
+HARDEST = 1e15  # Pa, a thousand times that of diamond: harder balls press less than they may overlap
 
 
 def name_faults(balls: Sequence[SceneBall], names: Sequence[str]) -> list[Fault]:
@@ -51,3 +55,27 @@ def overlap_faults(balls: Sequence[SceneBall]) -> list[Fault]:
         advice = f"move it by {format_length(deep)} or more"
         faults.add(f"balls[{two}].position", "a place where the ball touches nothing", got, advice)
     return faults
+
+
+def stiffness_faults(contact: BallContact, balls: Sequence[SceneBall]) -> list[Fault]:
+    """Report balls so soft that the fastest would press one alike by more than half its radius, or harder than any matter.
+
+    Two elastic balls press (15 m u^2 / (16 E* sqrt(R*)))^(2/5) deep (K. L. Johnson, Contact Mechanics, 11.4; m and R* are halves).
+    """
+    if not contact.modulus > 0 or len(balls) < 2:
+        return []
+    speeds = [math.hypot(*ball.state.velocity) for ball in balls]
+    u, ball = max(zip(speeds, balls, strict=True), key=lambda one: one[0])
+    a = ball.radius
+    modulus = 15 * ball.mass / 2 * u * u / (16 * math.sqrt(a / 2) * (DEEPEST * a) ** 2.5)
+    least = contact.young * modulus / contact.modulus
+    at, got, advice = "ball_contact.young", f"{contact.young:.3g} Pa", "overlap = false takes contacts as hard"
+    found = FaultList()
+    if contact.young < least:
+        expected = (
+            f"at least {least:.3g} Pa: softer balls press deeper than {format_length(DEEPEST * a)} at {u:.3g} m/s"
+        )
+        found.add(at, expected, got, advice)
+    if contact.young > HARDEST:
+        found.add(at, f"at most {HARDEST:g} Pa", got, advice)
+    return found

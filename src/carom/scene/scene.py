@@ -23,7 +23,7 @@ from carom.formatting import format_length, format_time
 from carom.laws.law import CALLED_WALL, Law, Meeting
 from carom.laws.registry import laws
 from carom.laws.user import find_law
-from carom.scene.among_balls import TOUCH, name_faults, overlap_faults
+from carom.scene.among_balls import TOUCH, name_faults, overlap_faults, stiffness_faults
 from carom.scene.ball import SceneBall
 from carom.scene.ball_contact import BallContact
 from carom.scene.feature_builders import Feature
@@ -295,6 +295,7 @@ def _names(balls: Sequence[SceneBall]) -> tuple[str, ...]:
 def scene_faults(scene: Scene) -> list[Fault]:
     """Return all problems of a scene whose parts are valid."""
     among = [*name_faults(scene.balls, scene.ball_names), *overlap_faults(scene.balls)]
+    among += stiffness_faults(scene.ball_contact, scene.balls)
     among += [] if scene.rack is None else scene.rack.faults(scene.ball_names, scene.balls)
     return [*_floor_faults(scene), *_law_faults(scene), *_wall_overlaps(scene), *among]
 
