@@ -15,6 +15,7 @@ import carom
 from carom.laws.law import contact_kernel
 from carom.laws.registry import laws_of_pairs
 from carom.scene.paths import replaced
+from carom.simulation.law_notes import law_notes
 
 POOL = {"radius": 0.028575, "mass": 0.17}
 REST = carom.State((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
@@ -216,3 +217,23 @@ def test_a_law_in_a_file_beside_the_scene(tmp_path: Any) -> None:
     found = carom.simulate(carom.load_scene(tmp_path / "scene.toml", allow_own_laws=True))
     right = carom.simulate(scene("contact", friction=0.0))
     assert found.final.velocity == pytest.approx(right.final.velocity, abs=1e-14)
+
+
+def test_a_law_of_pairs_that_creates_energy_is_told() -> None:
+    def doubled(v: Any, w: Any, n: Any, a: float, kappa: float, e: float, mu: float, beta: float) -> Any:
+        u = 3 * (v[0] * n[0] + v[1] * n[1] + v[2] * n[2])
+        return (v[0] - u * n[0], v[1] - u * n[1], v[2] - u * n[2]), w
+
+    def passes(v: Any, w: Any, n: Any, a: float, kappa: float, e: float, mu: float, beta: float) -> Any:
+        return v, w
+
+    card = carom.Card("mine", "", (), "", "", "")
+    run = carom.simulate(scene(carom.wall_law(card, doubled)))
+    assert run.scene.describe() == "2 balls, law two-step, balls by mine, 1 s"
+    (told,) = law_notes(run)
+    assert told.startswith("law mine creates energy: first at t = 0.1")
+    assert "ball 0 at ball 1" in told
+    assert told.endswith(" J in all")
+    (told,) = law_notes(carom.simulate(scene(carom.wall_law(card, passes), restitution=1.0), max_events=1))
+    assert told.startswith("law mine leaves two balls moving into each other: first at t = 0.1")
+    assert law_notes(carom.simulate(scene("alciatore"))) == []

@@ -274,7 +274,7 @@ class Scene(Model):
         return _names(self.balls)
 
     def describe(self) -> str:
-        """Return one line: floor, walls, balls, law, limits of the run."""
+        """Return one line: floor, walls, balls, laws, limits of the run."""
         words = [wall.describe() for wall in self.walls]
         shown = words if len(words) <= 3 else [*words[:2], f"{len(words) - 2} more walls"]
         floor = [] if self.floor is None else ["a floor"]
@@ -283,6 +283,8 @@ class Scene(Model):
             balls += f" ({self.rack.describe()})"
         laws = dict.fromkeys(map(law_name, self.wall_laws)) or {law_name(self.run.law): None}
         law = f"law{'s' if len(laws) > 1 else ''} {' and '.join(laws)}"
+        pair = law_name(self.ball_contact.law)
+        law += "" if pair == "contact" else f", balls by {pair}"
         run = [] if self.run.duration is None else [format_time(self.run.duration)]
         run += [] if self.run.max_events is None else [f"at most {self.run.max_events:,} events"]
         return ", ".join([*floor, *shown, balls, law, *run])

@@ -1,4 +1,4 @@
-"""Objections of a run to the laws of its walls: energy created, balls left moving into the wall."""
+"""Objections of a run to the laws of its walls and pairs: energy created, balls left moving into what they have met."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from carom.formatting import counted, format_number
 from carom.laws.registry import laws
 from carom.scene.wall import law_name
 from carom.simulation.narrate import wall_normal
-from carom.simulation.records import WALL
+from carom.simulation.records import BALL, IN_CLUSTER, START, WALL
 from carom.simulation.trajectory import Trajectory
 
 __all__ = ["law_notes"]
@@ -20,33 +20,57 @@ LOOKED_AT = 1000  # contacts of a law, for the direction in which balls leave
 
 
 def law_notes(run: Trajectory) -> list[str]:
-    """Return a line for each law that creates energy, and for each custom one that leaves balls moving into the wall."""
+    """Return a line for each law that creates energy, and for each custom one that leaves a ball moving into what it has met."""
     rows = run.log[run.log["kind"] == WALL]
-    with np.errstate(over="ignore", invalid="ignore"):  # (a law that doubles speeds soon has no number for the energy)
-        before = np.asarray(run.kinetic_energy(rows["ball"], rows["v_before"], rows["w_before"]))
-        gained = np.asarray(run.kinetic_energy(rows["ball"], rows["v"], rows["w"]) - before)
-    known = {law.name for law in laws().values()}
     names = np.array([law_name(law) for law in run.scene.wall_laws], dtype=object)[rows["other"]]
     found = []
     for name in dict.fromkeys(names):
-        own = names == name
-        created = own & (gained > ROUNDING * before)
-        if created.any():
-            in_all = f"{counted(int(created.sum()), 'contact')}, {format_number(float(gained[created].sum()))} J in all"
-            first = int(created.argmax())
-            found.append(
-                f"law {name} creates energy: first {_where(run, rows[first])}, {format_number(float(gained[first]))} J; {in_all}"
-            )
-        if name not in known and (row := _into_the_wall(run, rows[own][:LOOKED_AT])) is not None:
+        own = rows[names == name]
+        found += _created(run, name, own, own[:0])
+        if name not in laws() and (row := _into_the_wall(run, own[:LOOKED_AT])) is not None:
             found.append(
                 f"law {name} leaves the ball moving into the wall: first {_where(run, row)}; expected n . v >= 0 after it"
             )
+    return found + _notes_on_pairs(run)
+
+
+def _notes_on_pairs(run: Trajectory) -> list[str]:
+    """Return the lines on the law by which two balls meet, where no contacts overlap in time."""
+    name = law_name(run.scene.ball_contact.law)
+    kinds = np.append(run.log["kind"], START)
+    first = np.flatnonzero(kinds == BALL)[::2]
+    first = first[kinds[first + 2] != IN_CLUSTER]
+    rows, others = run.log[first], run.log[first + 1]
+    found = _created(run, name, rows, others)
+    n, v = rows["x"] - others["x"], rows["v"] - others["v"]
+    sizes = np.linalg.norm(n, axis=1) * (np.linalg.norm(rows["v"], axis=1) + np.linalg.norm(others["v"], axis=1))
+    meets = np.flatnonzero((n * v).sum(axis=1) < -ROUNDING * sizes)
+    if name not in laws() and len(meets):
+        where = _where(run, rows[meets[0]])
+        found.append(f"law {name} leaves two balls moving into each other: first {where}; expected n . v >= 0 after it")
     return found
 
 
+def _created(run: Trajectory, name: str, rows: Any, others: Any) -> list[str]:
+    """Return a line if a law creates energy in contacts; ``others`` are the second balls, where balls meet."""
+    with np.errstate(over="ignore", invalid="ignore"):  # (a law that doubles speeds soon has no number for the energy)
+        before, after = (
+            sum(np.asarray(run.kinetic_energy(x["ball"], x[v], x[w])) for x in (rows, others) if len(x))
+            for v, w in (("v_before", "w_before"), ("v", "w"))
+        )
+        gained = np.asarray(after - before)
+        created = gained > ROUNDING * before
+    if not created.any():
+        return []
+    in_all = f"{counted(int(created.sum()), 'contact')}, {format_number(float(gained[created].sum()))} J in all"
+    first = int(created.argmax())
+    where, energy = _where(run, rows[first]), format_number(float(gained[first]))
+    return [f"law {name} creates energy: first {where}, {energy} J; {in_all}"]
+
+
 def _where(run: Trajectory, row: Any) -> str:
-    ball, wall = run.scene.ball_names[row["ball"]], run.scene.wall_names[row["other"]]
-    return f"at t = {float(row['t']):.4g} s, {ball} at {wall}"
+    names = run.scene.ball_names if row["met"] == BALL else run.scene.wall_names
+    return f"at t = {float(row['t']):.4g} s, {run.scene.ball_names[row['ball']]} at {names[row['other']]}"
 
 
 def _into_the_wall(run: Trajectory, rows: Any) -> Any:
