@@ -45,7 +45,7 @@ def one(law: str, camera: Camera, seed: int, shots: int) -> dict[str, Any]:
         on, measured, rebounds = filmed(LAWS[law], camera, seed, shots)
     except CaromError as error:
         return {"why": error.faults[0]}
-    cloth = measured.floor.get("cloth friction", (0.2, 0.0))
+    cloth = measured.floor.get("floor friction", (0.2, 0.0))
     fit = fit_law(laws_named([law], "table", False)[0][0], make_problem(rebounds, SETTING)[0])
     fit = with_profiles(fit, INTERVALS)
     truth = {

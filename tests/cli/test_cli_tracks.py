@@ -47,7 +47,7 @@ def test_what_people_see(
     for word in (
         "named columns",
         "60 frames per second",
-        "cloth friction",
+        "floor friction",
         "bottom",
         "right",
         "2 contacts, 2 measured",
@@ -156,7 +156,7 @@ def test_options_that_do_not_fit_the_file_are_told(
     assert "the file's times say 60 frames per second; --rate 100 overrides them" in notes
     assert "100 frames per second" in told
     assert "--scale overrides the unit in" in notes
-    assert "cloth friction" not in told  # nothing was measured: the literature's is no finding
+    assert "floor friction" not in told  # nothing was measured: the literature's is no finding
     _code, _told, notes = run(capsys, monkeypatch, str(shot_file), "--view", "side")
     assert "is the scale (--scale)" in notes
 

@@ -39,24 +39,24 @@ def test_the_mean_over_films_is_known_as_far_as_films_differ(sizes):
     assert told.stderr == pytest.approx(weight.sum() ** -0.5 / V, rel=0.01)
     assert abs(told.value - 0.8) < 3 * told.stderr
     assert [one.name for one in fit.problem.shared] == [
-        f"cloth friction (film {k})" for k, size in enumerate(sizes) if size > 1
+        f"floor friction (film {k})" for k, size in enumerate(sizes) if size > 1
     ]
     assert 0.3 < fit.chi2 / fit.dof < 2
 
 
 def test_the_law_s_floor_follows_every_film_with_its_weight():
     sizes, sigma = (3, 2, 1, 1), np.array([0.01, 0.02, 0.02, 0.04])
-    told = {"cloth_friction": np.repeat([0.2, 0.21, 0.19, 0.2], sizes), "sigma_cloth_friction": np.repeat(sigma, sizes)}
+    told = {"floor_friction": np.repeat([0.2, 0.21, 0.19, 0.2], sizes), "sigma_floor_friction": np.repeat(sigma, sizes)}
     rebounds = films(sizes, **told)
-    value, error, count = film_says(rebounds, "cloth_friction")
+    value, error, count = film_says(rebounds, "floor_friction")
     assert count == 4
     names = ("v_n_in", "v_t_in", "spin_z_in", "v_n_out", "v_t_out", "spin_z_out")
     found = {one.name: one for one in shared_errors(rebounds, names, error)}
     weight = sigma**-2 / (sigma**-2).sum()
     assert value == pytest.approx((weight * [0.2, 0.21, 0.19, 0.2]).sum())
-    assert found["cloth friction (film 0)"].floor == pytest.approx(weight[0] * sigma[0])
-    assert found["cloth friction (film 1)"].floor == pytest.approx(weight[1] * sigma[1])
-    assert found["cloth friction"].floor == pytest.approx(np.hypot(weight[2] * sigma[2], weight[3] * sigma[3]))
+    assert found["floor friction (film 0)"].floor == pytest.approx(weight[0] * sigma[0])
+    assert found["floor friction (film 1)"].floor == pytest.approx(weight[1] * sigma[1])
+    assert found["floor friction"].floor == pytest.approx(np.hypot(weight[2] * sigma[2], weight[3] * sigma[3]))
     assert np.sqrt(sum(one.floor**2 for one in found.values())) == pytest.approx(error)
 
 

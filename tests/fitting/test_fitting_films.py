@@ -107,7 +107,7 @@ def test_profiles_and_bootstrap_have_the_errors_that_all_rows_share(rolling):
     assert np.ptp(one.interval_95) / 2 == pytest.approx(1.96 * wanted, rel=0.02)
     # where all rows are off together no row is: what the law says is measured lies amid what was
     assert abs((fit.problem.y - fit.predicted())[:, 0].mean()) < 4 * own / np.sqrt(n)
-    assert [one.name for one in fit.problem.shared] == ["cloth friction", "rolling resistance"][: 1 + (rolling > 0)]
+    assert [one.name for one in fit.problem.shared] == ["floor friction", "rolling resistance"][: 1 + (rolling > 0)]
 
 
 def test_a_fit_with_shared_errors_speaks_of_rows_without():
@@ -144,8 +144,8 @@ def test_the_film_s_error_of_the_floor_is_the_law_s_too():
     columns = {"v_n_in": v_n, "v_t_in": v_t, "spin_z_in": spin, "v_n_out": said[:, 0], "v_t_out": said[:, 1]}
     columns |= {f"sigma_{name}": np.full(30, 0.002) for name in ("v_n_out", "v_t_out")}
     film = {
-        "cloth_friction": np.full(30, 0.2),
-        "sigma_cloth_friction": np.full(30, 0.02),
+        "floor_friction": np.full(30, 0.2),
+        "sigma_floor_friction": np.full(30, 0.02),
         "cloth_v_n_out": np.full(30, 1e-9),
     }
     rebounds = make_rebounds("table", columns, stage="after_wall", extra=film)
@@ -170,9 +170,14 @@ def test_what_rolling_resistance_does_to_the_rows_is_what_it_does():
     free = measure(films, Settings(radius=0.0, view="above", noise=3e-4))
     value, error = free.floor["rolling resistance"]
     table = to_rebounds(free)
-    cloth = free.floor["cloth friction"][0]
+    cloth = free.floor["floor friction"][0]
     ends = [
-        to_rebounds(measure(films, Settings(radius=0.0, view="above", noise=3e-4, cloth=cloth, rolling=value + step)))
+        to_rebounds(
+            measure(
+                films,
+                Settings(radius=0.0, view="above", noise=3e-4, floor_friction=cloth, rolling_resistance=value + step),
+            )
+        )
         for step in (-error, error)
     ]
     assert np.array_equal(ends[0].extra["contact"], table.extra["contact"])
@@ -187,7 +192,7 @@ def test_what_rolling_resistance_does_to_the_rows_is_what_it_does():
 def test_from_a_film_to_restitution_and_friction():
     # all speeds hang on the cloth: taken for independent, the rows say more than they know
     on, measured, rebounds = filmed("after", CAMERA, 8, 30)
-    setting = Setting(radius=RADIUS, contact_height=NOSE / RADIUS, floor_friction=measured.floor["cloth friction"][0])
+    setting = Setting(radius=RADIUS, contact_height=NOSE / RADIUS, floor_friction=measured.floor["floor friction"][0])
     law = laws_named(["two-step-after"], "table", False)[0][0]
     fit = fit_law(law, make_problem(rebounds, setting)[0])
     for name in ("restitution", "friction", "spin_mean", "spin_width"):
@@ -298,7 +303,7 @@ def test_the_floor_is_what_the_film_says():
         problem, notes = make_problem(rebounds, setting or Setting(radius=RADIUS))
         return problem.setting.floor_friction, " ".join(note for note in notes if note.startswith("`floor_friction`"))
 
-    says = {"cloth_friction": np.full(12, "0.23"), "sigma_cloth_friction": np.full(12, "0.004")}  # as a file has it
+    says = {"floor_friction": np.full(12, "0.23"), "sigma_floor_friction": np.full(12, "0.004")}  # as a file has it
     assert floor() == (
         0.2,
         "`floor_friction` is not given: assumed to be 0.2; give it, or `fit` floor_friction",
@@ -310,8 +315,8 @@ def test_the_floor_is_what_the_film_says():
     assert floor(Setting(radius=RADIUS, fit=("floor_friction",)), **says) == (0.23, "")
     # of two films the one that knows better counts more; a film that did not measure it has no say
     two = {
-        "cloth_friction": np.repeat([0.2, 0.24, np.nan], 4),
-        "sigma_cloth_friction": np.repeat([0.01, 0.02, np.nan], 4),
+        "floor_friction": np.repeat([0.2, 0.24, np.nan], 4),
+        "sigma_floor_friction": np.repeat([0.01, 0.02, np.nan], 4),
     }
     value, said = floor(**two)
     assert value == pytest.approx((4 * 0.2 + 0.24) / 5)
@@ -331,7 +336,7 @@ def test_a_film_says_it_as_far_as_the_page(tmp_path, monkeypatch, capsys):
     films = [replace(seen(shot(rng, on=on), CAMERA, rng), group=f"shot {k}") for k in range(4)]
     measured = measure(films, Settings(radius=0.0, view="above"))
     to_rebounds(measured).save(tmp_path / "rebounds.csv")
-    value, error = measured.floor["cloth friction"]
+    value, error = measured.floor["floor friction"]
     assert abs(value - 0.26) < 4 * error < 0.1
     monkeypatch.chdir(tmp_path)
     words = ("fit", "rebounds.csv", "--radius", str(RADIUS), "--laws", "mirror", "--contact-height", "1.2", "--json")

@@ -164,8 +164,8 @@ def filmed(seed, n, sigma=0.004, shared=False):
     if shared:
         along = np.array([str(0.001 * sign) for sign in np.sign(vt)])
         extra = {
-            "cloth_friction": np.full(n, "0.2"),
-            "sigma_cloth_friction": np.full(n, "0.005"),
+            "floor_friction": np.full(n, "0.2"),
+            "sigma_floor_friction": np.full(n, "0.005"),
             "cloth_v_t_out": along,
         }
         setting = Setting(radius=A, contact_height=HEIGHT)

@@ -240,7 +240,7 @@ def test_scores_of_errors_that_all_rows_share_are_the_deviance_s_slopes(spin_see
     if not spin_seen:
         columns |= {"spin_z_in": np.full(n, np.nan)}
     columns |= {f"sigma_{name}": np.full(n, 0.05) for name in ("v_n_in", "v_t_in", "v_n_out", "v_t_out")}
-    film = {"cloth_friction": np.full(n, 0.2), "sigma_cloth_friction": np.full(n, 0.02), "cloth_v_n_out": 0.01 * vn}
+    film = {"floor_friction": np.full(n, 0.2), "sigma_floor_friction": np.full(n, 0.02), "cloth_v_n_out": 0.01 * vn}
     film |= {"cloth_v_t_out": 0.01 * vt, "rolling_v_n_in": -0.01 * vt, "rolling_v_t_in": 0.02 * vn}
     setting = Setting(radius=0.03, contact_height=1.2)
     problem, _ = make_problem(make_rebounds("table", columns, stage="after_wall", extra=film), setting)

@@ -154,7 +154,7 @@ def test_the_number_of_threads_and_the_size_of_blocks_change_nothing() -> None:
 
 
 def test_impacts_are_what_compare_gives() -> None:
-    case = sweeps.ImpactCase(restitution=0.85, friction=0.2, cushion_height=1.2, floor_friction=0.2)
+    case = sweeps.ImpactCase(restitution=0.85, friction=0.2, contact_height=1.2, floor_friction=0.2)
     parameters = {
         "law": ["mirror", "two-step", "conventional", "mathavan2010"],
         "angle": [0.0, 20.0, 70.0],

@@ -83,7 +83,7 @@ def test_long_hops_are_measured_and_the_cloth_with_them() -> None:
     assert max(t["hop"] for t in told) > 0.08
     for one, t in zip(measured.measured, told, strict=True):
         assert abs(one.fit["hop"] - t["hop"]) < 3.5 * one.fit.error("hop")
-    cloth = measured.floor["cloth friction"]
+    cloth = measured.floor["floor friction"]
     assert abs(cloth.value - FLOOR) < 3 * cloth.error
 
 

@@ -137,7 +137,7 @@ def test_what_is_found_of_the_track_and_the_table() -> None:
     assert {wall.name for wall in measured.walls} == {"bottom", "right"}
     assert measured.noise == pytest.approx(2e-4, rel=0.15)
     assert measured.interval == pytest.approx(1 / 120)
-    value, error = measured.floor["cloth friction"]
+    value, error = measured.floor["floor friction"]
     assert abs(value - run.scene.floor.friction) < 3 * error
     assert [round(one.time, 2) for one in measured.contacts] == [round(row["t"], 2) for row in truth(run)]
     one = measured.contacts[0]
@@ -249,7 +249,7 @@ def test_a_given_wall_at_an_angle() -> None:
 
 def test_settings_are_checked() -> None:
     with pytest.raises(CaromError) as error:
-        measure([bare(60)], Settings(noise=0.0, cloth=-1.0, window=0.0))
+        measure([bare(60)], Settings(noise=0.0, floor_friction=-1.0, window=0.0))
     assert len(error.value.faults) == 3
     with pytest.raises(CaromError, match="three coordinates"):
         measure([Track("ball", np.arange(9.0), np.zeros((9, 3)))])
@@ -410,7 +410,7 @@ def test_the_floor_is_as_sure_as_the_frames(seed: int) -> None:
     measured = measure(films, ABOVE)
     assert measured.step == (0.0, 0.0)
     assert measured.noise == pytest.approx(3e-4, rel=0.05)
-    for label, true, most in (("cloth friction", on.cloth, 8e-4), ("rolling resistance", on.rolling, 2.5e-4)):
+    for label, true, most in (("floor friction", on.cloth, 8e-4), ("rolling resistance", on.rolling, 2.5e-4)):
         value, error = measured.floor[label]
         assert abs(value - true) < 3 * error
         assert error < most
@@ -428,12 +428,12 @@ def test_of_two_fits_with_the_same_frames_the_one_that_says_more_counts() -> Non
     for errors in ((0.5, 0.02), (0.02, 0.5)):
         fits = [fit(start, error) for start, error in zip((0.0, 0.5), errors, strict=True)]
         found, _known = pool_floor(fits, [("a", "b")] * 2, [prior] * 2, prior, 9.80665, [True, True])
-        assert found["cloth friction"][1] == pytest.approx(0.02 / 9.80665, rel=0.01)
+        assert found["floor friction"][1] == pytest.approx(0.02 / 9.80665, rel=0.01)
         # nor has one any that may have taken another motion for the floor
         found, _known = pool_floor(
             fits, [("a", "b")] * 2, [prior] * 2, prior, 9.80665, [error > 0.1 for error in errors]
         )
-        assert found["cloth friction"][1] > 0.3 / 9.80665
+        assert found["floor friction"][1] > 0.3 / 9.80665
 
 
 @pytest.mark.parametrize("spread", [0.0, 0.2, 0.8])
@@ -461,7 +461,7 @@ def test_balls_that_slide_where_rolling_is_taken_for_granted_say_nothing_of_the_
     # 20 shots; some meet a second cushion four or five frames after the first, too few to look for a slide in: the cloth was off
     # by three of its error bars
     on, measured, _rebounds = filmed("after", Camera(30, 3e-4), seed, 20)
-    value, error = measured.floor["cloth friction"]
+    value, error = measured.floor["floor friction"]
     assert abs(value - on.cloth) < 2 * error < 0.004
 
 
@@ -520,7 +520,7 @@ def test_the_script(
     monkeypatch.setattr(sys, "argv", ["real_rebounds.py", str(file), "--out", str(tmp_path / "rebounds.csv")])
     real_rebounds.main()
     told = capsys.readouterr().out
-    assert "cloth friction" in told
+    assert "floor friction" in told
     assert "straight line" in told
     table = read_rebounds(tmp_path / "rebounds.csv")
     assert set(table.extra["shot"]) <= {f"shot_{number}" for number in (3, 7, 43, 20, 21, 22)}

@@ -81,11 +81,20 @@ def show(
         bool,
         typer.Option("--hard", help="The wall is rigid: both motions meet on its line.", rich_help_panel=FLOOR),
     ] = False,
-    cloth: Annotated[
-        float | None, typer.Option(help="Coulomb friction of the floor. Default: fitted.", rich_help_panel=FLOOR)
+    floor_friction: Annotated[
+        float | None,
+        typer.Option(
+            "--floor-friction", "--cloth", help="Coulomb friction of the floor. Default: fitted.", rich_help_panel=FLOOR
+        ),
     ] = None,
-    rolling: Annotated[
-        float | None, typer.Option(help="Deceleration / g of a rolling ball. Default: fitted.", rich_help_panel=FLOOR)
+    rolling_resistance: Annotated[
+        float | None,
+        typer.Option(
+            "--rolling-resistance",
+            "--rolling",
+            help="Deceleration / g of a rolling ball. Default: fitted.",
+            rich_help_panel=FLOOR,
+        ),
     ] = None,
     gravity: Annotated[float, shared("gravity")] = GRAVITY,
     drag: Annotated[
@@ -138,8 +147,8 @@ def show(
     with working("contacts", console) as bar:
         films = measure_tracks(
             files, format=format_, scale=lengths["scale"], rate=rate, down=down, view=view, radius=radius, inertia=inertia,
-            wall=wall or (), hard=hard, cloth=cloth, rolling=rolling, gravity=gravity, drag=drag, noise=lengths["noise"],
-            window=window, blind=blind, progress=bar,
+            wall=wall or (), hard=hard, floor_friction=floor_friction, rolling_resistance=rolling_resistance, gravity=gravity,
+            drag=drag, noise=lengths["noise"], window=window, blind=blind, progress=bar,
         )  # fmt: skip
     names, found, measured = films.names, films.files, films.measured
     written = None

@@ -16,6 +16,7 @@ from carom.core.units import UNITS, Unit, unit_named
 
 __all__ = [
     "BRACKETS",
+    "OLD_COLUMNS",
     "STATE_COLUMNS",
     "ColumnNames",
     "Heading",
@@ -49,6 +50,8 @@ STATE_COLUMNS: dict[str, tuple[str, tuple[str, ...]]] = {
     "height": ("length", ()),
     **{f"normal_{k}": ("number", ()) for k in "xyz"},
 }
+# Names of other columns in tables of the release before: new -> old. They are read as the new ones.
+OLD_COLUMNS = {"floor_friction": "cloth_friction", "sigma_floor_friction": "sigma_cloth_friction"}
 BRACKETS = re.compile(r"^(.*?)\s*[\[(]([^\])]*)[\])]$")
 _NAME_AND_UNIT = re.compile(r"^(.*?\S)\s*(?:/|,|\bin\s)\s*(\S.*)$", re.IGNORECASE)
 # (the longest first: m_s before s)

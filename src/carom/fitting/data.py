@@ -20,7 +20,7 @@ __all__ = ["Problem", "make_problem", "prior_in_words"]
 Array = NDArray[np.float64]
 MAX_SHARED_VARIANCE = 0.95  # of a variance: the rest is a row's own
 MAX_CORRELATION = 0.95  # of errors before and after: a row with fully correlated errors would carry no information
-CLOTH_FRICTION = 0.2  # of a billiard table, by default
+FLOOR_FRICTION = 0.2  # of a billiard table, by default
 FEW_ROWS, SAME_ANGLE, SAME_SPEED = 12, 3.0, 1.3  # rows; degrees; ratio of the fastest to the slowest
 
 
@@ -216,7 +216,8 @@ def _no_numbers(rebounds: Rebounds) -> list[str]:
     """Return one line per cell that is not a number in the columns of shared errors and covariances."""
     faults = []
     for name, column in rebounds.extra.items():
-        if not name.removeprefix("sigma_").startswith((*(f"{prefix}_" for prefix in SHARED), "covariance_")):
+        prefixes = (*(f"{prefix}_" for prefix in SHARED), "covariance_", "floor_friction")
+        if not name.removeprefix("sigma_").startswith(prefixes):
             continue
         for i, cell in enumerate(column.tolist()):
             try:
@@ -232,16 +233,16 @@ def _with_floor(rebounds: Rebounds, setting: Setting) -> tuple[Setting, list[str
     if setting.floor_friction is not None:
         return setting, [], 0.0
     if rebounds.kind == "planar":
-        return replace(setting, floor_friction=CLOTH_FRICTION), [], 0.0
-    found = film_says(rebounds, "cloth_friction")
+        return replace(setting, floor_friction=FLOOR_FRICTION), [], 0.0
+    found = film_says(rebounds, "floor_friction")
     fitted = "floor_friction" in setting.fit or "floor_friction" in setting.fixed
     if found is None:
-        said = f"`floor_friction` is not given: assumed to be {CLOTH_FRICTION:g}; give it, or `fit` floor_friction"
-        return replace(setting, floor_friction=CLOTH_FRICTION), [] if fitted else [said], 0.0
+        said = f"`floor_friction` is not given: assumed to be {FLOOR_FRICTION:g}; give it, or `fit` floor_friction"
+        return replace(setting, floor_friction=FLOOR_FRICTION), [] if fitted else [said], 0.0
     value, error, films = found
     bar = f" ± {error:.2g}" if error else ""
     of = "from the film" if films == 1 else f"mean of {films} films"
-    said = f"`floor_friction` is {value:.4g}{bar}, {of} (column cloth_friction)"
+    said = f"`floor_friction` is {value:.4g}{bar}, {of} (column floor_friction)"
     return replace(setting, floor_friction=value), [] if fitted else [said], 0.0 if fitted else error
 
 

@@ -13,8 +13,9 @@ from carom.fitting.data import Problem
 from carom.fitting.laws import FittedLaw
 from carom.fitting.likelihood import TabulatedLaw
 from carom.fitting.model import STEPS, FitModel, model_of, predict_law
-from carom.fitting.parameters import FORMS, INDEX, NUMBERS
+from carom.fitting.parameters import FORMS, INDEX, NUMBERS, RENAMED
 from carom.formatting import json_value
+from carom.public.renamed import with_old_keys
 
 __all__ = [
     "Estimate", "Fit", "common_dict", "estimate_dict", "refit", "rows_of_fit", "scaled", "with_error_bar",
@@ -209,7 +210,7 @@ def common_dict(fit: Any) -> dict[str, Any]:
     """Return for JSON what fits to rebounds and to whole tracks have in common."""
     return {
         "law": fit.law.name, "aicc": json_value(fit.aicc), "chi2": json_value(fit.chi2), "dof": fit.dof,
-        "parameters": {name: estimate_dict(estimate) for name, estimate in fit.estimates.items()},
+        "parameters": with_old_keys({name: estimate_dict(one) for name, one in fit.estimates.items()}, RENAMED),
         "covariance": {"names": list(fit.names), "matrix": json_value(fit.covariance)},
     }  # fmt: skip
 

@@ -50,7 +50,7 @@ class Setting:
     """Height of the wall contact above the floor, in radii (billiard cushions: 1.2 to 1.4); for balls on a table. None: taken as 1,
     and a note says so."""
     floor_friction: float | None = None
-    """Friction of the floor. None: of rebounds, from the table's columns cloth_friction and sigma_cloth_friction (of a film), else
+    """Friction of the floor. None: of rebounds, from the table's columns floor_friction and sigma_floor_friction (of a film), else
     0.2; of whole tracks, fitted."""
     floor_restitution: float = 0.0
     roll: float = 1.0

@@ -1,4 +1,4 @@
-"""Errors that rows of a table share: what a film measures once for all its contacts (cloth friction, rolling resistance, ...)."""
+"""Errors that rows of a table share: what a film measures once for all its contacts (floor friction, rolling resistance, ...)."""
 
 from __future__ import annotations
 
@@ -7,13 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.data.headers import OLD_COLUMNS
 from carom.data.rebounds import Rebounds
 
 __all__ = ["SHARED", "Shared", "film_says", "numbers_of", "shared_errors", "shared_in_words"]
 
 Array = NDArray[np.float64]
 # Quantities that a film measures once for all its rows: prefix of the columns, and name
-SHARED = {"cloth": "cloth friction", "rolling": "rolling resistance", "blind": "blind time", "drag": "air drag"}
+SHARED = {"cloth": "floor friction", "rolling": "rolling resistance", "blind": "blind time", "drag": "air drag"}
 
 
 @dataclass(frozen=True)
@@ -96,7 +97,7 @@ def film_says(rebounds: Rebounds, name: str) -> tuple[float, float, int] | None:
 
 def numbers_of(rebounds: Rebounds, name: str) -> Array:
     """Return an extra column; NaN where a cell is empty, or the column missing."""
-    column = rebounds.extra.get(name)
+    column = rebounds.extra.get(name, rebounds.extra.get(OLD_COLUMNS.get(name, "")))
     try:
         return np.full(len(rebounds), np.nan) if column is None else np.where(column == "", "nan", column).astype(float)
     except ValueError:
@@ -114,6 +115,6 @@ def _films(rebounds: Rebounds) -> dict[str, NDArray[np.bool_]]:
 
 def _weight(rebounds: Rebounds, own: NDArray[np.bool_]) -> float:
     """Return the weight of a film in the mean of the cloth's friction: 0 if it has none, or no error bar."""
-    error = numbers_of(rebounds, "sigma_cloth_friction")[own]
+    error = numbers_of(rebounds, "sigma_floor_friction")[own]
     error = error[np.isfinite(error) & (error > 0)]
     return float(error[0] ** -2) if len(error) else 0.0

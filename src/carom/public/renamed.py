@@ -9,7 +9,7 @@ from typing import Any, TypeVar
 
 from carom.errors import CaromError
 
-__all__ = ["renamed_arguments", "renamed_attribute"]
+__all__ = ["renamed_arguments", "renamed_attribute", "warn_of_rename", "with_new_names", "with_old_keys"]
 
 Function = TypeVar("Function", bound=Callable[..., Any])
 
@@ -50,6 +50,11 @@ def with_new_names(where: str, given: dict[str, Any], names: dict[str, str]) -> 
         warn_of_rename(f"{where}: {old}", new, 5)
         found[new] = found.pop(old)
     return found
+
+
+def with_old_keys(found: dict[str, Any], names: dict[str, str]) -> dict[str, Any]:
+    """Return data for a file with the keys of the release before, too; ``names``: old -> new."""
+    return found | {old: found[new] for old, new in names.items() if new in found}
 
 
 def warn_of_rename(old: str, new: str, level: int) -> None:

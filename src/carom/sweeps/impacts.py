@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal
+from typing import Annotated, Any, ClassVar, Literal
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import BeforeValidator
+from pydantic import BeforeValidator, model_validator
 
 from carom.bodies import Ball, State, Surface, kinetic_energy
 from carom.core.geometry.angles import direction
@@ -16,6 +16,7 @@ from carom.errors import CaromError
 from carom.laws.law import LIKE_SOLIDS, Law, Meeting
 from carom.laws.results import GRAVITY, angle_from
 from carom.laws.user import find_law
+from carom.public.renamed import with_new_names
 from carom.scene.ball import Inertia
 from carom.scene.schema import Friction, Mass, Model, NotNegative, Number, Share, Size, Spin, Spring
 from carom.scene.wall import LawChoice
@@ -28,6 +29,7 @@ __all__ = ["ImpactCase", "Impacts"]
 Array = NDArray[Any]
 Columns = dict[str, Array]
 REFUSED = FAILURES.index("refused")
+RENAMED = {"cushion_height": "contact_height"}  # names of the release before
 
 
 class ImpactCase(Model):
@@ -42,7 +44,7 @@ class ImpactCase(Model):
     restitution, friction, tangential_restitution : of the wall; default: the paper's
     floor_restitution, floor_friction : of the floor; default: the paper's
     gravity : m/s^2; default: 9.80665
-    cushion_height : of the contact above the floor, in radii; default: 1, a vertical wall
+    contact_height : of the contact above the floor, in radii; default: 1, a vertical wall
     floor_contact : "with" or "after"
     stiffness_ratio : for laws with tangential compliance
 
@@ -74,11 +76,16 @@ class ImpactCase(Model):
     floor_restitution: Share = 0.0
     floor_friction: Friction = math.inf
     gravity: NotNegative = GRAVITY
-    cushion_height: Annotated[
+    contact_height: Annotated[
         float, BeforeValidator(Number("radii above the floor, above 0 and below 2", least=1e-9, most=2 - 1e-9))
     ] = 1.0
     floor_contact: Literal["with", "after"] = "with"
     stiffness_ratio: NotNegative = LIKE_SOLIDS
+
+    @model_validator(mode="before")
+    @classmethod
+    def _with_new_names(cls, given: Any) -> Any:
+        return with_new_names("ImpactCase", given, RENAMED) if isinstance(given, dict) else given
 
 
 _STATES = [
@@ -97,6 +104,7 @@ class Impacts:
     """A sweep's subject: impacts of a ball with a wall."""
 
     kind = "impact"
+    renamed: ClassVar = RENAMED
 
     def __init__(self, case: ImpactCase) -> None:
         self.case = case
@@ -196,7 +204,7 @@ class Impacts:
         try:
             case = ImpactCase(**({name: getattr(self.case, name) for name in ImpactCase.model_fields} | values))
             numbers = {name: getattr(case, name) for name in ImpactCase.model_fields if name != "law"}
-            numbers["angle_deg"], numbers["contact_height"] = numbers.pop("angle"), numbers.pop("cushion_height")
+            numbers["angle_deg"] = numbers.pop("angle")
             verdict = compare(incoming(**numbers), [case.law]).verdicts[0]
         except CaromError as error:
             return str(error)
@@ -220,7 +228,7 @@ def _meeting(case: ImpactCase, given: Columns, count: int) -> Meeting:
         get(name) if name in given or getattr(case, name) is not None else rolling[name]
         for name in ("spin_x", "spin_y")
     ]
-    nz = 1 - get("cushion_height")
+    nz = 1 - get("contact_height")
     normal = np.stack([np.sqrt(1 - nz * nz), np.zeros(count), nz], axis=1)
     inertia: Any = get("inertia") if "inertia" in given else case.inertia
     return Meeting(

@@ -9,6 +9,7 @@ from typing import Literal, NamedTuple
 import numpy as np
 
 from carom.errors import FaultList
+from carom.public.renamed import renamed_arguments, renamed_attribute
 from carom.tracks.contact_models import slide_would_show
 from carom.tracks.events import WallLine
 from carom.tracks.free_motion import VelocityJump
@@ -17,6 +18,7 @@ from carom.tracks.least_squares import ContactFit, Prior
 __all__ = [
     "BALL_RADIUS",
     "MAX_RADIUS_M",
+    "RENAMED",
     "HopVerdict",
     "Settings",
     "TrackContact",
@@ -30,6 +32,9 @@ HopVerdict = Literal["none", "seen", "possible"]
 NUMBERS = (int, float, np.integer, np.floating)
 # A ball's radius, and what is expected of one: millimetres are easily given without their unit.
 MAX_RADIUS_M, BALL_RADIUS = 1.0, "a ball's radius in m (a billiard ball's: 0.0286, or 28.6mm)"
+
+# Names of the release before.
+RENAMED = {"cloth": "floor_friction", "rolling": "rolling_resistance"}
 
 
 @dataclass(frozen=True)
@@ -52,9 +57,9 @@ class Settings:
     walls: tuple[WallLine, ...] | None = None
     noise: float | None = None
     """Standard deviation of one coordinate of one frame, m."""
-    cloth: float | None = None
+    floor_friction: float | None = None
     """Coulomb friction of the floor."""
-    rolling: float | None = None
+    rolling_resistance: float | None = None
     """Rolling resistance: deceleration / g."""
     gravity: float = 9.80665
     """m/s^2."""
@@ -71,16 +76,19 @@ class Settings:
     """Whether a ball on a table hops off the walls, as off one that it touches at its centre, or stays down, as under the nose of
     a cushion. None: determined from the frames."""
 
+    cloth = renamed_attribute("cloth", "floor_friction")
+    rolling = renamed_attribute("rolling", "rolling_resistance")
+
     def check(self) -> None:
         """Raise CaromError, one line per problem, for a number out of range."""
         faults = FaultList("tracks")
-        for name, low in (("kappa", 0.0), ("gravity", 0.0), ("window", 0.0), ("noise", 0.0), ("cloth", 0.0)):
+        for name, low in (("kappa", 0.0), ("gravity", 0.0), ("window", 0.0), ("noise", 0.0), ("floor_friction", 0.0)):
             value = getattr(self, name)
             if value is not None and not (isinstance(value, NUMBERS) and low < value < np.inf):
                 faults.add(name, "a number above 0", repr(value))
         if isinstance(self.kappa, NUMBERS) and 1 < self.kappa < np.inf:
             faults.add("kappa", "kappa = I/(m a^2), at most 1", repr(self.kappa))
-        for name in ("radius", "rolling", "blind", "drag"):
+        for name in ("radius", "rolling_resistance", "blind", "drag"):
             value = getattr(self, name)
             if value is not None and not (isinstance(value, NUMBERS) and 0 <= value < np.inf):
                 faults.add(name, "a number of at least 0", repr(value))
@@ -91,6 +99,9 @@ class Settings:
         if self.hops not in (None, True, False):
             faults.add("hops", "True, False or None", repr(self.hops))
         faults.raise_if_any()
+
+
+Settings.__init__ = renamed_arguments(**RENAMED)(Settings.__init__)  # type: ignore[method-assign]
 
 
 class TrackedSpin(NamedTuple):

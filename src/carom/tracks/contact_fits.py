@@ -193,11 +193,15 @@ class ContactFitter:
         given = self.settings
         k = given.kappa / (1 + given.kappa)
         prior = Prior(k=k)
-        if given.cloth is not None:
-            prior = replace(prior, mu_g=given.cloth * given.gravity, mu_g_error=1e-4 * given.cloth * given.gravity)
-        if given.rolling is not None:
+        if given.floor_friction is not None:
             prior = replace(
-                prior, c_g=given.rolling * given.gravity, c_g_error=max(1e-4 * given.rolling * given.gravity, 1e-6)
+                prior, mu_g=given.floor_friction * given.gravity, mu_g_error=1e-4 * given.floor_friction * given.gravity
+            )
+        if given.rolling_resistance is not None:
+            prior = replace(
+                prior,
+                c_g=given.rolling_resistance * given.gravity,
+                c_g_error=max(1e-4 * given.rolling_resistance * given.gravity, 1e-6),
             )
         return prior
 

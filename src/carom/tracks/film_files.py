@@ -15,7 +15,8 @@ from carom.files import text_encoding
 from carom.formatting import counted
 from carom.public.defaults import GRAVITY, WINDOW
 from carom.public.progress import Progress
-from carom.tracks.contact import Settings
+from carom.public.renamed import renamed_arguments
+from carom.tracks.contact import RENAMED, Settings
 from carom.tracks.events import wall_of_text
 from carom.tracks.films import combined_rebounds, film_names, hops_together
 from carom.tracks.formats.columns import HEADER_EXAMPLE
@@ -172,6 +173,7 @@ def measure_films(
         return MeasuredFilms(found, tuple(hops_together([once(number) for number in range(len(found))], once)))
 
 
+@renamed_arguments(**RENAMED)
 def measure_tracks(
     files: str | Path | Any,
     *,
@@ -184,8 +186,8 @@ def measure_tracks(
     inertia: str | float = "solid",
     wall: Sequence[str] = (),
     hard: bool = False,
-    cloth: float | None = None,
-    rolling: float | None = None,
+    floor_friction: float | None = None,
+    rolling_resistance: float | None = None,
     gravity: float = GRAVITY,
     drag: float | None = None,
     noise: float | None = None,
@@ -212,7 +214,7 @@ def measure_tracks(
     wall, hard
         Lines at which the balls' centres are reflected, ``"x=0.03"``, ``"y=1.4"`` or ``"x1,y1,x2,y2"`` (m), default: found; and
         whether the walls are rigid.
-    cloth, rolling, gravity, drag, noise, window, blind
+    floor_friction, rolling_resistance, gravity, drag, noise, window, blind
         As in :class:`carom.tracks.Settings`.
     progress : callable(done, total, text), optional
 
@@ -242,8 +244,8 @@ def measure_tracks(
     if faults:
         raise CaromError(*faults)
     settings = Settings(
-        radius=radius, kappa=kappa, view=view, noise=noise, cloth=cloth, rolling=rolling, gravity=gravity,  # type: ignore[arg-type]
-        window=window, blind=blind, hard=hard, drag=drag,
+        radius=radius, kappa=kappa, view=view, noise=noise, floor_friction=floor_friction,  # type: ignore[arg-type]
+        rolling_resistance=rolling_resistance, gravity=gravity, window=window, blind=blind, hard=hard, drag=drag,
     )  # fmt: skip
     several = isinstance(files, list | tuple) and not all(isinstance(one, Track) for one in files)
     calibration = Calibration(scale, rate, down)

@@ -8,14 +8,25 @@ from typing import NamedTuple
 
 import numpy as np
 
+from carom.public.renamed import warn_of_rename
 from carom.tracks.least_squares import ContactFit, Prior
 
-__all__ = ["RobustMean", "WithError", "pool_floor", "pool_gravity", "robust_mean", "shared_fraction"]
+__all__ = [
+    "RENAMED_FLOOR",
+    "FloorEstimates",
+    "RobustMean",
+    "WithError",
+    "pool_floor",
+    "pool_gravity",
+    "robust_mean",
+    "shared_fraction",
+]
 
 # Number of contacts above which the weight of one contact in the mean of all is negligible.
 MAX_LEAVE_ONE_OUT = 400
 # Relative standard deviation of a median absolute deviation, times sqrt(n).
 MAD_SCATTER = 1.17
+RENAMED_FLOOR = {"cloth friction": "floor friction"}  # names of the release before
 
 
 class WithError(NamedTuple):
@@ -23,6 +34,18 @@ class WithError(NamedTuple):
 
     value: float
     error: float
+
+
+class FloorEstimates(dict[str, WithError]):
+    """Estimates by name, which names of the release before find as well."""
+
+    def __missing__(self, name: str) -> WithError:
+        """Return an estimate by its old name, with a warning."""
+        new = RENAMED_FLOOR.get(name, "")
+        if new not in self:
+            raise KeyError(name)
+        warn_of_rename(f"Measured.floor[{name!r}]", f"floor[{new!r}]", 3)
+        return self[new]
 
 
 class RobustMean(NamedTuple):
@@ -87,14 +110,14 @@ def pool_floor(
     Returns
     -------
     floor : dict
-        ``cloth friction`` and ``rolling resistance``, if some contact determines them or they were given.
+        ``floor friction`` and ``rolling resistance``, if some contact determines them or they were given.
     known : list of n Prior
         Without the contact's own frames, which would count twice: contacts of the same ball that share frames with it are
         left out as well.
     """
     found: dict[str, WithError] = {}
     known = [prior] * len(fits)
-    for name, label in (("mu_g", "cloth friction"), ("c_g", "rolling resistance")):
+    for name, label in (("mu_g", "floor friction"), ("c_g", "rolling resistance")):
         before, error = getattr(prior, name), getattr(prior, f"{name}_error")
         alone: dict[int, tuple[float, float]] = {}
         for i, fit in enumerate(fits):

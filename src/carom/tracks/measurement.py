@@ -17,7 +17,7 @@ from carom.tracks.contact_fits import ContactFitter, Progress
 from carom.tracks.elsewhere import elsewhere_note, facing_up, with_turns
 from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
 from carom.tracks.flights import STILL_AIR, air_and_notes
-from carom.tracks.floor import WithError
+from carom.tracks.floor import FloorEstimates, WithError
 from carom.tracks.free_fall import axis_points_down, constant_acceleration, what_would_give
 from carom.tracks.plausibility import GRAVITY_TOLERANCE, MIN_JUDGED, drag_note, restitution_note, why_implausible
 from carom.tracks.preprocess import guess_view, initial_noise, on_camera_clock, rounding_step, without_outliers
@@ -65,7 +65,7 @@ class Measured:
     blind: BlindTime
     """Times before and after a contact whose frames were excluded, s."""
     floor: dict[str, WithError] = field(default_factory=dict)
-    """Estimates from all contacts: ``cloth friction`` and ``rolling resistance``, or ``gravity`` (m/s^2) and, if the
+    """Estimates from all contacts: ``floor friction`` and ``rolling resistance``, or ``gravity`` (m/s^2) and, if the
     flights show it, ``air drag`` (1/m), with their errors."""
     notes: tuple[str, ...] = ()
     gravity: float = 9.80665
@@ -252,7 +252,8 @@ def _in_view(
     return replace(
         film, view=view, walls=walls, events=events, contacts=tuple(contacts), noise=job.noise,
         correlation=job.correlation.neighbours, blind=job.blind,
-        floor=job.floor | ({"air drag": WithError(air.drag, air.drag_error)} if air.drag_shown else {}), notes=tuple(notes),
+        floor=FloorEstimates(job.floor | ({"air drag": WithError(air.drag, air.drag_error)} if air.drag_shown else {})),
+        notes=tuple(notes),
     )  # fmt: skip
 
 

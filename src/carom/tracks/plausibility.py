@@ -83,7 +83,7 @@ def why_implausible(
     bad = sum(map(_gains, fits))
     if bad >= max(MIN_JUDGED, MAX_SHARE_IMPOSSIBLE * len(judged)):
         return f"{bad} of {len(fits)} restitutions are above 1 beyond their error bars"
-    friction = floor.get("cloth friction")
+    friction = floor.get("floor friction")
     if view == "above" and friction is not None and friction.value - BEYOND * friction.error > MAX_CLOTH_FRICTION:
         return f"the floor's friction comes out as {friction.value:.2g}"
     found = floor.get("gravity")

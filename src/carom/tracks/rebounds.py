@@ -21,7 +21,7 @@ __all__ = ["Stage", "to_rebounds", "usable_stages"]
 
 Stage = Literal["best", "after_wall", "rolling", "both"]
 # Properties of the floor: name, name in a fit, prefix of columns
-FLOOR = (("cloth friction", "mu_g", "cloth"), ("rolling resistance", "c_g", "rolling"))
+FLOOR = (("floor friction", "mu_g", "cloth"), ("rolling resistance", "c_g", "rolling"))
 
 
 def usable_stages(one: TrackContact, stage: Stage, sliding: bool = False) -> tuple[list[str], str]:

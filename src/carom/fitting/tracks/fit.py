@@ -56,7 +56,7 @@ FAST = 0.2  # m/s towards a wall: slower contacts do not determine the restituti
 def starting_numbers(measured: Measured) -> dict[str, float]:
     """Return initial parameters; range_SIDE: distance within which a wall is searched for, if that is not WALL_RANGE (m)."""
     start = {}
-    for name, label in (("floor_friction", "cloth friction"), ("rolling_resistance", "rolling resistance")):
+    for name, label in (("floor_friction", "floor friction"), ("rolling_resistance", "rolling resistance")):
         if label in measured.floor:
             start[name] = measured.floor[label][0]
     fitted = [(one.wall.name, one.fit) for one in measured.contacts if one.fit is not None]
