@@ -13,7 +13,7 @@ from reference.brute_force_scene import random_scene
 import carom
 from carom.simulation import compiled, interpreted, run_log
 from carom.simulation.compiled import compiled_engine
-from carom.simulation.loop import ALL
+from carom.simulation.event_rows import ALL
 from carom.simulation.records import LOG
 from carom.simulation.run_log import run_limits
 from carom.simulation.setup import set_up

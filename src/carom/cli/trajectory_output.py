@@ -14,9 +14,10 @@ from rich.table import Table
 from rich.text import Text
 
 from carom.cli.console import out
-from carom.formatting import format_number, json_value
+from carom.formatting import counted, format_number, json_value
 from carom.simulation.budget import budget
-from carom.simulation.narrate import cushion_side, describe_run, with_count
+from carom.simulation.contacts.wall import cushion_side
+from carom.simulation.narrate import describe_run
 from carom.simulation.records import BALL, IN_CLUSTER, kind_names
 from carom.simulation.tables import event_columns
 
@@ -48,7 +49,7 @@ def show(run: Trajectory, times: list[float], most: int | None) -> None:
         table, hidden = _events(run, most, console.width >= WIDE)
         console.print(table)
         if hidden > 0:
-            said = f"{with_count(hidden, 'event')} not shown: --events all shows all, --table FILE.csv writes them."
+            said = f"{counted(hidden, 'event')} not shown: --events all shows all, --table FILE.csv writes them."
             console.print(Text(said, style="dim"), soft_wrap=True)
     console.print(_states(run, times, console.width >= WIDE))
     console.print(Text(_energy(run)), soft_wrap=True)
@@ -143,7 +144,7 @@ def _event_row(run: Trajectory, features: Any, folded: list[int], several: bool,
     if len(events) > 1:
         bounces = sum(one.phase in RISES for one in events)
         since = f" since {_time(first.t)} s" if event.t > first.t else ""
-        what = f"lands, {with_count(bounces, 'bounce')}{since}"
+        what = f"lands, {counted(bounces, 'bounce')}{since}"
     row = [_time(event.t), *([run.scene.ball_names[event.ball]] if several else []), what]
     row += [_triple(event.after.position, axes), _triple(event.after.velocity, axes)]
     row += [_triple(event.after.spin)] if wide else []

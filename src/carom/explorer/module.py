@@ -28,10 +28,11 @@ from carom.laws.results import REGIME_NAMES
 from carom.laws.stronge import MOST_OMEGA, STIFFNESS
 from carom.laws.wall_and_floor.solver import LEAST_FIRM
 from carom.scene.restitution import Han2005
-from carom.simulation.loop import ALL, FULL, LIMIT, QUIET, ROWS
+from carom.simulation.contacts.contact import DONE
+from carom.simulation.contacts.kinds import REFUSALS
+from carom.simulation.event_rows import ALL, ROWS
+from carom.simulation.loop import FULL, LIMIT, QUIET
 from carom.simulation.records import BALL, BALLS, IN_CLUSTER, KINDS, LOG, WORLD
-from carom.simulation.resolve import DONE
-from carom.simulation.run_log import REFUSALS
 
 __all__ = ["ASSETS", "description", "engine_bytes", "engine_layout", "version"]
 

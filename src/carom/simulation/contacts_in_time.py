@@ -12,7 +12,7 @@ from carom.formatting import counted, format_length
 from carom.laws.hertz import contact_modulus, contact_time, stiffness
 from carom.scene.scene import Scene
 from carom.simulation.records import BALL
-from carom.simulation.tables import RunRecord
+from carom.simulation.run_record import RunRecord
 
 __all__ = ["OverlapInTime", "overlap_note", "overlaps"]
 

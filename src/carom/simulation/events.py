@@ -16,8 +16,10 @@ from carom.errors import CaromError, Fault, did_you_mean
 from carom.formatting import html_table
 from carom.laws.results import REGIME_NAMES as NAMES
 from carom.scene.paths import ball_index
-from carom.simulation.records import BALL, EVENT_KINDS, POCKETED_EVENT, WALL, kind_names
-from carom.simulation.tables import RunRecord, events_table
+from carom.simulation.contacts.kinds import partner_names
+from carom.simulation.records import EVENT_KINDS, kind_names
+from carom.simulation.run_record import RunRecord
+from carom.simulation.tables import events_table
 
 if TYPE_CHECKING:
     import pandas
@@ -164,9 +166,7 @@ def _event(run: RunRecord, row: Any) -> Event:
     x = np.array(row["x"])
     before = State.of(np.array(row["v_before"]), np.array(row["w_before"]), x)
     after = State.of(np.array(row["v"]), np.array(row["w"]), x)
-    names = {
-        WALL: run.scene.wall_names, BALL: run.scene.ball_names, POCKETED_EVENT: run.scene.pocket_names,
-    }.get(met)  # fmt: skip
+    names = partner_names(run.scene, met)
     return Event(
         t=float(row["t"]),
         kind=str(kind_names(row)),

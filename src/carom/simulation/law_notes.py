@@ -9,7 +9,7 @@ import numpy as np
 from carom.formatting import counted, format_number
 from carom.laws.registry import laws
 from carom.scene.wall import law_name
-from carom.simulation.narrate import wall_normal
+from carom.simulation.contacts.wall import wall_normal
 from carom.simulation.records import BALL, IN_CLUSTER, START, WALL
 from carom.simulation.trajectory import Trajectory
 

@@ -9,30 +9,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.contact import SLIDE, STICK
-from carom.core.geometry.features import OVER, feature_normal, gap_to_feature
-from carom.core.jit.kernel import dot
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, PIVOTING, POCKETED, REST, ROLLING, SLIDING
-from carom.formatting import format_length, format_number, format_time
-from carom.laws.law import CONTACT_WALL, TWO_STEP_WALL
-from carom.laws.wall_and_floor.solver import JAM
+from carom.formatting import counted, format_length, format_number, format_time
+from carom.simulation.contacts.kinds import CONTACTS
 from carom.simulation.contacts_in_time import overlap_note
-from carom.simulation.records import (
-    BALL,
-    FLOOR,
-    HELD_EVENT,
-    IN_CLUSTER,
-    LEFT_EVENT,
-    MEETINGS,
-    POCKETED_EVENT,
-    START,
-    WALL,
-)  # fmt: skip
-from carom.simulation.tables import RunRecord
+from carom.simulation.phrases import direction, listed, speed, when
+from carom.simulation.records import BALL, FLOOR, HELD_EVENT, IN_CLUSTER, START
+from carom.simulation.run_record import RunRecord
 
-__all__ = ["cushion_side", "describe_run", "wall_normal", "with_count"]
+__all__ = ["describe_run"]
 
-IMPACT_KINDS = (START, WALL, *MEETINGS, LEFT_EVENT, HELD_EVENT, POCKETED_EVENT)
+# The events that begin a sentence.
+IMPACT_KINDS = (START, IN_CLUSTER, *(one.code for one in CONTACTS.values() if one.sentence is not None))
 # How many impacts of a ball are described, the first and the last; those between are counted.
 FIRST, LAST = 6, 3
 # Lower bounces (m) and shorter phases (s) are not mentioned.
@@ -48,8 +36,6 @@ PHASE_VERBS = {
     REST: "rests",
     BOUNCING: "bounces",
 }
-RACK = 6  # balls at rest that are struck at once are a rack
-REGIME_PHRASES = {STICK: ", sticks", SLIDE: ", slides along it", JAM: ", is wedged between it and the floor"}
 
 Rows = NDArray[np.void]
 
@@ -71,17 +57,17 @@ def describe_run(run: RunRecord) -> list[str]:
     if still := [i for i in range(len(rows)) if i not in moved]:
         names = run.scene.ball_names
         if len(still) <= MOST_BALLS:
-            found.append(f"{_and([names[i] for i in still])} {'stays' if len(still) == 1 else 'stay'} at rest.")
+            found.append(f"{listed([names[i] for i in still])} {'stays' if len(still) == 1 else 'stay'} at rest.")
         else:
             found.append(f"{len(still)} balls stay at rest.")
     if (note := overlap_note(run)) is not None:
         found.append(f"{note}.")
     if run.ended == "duration":
         found.append(
-            f"The run ends after its duration, {format_time(run.end)}, and {with_count(_event_count(run), 'event')}."
+            f"The run ends after its duration, {format_time(run.end)}, and {counted(_event_count(run), 'event')}."
         )
     elif run.ended == "max_events":
-        found.append(f"The run ends at its greatest number of events, {_most(run)}, after {_when(run.end)}.")
+        found.append(f"The run ends at its greatest number of events, {_most(run)}, after {when(run.end)}.")
     return found
 
 
@@ -93,15 +79,6 @@ def _most(run: RunRecord) -> str:
 
 def _event_count(run: RunRecord) -> int:
     return int((run.log["kind"] != START).sum())
-
-
-def with_count(count: int, one: str, many: str = "") -> str:
-    """Return a number with its noun, singular or plural."""
-    return f"{count:,} {one if count == 1 else many or one + 's'}"
-
-
-def _and(parts: list[str]) -> str:
-    return parts[0] if len(parts) == 1 else f"{', '.join(parts[:-1])} and {parts[-1]}"
 
 
 # --- one ball ------------------------------------------------------------------------------------------------------
@@ -131,15 +108,17 @@ def _ball(run: RunRecord, features: Any, rows: Rows) -> str:
 
 def _skipped(parts: list[Rows]) -> str:
     """Count the impacts that are not described one by one."""
-    return f"Then come {_met([part[0] for part in parts], 'more ')}, up to {_when(parts[-1]['t'][0])}."
+    return f"Then come {_met([part[0] for part in parts], 'more ')}, up to {when(parts[-1]['t'][0])}."
 
 
 def _met(firsts: list[Any], more: str = "") -> str:
     kinds = Counter(BALL if row["kind"] == IN_CLUSTER else int(row["kind"]) for row in firsts)
-    said = [with_count(kinds[kind], f"{more}{noun}") for kind, noun in ((WALL, "wall"), (BALL, "ball")) if kinds[kind]]
-    if kinds[LEFT_EVENT]:
-        said.append(with_count(kinds[LEFT_EVENT], f"{more}wall that it clears", f"{more}walls that it clears"))
-    return _and(said) if said else "nothing"
+    said = [
+        counted(kinds[one.code], f"{more}{one.noun}") + one.clause
+        for one in CONTACTS.values()
+        if one.noun and kinds[one.code]
+    ]
+    return listed(said) if said else "nothing"
 
 
 def _sentence(run: RunRecord, features: Any, part: Rows, end: float) -> str:
@@ -148,35 +127,18 @@ def _sentence(run: RunRecord, features: Any, part: Rows, end: float) -> str:
     kind = int(row["kind"])
     if kind == START:
         head = _start(run, row)
-    elif kind == WALL:
-        head = _wall(run, features, row)
-    elif kind in MEETINGS:
-        head = _other_ball(run, row)
-    elif kind == POCKETED_EVENT:
-        return f"{_at(row)} it falls into the {run.scene.pocket_names[row['other']]} at {format_number(_speed(row['v']))} m/s."
-    elif kind == LEFT_EVENT:
-        head = f"{_at(row)} it clears {run.scene.wall_names[row['other']]}"
     else:
-        return f"{_at(row)} it is held where it is, pressed between what it touches, and is followed no further."
+        contact = CONTACTS[BALL if kind == IN_CLUSTER else kind]
+        assert contact.sentence is not None
+        head = contact.sentence(run, features, row)
+        if contact.last:
+            return head
     if row["phase"] == LEFT:
         return f"{head} and has left: it is followed no further."
     if part["phase"][-1] == HELD:
         return f"{head} and is held there, pressed on it: it is followed no further."
     then = _then(run, part, end)
-    return f"{head}{'; it ' if then else ''}{_and(then) if then else ''}."
-
-
-def _at(row: Any) -> str:
-    return f"At {_when(row['t'])}"
-
-
-def _when(t: Any) -> str:
-    """Format a time; a late one with all digits before the point."""
-    return f"{format_number(float(t))} s" if t < 1000 else f"{float(t):,.1f} s"
-
-
-def _speed(v: Any) -> float:
-    return math.sqrt(float((v * v).sum()))
+    return f"{head}{'; it ' if then else ''}{listed(then) if then else ''}."
 
 
 def _start(run: RunRecord, row: Any) -> str:
@@ -185,24 +147,14 @@ def _start(run: RunRecord, row: Any) -> str:
     if phase in (REST, PIVOTING):
         spin = f", {format_number(abs(float(row['w'][2])))} rad/s" if phase == PIVOTING else ""
         return f"{name} {PHASE_VERBS[phase]}{spin}" if phase == PIVOTING else f"{name} is at rest"
-    if _speed(v) == 0:
+    if speed(v) == 0:
         return f"{name} {'is let go' if phase == FLIGHT else 'starts from rest'}{_spin(row)}"
     strike = run.scene.balls[row["ball"]].strike
     if strike is not None:
         miscue = ", a miscue," if strike.on(run.scene.balls[row["ball"]].ball).miscue else ""
         driven = "is driven onto the floor" if v[2] < 0 else PHASE_VERBS[phase]
-        return f"{name} is struck{miscue} and {driven} at {format_number(_speed(v))} m/s{_direction(v)}{_spin(row)}"
-    return f"{name} {PHASE_VERBS[phase]} at {format_number(_speed(v))} m/s{_direction(v)}{_spin(row)}"
-
-
-def _direction(v: Any) -> str:
-    flat = math.hypot(float(v[0]), float(v[1]))
-    if flat == 0:
-        return ", straight up" if v[2] > 0 else ", straight down"
-    degrees = round(math.degrees(math.atan2(float(v[1]), float(v[0])))) % 360  # (0 to 359, as in aim and of cues)
-    words = f", {degrees}° from the x axis" if degrees else ", along the x axis"
-    steep = math.degrees(math.atan2(float(v[2]), flat))
-    return words + (f", {abs(steep):.0f}° {'upwards' if steep > 0 else 'downwards'}" if abs(steep) >= 0.5 else "")
+        return f"{name} is struck{miscue} and {driven} at {format_number(speed(v))} m/s{direction(v)}{_spin(row)}"
+    return f"{name} {PHASE_VERBS[phase]} at {format_number(speed(v))} m/s{direction(v)}{_spin(row)}"
 
 
 def _spin(row: Any) -> str:
@@ -215,81 +167,11 @@ def _spin(row: Any) -> str:
         if over != 0:
             said.append(f"{format_number(abs(over))} rad/s of {'topspin' if over > 0 else 'backspin'}")
     elif row["phase"] != ROLLING and (w[:2] != 0).any():
-        return f", spinning at {format_number(_speed(w))} rad/s"
+        return f", spinning at {format_number(speed(w))} rad/s"
     if w[2] != 0:
         # seen from above, a ball hit on its right side turns counterclockwise
         said.append(f"{format_number(abs(float(w[2])))} rad/s of side to the {'right' if w[2] > 0 else 'left'}")
-    return f", with {_and(said)}" if said else ""
-
-
-def wall_normal(features: Any, row: Any, radius: float) -> Any:
-    """Return the normal of the wall where the ball meets it: of its nearest feature."""
-    x = tuple(row["x"].tolist())
-    own = [f for f in features if f.wall == row["other"] and f.kind != OVER]
-    nearest = min(own, key=lambda f: abs(gap_to_feature(f, radius, x)))
-    return feature_normal(nearest, x)
-
-
-def _angle(v: Any, n: Any, above: bool) -> float | None:
-    """Return the angle between a velocity and a normal, degrees; on a table as seen from above. None for no velocity."""
-    n, v = np.array(n), np.array(v)
-    if above and abs(n[2]) < 0.9 and (v[:2] != 0).any():
-        n[2] = v[2] = 0.0
-    size = _speed(n) * _speed(v)
-    return math.degrees(math.acos(max(-1.0, min(1.0, float(n @ v) / size)))) if size > 0 else None
-
-
-def cushion_side(run: RunRecord, features: Any, row: Any) -> str:
-    """Return which cushion of a table a ball meets, seen from above with x to the right; empty for jaws, and for other walls."""
-    if run.scene.walls[row["other"]].kind not in ("table", "box"):
-        return ""
-    n = wall_normal(features, row, run.scene.balls[row["ball"]].radius)
-    sides = {"left": n[0], "right": -n[0], "bottom": n[1], "top": -n[1]}
-    side = max(sides, key=lambda name: sides[name])
-    return side if sides[side] > 0.7 * _speed(np.array(n)) and min(abs(n[0]), abs(n[1])) < 1e-9 else ""
-
-
-def _wall(run: RunRecord, features: Any, row: Any) -> str:
-    """Describe an impact on a wall: angle of incidence, sticking or sliding, speed and angle afterwards."""
-    wall = int(row["other"])
-    n = wall_normal(features, row, run.scene.balls[row["ball"]].radius)
-    table = run.scene.floor is not None
-    came, went = _angle(-row["v_before"], n, table), _angle(row["v"], n, table)
-    side = cushion_side(run, features, row)
-    text = f"{_at(row)} it meets {run.scene.wall_names[wall]}{f' ({side})' if side else ''}"
-    text += "" if came is None else f", {came:.0f}° from its normal"
-    response = int(next(f.law for f in features if f.wall == wall))
-    friction = response in (TWO_STEP_WALL, CONTACT_WALL) and dot(n, tuple(row["impulse"])) != 0
-    text += REGIME_PHRASES.get(int(row["regime"]), "") if friction else ""
-    if row["phase"] in (HELD, REST, PIVOTING) or went is None:
-        return text
-    return f"{text}{',' if friction else ''} and leaves at {format_number(_speed(row['v']))} m/s, {went:.0f}° from it"
-
-
-def _other_ball(run: RunRecord, row: Any) -> str:
-    """Describe an impact of two balls: who strikes whom, and this one's speed afterwards."""
-    other = run.scene.ball_names[row["other"]]
-    before, after = _speed(row["v_before"]), _speed(row["v"])
-    how = f"is struck by {other}" if before == 0 else f"meets {other} at {format_number(before)} m/s"
-    met = _met_at_once(run, row)
-    if len(met) >= RACK and before > 0 and not np.any(met["v_before"]):
-        how = f"breaks the rack, {len(met)} balls, at {format_number(before)} m/s"
-    elif len(met) > 1:
-        how += f", together with {with_count(len(met) - 1, 'other ball')}"
-    text = f"{_at(row)} it {how}"
-    if row["phase"] in (HELD, LEFT):
-        return text
-    if after <= 1e-9 * before:
-        return f"{text} and stops"
-    return f"{text} and goes off at {format_number(after)} m/s{_direction(row['v'])}"
-
-
-def _met_at_once(run: RunRecord, row: Any) -> Rows:
-    """Return the rows of the other balls of a meeting of balls whose contacts overlap in time; none where two meet."""
-    log = run.log[run.log["t"] == row["t"]]
-    rows = log[np.isin(log["kind"], MEETINGS) & (log["ball"] != row["ball"])]
-    found: Rows = rows if (rows["kind"] == IN_CLUSTER).any() else rows[:0]
-    return found
+    return f", with {listed(said)}" if said else ""
 
 
 # --- what it does between two meetings --------------------------------------------------------------------------------
@@ -311,10 +193,10 @@ def _then(run: RunRecord, part: Rows, end: float) -> list[str]:
             said.append(f"slides for {format_time(lasts)}")
         elif phase == ROLLING and (k > 0 or part["kind"][0] != START):
             said.append(
-                "rolls on" if k == 0 else f"rolls at {format_number(_speed(part['v'][k]))} m/s{_turned(part, k)}"
+                "rolls on" if k == 0 else f"rolls at {format_number(speed(part['v'][k]))} m/s{_turned(part, k)}"
             )
     if phases[-1] == REST and len(part) > 1 and run.end > end:
-        said.append(f"comes to rest at {_place(part[-1])} at {_when(times[-2])}")
+        said.append(f"comes to rest at {_place(part[-1])} at {when(times[-2])}")
     return said
 
 
@@ -323,7 +205,7 @@ def _turned(part: Rows, k: int) -> str:
     (x0, y0, _), (x1, y1, _) = part["v"][0].tolist(), part["v"][k].tolist()
     turned = abs(math.degrees(math.atan2(x0 * y1 - y0 * x1, x0 * x1 + y0 * y1)))
     stood = math.hypot(x0, y0) <= 1e-9 * math.hypot(x1, y1)
-    return _direction(part["v"][k]) if turned >= 5 or stood else ""
+    return direction(part["v"][k]) if turned >= 5 or stood else ""
 
 
 def _hop(run: RunRecord, part: Rows, lands: list[int], end: float) -> list[str]:
@@ -347,13 +229,13 @@ def _hop(run: RunRecord, part: Rows, lands: list[int], end: float) -> list[str]:
         )
     bounces = [k for k in lands if part["phase"][k] in (FLIGHT, BOUNCING)]
     if not bounces:
-        return [*said, f"lands at {_when(first['t'])}"]
+        return [*said, f"lands at {when(first['t'])}"]
     last = bounces[-1]
     ever = _bouncing_time(part, last, end) if part["phase"][last] == BOUNCING else 0.0
     more = f", the last time in infinitely many bounces within {format_time(ever)}" if ever >= LONG else ""
     rises = float(part["v"][bounces, 2].max()) ** 2 / (2 * g)
     high = f", up to {format_length(rises)} high" if rises > NOTABLE else ""
-    return [*said, f"bounces {_times(len(bounces))} from {_when(first['t'])} on{high}{more}"]
+    return [*said, f"bounces {_times(len(bounces))} from {when(first['t'])} on{high}{more}"]
 
 
 def _times(count: int) -> str:
@@ -379,22 +261,22 @@ def _outcome(run: RunRecord, rows: Rows) -> str:
     met = _met(list(rows[1:]))
     after = "" if met == "nothing" else f" and {met}" if " and " not in met else f", {met}"
     if phase == REST:
-        return f"It comes to rest at {_place(last)} after {_when(last['t'])}{after}."
+        return f"It comes to rest at {_place(last)} after {when(last['t'])}{after}."
     final = run.final
     assert final.position is not None
     v = final.velocity[ball]
     how = (
-        f"{PHASE_VERBS[phase]} at {format_number(_speed(v))} m/s"
-        if phase != PIVOTING and _speed(v) > 0
+        f"{PHASE_VERBS[phase]} at {format_number(speed(v))} m/s"
+        if phase != PIVOTING and speed(v) > 0
         else PHASE_VERBS[phase]
     )
     if run.ended == "nothing more happens":
         verb = PHASE_VERBS[phase]
-        spot = f"goes on spinning on the spot at {_place(last)} from {_when(last['t'])} on"
+        spot = f"goes on spinning on the spot at {_place(last)} from {when(last['t'])} on"
         on = spot if phase == PIVOTING else how.replace(verb, f"{verb} on", 1)
-        return f"Then it meets nothing more, and {on}{_direction(v) if _speed(v) else ''}."
+        return f"Then it meets nothing more, and {on}{direction(v) if speed(v) else ''}."
     x, y, _z = (format_number(float(c)) for c in final.position[ball])
-    return f"At the end, after {_when(run.end)}{after}, it {how} at ({x}, {y}) m."
+    return f"At the end, after {when(run.end)}{after}, it {how} at ({x}, {y}) m."
 
 
 def _others(run: RunRecord, balls: list[Rows]) -> str:
@@ -411,8 +293,8 @@ def _others(run: RunRecord, balls: list[Rows]) -> str:
         f"{count:,} {words[k][count > 1] if k in words else _plural(PHASE_VERBS[k], count)}"
         for k, count in sorted(ends.items())
     ]
-    noun = with_count(len(balls), "more ball")
-    return f"{noun} {'meets' if len(balls) == 1 else 'meet'} {_met(firsts)}; at the end {_and(how)}."
+    noun = counted(len(balls), "more ball")
+    return f"{noun} {'meets' if len(balls) == 1 else 'meet'} {_met(firsts)}; at the end {listed(how)}."
 
 
 def _plural(verb: str, count: int) -> str:

@@ -9,12 +9,12 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.core.geometry.features import SEAM, feature_hit, is_out_of_reach, never_closes
+from carom.core.geometry.features import FALLS, OVER, SEAM, feature_hit, is_out_of_reach, never_closes
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, vector
 from carom.core.motion.bounces import bounces
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, accelerations, advance
 from carom.core.roots.first_root import hit2, hit4
-from carom.simulation.records import BALL, FLOOR, NOTHING, PHASE, SETTLED, WALL
+from carom.simulation.records import BALL, FLOOR, LEFT_EVENT, NOTHING, PHASE, POCKETED_EVENT, SETTLED, WALL
 
 __all__ = ["accelerations_of", "begin_phase", "move_by", "predict", "state_after", "state_at", "write_vector"]
 
@@ -112,6 +112,14 @@ def _lands_first(world: Any, features: Any, ball: Any, slow: float) -> bool:
 
 
 @kernel
+def _kind_of(f: Any) -> int:
+    """Return the kind of event at a feature: a wall is met; at a gate a ball falls into a pocket, or clears a wall."""
+    if f.kind != OVER:
+        return WALL
+    return POCKETED_EVENT if f.ends == FALLS else LEFT_EVENT
+
+
+@kernel
 def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
     """Predict the next event of ball i and store it, for the other ball too where two will meet."""
     ball = balls[i]
@@ -124,7 +132,7 @@ def predict(world: Any, features: Any, balls: Any, i: int, slow: float) -> None:
         for f in range(0 if _lands_first(world, features, ball, slow) else features.shape[0]):
             s = feature_hit(features[f], a, x, v, acc, best, slow)
             if s < best or (s == best and kind == NOTHING and s < math.inf):
-                best, kind, who = s, WALL, f
+                best, kind, who = s, _kind_of(features[f]), f
         if phase == FLIGHT and world.floor != 0:
             s = hit2(x[2] - a, v[2], acc[2] / 2, best, slow)
             if s < best or (s == best and kind == NOTHING and s < math.inf):

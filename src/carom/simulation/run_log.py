@@ -13,27 +13,20 @@ from carom.core.jit.slices import Pace
 from carom.errors import CaromError
 from carom.scene.scene import Scene
 from carom.simulation.compiled import compiled_engine
+from carom.simulation.contacts.contact import DONE
+from carom.simulation.contacts.kinds import REFUSALS
+from carom.simulation.event_rows import ALL
 from carom.simulation.interpreted import MOST_FEATURES, run_interpreted, worth_interpreting
-from carom.simulation.loop import ALL, FULL, LIMIT, QUIET
+from carom.simulation.loop import FULL, LIMIT, QUIET
 from carom.simulation.records import LOG
-from carom.simulation.resolve import DONE, REFUSED_ROLLING, REFUSED_STALL, REFUSED_UNDEFINED
 from carom.simulation.setup import SceneArrays, set_up
 
-__all__ = ["FIRST_ROWS", "MOST_EVENTS", "REFUSALS", "RunLog", "run_limits", "run_scene"]
+__all__ = ["FIRST_ROWS", "MOST_EVENTS", "RunLog", "run_limits", "run_scene"]
 
 # Where a scene names no end: a ball between elastic walls would never stop.
 MOST_EVENTS = 100_000
 # Rows of the log that the loop fills before it is called again: enough for a shot, then more each time.
 FIRST_ROWS, MOST_ROWS = 128, 65_536
-
-REFUSALS = {
-    REFUSED_ROLLING: "the wall's law is for a ball that rolls into a vertical wall (carom laws conventional); this one slides or"
-    " flies there; the law two-step takes any ball",
-    REFUSED_UNDEFINED: "a wall with tangential restitution presses the ball on the floor, which has no law; take"
-    " tangential_restitution = 0, or floor_contact = 'after'",
-    REFUSED_STALL: "wall and floor lock the ball between them, which is not followed to its end; take a smaller friction,"
-    " or floor_contact = 'after'",
-}
 
 
 def _refusal(code: int, scene: Scene, ball: Any, i: int) -> CaromError:

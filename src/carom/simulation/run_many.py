@@ -16,10 +16,11 @@ from carom.core.jit.cuda import CudaLoop, grid_range
 from carom.core.jit.kernel import kernel, vector
 from carom.core.motion.phases import PHASES
 from carom.simulation.compiled import compiled_engine, plain_engine
-from carom.simulation.loop import LIMIT, PHASES_FROM, QUIET, finish, rows_of_an_event, run
+from carom.simulation.contacts.contact import DONE
+from carom.simulation.event_rows import PHASES_FROM, rows_of_an_event
+from carom.simulation.loop import LIMIT, QUIET, finish, run
 from carom.simulation.predict import write_vector
 from carom.simulation.records import BALLS, LOG, PHASE, WORLD
-from carom.simulation.resolve import DONE
 
 __all__ = ["LOG_ROWS", "LOOP", "PARTS", "ROWS_KEPT", "compiled_many", "empty_counts", "empty_logs", "many_on_gpu"]
 

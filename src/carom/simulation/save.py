@@ -22,7 +22,8 @@ from carom.files import atomic_path, import_optional, require_writable
 from carom.scene.scene import Scene
 from carom.scene.toml import require_named_laws
 from carom.simulation.records import KINDS, LOG
-from carom.simulation.tables import UNITS, RunRecord
+from carom.simulation.run_record import RunRecord
+from carom.simulation.tables import UNITS
 
 __all__ = ["FORMAT", "FORMATS", "NAMED", "digest_of", "log_columns", "save", "version", "write_parquet"]
 

@@ -19,10 +19,12 @@ from carom.laws.law import Law
 from carom.scene.paths import replaced
 from carom.scene.scene import Run, Scene
 from carom.scene.toml import load_scene
-from carom.simulation.loop import LIMIT, PHASES_FROM, rows_of_an_event
+from carom.simulation.contacts.kinds import REFUSALS
+from carom.simulation.event_rows import PHASES_FROM, rows_of_an_event
+from carom.simulation.loop import LIMIT
 from carom.simulation.many_runs import ManyRuns
 from carom.simulation.records import BALL, EVENT_KINDS, IN_CLUSTER, KINDS, LOG, START
-from carom.simulation.run_log import FIRST_ROWS, REFUSALS, run_limits, run_scene
+from carom.simulation.run_log import FIRST_ROWS, run_limits, run_scene
 from carom.simulation.run_many import LOG_ROWS, PARTS, ROWS_KEPT, compiled_many, empty_counts, empty_logs
 from carom.simulation.setup import SceneArrays, set_up
 from carom.simulation.starts import starts_of

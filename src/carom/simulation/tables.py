@@ -5,24 +5,25 @@ All numbers are in SI units, named in ``table.attrs["units"]`` and, in a Dataset
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, Protocol
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from carom.bodies import Numbers, State
+from carom.bodies import Numbers
 from carom.core.motion.phases import PHASES
 from carom.files import import_optional
 from carom.laws.results import REGIME_NAMES as NAMES
-from carom.scene.scene import Scene
-from carom.simulation.records import BALL, POCKETED_EVENT, START, WALL, kind_names
+from carom.simulation.contacts.kinds import PARTNERS
+from carom.simulation.records import START, kind_names
+from carom.simulation.run_record import EventSource, RunRecord
 
 if TYPE_CHECKING:
     import pandas
     import xarray
 
 __all__ = [
-    "UNITS", "EventSource", "RunRecord", "event_columns", "events_table", "kinetic_energy", "many_events_table", "states_dataset",
+    "UNITS", "event_columns", "events_table", "kinetic_energy", "many_events_table", "states_dataset",
     "states_table",
 ]  # fmt: skip
 
@@ -34,48 +35,6 @@ UNITS = {
     **{f"{of}_{axis}": "N s" for of in ("impulse", "floor_impulse") for axis in AXES},
     "energy_lost": "J", "energy": "J",
 }  # fmt: skip
-
-
-class EventSource(Protocol):
-    """Source of a table of events: :class:`carom.Trajectory` and :class:`carom.ManyRuns` are such sources."""
-
-    @property
-    def scene(self) -> Scene:
-        """Return the scene."""
-        ...
-
-    def kinetic_energy(self, ball: Any, velocity: NDArray[np.float64], spin: NDArray[np.float64]) -> Numbers:
-        """Return kinetic energies (N,), J, of balls given by number (N,) at velocities and spins (N, 3)."""
-        ...
-
-
-class RunRecord(EventSource, Protocol):
-    """Content of a run for tables and files; :class:`carom.Trajectory` offers it."""
-
-    log: NDArray[np.void]
-    end: float
-    ended: str
-
-    @property
-    def final(self) -> State:
-        """Return the final states (B, 3)."""
-        ...
-
-    def at(self, t: ArrayLike) -> State:
-        """Return states (..., B, 3) at times (...)."""
-        ...
-
-    def phase(self, t: ArrayLike) -> NDArray[np.str_]:
-        """Return the names of phases (..., B)."""
-        ...
-
-    def orientation(self, t: ArrayLike) -> NDArray[np.float64]:
-        """Return unit quaternions (..., B, 4)."""
-        ...
-
-    def energy(self, t: ArrayLike, *, each: bool = False) -> Numbers:
-        """Return energies (...), or (..., B) of each ball, J."""
-        ...
 
 
 def kinetic_energy(
@@ -92,31 +51,22 @@ def _parts(columns: Columns, name: str, vectors: NDArray[np.float64], after: str
         columns[f"{name}{axis}{after}"] = np.ascontiguousarray(vectors[:, k])
 
 
-def _names(names: tuple[str, ...], which: NDArray[Any]) -> NDArray[Any]:
-    found: NDArray[Any] = np.array([*names, ""], dtype=object)[which]
-    return found
-
-
 def event_columns(run: EventSource, rows: NDArray[np.void]) -> Columns:
     """Return rows of a run's log as named columns (N,).
 
     ``vx`` ... ``wz`` are velocity and spin just after the event, ``vx_before`` ... just before; ``other`` is the number of the
     wall, of the other ball or of the pocket, -1 for none, ``name`` its name; ``energy_lost`` is this ball's.
     """
-    wall = np.where(rows["met"] == WALL, rows["other"], -1)
-    ball = np.where(rows["met"] == BALL, rows["other"], -1)
-    pocket = np.where(rows["met"] == POCKETED_EVENT, rows["other"], -1)
-    names = (
-        _names(run.scene.wall_names, wall),
-        _names(run.scene.ball_names, ball),
-        _names(run.scene.pocket_names, pocket),
-    )
+    name = np.full(len(rows), "", dtype=object)
+    for met, names in PARTNERS.items():
+        its = rows["met"] == met
+        name[its] = np.array(getattr(run.scene, names), dtype=object)[rows["other"][its]]
     columns: Columns = {
         "t": np.array(rows["t"]),
         "kind": kind_names(rows),
         "ball": np.array(rows["ball"]),
         "other": np.array(rows["other"]),
-        "name": names[0] + names[1] + names[2],
+        "name": name,
         "phase_before": np.array(PHASES, dtype=object)[rows["phase_before"]],
         "phase": np.array(PHASES, dtype=object)[rows["phase"]],
     }

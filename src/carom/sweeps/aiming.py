@@ -16,7 +16,7 @@ from carom.errors import CaromError, require_type
 from carom.files import import_optional
 from carom.formatting import format_number, html_table
 from carom.scene.scene import Scene
-from carom.simulation.records import BALL, POCKETED_EVENT, WALL
+from carom.simulation.contacts.kinds import partner_names
 from carom.simulation.simulate import simulate
 from carom.sweeps.aim_problem import AimProblem, CoarseSweep, Signature, signature
 from carom.sweeps.targets import EVENTS, TargetEvent, find, targets_of
@@ -368,10 +368,9 @@ def _sequence(problem: AimProblem, run: Any) -> tuple[tuple[str, ...], float]:
     to_the_end = any(target.kind == "point" for target in problem.targets)
     last = len(rows) if to_the_end else max(found) + 1
     balls = {target.ball for target in problem.targets}
-    names = {WALL: scene.wall_names, BALL: scene.ball_names, POCKETED_EVENT: scene.pocket_names}
     met = [
         (f"{scene.ball_names[int(row['ball'])]}: " if len(balls) > 1 else "")
-        + names[int(row["met"])][int(row["other"])]
+        + (partner_names(scene, int(row["met"])) or ())[int(row["other"])]
         for row in rows[:last]
         if int(row["ball"]) in balls
     ]

@@ -21,9 +21,10 @@ from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, Fault, did_you_mean, shown
 from carom.scene.paths import PathMatch, path_match, replaced
 from carom.scene.scene import Scene
-from carom.simulation.loop import LIMIT, PHASES_FROM
+from carom.simulation.contacts.wall import REFUSED_ROLLING, REFUSED_STALL, REFUSED_UNDEFINED
+from carom.simulation.event_rows import PHASES_FROM
+from carom.simulation.loop import LIMIT
 from carom.simulation.records import BALL, KINDS, LOG, POCKETED_EVENT
-from carom.simulation.resolve import REFUSED_ROLLING, REFUSED_STALL, REFUSED_UNDEFINED
 from carom.simulation.run_log import run_limits, run_scene
 from carom.simulation.run_many import PARTS, compiled_many, empty_counts, empty_logs, many_on_gpu
 from carom.simulation.setup import SceneArrays, set_up

@@ -24,10 +24,11 @@ from carom.core.jit.slices import block_slices
 from carom.core.jit.threads import call_in_threads
 from carom.core.motion.phases import HELD
 from carom.simulation.compiled import ENGINE_RUN, compiled_engine
-from carom.simulation.loop import ALL, QUIET
+from carom.simulation.contacts.contact import DONE
+from carom.simulation.event_rows import ALL
+from carom.simulation.loop import QUIET
 from carom.simulation.predict import begin_phase, move_by, write_vector
 from carom.simulation.records import BALLS, LOG, WORLD
-from carom.simulation.resolve import DONE
 from carom.simulation.sensitivity.compiled import FOLLOW, SLOPES, STATES, compiled_follow, compiled_states
 from carom.simulation.sensitivity.pass_kernels import PASSAGES
 from carom.simulation.setup import SceneArrays

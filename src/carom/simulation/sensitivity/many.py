@@ -25,10 +25,12 @@ from carom.errors import CaromError, require_type
 from carom.scene.paths import replaced
 from carom.scene.scene import Scene
 from carom.simulation.compiled import ENGINE_END, ENGINE_RUN, compiled_engine
-from carom.simulation.loop import ALL, FULL, LIMIT, QUIET
+from carom.simulation.contacts.contact import DONE
+from carom.simulation.contacts.kinds import REFUSALS
+from carom.simulation.event_rows import ALL
+from carom.simulation.loop import FULL, LIMIT, QUIET
 from carom.simulation.records import BALLS, LOG, WORLD
-from carom.simulation.resolve import DONE
-from carom.simulation.run_log import REFUSALS, run_limits, run_scene
+from carom.simulation.run_log import run_limits, run_scene
 from carom.simulation.sensitivity.compiled import FOLLOW, SLOPES, compiled_follow, dual_users
 from carom.simulation.sensitivity.parameters import ARRAYS, Parameters, parameters_of
 from carom.simulation.sensitivity.pass_kernels import PASSAGES

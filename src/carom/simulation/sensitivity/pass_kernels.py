@@ -20,21 +20,21 @@ import numpy as np
 from carom.core.geometry.features import FALLS, OVER, gap_to_feature
 from carom.core.jit.dual.numbers import as_dual, depends, scaled, value_of, with_value
 from carom.core.jit.kernel import Vec, dot, kernel, steepest, vector
-from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, POCKETED, REST, SLIDING, grounded, next_phase
+from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, SLIDING, grounded
+from carom.simulation.contacts.kinds import resolve_event
+from carom.simulation.contacts.pair import line_of_centres, pair_friction
 from carom.simulation.predict import begin_phase, move_by, write_vector
 from carom.simulation.records import (
     BALL,
     FLOOR,
     HELD_EVENT,
     IN_CLUSTER,
-    LEFT_EVENT,
     NOTHING,
     PHASE,
     POCKETED_EVENT,
     SETTLED,
     WALL,
 )  # fmt: skip
-from carom.simulation.resolve import line_of_centres, meet_ball, meet_floor, meet_wall, pair_friction
 from carom.simulation.resting_contact import stays_clear
 from carom.simulation.sensitivity.gaps import feature_gap, feature_gap_rate, pair_gap
 
@@ -199,31 +199,16 @@ def _resolve_event(
 ) -> tuple[Any, Any, Any]:
     """Let what happens at an event happen; return speed of approach, required friction, and the friction there is."""
     ball, kind = balls[i], row.kind
-    approach = required = friction = as_dual(math.nan)
+    approach = friction = as_dual(math.nan)
     if kind == BALL:
         approach = _closing(ball, balls[k])
         friction = pair_friction(world, ball, balls[k], line_of_centres(ball, balls[k]))
-        _j, required, _regime, _many = meet_ball(world, balls, i, k, users)
     elif kind == FLOOR:
-        approach = -ball.v[2]
-        _j, required, _regime = meet_floor(world, features, balls, i)
-        friction = world.floor_mu
+        approach, friction = -ball.v[2], world.floor_mu
     elif kind == WALL:
-        approach = -feature_gap_rate(features[f], vector(ball.x), vector(ball.v))
-        _j, _jf, required, _regime, _refused = meet_wall(world, features[f], ball, users)
-        friction = features[f].mu
-    elif kind in (PHASE, SETTLED):
-        v, w = vector(ball.v), vector(ball.w)
-        if kind == PHASE:
-            ball.phase, v, w = next_phase(row.phase_before, v, w, ball.radius, ball.kappa)
-        else:
-            ball.phase, v, w = grounded(v, w, ball.radius, ball.kappa, world.g, world.floor_mu)
-        write_vector(ball.v, v)
-        write_vector(ball.w, w)
-    elif kind == POCKETED_EVENT:
-        ball.phase = POCKETED
-    elif kind == LEFT_EVENT and row.phase == LEFT:
-        ball.phase = LEFT
+        approach, friction = -feature_gap_rate(features[f], vector(ball.x), vector(ball.v)), features[f].mu
+    outcome = resolve_event(kind, world, features, balls, i, k if kind == BALL else f, users)
+    required = outcome[2] if kind in (WALL, FLOOR, BALL) else as_dual(math.nan)
     return approach, required, friction
 
 
