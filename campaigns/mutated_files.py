@@ -95,7 +95,7 @@ class _LateError(BaseException):
 def bases() -> dict[str, list[bytes]]:
     """Intact files by kind."""
     from carom.data.published import published_rebounds
-    from carom.gas.build import new_gas
+    from carom.gas.build import gas_text
     from carom.scene.toml import scene_text
 
     scenes = [path.read_bytes() for path in sorted((ROOT / "docs" / "scenes").glob("*.toml"))]
@@ -113,7 +113,7 @@ def bases() -> dict[str, list[bytes]]:
             b"speed,incidence_deg,restitution\n1,45,0.9\n2,30,\n",
         ],
         "scene": [scene_text().encode()] + [text for text in scenes if b"[[balls]]" in text],
-        "gas": [new_gas().encode()] + [text for text in scenes if b"[[species]]" in text],
+        "gas": [gas_text().encode()] + [text for text in scenes if b"[[species]]" in text],
         "checkpoint": [_checkpoint()],
     }
 

@@ -45,7 +45,7 @@ def main() -> None:
         measured = measure(read_tracks(given.tracks).tracks, Settings(radius=RADIUS, view="above"))
         ranking = fit_tracks(
             measured, Setting(radius=RADIUS, contact_height=NOSE / RADIUS, cushions=given.cushions), given.laws.split(","),
-            say=lambda what, done: bar.update(task, completed=done, description=what),
+            progress=lambda done, _total, what: bar.update(task, completed=done, description=what),
         )  # fmt: skip
     if given.picture:
         save(plot_tracks(ranking), given.picture)

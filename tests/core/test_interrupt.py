@@ -39,7 +39,7 @@ JOBS = {
     "simulate": BOX + """
 carom.simulate(scene(max_events=20_000))
 begin()
-carom.simulate(scene(count=1, max_events=10**12), progress=lambda events, t: None)
+carom.simulate(scene(count=1, max_events=10**12), progress=lambda *_: None)
 """,
     "simulate_many": BOX + """
 carom.simulate_many(scene(count=1, duration=10), velocity=[[1, 2, 3]])

@@ -150,14 +150,14 @@ def test_progress_and_an_interrupt_between_chunks():
     gas = Gas([Species(SPHERE, 100)], (6.0,) * 3, contacts=SMOOTH)
     seen = []
 
-    def stop(which, done):
-        seen.append((which.time, done))
+    def stop(*said):
+        seen.append(said)
         if len(seen) == 3:
             raise KeyboardInterrupt
 
     with pytest.raises(KeyboardInterrupt):
         gas.run(10_000, progress=stop, chunk=100)
-    assert [done for _, done in seen] == [100, 200, 300]
+    assert seen == [(done, 10_000, "collisions") for done in (100, 200, 300)]
     whole = Gas([Species(SPHERE, 100)], (6.0,) * 3, contacts=SMOOTH)
     whole.run(1000)
     gas.run(700)

@@ -370,7 +370,7 @@ def test_a_cooling_gas_is_run_in_few_pieces(tmp_path: Path) -> None:
     session = Session(
         scene.model_copy(update={"run": scene.run.model_copy(update={"max_events": 6000, "duration": None})})
     )
-    assert session.run(progress=lambda now: pieces.append(now.done))
+    assert session.run(progress=lambda *_: pieces.append(session.done))
     assert session.done == 6000
     assert session.gas.time > 1e6
     assert len(pieces) < 250

@@ -11,7 +11,7 @@ from reference.gases import MIXED, ROUGH
 
 from carom import Ball, CaromError, Surface
 from carom.gas import Gas, Species, simulate_gas
-from carom.gas.build import build, is_gas, load_gas, new_gas
+from carom.gas.build import build, gas_text, is_gas, load_gas
 from carom.gas.scene import GasScene
 from carom.gas.schema import GasContact, GasContainer, GasSettings, GasSpecies
 from carom.gas.session import Session
@@ -85,7 +85,7 @@ def test_units(tmp_path):
 
 
 def test_the_scene_to_begin_with_runs(tmp_path):
-    gas = build(load(tmp_path, new_gas()))
+    gas = build(load(tmp_path, gas_text()))
     assert len(gas.balls().species) == 1000
     assert is_gas(tmp_path / "gas.toml")
     assert not is_gas(tmp_path / "none.toml")
@@ -145,7 +145,7 @@ temperature_rotational = 0.5
 def test_a_dense_random_start(tmp_path):
     scene = load(tmp_path, ROUGH.replace("count = 200", "count = 380") + 'start = "random"')
     shares: list[float] = []
-    gas = build(scene, progress=shares.append)
+    gas = build(scene, progress=lambda done, _total, _text: shares.append(done))
     assert scene.packing_fraction == pytest.approx(0.4737, abs=1e-4)
     assert shares == sorted(shares)
     assert gas.run(5000).max_overlap < 1e-12

@@ -18,7 +18,7 @@ from typer.testing import CliRunner
 import carom
 from carom.cli import app
 from carom.core.geometry.features import FEATURES
-from carom.gas.build import new_gas
+from carom.gas.build import gas_text
 from carom.laws.law import CALLED_WALL, CONTACT_WALL, MIRROR_WALL
 from carom.laws.registry import LAWS
 from carom.scene import (
@@ -727,7 +727,7 @@ position = [-0.1, 0.2, 0.3]
         "run": {"law": "two-step", "duration": None, "max_events": None, "floor_contact": "with"},
     }  # fmt: skip
     gas = tmp_path / "gas.toml"
-    gas.write_text(new_gas())
+    gas.write_text(gas_text())
     result = CliRunner().invoke(app, ["scene", "check", str(gas), "--json"])
     assert result.exit_code == 0, result.stderr
     assert {"container", "species", "run"} <= set(json.loads(result.stdout))

@@ -133,10 +133,11 @@ def aim(
     from carom.sweeps.aiming import aim as solve
 
     # (the many runs are compiled first, then the derivatives)
-    with show_progress(err(), quiet, *loops_of(made), pass_loop) as progress:
+    with show_progress(err(), quiet, *loops_of(made), pass_loop) as say:
         aims = solve(
-            made, ranges, target, errors=errors, solutions=solutions, starts=starts, seed=seed, progress=progress
-        )
+            made, ranges, target, errors=errors, solutions=solutions, starts=starts, seed=seed,
+            progress=lambda _done, _total, text: say(text),
+        )  # fmt: skip
     if as_json:
         plain = [
             {

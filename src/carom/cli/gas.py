@@ -142,9 +142,9 @@ def gas(
             stack.callback(file.close)
         checkpoints = _Checkpoints(checkpoint or resume, interval, file, progress)
 
-        def report_progress(now: Session) -> None:
-            progress.show(now)
-            checkpoints.save_if_due(now)
+        def report_progress(*_progress: Any) -> None:
+            progress.show(session)
+            checkpoints.save_if_due(session)
 
         with progress:
             finished = _run(session, signals, report_progress, snapshot_every, file, found)
@@ -293,7 +293,7 @@ def _session(path: Path | None, scene: GasScene | None, resume: Path | None, pro
 def _run(
     session: Session,
     signals: list[int],
-    progress: Callable[[Session], None],
+    progress: Callable[..., None],
     every: int | float | None,
     file: Frames | None,
     found: list[str],

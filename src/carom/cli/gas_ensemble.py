@@ -93,8 +93,9 @@ class _Bar:
         self.progress, self.members, self.begin = progress, members, time.monotonic()
         self.announced = False
 
-    def show(self, share: float, events: int) -> None:
-        """Show the fraction that is done, and the number of collisions so far."""
+    def show(self, events: float, total: float, _text: str) -> None:
+        """Show the number of collisions so far, and the fraction that is done."""
+        share = events / total if total > 0 else 0.0
         one, now = self.progress, time.monotonic()
         if one.bar is None and not self.announced:
             one.say(f"simulating {self.members} gases")

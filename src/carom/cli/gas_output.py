@@ -113,7 +113,7 @@ class Progress:
         if not loop_is_cached():
             self.say("compiling the event loop (once)")
 
-    def growing(self, fraction: float) -> None:
+    def growing(self, fraction: float, _total: float, _text: str) -> None:
         """Show the progress of growing a dense start."""
         now = time.monotonic()
         if self.quiet or (now - self.last_line < (0.3 if self.console.is_terminal else LINE_INTERVAL) and fraction < 1):
@@ -149,15 +149,11 @@ class Progress:
             self.bar.show(session.completed, 1.0, "  ".join(words))
         elif now - self.last_line >= LINE_INTERVAL:
             self.last_line = now
-            self.say(f"{self._part_name(session)}: {session.completed:.0%}, {', '.join(words)}")
+            self.say(f"{session.part}: {session.completed:.0%}, {', '.join(words)}")
 
     def _next_part(self, session: Session, now: float) -> None:
         self.part, self.begin, self.first = session.measuring, now, session.gas.collisions
         if self.bar is not None:
-            self.bar.describe(self._part_name(session), anew=True)
+            self.bar.describe(session.part, anew=True)
         elif not session.finished:
-            self.say(f"{self._part_name(session)}: {counted(session.scene.count, 'ball')}")
-
-    @staticmethod
-    def _part_name(session: Session) -> str:
-        return "measuring" if session.measuring else "equilibrating"
+            self.say(f"{session.part}: {counted(session.scene.count, 'ball')}")

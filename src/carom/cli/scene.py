@@ -35,7 +35,7 @@ def new(
     from carom.cli.common import wrote
     from carom.errors import CaromError
     from carom.files import write_text
-    from carom.gas.build import new_gas
+    from carom.gas.build import gas_text
     from carom.scene.toml import scene_text
 
     if table is not None and gas:
@@ -45,7 +45,7 @@ def new(
 
         sys.stdout.write("".join(f"{name:<18}{preset.title}\n" for name, preset in presets().items()))
         return
-    text = new_gas() if gas else scene_text(table)
+    text = gas_text() if gas else scene_text(table)
     if file is None:
         sys.stdout.write(text)
         return

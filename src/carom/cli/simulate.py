@@ -213,10 +213,10 @@ def _run(scene: Scene, quiet: bool) -> Trajectory:
 
     with show_progress(err(), quiet, *loops_of(scene)) as say, noticed_interrupts(always=True) as asked:
 
-        def on_the_way(events: int, t: float) -> None:
+        def on_the_way(events: float, _total: float, time: str) -> None:
             if asked:  # an interrupt was swallowed
                 raise KeyboardInterrupt
-            say(f"simulating: {events:,} events, {t:.4g} s")
+            say(f"simulating: {events:,} events, {time}")
 
         found = follow(scene, on_the_way)
     if asked:  # the exception was swallowed elsewhere

@@ -138,7 +138,7 @@ def fit(
     return fit_laws(
         rebounds, ready.setting, ready.laws or None, where=where, sigma_v=sigma_v, sigma_spin=sigma_spin, spin=spin,
         every_contact=every_contact, shifted=ready.published.shifted if ready.published else (), profiles=profiles,
-        bootstrap=bootstrap, seed=seed or 0, say=None if progress is None else lambda text, done: progress(done, 1.0, text),
+        bootstrap=bootstrap, seed=seed or 0, progress=progress,
     )  # fmt: skip
 
 
@@ -331,5 +331,8 @@ def _fit_whole(ready: _Request, film: Calibration, where: Where, progress: Progr
     )
     with noting(measured.notes):
         return fit_tracks(
-            measured, setting, ready.laws or None, say=lambda text, done: tell(MEASURING + (1 - MEASURING) * done, text)
+            measured,
+            setting,
+            ready.laws or None,
+            progress=lambda done, _total, text: tell(MEASURING + (1 - MEASURING) * done, text),
         )

@@ -27,6 +27,8 @@ from carom.fitting.uncertainty import with_bootstrap, with_shared
 from carom.fitting.usable_rows import usable_rows
 from carom.formatting import json_value
 from carom.laws.registry import one_or_several
+from carom.public.progress import Progress, loop_callback
+from carom.public.renamed import renamed_arguments
 
 __all__ = ["Outlier", "Ranking", "fit_laws"]
 
@@ -37,6 +39,14 @@ DRAWS = 200
 FIT_SHARE = 0.6  # of the progress bar
 RESTITUTIONS = tuple(dict.fromkeys(p.name for form in FORMS.values() for p in form.parameters))
 Say = Callable[[str, float], None]
+
+
+def step_callback(progress: Progress | None) -> Say:
+    """Return the callback of a fit, which takes the current step and the fraction done."""
+    tell: Say = loop_callback(progress, lambda now: lambda text, done: now(done, 1.0, text)) or (
+        lambda _what, _done: None
+    )
+    return tell
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -104,6 +114,7 @@ class Ranking(RankedLaws[Fit]):
         }
 
 
+@renamed_arguments(say="progress")
 def fit_laws(
     rebounds: Rebounds,
     setting: Setting,
@@ -118,7 +129,7 @@ def fit_laws(
     profiles: bool | None = None,
     bootstrap: int | None = None,
     seed: int = 0,
-    say: Say | None = None,
+    progress: Progress | None = None,
 ) -> Ranking:
     """Fit laws to the rebounds that may be used for it, and rank them.
 
@@ -142,8 +153,8 @@ def fit_laws(
         Number of draws. Default: 200 if this is fast, else none.
     seed : int
         Of the bootstrap.
-    say : callable, optional
-        Called with a description of the current step and the fraction done, 0 to 1.
+    progress : callable(done, total, text), optional
+        Called with the fraction done, 1, and the current step. ``say`` is its older name.
 
     Returns
     -------
@@ -184,7 +195,7 @@ def fit_laws(
     others = [(words, usable_rows(rows, setting, **choice)[0]) for words, rows in shifted]
     rebounds, setting = usable_rows(rebounds, setting, **choice)
     with noting(rebounds.notes):
-        ranking = _fit_rows(rebounds, setting, laws, profiles, bootstrap, seed, say or (lambda _what, _done: None))
+        ranking = _fit_rows(rebounds, setting, laws, profiles, bootstrap, seed, step_callback(progress))
     return ranking.with_shared_errors(others)
 
 

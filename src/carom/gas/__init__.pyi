@@ -1,3 +1,4 @@
+from .build import gas_text as gas_text
 from .build import load_gas as load_gas
 from .build import new_gas as new_gas
 from .checkpoint import load_checkpoint as load_checkpoint

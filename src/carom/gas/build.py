@@ -2,32 +2,32 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from carom.errors import CaromError, Fault, suggestion
+from carom.errors import CaromError, Fault, require_type, suggestion
 from carom.files import as_path
 from carom.gas.gas import Gas
 from carom.gas.initial import dense
 from carom.gas.scene import GasScene
 from carom.gas.snapshots import InitialState, read_initial_state
+from carom.public.progress import Progress
 from carom.scene.schema import from_file
-from carom.scene.toml import read_toml
+from carom.scene.toml import parse_toml, plain_table, read_toml
 
-__all__ = ["build", "is_gas", "load_gas", "new_gas"]
+__all__ = ["build", "gas_text", "is_gas", "load_gas", "new_gas"]
 
 SINGLE_PRECISION = 1e-5  # of a radius: an overlap that rounding to single precision may cause
 
 
-def build(scene: GasScene, where: str = "gas", progress: Callable[[float], None] | None = None) -> Gas:
+def build(scene: GasScene, where: str = "gas", progress: Progress | None = None) -> Gas:
     """Return the gas of a scene, at its start.
 
-    ``where`` is what errors name as their place; ``progress`` is called while a dense random start grows, with the current fraction
-    of the final radii. Raises CaromError for initial positions that overlap, or that a file does not have.
+    ``where`` is what errors name as their place; ``progress`` is called while a dense random start grows, as by
+    :func:`carom.gas.dense`. Raises CaromError for initial positions that overlap, or that a file does not have.
     """
     axes, run, container = scene.container.dimensions, scene.run, scene.container.geometry
     options: dict[str, Any] = {}
@@ -113,7 +113,7 @@ def load_gas(path: str | Path) -> GasScene:
     Parameters
     ----------
     path : str or Path
-        A start from a file is looked for in the same folder.
+        The file, in whose folder a start from a file is looked for; or the text of such a file, with its line breaks.
 
     Returns
     -------
@@ -125,23 +125,27 @@ def load_gas(path: str | Path) -> GasScene:
     --------
     >>> import tempfile
     >>> from pathlib import Path
-    >>> from carom.gas import load_gas, new_gas
+    >>> from carom.gas import gas_text, load_gas
     >>> with tempfile.TemporaryDirectory() as folder:
     ...     path = Path(folder) / "gas.toml"
-    ...     _ = path.write_text(new_gas(), encoding="utf-8")
+    ...     _ = path.write_text(gas_text(), encoding="utf-8")
     ...     scene = load_gas(path)
     >>> scene.count, scene.container.shape
     (1000, 'periodic')
     """
-    path = as_path("load_gas", path)
-    table = read_toml(path, f"carom scene new `gas` {path}", "the scene file of a gas")
+    if isinstance(path, str) and "\n" in path:
+        name, folder, table = "gas", Path(), parse_toml("gas", path)
+    else:
+        path = as_path("load_gas", path)
+        name, folder = str(path), path.parent
+        table = read_toml(path, f"carom scene new `gas` {path}", "the scene file of a gas")
     if strange := sorted({"balls", "walls", "floor"} & set(table)):
         got = " and ".join(strange)
-        raise CaromError(f"{path}: expected a gas, got a scene of single balls, with {got}; run carom simulate {path}")
+        raise CaromError(f"{name}: expected a gas, got a scene of single balls, with {got}; run carom simulate {name}")
     run = table.get("run")
     if isinstance(run, dict) and isinstance(start := run.get("start"), str) and Path(start).suffix:
-        run["start"] = str(path.parent / start)
-    return from_file(str(path), GasScene, table)
+        run["start"] = str(folder / start)
+    return from_file(name, GasScene, table)
 
 
 def is_gas(path: str | Path) -> bool:
@@ -153,18 +157,47 @@ def is_gas(path: str | Path) -> bool:
     return bool({"container", "species"} & set(table))
 
 
-def new_gas() -> str:
-    """Return the text of a commented scene that can be run unchanged: rough spheres in a periodic box.
+def new_gas() -> GasScene:
+    """Return a gas that can be run as it is: rough spheres in a periodic box.
 
     Returns
     -------
-    str
-        TOML.
+    GasScene
+        :func:`gas_text` returns the commented text of its file.
 
     Examples
     --------
     >>> from carom.gas import new_gas
-    >>> print(new_gas().splitlines()[0])
-    # A gas for carom: `carom gas FILE` runs it, `carom scene check FILE` validates it.
+    >>> new_gas().count
+    1000
     """
-    return files("carom.gas").joinpath("new.toml").read_text(encoding="utf-8")
+    return load_gas(gas_text())
+
+
+def gas_text(scene: GasScene | None = None) -> str:
+    """Return the text of the scene file of a gas.
+
+    Parameters
+    ----------
+    scene : GasScene, optional
+        Default: a commented first gas, :func:`new_gas`.
+
+    Returns
+    -------
+    str
+        TOML, from which :func:`load_gas` makes a scene.
+
+    Examples
+    --------
+    >>> from carom.gas import gas_text, load_gas, new_gas
+    >>> print(gas_text().splitlines()[0])
+    # A gas for carom: `carom gas FILE` runs it, `carom scene check FILE` validates it.
+    >>> load_gas(gas_text(new_gas())) == new_gas()
+    True
+    """
+    if scene is None:
+        return files("carom.gas").joinpath("new.toml").read_text(encoding="utf-8")
+    import tomli_w
+
+    require_type("gas_text", "scene", scene, GasScene)
+    return tomli_w.dumps(plain_table(scene))

@@ -26,6 +26,7 @@ from carom.gas.report import report
 from carom.gas.scene import GasScene
 from carom.gas.session import Session
 from carom.gas.snapshots import read_initial_state
+from carom.public.progress import Progress, loop_callback
 
 __all__ = ["Curve", "Ensemble", "member_scene", "simulate_ensemble"]
 
@@ -71,7 +72,7 @@ def simulate_ensemble(
     *,
     where: str = "gas",
     threads: int | None = None,
-    progress: Callable[[float, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> Ensemble:
     """Simulate independent gases of one scene, on all cores.
 
@@ -85,8 +86,8 @@ def simulate_ensemble(
         What errors name as their place.
     threads : int, optional
         Default: one per core. The results are bitwise identical for any number, except ``cpu_seconds``.
-    progress : callable, optional
-        Called some ten times per second with the fraction done, 0 to 1, and the number of collisions so far.
+    progress : callable(done, total, text), optional
+        Called some ten times per second with the number of collisions so far, and of all (NaN: not known).
 
     Returns
     -------
@@ -120,7 +121,7 @@ def simulate_ensemble(
     with ThreadPoolExecutor(threads or thread_count()) as pool:
         runs = [pool.submit(work.run, k) for k in range(members)]
         try:
-            _wait(runs, work, progress)
+            _wait(runs, work, loop_callback(progress, _as_collisions))
         except BaseException:  # Ctrl-C as well: the members end between two pieces of their runs
             work.stop.set()
             pool.shutdown(cancel_futures=True)
@@ -194,7 +195,7 @@ class _Work:
         try:
             session, early = Session(member_scene(self.scene, self.seeds[k]), self.where, self._growing), None
             try:
-                session.run(stop=self.stop.is_set, progress=lambda now: self._note(k, now))
+                session.run(stop=self.stop.is_set, progress=lambda *_: self._note(k, session))
             except EndedEarlyError as error:
                 if not session.measuring:
                     raise
@@ -203,7 +204,7 @@ class _Work:
         except CaromError as error:
             raise CaromError(*(f"{fault} (the gas with seed {self.seeds[k]})" for fault in error.faults)) from None
 
-    def _growing(self, _fraction: float) -> None:
+    def _growing(self, *_progress: Any) -> None:
         if self.stop.is_set():
             raise CaromError("simulate_ensemble: expected a run to its end, got an interrupt")
 
@@ -225,6 +226,10 @@ def _wait(runs: Sequence[Future[Any]], work: _Work, progress: Callable[[float, i
             one.result()
         if progress is not None:
             progress(float(work.shares.mean()), int(work.events.sum()))
+
+
+def _as_collisions(progress: Progress) -> Callable[[float, int], None]:
+    return lambda share, events: progress(events, events / share if share else math.nan, "collisions")
 
 
 # --- means ---------------------------------------------------------------------------------------------------------

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import time as clocks
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -20,6 +20,7 @@ from carom.gas.endings import AT_REST, COLLAPSE, TOO_SLOW, EarlyEnd, EndedEarlyE
 from carom.gas.results import GasBalls, GasRun, Mark
 from carom.gas.species import Contacts, Drive, Species, Thermostat, system_records
 from carom.gas.starts import TOUCH, draw_thermal, require_no_overlap, start_positions, vectors
+from carom.public.progress import Progress, loop_callback
 
 __all__ = ["Gas"]
 
@@ -227,12 +228,12 @@ class Gas:
         collisions: int | None = None,
         until: float = math.inf,
         *,
-        progress: Callable[[Gas, int], None] | None = None,
+        progress: Progress | None = None,
         chunk: int = CHUNK,
     ) -> GasRun:
         """Advance by so many collisions (with walls included) or to a time, whichever comes first, and measure meanwhile.
 
-        ``progress`` is called after every ``chunk`` collisions with the gas and the number of collisions. An interrupt ends
+        ``progress`` is called after every ``chunk`` collisions with their number and the one asked for, or NaN. An interrupt ends
         the run between chunks; the gas can continue from there. Raises :class:`carom.gas.EndedEarlyError`, a CaromError that holds
         what was measured until then, for an inelastic collapse (a few balls collide infinitely often in a finite time), and where
         all balls are at rest, or too slow for double precision.
@@ -264,7 +265,7 @@ class Gas:
         collisions: int | None = None,
         until: float = math.inf,
         *,
-        progress: Callable[[Gas, int], None] | None = None,
+        progress: Progress | None = None,
         chunk: int = CHUNK,
     ) -> None:
         """Advance as :meth:`run` does, without measuring. The result does not depend on how a run is divided into pieces."""
@@ -280,6 +281,8 @@ class Gas:
                 faults.add(name, f"a whole number >= {least}", f"{count!r}")
         faults.raise_if_any()
         most = 1 << 62 if collisions is None else int(collisions)
+        total = math.nan if collisions is None else float(collisions)
+        tell = loop_callback(progress, lambda now: lambda gas, done: now(done, total, "collisions"))
         before, done, self.ended_early = self.collisions, 0, None
         if not self._compiled:  # (nothing happens before that time: this compiles the loop, whose time is not measured)
             engine.advance(self.arrays, -1.0, 1)
@@ -291,8 +294,8 @@ class Gas:
             self.cpu_seconds += clocks.thread_time() - begin
             self._time = max(self._time, engine.time_of_last_event(self.arrays))
             done = self.collisions - before
-            if progress is not None:
-                progress(self, done)
+            if tell is not None:
+                tell(self, done)
             status = int(self.arrays.system[0]["status"])
             self._raise_if_ended(status, until)
             if status == DONE:

@@ -24,6 +24,7 @@ from carom.gas.edmd.gas_records import DONE, PLANE
 from carom.gas.overlaps import neighbour_cell
 from carom.gas.sizes import cells_at_most, lattice_steps
 from carom.gas.species import Species, system_records
+from carom.public.progress import Progress, loop_callback
 
 __all__ = ["compiled_loops", "dense", "lattice", "scattered", "thermal"]
 
@@ -274,7 +275,7 @@ def dense(
     *,
     periodic: bool | Sequence[bool] = True,
     seed: int = 0,
-    progress: Callable[[float], None] | None = None,
+    progress: Progress | None = None,
 ) -> Array:
     """Draw random positions (N, 3) without overlap, up to dense packings.
 
@@ -284,8 +285,8 @@ def dense(
     side, periodic : as for :class:`carom.gas.Gas`
     seed : int
         The same seed gives bitwise identical positions.
-    progress : callable, optional
-        Called with the current fraction of the final radii.
+    progress : callable(done, total, text), optional
+        Called with the current fraction of the final radii, and 1.
 
     Returns
     -------
@@ -309,6 +310,7 @@ def dense(
     >>> x.shape, bool((r[r > 0] > 1 - 1e-12).all())
     ((60, 3), True)
     """
+    tell = loop_callback(progress, lambda now: lambda scale: now(scale, 1.0, "growing"))
     container, radii = as_container(side, periodic), np.atleast_1d(np.array(radius, dtype=float))
     axes = len(container.size)
     fraction = _packing_fraction(container, radii)
@@ -340,8 +342,8 @@ def dense(
         v = np.stack([motions[name] for name in ("vx", "vy", "vz")], axis=1)
         v *= math.sqrt(len(x) * axes / (v * v).sum())
         before, scale = scale, min(scale + rate * time, 1.0)
-        if progress is not None:
-            progress(scale)
+        if tell is not None:
+            tell(scale)
         if scale - before < LEAST_STEP * (1 - before):
             if rate * 2 * sizes[-1] < LEAST_GROWTH:
                 break

@@ -18,6 +18,7 @@ from carom.gas.results import GasRun, Mark
 from carom.gas.sampling import spread_time
 from carom.gas.scene import GasScene
 from carom.gas.state import require_state
+from carom.public.progress import Progress, loop_callback
 
 __all__ = ["SAMPLES", "Session"]
 
@@ -37,8 +38,8 @@ class Session:
     scene : GasScene
     where : str
         What errors name as their place.
-    growing : callable, optional
-        Called while a dense random start grows, with the current fraction of the final radii.
+    growing : callable(done, total, text), optional
+        Called while a dense random start grows, as by :func:`carom.gas.dense`.
 
     :meth:`run` continues to the end, or to where it is stopped; neither the gas nor its measures depend on how often it was
     stopped. Samples are taken after about every fiftieth of the events (or of the duration), at times that follow from the rate of
@@ -62,7 +63,7 @@ class Session:
     2000
     """
 
-    def __init__(self, scene: GasScene, where: str = "gas", growing: Callable[[float], None] | None = None) -> None:
+    def __init__(self, scene: GasScene, where: str = "gas", growing: Progress | None = None) -> None:
         self._set(scene, build(scene, where, growing))
         self.mark: Mark | None = None
         self.measures: Measures | None = None
@@ -102,6 +103,11 @@ class Session:
         return self.mark is not None
 
     @property
+    def part(self) -> str:
+        """Name of the current part: "equilibrating" or "measuring"."""
+        return "measuring" if self.measuring else "equilibrating"
+
+    @property
     def finished(self) -> bool:
         """Whether the measurement is complete."""
         run = self.scene.run
@@ -135,13 +141,14 @@ class Session:
         self,
         *,
         stop: Callable[[], bool] = lambda: False,
-        progress: Callable[[Session], None] | None = None,
+        progress: Progress | None = None,
         every: int | float | None = None,
         snapshot: Callable[[Session], None] | None = None,
     ) -> bool:
         """Continue to the end and return True, or return False where ``stop`` returns True.
 
-        ``progress`` is called some ten times per second. ``snapshot`` is called when the measurement begins, and then every so many
+        ``progress`` is called some ten times per second with the share of the part that is done, 1, and the part,
+        "equilibrating" or "measuring". ``snapshot`` is called when the measurement begins, and then every so many
         collisions (``every`` an int) or every so much simulated time (a float). What these raise ends the run.
 
         Raises EndedEarlyError as :meth:`carom.gas.Gas.run` does; :attr:`result` and :attr:`measures` then hold what was measured
@@ -150,7 +157,8 @@ class Session:
         if every is not None and not (isinstance(every, int | float) and 0 < every < math.inf):
             raise CaromError(f"Session.run: every: expected a whole number >= 1, or a time > 0, got {every!r}")
         try:
-            return self._run(stop, progress, every, snapshot)
+            tell = loop_callback(progress, lambda now: lambda session: now(session.completed, 1.0, session.part))
+            return self._run(stop, tell, every, snapshot)
         except EndedEarlyError as error:
             if self.mark is None:
                 *others, last = error.faults

@@ -135,7 +135,9 @@ def simulate_gas(
                 faults.add(name, "none beside a GasScene", f"{value!r}", "change the scene")
         faults.raise_if_any()
         scene = replaced(species, {f"run.{name}": x for name, x in run.items() if x is not None})
-        return _simulate_scene(scene, progress) if ensemble is None else _simulate_members(scene, ensemble, progress)
+        if ensemble is None:
+            return _simulate_scene(scene, progress)
+        return simulate_ensemble(scene, ensemble, progress=progress)
     if not isinstance(species, list | tuple) or not all(isinstance(one, Species) for one in species):
         wanted = "a scene (the name of a file, or a GasScene), or a list of Species"
         faults.add("species", wanted, f"{type(species).__name__} {species!r:.60}")
@@ -159,15 +161,5 @@ def _simulate_scene(scene: GasScene, progress: Progress | None) -> tuple[Gas, Ga
     most = scene.run.max_events
     total = math.nan if most is None else scene.equilibrate + most
     session = Session(scene)
-    tell = None if progress is None else lambda now: progress(now.gas.collisions, total, "collisions")
-    session.run(progress=tell)
+    session.run(progress=progress and (lambda *_: progress(session.gas.collisions, total, "collisions")))
     return session.gas, session.result
-
-
-def _simulate_members(scene: GasScene, members: int, progress: Progress | None) -> Ensemble:
-    tell = (
-        None
-        if progress is None
-        else lambda share, events: progress(events, events / share if share else math.nan, "collisions")
-    )
-    return simulate_ensemble(scene, members, progress=tell)

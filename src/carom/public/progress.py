@@ -7,7 +7,7 @@ import warnings
 from collections.abc import Callable
 from typing import Any
 
-__all__ = ["Progress", "as_progress"]
+__all__ = ["Progress", "as_progress", "loop_callback"]
 
 Progress = Callable[[float, float, str], None]
 """Called now and then with the amount done, the total (NaN where it is not known), and the current step in words."""
@@ -20,12 +20,27 @@ def as_progress(progress: Callable[..., Any] | None, old: Callable[[float, float
     """
     if progress is None or _takes(progress, 3):
         return progress
+    _warn_of_older_form()
+    return lambda done, total, text: progress(*old(done, total, text))
+
+
+def loop_callback(progress: Callable[..., Any] | None, new: Callable[[Progress], Callable[..., Any]]) -> Any:
+    """Return the callback that a loop calls with arguments of its own: ``new(progress)``, which calls it with (done, total, text).
+
+    A callback of the release before took the loop's own arguments; it is returned as it is, with a DeprecationWarning.
+    """
+    if progress is None or _takes(progress, 3):
+        return progress and new(progress)
+    _warn_of_older_form()
+    return progress
+
+
+def _warn_of_older_form() -> None:
     warnings.warn(
         "progress: it is called with (done, total, text) now; the form of the last release goes with the next one",
         DeprecationWarning,
-        stacklevel=4,
+        stacklevel=5,
     )
-    return lambda done, total, text: progress(*old(done, total, text))
 
 
 def _takes(progress: Callable[..., Any], count: int) -> bool:

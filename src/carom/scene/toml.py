@@ -17,7 +17,16 @@ from carom.scene.restitution import Constant
 from carom.scene.scene import Scene
 from carom.scene.schema import Model, from_file
 
-__all__ = ["load_scene", "new_scene", "parse_toml", "read_toml", "require_named_laws", "save_scene", "scene_text"]
+__all__ = [
+    "load_scene",
+    "new_scene",
+    "parse_toml",
+    "plain_table",
+    "read_toml",
+    "require_named_laws",
+    "save_scene",
+    "scene_text",
+]
 
 
 def load_scene(path: str | Path, *, allow_own_laws: bool = False) -> Scene:
@@ -150,7 +159,7 @@ def require_named_laws(where: str, scene: Scene) -> None:
             )
 
 
-def _plain(value: Any) -> Any:
+def plain_table(value: Any) -> Any:
     """Return a part of a scene as a file has it: tables of what differs from the defaults, and which of several models it is."""
     if isinstance(value, Constant):
         return value.value
@@ -160,8 +169,8 @@ def _plain(value: Any) -> Any:
             for name, field in type(value).model_fields.items()
             if name == value.tag or getattr(value, name) != field.default
         }
-        return {name: _plain(one) for name, one in given.items() if one is not None}
-    return [_plain(one) for one in value] if isinstance(value, tuple) else value
+        return {name: plain_table(one) for name, one in given.items() if one is not None}
+    return [plain_table(one) for one in value] if isinstance(value, tuple) else value
 
 
 def _beside(table: dict[str, Any], folder: Path) -> None:
@@ -234,4 +243,4 @@ def scene_text(scene: Scene | str | None = None) -> str:
 
     require_type("scene_text", "scene", scene, Scene)
     require_named_laws("scene_text", scene)
-    return tomli_w.dumps(_plain(scene))
+    return tomli_w.dumps(plain_table(scene))

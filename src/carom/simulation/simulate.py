@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +16,7 @@ from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, FaultList, require_type
 from carom.formatting import counted
 from carom.laws.law import Law
+from carom.public.progress import Progress, loop_callback
 from carom.scene.paths import replaced
 from carom.scene.scene import Run, Scene
 from carom.scene.toml import load_scene
@@ -38,7 +39,7 @@ FIRST_EVENTS = 1 << 16
 
 def simulate(
     scene: Scene | str | Path,
-    progress: Callable[[int, float], None] | None = None,
+    progress: Progress | None = None,
     *,
     law: str | Law | None = None,
     duration: float | str | None = None,
@@ -51,8 +52,8 @@ def simulate(
     scene : Scene, or what :func:`carom.load_scene` takes: the name of a scene file, or of a real table, such as "pool-9ft"
         The run ends after ``scene.run.duration``, after ``scene.run.max_events``, or when no event follows; with neither given,
         after 100,000 events at most.
-    progress : function of (events so far, simulated time in s), optional
-        Called from time to time on long runs.
+    progress : callable(done, total, text), optional
+        Called from time to time on long runs: events so far, their greatest number or NaN, the simulated time.
     law : str or carom.Law, optional
         Law of all walls that name none of their own; default: the scene's, ``scene.run.law``.
     duration, max_events : s or text with a unit; whole number; optional
@@ -90,7 +91,9 @@ def simulate(
         except CaromError as error:
             raise CaromError(*(fault.replace("Run:", "simulate:", 1) for fault in error.faults)) from None
         scene = replaced(scene, {f"run.{name}": getattr(run, name) for name in given})
-    return Trajectory(*run_scene(scene, progress))
+    most = math.nan if scene.run.max_events is None else float(scene.run.max_events)
+    tell = loop_callback(progress, lambda now: lambda events, t: now(events, most, f"{t:.4g} s"))
+    return Trajectory(*run_scene(scene, tell))
 
 
 def simulate_many(
@@ -101,7 +104,7 @@ def simulate_many(
     *,
     events: int = 0,
     kinds: tuple[str, ...] = (),
-    progress: Callable[[int, int], None] | None = None,
+    progress: Progress | None = None,
 ) -> ManyRuns:
     """Simulate a scene from many initial states, on all cores, each run independently.
 
@@ -116,7 +119,8 @@ def simulate_many(
         the longest run has.
     kinds : tuple of str
         Kinds of events to keep, such as "wall"; default: all.
-    progress : function of (runs done, runs in total), optional
+    progress : callable(done, total, text), optional
+        Called with the number of runs done, and of all.
 
     Returns
     -------
@@ -150,9 +154,10 @@ def simulate_many(
                 repr(kind),
             )
     faults.raise_if_any()
+    tell = loop_callback(progress, lambda now: lambda done, total: now(done, total, "runs"))
     arrays = set_up(scene)
     balls = starts_of("simulate_many", scene, arrays, velocity, spin, position)
-    return _run_many(scene, arrays._replace(balls=balls), int(events), kinds, progress)
+    return _run_many(scene, arrays._replace(balls=balls), int(events), kinds, tell)
 
 
 # Runs that are done in one go: enough to keep all cores busy, few enough that memory stays small.

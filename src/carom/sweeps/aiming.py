@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from numbers import Integral
 from typing import TYPE_CHECKING, Any
@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from carom.errors import CaromError, require_type
 from carom.files import import_optional
 from carom.formatting import format_number, html_table
+from carom.public.progress import Progress, loop_callback
 from carom.scene.scene import Scene
 from carom.simulation.contacts.kinds import partner_names
 from carom.simulation.simulate import simulate
@@ -142,7 +143,7 @@ def aim(
     solutions: int = 5,
     starts: int = 1 << 14,
     seed: int = 0,
-    progress: Callable[[str], None] | None = None,
+    progress: Progress | None = None,
 ) -> Aims:
     """Find starts of a ball that reach a target, the most robust one first.
 
@@ -167,7 +168,8 @@ def aim(
         Of the coarse sweep.
     seed : int
         Of the draws of the player's errors.
-    progress : function of a sentence, optional
+    progress : callable(done, total, text), optional
+        Called with the current step in words; how much of it is done is not known (NaN).
 
     Returns
     -------
@@ -207,7 +209,7 @@ def aim(
     if faults:
         raise CaromError(*faults)
     problem = AimProblem(scene, unknowns, targets)
-    say = progress or (lambda _text: None)
+    say = loop_callback(progress, lambda tell: lambda text: tell(math.nan, math.nan, text)) or (lambda _text: None)
     say(f"{starts:,} starts")
     refined: list[tuple[Array, Array, Any]] = []
     sweep = _coarse(problem, starts)

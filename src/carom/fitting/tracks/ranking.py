@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.files import require_library
 from carom.fitting.evidence import DECIDED, LEANS, Evidence, Ranked, RankedLaws, odds_in_words, verdict_words, weigh
+from carom.fitting.ranking import step_callback
 from carom.fitting.setting import Setting, require_settings
 from carom.fitting.tracks.errors import ERROR_TOO_SMALL
 from carom.fitting.tracks.fit import starting_numbers
@@ -23,12 +24,13 @@ from carom.fitting.tracks.segments import find_segments
 from carom.fitting.tracks.stages import distances_through_contacts, failing_part
 from carom.formatting import json_value
 from carom.laws.registry import one_or_several
+from carom.public.progress import Progress
+from carom.public.renamed import renamed_arguments
 from carom.tracks.measurement import Measured
 
 __all__ = ["TrackRanking", "fit_tracks"]
 
 Array = NDArray[np.float64]
-Say = Callable[[str, float], None]
 SURE, HINT = (
     0.01,
     0.1,
@@ -84,8 +86,9 @@ class TrackRanking(RankedLaws[TrackFit]):
         }  # fmt: skip
 
 
+@renamed_arguments(say="progress")
 def fit_tracks(
-    measured: Measured, setting: Setting, laws: str | Sequence[str] | None = None, *, say: Say | None = None
+    measured: Measured, setting: Setting, laws: str | Sequence[str] | None = None, *, progress: Progress | None = None
 ) -> TrackRanking:
     """Fit laws to whole tracks by simulating every ball, and rank them.
 
@@ -97,8 +100,8 @@ def fit_tracks(
         The ball, the noise, and the extent of the simulation.
     laws : str or sequence of str, optional
         Names. Default: all laws for balls on a table.
-    say : callable, optional
-        Called with a description of the current step and the fraction done, 0 to 1.
+    progress : callable(done, total, text), optional
+        Called with the fraction done, 1, and the current step. ``say`` is its older name.
 
     Returns
     -------
@@ -139,7 +142,7 @@ def fit_tracks(
             "tracks: expected a ball that is seen before and after a wall, without another contact in between, got none"
             + "".join(f"; {note}" for note in notes)
         )
-    tell = say or (lambda _what, _done: None)
+    tell = step_callback(progress)
     chosen, more = track_models(
         one_or_several("fit_tracks", laws) if laws else None, setting, measured.walls, starting_numbers(measured)
     )
