@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field
 from typing import Any, NamedTuple
 
@@ -10,9 +11,10 @@ from numpy.typing import NDArray
 
 from carom.gas.endings import EarlyEnd
 
-__all__ = ["GasBalls", "GasRun", "Mark"]
+__all__ = ["TOTALS", "GasBalls", "GasRun", "Mark"]
 
 Array = NDArray[np.float64]
+TOTALS = ("pairs", "contacts", "faces")  # of a mark: totals by pair of species, by face and species, by face
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,6 +58,18 @@ class Mark(NamedTuple):
     energy: tuple[float, float, float]
     time: float
     cpu: float
+
+    def state(self) -> dict[str, NDArray[Any]]:
+        """Return the mark as arrays; :meth:`restore` makes it again."""
+        numbers = np.array([*self.energy, self.time, self.cpu])
+        return {"system": np.array([self.system]), "numbers": numbers} | {name: getattr(self, name) for name in TOTALS}
+
+    @classmethod
+    def restore(cls, state: Mapping[str, NDArray[Any]]) -> Mark:
+        """Return the mark with a :meth:`state`."""
+        *energy, time, cpu = map(float, state["numbers"])
+        pairs, contacts, faces = (state[name] for name in TOTALS)
+        return cls(state["system"][0], pairs, contacts, faces, (energy[0], energy[1], energy[2]), time, cpu)
 
 
 @dataclass(frozen=True)

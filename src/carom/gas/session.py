@@ -27,6 +27,10 @@ PAIR_SAMPLING = 5  # every fifth sample counts pairs
 RATE_SAMPLES = 8  # over which the rate of collisions is taken where walls oscillate: over one it varies with the phase
 CHUNK = 100_000  # collisions between two checks for progress and interrupts: a tenth of a second
 
+# What a session keeps of its course, beside the gas and its measures: whole numbers, and times.
+COUNTS = ("first_collision", "last_sample_collisions", "sample_interval", "snapshots_taken", "snapshots_by_time")
+CLOCK = ("sample_due", "last_sample_time", "snapshot_due")
+
 State = dict[str, NDArray[Any]]
 
 
@@ -80,7 +84,7 @@ class Session:
             )
         self.sample_interval = SAMPLES if scene.run.max_events is None else max(scene.run.max_events // SAMPLES, 1)
         # the next snapshot is due after so many collisions, or after this time, as ``every`` says
-        self.snapshots_taken, self.snapshot_due, self.snapshots_by_time = 0, 0.0, False
+        self.snapshots_taken, self.snapshot_due, self.snapshots_by_time = 0, 0.0, 0
         self._start_measuring()
 
     def _set(self, scene: GasScene, gas: Gas) -> None:
@@ -221,7 +225,7 @@ class Session:
         timed = isinstance(every, float)
         passed = self.gas.time - self.mark.time if timed else self.done
         if timed != self.snapshots_by_time:  # another unit than before
-            self.snapshots_by_time, self.snapshot_due = timed, passed
+            self.snapshots_by_time, self.snapshot_due = int(timed), passed
         if self.gas.time >= self.mark.time + self.snapshot_due if timed else self.done >= self.snapshot_due:
             self.snapshots_taken += 1
             snapshot(self)
@@ -294,24 +298,12 @@ class Session:
     def own_state(self) -> State:
         """Return the :meth:`state` without the large arrays of the gas."""
         found: State = {f"gas.{name}": array for name, array in self.gas.own_state().items()}
-        found["session"] = np.array(
-            [
-                self.first_collision,
-                self.last_sample_collisions,
-                self.sample_interval,
-                self.snapshots_taken,
-                self.snapshots_by_time,
-            ],
-            np.int64,
-        )
-        found["clock"] = np.array([self.sample_due, self.last_sample_time, self.snapshot_due])
+        found["session"] = np.array([getattr(self, name) for name in COUNTS], np.int64)
+        found["clock"] = np.array([getattr(self, name) for name in CLOCK])
         if self.mark is not None and self.measures is not None:
-            mark = self.mark
-            found |= {"mark.system": np.array([mark.system]), "mark.pairs": mark.pairs, "mark.contacts": mark.contacts}
-            found["mark.faces"] = mark.faces
             # (the processor time that the measurement has taken so far)
-            cpu = self.result.cpu_seconds
-            found["mark.numbers"] = np.array([*mark.energy, mark.time, cpu])
+            mark = self.mark._replace(cpu=self.result.cpu_seconds)
+            found |= {f"mark.{name}": array for name, array in mark.state().items()}
             found |= {f"measures.{name}": array for name, array in self.measures.state().items()}
         return found
 
@@ -325,23 +317,13 @@ class Session:
             compiling()
         found = object.__new__(cls)
         found._set(scene, Gas.restore(_Part(state, "gas.")))
-        found.first_collision, found.last_sample_collisions, found.sample_interval, found.snapshots_taken, timed = map(
-            int, state["session"]
-        )
-        found.sample_due, found.last_sample_time, found.snapshot_due = map(float, state["clock"])
-        found.snapshots_by_time = bool(timed)
+        for names, kind in ((COUNTS, int), (CLOCK, float)):
+            for name, value in zip(names, state["session" if kind is int else "clock"], strict=True):
+                setattr(found, name, kind(value))
         found.mark, found.measures = None, None
         if (kept := _Part(state, "mark.")) and (measures := _Part(state, "measures.")):
-            *energy, time, cpu = map(float, kept["numbers"])
-            found.mark = Mark(
-                kept["system"][0],
-                kept["pairs"],
-                kept["contacts"],
-                kept["faces"],
-                (energy[0], energy[1], energy[2]),
-                time,
-                found.gas.cpu_seconds - cpu,
-            )
+            mark = Mark.restore(kept)
+            found.mark = mark._replace(cpu=found.gas.cpu_seconds - mark.cpu)
             found.measures = Measures.restore(found.gas, found.names, scene.container.geometry, measures)
         found.next_sample = found._time_in_interval()
         return found

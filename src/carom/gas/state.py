@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from carom.gas.edmd.driver import BINS_PER_BALL, STATE
 from carom.gas.edmd.gas_records import MOTION, NO_BALL
 from carom.gas.edmd.walls import FIRST_WALL, PREDICT_AGAIN
+from carom.gas.results import TOTALS
 from carom.gas.scene import GasScene
 from carom.gas.sizes import cells_at_most
 
@@ -18,7 +19,7 @@ __all__ = ["require_same_form", "require_state"]
 
 State = Mapping[str, NDArray[Any]]
 # Of the gas when the measurement began: the arrays that have the form of the gas's own.
-MARKED = ("system", "pairs", "contacts", "faces")
+MARKED = ("system", *TOTALS)
 
 
 def require_state(scene: GasScene, state: State) -> None:
