@@ -104,8 +104,20 @@ SHAPES: dict[str, dict[str, Any]] = {
     "Strip": {"point": (0, 0, 0), "normal": (1, 0, 0), "width": 1},
     "Wedge": {"apex": (0, 0, 0), "from_angle": 0, "to_angle": 60},
 }
+
+
 # What is made here reaches every public class, in itself or in what it holds (a test says which are missing).
+def sinai_of_radius(radius: float) -> dict[str, Any]:
+    return {"table": billiards.sinai(radius)}
+
+
 EXAMPLES: dict[str, Callable[[], list[Any]]] = {
+    "periodic orbits": lambda: [
+        found := billiards.periodic_orbits(billiards.circle(), 2, law="mirror", starts=20),
+        found[0],
+        across := billiards.refine_orbit(billiards.sinai(0.33), ((0.5, 0.0), (1.0, 0.0), 0.0), 2),
+        billiards.continue_orbit(across, sinai_of_radius, 0.33, 0.34),
+    ],
     "impacts": lambda: [
         BALL,
         SURFACE,

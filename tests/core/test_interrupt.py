@@ -6,16 +6,20 @@ end by KeyboardInterrupt long before the job would.
 
 from __future__ import annotations
 
+import multiprocessing
 import os
 import signal
 import subprocess
 import sys
+import threading
 import time
+import warnings
 
 import pytest
 from reference.commands import command
 
 from carom.core.jit.slices import GROWTH, Pace, row_slices, sliced
+from carom.core.jit.threads import call_in_threads
 
 PATIENCE = 60  # s: a job that goes on is killed then
 
@@ -156,3 +160,24 @@ def test_what_is_sliced() -> None:
     assert sum(part[0] for part in seen) == 9000
     assert all(part[1] == 3 * part[0] for part in seen)
     assert seen[0][0] == 4096
+
+
+def test_a_single_part_leaves_the_main_thread() -> None:
+    """There an interrupt would come while Numba looks up a function that is passed to a loop, and be lost."""
+    main = threading.main_thread()
+    assert call_in_threads(lambda part: (part, threading.current_thread() is main), [7]) == [(7, False)]
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")
+def test_the_threads_are_made_anew_in_a_forked_process() -> None:
+    call_in_threads(abs, [-1, -2])
+    fork = multiprocessing.get_context("fork")
+    child = fork.Process(target=call_in_threads, args=(abs, [-1]))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # (newer Pythons warn of a fork beside threads)
+        child.start()
+    child.join(PATIENCE)
+    alive = child.is_alive()
+    child.kill()
+    assert not alive
+    assert child.exitcode == 0

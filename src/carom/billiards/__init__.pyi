@@ -7,6 +7,9 @@ from .analysis import drift as drift
 from .analysis import period as period
 from .analysis import section as section
 from .analysis import uniformity as uniformity
+from .continuation import BranchPoint as BranchPoint
+from .continuation import OrbitBranch as OrbitBranch
+from .continuation import continue_orbit as continue_orbit
 from .open_tables import Escape as Escape
 from .open_tables import escape as escape
 from .orbit_by_name import OrbitResult as OrbitResult
@@ -14,6 +17,10 @@ from .orbits import Orbit as Orbit
 from .orbits import final as final
 from .orbits import orbit as orbit
 from .orbits import reverse as reverse
+from .periodic import PeriodicOrbit as PeriodicOrbit
+from .periodic import PeriodicOrbits as PeriodicOrbits
+from .periodic import periodic_orbits as periodic_orbits
+from .periodic import refine_orbit as refine_orbit
 from .periodic_tables import periodic_strip as periodic_strip
 from .periodic_tables import sinai as sinai
 from .periodic_tables import torus as torus

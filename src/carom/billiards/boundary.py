@@ -349,6 +349,18 @@ class Boundary:
             n[here] = -x[here] / self.sphere
         return n
 
+    def curvatures(self, met: Any, x: Any) -> Array:
+        """Return curvatures (N) of the centre's curve at points (N, 2 or more) on pieces (N): 1/r in a circle, -1/r around one."""
+        number, x = self._number(np.asarray(met, int)), np.asarray(x, float)
+        radii = [math.inf for _ in self.faces] + [one[2] for one in self.inside] + [-one[2] for one in self.outside]
+        found: Array = 1.0 / np.array([*radii, *(math.inf for _ in self.arcs), math.inf])[number]
+        p, q, inset = self.ellipse or NO_ELLIPSE
+        for k, arc in enumerate(self.arcs, start=len(radii)):
+            here = number == k
+            n = arc_normals(p, q, arc, x[here])
+            found[here] = 1.0 / (p * p * q * q / np.hypot(p * n[:, 0], q * n[:, 1]) ** 3 - inset)
+        return found
+
     def folded(self, x: Array) -> Array:
         """Return points translated into the periodic cell, whose centre is the origin."""
         if self.cell is None:

@@ -11,6 +11,7 @@ p > q, N is there (Nx, +-Ny) with h = q^2/a, so Ny^2 = (p^2 - q^4/a^2)/(p^2 - q^
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import Any, NamedTuple
 
@@ -184,11 +185,7 @@ def arc_wall(piece: Any, a: float, x: float, y: float) -> tuple[Vec, float]:
 
 def ellipse_arc_length(p: float, q: float, angle: Any) -> Any:
     """Return the arc length of the ellipse (p cos u, q sin u) from u = 0 to each angle, by Gauss-Legendre rules on 64 pieces."""
-    nodes, weights = np.polynomial.legendre.leggauss(12)
-    step = math.tau / 64
-    # complete pieces first, then the remainder
-    middle = (np.arange(64)[:, None] + 0.5 + nodes / 2) * step
-    whole = np.concatenate([[0.0], np.cumsum((_rate(p, q, middle) @ weights) * step / 2)])
+    nodes, weights, step, whole = _complete_pieces(p, q)
     angle = np.asarray(angle, float)
     turns = np.floor(angle / math.tau)
     angle = angle - turns * math.tau
@@ -196,6 +193,23 @@ def ellipse_arc_length(p: float, q: float, angle: Any) -> Any:
     rest = angle - k * step
     inner = k[..., None] * step + rest[..., None] * (nodes + 1) / 2
     return turns * whole[-1] + whole[k] + (_rate(p, q, inner) @ weights) * rest / 2
+
+
+@functools.lru_cache(maxsize=64)
+def _complete_pieces(p: float, q: float) -> tuple[Array, Array, float, Array]:
+    """Return the rule, and the arc lengths from u = 0 to the ends of the 64 pieces."""
+    nodes, weights = np.polynomial.legendre.leggauss(12)
+    step = math.tau / 64
+    middle = (np.arange(64)[:, None] + 0.5 + nodes / 2) * step
+    return nodes, weights, step, np.concatenate([[0.0], np.cumsum((_rate(p, q, middle) @ weights) * step / 2)])
+
+
+@functools.lru_cache(maxsize=64)
+def _lengths_along(p: float, q: float, a: float, arc: EllipticArc) -> tuple[Array, Array]:
+    """Return angles u along an arc, and the arc lengths there: where Newton's method for a point begins."""
+    u = np.linspace(arc.begin, arc.end, 4001)
+    first, turned = ellipse_arc_length(p, q, arc.begin), _turned(p, q, arc.begin)
+    return ellipse_arc_length(p, q, u) - first - a * (_turned(p, q, u) - turned), u
 
 
 def _rate(p: float, q: float, u: Any) -> Any:
@@ -228,8 +242,7 @@ def arc_along(p: float, q: float, a: float, arc: EllipticArc, x: Array) -> Array
 def arc_place(p: float, q: float, a: float, arc: EllipticArc, s: Array) -> tuple[Array, Array]:
     """Return points (N, 2) and normals towards the ball (N, 2) at arc lengths (N) from the beginning of an arc."""
     first, turned = ellipse_arc_length(p, q, arc.begin), _turned(p, q, arc.begin)
-    u = np.linspace(arc.begin, arc.end, 4001)
-    u = np.interp(s, ellipse_arc_length(p, q, u) - first - a * (_turned(p, q, u) - turned), u)
+    u = np.interp(s, *_lengths_along(p, q, a, arc))
     for _ in range(4):  # Newton; ds/du = rho dN: |E'| - a d(normal's angle)/du
         along = _rate(p, q, u)
         # (it is zero at the ends of an ellipse that is as sharp as the ball: there a step is rounding over rounding)

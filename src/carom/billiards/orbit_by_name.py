@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, fields
 from typing import Any
 
@@ -11,7 +11,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.billiards.named import SIZES, named_table
 from carom.billiards.orbits import Orbit, orbit_from_setup, require_integer, require_reversible, reverse
-from carom.billiards.sampling import starts
+from carom.billiards.periodic import PeriodicOrbits, periodic_orbits
+from carom.billiards.sampling import starts as sampled_starts
 from carom.billiards.setup import OrbitSetup, Start, default_ball, law_of, needs_surface, orbit_setup, start_rows
 from carom.billiards.solids import cylinder
 from carom.billiards.stability import Lyapunov
@@ -20,7 +21,7 @@ from carom.billiards.tables import Table, under
 from carom.bodies import Ball, Disc, Surface
 from carom.errors import CaromError, Fault, attempt, did_you_mean
 from carom.laws.law import Law
-from carom.public.defaults import BOUNCES
+from carom.public.defaults import BOUNCES, PERIODIC_STARTS
 from carom.public.progress import Progress
 
 __all__ = ["OrbitResult", "check_orbit", "orbit"]
@@ -50,6 +51,8 @@ class OrbitResult(Orbit):
     """The Lyapunov exponents, with ``lyapunov``."""
     reversal_error: Array | None = None
     """(..., B), m: distance of each bounce of the reversed orbits from the original one, with ``reverse``."""
+    periodic: PeriodicOrbits | None = None
+    """The periodic orbits, with ``periodic``."""
 
 
 def orbit(
@@ -85,6 +88,8 @@ def orbit(
     seed: int = 0,
     lyapunov: bool = False,
     reverse: bool = False,
+    periodic: int | str | Iterable[int] | None = None,
+    starts: int = PERIODIC_STARTS,
     progress: Progress | None = None,
 ) -> OrbitResult:
     """Follow a ball in a table from bounce to bounce: ``carom orbit``, with the names and defaults of its options.
@@ -120,6 +125,11 @@ def orbit(
         Whether the Lyapunov spectrum is computed too: ``found.spectrum``.
     reverse : bool
         Whether the orbits are run backwards too: ``found.reversal_error``, (..., B), m.
+    periodic : int, several, or text such as "2-6", optional
+        Numbers of bounces after which periodic orbits close, which are found too: ``found.periodic``
+        (:func:`carom.billiards.periodic_orbits`).
+    starts : int
+        Number of starts of that search, for each period.
     progress : callable(done, total, text), optional
         Called with the number of bounces done, and of all.
 
@@ -141,17 +151,31 @@ def orbit(
     >>> carom.orbit("circle", 100, orbits=3, seed=1, lyapunov=True).spectrum.per_bounce.shape
     (3, 4)
     """
-    options = {name: value for name, value in locals().items() if name not in ("lyapunov", "progress")}
+    left_out = ("lyapunov", "progress", "periodic", "starts")
+    options = {name: value for name, value in locals().items() if name not in (*left_out, "left_out")}
     setup, start = _checked(**options)
+    surface = _surface(law, restitution, friction, tangential_restitution)
+    closed = None
+    if periodic is not None:
+        closed = periodic_orbits(
+            setup.table,
+            periodic,
+            ball=setup.ball,
+            law=law,
+            surface=surface,
+            starts=starts,
+            seed=seed,
+            progress=progress,
+        )
     if start is None:
-        start = starts(setup.table, orbits, seed, ball=setup.ball, law=law)
+        start = sampled_starts(setup.table, orbits, seed, ball=setup.ball, law=law)
     found = orbit_from_setup(setup, start, bounces, progress)
     spectrum = None
     if lyapunov:
-        surface = _surface(law, restitution, friction, tangential_restitution)
         spectrum = lyapunov_spectrum(setup.table, start, found.t.shape[-1], ball=setup.ball, law=law, surface=surface)
     parts = {one.name: getattr(found, one.name) for one in fields(found)}
-    return OrbitResult(**parts, spectrum=spectrum, reversal_error=_reversal_error(found) if reverse else None)
+    error = _reversal_error(found) if reverse else None
+    return OrbitResult(**parts, spectrum=spectrum, reversal_error=error, periodic=closed)
 
 
 def _reversal_error(found: Orbit) -> Array:

@@ -12,15 +12,16 @@ from carom.billiards.orbits import FIRST_BOUNCES, orbit_from_setup, require_inte
 from carom.billiards.setup import OrbitSetup, orbit_setup
 from carom.billiards.table_records import DONE, ENDING, ENDS, POSITION, TIME, VELOCITY
 from carom.billiards.tables import Table
-from carom.billiards.tangent import compiled_tangent_loop
+from carom.billiards.tangent import compiled_tangent_loop, follow_tangents_many
 from carom.bodies import Ball, Surface
 from carom.core.jit.slices import Pace
 from carom.errors import CaromError, Fault
 from carom.laws.law import CALLED_WALL
 
-__all__ = ["Lyapunov", "TangentMap", "lyapunov", "tangent_map"]
+__all__ = ["Lyapunov", "TangentMap", "end_coordinates", "lyapunov", "tangent_map", "tangents_of_bounces"]
 
 Array = NDArray[np.float64]
+FEW_ORBITS = 8
 PLANAR = ("s", "v_t", "v_n", "spin")
 SPATIAL = ("s", "b", "v_t", "v_b", "v_n", "spin_t", "spin_b", "spin_n")
 
@@ -113,7 +114,7 @@ def _displacements(setup: OrbitSetup, n: Array, v: Array) -> Array:
     return np.stack([np.concatenate(row, axis=1) for row in rows], axis=1)
 
 
-def _coordinates(setup: OrbitSetup, vectors: Array, n: Array) -> Array:
+def end_coordinates(setup: OrbitSetup, vectors: Array, n: Array) -> Array:
     """Return the coordinates (N, K, K) of displacements (N, K, 9): a column for each displacement."""
     t, b = _frame(n)
     dx, dv, dw = vectors[..., :3], vectors[..., 3:6], vectors[..., 6:]
@@ -157,6 +158,8 @@ def _follow(
 ) -> None:
     """Run the compiled loop in slices, each from where the one before has ended (``every``: 0 or 1)."""
     loop, pace, done = compiled_tangent_loop(), Pace(FIRST_BOUNCES), 0
+    if len(states) < FEW_ORBITS:  # (to wake threads takes longer than to follow a few)
+        loop, ends = follow_tangents_many, ends.view(np.recarray)
     last[:, TIME] = 0.0
     while done < bounces and (ends["reason"] == DONE).any():
         share = min(max(pace.begin() // len(states), 1), bounces - done)
@@ -164,6 +167,19 @@ def _follow(
         states = np.where((ends["reason"] == DONE)[:, None], last[:, 1:], states)
         pace.done(share * len(states))
         done += share
+
+
+def tangents_of_bounces(
+    setup: OrbitSetup, states: Array, n: Array, bounces: int
+) -> tuple[Array, Array, NDArray[np.void], Array]:
+    """Follow the displacements along all coordinates through a number of bounces, from states (N, 9) just after one at normals n.
+
+    Return the displacements (N, K, 9) after the last bounce, the states there (N, 10), why each ended, and the normals (N, 3).
+    """
+    vectors = _displacements(setup, n, states[:, 3:6])
+    last, ends = np.empty((len(states), 10)), np.zeros(len(states), ENDING)
+    _follow(setup, states, bounces, vectors, np.zeros(vectors.shape[:2]), 0, last, ends)
+    return vectors, last, ends, setup.shape.normals(ends["piece"], last[:, 1 : 1 + setup.table.dimension])
 
 
 def tangent_map(
@@ -210,11 +226,8 @@ def tangent_map(
     setup = orbit_setup(table, ball, law, surface, "end")
     bounces = require_integer("bounces", bounces)
     states, shape, n = _after_first_bounce(setup, start)
-    vectors = _displacements(setup, n, states[:, 3:6])
+    vectors, last, ends, after = tangents_of_bounces(setup, states, n, bounces)
     k = vectors.shape[1]
-    last, ends = np.empty((len(states), 10)), np.zeros(len(states), ENDING)
-    sums = np.zeros((len(states), k))
-    _follow(setup, states, bounces, vectors, sums, 0, last, ends)
     if (ends["reason"] != DONE).any():
         raise CaromError(
             Fault(
@@ -224,12 +237,11 @@ def tangent_map(
                 f"an orbit that ended: {ENDS[int(ends['reason'].max())]}",
             )
         )
-    after = setup.shape.normals(ends["piece"], last[:, 1 : 1 + table.dimension])
     across = np.stack([(states[:, 3:6] * n).sum(1), (last[:, VELOCITY] * after).sum(1)], axis=1)
     gap = np.abs(setup.shape.folded(last[:, POSITION] - states[:, :3])).max(1) + np.abs(
         last[:, 4:] - states[:, 3:]
     ).max(1)
-    matrix = _coordinates(setup, vectors, after)
+    matrix = end_coordinates(setup, vectors, after)
     names = PLANAR if setup.planar else SPATIAL
     return TangentMap(matrix.reshape(*shape, k, k), names, across.reshape(*shape, 2), gap.reshape(shape))
 

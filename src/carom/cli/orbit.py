@@ -14,11 +14,11 @@ from carom.cli.orbit_output import every_bounce, orbit_facts, print_orbit
 from carom.cli.progress import working
 from carom.cli.streams import say_json
 from carom.errors import CaromError
-from carom.public.defaults import BOUNCES
+from carom.public.defaults import BOUNCES, PERIODIC_STARTS
 from carom.public.own_laws import with_own_laws
 
 if TYPE_CHECKING:
-    from carom.billiards import Orbit
+    from carom.billiards import OrbitResult
 
 TABLE, LAW, START = "Table", "Law", "Initial state"
 
@@ -128,6 +128,17 @@ def orbit(
         bool,
         typer.Option("--reverse", help="Run the orbits backwards, too, and print the error.", rich_help_panel=OUTPUT),
     ] = False,
+    periodic: Annotated[
+        str | None,
+        typer.Option(
+            help="Find the periodic orbits with these numbers of bounces, such as 4, 2-6 or 3,5; --plot draws them.",
+            rich_help_panel=OUTPUT,
+            show_default=False,
+        ),
+    ] = None,
+    starts: Annotated[
+        int, typer.Option(help="Starts of the search for periodic orbits, for each period.", rich_help_panel=OUTPUT)
+    ] = PERIODIC_STARTS,
     json_: Annotated[bool, shared("json", help="Print JSON on standard output, with every bounce.")] = False,
 ) -> None:
     """Single-particle billiards: follow one ball in a table from bounce to bounce, with the no-slip law or another.
@@ -155,7 +166,8 @@ def orbit(
         attempt(faults, lambda: check_orbit(table=table, bounces=bounces, **options))
         raise CaromError(*faults)
     with working("orbits") as report:
-        found = follow(table, bounces, lyapunov=lyapunov or lyapunov_plot is not None, progress=report, **options)
+        exponents = lyapunov or lyapunov_plot is not None
+        found = follow(table, bounces, lyapunov=exponents, periodic=periodic, starts=starts, progress=report, **options)
         facts = orbit_facts(found)
     if json_:
         facts["bounces"] = every_bounce(found)
@@ -191,12 +203,14 @@ def _numbers(option: str, text: str) -> float | list[float]:
     return found[0] if len(found) == 1 and "," not in text else found
 
 
-def _draw(found: Orbit, plot: Path | None, portrait: Path | None, boundary: Path | None) -> None:
+def _draw(found: OrbitResult, plot: Path | None, portrait: Path | None, boundary: Path | None) -> None:
     if plot is None and portrait is None and boundary is None:
         return
-    from carom.plot import plot_boundary, plot_orbit, plot_portrait, save
+    from carom.plot import plot_boundary, plot_orbit, plot_periodic, plot_portrait, save
 
-    for path, make in ((plot, plot_orbit), (portrait, plot_portrait), (boundary, plot_boundary)):
+    closed = found.periodic
+    first = plot_orbit if closed is None else lambda _found: plot_periodic(closed)
+    for path, make in ((plot, first), (portrait, plot_portrait), (boundary, plot_boundary)):
         if path is not None:
             save(make(found), path)
             wrote(path)

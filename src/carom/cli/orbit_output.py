@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from carom.formatting import counted, json_value
 
 if TYPE_CHECKING:
-    from carom.billiards import Lyapunov, Orbit, OrbitResult
+    from carom.billiards import Lyapunov, Orbit, OrbitResult, PeriodicOrbits
 
 __all__ = ["every_bounce", "orbit_facts", "print_orbit"]
 
@@ -70,6 +70,8 @@ def orbit_facts(found: OrbitResult) -> dict[str, Any]:
         facts["reversal_error"] = float(np.max(found.reversal_error))
     if found.spectrum is not None:
         facts["lyapunov"] = _exponents(found.spectrum)
+    if found.periodic is not None:
+        facts["periodic"] = [one.to_dict() for one in found.periodic]
     return facts
 
 
@@ -122,7 +124,7 @@ def every_bounce(found: Orbit) -> list[Any]:
     return rows[0] if len(rows) == 1 else rows
 
 
-def print_orbit(facts: dict[str, Any], found: Orbit) -> None:
+def print_orbit(facts: dict[str, Any], found: OrbitResult) -> None:
     """Print the results as tables."""
     from rich import box
     from rich.table import Table as Grid
@@ -177,8 +179,29 @@ def print_orbit(facts: dict[str, Any], found: Orbit) -> None:
             spectrum.add_row(str(number + 1), *("–" if x is None else f"{x:.5f}" for x in row))
         console.print(spectrum)
         console.print(_meaning(both), style="dim", soft_wrap=True)
-    if facts["orbits"] == 1 and facts["count"]:
+    if found.periodic is not None:
+        console.print(_periodic_orbits(found.periodic))
+        console.print(found.periodic.completeness, style="dim", soft_wrap=True)
+    elif facts["orbits"] == 1 and facts["count"]:
         console.print(_first_bounces(found))
+
+
+def _periodic_orbits(found: PeriodicOrbits) -> Any:
+    """Return periodic orbits as a table: a row each."""
+    from rich import box
+    from rich.table import Table as Grid
+
+    grid = Grid(box=box.SIMPLE_HEAD, pad_edge=False)
+    for name in ("bounces", "duration (s)", "stability", "multiplier", "rotation number", "turns", "family", "found"):
+        grid.add_column(name, justify="left" if name == "stability" else "right")
+    for one in found:
+        far, turns = one.multipliers[0], one.rotation_number
+        grid.add_row(
+            str(one.period), f"{one.duration:.9g}", one.stability, "–" if far.imag else f"{far.real:.6g}",
+            "–" if turns is None else f"{turns:.6f}", "–" if one.winding is None else str(one.winding),
+            str(one.family) if one.family else "–", str(one.found),
+        )  # fmt: skip
+    return grid
 
 
 def _meaning(exponents: dict[str, Any]) -> str:

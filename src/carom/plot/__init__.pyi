@@ -11,6 +11,8 @@ from .paper import collision as collision
 from .paper import figures as figures
 from .paper import incidence_and_reflection as incidence_and_reflection
 from .paper import setting as setting
+from .periodic_orbits import plot_branch as plot_branch
+from .periodic_orbits import plot_periodic as plot_periodic
 from .portrait import plot_boundary as plot_boundary
 from .portrait import plot_portrait as plot_portrait
 from .style import require_matplotlib as require_matplotlib

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from carom.billiards import Lyapunov, Orbit
 from carom.billiards.boundary import Boundary
+from carom.billiards.setup import OrbitSetup
 from carom.errors import CaromError
 from carom.formatting import format_number
 from carom.plot.style import GREY, INK, new_figure, style
@@ -18,7 +19,7 @@ from carom.plot.style import GREY, INK, new_figure, style
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-__all__ = ["plot_lyapunov", "plot_orbit"]
+__all__ = ["draw_table", "flights_in_cell", "plot_lyapunov", "plot_orbit", "table_extent"]
 
 Array = NDArray[np.float64]
 WALL = "#b9b4a6"
@@ -67,12 +68,12 @@ def plot_orbit(found: Orbit, which: Any = None) -> Figure:
     spins = np.append(first if setup.planar else first[2], spin) * float(setup.ball.radius)
     points = 1 if not any(setup.table.acceleration[:2]) else 24
     path = found.path(which, points)[: count * points + 1]
-    lines, owner = _flights(setup.shape, path[:, :2], points)
+    lines, owner = flights_in_cell(setup.shape, path[:, :2], points)
     with style():
         from matplotlib.collections import LineCollection
         from matplotlib.colors import LinearSegmentedColormap, TwoSlopeNorm
 
-        low, high = _extent(setup.table.wall(), setup.shape, path[:, :2])
+        low, high = table_extent(setup.table.wall(), setup.shape, path[:, :2])
         width, height = high - low
         tall = not setup.planar
         long = width / height > 1.9
@@ -84,7 +85,7 @@ def plot_orbit(found: Orbit, which: Any = None) -> Figure:
             else None
         )
         axes = figure.add_subplot(grid[0]) if grid else figure.add_subplot()
-        _draw_table(axes, found, low, high)
+        draw_table(axes, setup, low, high)
         most = float(np.abs(spins).max()) or 1.0
         thin = max(0.25, min(1.1, 12 / math.sqrt(count)))
         # grey in the middle, not white, so that flights without spin are visible
@@ -128,7 +129,7 @@ def _heights(axes: Any, found: Orbit, which: Any, count: int) -> None:
     axes.margins(x=0.01)
 
 
-def _flights(shape: Boundary, path: Array, points: int) -> tuple[list[Array], NDArray[np.int64]]:
+def flights_in_cell(shape: Boundary, path: Array, points: int) -> tuple[list[Array], NDArray[np.int64]]:
     """Return the line segments to draw, folded into the periodic cell, and the flight that each belongs to."""
     a, b = path[:-1], path[1:]
     owner = np.arange(len(a)) // points
@@ -150,7 +151,7 @@ def _flights(shape: Boundary, path: Array, points: int) -> tuple[list[Array], ND
     return lines, np.array(who)
 
 
-def _extent(wall: Boundary, shape: Boundary, path: Array) -> tuple[Array, Array]:
+def table_extent(wall: Boundary, shape: Boundary, path: Array) -> tuple[Array, Array]:
     """Return the corners of the drawing: of the table, and where it is infinite, of the orbit."""
     sides = [f for f in wall.faces if not f.is_lid]
     if shape.cell is not None:
@@ -176,9 +177,9 @@ def _curve(shape: Boundary) -> Array:
     return flat.place(np.union1d(s, flat.starts))[1]
 
 
-def _draw_table(axes: Any, found: Orbit, low: Array, high: Array) -> None:
+def draw_table(axes: Any, setup: OrbitSetup, low: Array, high: Array) -> None:
     """Draw the wall and, where it bounds the surface, the curve of the centre (dashed)."""
-    table, shape = found.setup.table, found.setup.shape
+    table, shape = setup.table, setup.shape
     both = [(table.wall(), {"color": INK, "lw": 1.2})]
     if table.bounds == "surface":
         both.append((shape, {"color": GREY, "lw": 0.6, "ls": (0, (4, 3))}))

@@ -16,6 +16,7 @@ GRAVITY = 9.80665  # m/s^2
 CONTACT_HEIGHT = 1.0  # radii above the floor: a vertical wall
 FLOOR_CONTACT = "with"
 BOUNCES = 200  # of an orbit
+PERIODIC_STARTS = 1000  # for each period, of the search for periodic orbits
 DESIGNED_LAWS = ("contact", "sliding")
 ANGLES_DEG, SPEEDS, SPINS = (5.0, 75.0), (1.0, 3.0), (0.0, 0.0)  # of shots to come: degrees, m/s, rad/s
 SIGMA_V = 0.02  # m/s, the error bar of a speed

@@ -1,0 +1,326 @@
+"""Continuation of periodic orbits in a number of the table, the ball or the law, by pseudo-arclength (Keller 1977)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.billiards.energy_shell import LARGEST_RESIDUAL, NULL, EnergyShell, energy_shell, newton_steps, residual
+from carom.billiards.orbits import require_integer
+from carom.billiards.periodic import PeriodicOrbit, describe_periodic, first_coordinates, third_and_trace
+from carom.billiards.setup import needs_surface
+from carom.bodies import Surface
+from carom.errors import CaromError, Fault
+from carom.public.progress import Progress, as_progress
+
+__all__ = ["BranchPoint", "OrbitBranch", "continue_orbit"]
+
+Array = NDArray[np.float64]
+FIRST_STEP = 0.02  # of the range of the parameter, and of the table's size and the ball's speed
+LONGEST_STEP, SHORTEST_STEP = 0.05, 1e-7
+CORRECTIONS = 8  # Newton's steps after each step along the branch; more: the step is halved
+CLOSED = 1e-11  # residual of a point of the branch, relative to 1 and the tangent map
+DIFFERENCE = 1e-6  # of the range: the residual's derivative by the parameter is a central difference
+LOCATED = 1e-13  # of the range: accuracy of an event's parameter
+BISECTIONS = 60
+# Traces at which a pair of multipliers is a root of unity, and the names of these points.
+RESONANCES = {2.0: "1:1 resonance", -2.0: "period doubling", -1.0: "1:3 resonance", 0.0: "1:4 resonance"}
+APART = 1e-9  # traces nearer to a resonance do not cross it: rounding
+
+
+class BranchPoint(NamedTuple):
+    """A point of a branch at which its stability changes, or at which it turns back."""
+
+    kind: str
+    """"fold", "period doubling" (trace -2), "1:1 resonance" (trace 2), "1:3 resonance" (-1) or "1:4 resonance" (0)."""
+    parameter: float
+    trace: float
+    duration: float
+    """s."""
+
+
+@dataclass(frozen=True, eq=False)
+class OrbitBranch:
+    """Periodic orbits along one branch, from the first one on.
+
+    Examples
+    --------
+    >>> from carom import billiards
+    >>> one = billiards.periodic_orbits(billiards.ellipse(1.2, 1.0), 2, law="mirror", starts=100)[0]
+    >>> branch = billiards.continue_orbit(one, lambda major: {"table": billiards.ellipse(major, 1.0)}, 1.2, 2.5)
+    >>> branch.ended, branch.events[0].kind, round(branch.events[0].parameter, 10)
+    ('range', '1:3 resonance', 2.0)
+    """
+
+    parameter: Array
+    """(M): of each orbit."""
+    trace: Array
+    """(M): as :attr:`PeriodicOrbit.trace`."""
+    duration: Array
+    """(M): s."""
+    events: tuple[BranchPoint, ...]
+    """In the order of the branch."""
+    ended: str
+    """"range" (the parameter reached the other end, or came back to its first value), "steps", or "orbit": the orbit ends
+    there (at a corner, or at a wall that it touches without meeting it)."""
+    _shells: tuple[EnergyShell, ...]
+    _coordinates: Array
+    _period: int
+
+    def __len__(self) -> int:
+        """Return the number of orbits."""
+        return len(self.parameter)
+
+    def __repr__(self) -> str:
+        """Return one line."""
+        low, high = self.parameter.min(), self.parameter.max()
+        return f"<OrbitBranch: period {self._period}, {len(self)} orbits, parameter {low:g} to {high:g}, {len(self.events)} events>"
+
+    def orbit(self, which: int) -> PeriodicOrbit:
+        """Return one of the orbits."""
+        return describe_periodic(self._shells[which], self._coordinates[which], self._period)
+
+    def describe(self) -> str:
+        """Return the range of the branch and its events, a line each."""
+        lines = [f"{one.kind} at {one.parameter:.12g}, duration {one.duration:.9g} s" for one in self.events]
+        why = {
+            "range": "to the end of the range",
+            "steps": "until the steps were used up",
+            "orbit": "where the orbit ends",
+        }
+        first, last = self.parameter[0], self.parameter[-1]
+        return "\n".join([f"{len(self)} orbits from {first:.9g} to {last:.9g}, {why[self.ended]}", *lines])
+
+
+def continue_orbit(
+    orbit: PeriodicOrbit,
+    change: Callable[[float], Mapping[str, Any]],
+    start: float,
+    stop: float,
+    *,
+    steps: int = 500,
+    progress: Progress | None = None,
+) -> OrbitBranch:
+    """Follow a periodic orbit while a number changes: of the table, of the ball, of a force.
+
+    The branch is followed by its arc length, so that it may turn back (a fold). Between two steps, events are located by bisection.
+
+    Parameters
+    ----------
+    orbit : PeriodicOrbit
+        From :func:`periodic_orbits`, at the first value of the number.
+    change : callable(value) -> mapping
+        What belongs to a value: ``{"table": ...}``, ``{"ball": ...}`` or both; what it leaves out stays.
+    start, stop : float
+        The value of the orbit, and the value up to which it is followed.
+    steps : int
+        Largest number of steps.
+    progress : callable(done, total, text), optional
+        Called with the number of steps done, and of all.
+
+    Returns
+    -------
+    OrbitBranch
+
+    Raises
+    ------
+    CaromError
+        The orbit is none at ``start``, a change of something else.
+
+    Examples
+    --------
+    The orbit of period two in the corner of an equilateral triangle, with kappa: its trace is 2 cos theta, with
+    theta = 2 arccos((kappa - cos 60 deg)/(1 + kappa)) (docs/theory/no_slip.md).
+
+    >>> import math
+    >>> import carom
+    >>> from carom import billiards
+    >>> one = billiards.periodic_orbits(billiards.regular(3), 2, ball=carom.Disc(1, 1, 0.4), starts=50)[0]
+    >>> branch = billiards.continue_orbit(one, lambda kappa: {"ball": carom.Disc(1, 1, kappa)}, 0.4, 0.9)
+    >>> theta = [2 * math.acos((kappa - 0.5) / (1 + kappa)) for kappa in branch.parameter]
+    >>> bool(max(abs(branch.trace - [2 * math.cos(one) for one in theta])) < 1e-11)
+    True
+    """
+    if not isinstance(orbit, PeriodicOrbit):
+        raise CaromError(Fault("continue_orbit", "orbit", "a PeriodicOrbit", f"{orbit!r:.60}"))
+    steps = require_integer("steps", steps)
+    for name, value in (("start", start), ("stop", stop)):
+        if not (isinstance(value, int | float | np.number) and math.isfinite(value)):
+            raise CaromError(Fault("continue_orbit", name, "a finite number", repr(value)))
+    if start == stop:
+        raise CaromError(Fault("continue_orbit", "stop", "another value than that of the orbit", repr(stop)))
+    path = _Path(orbit, change, float(start), float(stop))
+    return path.follow(steps, as_progress(progress, lambda done, total, _text: (done, total)))
+
+
+class _Path:
+    """The equations of a branch: unknowns z are the orbit's coordinates and the parameter, from 0 at the start to 1 at the stop."""
+
+    def __init__(
+        self, orbit: PeriodicOrbit, change: Callable[[float], Mapping[str, Any]], start: float, stop: float
+    ) -> None:
+        self.setup, self.change, self.period = orbit.orbit.setup, change, orbit.period
+        self.start, self.stop = start, stop
+        given = orbit.orbit.start
+        self.energy = orbit.energy
+        shell = self.shell(start)
+        if shell.setup.table.dimension != 2:
+            raise CaromError(Fault("continue_orbit", "change", "a table in the plane", f"{shell.setup.table}"))
+        self.free = shell.free
+        y = first_coordinates(shell, given)[0]
+        self.z0 = np.append(y, 0.0)
+        # the state after the first bounce of the orbit at hand: it must close with the parameter's first value, too
+        corrected = self.correct(self.z0, np.eye(5)[4], 0.0)
+        if corrected is None:
+            raise CaromError(
+                Fault(
+                    "continue_orbit",
+                    "start",
+                    "the value of the number for this orbit",
+                    f"{start:g}, where it does not close",
+                )
+            )
+        self.z0 = corrected
+
+    def value(self, z: float) -> float:
+        """Return the parameter."""
+        return self.start + z * (self.stop - self.start)
+
+    def shell(self, value: float) -> EnergyShell:
+        """Return the energy shell with the parameter."""
+        changed = dict(self.change(value))
+        if unknown := set(changed) - {"table", "ball"}:
+            raise CaromError(
+                Fault("continue_orbit", "change", "`table` and `ball`", ", ".join(sorted(map(str, unknown))))
+            )
+        table, ball = changed.get("table", self.setup.table), changed.get("ball", self.setup.ball)
+        world = self.setup.world[0]
+        surface = (
+            Surface(float(world["e"]), float(world["mu"]), float(world["beta"]))
+            if needs_surface(self.setup.law)
+            else None
+        )
+        return energy_shell(table, ball, self.setup.law, surface, math.sqrt(self.energy))
+
+    def equations(self, z: Array) -> tuple[Array, Array, Array]:
+        """Return the residuals (5), their derivatives (5, K + 1) by the free coordinates and the parameter, the tangent map."""
+        f, df, matrix = self.shell(self.value(z[4])).equations(z[None, :4], self.period)
+        ends = [
+            self.shell(self.value(z[4] + h)).equations(z[None, :4], self.period)[0][0]
+            for h in (DIFFERENCE, -DIFFERENCE)
+        ]
+        by_parameter = (ends[0] - ends[1]) / (2 * DIFFERENCE)
+        return f[0], np.concatenate([df[0][:, self.free], by_parameter[:, None]], axis=1), matrix[0]
+
+    def correct(self, z: Array, along: Array, step: float) -> Array | None:
+        """Return the point of the branch in the plane across ``along`` at a distance ``step`` from z; None where there is none."""
+        guess = z + step * along
+        for _ in range(CORRECTIONS):
+            f, df, matrix = self.equations(guess)
+            if not (np.isfinite(f).all() and np.isfinite(df).all()):
+                return None
+            across = (guess - z) @ along - step
+            if (
+                residual(f[None])[0] <= min(CLOSED * (1 + np.abs(matrix).max()), LARGEST_RESIDUAL)
+                and abs(across) < CLOSED
+            ):
+                return guess
+            rows = np.concatenate([df, self._part(along)[None]])
+            moved = newton_steps(np.append(f, across)[None], rows[None])[0]
+            guess = guess + self._whole(moved)
+        return None
+
+    def _part(self, z: Array) -> Array:
+        return np.append(z[:4][self.free], z[4])
+
+    def _whole(self, part: Array) -> Array:
+        whole = np.zeros(5)
+        whole[:4][self.free], whole[4] = part[:-1], part[-1]
+        return whole
+
+    def tangent(self, z: Array, before: Array) -> Array:
+        """Return the unit vector along the branch nearest to the one before: in a family there are several directions."""
+        _u, sizes, rows = np.linalg.svd(self.equations(z)[1])
+        null = rows[np.append(sizes, np.zeros(len(rows) - len(sizes))) <= NULL * sizes[0]]
+        if not len(null):
+            return before
+        found = null.T @ (null @ self._part(before))
+        size = float(np.linalg.norm(found))
+        return before if size < 1e-3 else self._whole(found / size)
+
+    def follow(self, steps: int, report: Any) -> OrbitBranch:
+        """Step along the branch."""
+        z, step, ended = self.z0, FIRST_STEP, "steps"
+        along = self.tangent(z, np.eye(5)[4])
+        points, shown = [z], [self.measure(z)]
+        events: list[BranchPoint] = []
+        for k in range(steps):
+            new = self.correct(z, along, step)
+            while new is None and step > SHORTEST_STEP:
+                step /= 2
+                new = self.correct(z, along, step)
+            if new is None:
+                ended = "orbit"
+                break
+            edge = min(max(new[4], 0.0), 1.0)
+            if new[4] != edge:
+                ended = "range"
+                step, new = self.located(z, along, step, self.parameter_beyond(edge))
+            turned = self.tangent(new, along)
+            points.append(new)
+            shown.append(self.measure(new))
+            events += self.events(z, along, step, shown[-2], shown[-1], along[4] * turned[4] < 0)
+            z, along, step = new, turned, min(1.4 * step, LONGEST_STEP)
+            if report is not None:
+                report(k + 1, steps, "steps")
+            if ended == "range":
+                break
+        path, seen = np.array(points), np.array(shown)
+        shells = tuple(self.shell(self.value(float(one[4]))) for one in path)
+        parameter = self.start + path[:, 4] * (self.stop - self.start)
+        return OrbitBranch(parameter, seen[:, 0], seen[:, 1], tuple(events), ended, shells, path[:, :4], self.period)
+
+    def measure(self, z: Array) -> tuple[float, float]:
+        """Return trace and duration of an orbit of the branch."""
+        shell = self.shell(self.value(z[4]))
+        matrix = shell.equations(z[None, :4], self.period)[2][0]
+        return third_and_trace(shell, matrix)[1], shell.duration(z[:4], self.period)
+
+    def parameter_beyond(self, edge: float) -> Callable[[Array], float]:
+        """Return the function whose zero is an end of the range."""
+        return lambda z: float(z[4]) - edge
+
+    def trace_beyond(self, trace: float) -> Callable[[Array], float]:
+        """Return the function whose zero is a resonance."""
+        return lambda z: self.measure(z)[0] - trace
+
+    def located(self, z: Array, along: Array, step: float, sign: Callable[[Array], float]) -> tuple[float, Array]:
+        """Return the distance from z, up to a step, at which a function of the branch's point changes its sign, and that point."""
+        low, high, point, first = 0.0, step, z, sign(z)
+        for _ in range(BISECTIONS):
+            middle = (low + high) / 2
+            new = self.correct(z, along, middle)
+            if new is None:
+                break
+            point = new
+            low, high = (middle, high) if (sign(new) > 0) == (first > 0) else (low, middle)
+            if high - low < LOCATED:
+                break
+        return (low + high) / 2, point
+
+    def events(self, z: Array, along: Array, step: float, before: Any, after: Any, turns: bool) -> list[BranchPoint]:
+        """Return the events between z and the point a step ahead, in their order."""
+        found = []
+        if turns:
+            found.append((*self.located(z, along, step, lambda one: float(self.tangent(one, along)[4])), "fold"))
+        for trace, kind in RESONANCES.items():
+            p, q = before[0] - trace, after[0] - trace
+            if p * q < 0 and min(abs(p), abs(q)) > APART:
+                found.append((*self.located(z, along, step, self.trace_beyond(trace)), kind))
+        found.sort(key=lambda one: one[0])
+        return [BranchPoint(kind, self.value(float(at[4])), *self.measure(at)) for _where, at, kind in found]

@@ -1,0 +1,135 @@
+"""Which periodic orbits are the same: up to first bounce, direction of time, rotation and reflection, and within families."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.billiards.boundary import Boundary
+from carom.billiards.energy_shell import EnergyShell
+from carom.billiards.orbits import Orbit, orbit_from_setup
+from carom.billiards.setup import Start
+
+__all__ = [
+    "bounce_sequences", "cells_passed", "congruent", "family_key", "least_period", "piece_symmetries", "run_orbits", "windings",
+]  # fmt: skip
+
+Array = NDArray[np.float64]
+EQUAL = 1e-6  # relative: difference of flight times, velocities and spins of two orbits that are congruent
+SYMMETRY_POINTS = 720  # of a boundary, by which its symmetries are found
+
+
+def run_orbits(shell: EnergyShell, y: Array, p: int) -> Orbit:
+    """Follow orbits from coordinates (N, 4) for a number of bounces."""
+    begin = shell.rows(y)[0]
+    return orbit_from_setup(shell.setup, Start(begin[:, :2], begin[:, 3:5], begin[:, 8]), p)
+
+
+def bounce_sequences(shell: EnergyShell, run: Orbit) -> tuple[Array, Array]:
+    """Return flight time, v_n, v_t, q (N, p, 4) of the bounces of closed orbits, and those of the orbits run backwards."""
+    dt = np.diff(run.t, axis=1, prepend=0.0)  # before each bounce
+    n = run.normal
+    q = math.sqrt(shell.setup.ball.kappa) * shell.setup.ball.radius * run.spin
+    g = np.array(shell.setup.table.acceleration[:2])
+    before = np.roll(run.velocity, 1, axis=1) + g * dt[..., None]
+
+    def split(u: Array) -> list[Array]:
+        return [(u * n).sum(-1), n[..., 1] * u[..., 0] - n[..., 0] * u[..., 1]]
+
+    ahead = np.stack([np.roll(dt, -1, axis=1), *split(run.velocity), q], axis=-1)
+    back = np.stack([dt, *split(-before), -np.roll(q, 1, axis=1)], axis=-1)[:, ::-1]
+    return ahead, back
+
+
+def least_period(shell: EnergyShell, positions: Array, bounces: Array) -> int:
+    """Return the least number of bounces after which positions (p, 2) and bounces (p, 4) repeat."""
+    p, shape = len(bounces), shell.setup.shape
+    for d in range(1, p):
+        if p % d == 0:
+            moved = shape.folded(np.roll(positions, -d, axis=0) - positions)
+            turned = np.roll(bounces, -d, axis=0) - bounces
+            if max(np.abs(moved).max() / shell.size, np.abs(turned).max()) < EQUAL:
+                return d
+    return p
+
+
+def congruent(one: Array, other: Array, reversed_other: Array) -> bool:
+    """Whether the bounces (p, 4) of two orbits agree up to where they begin, a reflection and the direction of time."""
+    if abs(one[:, 0].sum() - other[:, 0].sum()) > EQUAL * len(one):
+        return False
+    for variant in (other, reversed_other):
+        for sign in (1.0, -1.0):
+            shown = variant * np.array([1.0, 1.0, sign, sign])
+            if any(np.abs(np.roll(shown, k, axis=0) - one).max() < EQUAL for k in range(len(one))):
+                return True
+    return False
+
+
+def piece_symmetries(shape: Boundary) -> list[list[int]]:
+    """Return how the rotations and reflections of a closed boundary about its middle permute its pieces; the identity first.
+
+    The middles of the pieces and their ends are mapped on one another; a map is one of the table if all points of a sample stay on
+    the boundary.
+    """
+    total = float(shape.lengths.sum())
+    pieces, x, _n = shape.place((np.arange(SYMMETRY_POINTS) + 0.5) * total / SYMMETRY_POINTS)
+    middles = shape.place(shape.starts + shape.lengths / 2)[1]
+    origin = (
+        np.zeros(2) if shape.cell is not None else (x.max(0) + x.min(0)) / 2 if len(middles) < 3 else middles.mean(0)
+    )
+    # (pieces of unequal length: their middles, weighted by length, have the table's own centre)
+    if shape.cell is None and len(middles) >= 3:
+        origin = (middles * shape.lengths[:, None]).sum(0) / total
+    angles = np.arctan2(*(middles - origin).T[::-1])
+    found = [list(range(int(pieces.max()) + 1))]
+    for sign in (1, -1):
+        for angle in angles:
+            turn = angle - sign * angles[0]
+            image = (x - origin) * (1, sign) @ np.array(
+                [[np.cos(turn), np.sin(turn)], [-np.sin(turn), np.cos(turn)]]
+            ) + origin
+            distance = np.linalg.norm(shape.folded(image[:, None] - x), axis=-1)
+            nearest = distance.argmin(1)
+            if distance.min(1).max() > total / SYMMETRY_POINTS:
+                continue
+            permuted = list(found[0])
+            for k in set(pieces.tolist()):
+                permuted[k] = int(np.bincount(pieces[nearest[pieces == k]]).argmax())
+            if permuted not in found:
+                found.append(permuted)
+    return found
+
+
+def family_key(pieces: list[int], symmetries: list[list[int]], winding: int, cells: tuple[int, int]) -> Any:
+    """Return the itinerary up to where it begins, its direction and the table's symmetries, the winding and the cells passed."""
+    p = len(pieces)
+    ways = []
+    for permuted in symmetries:
+        named = [permuted[k] for k in pieces]
+        for way in (named, named[::-1]):
+            ways += [way[k:] + way[:k] for k in range(p)]
+    return min(ways), min(winding, p - winding), tuple(sorted(map(abs, cells)))
+
+
+def windings(shell: EnergyShell, run: Orbit) -> list[int]:
+    """Return how often each orbit runs around the boundary; -1 where this is not one closed curve."""
+    shape = shell.setup.shape
+    walls = shape.connected()
+    if len(walls) != 1 or not walls[0].closed or shape.cell is not None:
+        return [-1] * len(run.t)
+    length = float(shape.lengths.sum())
+    forward = (np.roll(run.arc, -1, axis=1) - run.arc) % length
+    return [round(turns) if math.isfinite(turns) else -1 for turns in forward.sum(1) / length]
+
+
+def cells_passed(shell: EnergyShell, run: Orbit) -> list[tuple[int, int]]:
+    """Return the cells that each orbit passes in x and y; zeros in a table that is not periodic."""
+    cell = shell.setup.shape.cell
+    if cell is None:
+        return [(0, 0)] * len(run.t)
+    sides = np.where(np.isfinite(cell), cell, np.inf)
+    moved = np.nan_to_num((run.position[:, -1] - np.asarray(run.start.position)) / sides).round().astype(int)
+    return [(int(x), int(y)) for x, y in moved]
