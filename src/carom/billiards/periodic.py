@@ -398,7 +398,7 @@ def describe_periodic(shell: EnergyShell, y: Array, p: int) -> PeriodicOrbit:
     third, trace = third_and_trace(shell, matrix)
     flat = abs(abs(trace) - 2.0) <= PARABOLIC * (1 + np.abs(matrix).max())
     many = run_orbits(shell, y[None], p)
-    start = Start(*(one[0] for one in (many.start.position, many.start.velocity, many.start.spin)))
+    start = Start(*(np.asarray(one)[0] for one in (many.start.position, many.start.velocity, many.start.spin)))
     run = orbit_from_setup(shell.setup, start, p)
     winding = windings(shell, many)[0]
     sizes = np.linalg.svd(derivative, compute_uv=False)

@@ -111,8 +111,10 @@ def plot_branch(branch: OrbitBranch, name: str = "parameter") -> Figure:
         figure = new_figure(6.0, 3.8)
         axes = figure.add_subplot()
         axes.axhspan(-2, 2, color=COLOURS["elliptic"], alpha=0.08, lw=0)
-        where = {"transform": axes.get_yaxis_transform(), "ha": "right", "va": "top", "fontsize": 8}
-        axes.text(0.99, 2, "elliptic", color=COLOURS["elliptic"], **where)
+        axes.text(
+            0.99, 2, "elliptic", transform=axes.get_yaxis_transform(), ha="right", va="top", fontsize=8,
+            color=COLOURS["elliptic"],
+        )  # fmt: skip
         axes.plot(branch.parameter, branch.trace, color=INK, lw=1.2)
         for event in branch.events:
             trace = event.trace
