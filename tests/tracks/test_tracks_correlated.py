@@ -11,8 +11,17 @@ from reference.exploring import tried
 from reference.known_films import Fall, drawn_fall, fallen, noise, rotated
 from reference.synthetic_tracks import RADIUS, Camera, seen, shot, truth
 
-from carom.tracks import Measured, Settings, Track, measure, usable_stages
-from carom.tracks.correlation import Correlation, FrameGroups, whitening
+from carom.tracks import Measured, Settings, Track, TrackContact, measure, usable_stages
+from carom.tracks.correlation import (
+    GRID,
+    WHITE,
+    Correlation,
+    FittedFrames,
+    FrameGroups,
+    averaging_error,
+    weigh_correlations,
+    whitening,
+)
 from carom.tracks.events import wall_through
 from carom.tracks.flights import fit_flights, flight_path
 
@@ -25,6 +34,16 @@ def filmed(seed: int, correlation: float, rate: float = 240.0) -> tuple[Measured
     return measure([replace(track, position=x)], Settings(view="above")), truth(run)
 
 
+def restitution(one: TrackContact) -> tuple[float, float]:
+    """The restitution of a measured contact, and its standard deviation."""
+    fit = one.fit
+    assert fit is not None
+    before, after = -fit["vn_in"], fit["vn_out"]
+    shared = 2 * fit.covariance_of("vn_in", "vn_out") / (before * after)
+    error = (fit.error("vn_in") / before) ** 2 + (fit.error("vn_out") / after) ** 2 + shared
+    return after / before, after / before * float(np.sqrt(error))
+
+
 def test_means_of_frames_have_the_covariance_of_their_frames() -> None:
     t, one = np.arange(12) / 100, Correlation(0.8, 0.7)
     mean = np.zeros((5, 12))
@@ -34,6 +53,68 @@ def test_means_of_frames_have_the_covariance_of_their_frames() -> None:
     first, last = t[[0, 1, 2, 6, 11]], t[[0, 1, 5, 10, 11]]
     white = whitening(FrameGroups(first, last, np.array([1.0, 1, 4, 5, 1])), one, 0.01)
     np.testing.assert_allclose(white @ (mean @ single @ mean.T) @ white.T, np.eye(5), atol=1e-9)
+
+
+def test_the_weights_of_correlations_are_those_of_their_covariances() -> None:
+    """The filter that follows the noise from frame to frame, against determinants and inverses of whole matrices."""
+    rng = np.random.default_rng(4)
+    t = np.sort(rng.choice(40, 24, replace=False)) / 50
+    slope, known, r = rng.normal(size=(24, 2, 3)), rng.normal(size=(2, 3)), rng.normal(size=(24, 2))
+    likely = weigh_correlations([("ball", FittedFrames(t, r, slope, known, 0.5))], 0.02)
+    x = np.concatenate([slope.transpose(1, 0, 2).reshape(48, 3) / 0.5, known])
+    y = np.concatenate([r.T.ravel() / 0.5, np.zeros(2)])
+    logs = []
+    for one, (fades, share) in zip(likely, GRID, strict=True):
+        frames = (1 - share) * np.eye(24) + share * fades ** np.abs(np.subtract.outer(t, t) / 0.02)
+        inverse = np.eye(50)
+        inverse[:24, :24] = inverse[24:48, 24:48] = np.linalg.inv(frames)
+        normal = x.T @ inverse @ x
+        gap = y - x @ np.linalg.solve(normal, x.T @ inverse @ y)
+        variance = float(gap @ inverse @ gap) / 47
+        assert one.variance == pytest.approx(variance, rel=1e-9)
+        size = 2 * np.linalg.slogdet(frames)[1] + np.linalg.slogdet(normal)[1] + 47 * np.log(variance)
+        logs.append(-size / 2 + np.log(0.5 if one.correlation == WHITE else 0.5 / 40))
+    weight = np.exp(np.array(logs) - max(logs))
+    np.testing.assert_allclose([one.probability for one in likely], weight / weight.sum(), atol=2e-3)
+
+
+def test_the_error_of_averaging_is_the_mean_of_the_covariances() -> None:
+    """A mean position of independent frames: its variance is the mean of the correlation matrix."""
+    t, n = np.arange(12) / 50, 12
+    fit = FittedFrames(t, np.zeros((n, 2)), np.stack([np.ones((n, 2))], axis=-1), np.zeros((0, 1)), 1.0)
+    noise = np.random.default_rng(2).normal(size=(n, 2))
+    likely = weigh_correlations([("ball", fit._replace(residuals=noise - noise.mean()))], 0.02)
+    apart = np.abs(np.subtract.outer(np.arange(n), np.arange(n)))
+    whole = sum(
+        one.probability * one.variance / likely[0].variance
+        * np.where(apart == 0, 1.0, one.correlation.share * one.correlation.fades**apart).mean() / 2
+        for one in likely
+    )  # fmt: skip
+    assert averaging_error(fit, WHITE, likely, 0.02)[0, 0] == pytest.approx(whole - 1 / (2 * n), rel=1e-9)
+    assert whole > 1.2 / (2 * n)
+
+
+@pytest.mark.parametrize("seed", [112, 164, 65])
+def test_correlated_noise_of_a_ball_at_rest_is_no_bounce(seed: int) -> None:
+    fall = drawn_fall(np.random.default_rng(seed), correlation=0.5)
+    track, bounces = fallen(fall, seed)
+    found = [one for one in measure([track], Settings(view="side", drag=0.0)).measured if usable_stages(one, "both")[0]]
+    assert len(found) >= 2
+    for one in found:  # a ball that had come to rest bounced with a restitution of 1
+        near = min(bounces, key=lambda bounce: abs(bounce.t - one.time))
+        assert near.v_n_out**2 / 2 / 9.81 > 4 * fall.noise
+
+
+def test_few_frames_with_correlated_noise_have_wider_error_bars() -> None:
+    pulls = []
+    for seed in range(16):
+        given = {"rate": 30.0, "first": 0.0, "last": 1.2, "restitution": 0.8, "height": 0.6, "noise": 1e-3}
+        track, _bounces = fallen(drawn_fall(np.random.default_rng(seed), correlation=0.5, **given), seed)
+        for one in measure([track], Settings(view="side", drag=0.0)).measured:
+            e, error = restitution(one)
+            pulls.append((e - 0.8) / error)
+    assert len(pulls) > 20
+    assert np.sqrt(np.mean(np.square(pulls))) < 1.3  # 1.58 with independent noise where no correlation is certain
 
 
 def test_correlated_noise_is_found_and_said_and_the_error_bars_hold() -> None:
@@ -68,13 +149,10 @@ def test_a_drag_that_is_not_significant_is_part_of_the_error_bars() -> None:
         fall = drawn_fall(rng, drag=0.022, restitution=0.78, height=1.3, last=1.6, first=0.0, rate=60.0, noise=2e-3)
         found = measure([fallen(fall, seed)[0]], Settings(view="side"))
         for one in found.measured[:1]:
-            fit = one.fit
-            assert fit is not None
-            assert fit.drag_shift is not None
-            before, after = -fit["vn_in"], fit["vn_out"]
-            shared = 2 * fit.covariance_of("vn_in", "vn_out") / (before * after)
-            error = (fit.error("vn_in") / before) ** 2 + (fit.error("vn_out") / after) ** 2 + shared
-            pulls.append((after / before - 0.78) / (0.78 * np.sqrt(error)))
+            assert one.fit is not None
+            assert one.fit.drag_shift is not None
+            e, error = restitution(one)
+            pulls.append((e - 0.78) / error)
     assert len(pulls) == 8
     assert np.abs(pulls).max() < 3.5
     known = measure([fallen(Fall(rate=60.0), 1)[0]], Settings(view="side", drag=0.0))

@@ -12,7 +12,16 @@ from carom.formatting import counted
 from carom.tracks.blind import BlindTime, estimate_blind_time
 from carom.tracks.contact import Settings, TrackContact, TrackedSpin, View, motion_before_resolved
 from carom.tracks.contact_models import fit_table
-from carom.tracks.correlation import WHITE, Correlation, FrameGroups, estimate_correlation, whitening
+from carom.tracks.correlation import (
+    WHITE,
+    Correlation,
+    FittedFrames,
+    FrameGroups,
+    averaging_error,
+    estimate_correlation,
+    weigh_correlations,
+    whitening,
+)
 from carom.tracks.elsewhere import BEYOND_WALL_M
 from carom.tracks.events import TrackEvent, WallLine
 from carom.tracks.flight_fits import fit_flight
@@ -101,7 +110,8 @@ class ContactFitter:
                 # a ball that slides where rolling is assumed, or rolls where sliding is, would bias the estimate of the floor
                 usable = [_determines_floor(one) for one in hopping]
                 self.floor, known = together(fits, owners, known, prior, self.settings.gravity, usable)
-        done = [self._checked(one) for one in with_hops(found or [], self.settings.hops)]
+        found = self._with_error_of_correlation(found or [])
+        done = [self._checked(one) for one in with_hops(found, self.settings.hops)]
         if self.view == "above":
             done = without_oblique(done, prior.k)
             notes += oblique_note(done)
@@ -114,15 +124,26 @@ class ContactFitter:
             )
         if not any(self.blind[:2]):
             return done
-        shifted = self._with_blind_error(jobs, known, found or [], done) if any(self.blind[2:]) else done
+        shifted = self._with_blind_error(jobs, known, found, done) if any(self.blind[2:]) else done
         notes.append(self._blind_note(shifted))
         return shifted
 
     def _estimated_correlation(self, found: list[TrackContact]) -> bool:
         """Estimate the correlation of the noise from all contacts; return whether it is significant."""
-        fits = [one.fit.fitted for one in found if one.fit is not None and one.fit.fitted is not None]
-        self.correlation = estimate_correlation(fits, self.interval)
+        self.correlation = estimate_correlation([fitted for _ball, fitted in _fitted_frames(found)], self.interval)
         return self.correlation != WHITE
+
+    def _with_error_of_correlation(self, found: list[TrackContact]) -> list[TrackContact]:
+        """Add to the covariance of each contact what it lacks, since the correlation is not known exactly."""
+        likely = weigh_correlations(_fitted_frames(found), self.interval)
+
+        def widened(fit: ContactFit) -> ContactFit:
+            if fit.fitted is None or fit.rate is None:
+                return fit
+            lacking = fit.rate @ averaging_error(fit.fitted, self.correlation, likely, self.interval) @ fit.rate.T
+            return replace(fit, covariance=fit.covariance + lacking, hopping=fit.hopping and widened(fit.hopping))
+
+        return [replace(one, fit=widened(one.fit)) if likely and one.fit is not None else one for one in found]
 
     def _blind_time(self, found: list[TrackContact]) -> BlindTime:
         """Estimate the blind time; frames that a hop explains are not left out."""
@@ -354,6 +375,12 @@ def _changes(one: ContactFit | None, other: ContactFit | None) -> dict[str, floa
     if one is None or other is None:
         return {}
     return {name: float(np.nan_to_num(other[name] - one[name])) for name in VELOCITIES}
+
+
+def _fitted_frames(found: Sequence[TrackContact]) -> list[tuple[tuple[str, str], FittedFrames]]:
+    """Return the frames of each fit that serve the estimate of the correlation, with the ball that they show."""
+    fits = [((one.group, one.track), one.fit.fitted) for one in found if one.fit is not None]
+    return [(ball, fitted) for ball, fitted in fits if fitted is not None]
 
 
 def _determines_floor(one: TrackContact) -> bool:

@@ -4,18 +4,30 @@ Trackers follow a spot, a shadow or a blurred edge, and are off by nearly the sa
 frames k apart is taken to be c r^k: c = 1 for noise that fades by the factor r from frame to frame (AR(1)), less if part of it is
 independent. Both are estimated from the residuals of fits by restricted likelihood (Patterson and Thompson, Biometrika 58, 545
 (1971)), which allows for the share of the noise that each fit absorbs. Fits then weight their frames by the inverse of the
-covariance.
+covariance, where a correlation is certain. Few frames show it poorly: the error bars are means over all correlations, each with its
+probability, of which one half is that of independent noise before the frames are seen.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Hashable, Sequence
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["WHITE", "Correlation", "FittedFrames", "FrameGroups", "estimate_correlation", "nearest_frames", "whitening"]
+__all__ = [
+    "WHITE",
+    "Correlation",
+    "FittedFrames",
+    "FrameGroups",
+    "LikelyCorrelation",
+    "averaging_error",
+    "estimate_correlation",
+    "nearest_frames",
+    "weigh_correlations",
+    "whitening",
+]
 
 Array = NDArray[np.float64]
 FADES, SHARES = (0.3, 0.5, 0.65, 0.8, 0.87, 0.92, 0.95, 0.98), (1.0, 0.85, 0.7, 0.5, 0.3)
@@ -23,6 +35,8 @@ SIGNIFICANT = (
     14.0  # of twice the difference of log likelihoods, for two more parameters: by chance in one film of 1,000
 )
 MAX_FITS, MAX_FRAMES = 12, 200  # of a film, and of a fit: more would only take longer
+CERTAIN_FRAMES = 400  # so many whose neighbours differ as independent ones do leave no doubt
+LEAST_PROBABILITY = 1e-4  # of a correlation that counts
 
 
 class Correlation(NamedTuple):
@@ -38,6 +52,18 @@ class Correlation(NamedTuple):
 
 
 WHITE = Correlation()
+GRID = (WHITE, *(Correlation(fades, share) for fades in FADES for share in SHARES))
+# Of independent noise one half; the other half alike for all others, whose times of fading are about evenly spaced in the logarithm
+PRIOR = np.append(0.5, np.full(len(GRID) - 1, 0.5 / (len(GRID) - 1)))
+
+
+class LikelyCorrelation(NamedTuple):
+    """A correlation that the residuals of a film allow."""
+
+    probability: float
+    correlation: Correlation
+    variance: float
+    """Of one coordinate of one frame, in units of the square of the noise assumed in the fits."""
 
 
 class FrameGroups(NamedTuple):
@@ -114,18 +140,70 @@ def estimate_correlation(fits: Sequence[FittedFrames], interval: float) -> Corre
     >>> tuple(estimate_correlation([FittedFrames(t, noise, slope, known, 1.0)], 0.01))
     (0.87, 1.0)
     """
-    some = list(fits[:: len(fits) // MAX_FITS + 1])
+    some = _some(fits)
     if not some or not interval > 0 or _neighbours_differ(some):
         return WHITE
-    best, least = WHITE, _deviance(some, WHITE, interval)
-    white = least
-    for fades in FADES:
-        for share in SHARES:
-            one = Correlation(fades, share)
-            deviance = _deviance(some, one, interval)
-            if deviance < least:
-                best, least = one, deviance
-    return best if white - least > SIGNIFICANT else WHITE
+    deviance, _variance = _deviances(some, interval)
+    best = int(np.argmin(deviance))
+    return GRID[best] if deviance[0] - deviance[best] > SIGNIFICANT else WHITE
+
+
+def weigh_correlations(fits: Sequence[tuple[Hashable, FittedFrames]], interval: float) -> tuple[LikelyCorrelation, ...]:
+    """Return the correlations that the residuals of a film allow, with their probabilities; none where only WHITE is left.
+
+    Each fit comes with the name of its ball, whose flight between two contacts belongs to the fits of both and counts once.
+
+    Examples
+    --------
+    Ten frames whose residuals look independent leave some doubt; 300 do not:
+
+    >>> import numpy as np
+    >>> from carom.tracks.correlation import FittedFrames, weigh_correlations
+    >>> noise = np.random.default_rng(1).normal(size=(300, 2))
+    >>> for n in (10, 300):
+    ...     fit = FittedFrames(np.arange(n) / 100, noise[:n], np.ones((n, 2, 1)), np.zeros((0, 1)), 1.0)
+    ...     found = weigh_correlations([("ball", fit)], 0.01)
+    ...     round(found[0].probability, 1), found[0].correlation.neighbours
+    (0.8, 0.0)
+    (1.0, 0.0)
+    """
+    some = _some([fit for _ball, fit in fits])
+    distinct = len({(ball, t) for ball, fit in fits for t in fit.time.tolist()})
+    if not some or not interval > 0 or (distinct > CERTAIN_FRAMES and _neighbours_differ(some)):
+        return ()
+    deviance, variance = _deviances(some, interval)
+    once = distinct / sum(len(fit.time) for _ball, fit in fits)
+    weight = PRIOR * np.exp(-once / 2 * (deviance - deviance.min()))
+    weight = np.where(weight > LEAST_PROBABILITY * weight.sum(), weight, 0.0)
+    return tuple(map(LikelyCorrelation, (weight / weight.sum()).tolist(), GRID, variance.tolist()))
+
+
+def averaging_error(
+    fit: FittedFrames, used: Correlation, likely: Sequence[LikelyCorrelation], interval: float
+) -> Array:
+    """Return what the covariance (p, p) of fitted parameters lacks, since the correlation is not known.
+
+    The mean over all correlations, less the covariance for the one that was ``used`` as the weights of the frames.
+    """
+    time, _residuals, slope, known, noise = fit
+    n, p = len(time), slope.shape[2]
+    frames = FrameGroups(time, time, np.ones(n))
+    assumed = _covariance(frames, used, interval)
+    size = next(one.variance for one in likely if one.correlation == used)
+    lacking = -assumed
+    for one in likely:
+        if one.probability:
+            lacking += one.probability * one.variance / size * _covariance(frames, one.correlation, interval)
+    slope = slope / noise
+    weighted = np.linalg.solve(assumed, slope.reshape(n, 2 * p)).reshape(n, 2, p)
+    inverse = np.linalg.pinv(np.einsum("ncp,ncq->pq", slope, weighted) + known.T @ known, rcond=1e-14, hermitian=True)
+    gain = np.einsum("pq,ncq->cpn", inverse, weighted)
+    return np.asarray(np.einsum("cpn,nm,cqm->pq", gain, lacking, gain, optimize=True))
+
+
+def _some(fits: Sequence[FittedFrames]) -> list[FittedFrames]:
+    """Return as many fits of a film as serve the estimate."""
+    return list(fits[:: len(fits) // MAX_FITS + 1])
 
 
 def _neighbours_differ(fits: Sequence[FittedFrames]) -> bool:
@@ -135,23 +213,43 @@ def _neighbours_differ(fits: Sequence[FittedFrames]) -> bool:
     return not products > squares / np.sqrt(sum(one.residuals.size for one in fits))
 
 
-def _deviance(fits: Sequence[FittedFrames], correlation: Correlation, interval: float) -> float:
-    """Return minus twice the logarithm of the restricted likelihood, at the best size of the noise."""
-    from scipy.linalg import solve_triangular
-
-    total = squares = 0.0
-    free = 0
+def _deviances(fits: Sequence[FittedFrames], interval: float) -> tuple[Array, Array]:
+    """Return minus twice the log of the restricted likelihood (g,) for GRID, at the best variance of the noise, and that (g,)."""
+    total, squares, free = np.zeros(len(GRID)), np.zeros(len(GRID)), 0
     for time, residuals, slope, known, noise in fits:
         n, p = len(residuals), slope.shape[2]
-        lower = np.linalg.cholesky(_covariance(FrameGroups(time, time, np.ones(n)), correlation, interval))
-        white = solve_triangular(lower, np.concatenate([slope.reshape(n, 2 * p), residuals], axis=1), lower=True)
-        columns = np.concatenate([white[:, : 2 * p].reshape(2 * n, p) / noise, known])
-        r = np.concatenate([white[:, 2 * p :].ravel() / noise, np.zeros(len(known))])
-        size = np.sqrt((columns * columns).sum(axis=0)) + 1e-300  # the same for every correlation but for a constant
+        white, spread = _whitened(np.concatenate([slope.reshape(n, 2 * p), residuals], axis=1), time, interval)
+        knowns = np.broadcast_to(known, (len(GRID), *known.shape))
+        columns = np.concatenate([white[..., : 2 * p].reshape(len(GRID), 2 * n, p) / noise, knowns], axis=1)
+        r = np.concatenate([white[..., 2 * p :].reshape(len(GRID), 2 * n) / noise, np.zeros(knowns.shape[:2])], axis=1)
+        size = np.sqrt((columns[0] ** 2).sum(axis=0)) + 1e-300  # (its constant is the same for every correlation)
         q, upper = np.linalg.qr(columns / size)
-        r = r - q @ (q.T @ r)
-        squares += float(r @ r)
-        free += len(r) - p
-        total += 2 * float(np.log(np.maximum(np.abs(np.diag(upper)), 1e-150)).sum() + np.log(size).sum())
-        total += 4 * float(np.log(np.diag(lower)).sum())
-    return total + free * float(np.log(max(squares, 1e-300) / max(free, 1)))
+        r = r - np.einsum("grp,gp->gr", q, np.einsum("grp,gr->gp", q, r))
+        squares += (r * r).sum(axis=1)
+        free += r.shape[1] - p
+        total += 2 * np.log(np.maximum(np.abs(np.diagonal(upper, axis1=1, axis2=2)), 1e-150)).sum(axis=1)
+        total += 2 * spread
+    variance = np.maximum(squares, 1e-300) / max(free, 1)
+    return total + free * np.log(variance), variance
+
+
+def _whitened(columns: Array, time: Array, interval: float) -> tuple[Array, Array]:
+    """Return columns (n, m) of frames with independent errors (g, n, m) for GRID, and the log determinant of their covariance (g,).
+
+    The part of the noise that fades is followed from frame to frame (Kalman's filter), in as many steps as there are frames.
+    """
+    fades, share = np.array(GRID).T
+    kept = fades[:, None] ** (np.diff(time, prepend=time[:1]) / interval)
+    expected, variance = np.zeros((len(GRID), columns.shape[1])), share.copy()
+    white, log_det = np.empty((len(GRID), *columns.shape)), np.zeros(len(GRID))
+    for i, row in enumerate(columns):
+        if i:
+            g = kept[:, i]
+            expected, variance = g[:, None] * expected, g * g * variance + share * (1 - g * g)
+        whole = np.maximum(variance + 1 - share, 1e-12)
+        gap = row - expected
+        white[:, i] = gap / np.sqrt(whole)[:, None]
+        log_det += np.log(whole)
+        gain = variance / whole
+        expected, variance = expected + gain[:, None] * gap, variance * (1 - gain)
+    return white, log_det

@@ -108,6 +108,8 @@ class ContactFit:
     """The same contact, of a ball that hops off the wall; None if it cannot, or if this is such a fit."""
     hop_chi2: float = 0.0
     """By how much chi2 is higher if the ball hops for as long as off a wall that it touches at its centre."""
+    rate: Array | None = None
+    """(17, p): derivatives of the values by the parameters of ``fitted``."""
     fitted: FittedFrames | None = None
     """Data for the estimate of the noise's correlation."""
     drag_shift: Array | None = None
@@ -219,7 +221,7 @@ def contact_fit(
     chi2 = float(r[:n] @ r[:n])
     return ContactFit(
         value=outputs(best), covariance=rate @ inverse @ rate.T, noise=noise, chi2=chi2, dof=n - spent, residuals=gap,
-        time=time, slid_before=slid_before, position=position, slid_until_contact=slid_until_contact,
+        time=time, slid_before=slid_before, position=position, slid_until_contact=slid_until_contact, rate=rate,
     )  # fmt: skip
 
 

@@ -14,6 +14,7 @@ from carom.files import require_library
 from carom.tracks.blind import BlindTime
 from carom.tracks.contact import Settings, TrackContact, View
 from carom.tracks.contact_fits import ContactFitter, Progress
+from carom.tracks.correlation import WHITE
 from carom.tracks.elsewhere import elsewhere_note, facing_up, with_turns
 from carom.tracks.events import TrackEvent, WallLine, find_events, find_walls
 from carom.tracks.flights import STILL_AIR, air_and_notes
@@ -213,32 +214,31 @@ def _in_view(
     elif view == "side":
         walls = tuple(facing_up(wall, film.tracks, film.noise, air.down) for wall in walls)
     radii = 2 * settings.radius if settings.radius else None
-    events = {
-        (track.group, track.name): find_events(
-            track,
-            [other for other in groups[track.group] if other is not track],
-            walls,
-            film.noise,
-            radii,
-            film.interval,
-        )
-        for track in film.tracks
-    }
+
+    def events_in(track: Track, noise: float) -> list[TrackEvent]:
+        others = [other for other in groups[track.group] if other is not track]
+        found = find_events(track, others, walls, noise, radii, film.interval)
+        return with_turns(found, track, walls, noise, air.down) if view == "side" else found
+
+    def fitted(noise: float) -> tuple[ContactFitter, list[TrackContact], list[str]]:
+        """Fit the contacts that stand out of a noise."""
+        events.update({(track.group, track.name): events_in(track, noise) for track in film.tracks})
+        lines, said = {wall.name: wall for wall in walls}, list[str]()
+        job = ContactFitter(replace(settings, gravity=gravity), view, lines, film.interval, film.noise, film.blind, air)
+        return job, job.run(list(film.tracks), events, said, progress), said
+
+    events = dict[tuple[str, str], list[TrackEvent]]()
+    job, contacts, said = fitted(film.noise)
+    # neighbouring frames differ by less than correlated noise, so that a ball at rest on the floor seems to bounce
+    if (
+        view == "side"
+        and job.correlation != WHITE
+        and any(events_in(track, job.noise) != events[track.group, track.name] for track in film.tracks)
+    ):
+        job, contacts, said = fitted(job.noise)
     if view == "side":
-        for track in film.tracks:
-            key = track.group, track.name
-            events[key] = with_turns(events[key], track, walls, film.noise, air.down)
         notes += elsewhere_note(chain.from_iterable(events.values()), len(walls) > 1)
-    job = ContactFitter(
-        replace(settings, gravity=gravity),
-        view,
-        {wall.name: wall for wall in walls},
-        film.interval,
-        film.noise,
-        film.blind,
-        air,
-    )
-    contacts = job.run(list(film.tracks), events, notes, progress)
+    notes += said
     if view == "above" and settings.walls is None:
         contacts, said = without_turned(contacts, film.tracks, events, film.noise, film.interval)
         notes += said
