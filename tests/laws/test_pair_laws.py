@@ -205,6 +205,10 @@ def test_a_law_of_walls_is_none_of_pairs() -> None:
         carom.collide(ball, cue, ball, REST, law="two-step")
     with pytest.raises(carom.CaromError, match=r"a stiffness ratio from 0\.171 to 3\.43"):
         carom.collide(ball, cue, ball, REST, law="maw", stiffness_ratio=[0.8, 50.0])
+    with pytest.raises(carom.CaromError, match=r"collide: stiffness_ratio: expected a number > 0, got -1"):
+        carom.collide(ball, cue, ball, REST, law="maw", stiffness_ratio=-1.0)
+    with pytest.raises(carom.CaromError, match=r"collide: law: expected a name, file.py:name or a carom.Law, got 3"):
+        carom.collide(ball, cue, ball, REST, law=3)
 
 
 def test_a_law_in_a_file_beside_the_scene(tmp_path: Any) -> None:

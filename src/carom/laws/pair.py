@@ -262,6 +262,8 @@ def collide(
     n = unit_normal(normal)
     balls = (ball, other)
     numbers = [x for b in balls for x in (b.radius, b.mass, b.kappa)]
+    if not isinstance(law, str | Law):
+        raise CaromError(f"collide: law: expected a name, file.py:name or a carom.Law, got {law!r:.60}")
     law = law_for_pairs(law if isinstance(law, Law) else find_law(law))
     rows, given = _loop_of(law, surface, stiffness_ratio)
     numbers += given
@@ -298,7 +300,9 @@ def _loop_of(law: Law, surface: Surface, stiffness_ratio: ArrayLike) -> tuple[Ca
         mu, drop, rate = law.slip_friction or (mu, 0.0, 0.0)
         return pair_rows, [e, mu, last, drop, rate]
     if law.last == "stiffness_ratio":
-        last = checked_number(FaultList("collide"), "stiffness_ratio", stiffness_ratio, "a number > 0", lambda x: x > 0)
+        faults = FaultList("collide")
+        last = checked_number(faults, "stiffness_ratio", stiffness_ratio, "a number > 0", lambda x: x > 0)
+        faults.raise_if_any()
     return pair_law_rows(law.kernel), [e, mu, last]
 
 

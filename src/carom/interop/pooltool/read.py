@@ -120,7 +120,8 @@ def _shot(system: Field) -> PooltoolShot:
                     ball["strike"] = strike
     if len(balls) > 1:
         notes.append(
-            f"balls meet with the friction u_b = {own['u_b']:g}; pooltool's own model has one that falls with the slip"
+            f"balls meet with the friction u_b = {own['u_b']:g}; pooltool's own model has one that falls with the slip, as"
+            " the law alciatore of ball_contact has"
         )
     try:
         walls, left_out = walls_of(system["table"], {"restitution": own["e_c"], "friction": own["f_c"]})
