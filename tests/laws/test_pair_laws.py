@@ -8,6 +8,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from reference.hertz_contacts import RADIUS, Case
+from reference.hertz_contacts import integrate as integrate_contacts
 from reference.pair_springs import Disc
 from reference.pair_springs import collide as integrate
 
@@ -16,6 +18,7 @@ from carom.laws.law import contact_kernel
 from carom.laws.registry import laws_of_pairs
 from carom.scene.paths import replaced
 from carom.simulation.law_notes import law_notes
+from carom.simulation.records import IN_CLUSTER
 
 POOL = {"radius": 0.028575, "mass": 0.17}
 REST = carom.State((0.0, 0.0, 0.0), (0.0, 0.0, 0.0))
@@ -167,6 +170,22 @@ def test_friction_that_falls_with_the_slip_in_a_scene() -> None:
         carom.CaromError, match=r"ball_contact.friction.at_rest: expected at least at_speed = 0.2, got 0.1"
     ):
         scene("contact", friction={"at_rest": 0.1, "at_speed": 0.2, "speed": 1.0})
+
+
+def test_a_cluster_with_friction_that_falls_against_an_integration_in_time() -> None:
+    x = np.array([(0.0, 0.0, RADIUS), (0.05, 0.0277, RADIUS), (0.04874, -0.02987, RADIUS)])
+    v, w = np.zeros((3, 3)), np.zeros((3, 3))
+    v[0], w[0] = (1.0, 0.1, 0.0), (0.0, 10.0, 40.0)
+    case = Case(x, v, w, 0.95, lambda u: 0.02 + 0.2 * np.exp(-2 * u))
+    _x, right, spins = integrate_contacts(case, 0.0009, 2.5e-7)
+    pair = {"restitution": 0.95, "friction": {"at_rest": 0.22, "at_speed": 0.02, "speed": 0.5}}
+    balls = [{**POOL, "position": tuple(x[i]), "velocity": tuple(v[i]), "spin": tuple(w[i])} for i in range(3)]
+    run = carom.simulate(carom.Scene(gravity=0, balls=balls, ball_contact=pair, run={"duration": 0.02}))
+    assert (run.log["kind"] == IN_CLUSTER).sum() == 1
+    assert np.abs(run.final.velocity - right).max() < 2e-4
+    assert RADIUS * np.abs(run.final.spin - spins).max() < 1e-4
+    constant = carom.simulate(replaced(run.scene, {"ball_contact.friction": 0.22})).final.velocity
+    assert np.abs(constant - right).max() > 1e-2
 
 
 @pytest.mark.parametrize(

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import json
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -47,7 +48,8 @@ class Case(NamedTuple):
     velocity: Array
     spin: Array
     restitution: float = 0.95
-    friction: float = 0.0
+    friction: float | Callable[[Array], Array] = 0.0
+    """A coefficient, or one as a function of the slip, m/s."""
     radius: float = RADIUS
     mass: float = MASS
     young: float = YOUNG
@@ -84,7 +86,8 @@ def integrate(case: Case, duration: float, step: float = 1e-6) -> tuple[Array, A
             slip = u - opening[:, None] * n - case.radius * np.cross(w[one] + w[two], n)
             speed = np.sqrt((slip * slip).sum(axis=1))
             # (no more than ends the slip in some steps: it must not turn round)
-            rub = np.minimum(case.friction * push, case.mass / 7 * speed / (4 * step))
+            mu = case.friction(speed) if callable(case.friction) else case.friction
+            rub = np.minimum(mu * push, case.mass / 7 * speed / (4 * step))
             f = push[:, None] * n - (rub / np.maximum(speed, 1e-300))[:, None] * slip
             np.add.at(acc, two, f / case.mass)
             np.add.at(acc, one, -f / case.mass)
