@@ -82,3 +82,14 @@ def test_one_pair_at_a_time_sends_most_of_the_energy_to_one_ball() -> None:
     assert found[0] < 5
     assert found[2] > 0.6
     assert found[4] < 0.5
+
+
+def test_the_gap_of_a_rack_has_exact_derivatives() -> None:
+    gaps = {"rack.gap": 5e-5, "rack.gap_spread": 4e-5, "rack.seed": 3}
+    smooth = {"ball_contact.friction": 0.0, "run.duration": 0.135}  # (a slip that ends is noise to differences)
+    scene = carom.replaced(carom.load_scene("pool-9ft"), gaps | smooth)
+    found = np.squeeze(carom.simulate(scene).sensitivity("rack.gap").final.velocity)
+    step = 1e-9
+    more, less = (carom.simulate(carom.replaced(scene, {"rack.gap": 5e-5 + h})).final.velocity for h in (step, -step))
+    assert np.abs(found).max() > 1000
+    np.testing.assert_allclose(found, (more - less) / (2 * step), rtol=0, atol=1e-5 * np.abs(found).max())

@@ -322,3 +322,15 @@ def test_polygons_by_their_corners() -> None:
     ):
         with pytest.raises(carom.CaromError, match=f"^OrbitCase: {message}"):
             sweeps.OrbitCase(table="polygon", **given)
+
+
+def test_a_sweep_over_the_seed_of_a_rack_breaks_the_racks_that_simulate_breaks() -> None:
+    pool = carom.replaced(
+        carom.load_scene("pool-9ft"), {"rack.gap": 5e-5, "rack.gap_spread": 4e-5, "run.duration": 0.5}
+    )
+    found = carom.sweep(carom.Space(pool, {"rack.seed": range(3)}), keep=["final.position"]).run()["final.position"]
+    for seed in range(3):
+        np.testing.assert_array_equal(
+            found.sel(seed=seed), carom.simulate(carom.replaced(pool, {"rack.seed": seed})).final.position
+        )
+    assert not np.array_equal(found.sel(seed=0), found.sel(seed=1))
