@@ -26,7 +26,7 @@ from carom.data.csv import CsvTable
 from carom.data.headers import BRACKETS, ColumnNames, missing_unit, with_units_below
 from carom.data.remarks import speed_remarks, which_rows
 from carom.data.table_cells import decimal_commas, number_advice, parse_numbers
-from carom.errors import MAX_MAGNITUDE, CaromError, shortened_list, suggestion
+from carom.errors import MAX_MAGNITUDE, CaromError, FaultList, shortened_list, suggestion
 from carom.files import as_path, atomic_file, import_optional, require_unpacked_size
 
 if TYPE_CHECKING:
@@ -198,19 +198,18 @@ def make_rebounds(
     if kind not in KINDS:
         raise CaromError(f"{source}: kind: expected planar or table, got {kind!r}")
     names = COLUMNS[kind]
-    faults: list[str] = []
+    faults = FaultList(source)
     known = [*names, *(f"sigma_{name}" for name in names)]
     given = {name: np.atleast_1d(np.asarray(column, dtype=float)) for name, column in columns.items()}
-    faults += [
-        f"{source}: column {name!r}: expected a column of a {kind} bounce; {suggestion(name, known)}"
-        for name in given
-        if name not in known
-    ]
+    for name in given:
+        if name not in known:
+            faults.add(f"column {name!r}", f"a column of a {kind} bounce", "", suggestion(name, known))
     sizes = {len(column) for column in given.values() if len(column) != 1}
     count = sizes.pop() if sizes else 1
     if sizes:
         got = ", ".join(f"{name} {len(column)}" for name, column in given.items())
-        raise CaromError(*faults, f"{source}: columns: expected one length for all, got {got}")
+        faults.add("columns", "one length for all", got)
+        faults.raise_if_any()
     given = {name: np.broadcast_to(column, count).copy() for name, column in given.items()}
     said = list(notes)
     followed = any(np.isfinite(given[name]).any() for name in names[3:] if name in given)
@@ -218,20 +217,17 @@ def make_rebounds(
         given |= {"v_t_in": np.zeros(count), "v_t_out": np.zeros(count)}
         said.append("no v_t_in and v_t_out: taken as 0, normal incidence")
     columns_given = shortened_list([*given, *(extra or {})]) or "none"
-    faults += [
-        f"{source}: column {name!r}: expected this column for a {kind} bounce, got {columns_given}"
-        for name in names
-        if name in ("v_n_in", "v_t_in") and name not in given
-    ]
-    wanted = f"{source}: columns: expected at least one of {', '.join(names[3:])} with a number, got none"
-    faults += [] if followed or count == 0 else [wanted]
+    for name in names:
+        if name in ("v_n_in", "v_t_in") and name not in given:
+            faults.add(f"column {name!r}", f"this column for a {kind} bounce", columns_given)
+    if not followed and count > 0:
+        faults.add("columns", f"at least one of {', '.join(names[3:])} with a number", "none")
     label = list(rows) or [f"row {i + 1}" for i in range(count)]
     if count == 0:
-        faults.append(f"{source}: expected rebounds, got none")
-    faults += _bad_cells(given, label, source)
-    stages = _stages(kind, stage, count, label, source, faults)
-    if faults:
-        raise CaromError(*faults)
+        faults.add("", "rebounds", "none")
+    _check_cells(given, label, faults)
+    stages = _stages(kind, stage, count, label, faults)
+    faults.raise_if_any()
     found = Rebounds(
         kind,
         {name: given.get(name, np.full(count, np.nan)) for name in names},
@@ -241,15 +237,14 @@ def make_rebounds(
     return replace(found, notes=(*said, *_remarks(found)))
 
 
-def _bad_cells(given: Mapping[str, Array], rows: Sequence[str], source: str) -> list[str]:
-    """Return the faults of the numbers, one line per column and kind of problem."""
-    faults = []
+def _check_cells(given: Mapping[str, Array], rows: Sequence[str], faults: FaultList) -> None:
+    """Add the faults of the numbers, one for each column and kind of problem."""
 
     def check(name: str, bad: NDArray[np.bool_], expected: str, remedy: str) -> None:
         if bad.any():
             got = float(given[name][np.flatnonzero(bad)[0]])
             got_text = "an empty cell" if np.isnan(got) else repr(got)
-            faults.append(f"{source}: {name}: expected {expected}, got {got_text} {which_rows(bad, rows)}; {remedy}")
+            faults.add(name, expected, f"{got_text} {which_rows(bad, rows)}", remedy)
 
     for name, column in given.items():
         far = ~(np.abs(column) <= MAX_MAGNITUDE)
@@ -271,29 +266,22 @@ def _bad_cells(given: Mapping[str, Array], rows: Sequence[str], source: str) -> 
         slack = 3 * np.clip(np.nan_to_num(given.get("sigma_v_n_out", np.zeros(len(v)))), 0, MAX_MAGNITUDE)
         check("v_n_out", np.isfinite(v) & (v < -slack), "a speed away from the wall, at least 0 within 3 sigma",
               "v_n is positive toward the wall before the contact and away from it after: change the signs")  # fmt: skip
-    return faults
 
 
-def _stages(
-    kind: Kind, stage: Any, count: int, rows: Sequence[str], source: str, faults: list[str]
-) -> NDArray[np.str_] | None:
+def _stages(kind: Kind, stage: Any, count: int, rows: Sequence[str], faults: FaultList) -> NDArray[np.str_] | None:
     if kind == "planar":
         if stage is not None:
-            faults.append(
-                f"{source}: stage: expected none for a planar bounce, got {stage!r:.40}; leave it out, or use kind table"
-            )
+            faults.add("stage", "none for a planar bounce", f"{stage!r:.40}", "leave it out, or use kind table")
         return None
     if stage is None:
-        faults.append(
-            f"{source}: stage: expected after_wall (measured as the ball leaves the wall) or rolling (once it rolls"
-            " again), got none; give the column, or `stage` for all rows"
-        )
+        wanted = "after_wall (measured as the ball leaves the wall) or rolling (once it rolls again)"
+        faults.add("stage", wanted, "none", "give the column, or `stage` for all rows")
         return None
     found: NDArray[np.str_] = np.char.strip(np.broadcast_to(np.atleast_1d(np.asarray(stage, dtype=str)), count))
     bad = ~np.isin(found, STAGES)
     if bad.any():
         got = str(found[np.flatnonzero(bad)[0]])
-        faults.append(f"{source}: stage: expected after_wall or rolling, got {got!r} {which_rows(bad, rows)}")
+        faults.add("stage", "after_wall or rolling", f"{got!r} {which_rows(bad, rows)}")
     return found
 
 

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.data.rebounds import COLUMNS, STAGES, Kind, Rebounds
-from carom.errors import CaromError, float_or_nan
+from carom.errors import CaromError, FaultList, float_or_nan
 from carom.fitting.adequacy import nothing_along_the_wall
 from carom.fitting.candidate_shots import Candidates, Shot, Shots, candidates, numbers_of
 from carom.fitting.data import Problem, make_problem
@@ -189,11 +189,8 @@ def require_plan(
     setting: Setting, laws: tuple[str, ...], shots: Shots, truth: Mapping[str, float] | None = None, odds: float = 20.0
 ) -> None:
     """Raise CaromError if no shots can be planned, with all problems that can be found before a table is read."""
-    faults: list[str] = []
-    try:
-        require_settings(setting)
-    except CaromError as error:
-        faults += error.faults
+    faults = FaultList()
+    faults.attempt(require_settings, setting)
     for name, ends, least, most in (
         ("angles_deg", shots.angles_deg, 0.0, 89.0), ("speeds", shots.speeds, 1e-6, 1e4),
         ("spins", shots.spins or (0.0, 0.0), -1e6, 1e6),
@@ -201,18 +198,18 @@ def require_plan(
         pair = tuple(map(float_or_nan, ends)) if isinstance(ends, tuple | list) else ()
         if len(pair) != 2 or not least <= pair[0] <= pair[1] <= most:
             got = ":".join(f"{end:g}" for end in pair) if len(pair) == 2 else repr(ends)
-            faults.append(f"{name}: expected LOW:HIGH within {least:g} and {most:g}, LOW not above HIGH, got {got}")
+            faults.add(name, f"LOW:HIGH within {least:g} and {most:g}, LOW not above HIGH", got)
     for name, value in (("sigma_v", shots.sigma_v), ("sigma_spin", shots.sigma_spin)):
         if not (float_or_nan(value) > 0 or (value is None and name == "sigma_spin")):
-            faults.append(f"{name}: expected an error bar above 0, got {value!r}; no measurement is exact")
+            faults.add(name, "an error bar above 0", f"{value!r}", "no measurement is exact")
     if shots.stage not in STAGES:
-        faults.append(f"stage: expected {' or '.join(STAGES)}, got {shots.stage!r}")
+        faults.add("stage", " or ".join(STAGES), f"{shots.stage!r}")
     if not float_or_nan(odds) > 1:
-        faults.append(f"odds: expected a number above 1, such as 20, got {odds!r}")
+        faults.add("odds", "a number above 1, such as 20", f"{odds!r}")
     named = isinstance(laws, tuple | list) and all(isinstance(law, str) for law in laws)
     if not named or len(laws) != 2:
         got = repr(",".join(laws) if named else laws)
-        faults.append(f"laws: expected two laws, first the one assumed to be true, such as maw,contact, got {got}")
+        faults.add("laws", "two laws, first the one assumed to be true, such as maw,contact", got)
     faults += unknown_laws(laws) if named else []
     for name, value in (truth or {}).items():
         its = [p for p in (*PARAMETERS, *FORM_PARAMETERS) if p.name == name]
@@ -220,9 +217,8 @@ def require_plan(
         if (
             its and not low <= float_or_nan(value) <= high
         ):  # (parameters that the law does not have are reported once the law is known)
-            faults.append(f"truth: {name}: expected {low:g} to {high:g}, got {value!r}")
-    if faults:
-        raise CaromError(*faults)
+            faults.add(f"truth: {name}", f"{low:g} to {high:g}", f"{value!r}")
+    faults.raise_if_any()
 
 
 def _require_error_bars(filmed: Rebounds) -> None:

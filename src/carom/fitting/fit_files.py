@@ -5,6 +5,7 @@ from __future__ import annotations
 import inspect
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any, NamedTuple
@@ -275,7 +276,7 @@ def _strange_words(
     seed: int | None,
 ) -> list[str]:
     """Return one line per invalid argument, as far as that does not depend on the data."""
-    faults = [f"`laws`: {fault.removeprefix('law: ')}" for fault in unknown_laws(names or [])]
+    faults = [str(replace(fault, where="`laws`")) for fault in unknown_laws(names or [])]
     if names == []:
         faults.append("`laws`: expected names of laws, got none; omit it to fit all laws")
     if seed is not None and seed < 0:

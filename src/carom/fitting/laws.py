@@ -146,14 +146,14 @@ def laws_for(kind: Kind, upright: bool) -> list[FittedLaw]:
     return [law for law in taking_part if not (upright and law.redundant_upright)]
 
 
-def unknown_laws(names: Sequence[str], kind: Kind | None = None) -> list[str]:
-    """Return an error message for each name that no law has, whatever the kind of rebound."""
+def unknown_laws(names: Sequence[str], kind: Kind | None = None) -> list[Fault]:
+    """Return the fault of each name that no law has, whatever the kind of rebound."""
     everything = sorted(
         {law.name for law in FITTED} | {name for name, _kind in ALIASES} | {name for name, _kind in ABSENT}
     )
     known = list(dict.fromkeys(law.name for law in FITTED if kind in (None, law.kind)))
     return [
-        str(Fault("law", "", f"one of {', '.join(known)}", repr(name), did_you_mean(name, everything)))
+        Fault("law", "", f"one of {', '.join(known)}", repr(name), did_you_mean(name, everything))
         for name in names
         if name not in everything
     ]
@@ -175,10 +175,10 @@ def laws_named(names: list[str] | None, kind: Kind, upright: bool) -> tuple[list
                 notes.append(f"{name}: for a {kind} rebound this is the law {means}")
         elif (name, kind) in ABSENT:
             notes.append(f"{name}: left out, {ABSENT[name, kind]}")
-    if faults or not found:
-        raise CaromError(
-            *(faults or [f"laws: expected one that applies to a {kind} rebound, got none; {'; '.join(notes)}"])
-        )
+    if not found and not faults:
+        faults.append(Fault("laws", "", f"one that applies to a {kind} rebound", "none", "; ".join(notes)))
+    if faults:
+        raise CaromError(*faults)
     return list(found.values()), notes
 
 

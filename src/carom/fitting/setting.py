@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any
 
-from carom.errors import CaromError, float_or_nan, require_type
+from carom.errors import FaultList, float_or_nan, require_type
 from carom.fitting.laws import FittedLaw
 from carom.fitting.parameters import FORMS, PARAMETERS, RENAMED, Form, Parameter
 from carom.public.renamed import with_new_names
@@ -95,23 +95,16 @@ class Setting:
 def require_settings(setting: Setting, *, whole: bool = False) -> None:
     """Raise CaromError for a setting with which rebounds, or ``whole`` tracks, cannot be fitted, one line per problem."""
     require_type("fit", "setting", setting, Setting)
-    faults = _faults(setting, whole)
-    if faults:
-        raise CaromError(*faults)
-
-
-def _faults(setting: Setting, whole: bool) -> list[str]:
-    """Return one line per problem."""
     kappa, most, where = "kappa = I/(m a^2) above 0, up to 1", 1.0, ""
     if whole:
         kappa, most, where = "kappa in (0, 2/3]", SPHERE, " for whole tracks"
     forms = [form for form in FORMS if not (whole and form == "line")]
     limits = {one.name: one for one in (*PARAMETERS, *FORM_PARAMETERS)}
-    faults: list[str] = []
+    faults = FaultList()
 
     def require(ok: bool, name: str, expected: str, got: Any) -> None:
         if not ok:
-            faults.append(f"{name}: expected {expected}, got {got!r:.60}")
+            faults.add(name, expected, f"{got!r:.60}")
 
     numbers: tuple[tuple[str, Callable[[float], bool], str], ...] = (
         ("radius", lambda x: 0 < x <= MAX_RADIUS_M, BALL_RADIUS),
@@ -134,7 +127,7 @@ def _faults(setting: Setting, whole: bool) -> list[str]:
         words = f"one of {', '.join(known)}{where}" if name == "restitution" else " or ".join(known)
         require(value in known or (name == "scatter" and value == ""), name, words, value)
     if setting.spin_prior == "uniform" and setting.spin_width is None:
-        faults.append("spin_width: expected a width in v/a for a uniform prior, got none; a normal one's can be fitted")
+        faults.add("spin_width", "a width in v/a for a uniform prior", "none", "a normal one's can be fitted")
     for name, kind, words in (
         ("fit", tuple | list, "tuple"), ("fixed", Mapping, "mapping"), ("bounds", Mapping, "mapping")
     ):  # fmt: skip
@@ -150,7 +143,7 @@ def _faults(setting: Setting, whole: bool) -> list[str]:
             elif one in limits:
                 low, high = limits[one].low, limits[one].high
                 require(low <= float_or_nan(value[one]) <= high, f"fix: {one}", f"{low:g} to {high:g}", value[one])
-    return faults
+    faults.raise_if_any()
 
 
 def form_of(law: FittedLaw, setting: Setting) -> Form:

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.errors import CaromError, require_type
+from carom.errors import CaromError, FaultList, require_type
 from carom.files import import_optional
 from carom.formatting import format_number, html_table
 from carom.public.progress import Progress, loop_callback
@@ -189,25 +189,16 @@ def aim(
     ('plane 0', 'ball 1')
     """
     require_type("aim", "scene", scene, Scene)
-    faults: list[str] = []
-    unknowns: list[Unknown] = []
-    targets: list[TargetEvent] = []
-    try:
-        unknowns = unknowns_of(scene, free, {} if errors is None else errors)
-    except CaromError as error:
-        faults += error.faults
-    try:
-        targets = targets_of(scene, reach)
-    except CaromError as error:
-        faults += error.faults
+    faults = FaultList("aim")
+    unknowns: list[Unknown] = faults.attempt(unknowns_of, scene, free, {} if errors is None else errors)
+    targets: list[TargetEvent] = faults.attempt(targets_of, scene, reach)
     for name, value, least, most in (
         ("solutions", solutions, 1, math.inf), ("starts", starts, 1, MOST_STARTS), ("seed", seed, 0, math.inf)
     ):  # fmt: skip
         if isinstance(value, bool) or not isinstance(value, Integral) or not least <= value <= most:
             span = f"from {least} to {most:,}" if most < math.inf else f">= {least}"
-            faults.append(f"aim: {name}: expected a whole number {span}, got {value!r:.60}")
-    if faults:
-        raise CaromError(*faults)
+            faults.add(name, f"a whole number {span}", f"{value!r:.60}")
+    faults.raise_if_any()
     problem = AimProblem(scene, unknowns, targets)
     say = loop_callback(progress, lambda tell: lambda text: tell(math.nan, math.nan, text)) or (lambda _text: None)
     say(f"{starts:,} starts")

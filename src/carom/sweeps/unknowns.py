@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.geometry.angles import direction
-from carom.errors import MAX_MAGNITUDE, CaromError, float_or_nan, shortened_list
+from carom.errors import MAX_MAGNITUDE, FaultList, float_or_nan, shortened_list
 from carom.scene.paths import path_match
 from carom.scene.scene import Scene
 
@@ -42,8 +42,7 @@ PARTS = {
 LIMITS = {"speed": (0.0, MAX_MAGNITUDE), "elevation": (0.0, 90.0), "side": (-1.0, 1.0), "top": (-1.0, 1.0)}
 WHERE = "aim: free"
 EXPECTED = (
-    "expected one ball's velocity, spin_z, strike, or strike.offset, .azimuth, .elevation, .speed, such as"
-    " 'balls.0.velocity'"
+    "one ball's velocity, spin_z, strike, or strike.offset, .azimuth, .elevation, .speed, such as 'balls.0.velocity'"
 )
 
 
@@ -79,17 +78,16 @@ def unknowns_of(
     """Return the unknowns that paths stand for. CaromError for paths that are no part of a ball's start, all at once."""
     ranges = dict(free) if isinstance(free, Mapping) else {}
     found: list[Unknown] = []
-    faults = _faults_of_errors(errors)
+    faults = FaultList("aim")
+    _check_errors(faults, errors)
     if isinstance(free, bytes) or not isinstance(free, Iterable):
-        faults.append(f"{WHERE}: {EXPECTED}, got {free!r:.60}")
+        faults.add("free", EXPECTED, f"{free!r:.60}")
         free = ()
     freed: dict[tuple[Any, str], str] = {}  # which path frees a number of a ball
     for path in [free] if isinstance(free, str) else free:
-        try:
-            (keys, *others) = path_match(scene, path, WHERE).places
-        except CaromError as error:
-            faults += error.faults
+        if (match := faults.attempt(path_match, scene, path, WHERE)) is None:
             continue
+        (keys, *others) = match.places
         last = keys[-1]
         whole = len(keys) == (4 if keys[2:3] == ("strike",) and last != "strike" else 3)
         speed = keys[2:] == ("strike", "speed")
@@ -97,14 +95,12 @@ def unknowns_of(
         if last == "strike" and getattr(scene.balls[int(keys[1])], "strike", None) is None:
             parts = ()
         if not parts:
-            faults.append(f"{WHERE}: {EXPECTED}, got {path!r:.60}")
+            faults.add("free", EXPECTED, f"{path!r:.60}")
         if not scene.floor and "velocity" in keys:
-            faults.append(
-                f"{WHERE}: {path}: expected a scene with a floor, got one without; free the ball's strike there"
-            )
+            faults.add(f"free: {path}", "a scene with a floor", "one without", "free the ball's strike there")
         for part in parts:
             if (keys[1], part) in freed:
-                faults.append(f"{WHERE}: expected each number once, got {part} by {freed[keys[1], part]} and {path}")
+                faults.add("free", "each number once", f"{part} by {freed[keys[1], part]} and {path}")
                 break
             freed[keys[1], part] = path
             given = ranges.get(path, RANGES[part]) if part not in ("angle", "azimuth") or len(parts) == 1 else ANGLE
@@ -113,28 +109,26 @@ def unknowns_of(
             low, high = _range(given)
             if not (low < high and least <= low and high <= most and (part != "speed" or low > 0)):
                 span = "" if part not in LIMITS else " > 0" if part == "speed" else f" from {least:g} to {most:g}"
-                faults.append(f"{WHERE}: {path}: expected a range (low, high) of {part}{span}, got {given!r:.60}")
+                faults.add(f"free: {path}", f"a range (low, high) of {part}{span}", f"{given!r:.60}")
                 continue
             found.append(Unknown(part, own, low, high, errors.get(part, ERRORS[part]) if not faults else 0.0))
     if not found and not faults:
-        faults.append(f"{WHERE}: expected paths such as ['balls.0.velocity'], got none")
-    if faults:
-        raise CaromError(*faults)
+        faults.add("free", "paths such as ['balls.0.velocity']", "none")
+    faults.raise_if_any()
     return found
 
 
-def _faults_of_errors(errors: Any) -> list[str]:
-    """Return the faults of the player's errors."""
+def _check_errors(faults: FaultList, errors: Any) -> None:
+    """Add the faults of the player's errors."""
     known = shortened_list(list(ERRORS))
     if not isinstance(errors, Mapping):
-        return [f"aim: errors: expected a mapping of {known} to numbers, got {errors!r:.60}"]
-    faults = []
+        faults.add("errors", f"a mapping of {known} to numbers", f"{errors!r:.60}")
+        return
     for name, value in errors.items():
         if name not in ERRORS:
-            faults.append(f"aim: errors: expected names of {known}, got {name!r:.60}")
+            faults.add("errors", f"names of {known}", f"{name!r:.60}")
         elif isinstance(value, bool) or not 0 <= float_or_nan(value) <= MAX_MAGNITUDE:
-            faults.append(f"aim: errors: {name}: expected a number >= 0, got {value!r:.60}")
-    return faults
+            faults.add(f"errors: {name}", "a number >= 0", f"{value!r:.60}")
 
 
 def _range(given: Any) -> tuple[float, float]:
