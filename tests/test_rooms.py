@@ -22,7 +22,14 @@ MODULES = {
 
 
 # What loads modules whose names it is given: the command's parts, all laws, optional libraries, what is to be compiled.
-LOADERS = {"carom.cli", "carom.laws.registry", "carom.files", "carom.core.jit.workers", "carom.core.jit.background"}
+LOADERS = {
+    "carom.cli",
+    "carom.laws.registry",
+    "carom.scene.shapes",
+    "carom.files",
+    "carom.core.jit.workers",
+    "carom.core.jit.background",
+}
 
 
 def loaded_by_text(tree: ast.AST) -> set[str]:

@@ -65,7 +65,7 @@ from .scene.rack import Rack as Rack
 from .scene.scene import Floor as Floor
 from .scene.scene import Run as Run
 from .scene.scene import Scene as Scene
-from .scene.table import Table as Table
+from .scene.shapes.table import Table as Table
 from .scene.toml import load_scene as load_scene
 from .scene.toml import new_scene as new_scene
 from .scene.toml import save_scene as save_scene

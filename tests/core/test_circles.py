@@ -41,7 +41,7 @@ def test_against_small_steps() -> None:
     origin, touched, missed = (0.0, 0.0, 0.0), 0, 0
     times = np.arange(0, 2, 2e-4)
     for _ in range(600):
-        d = unit(rng.normal(size=3))
+        d = unit(tuple(rng.normal(size=3).tolist()))
         u, w = frame(d)
         radius, a = float(rng.uniform(0.1, 1)), float(rng.uniform(0.05, 0.6))
         half = math.pi if rng.random() < 0.5 else float(rng.uniform(0.3, 3))
@@ -100,7 +100,7 @@ def test_normal_and_way_in_are_the_slopes_of_the_gap() -> None:
     rng = np.random.default_rng(2)
     p = (0.0, 0.0, 0.0)
     for _ in range(50):
-        d, x, v, b = unit(rng.normal(size=3)), *(tuple(rng.normal(size=3)) for _ in range(3))
+        d, x, v, b = unit(tuple(rng.normal(size=3).tolist())), *(tuple(rng.normal(size=3)) for _ in range(3))
         gap = lambda s, d=d, x=x, v=v, b=b: rim_gap(  # noqa: E731
             p, d, 0.7, tuple(np.array(x) + np.array(v) * s + np.array(b) * s * s / 2)
         )

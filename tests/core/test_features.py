@@ -15,17 +15,21 @@ from carom.core.geometry.features import (
     gap_to_feature,
     is_out_of_reach,
 )
-from carom.scene.feature_builders import corner, disc, line, plane, rim, unit
+from carom.scene.feature_builders import built, frame, put_corner, put_disc, put_line, put_plane, put_rim, unit
 
+INF = float("inf")
 TILTED = unit((1.0, 2.0, 2.0))
 FEATURES = {
-    "plane": plane((0.1, 0.2, 0.3), TILTED),
-    "edge": line((0.1, 0.2, 0.3), TILTED),
-    "cylinder": line((0.1, 0.2, 0.3), TILTED, R=0.5, side=1.0),
-    "tube": line((0.1, 0.2, 0.3), TILTED, R=2.5, side=-1.0),
-    "corner": corner((0.1, 0.2, 0.3)),
-    "disc": disc((0.1, 0.2, 0.3), TILTED, 9.0),
-    "rim": rim((0.1, 0.2, 0.3), TILTED, 0.5),
+    name: built(build, (0.1, 0.2, 0.3), *given, 0)[0]
+    for name, build, given in (
+        ("plane", put_plane, (TILTED,)),
+        ("edge", put_line, (TILTED, -INF, INF, 0.0, 1.0)),
+        ("cylinder", put_line, (TILTED, -INF, INF, 0.5, 1.0)),
+        ("tube", put_line, (TILTED, -INF, INF, 2.5, -1.0)),
+        ("corner", put_corner, (0.0, 1.0)),
+        ("disc", put_disc, (TILTED, 9.0)),
+        ("rim", put_rim, (TILTED, 0.5, frame(TILTED)[0], -1.0)),
+    )
 }
 VELOCITY, ACCELERATION = np.array([0.7, -0.4, 1.3]), np.array([0.3, 0.5, -9.8])
 
@@ -61,11 +65,12 @@ def test_the_normal_is_where_the_gap_grows_fastest(name: str) -> None:
 
 @pytest.mark.parametrize("name", [*FEATURES, "gate"])
 def test_a_feature_out_of_reach_is_not_hit(name: str) -> None:
-    f = disc((0.1, 0.2, 0.3), TILTED, 0.5)._replace(kind=OVER) if name == "gate" else FEATURES[name]
+    gate = built(put_disc, (0.1, 0.2, 0.3), TILTED, 0.5, 0)[0]._replace(kind=OVER)
+    f = gate if name == "gate" else FEATURES[name]
     rng, a, hits, far = np.random.default_rng(7), 0.1, 0, 0
     for _ in range(400):
         place, noise, pull = rng.normal(0, 1.5, 3), rng.normal(0, 0.2, 3), rng.normal(0, 0.5, 3)
-        v = 2 * (np.array(f.p) + f.R * np.array(unit(noise)) - place)  # (towards it)
+        v = 2 * (np.array(f.p) + f.R * np.array(unit(tuple(noise.tolist()))) - place)  # (towards it)
         x, v, acc = (tuple(one.tolist()) for one in (place, v, pull))
         path = (a, x, v, acc, 1.0, 0.0)
         s = rim_hit(f.p, f.d, f.R, f.u, f.lo1, *path) if f.kind == RIM else feature_hit(f, *path)

@@ -5,7 +5,7 @@
 /** @import { Law } from "./types.js" */
 /** @import { Meeting } from "./meeting.js" */
 /** @import { Module } from "./module.js" */
-import { dot, minus } from "../scene/vectors.js";
+import { dot, minus } from "../state/vectors.js";
 import { slips } from "./slip.js";
 
 /** @typedef {{v: Vec, w: Vec}} Motion */

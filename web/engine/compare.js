@@ -33,7 +33,7 @@ const isMotion = (motion) => !motion.v.some(Number.isNaN);
 
 /** @param {Module} module @param {Meeting} m @param {Law} law @returns {{answer: Answer | null, why: string}} */
 function answered(module, m, law) {
-  const missing = unmet(m, law, module.layout);
+  const missing = unmet(module, m, law);
   if (missing.length > 0) return { answer: null, why: `no prediction: it requires ${missing.join("; and ")}` };
   const answer = answerOf(module, m, law);
   return isMotion(answer.afterWall) ? { answer, why: "" } : { answer: null, why: `no prediction: ${answer.why}` };
@@ -47,7 +47,7 @@ function verdict(module, m, law) {
     flight: null, required: null, available: m.mu, required_floor: null, available_floor: m.floor?.mu ?? null,
   };
   if (answer === null) return { ...nothing, admissible: false, reasons: [why], remarks: [] };
-  const reasons = objections(m, law, answer);
+  const reasons = objections(module, m, law, answer);
   const final = isMotion(answer.final) ? answer.final : null;
   const { afterWall, steps } = answer;
   const energy = kineticEnergy(m, m);

@@ -1,6 +1,7 @@
 // The WebAssembly module: its functions, its memory, and what engine.json says of both.
 
 /** @import { Layout } from "./types.js" */
+import { askOf } from "../scene/shapes.js";
 import { Memory } from "./memory.js";
 
 export class Module {
@@ -36,5 +37,7 @@ export async function loadModule(wasm, layout) {
   if (version !== layout.version) {
     throw new Error(`engine.wasm: expected the module of version ${layout.version}, got version ${version}; build both anew with make wasm`);
   }
-  return new Module(await WebAssembly.instantiate(compiled), layout);
+  const module = new Module(await WebAssembly.instantiate(compiled), layout);
+  askOf(module);
+  return module;
 }

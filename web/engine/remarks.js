@@ -2,7 +2,7 @@
 
 /** @import { Answer, Motion } from "./answers.js" */
 /** @import { Meeting } from "./meeting.js" */
-import { UP } from "../scene/vectors.js";
+import { UP } from "../state/vectors.js";
 import { slip, sum } from "./slip.js";
 import { lengthText, numberText, timeText } from "./text.js";
 

@@ -2,7 +2,7 @@
 
 /** @import { Scene, Vec } from "../state/types.js" */
 /** @import { Run } from "./types.js" */
-import { dot } from "../scene/vectors.js";
+import { dot } from "../state/vectors.js";
 import { kappaOf } from "../scene/setup.js";
 
 const ENDED = { quiet: "nothing more happens", done: "duration", limit: "max_events", time: "time of computing", refused: "refused" };

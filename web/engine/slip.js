@@ -3,7 +3,7 @@
 /** @import { Vec } from "../state/types.js" */
 /** @import { Motion } from "./answers.js" */
 /** @import { Meeting } from "./meeting.js" */
-import { UP, cross, dot } from "../scene/vectors.js";
+import { cross, dot } from "../state/vectors.js";
 
 /** @param {Vec} v */
 export const sum = (v) => Math.abs(v[0]) + Math.abs(v[1]) + Math.abs(v[2]);
@@ -17,9 +17,6 @@ export function slip(radius, { v, w }, n) {
 /** Whether it slips by more than rounding. @param {{radius: number}} m @param {Motion} motion @param {Vec} n */
 export const slips = (m, motion, n) =>
   Math.max(...slip(m.radius, motion, n).map(Math.abs)) > 1e-9 * (sum(motion.v) + m.radius * sum(motion.w));
-
-/** @param {{radius: number}} m @param {Motion} motion */
-export const slipsOnFloor = (m, motion) => slips(m, motion, UP);
 
 /** J. @param {Meeting} m @param {Motion} motion */
 export const kineticEnergy = (m, { v, w }) =>

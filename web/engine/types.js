@@ -6,6 +6,9 @@
 
 /** @typedef {{bytes: number, fields: Record<string, Place>}} RecordLayout */
 
+/** A condition or an objection of a law: a function of the module, its sentence with places for two numbers, the field of a wall concerned.
+ * @typedef {{function: string, text: string, field: string}} Rule */
+
 /**
  * @typedef {object} Law
  * @property {string} name
@@ -28,8 +31,12 @@
  * @property {boolean} ignores_floor
  * @property {string | null} colour
  * @property {number[]} dashes
- * @property {[number, number] | null} chi_range
+ * @property {Rule[]} conditions
+ * @property {Rule[]} objections
  */
+
+/** `numbers`: how many numbers each field takes in what its kernels are given, 0: a list after its length; of a part, its fields; `pockets`: places of them.
+ * @typedef {{numbers: Record<string, number | string[]>, faults: {field: string, expected: string, got: string, advice: string}[], pockets: string[]}} Shape */
 
 /**
  * @typedef {object} Layout
@@ -48,7 +55,8 @@
  * @property {Record<string, string>} refusals
  * @property {Record<string, number>} responses
  * @property {Law[]} laws
- * @property {{least_firm: number, stiffness: [number, number], most_omega: number}} limits of laws
+ * @property {{least_firm: number}} limits of laws
+ * @property {Record<string, Shape>} shapes
  * @property {Record<string, any>} fields
  * @property {Record<string, string>} built_with
  */

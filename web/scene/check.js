@@ -2,13 +2,12 @@
 // needs (carom.scene.scene and its shapes).
 
 /** @import { Scene, Vec, Wall } from "../state/types.js" */
-/** @import { Law, Layout } from "../engine/types.js" */
+/** @import { Law } from "../engine/types.js" */
 /** @import { Module } from "../engine/module.js" */
 import { general, lengthText, vectorText } from "../engine/text.js";
-import { fieldFaults } from "./fields.js";
-import { extended } from "./numbers.js";
-import { pocketFaults } from "./pockets.js";
-import { SHAPES } from "./shapes.js";
+import { unmetRules } from "../engine/objections.js";
+import { fieldFaults, shown } from "./fields.js";
+import { placeAt, shapeFaults } from "./shapes.js";
 import { centerOf, kappaOf, lawOf, pairLawOf, pairStiffness, setUp } from "./setup.js";
 
 const TOUCH = 1e-9; // of the radius: what overlaps by less touches
@@ -19,56 +18,19 @@ const [MOST_BALLS, MOST_FEATURES] = [100, 2000];
 export function sceneFaults(module, scene) {
   const faults = fieldFaults(scene, module.layout);
   if (faults.length > 0) return faults;
-  faults.push(...partFaults(scene), ...floorFaults(scene), ...lawFaults(scene, module.layout));
+  faults.push(...partFaults(scene), ...floorFaults(scene), ...lawFaults(module, scene));
   return faults.length > 0 ? faults : overlaps(module, scene);
-}
-
-/** @param {number} from @param {number} to @param {string} what */
-const turn = (from, to, what) => (0 < to - from && to - from <= 360 ? [] : [`expected ${what} of more than 0 and at most 360 degrees`]);
-
-/** What is wrong with a wall by itself. @param {Wall} wall @returns {string[]} */
-function shapeFaults(wall) {
-  const found = [];
-  const [low, height] = [extended(wall.low ?? "-inf"), extended(wall.height ?? "inf")];
-  if (wall.shape === "wedge") found.push(...turn(wall.from_angle, wall.to_angle, "an opening"));
-  if (wall.shape === "arc") found.push(...turn(wall.from_angle, wall.to_angle, "an arc"));
-  if (wall.shape === "box" && (wall.center === null) === (wall.corner === null)) found.push("expected either center or corner");
-  if (wall.shape === "segment" && String(wall.start) === String(wall.end)) found.push("expected another point than start");
-  if (wall.shape === "cylinder" && !(extended(wall.length) > 0)) found.push("expected a length greater than 0 m");
-  if (wall.shape === "table" && !(height >= (wall.nose_height ?? 0) && height > 0)) found.push("expected a height above nose and floor");
-  if (wall.shape === "table") found.push(...pocketFaults(wall));
-  if ("low" in wall && !(low <= height && low < Infinity && height > -Infinity)) found.push(`expected a height above low = ${general(low, 6)} m`);
-  if (wall.shape === "polygon" && crosses(wall.points, wall.closed)) found.push("expected an outline that does not meet itself");
-  return found;
 }
 
 /** @param {Scene} scene */
 function partFaults(scene) {
-  const found = scene.walls.flatMap((wall, i) => shapeFaults(wall).map((fault) => `walls[${i}]: ${fault}`));
+  const found = scene.walls.flatMap((wall, i) => shapeFaults(wall).map((fault) => `walls[${i}]${fault}`));
   scene.balls.forEach((ball, i) => {
     if (ball.rolling && ball.spin !== null) found.push(`balls[${i}].spin: expected no spin with rolling = true; it follows from the velocity`);
     if (ball.rolling && ball.velocity[2]) found.push(`balls[${i}].velocity: expected no speed along z with rolling = true`);
   });
   if (scene.balls.length > MOST_BALLS) found.push(`balls: expected at most ${MOST_BALLS} in a page, got ${scene.balls.length}; carom simulate takes more`);
   return found;
-}
-
-/** Whether the sides of an outline meet other than end to end. @param {[number, number][]} points @param {boolean} closed */
-function crosses(points, closed) {
-  const count = closed ? points.length : points.length - 1;
-  const sides = Array.from({ length: count }, (_, i) => [points[i], points[(i + 1) % points.length]]);
-  /** @param {number[]} p @param {number[]} q @param {number[]} r */
-  const side = (p, q, r) => Math.sign((q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]));
-  /** @param {number[]} p @param {number[]} q @param {number[]} r */
-  const on = (p, q, r) => side(p, q, r) === 0 && [0, 1].every((k) => Math.min(p[k], q[k]) <= r[k] && r[k] <= Math.max(p[k], q[k]));
-  return sides.some(([p, q], i) =>
-    String(p) === String(q) ||
-    sides.slice(i + 1).some(([r, s], j) => {
-      const crossed = side(p, q, r) * side(p, q, s) < 0 && side(r, s, p) * side(r, s, q) < 0;
-      const joined = closed && i === 0 && i + 1 + j === count - 1; // where the last one ends, the first one starts
-      return crossed || (!joined && (on(p, q, s) || on(r, s, p)));
-    }),
-  );
 }
 
 /** @param {Scene} scene */
@@ -88,43 +50,47 @@ function floorFaults(scene) {
   return found;
 }
 
-/** @param {Scene} scene @param {Layout} layout */
-function lawFaults(scene, layout) {
-  const pair = /** @type {any} */ ({ ...scene.ball_contact, stiffness_ratio: pairStiffness(scene.ball_contact) });
+/** @param {Module} module @param {Scene} scene */
+function lawFaults(module, scene) {
+  const pair = scene.ball_contact;
   return [
-    ...scene.walls.flatMap((wall, i) => wallLawFaults(scene, wall, lawOf(scene, wall, layout), layout).map((fault) => `walls[${i}].${fault}`)),
-    ...wallLawFaults(scene, pair, pairLawOf(scene, layout), layout).map((fault) => `ball_contact.${fault}`),
+    ...scene.walls.flatMap((wall, i) => {
+      const law = lawOf(scene, wall, module.layout);
+      const expected = { restitution: "a number from 0 to 1, or a form", friction: "a number >= 0 (inf: never slips)" };
+      const missing = /** @type {const} */ (["restitution", "friction"]).filter((name) => law.needs.includes(name) && wall[name] === null);
+      const vertical = (/** @type {number} */ z) => placeAt(wall, [0, 0, z]).vertical;
+      /** @type {Places} */
+      const got = { shape: [`walls[${i}]`, wall.shape], floor: [wall.law ? `walls[${i}].law` : "run.law", "a scene without a floor"] };
+      return [
+        ...missing.map((name) => `walls[${i}].${name}: expected ${expected[name]}, got nothing; the law ${law.name} reads it`),
+        ...conditionFaults(module, scene, wall, law, `walls[${i}]`, got, wall.stiffness_ratio, vertical),
+      ];
+    }),
+    ...conditionFaults(module, scene, pair, pairLawOf(scene, module.layout), "ball_contact", {}, pairStiffness(pair)),
   ];
 }
 
-/** What a law needs of a wall, whatever ball comes. @param {Scene} scene @param {Wall} wall @param {Law} law @param {Layout} layout */
-function wallLawFaults(scene, wall, law, layout) {
-  const found = [];
-  const expected = { restitution: "a number from 0 to 1, or a form", friction: "a number >= 0 (inf: never slips)" };
-  for (const name of /** @type {const} */ (["restitution", "friction"])) {
-    if (law.needs.includes(name) && wall[name] === null) found.push(`${name}: expected ${expected[name]}, got nothing; the law ${law.name} reads it`);
-  }
-  if (law.last === "stiffness_ratio") {
-    const k = wall.stiffness_ratio;
-    const [low, high] = law.chi_range ?? [0, Infinity];
-    const shares = scene.balls.map((ball) => (1 + 1 / kappaOf(ball)) / 2);
-    const [least, most] = [Math.max(...shares.map((x) => low / x)), Math.min(...shares.map((x) => high / x))];
-    if (law.chi_range && !(least <= k && k <= most)) {
-      found.push(`stiffness_ratio: expected a stiffness ratio from ${general(least, 3)} to ${general(most, 3)}, for which the law ${law.name} is tabulated, got ${general(k, 6)}`);
+/** Places of conditions on what a scene declares, and what stands there. @typedef {Record<string, [string, unknown]>} Places */
+
+/** A law's conditions on a wall, the floor or the pairs, of each ball, coming square to the surface. @param {Module} module @param {Scene} scene @param {Pick<Wall, "restitution" | "tangential_restitution">} surface @param {Law} law @param {string} at @param {Places} got @param {number} stiffness @param {(z: number) => boolean} [vertical] */
+function conditionFaults(module, scene, surface, law, at, got, stiffness, vertical = () => true) {
+  const r = surface.restitution;
+  const e = r === null ? 1 : r.form === "constant" ? Number(r.value) : 0.5;
+  /** @type {Places} */
+  const places = { ...got, restitution: [`${at}.restitution`, r], stiffness_ratio: [`${at}.stiffness_ratio`, stiffness] };
+  /** @type {Map<string, string>} */
+  const unmet = new Map();
+  for (const ball of scene.balls) {
+    for (const { field, text } of unmetRules(module, {
+      v: [-1, 0, 0], w: [0, scene.floor ? -1 / ball.radius : 0, 0], n: vertical(ball.radius) ? [1, 0, 0] : [0.8, 0, 0.6], radius: ball.radius,
+      kappa: kappaOf(ball), mass: ball.mass, e, mu: Infinity, beta: 0, stiffness, floor: { e: 0, mu: Infinity, beta: 0 }, height: 0, together: true,
+    }, law)) {
+      if (field in places && !unmet.has(field)) unmet.set(field, `${places[field][0]}: expected ${text}, for the law ${law.name}, got ${shown(places[field][1])}`);
     }
-    const { stiffness, most_omega: fastest } = layout.limits;
-    const slow = shares.every((x) => Math.sqrt(k * 2 * x) <= fastest);
-    if (!law.chi_range && !(stiffness[0] <= k && k <= stiffness[1] && slow)) {
-      found.push(`stiffness_ratio: expected a stiffness ratio from ${stiffness[0]} to ${stiffness[1]} for the law ${law.name}, got ${general(k, 6)}`);
-    }
-    if (wall.tangential_restitution !== 0) found.push(`tangential_restitution: expected 0 for the law ${law.name}, got ${general(wall.tangential_restitution, 6)}`);
   }
-  if (law.response === layout.responses.rolling) {
-    const r = wall.restitution;
-    if (r && !(r.form === "constant" && r.value === 1)) found.push(`restitution: expected hypothesis 3: a wall of restitution 1, for the law ${law.name}`);
-    if (!scene.balls.every((ball) => SHAPES[wall.shape].vertical(wall, ball.radius))) found.push(`shape: expected hypothesis 1: a vertical wall, for the law ${law.name}`);
-  }
-  return found;
+  const springs = law.last === "stiffness_ratio" && surface.tangential_restitution !== 0;
+  const beta = `${at}.tangential_restitution: expected 0 for the law ${law.name}, got ${general(surface.tangential_restitution, 6)}`;
+  return [...unmet.values(), ...(springs ? [beta] : [])];
 }
 
 /** @param {Module} module @param {Scene} scene */
@@ -139,7 +105,7 @@ function overlaps(module, scene) {
   const centers = scene.balls.map((ball) => centerOf(scene, ball));
   const blocked = scene.walls.map((wall, k) =>
     centers.map((x, i) => {
-      const bad = SHAPES[wall.shape].blocked(wall, x);
+      const bad = placeAt(wall, x).blocked;
       if (bad) {
         found.push(`balls[${i}].position: expected a place on the free side of ${wallName(wall, k)}, got ${vectorText(x, 6)}; move the ball`);
       }
@@ -184,9 +150,9 @@ function roomFaults(scene) {
   const radii = scene.balls.map((ball) => ball.radius);
   const [least, most] = [Math.min(...radii), Math.max(...radii)];
   return scene.walls.flatMap((wall, k) => {
-    const room = SHAPES[wall.shape].room?.(wall) ?? Infinity;
+    const room = placeAt(wall, [0, 0, 0]).room;
     if (most >= room) return [`walls[${k}]: expected room for a ball of radius ${lengthText(most)}, got room for radii below ${lengthText(room)}`];
-    const nose = wall.shape === "table" ? wall.nose_height : null;
+    const nose = wall.nose_height ?? null;
     if (nose === null || nose < 2 * least) return [];
     return [`walls[${k}].nose_height: expected less than ${lengthText(2 * least)}, the diameter of a ball, which would roll under it, got ${general(nose, 6)}`];
   });

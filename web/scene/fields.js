@@ -1,8 +1,6 @@
 // Are the fields of a scene what carom.scene says they are? The bounds are those of its models, which engine.json carries.
 
 /** @import { Layout } from "../engine/types.js" */
-import { extended } from "./numbers.js";
-
 /**
  * @typedef {object} Field
  * @property {string} kind number, vector, flag, choice, text, whole, part; or the name of a field with rules of its own
@@ -22,6 +20,13 @@ import { extended } from "./numbers.js";
  */
 
 /** @typedef {Record<string, Field>} Fields */
+
+/** A number of a scene; "inf" is infinity. @param {unknown} value @returns {number} */
+export function extended(value) {
+  if (value === "inf") return Infinity;
+  if (value === "-inf") return -Infinity;
+  return typeof value === "number" ? value : NaN;
+}
 
 const [SMALLEST, LARGEST] = [1e-100, 1e100];
 const LONGEST_SHOWN = 60;

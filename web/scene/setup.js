@@ -2,8 +2,8 @@
 
 /** @import { Ball, Restitution, Scene, Vec, Wall } from "../state/types.js" */
 /** @import { Law, Layout } from "../engine/types.js" */
-import { extended } from "./numbers.js";
-import { SHAPES } from "./shapes.js";
+import { extended } from "./fields.js";
+import { featuresOf, placeAt } from "./shapes.js";
 
 /** @typedef {Record<string, number | boolean | number[]>} Row fields of a record by name */
 
@@ -121,15 +121,12 @@ export function setUp(scene, layout, address) {
     const law = found[i];
     const { form, p, mu, beta } = surfaceOf(scene, wall, law, layout);
     const number = law.response + (law.response === layout.responses.called ? called.indexOf(law) : 0);
-    const shape = SHAPES[wall.shape];
     const { leaves, falls, goes_on: goesOn } = layout.gates;
     const surface = { wall: i, form, e: p, mu, beta, law: number };
-    const gate = shape.encloses?.(wall) ? leaves : goesOn;
-    const before = pockets;
-    pockets += shape.pockets?.(wall).length ?? 0;
-    return shape.features(wall).map(({ pocket, ...one }) => {
-      const at = pocket >= 0 ? before + pocket : one.kind === layout.features.rim ? address : 0;
-      return { ...one, ...surface, ends: pocket >= 0 ? falls : gate, at };
+    const gate = placeAt(wall, [0, 0, 0]).encloses ? leaves : goesOn;
+    return featuresOf(wall).map(({ pocket, ...one }) => {
+      if (pocket >= 0) return { ...one, ...surface, ends: falls, at: pockets++ };
+      return { ...one, ...surface, ends: gate, at: one.kind === layout.features.rim ? address : 0 };
     });
   });
   const balls = scene.balls.map((ball) => ({

@@ -3,7 +3,7 @@
 /** @import { Happening, Rebound, Restitution, Run, Scene } from "./types.js" */
 import { csvFormatRows, csvParseRows, dsvFormat, tsvParseRows } from "d3-dsv";
 import { stringify } from "smol-toml";
-import { SHAPES } from "../scene/shapes.js";
+import { pocketsOf } from "../scene/shapes.js";
 
 /** @param {unknown} value @returns {any} */
 function forToml(value) {
@@ -47,7 +47,7 @@ export const wallName = (scene, i) => scene.walls[i]?.name ?? `${scene.walls[i]?
 
 /** The names of all pockets, wall by wall, as carom.Scene.pocket_names. @param {Scene} scene @returns {string[]} */
 export function pocketNames(scene) {
-  return scene.walls.flatMap((wall) => (SHAPES[wall.shape]?.pockets?.(wall) ?? []).map(({ name }) => name));
+  return scene.walls.flatMap((wall) => pocketsOf(wall).map(({ name }) => name));
 }
 
 /** @type {Record<string, string>} */

@@ -1,6 +1,8 @@
 // Three numbers.
 /** @import { Vec } from "./types.js" */
 
+/** @type {Vec} */
+export const UP = [0, 0, 1];
 /** @param {Vec} a @param {Vec} b @returns {Vec} */
 export const plus = (a, b) => [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
 /** @param {Vec} a @param {Vec} b @returns {Vec} */

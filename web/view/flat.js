@@ -1,7 +1,7 @@
 // The scene from above and from the side, for browsers without WebGL 2.
 
 /** @import { Drag, Palette, Shot, View } from "./shot.js" */
-import { SHAPES } from "../scene/shapes.js";
+import { pocketsOf } from "../scene/shapes.js";
 import { Orientation, stateAt, trail } from "../state/motion.js";
 import { ballColour } from "./balls.js";
 import { oncePerFrame } from "./frames.js";
@@ -132,7 +132,7 @@ export function flat(host, drag) {
     }
     c.fillStyle = palette.edge;
     for (const wall of shot.scene.walls) {
-      for (const { center, radius } of SHAPES[wall.shape].pockets?.(wall) ?? []) {
+      for (const { center, radius } of pocketsOf(wall)) {
         c.beginPath();
         c.arc(...pair(view.above(...center)), view.k * radius, 0, 7);
         c.fill();

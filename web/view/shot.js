@@ -1,10 +1,9 @@
 // What both views (3-D, and 2-D where there is no WebGL 2) draw, and how large it is.
 
 /** @import { Run, Scene, Vec, Wall } from "../state/types.js" */
-import { layoutOf } from "../scene/pockets.js";
 import { toNumber } from "../state/edit.js";
 import { trail } from "../state/motion.js";
-import { unit } from "../state/vectors.js";
+import { chainsOf, lineOf } from "./outline.js";
 
 /**
  * @typedef {object} Shot
@@ -57,83 +56,8 @@ export const middleOf = ({ low, high }) => [(low[0] + high[0]) / 2, (low[1] + hi
 
 /** The outline of a wall from above, as chains of points; an infinite one is cut near a box. @param {Wall} wall @param {Box} box @returns {[number, number][][]} */
 export function outline(wall, box) {
-  const reach = 1.2 * sizeOf(box);
-  const at = middleOf(box);
-  /** @param {Vec} p @param {Vec} n @returns {[number, number][]} */
-  const trace = (p, n) => {
-    const flat = Math.hypot(n[0], n[1]);
-    if (flat < 1e-6) return [];
-    const [nx, ny] = [n[0] / flat, n[1] / flat];
-    // where the plane meets the floor, nearest to the middle of what is seen
-    const shift = ((p[0] - at[0]) * n[0] + (p[1] - at[1]) * n[1] + p[2] * n[2]) / flat;
-    const [x, y] = [at[0] + shift * nx, at[1] + shift * ny];
-    return [[x - reach * -ny, y - reach * nx], [x + reach * -ny, y + reach * nx]];
-  };
-  switch (wall.shape) {
-    case "plane":
-      return [trace(wall.point, unit(wall.normal))];
-    case "strip": {
-      const n = unit(wall.normal);
-      const far = /** @type {Vec} */ (wall.point.map((/** @type {number} */ x, /** @type {number} */ k) => x + wall.width * n[k]));
-      return [trace(wall.point, n), trace(far, n)];
-    }
-    case "wedge": {
-      const ends = [wall.from_angle, wall.to_angle].map((a) => (a * Math.PI) / 180);
-      const [x, y] = wall.apex;
-      return [ends.map((a) => [x + reach * Math.cos(a), y + reach * Math.sin(a)])].map(([one, two]) => [/** @type {[number, number]} */ (one), [x, y], /** @type {[number, number]} */ (two)]);
-    }
-    case "segment":
-      return [[wall.start, wall.end]];
-    case "polygon":
-      return [wall.closed ? [...wall.points, wall.points[0]] : wall.points];
-    case "table": {
-      const { noses, mouths } = layoutOf(wall);
-      if (mouths.length > 0) {
-        const jaws = mouths.flatMap(({ before, after }) => [before, after].map(jawLine));
-        return [...noses.map(([start, end]) => [start, end]), ...jaws];
-      }
-      const [x, y] = wall.center;
-      return [rectangle(x - wall.length / 2, y - wall.width / 2, x + wall.length / 2, y + wall.width / 2)];
-    }
-    case "box": {
-      const [low, high] = boxOf(wall);
-      return [rectangle(low[0], low[1], high[0], high[1])];
-    }
-    case "sphere":
-      return [arc(wall.center, wall.radius, 0, 360)];
-    case "cylinder":
-      return [arc(wall.point, wall.radius, 0, 360)];
-    case "arc":
-      return [arc(wall.center, wall.radius, wall.from_angle, wall.to_angle)];
-    case "stadium": {
-      const [c, s] = [Math.cos((wall.angle * Math.PI) / 180), Math.sin((wall.angle * Math.PI) / 180)];
-      const half = wall.length / 2;
-      const ends = [1, -1].map((k) => [wall.center[0] + k * half * c, wall.center[1] + k * half * s]);
-      const points = [...arc(ends[0], wall.radius, wall.angle - 90, wall.angle + 90), ...arc(ends[1], wall.radius, wall.angle + 90, wall.angle + 270)];
-      return [[...points, points[0]]];
-    }
-    default:
-      return [];
-  }
-}
-
-/** @param {number} x @param {number} y @param {number} u @param {number} v @returns {[number, number][]} */
-const rectangle = (x, y, u, v) => [[x, y], [u, y], [u, v], [x, v], [x, y]];
-
-/** @param {number[]} center @param {number} radius @param {number} from @param {number} to degrees @returns {[number, number][]} */
-function arc(center, radius, from, to) {
-  const steps = Math.max(8, Math.ceil(Math.abs(to - from) / 4));
-  return Array.from({ length: steps + 1 }, (_, i) => {
-    const a = ((from + ((to - from) * i) / steps) * Math.PI) / 180;
-    return [center[0] + radius * Math.cos(a), center[1] + radius * Math.sin(a)];
-  });
-}
-
-/** A jaw from the nose's end into the pocket. @param {import("../scene/pockets.js").Jaw} jaw @returns {[number, number][]} */
-export function jawLine({ center, radius, middle, cosine, forward, end }) {
-  const [at, half] = [(Math.atan2(middle[1], middle[0]) * 180) / Math.PI, (Math.acos(cosine) * 180) / Math.PI];
-  const points = arc(center, radius, at - half, at + half);
-  return [...(forward ? points.reverse() : points), end];
+  const [x, y] = middleOf(box);
+  return chainsOf(wall, [x, y], 1.2 * sizeOf(box)).map(lineOf);
 }
 
 /** The lowest and the highest corner of a box. @param {Wall} wall @returns {[Vec, Vec]} */
@@ -142,11 +66,11 @@ export function boxOf(wall) {
   return [low, low.map((/** @type {number} */ x, /** @type {number} */ k) => x + wall.size[k])];
 }
 
-const BOUNDED = ["table", "box", "segment", "polygon", "sphere", "arc", "stadium"];
-
-/** Whether a wall is finite as seen from above. @param {Wall} wall @param {number} far m */
-const bounded = (wall, far) =>
-  BOUNDED.includes(wall.shape) || (wall.shape === "cylinder" && Math.abs(unit(wall.axis)[2]) > 0.99 && wall.radius < far);
+/** Whether a wall is finite as seen from above, and no larger than what is looked at. @param {Wall} wall @param {number} far m */
+const bounded = (wall, far) => {
+  const parts = chainsOf(wall, [0, 0], far).flat();
+  return parts.length > 0 && parts.every(({ points, open }) => !open && points.some((p) => p.every((x) => Math.abs(x) < far)));
+};
 
 /** Largest radius of the balls. @param {Scene} scene */
 const largest = (scene) => Math.max(...scene.balls.map((ball) => ball.radius));

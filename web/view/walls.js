@@ -7,8 +7,9 @@ import {
   LineSegments, Mesh, MeshLambertMaterial, Quaternion, Shape, ShapeGeometry, SphereGeometry, Vector2, Vector3,
 } from "three";
 import { cross, plus, times, unit } from "../state/vectors.js";
-import { layoutOf } from "../scene/pockets.js";
-import { RAIL, boxOf, jawLine, levels, middleOf, outline, sizeOf } from "./shot.js";
+import { pocketsOf } from "../scene/shapes.js";
+import { chainsOf, lineOf } from "./outline.js";
+import { RAIL, boxOf, levels, middleOf, outline, sizeOf } from "./shot.js";
 import { toNumber } from "../state/edit.js";
 
 const HOLE = "#0c0d0f";
@@ -70,26 +71,24 @@ function cushions(wall, scene, box) {
   return { faces: geometry(points, index), lines: edges([line], [profile[at][1]]) };
 }
 
-/** The cushions of a table with pockets, upright: their faces, their tops, and the pockets. @param {Wall} wall @param {import("../scene/pockets.js").Layout} layout @param {Scene} scene @param {Box} box */
-function pocketTable(wall, { noses, mouths }, scene, box) {
+/** The cushions of a table with pockets, upright: their faces, their tops, and the pockets. @param {Wall} wall @param {Scene} scene @param {Box} box */
+function pocketTable(wall, scene, box) {
   const radius = Math.max(...scene.balls.map((ball) => ball.radius));
   const nose = wall.nose_height ?? radius;
   const high = Math.max(Math.min(levels(wall, scene, box)[1], 1.7 * radius), nose + 0.12 * radius);
-  const same = (/** @type {number[]} */ p, /** @type {number[]} */ q) => p[0] === q[0] && p[1] === q[1];
-  const lines = noses.map(([start, end]) => {
-    const from = mouths.find((mouth) => same(mouth.after.nose, start));
-    const to = mouths.find((mouth) => same(mouth.before.nose, end));
-    return [...(from ? jawLine(from.after).reverse() : [start]), ...(to ? jawLine(to.before) : [end])];
+  const chains = chainsOf(wall, [0, 0], 0);
+  const lines = chains.map(lineOf);
+  const long = (/** @type {import("./outline.js").Part} */ { points: [p, q], face }) => (face === null ? -1 : Math.hypot(q[0] - p[0], q[1] - p[1]));
+  const tops = chains.map((chain, i) => {
+    // back to its beginning along the rail, behind the nose: the longest of its faces
+    const { face } = chain.reduce((one, other) => (long(other) > long(one) ? other : one));
+    const { p: at, d } = /** @type {import("../scene/shapes.js").Feature} */ (face);
+    const out = (/** @type {number[]} */ p) => -(p[0] - at[0]) * d[0] - (p[1] - at[1]) * d[1];
+    const width = Math.max(RAIL * radius, ...lines[i].map(out));
+    const back = [lines[i][lines[i].length - 1], lines[i][0]].map((p) => new Vector2(p[0] - (width - out(p)) * d[0], p[1] - (width - out(p)) * d[1]));
+    return new Shape([...lines[i].map((p) => new Vector2(...p)), ...back]);
   });
-  const tops = lines.map((line, i) => {
-    const [[x, y], , [tx, ty]] = noses[i];
-    // back to its beginning along the rail
-    const out = (/** @type {[number, number]} */ p) => (p[0] - x) * ty - (p[1] - y) * tx;
-    const width = Math.max(RAIL * radius, ...line.map(out));
-    const back = [line[line.length - 1], line[0]].map((p) => new Vector2(p[0] + (width - out(p)) * ty, p[1] - (width - out(p)) * tx));
-    return new Shape([...line.map((p) => new Vector2(...p)), ...back]);
-  });
-  const holes = mouths.map(({ pocket }) => new Shape().absarc(pocket.center[0], pocket.center[1], pocket.radius, 0, 2 * Math.PI, false));
+  const holes = pocketsOf(wall).map(({ center, radius: r }) => new Shape().absarc(center[0], center[1], r, 0, 2 * Math.PI, false));
   return [
     { faces: ribbons(lines, 0, high), lines: edges(lines, [nose, high]) },
     { faces: new ShapeGeometry(tops).translate(0, 0, high), lines: new BufferGeometry() },
@@ -134,10 +133,8 @@ function planeFaces(point, n, scene, box, solid) {
 function parts(wall, scene, box) {
   const [low, high] = levels(wall, scene, box);
   switch (wall.shape) {
-    case "table": {
-      const layout = layoutOf(wall);
-      return layout.mouths.length > 0 ? pocketTable(wall, layout, scene, box) : [cushions(wall, scene, box)];
-    }
+    case "table":
+      return pocketsOf(wall).length > 0 ? pocketTable(wall, scene, box) : [cushions(wall, scene, box)];
     case "plane": {
       const n = unit(wall.normal);
       return [{ faces: planeFaces(wall.point, n, scene, box, true), clear: Math.hypot(n[0], n[1]) < 0.05 }];

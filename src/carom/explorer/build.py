@@ -20,7 +20,7 @@ from carom.simulation.wall_and_floor import joint_impact
 
 __all__ = ["build", "main"]
 
-MAX_BYTES = 250_000
+MAX_BYTES = 300_000
 
 
 def build() -> tuple[bytes, str, str]:

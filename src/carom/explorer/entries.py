@@ -12,19 +12,22 @@ from carom.core.geometry.circles import NUMBERS as RIM_NUMBERS
 from carom.core.geometry.circles import rim_entry
 from carom.core.geometry.features import FEATURES, contact_normal, gap_to_feature
 from carom.core.jit.compile import array_of
-from carom.core.jit.kernel import vector
+from carom.core.jit.kernel import kernel, vector
 from carom.core.motion.restitution import restitution
 from carom.laws.callbacks import NUMBERS as LAW_NUMBERS
 from carom.laws.callbacks import law_entry
 from carom.laws.landing import second_impact
 from carom.laws.registry import laws
+from carom.laws.rules import Case, Conditions, Objections, Predicted, Rule
 from carom.laws.two_step import first_impact
+from carom.scene.shapes import SHAPES
+from carom.scene.wall import ShapeKernels
 from carom.simulation.loop import run
 from carom.simulation.predict import begin_phase
 from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.states import state_rows
 
-__all__ = ["ModuleFunction", "entries"]
+__all__ = ["ModuleFunction", "entries", "rule_name", "rules_of"]
 
 
 class ModuleFunction(NamedTuple):
@@ -51,10 +54,78 @@ def entries() -> list[ModuleFunction]:
         ModuleFunction("restitution", restitution_row, None, (floats, floats)),
         ModuleFunction("first_impact", first_impact_row, None, (floats, floats)),
         ModuleFunction("second_impact", second_impact_row, None, (floats, floats)),
+        *(one for name, shape in SHAPES.items() for one in _of_shape(name, shape.kernels)),
+        *_rules(),
         ModuleFunction("rim", rim_entry, None, (), RIM_NUMBERS),
         *(ModuleFunction(f"law_{law.name.replace('-', '_')}", law_entry(law.kernel), None, (), LAW_NUMBERS)
           for law in laws().values() if law.kernel is not None),
     ]  # fmt: skip
+
+
+def _of_shape(name: str, kernels: ShapeKernels) -> list[ModuleFunction]:
+    """Return the functions of a shape: its features, what it says of places, and its faults."""
+    features, blocked, vertical, encloses, room, faults = kernels
+
+    def write_features(p: Any, rows: Any) -> Any:
+        return features(p, rows)
+
+    def write_faults(p: Any, rows: Any) -> Any:
+        return faults(p, rows)
+
+    def write_place(p: Any, x: Any, out: Any) -> None:
+        out[0], out[1] = blocked(p, vector(x)), vertical(p, x[2])
+        out[2], out[3] = encloses(p), room(p)
+
+    floats, rows = array_of(float), array_of(float, 2)
+    return [
+        ModuleFunction(f"features_{name}", write_features, int, (floats, rows)),
+        ModuleFunction(f"faults_{name}", write_faults, int, (floats, rows)),
+        ModuleFunction(f"place_{name}", write_place, None, (floats, floats, floats)),
+    ]
+
+
+def rule_name(rule: Rule) -> str:
+    """Return the name of the function of a condition or an objection."""
+    return f"rule_{rule.kernel.__module__.rpartition('.')[2]}_{rule.kernel.__name__.strip('_')}"
+
+
+def rules_of(asked: Conditions | Objections | Any) -> tuple[Rule, ...]:
+    """Return the rules of a law's conditions or objections."""
+    found: tuple[Rule, ...] = getattr(asked, "rules", ())
+    return found
+
+
+def _rules() -> list[ModuleFunction]:
+    """Return the conditions and objections of all laws, each once."""
+    found = {rule_name(rule): _of_case(rule.kernel) for law in laws().values() for rule in rules_of(law.conditions)}
+    found |= {rule_name(rule): _of_outcome(rule.kernel) for law in laws().values() for rule in rules_of(law.objections)}
+    floats = array_of(float)
+    return [ModuleFunction(name, function, None, (floats, floats)) for name, function in found.items()]
+
+
+@kernel
+def _case(p: Any) -> Case:
+    v, w, n = (p[0], p[1], p[2]), (p[3], p[4], p[5]), (p[6], p[7], p[8])
+    return Case(v, w, n, p[9], p[10], p[11], p[12], p[13], p[14], p[15], p[16], p[17], p[18], p[19], p[20])
+
+
+@kernel
+def _outcome(p: Any) -> Predicted:
+    return Predicted((p[21], p[22], p[23]), (p[24], p[25], p[26]), p[27], p[28], p[29])
+
+
+def _of_case(check: Callable[..., Any]) -> Callable[..., None]:
+    def rule(p: Any, out: Any) -> None:
+        out[0], out[1], out[2] = check(_case(p))
+
+    return rule
+
+
+def _of_outcome(check: Callable[..., Any]) -> Callable[..., None]:
+    def rule(p: Any, out: Any) -> None:
+        out[0], out[1], out[2] = check(_case(p), _outcome(p))
+
+    return rule
 
 
 def run_events(

@@ -18,11 +18,10 @@ from carom.scene.pockets import Pockets
 from carom.scene.restitution import Constant, Exponential, Han2005, Polynomial, Power, Viscoelastic
 from carom.scene.scene import Floor, Run, Scene
 from carom.scene.schema import Components, Model, Number
-from carom.scene.shapes import Arc, Box, Cylinder, Plane, Polygon, Segment, Sphere, Stadium, Strip, Table, Wedge
+from carom.scene.shapes import SHAPES
 
 __all__ = ["scene_fields"]
 
-SHAPES = (Plane, Segment, Polygon, Table, Box, Strip, Wedge, Cylinder, Arc, Sphere, Stadium)
 FORMS = (Constant, Polynomial, Han2005, Power, Viscoelastic, Exponential)
 
 # Fields of several types, which the page checks by their names.
@@ -41,7 +40,7 @@ def scene_fields() -> dict[str, Any]:
         "ball": _fields(SceneBall),
         "ball_contact": _pair_fields(),
         "run": _fields(Run),
-        "walls": {model.model_fields["shape"].default: _fields(model) for model in SHAPES},
+        "walls": {name: _fields(shape) for name, shape in SHAPES.items()},
         "pockets": _fields(Pockets),
         "restitution": {model.model_fields["form"].default: _fields(model) for model in FORMS},
     }

@@ -19,15 +19,16 @@ from carom.core.geometry.features import FACE, FALLS, FEATURES, GOES_ON, LEAVES,
 from carom.core.jit.kernel_hash import kernel_hash
 from carom.core.motion.phases import PHASES
 from carom.core.motion.restitution import FORMS
-from carom.explorer.entries import entries
+from carom.explorer.entries import entries, rule_name, rules_of
 from carom.explorer.fields import scene_fields
 from carom.laws.landing import WHY
 from carom.laws.law import CALLED_WALL, CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL, ROLLING_WALL, TWO_STEP_WALL
 from carom.laws.registry import laws
 from carom.laws.results import REGIME_NAMES
-from carom.laws.stronge import MOST_OMEGA, STIFFNESS
 from carom.laws.wall_and_floor.solver import LEAST_FIRM
 from carom.scene.restitution import Han2005
+from carom.scene.shapes import SHAPES
+from carom.scene.wall import WallShape, number_fields
 from carom.simulation.contacts.contact import DONE
 from carom.simulation.contacts.kinds import REFUSALS
 from carom.simulation.event_rows import ALL, ROWS
@@ -81,8 +82,9 @@ def _described() -> dict[str, Any]:
             "two-step": TWO_STEP_WALL, "rolling": ROLLING_WALL, "no-slip": NO_SLIP_WALL, "mirror": MIRROR_WALL,
             "contact": CONTACT_WALL, "called": CALLED_WALL,
         },
-        "limits": {"least_firm": LEAST_FIRM, "stiffness": list(STIFFNESS), "most_omega": MOST_OMEGA},
+        "limits": {"least_firm": LEAST_FIRM},
         "laws": [_law(law) for law in laws().values() if law.kernel is not None],
+        "shapes": {name: _shape(shape) for name, shape in SHAPES.items()},
         "fields": scene_fields(),
     }  # fmt: skip
 
@@ -93,6 +95,20 @@ def _record(dtype: np.dtype[Any]) -> dict[str, Any]:
     for name, (kind, offset, *_title) in (dtype.fields or {}).items():
         fields[name] = {"at": offset, "count": int(np.prod(kind.shape, dtype=int)), "whole": kind.base.kind == "i"}
     return {"bytes": dtype.itemsize, "fields": fields}
+
+
+def _shape(shape: type[WallShape]) -> dict[str, Any]:
+    """Description of a shape: the fields that its kernels take as numbers, the texts of its faults, and places of pockets."""
+    return {
+        "numbers": number_fields(shape),
+        "faults": [fault._asdict() for fault in shape.shape_faults],
+        "pockets": list(shape.pocket_places),
+    }
+
+
+def _rules(asked: Any) -> list[dict[str, str]]:
+    """Description of a law's conditions or objections: their functions, and their sentences with places for two numbers."""
+    return [{"function": rule_name(rule), "text": rule.text, "field": rule.field} for rule in rules_of(asked)]
 
 
 def _law(law: Any) -> dict[str, Any]:
@@ -118,5 +134,6 @@ def _law(law: Any) -> dict[str, Any]:
         "ignores_floor": law.ignores_floor,
         "colour": law.line[0] if law.line else None,
         "dashes": list(law.line[1][1]) if law.line and not isinstance(law.line[1], str) else [],
-        "chi_range": law.chi_range and list(law.chi_range),
+        "conditions": _rules(law.conditions),
+        "objections": _rules(law.objections),
     }

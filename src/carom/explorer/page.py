@@ -24,8 +24,8 @@ from carom.laws.law import Law
 from carom.laws.registry import law_named, law_styles, one_or_several
 from carom.laws.registry import laws as all_laws
 from carom.scene.as_json import scene_dict
-from carom.scene.planes import Plane
 from carom.scene.scene import Scene
+from carom.scene.shapes.planes import Plane
 from carom.scene.toml import load_scene
 from carom.scene.wall import WallShape, law_name
 
@@ -139,14 +139,19 @@ def _scene(scene: Scene | str | os.PathLike[str], faults: list[str]) -> Scene | 
 def not_shown(scene: Scene, where: str) -> list[str]:
     """Return why the page cannot run a scene, a line for each reason; ``where`` begins them."""
     faults = []
+    known = engine_layout()["shapes"]
+    for i, wall in enumerate(scene.walls):
+        if wall.kind not in known:
+            advice = "the page holds no other; carom simulate takes it"
+            faults.append(f"{where}: walls[{i}].shape: expected one of {', '.join(known)}, got {wall.kind!r}; {advice}")
     features = sum(len(wall.features()) for wall in scene.walls)
     for what, count, most in (("balls", len(scene.balls), MOST_BALLS), ("features of walls", features, MOST_FEATURES)):
         if count > most:
             faults.append(f"{where}: {what}: expected at most {most:,}, got {count:,}; carom simulate takes more")
     for law in scene.given_laws:
         name = law_name(law)
-        if isinstance(law, Law) or name not in all_laws():
-            advice = "the page holds no law of your own; carom simulate runs it"
+        if isinstance(law, Law) or name not in _compiled():
+            advice = "the page holds no other law; carom simulate runs it"
             faults.append(f"{where}: law: expected one of {', '.join(_compiled())}, got {name!r}; {advice}")
     return faults
 

@@ -2,19 +2,21 @@
 
 from __future__ import annotations
 
-import numpy as np
-
-from carom.laws.law import ON_FLOOR, Answer, Meeting, drives_into_floor
+from carom.core.jit.kernel import kernel
+from carom.laws.law import ON_FLOOR
+from carom.laws.rules import DRIVES_INTO_FLOOR, Case, Objections, Predicted, Rule, Said
 
 __all__ = ["COMPLIANT_READS", "compliant_objections"]
 
 COMPLIANT_READS = ("restitution", "friction", "stiffness_ratio", *ON_FLOOR)
 
 
-def compliant_objections(meeting: Meeting, answer: Answer) -> list[str]:
-    """Return why a law of tangential compliance may not apply."""
-    found = drives_into_floor(meeting, answer)
-    beta = float(np.max(np.abs(meeting.wall.tangential_restitution)))
-    if beta > 0:
-        found.append("it models the tangential rebound by springs and ignores this wall's tangential restitution")
-    return found
+@kernel
+def _gives_back(c: Case, r: Predicted) -> Said:
+    return c.beta != 0, 0.0, 0.0
+
+
+compliant_objections = Objections(
+    DRIVES_INTO_FLOOR,
+    Rule(_gives_back, "it models the tangential rebound by springs and ignores this wall's tangential restitution"),
+)

@@ -27,9 +27,9 @@ from carom.laws.law import (
     contact_kernel,
     required_friction,
     respond,
-    slips_on_floor,
 )
 from carom.laws.results import PAPER_WALL, Impact, times_mass
+from carom.laws.rules import UP, Case, Objections, Predicted, Rule, Said, slips
 
 __all__ = ["CARD", "LAW", "impact", "impact_into"]
 
@@ -190,18 +190,17 @@ def _answer(meeting: Meeting) -> Answer:
     return Answer(after, after, needed, np.zeros(after.shape), np.full(after.shape, ""))
 
 
-def _objections(meeting: Meeting, answer: Answer) -> list[str]:
-    m = meeting
-    grounded = np.any((np.asarray(m.height) == 0) & (m.state.velocity[..., 2] == 0))
-    moved = np.any(answer.after_wall.velocity[..., 2] != 0) or np.any(slips_on_floor(m, answer.after_wall))
-    return ["it ignores the floor on which this ball rests"] if grounded and moved and not m.ball.planar else []
+@kernel
+def _rests_on_floor(c: Case, r: Predicted) -> Said:
+    moved = r.v[2] != 0 or slips(r.v, r.w, UP, c.a)
+    return c.planar == 0 and c.height == 0 and c.v[2] == 0 and moved, 0.0, 0.0
 
 
 LAW = Law(
     CARD,
     _answer,
     approaches,
-    _objections,
+    Objections(Rule(_rests_on_floor, "it ignores the floor on which this ball rests")),
     contact_kernel,
     reads=ON_WALL,
     response=CONTACT_WALL,

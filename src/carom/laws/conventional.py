@@ -25,18 +25,27 @@ from carom.laws.law import (
     ROLLING_WALL,
     Answer,
     Card,
-    Condition,
     FitSpec,
     Law,
     Meeting,
-    approaches,
-    contact_point_slips,
     holds_everywhere,
     respond,
-    slips_on_floor,
 )
 from carom.laws.reflect import reflect
 from carom.laws.results import PAPER_WALL
+from carom.laws.rules import (
+    APPROACHES,
+    UP,
+    Case,
+    Conditions,
+    Objections,
+    Predicted,
+    Rule,
+    Said,
+    case_of,
+    slips,
+    slips_at_wall,
+)
 
 __all__ = ["CARD", "LAW", "conventional", "conventional_reflection", "mirror_root"]
 
@@ -138,46 +147,62 @@ def conventional(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0), 
     return reflect(LAW, ball, state, normal, PAPER_WALL)
 
 
-def _conditions(meeting: Meeting) -> list[Condition]:
-    """Return the hypotheses: the ball rolls on the floor, the wall is vertical and its restitution is 1."""
-    grounded = np.asarray((meeting.state.velocity[..., 2] == 0) & (np.asarray(meeting.height) == 0))
-    rolls = ~slips_on_floor(meeting, meeting.state)
-    vertical = "hypothesis 1: a vertical wall (any other lifts the ball or presses it down)"
-    elastic = "hypothesis 3: a wall of restitution 1 (with less, energy would have to be created)"
-    return [
-        *approaches(meeting),
-        Condition(grounded & rolls, "hypothesis 1: a ball that rolls on the floor without sliding", "floor"),
-        Condition(np.asarray(np.abs(meeting.normal[..., 2]) < 1e-12), vertical, "shape"),
-        Condition(np.asarray(np.asarray(meeting.wall.restitution) == 1), elastic, "restitution"),
-        Condition(np.asarray(not meeting.ball.planar), "a ball on a floor, not a disc in the plane"),
-    ]
+@kernel
+def _rolls(c: Case) -> Said:
+    still = slips(c.v, c.w, UP, c.a) == 0
+    return (c.v[2] == 0) & (c.height == 0) & still, 0.0, 0.0
+
+
+@kernel
+def _vertical(c: Case) -> Said:
+    return abs(c.n[2]) < 1e-12, 0.0, 0.0
+
+
+@kernel
+def _elastic(c: Case) -> Said:
+    return c.e == 1, 0.0, 0.0
+
+
+@kernel
+def _on_floor(c: Case) -> Said:
+    return c.planar == 0, 0.0, 0.0
+
+
+CONDITIONS = Conditions(
+    *APPROACHES,
+    Rule(_rolls, "hypothesis 1: a ball that rolls on the floor without sliding", "floor"),
+    Rule(_vertical, "hypothesis 1: a vertical wall (any other lifts the ball or presses it down)", "shape"),
+    Rule(_elastic, "hypothesis 3: a wall of restitution 1 (with less, energy would have to be created)", "restitution"),
+    Rule(_on_floor, "a ball on a floor, not a disc in the plane"),
+)
 
 
 def _answer(meeting: Meeting) -> Answer:
     after = respond(conventional_kernel, meeting)
     none = np.full(after.shape, "")
-    slipping = contact_point_slips(meeting, meeting.state, meeting.normal)
+    slipping = slips_at_wall(case_of(meeting))
     # Wall and floor share one unknown: S_z, the impulse by which the floor pushes up and the wall pulls down. As S_z grows, the
     # friction required of the floor falls towards 1 but stays above it, so no friction up to 1 suffices. The wall's tends to 1.
     needed = np.where(slipping, 1.0, 0.0)
     return Answer(after, after, needed, needed, none)
 
 
-def _objections(meeting: Meeting, answer: Answer) -> list[str]:
-    found = []
-    if np.any(answer.required_floor > 0):
-        found.append(
-            "it reverses the slip at the wall, whereas friction can only stop it: the wall would have to pull the ball down"
-            " and the floor would need a friction above 1, whatever the impulses"
-        )
-    return found
+@kernel
+def _reverses_slip(c: Case, r: Predicted) -> Said:
+    return r.required_floor > 0, 0.0, 0.0
 
 
 LAW = Law(
     CARD,
     _answer,
-    _conditions,
-    _objections,
+    CONDITIONS,
+    Objections(
+        Rule(
+            _reverses_slip,
+            "it reverses the slip at the wall, whereas friction can only stop it: the wall would have to pull the ball down"
+            " and the floor would need a friction above 1, whatever the impulses",
+        )
+    ),
     conventional_kernel,
     reads=("restitution",),  # which must be 1
     response=ROLLING_WALL,

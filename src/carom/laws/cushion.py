@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from carom.bodies import State, kinetic_energy
-from carom.core.jit.kernel import Vec, kernel
+from carom.bodies import State
+from carom.core.jit.kernel import Vec, dot, kernel
 from carom.core.motion.phases import ROUNDING
 from carom.laws.arrays import WallKernel
 from carom.laws.law import (
@@ -24,6 +24,7 @@ from carom.laws.law import (
     wall_law,
     wall_then_floor,
 )
+from carom.laws.rules import NOTICED, Case, Objections, Predicted, Rule, Said, size_of
 
 __all__ = ["Struck", "cushion_law", "nose_alone", "stays_on_table"]
 
@@ -54,6 +55,40 @@ def nose_alone(law: WallKernel, meeting: Meeting, last: Any) -> Struck:
     return Struck(after, required_friction(meeting.ball, meeting.state, after, meeting.normal))
 
 
+@kernel
+def _in_flight(c: Case, r: Predicted) -> Said:
+    return c.planar == 0 and (c.v[2] != 0 or c.height > 0), 0.0, 0.0
+
+
+@kernel
+def _along_table(c: Case) -> bool:
+    return c.planar == 0 and c.v[2] == 0 and not c.height > 0
+
+
+@kernel
+def _no_nose(c: Case, r: Predicted) -> Said:
+    return _along_table(c) and c.n[2] > ROUNDING, 0.0, 0.0
+
+
+@kernel
+def _share_dropped(c: Case, r: Predicted) -> float:
+    """Return the share of the energy that the vertical velocity has, percent."""
+    energy = dot(c.v, c.v) + c.kappa * c.a * c.a * dot(c.w, c.w)
+    return 100 * r.dropped * r.dropped / energy if energy > 0 else 0.0
+
+
+@kernel
+def _thrown_up(c: Case, r: Predicted) -> Said:
+    noticed = r.dropped > NOTICED * size_of(c.v)
+    return _along_table(c) and not c.n[2] > ROUNDING and noticed, _share_dropped(c, r), 0.0
+
+
+@kernel
+def _driven_down(c: Case, r: Predicted) -> Said:
+    noticed = r.dropped < -NOTICED * size_of(c.v)
+    return _along_table(c) and not c.n[2] > ROUNDING and noticed, _share_dropped(c, r), 0.0
+
+
 def cushion_law(
     card: Card,
     law: WallKernel,
@@ -73,21 +108,20 @@ def cushion_law(
         floor = own.required_floor if found.required_floor is None else found.required_floor
         return replace(own, required_wall=found.required_wall, required_floor=floor)
 
-    def objections(meeting: Meeting, _answer: Answer) -> list[str]:
-        m = meeting
-        if m.ball.planar:
-            return []
-        if np.any(m.state.velocity[..., 2] != 0) or np.any(np.asarray(m.height) > 0):
-            return ["it describes a ball on the table; one in flight meets the cushion as if there were no table"]
-        if np.any(m.normal[..., 2] > ROUNDING):
-            return ["it describes a cushion, which touches the ball at or above its centre"]
-        rise = struck(m).after.velocity[..., 2]
-        if not np.any(np.abs(rise) > 1e-9 * np.abs(m.state.velocity).sum(axis=-1)):
-            return []
-        share = 100 * float(np.max(m.ball.mass * rise * rise / 2 / kinetic_energy(m.ball, m.state)))
-        way = "throws it up" if float(np.max(rise)) > 0 else "drives it into the table"
-        return [f"it keeps the ball on the table, though the cushion {way}: {share:.3g} % of the energy is dropped"]
+    def dropped(meeting: Meeting) -> Any:
+        return struck(meeting).after.velocity[..., 2]
 
+    objections = Objections(
+        Rule(_in_flight, "it describes a ball on the table; one in flight meets the cushion as if there were no table"),
+        Rule(_no_nose, "it describes a cushion, which touches the ball at or above its centre"),
+        *(
+            Rule(
+                way, f"it keeps the ball on the table, though the cushion {does}: {{a:.3g}} % of the energy is dropped"
+            )
+            for way, does in ((_thrown_up, "throws it up"), (_driven_down, "drives it into the table"))
+        ),
+        dropped=dropped,
+    )
     made = wall_law(
         card, law, conditions, objections, on_table=on_table,
         fits=(FitSpec("planar", absent="it describes a ball on a table"), fit), **more,

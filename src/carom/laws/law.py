@@ -9,30 +9,23 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Any, Literal, NamedTuple
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.bodies import Ball, Numbers, State, Surface, kinetic_energy, slip
-from carom.core.contact import slip_velocity, wall_contact
+from carom.bodies import Ball, Numbers, State, Surface
+from carom.core.contact import wall_contact
 from carom.core.jit.kernel import Vec, kernel
-from carom.laws.arrays import (
-    RESOLVED,
-    WallKernel,
-    answer_rows,
-    approaching,
-    motion_resolved,
-    wall_law_rows,
-)
+from carom.laws.arrays import WallKernel, answer_rows, wall_law_rows
 from carom.laws.landing import settle
 from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact, Settled
+from carom.laws.rules import APPROACHES, IMPOSSIBLE, Condition, Conditions, Objections, holds_everywhere
 
 __all__ = [
     "CALLED_WALL", "CONTACT_WALL", "LIKE_SOLIDS", "MIRROR_WALL", "NO_SLIP_WALL", "ON_FLOOR", "ON_WALL", "ROLLING_WALL",
-    "SURFACES", "TWO_STEP_WALL", "Answer", "Card", "Condition", "FitSpec", "Law", "Meeting", "approaches", "contact_kernel",
-    "contact_point_slips", "drives_into_floor", "has_friction", "holds_everywhere", "impossible", "required_friction",
-    "respond", "slips_on_floor", "wall_law", "wall_then_floor",
+    "SURFACES", "TWO_STEP_WALL", "Answer", "Card", "Condition", "Conditions", "FitSpec", "Law", "Meeting", "Objections",
+    "approaches", "contact_kernel", "holds_everywhere", "required_friction", "respond", "wall_law", "wall_then_floor",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -127,17 +120,6 @@ class Answer:
     """(...): why there is no final state; empty strings where there is one."""
     steps: Settled | None = None
     """Flight, landing and final rolling, for laws that describe them."""
-
-
-class Condition(NamedTuple):
-    """A hypothesis of a law."""
-
-    holds: Any
-    """Mask (...)."""
-    expected: str
-    """The hypothesis as a phrase, for messages of the form "expected ...".."""
-    field: str = ""
-    """The wall parameter concerned, if a scene can be checked before any ball moves: "restitution"..."""
 
 
 @dataclass(frozen=True)
@@ -331,7 +313,17 @@ def wall_law(
     """
 
     answer = partial(_answer_of_kernel, kernel, more.get("last", ""))
-    return Law(card, answer, conditions or approaches, partial(_against, objections), kernel, reads=reads, **more)
+    against: Any = Objections(*IMPOSSIBLE)
+    if isinstance(objections, Objections):
+        against = Objections(*IMPOSSIBLE, *objections.rules, dropped=objections.dropped)
+    elif objections is not None:
+        against = partial(_against, objections)
+    return Law(card, answer, conditions or approaches, against, kernel, reads=reads, **more)
+
+
+def _against(objections: Callable[[Meeting, Answer], list[str]], meeting: Meeting, answer: Answer) -> list[str]:
+    """Return the objections to energy gained and to passing through the wall, and a law's own."""
+    return [*Objections(*IMPOSSIBLE)(meeting, answer), *objections(meeting, answer)]
 
 
 def _answer_of_kernel(kernel: WallKernel, last: str, meeting: Meeting) -> Answer:
@@ -340,65 +332,5 @@ def _answer_of_kernel(kernel: WallKernel, last: str, meeting: Meeting) -> Answer
     return wall_then_floor(meeting, respond(kernel, meeting, value))
 
 
-def _against(objections: Callable[[Meeting, Answer], list[str]] | None, meeting: Meeting, answer: Answer) -> list[str]:
-    """Return the objections to energy gained and to passing through the wall, and a law's own."""
-    return [*impossible(meeting, answer), *(objections(meeting, answer) if objections else [])]
-
-
-# --- conditions and objections common to several laws ---------------------------------------------------------------
-
-UPWARD = np.array([0.0, 0.0, 1.0])
-
-
-def approaches(meeting: Meeting) -> list[Condition]:
-    """Return the conditions of every law: the ball does not leave the wall, nor move too slowly for squares."""
-    found = [Condition(approaching(meeting.state, meeting.normal), "a ball that moves towards the wall")]
-    resolved = motion_resolved(meeting.state)
-    return found if holds_everywhere(resolved) else [*found, Condition(resolved, RESOLVED)]
-
-
-def holds_everywhere(mask: Any) -> bool:
-    """Return whether a condition holds for all balls (NumPy's all() takes 3 us for one of them)."""
-    return bool(mask if getattr(mask, "ndim", 0) == 0 else np.all(mask))
-
-
-def has_friction(surface: Surface) -> bool:
-    """Return whether a surface exerts any friction."""
-    return bool(np.any((np.asarray(surface.friction) > 0) & (np.asarray(surface.tangential_restitution) > -1)))
-
-
-def contact_point_slips(meeting: Meeting, state: State, normal: Any) -> Any:
-    """Return a mask (...): where the contact point with a surface slips by more than rounding."""
-    a = meeting.ball.radius
-    if state.velocity.ndim == 1 and normal.ndim == 1 and type(a) is float:  # one state, without arrays
-        v, w, n = (tuple(x.tolist()) for x in (state.velocity, state.spin, normal))
-        _un, ut = slip_velocity(v, w, n, a)
-        return np.bool_(max(map(abs, ut)) > 1e-9 * (sum(map(abs, v)) + a * sum(map(abs, w))))
-    u = slip(meeting.ball, state, normal)
-    size = np.abs(state.velocity).sum(axis=-1) + a * np.abs(state.spin).sum(axis=-1)
-    return np.abs(u).max(axis=-1) > 1e-9 * size
-
-
-def slips_on_floor(meeting: Meeting, state: State) -> Any:
-    """Return a mask (...): where the contact point with the floor slips by more than rounding."""
-    return contact_point_slips(meeting, state, UPWARD)
-
-
-def drives_into_floor(meeting: Meeting, answer: Answer) -> list[str]:
-    """Object to a law that sends a ball on the floor downwards."""
-    down = answer.after_wall.velocity[..., 2] < -1e-9 * np.abs(meeting.state.velocity).sum(axis=-1)
-    if meeting.ball.planar or not np.any(down & (np.asarray(meeting.height) == 0)):
-        return []
-    return ["it drives the ball into the floor and ignores the simultaneous reaction of the floor"]
-
-
-def impossible(meeting: Meeting, answer: Answer) -> list[str]:
-    """Object to a gain of energy, and to a ball that passes through the wall."""
-    found = []
-    before, after = kinetic_energy(meeting.ball, meeting.state), kinetic_energy(meeting.ball, answer.after_wall)
-    if np.any(after > before * (1 + 1e-9)):
-        found.append(f"it creates energy: {100 * float(np.max(after / before)):.4g} % is left after the wall")
-    speed = np.abs(meeting.state.velocity).sum(axis=-1)
-    if np.any((answer.after_wall.velocity * meeting.normal).sum(axis=-1) < -1e-9 * speed):
-        found.append("it sends the ball through the wall")
-    return found
+approaches = Conditions(*APPROACHES)
+"""The conditions of every law: the ball does not leave the wall, nor move too slowly for squares."""

@@ -26,7 +26,8 @@ import numpy as np
 from carom.core.contact import LEAST, slip_velocity, struck_along
 from carom.core.jit.kernel import Vec, dot, kernel
 from carom.laws.compliance import COMPLIANT_READS, compliant_objections
-from carom.laws.law import Card, Condition, FitSpec, Meeting, approaches, wall_law
+from carom.laws.law import Card, FitSpec, wall_law
+from carom.laws.rules import APPROACHES, Case, Conditions, Rule, Said
 
 __all__ = ["CARD", "CHI", "LAW", "integrate_hertz_springs", "maw_contact", "maw_slip_ratio"]
 
@@ -151,18 +152,19 @@ def maw_contact(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu: fl
     return struck_along(v, w, n, a, kappa, pn, f, ut)
 
 
-def _conditions(meeting: Meeting) -> list[Condition]:
-    share = (1 + 1 / np.asarray(meeting.ball.kappa)) / 2
-    chi = np.asarray(meeting.stiffness_ratio) * share
-    low, high = CHI[0] / np.min(share), CHI[1] / np.max(share)
-    expected = f"a stiffness ratio from {low:.3g} to {high:.3g}, for which the law is tabulated"
-    return [*approaches(meeting), Condition((chi >= CHI[0]) & (chi <= CHI[1]), expected, "stiffness_ratio")]
+@kernel
+def _tabulated(c: Case) -> Said:
+    share = (1 + 1 / c.kappa) / 2
+    chi = c.stiffness * share
+    return (chi >= CHI[0]) & (chi <= CHI[1]), CHI[0] / share, CHI[1] / share
 
+
+TABULATED = "a stiffness ratio from {a:.3g} to {b:.3g}, for which the law is tabulated"
 
 LAW = wall_law(
     CARD,
     maw_contact,
-    _conditions,
+    Conditions(*APPROACHES, Rule(_tabulated, TABULATED, "stiffness_ratio")),
     compliant_objections,
     COMPLIANT_READS,
     last="stiffness_ratio",

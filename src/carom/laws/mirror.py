@@ -17,14 +17,22 @@ from carom.laws.law import (
     Law,
     Meeting,
     approaches,
-    contact_point_slips,
-    drives_into_floor,
-    has_friction,
     respond,
-    slips_on_floor,
 )
 from carom.laws.reflect import reflect
 from carom.laws.results import PAPER_WALL
+from carom.laws.rules import (
+    DRIVES_INTO_FLOOR,
+    UP,
+    Case,
+    Objections,
+    Predicted,
+    Rule,
+    Said,
+    has_friction,
+    slips,
+    slips_at_wall,
+)
 
 __all__ = ["CARD", "LAW", "mirror", "mirror_reflection"]
 
@@ -94,20 +102,26 @@ def _answer(meeting: Meeting) -> Answer:
     return Answer(after, after, nothing, nothing, np.full(after.shape, ""))
 
 
-def _objections(meeting: Meeting, answer: Answer) -> list[str]:
-    found = drives_into_floor(meeting, answer)
-    if has_friction(meeting.wall) and np.any(contact_point_slips(meeting, meeting.state, meeting.normal)):
-        found.append("the ball slips on the wall, and this wall has friction: the tangential impulse is ignored")
-    if not meeting.ball.planar and has_friction(meeting.floor) and np.any(slips_on_floor(meeting, answer.after_wall)):
-        found.append("the ball leaves the wall sliding on a floor with friction, which bends its path")
-    return found
+@kernel
+def _rubs(c: Case, r: Predicted) -> Said:
+    return slips_at_wall(c) and has_friction(c.mu, c.beta), 0.0, 0.0
+
+
+@kernel
+def _slides_after(c: Case, r: Predicted) -> Said:
+    slides = slips(r.v, r.w, UP, c.a)
+    return c.planar == 0 and has_friction(c.floor_mu, c.floor_beta) and slides, 0.0, 0.0
 
 
 LAW = Law(
     CARD,
     _answer,
     approaches,
-    _objections,
+    Objections(
+        DRIVES_INTO_FLOOR,
+        Rule(_rubs, "the ball slips on the wall, and this wall has friction: the tangential impulse is ignored"),
+        Rule(_slides_after, "the ball leaves the wall sliding on a floor with friction, which bends its path"),
+    ),
     mirror_kernel,
     reads=("restitution",),
     response=MIRROR_WALL,

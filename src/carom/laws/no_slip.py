@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
 from numpy.typing import ArrayLike
 
 from carom.bodies import Ball, State
@@ -18,16 +17,13 @@ from carom.core.jit.kernel import Vec, cross, hot_kernel, kernel
 from carom.laws.law import (
     NO_SLIP_WALL,
     ON_FLOOR,
-    Answer,
     Card,
     FitSpec,
-    Meeting,
-    contact_point_slips,
-    drives_into_floor,
     wall_law,
 )
 from carom.laws.reflect import reflect
 from carom.laws.results import PAPER_WALL
+from carom.laws.rules import DRIVES_INTO_FLOOR, Case, Objections, Predicted, Rule, Said, slips_at_wall
 
 __all__ = ["CARD", "LAW", "no_slip", "no_slip_bounce", "no_slip_reflection"]
 
@@ -114,27 +110,32 @@ def no_slip(ball: Ball, state: State, normal: ArrayLike = (1.0, 0.0, 0.0)) -> St
     return reflect(LAW, ball, state, normal, PAPER_WALL)
 
 
-def _not_elastic(meeting: Meeting) -> list[str]:
-    e = np.asarray(meeting.wall.restitution)
-    return [f"it assumes restitution 1; this wall has {float(e.flat[0]):g}"] if np.any(e != 1) else []
+@kernel
+def _loses(c: Case, r: Predicted) -> Said:
+    return c.e != 1, c.e, 0.0
 
 
-def _objections(meeting: Meeting, answer: Answer) -> list[str]:
-    found = _not_elastic(meeting)
-    if np.any(contact_point_slips(meeting, meeting.state, meeting.normal)):
-        beta, mu = float(np.min(meeting.wall.tangential_restitution)), float(np.min(meeting.wall.friction))
-        if beta < 1:
-            found.append(f"it assumes tangential restitution 1, which reverses the slip; this wall has {beta:g}")
-        required = float(np.max(answer.required_wall))
-        if required > mu:
-            found.append(f"it requires a wall friction of {required:.3g}; this wall has {mu:g}")
-    return [*found, *drives_into_floor(meeting, answer)]
+@kernel
+def _stops_slip(c: Case, r: Predicted) -> Said:
+    return slips_at_wall(c) and c.beta < 1, c.beta, 0.0
 
+
+@kernel
+def _yields(c: Case, r: Predicted) -> Said:
+    return slips_at_wall(c) and r.required_wall > c.mu, r.required_wall, c.mu
+
+
+OBJECTIONS = Objections(
+    Rule(_loses, "it assumes restitution 1; this wall has {a:g}"),
+    Rule(_stops_slip, "it assumes tangential restitution 1, which reverses the slip; this wall has {a:g}"),
+    Rule(_yields, "it requires a wall friction of {a:.3g}; this wall has {b:g}"),
+    DRIVES_INTO_FLOOR,
+)
 
 LAW = wall_law(
     CARD,
     no_slip_kernel,
-    objections=_objections,
+    objections=OBJECTIONS,
     reads=ON_FLOOR,
     response=NO_SLIP_WALL,
     pinned={"restitution": 1.0, "friction": math.inf, "tangential_restitution": 1.0},

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from carom.core.jit.kernel import Vec, kernel
-from carom.laws.law import CONTACT_WALL, ON_FLOOR, PAPER, Card, FitSpec, contact_kernel, drives_into_floor, wall_law
+from carom.laws.law import CONTACT_WALL, ON_FLOOR, PAPER, Card, FitSpec, contact_kernel, wall_law
+from carom.laws.rules import DRIVES_INTO_FLOOR, Objections
 
 __all__ = ["CARD", "LAW"]
 
@@ -28,7 +29,7 @@ def sliding_kernel(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu:
 LAW = wall_law(
     CARD,
     sliding_kernel,
-    objections=drives_into_floor,
+    objections=Objections(DRIVES_INTO_FLOOR),
     reads=("restitution", "friction", *ON_FLOOR),
     response=CONTACT_WALL,
     pinned={"tangential_restitution": 0.0},

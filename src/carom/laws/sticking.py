@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 
 from carom.core.jit.kernel import Vec, kernel
-from carom.laws.law import CONTACT_WALL, ON_FLOOR, PAPER, Card, FitSpec, contact_kernel, drives_into_floor, wall_law
+from carom.laws.law import CONTACT_WALL, ON_FLOOR, PAPER, Card, FitSpec, contact_kernel, wall_law
+from carom.laws.rules import DRIVES_INTO_FLOOR, Objections
 
 __all__ = ["CARD", "LAW"]
 
@@ -30,7 +31,7 @@ def sticking_kernel(
 LAW = wall_law(
     CARD,
     sticking_kernel,
-    objections=drives_into_floor,
+    objections=Objections(DRIVES_INTO_FLOOR),
     reads=("restitution", *ON_FLOOR),
     response=CONTACT_WALL,
     pinned={"friction": math.inf, "tangential_restitution": 0.0},

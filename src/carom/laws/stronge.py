@@ -19,12 +19,11 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from carom.core.contact import LEAST, slip_velocity, struck_along
 from carom.core.jit.kernel import Vec, dot, kernel, root_of
 from carom.laws.compliance import COMPLIANT_READS, compliant_objections
-from carom.laws.law import Card, Condition, FitSpec, Meeting, approaches, wall_law
+from carom.laws.law import Card, FitSpec, wall_law
+from carom.laws.rules import APPROACHES, Case, Conditions, Rule, Said
 
 __all__ = ["CARD", "LAW", "STIFFNESS", "stronge_contact", "stronge_slip_ratio"]
 
@@ -175,22 +174,27 @@ def stronge_contact(v: Vec, w: Vec, n: Vec, a: float, kappa: float, e: float, mu
     return struck_along(v, w, n, a, kappa, pn, f, ut)
 
 
-def _conditions(meeting: Meeting) -> list[Condition]:
-    k = np.asarray(meeting.stiffness_ratio)
-    expected = f"a stiffness ratio from {STIFFNESS[0]:g} to {STIFFNESS[1]:g}"
-    slow = np.sqrt(k * (1 + 1 / np.asarray(meeting.ball.kappa))) <= MOST_OMEGA
-    resolved = f"a stiffness ratio k and an inertia kappa with k (1 + 1/kappa) at most {MOST_OMEGA**2:g}"
-    return [
-        *approaches(meeting),
-        Condition((k >= STIFFNESS[0]) & (k <= STIFFNESS[1]), expected, "stiffness_ratio"),
-        Condition(slow, resolved, "stiffness_ratio"),
-    ]
+@kernel
+def _stiff(c: Case) -> Said:
+    return (c.stiffness >= STIFFNESS[0]) & (c.stiffness <= STIFFNESS[1]), STIFFNESS[0], STIFFNESS[1]
 
+
+@kernel
+def _slow(c: Case) -> Said:
+    most = MOST_OMEGA * MOST_OMEGA
+    return c.stiffness * (1 + 1 / c.kappa) <= most, most, 0.0
+
+
+CONDITIONS = Conditions(
+    *APPROACHES,
+    Rule(_stiff, "a stiffness ratio from {a:g} to {b:g}", "stiffness_ratio"),
+    Rule(_slow, "a stiffness ratio k and an inertia kappa with k (1 + 1/kappa) at most {a:g}", "stiffness_ratio"),
+)
 
 LAW = wall_law(
     CARD,
     stronge_contact,
-    _conditions,
+    CONDITIONS,
     compliant_objections,
     COMPLIANT_READS,
     last="stiffness_ratio",

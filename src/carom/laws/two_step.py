@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from carom.bodies import Ball, State, Surface, slip
+from carom.bodies import Ball, State, Surface
 from carom.core.contact import slip_velocity, wall_contact
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, prange
 from carom.core.motion.rolling import rolls_at_last
@@ -28,16 +28,15 @@ from carom.laws.law import (
     TWO_STEP_WALL,
     Answer,
     Card,
-    Condition,
     FitSpec,
     Law,
     Meeting,
-    approaches,
     contact_kernel,
     required_friction,
     respond,
 )
 from carom.laws.results import GRAVITY, PAPER_FLOOR, PAPER_WALL, FloorContact, Impact, TwoStep, times_mass
+from carom.laws.rules import APPROACHES, Case, Conditions, Objections, Rule, Said
 from carom.laws.wall_and_floor.impact import impact_and_way
 from carom.laws.wall_and_floor.solver import LEAST_FIRM, STALL, pressed_down
 
@@ -294,28 +293,28 @@ def answer_two_step(meeting: Meeting) -> Answer:
     return Answer(two.after_wall, two.rolling, two.wall.required_friction, needed, two.why, two)
 
 
-def two_step_conditions(meeting: Meeting) -> list[Condition]:
-    """Return the conditions: the ball approaches, and no wall with tangential restitution presses it on the floor."""
-    m = meeting
-    found = approaches(m)
-    beta = np.asarray(m.wall.tangential_restitution)
-    if not m.ball.planar and m.floor_contact == "with" and np.any((beta != 0) & (beta != -1)):
-        u = slip(m.ball, m.state, m.normal)
-        size = np.sqrt((u * u).sum(axis=-1))
-        mu = np.minimum(m.wall.friction, 1e300)
-        down = (m.normal[..., 2] < 0) | ((u[..., 2] > 0) & (mu * u[..., 2] > m.normal[..., 2] * size))
-        on_floor = (np.asarray(m.height) == 0) & (m.state.velocity[..., 2] <= 0)
-        pressed = on_floor & (down | (m.state.velocity[..., 2] < 0)) & (beta != 0) & (beta != -1)
-        expected = "tangential restitution 0 where the wall presses the ball on the floor"
-        found.append(Condition(~np.asarray(pressed), expected))
-    return found
+@kernel
+def _not_pressed(c: Case) -> Said:
+    """Whether no wall with tangential restitution presses the ball on the floor while both act."""
+    _un, u = slip_velocity(c.v, c.w, c.n, c.a)
+    # (friction lifts the slip down the wall: mu u_z/|u| > n_z, in squares)
+    up = (c.mu * u[2]) * (c.mu * u[2]) > (c.n[2] * c.n[2]) * dot(u, u)
+    down = (c.n[2] < 0) | ((u[2] > 0) & up)
+    on_floor = (c.planar == 0) & (c.together != 0) & (c.height == 0) & (c.v[2] <= 0)
+    pressed = on_floor & (down | (c.v[2] < 0)) & (c.beta != 0) & (c.beta != -1)
+    return pressed == 0, 0.0, 0.0
+
+
+two_step_conditions = Conditions(
+    *APPROACHES, Rule(_not_pressed, "tangential restitution 0 where the wall presses the ball on the floor")
+)
 
 
 LAW = Law(
     CARD,
     answer_two_step,
     two_step_conditions,
-    lambda _meeting, _answer: [],
+    Objections(),
     contact_kernel,
     reads=(*ON_WALL, *ON_FLOOR),
     response=TWO_STEP_WALL,

@@ -17,6 +17,7 @@ from carom.laws.law import (
     approaches,
     contact_kernel,
 )
+from carom.laws.rules import Objections
 from carom.laws.two_step import answer_two_step
 
 __all__ = ["CARD", "LAW"]
@@ -44,7 +45,7 @@ LAW = Law(
     CARD,
     _answer,
     approaches,
-    lambda _meeting, _answer: [],
+    Objections(),
     contact_kernel,
     reads=(*ON_WALL, *ON_FLOOR),
     response=CONTACT_WALL,

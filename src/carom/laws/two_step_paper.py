@@ -8,6 +8,7 @@ from dataclasses import replace
 from carom.core.jit.kernel import Vec, kernel
 from carom.laws.law import CONTACT_WALL, PAPER, Answer, Card, FitSpec, Law, Meeting, approaches, contact_kernel
 from carom.laws.results import PAPER_FLOOR, PAPER_WALL
+from carom.laws.rules import Objections
 from carom.laws.two_step import answer_two_step
 
 __all__ = ["CARD", "LAW"]
@@ -39,7 +40,7 @@ LAW = Law(
     CARD,
     _answer,
     approaches,
-    lambda _meeting, _answer: [],
+    Objections(),
     paper_wall_kernel,
     reads=(),
     response=CONTACT_WALL,

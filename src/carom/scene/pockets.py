@@ -1,7 +1,7 @@
 """Pockets of a table: their declaration, and the jaws that follow from it.
 
 A pocket catches a ball at the moment at which its centre passes the pocket's edge below the cushions' upper edge: the edge is a
-feature of kind OVER that ends in FALLS (:func:`pocket_features`); its event sets the phase POCKETED (``simulation/loop.py``).
+feature of kind OVER that ends in FALLS (:func:`put_pocket`); its event sets the phase POCKETED (``simulation/loop.py``).
 
 Seen from above, the line of a cushion's nose ends in a tip, where it meets the line of the facing, which leads into the pocket. The
 tip is rounded by an arc that touches both lines. The facing ends where it comes over the pocket, so that no ball gets past it: a
@@ -11,9 +11,8 @@ ball's centre crosses the pocket's edge before the ball reaches the facing's end
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from itertools import combinations
-from typing import Annotated, NamedTuple
+from collections.abc import Sequence
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,16 +20,13 @@ from pydantic import BeforeValidator
 
 from carom.core.geometry.angles import direction
 from carom.core.geometry.features import OVER
-from carom.errors import Fault, shown
-from carom.formatting import format_length
-from carom.scene.feature_builders import UP, Feature, Flat, circle, cushion, round_cushion
-from carom.scene.schema import Length, Model, Number, Size, Vector
-from carom.scene.wall import Pocket
+from carom.core.jit.kernel import Vec, kernel
+from carom.scene.feature_builders import UP, Flat, circle, put, put_cushion, put_round_cushion
+from carom.scene.schema import Length, Model, Number, Size
 
-__all__ = [
-    "Jaw", "Pockets", "is_free", "jaw_at", "jaw_features", "jaw_line", "mouth_faults", "overlap_faults",
-    "pocket_features",
-]  # fmt: skip
+__all__ = ["Jaw", "Pockets", "is_free", "jaw_at", "jaw_line", "put_jaw", "put_pocket"]
+
+Numbers = Sequence[float]
 
 
 class Pockets(Model):
@@ -84,20 +80,26 @@ class Jaw(NamedTuple):
     """Whether it lies at the end of its cushion, as one goes round the table counterclockwise."""
 
 
-def jaw_at(tip: Flat, along: Flat, forward: bool, shape: Pockets, at: Flat) -> Jaw:
-    """Return the jaw of a tip; ``along`` is the unit vector along the nose towards the pocket, which is at ``at``."""
-    (tx, ty), r = along, shape.jaw_radius
+@kernel
+def jaw_at(
+    x: float, y: float, tx: float, ty: float, forward: bool, p: Numbers, first: int, px: float, py: float
+) -> Jaw:
+    """Return the jaw of a tip (x, y); the unit vector (tx, ty) leads along the nose towards the pocket, which is at (px, py).
+
+    The numbers of the pocket's shape are those of p from ``first`` on.
+    """
+    angle, r, radius = 180 - p[first + 1], p[first + 2], p[first + 4]
     ox, oy = (ty, -tx) if forward else (-ty, tx)  # away from the table
-    c, s = direction(180 - shape.jaw_angle)
-    c2, s2 = direction((180 - shape.jaw_angle) / 2)
+    c, s = direction(angle)
+    c2, s2 = direction(angle / 2)
     d = r * s / (1 + c)  # from the tip to where the arc touches the lines: r tan(turn / 2)
     fx, fy = c * tx + s * ox, c * ty + s * oy
-    nose_end = (tip[0] - d * tx, tip[1] - d * ty)
-    wx, wy = at[0] - tip[0], at[1] - tip[1]
+    nose_end = (x - d * tx, y - d * ty)
+    wx, wy = px - x, py - y
     on = wx * fx + wy * fy
     off2 = wx * wx + wy * wy - on * on
-    reaches = off2 < shape.radius * shape.radius
-    into = on - math.sqrt(shape.radius * shape.radius - off2) if reaches else d
+    reaches = off2 < radius * radius
+    into = on - math.sqrt(radius * radius - off2) if reaches else d
     end = max(into, d)
     return Jaw(
         nose_end,
@@ -106,25 +108,23 @@ def jaw_at(tip: Flat, along: Flat, forward: bool, shape: Pockets, at: Flat) -> J
         (s2 * tx - c2 * ox, s2 * ty - c2 * oy),
         c2,
         (fx, fy),
-        (tip[0] + d * fx, tip[1] + d * fy),
-        (tip[0] + end * fx, tip[1] + end * fy),
+        (x + d * fx, y + d * fy),
+        (x + end * fx, y + end * fy),
         reaches,
         forward,
     )
 
 
-def _facing(jaw: Jaw) -> tuple[Flat, Flat] | None:
-    """Return the facing's ends in the order in which they are passed counterclockwise, if it has a length."""
-    if jaw.start == jaw.end:
-        return None
-    return (jaw.start, jaw.end) if jaw.forward else (jaw.end, jaw.start)
-
-
-def jaw_features(jaw: Jaw, low: float, high: float) -> list[Feature]:
-    """Return arc and facing of a jaw, which stands from low to high."""
-    found = round_cushion(jaw.center, jaw.radius, jaw.middle, jaw.cosine, low, high)
-    facing = _facing(jaw)
-    return found + (cushion(*facing, low, high) if facing else [])
+@kernel
+def put_jaw(jaw: Jaw, low: float, high: float, i: int, out: Any) -> int:
+    """Write arc and facing of a jaw, which stands from low to high."""
+    u = (jaw.middle[0], jaw.middle[1], 0.0)
+    i = put_round_cushion(jaw.center[0], jaw.center[1], jaw.radius, u, jaw.cosine, low, high, i, out)
+    if jaw.start[0] == jaw.end[0] and jaw.start[1] == jaw.end[1]:
+        return i
+    # (its ends in the order in which they are passed counterclockwise)
+    one, two = (jaw.start, jaw.end) if jaw.forward else (jaw.end, jaw.start)
+    return put_cushion(one[0], one[1], two[0], two[1], low, high, i, out)
 
 
 def jaw_line(jaw: Jaw) -> NDArray[np.float64]:
@@ -134,42 +134,17 @@ def jaw_line(jaw: Jaw) -> NDArray[np.float64]:
     return np.vstack([circle(jaw.center, jaw.radius, first, last), jaw.end])
 
 
-def pocket_features(number: int, pocket: Pocket, high: float) -> Iterator[Feature]:
-    """Return the edge of a pocket: balls fall below the height of the cushions; above it they have left the table."""
-    edge = Feature(
-        OVER, (*pocket.center, 0.0), UP, pocket.radius, 1.0, (1.0, 0.0, 0.0), -1.0, 1.0, -math.inf, high, number
-    )
-    yield edge
-    if math.isfinite(high):
-        yield edge._replace(lo2=high, hi2=math.inf, pocket=-1)
+@kernel
+def put_pocket(place: int, x: float, y: float, R: float, high: float, i: int, out: Any) -> int:
+    """Write the edge of a pocket: balls fall below the height of the cushions; above it they have left the table."""
+    i = put(out, i, OVER, (x, y, 0.0), UP, R, 1.0, (1.0, 0.0, 0.0), -1.0, 1.0, -math.inf, high, place)
+    if high < math.inf:
+        i = put(out, i, OVER, (x, y, 0.0), UP, R, 1.0, (1.0, 0.0, 0.0), -1.0, 1.0, high, math.inf, -1)
+    return i
 
 
-# --- problems -----------------------------------------------------------------------------------------------------
-
-
-def mouth_faults(field: str, shape: Pockets, jaws: list[Jaw]) -> list[Fault]:
-    """Report pockets outside the table, and jaws that do not lead into their pocket."""
-    most = format_length(shape.mouth)
-    if abs(shape.shelf) > shape.mouth:
-        expected = f"a shelf of at most the mouth, {most}"
-        return [Fault("", f"{field}.shelf", expected, shown(shape.shelf), "the pocket would lie outside the table")]
-    if not all(jaw.reaches for jaw in jaws):
-        expected = "a pocket wide enough for the jaws to end over its edge"
-        return [Fault("", f"{field}.radius", expected, shown(shape.radius), "make radius larger, or mouth smaller")]
-    return []
-
-
-def overlap_faults(field: str, pockets: list[Pocket]) -> list[Fault]:
-    """Report the first two pockets that overlap."""
-    for one, two in combinations(pockets, 2):
-        gap = math.dist(one.center, two.center) - one.radius - two.radius
-        if gap < 0:
-            got = f"{one.name} and {two.name}, which overlap by {format_length(-gap)}"
-            return [Fault("", field, "pockets that lie apart", got, "make radius smaller, or the table larger")]
-    return []
-
-
-def is_free(x: Vector, jaw: Jaw) -> bool:
+@kernel
+def is_free(x: Vec, jaw: Jaw) -> bool:
     """Return whether a point behind the line of the nose is not in the rubber of a jaw."""
     fx, fy = jaw.facing
     nx, ny = (-fy, fx) if jaw.forward else (fy, -fx)

@@ -244,7 +244,7 @@ class Scene(Model):
         restitution stands the last number that the law reads: stiffness ratio, or friction of the floor.
         """
         rows: list[tuple[Any, ...]] = []
-        first = 0  # number of the wall's first pocket
+        pockets = 0  # of the features before
         for i, (wall, law) in enumerate(zip(self.walls, self.laws, strict=True)):
             number, contact = law.response, wall.contact_of(law)
             if number == CALLED_WALL:
@@ -253,9 +253,8 @@ class Scene(Model):
                 contact = contact._replace(beta=0.0 if self.floor is None else self.floor.contact.mu)
             gate = LEAVES if wall.encloses else GOES_ON
             for *shape, pocket in wall.features():
-                end = (gate, 0) if pocket < 0 else (FALLS, first + pocket)
-                rows.append((*shape, i, *contact, number, *end))
-            first += len(wall.pockets)
+                rows.append((*shape, i, *contact, number, *((gate, 0) if pocket < 0 else (FALLS, pockets))))
+                pockets += pocket >= 0
         return np.array(rows, dtype=FEATURES)
 
     @property

@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import math
 
+from carom.core.jit.kernel import kernel
 from carom.core.roots.polynomial import two_prod
 
 __all__ = ["direction"]
@@ -25,13 +26,27 @@ C1, C2, C3 = 4.16666666666666019037e-02, -1.38888888888741095749e-03, 2.48015872
 C4, C5, C6 = -2.75573143513906633035e-07, 2.08757232129817482790e-09, -1.13596475577881948265e-11
 
 
+@kernel
+def _whole_turns_less(degrees: float) -> float:
+    """Return the remainder of degrees by 360, exact and with its sign, as ``math.fmod`` (which Numba does not have)."""
+    rest, step = abs(degrees), 360.0
+    while 2 * step <= rest:
+        step = 2 * step
+    while step >= 360:
+        if rest >= step:
+            rest = rest - step
+        step = step / 2
+    return rest if degrees >= 0 else -rest
+
+
+@kernel
 def direction(degrees: float) -> tuple[float, float]:
     """Return (cos, sin) of an angle in degrees.
 
     >>> direction(90.0), direction(-180.0), direction(30.0)[1]
     ((0.0, 1.0), (-1.0, 0.0), 0.5)
     """
-    turn = math.fmod(degrees, 360.0)
+    turn = _whole_turns_less(degrees)
     quarters = math.floor(turn / 90 + 0.5)
     rest = turn - 90 * quarters
     x, y = two_prod(rest, DEGREE)
@@ -45,4 +60,9 @@ def direction(degrees: float) -> tuple[float, float]:
     half = 0.5 * z
     w = 1.0 - half
     c = w + (((1.0 - w) - half) + (z * r - x * y))
-    return ((c, s), (0.0 - s, c), (0.0 - c, 0.0 - s), (s, 0.0 - c))[quarters % 4]
+    k = quarters % 4
+    if k == 0:
+        return (c, s)
+    if k == 1:
+        return (0.0 - s, c)
+    return (0.0 - c, 0.0 - s) if k == 2 else (s, 0.0 - c)

@@ -67,11 +67,18 @@ def register_kernels() -> None:
             # (a law of a user's own may do whatever Numba can)
             own = str(function.__module__).startswith("carom.")
             options = {**KERNEL_OPTIONS, **linked_only(cache_folder())} if own else {**KERNEL_OPTIONS, "_nrt": True}
-            if function in DERIVED:
+            if isinstance(function, functools._lru_cache_wrapper):
+                overload(function, jit_options=options, strict=False)(_without_keeping(function))
+            elif function in DERIVED:
                 overload(function, jit_options=options, strict=False)(_for_plain_numbers(function))
             else:
                 register_jitable(forceinline=function in HOT, **options)(function)
             _registered.add(function)
+
+
+def _without_keeping(function: Any) -> Callable[..., Any]:
+    """Return the compiled form of a kernel whose answers Python keeps: it computes them anew."""
+    return lambda *types: function.__wrapped__
 
 
 def _for_plain_numbers(function: Callable[..., Any]) -> Callable[..., Any]:

@@ -9,6 +9,7 @@ compiled by Numba, and exact rationals when it is given ``fractions.Fraction``.
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from typing import Any, TypeVar
 
@@ -24,6 +25,7 @@ __all__ = [
     "derived_by",
     "dot",
     "hot_kernel",
+    "kept_kernel",
     "kernel",
     "only_slopes",
     "prange",
@@ -50,6 +52,11 @@ def kernel(function: Function) -> Function:
     """Mark a function as a kernel: callable as it is, and from compiled code."""
     KERNELS.append(function)
     return function
+
+
+def kept_kernel(function: Function) -> Function:
+    """Mark a kernel of hashable arguments whose last answers Python keeps: one that takes long, and is asked the same again."""
+    return kernel(functools.lru_cache(4096)(function))  # type: ignore[return-value]
 
 
 def hot_kernel(function: Function) -> Function:

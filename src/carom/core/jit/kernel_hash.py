@@ -42,7 +42,10 @@ def kernel_hash(functions: Iterable[Callable[..., Any]], *more: str) -> str:
 def _collect(function: Any, found: dict[str, str]) -> None:
     name = f"{function.__module__}:{function.__qualname__}"
     held = inspect.getclosurevars(function).nonlocals if function.__closure__ else {}
-    name += "".join(f" {key}={getattr(value, '__qualname__', value)}" for key, value in sorted(held.items()))
+    name += "".join(
+        f" {key}={getattr(value, '__module__', '')}.{getattr(value, '__qualname__', value)}"
+        for key, value in sorted(held.items())
+    )
     if name in found:
         return
     node = _definitions(function.__code__.co_filename)[function.__code__.co_firstlineno]
@@ -51,6 +54,8 @@ def _collect(function: Any, found: dict[str, str]) -> None:
     used = {one.id for part in body for one in ast.walk(part) if isinstance(one, ast.Name)}
     for key in sorted(used):
         value = held.get(key, function.__globals__.get(key))
+        if isinstance(value, functools._lru_cache_wrapper):
+            value = value.__wrapped__
         if isinstance(value, types.FunctionType):
             if value.__module__.startswith("carom."):
                 _collect(value, found)

@@ -12,7 +12,7 @@ from carom.errors import CaromError, FaultList, checked_number, require_type
 from carom.interop.pooltool.installed import has_flights, require_pooltool
 from carom.scene.restitution import Constant
 from carom.scene.scene import Scene
-from carom.scene.table import Table
+from carom.scene.shapes.table import Table
 from carom.simulation.trajectory import Trajectory
 
 if TYPE_CHECKING:

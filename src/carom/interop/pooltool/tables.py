@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from carom.errors import CaromError
 from carom.interop.pooltool.files import Field
 from carom.scene.pockets import Pockets
-from carom.scene.rounds import Arc
-from carom.scene.segments import Segment
-from carom.scene.table import Table
+from carom.scene.shapes.rounds import Arc
+from carom.scene.shapes.segments import Segment
+from carom.scene.shapes.table import Table
 from carom.scene.wall import WallShape
 
 __all__ = ["walls_of"]

@@ -1,0 +1,41 @@
+"""All shapes of walls, and the field that takes any of them.
+
+A file added to this package, with a class of :class:`carom.scene.wall.WallShape` that has a ``shape``, is found here: its shape is
+then in scenes, in their files, and in the explorer once its module is built anew.
+"""
+
+from __future__ import annotations
+
+import importlib
+import pkgutil
+from typing import TYPE_CHECKING, Annotated, Any, Union
+
+from pydantic import Field
+
+from carom.scene.shapes.planes import Box, Plane, Strip, Wedge
+from carom.scene.shapes.rounds import Arc, Cylinder, Sphere, Stadium
+from carom.scene.shapes.segments import Polygon, Segment
+from carom.scene.shapes.table import Table
+from carom.scene.wall import WallShape
+
+__all__ = [
+    "SHAPES", "AnyWall", "Arc", "Box", "Cylinder", "Plane", "Polygon", "Segment", "Sphere", "Stadium", "Strip", "Table", "Wedge",
+]  # fmt: skip
+
+FIRST = (Plane, Segment, Polygon, Table, Box, Strip, Wedge, Cylinder, Arc, Sphere, Stadium)
+
+
+def _found() -> dict[str, type[WallShape]]:
+    """Return the shapes by name: in the order in which messages list them, then those of further files."""
+    names = sorted(one.name for one in pkgutil.iter_modules(__path__))
+    modules = [importlib.import_module(f"{__name__}.{name}") for name in names]
+    others: list[Any] = [x for module in modules for x in vars(module).values() if isinstance(x, type)]
+    walls = [one for one in others if issubclass(one, WallShape) and "shape" in one.model_fields]
+    return {one.model_fields["shape"].default: one for one in dict.fromkeys((*FIRST, *walls))}
+
+
+SHAPES = _found()
+if TYPE_CHECKING:
+    AnyWall = WallShape
+else:
+    AnyWall = Annotated[Union[tuple(SHAPES.values())], Field(discriminator="shape")]  # noqa: UP007  (made at run time)
