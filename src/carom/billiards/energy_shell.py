@@ -73,7 +73,7 @@ class EnergyShell:
         rows[:, 3:5] = y[:, 1:2] * t + y[:, 2:3] * n
         rows[:, 8] = y[:, 3] / (math.sqrt(ball.kappa) * ball.radius)
         if self.setup.rolls:
-            # (18)
+            # as start_rows has it
             rows[:, 6], rows[:, 7] = -rows[:, 4] / ball.radius, rows[:, 3] / ball.radius
         return rows, normal, piece
 
