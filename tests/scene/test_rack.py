@@ -75,9 +75,9 @@ def test_other_rows_and_other_copies(tmp_path: Path) -> None:
         ({"gap_spread": 6e-5}, "rack.gap: expected a length in m, >= 0, as there is a gap_spread, got nothing"),
         ({"gap": 5e-5, "seed": -1}, "rack.seed: expected a whole number >= 0, got -1"),
         ({"gap": 5e-5, "seed": 0.5}, "rack.seed: expected a whole number >= 0, got 0.5"),
-        ({"balls": ["1", "2"]}, "rack.balls: expected 1, 3, 6, 10, 15, ... balls, got 2 balls"),
-        ({"balls": []}, "rack.balls: expected 1, 3, 6, 10, 15, ... balls, got 0 balls"),
-        ({"rows": [7, 7]}, "rack.balls: expected 14 balls, got 15 balls in rows of [7, 7]"),
+        ({"balls": ["1", "2"]}, "rack.balls: expected names of 1, 3, 6, 10, 15, ... balls, got 2 balls"),
+        ({"balls": []}, "rack.balls: expected names of 1, 3, 6, 10, 15, ... balls, got 0 balls"),
+        ({"rows": [7, 7]}, "rack.balls: expected names of 14 balls, got 15 balls in rows of [7, 7]"),
         ({"balls": ["1", "2", "2"]}, "rack.balls: expected each ball once, got '2' twice"),
         ({"balls": ["1", "2", "whit"]}, "got 'whit'; did you mean 'white'?"),
     ],
@@ -87,6 +87,16 @@ def test_bad_racks_are_refused_in_one_line(fields: dict[str, Any], said: str) ->
         racked(**fields)
     assert len(caught.value.faults) == 1
     assert said in caught.value.faults[0]
+
+
+def test_a_rack_without_its_balls_is_refused() -> None:
+    ball = {"radius": A, "mass": 0.17, "position": (0, 0, A)}
+    with pytest.raises(
+        carom.CaromError, match=r"^Scene: rack\.balls: expected names of 1, 3, 6, 10, 15, .* balls, got 0 balls"
+    ):
+        carom.Scene(balls=[ball], rack={"gap": "0.05 mm"})
+    with pytest.raises(carom.CaromError, match=r"^Scene: rack\.balls: expected a list, got '1'"):
+        carom.Scene(balls=[ball], rack={"balls": "1"})
 
 
 def test_a_place_of_a_ball_that_the_gaps_lay_is_refused_and_so_are_two_radii() -> None:

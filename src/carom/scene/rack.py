@@ -39,7 +39,7 @@ class Rack(Model):
     'a rack of 15 balls with gaps of 50 µm ± 40 µm (seed 3)'
     """
 
-    balls: tuple[str, ...]
+    balls: tuple[str, ...] = ()
     rows: tuple[Count, ...] = ()
     gap: Gap | None = None
     gap_spread: Gap = 0.0
@@ -50,7 +50,7 @@ class Rack(Model):
         faults = []
         if not self.balls or sum(self._rows) != len(self.balls):
             got = f"{len(self.balls)} balls" + (f" in rows of {shown(list(self.rows))}" if self.rows else "")
-            wanted = f"{sum(self.rows)} balls" if self.rows else "1, 3, 6, 10, 15, ... balls"
+            wanted = f"names of {sum(self.rows)} balls" if self.rows else "names of 1, 3, 6, 10, 15, ... balls"
             faults.append(Fault("", "balls", wanted, got, "" if self.rows else "rows = [1, 2, 3, 2, 1] is a diamond"))
         if twice := next((name for i, name in enumerate(self.balls) if name in self.balls[:i]), None):
             faults.append(Fault("", "balls", "each ball once", f"{twice!r} twice"))
