@@ -19,7 +19,7 @@ from carom.billiards.stability import Lyapunov
 from carom.billiards.stability import lyapunov as lyapunov_spectrum
 from carom.billiards.tables import Table, under
 from carom.bodies import Ball, Disc, Surface
-from carom.errors import CaromError, Fault, attempt, did_you_mean
+from carom.errors import CaromError, Fault, FaultList, did_you_mean
 from carom.laws.law import Law
 from carom.public.defaults import BOUNCES, PERIODIC_STARTS
 from carom.public.progress import Progress
@@ -208,26 +208,25 @@ def _checked(
     **sizes: Any,
 ) -> tuple[OrbitSetup, Start | None]:
     """Return the validated table, ball and law of an orbit, and its initial state (None: to be sampled)."""
-    faults: list[str] = []
-    made = attempt(faults, _table, table, {name: x for name, x in sizes.items() if x is not None}, bounds)
+    faults = FaultList()
+    made = faults.attempt(_table, table, {name: x for name, x in sizes.items() if x is not None}, bounds)
     before = len(faults)
-    surface = attempt(faults, _surface, law, restitution, friction, tangential_restitution)
-    ball = None if made is None else attempt(faults, _ball, made, kappa, ball_radius)
+    surface = faults.attempt(_surface, law, restitution, friction, tangential_restitution)
+    ball = None if made is None else faults.attempt(_ball, made, kappa, ball_radius)
     together = len(faults) == before  # else each of these faults would be reported again below
-    attempt(faults, require_integer, "bounces", bounces)
-    attempt(faults, require_integer, "seed", seed, 0)
-    start = None if made is None else attempt(faults, _start, made, position, velocity, spin, orbits)
+    faults.attempt(require_integer, "bounces", bounces)
+    faults.attempt(require_integer, "seed", seed, 0)
+    start = None if made is None else faults.attempt(_start, made, position, velocity, spin, orbits)
     setup: OrbitSetup | None = None
     if together:
         if made is None:
-            attempt(faults, law_of, law, surface)
-        elif (setup := attempt(faults, orbit_setup, made, ball, law, surface, corners)) is not None:
+            faults.attempt(law_of, law, surface)
+        elif (setup := faults.attempt(orbit_setup, made, ball, law, surface, corners)) is not None:
             if reverse:
-                attempt(faults, require_reversible, setup)
+                faults.attempt(require_reversible, setup)
             if start is not None:
-                attempt(faults, start_rows, setup, start)
-    if faults:
-        raise CaromError(*faults)
+                faults.attempt(start_rows, setup, start)
+    faults.raise_if_any()
     assert setup is not None
     return setup, start
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from carom.errors import MAX_MAGNITUDE, MIN_MAGNITUDE
+from carom.errors import MAX_MAGNITUDE, MIN_MAGNITUDE, FaultList
 
 __all__ = ["CHECKS", "FINITE", "bad_numbers"]
 
@@ -46,18 +46,17 @@ CHECKS: dict[str, tuple[Callable[[Any], Any], str]] = {
 
 def bad_numbers(
     numbers: dict[str, float], normal: tuple[float, float, float] | None, contact_height: float, gravity: float
-) -> list[str]:
-    """Return one line for each argument whose number (SI) is out of range."""
-    faults = []
+) -> FaultList:
+    """Return a fault for each argument whose number (SI) is out of range."""
+    faults = FaultList()
     for name, value in numbers.items():
         holds, expected = CHECKS.get(name, FINITE)
         if not holds(np.asarray(value)):
-            field = "inertia" if name == "kappa" else name
-            faults.append(f"`{field}`: expected {expected}, got {value!r}")
+            faults.add(f"`{'inertia' if name == 'kappa' else name}`", expected, f"{value!r}")
     if normal is not None and not 0 < math.sqrt(sum(x * x for x in normal)) < math.inf:
-        faults.append(f"`normal`: expected a vector from the wall to the ball, such as 1,0,0, got {normal}")
+        faults.add("`normal`", "a vector from the wall to the ball, such as 1,0,0", f"{normal}")
     if not 0 < contact_height < 2:
-        faults.append(f"`contact_height`: expected a height in radii, above 0 and below 2, got {contact_height!r}")
+        faults.add("`contact_height`", "a height in radii, above 0 and below 2", f"{contact_height!r}")
     if not 0 <= gravity < math.inf:
-        faults.append(f"`gravity`: expected a number >= 0 in m/s^2, got {gravity!r}")
+        faults.add("`gravity`", "a number >= 0 in m/s^2", f"{gravity!r}")
     return faults

@@ -11,7 +11,7 @@ from carom.bodies import Ball, rolling
 from carom.core.units import UNITS, Unit
 from carom.data.headers import Heading, header_with_unit, missing_unit, parse_header, without_unit
 from carom.data.limits import bad_numbers
-from carom.errors import CaromError, near_name, require_type
+from carom.errors import CaromError, Fault, FaultList, did_you_mean, near_name, require_type
 from carom.laws.law import LIKE_SOLIDS, SURFACES, Law, Meeting
 
 __all__ = [
@@ -112,20 +112,18 @@ class TablePlan:
 def make_plan(headers: list[str], settings: PredictSettings) -> TablePlan:
     """Return the plan for a table with these headers. Raises CaromError, one line per problem, if it cannot be read."""
     require_type("PredictSettings", "law", settings.law, Law)
-    faults: list[str] = []
+    faults = FaultList()
     columns = _meanings(headers, settings, faults)
     form = _form(headers, columns, settings, faults)
-    if faults:
-        raise CaromError(*faults)
+    faults.raise_if_any()
     if "speed" in settings.given and form != "angle":
-        faults.append("`speed`: expected a table with incidence_deg, got one with the velocity; leave it out")
+        faults.add("`speed`", "a table with incidence_deg", "one with the velocity", "leave it out")
     wanted, missing = _wanted(form, columns, settings)
     faults += [_missing(name, form, headers) for name in missing]
     air = form != "vector" and _in_air(columns, settings)
     if air and settings.contact_height != 1:
-        faults.append(
-            "`contact_height`: expected a ball on a table, got one in flight (a law of a single contact, or a spin_in column)"
-        )
+        got = "one in flight (a law of a single contact, or a spin_in column)"
+        faults.add("`contact_height`", "a ball on a table", got)
     spin, remarks = _spin(form, air, columns, settings, faults)
     idle = unread(settings.law)
     columns, idle_columns = (
@@ -134,8 +132,7 @@ def make_plan(headers: list[str], settings: PredictSettings) -> TablePlan:
     sources, constants = _sources(wanted, columns, settings, faults)
     if air and BOUNCE in headers:  # it says of which contacts a spin that was not measured is not that of the throw
         sources[BOUNCE] = InputColumn(headers.index(BOUNCE), BOUNCE, Unit(""))
-    if faults:
-        raise CaromError(*faults)
+    faults.raise_if_any()
     rolls = not air and _has_steps(settings.law)
     added, note, renamed = _added(headers, form, air, rolls, columns, settings)
     notes = [
@@ -168,7 +165,7 @@ def unread(law: Law) -> list[str]:
 Columns = dict[str, tuple[InputColumn, Heading]]
 
 
-def _meanings(headers: list[str], settings: PredictSettings, faults: list[str]) -> Columns:
+def _meanings(headers: list[str], settings: PredictSettings, faults: FaultList) -> Columns:
     """Return quantity -> its column; two columns for one quantity, or an unknown unit, are faults."""
     found: dict[str, list[tuple[InputColumn, Heading]]] = defaultdict(list)
     for index, header in enumerate(headers):
@@ -177,17 +174,17 @@ def _meanings(headers: list[str], settings: PredictSettings, faults: list[str]) 
             continue
         unit = meaning.unit or Unit("")
         if meaning.unit is None:
-            faults.append(missing_unit(header, meaning))
+            faults.append(Fault(advice=missing_unit(header, meaning)))
         found[meaning.quantity].append((InputColumn(index, header, unit), meaning))
     for quantity, those in found.items():
         if len(those) > 1:
             names = " and ".join(f"{source.header!r} (column {source.index + 1})" for source, _ in those)
-            faults.append(f"columns {names}: expected one column for {quantity}, got {len(those)}; rename the others")
+            faults.add(f"columns {names}", f"one column for {quantity}", f"{len(those)}", "rename the others")
     return {quantity: those[0] for quantity, those in found.items()}
 
 
 def _form(
-    headers: list[str], columns: Columns, settings: PredictSettings, faults: list[str]
+    headers: list[str], columns: Columns, settings: PredictSettings, faults: FaultList
 ) -> Literal["vector", "bounce", "angle"]:
     if "velocity_x" in columns or "velocity_y" in columns:
         return "vector"
@@ -196,22 +193,17 @@ def _form(
     if "speed" in columns or "incidence" in columns:
         return "angle"
     if not faults:
-        near = [
-            near for name in ("velocity_x", "v_n_in", "speed", "incidence_deg") if (near := near_name(name, headers))
-        ]
-        faults.append(
-            f"columns: expected an incoming state, {'; or '.join(FORMS)}; got {', '.join(map(repr, headers)) or 'none'}"
-            + (f"; did you mean {near[0]!r}?" if near else "")
-        )
+        meant = ("velocity_x", "v_n_in", "speed", "incidence_deg")
+        near = next(filter(None, (near_name(name, headers) for name in meant)), "")
+        expected = f"an incoming state, {'; or '.join(FORMS)}; got {', '.join(map(repr, headers)) or 'none'}"
+        faults.add("columns", expected, "", f"did you mean {near!r}?" if near else "")
     return "angle"
 
 
-def _missing(name: str, form: str, headers: list[str]) -> str:
-    others = [header for header in headers if parse_header(header) is None]
-    near = near_name(name, others)
-    return f"column {name!r}: expected this column for the {form} form, got none" + (
-        f"; did you mean {near!r}?" if near else f"; the table has {', '.join(map(repr, headers))}"
-    )
+def _missing(name: str, form: str, headers: list[str]) -> Fault:
+    meant = did_you_mean(name, [header for header in headers if parse_header(header) is None])
+    had = f"the table has {', '.join(map(repr, headers))}"
+    return Fault("", f"column {name!r}", f"this column for the {form} form", "none", meant or had)
 
 
 def _near_misses(headers: list[str], wanted: list[str], columns: Columns) -> list[str]:
@@ -253,19 +245,18 @@ def _in_air(columns: Columns, settings: PredictSettings) -> bool:
 
 
 def _spin(
-    form: str, air: bool, columns: Columns, settings: PredictSettings, faults: list[str]
+    form: str, air: bool, columns: Columns, settings: PredictSettings, faults: FaultList
 ) -> tuple[Literal["given", "rolling", "none"], list[str]]:
     level = [name for name in ("spin_x", "spin_y") if name in columns] if form == "vector" else []
     if len(level) == 1:
         missing = "spin_y" if level == ["spin_x"] else "spin_x"
-        faults.append(
-            f"column {missing!r}: expected this column beside {level[0]!r}, got none; give both, or neither and `spin`"
-        )
+        expected = f"this column beside {level[0]!r}"
+        faults.add(f"column {missing!r}", expected, "none", "give both, or neither and `spin`")
     if "spin_in" in columns and "spin_z_in" in columns and form != "vector":
-        faults.append("columns: expected spin_in (a planar bounce) or spin_z_in (a ball on a table), got both")
+        faults.add("columns", "spin_in (a planar bounce) or spin_z_in (a ball on a table)", "both")
     if level or (air and "spin_in" in columns):
         if settings.spin is not None and (level or settings.spin == "rolling"):
-            faults.append(f"`spin` {settings.spin}: has no effect, as the table has the spin; omit it")
+            faults.add(f"`spin` {settings.spin}", "", "", "has no effect, as the table has the spin; omit it")
         return "given", []
     rule = settings.spin or ("none" if settings.law.in_flight else "rolling")
     about = " about level axes" if form != "vector" and not air else ""
@@ -275,12 +266,12 @@ def _spin(
         + ("" if air else " (`spin` rolling: the ball rolls on the floor)"),
     }
     if rule == "rolling" and air:
-        faults.append("`spin` rolling: expected a ball on a table, got one in flight; leave it out")
+        faults.add("`spin` rolling", "a ball on a table", "one in flight", "leave it out")
     return rule, [meant[rule]]
 
 
 def _sources(
-    wanted: list[str], columns: Columns, settings: PredictSettings, faults: list[str]
+    wanted: list[str], columns: Columns, settings: PredictSettings, faults: FaultList
 ) -> tuple[dict[str, InputColumn], dict[str, float]]:
     sources: dict[str, InputColumn] = {}
     constants: dict[str, float] = {}

@@ -23,7 +23,7 @@ from carom.data.csv import CsvTable
 from carom.data.evaluate import predict_rows
 from carom.data.limits import bad_numbers
 from carom.data.plan import BOUNCE, PredictSettings, SpinRule, make_plan, unread
-from carom.errors import CaromError, attempt, suggestion
+from carom.errors import CaromError, FaultList, suggestion
 from carom.files import as_path, atomic_file
 from carom.formatting import counted
 from carom.laws.law import Law
@@ -368,20 +368,19 @@ def predict_settings(
     **numbers: float | None,
 ) -> PredictSettings:
     """Return the settings of arguments of :func:`predict`; CaromError, one line per problem, with all of them."""
-    faults: list[str] = []
+    faults = FaultList()
     given = {name: value for name, value in numbers.items() if value is not None}
-    if inertia is not None and (kappa := attempt(faults, inertia_number, inertia)) is not None:
+    if inertia is not None and (kappa := faults.attempt(inertia_number, inertia)) is not None:
         given["kappa"] = kappa
-    chosen = law if isinstance(law, Law) else attempt(faults, find_law, law)
-    rule, contact = attempt(faults, _spin_rule, spin), attempt(faults, _floor_contact, floor_contact)
+    chosen = law if isinstance(law, Law) else faults.attempt(find_law, law)
+    rule, contact = faults.attempt(_spin_rule, spin), faults.attempt(_floor_contact, floor_contact)
     idle = [] if chosen is None else [name for name in given if name in unread(chosen)]
     for name in idle:
         reads = ", ".join(chosen.reads or ())
-        faults.append(f"`{name}`: expected a law that reads it, got {chosen.name}, which reads {reads}; omit it")
-    way = None if normal is None else attempt(faults, _normal, normal)
+        faults.add(f"`{name}`", "a law that reads it", f"{chosen.name}, which reads {reads}", "omit it")
+    way = None if normal is None else faults.attempt(_normal, normal)
     faults += bad_numbers({k: x for k, x in given.items() if k not in idle}, way, contact_height, gravity)
-    if faults:
-        raise CaromError(*faults)
+    faults.raise_if_any()
     return PredictSettings(chosen, given, way, contact_height, rule, gravity, contact, suffix)
 
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from carom.data.rebounds import Kind, Rebounds
 from carom.data.where import Where, kinds_note, rows_where
-from carom.errors import CaromError, attempt, float_or_nan
+from carom.errors import CaromError, FaultList, float_or_nan
 from carom.fitting.setting import Setting
 from carom.tracks.rebounds import first_contacts
 
@@ -69,12 +69,11 @@ def usable_rows(
     >>> rows["sigma_v_n_out"], rows["spin_in"]
     (array([0.02, 0.02]), array([0., 0.]))
     """
-    faults: list[str] = []
-    attempt(faults, require_error_bars, sigma_v, sigma_spin)
-    known_spin, prior = attempt(faults, spin_of_rows, spin) or (None, {})
-    keep = attempt(faults, rows_where, rebounds.extra, where, len(rebounds))
-    if faults:
-        raise CaromError(*faults)
+    faults = FaultList()
+    faults.attempt(require_error_bars, sigma_v, sigma_spin)
+    known_spin, prior = faults.attempt(spin_of_rows, spin) or (None, {})
+    keep = faults.attempt(rows_where, rebounds.extra, where, len(rebounds))
+    faults.raise_if_any()
     rows, height_note = rebounds.select(keep), assumed_height(rebounds.kind, setting)
     rows = replace(rows, notes=(*kinds_note(rows.extra, len(rows)), *height_note, *rows.notes))
     if spin is None and setting.spin_width is None and not every_contact:
@@ -85,13 +84,11 @@ def usable_rows(
 
 def require_error_bars(sigma_v: float | None, sigma_spin: float | None) -> None:
     """Raise CaromError for an error bar that is given and not above 0."""
-    faults = [
-        f"`{name}`: expected an error bar above 0, got {value!r}"
-        for name, value in (("sigma_v", sigma_v), ("sigma_spin", sigma_spin))
-        if value is not None and not float_or_nan(value) > 0
-    ]
-    if faults:
-        raise CaromError(*faults)
+    faults = FaultList()
+    for name, value in (("sigma_v", sigma_v), ("sigma_spin", sigma_spin)):
+        if value is not None and not float_or_nan(value) > 0:
+            faults.add(f"`{name}`", "an error bar above 0", f"{value!r}")
+    faults.raise_if_any()
 
 
 def assumed_height(kind: Kind, setting: Setting) -> list[str]:
