@@ -15,6 +15,7 @@ import carom
 from carom.cli.trajectory_output import as_json
 from carom.core.motion.phases import PHASES
 from carom.explorer.module import version
+from carom.laws.registry import laws_of_pairs
 from carom.scene.as_json import scene_dict
 from carom.simulation.records import BALL, KINDS, WALL, kind_names
 from carom.simulation.tables import NAMES
@@ -74,6 +75,35 @@ def test_a_run_is_that_of_python_event_by_event(evaluate: Any) -> None:
             assert ball["x"] == run.final.position[i].tolist()
             assert ball["v"] == run.final.velocity[i].tolist()
             assert ball["w"] == run.final.spin[i].tolist()
+
+
+def test_two_balls_meet_by_the_laws_of_pairs_as_in_python(evaluate: Any) -> None:
+    falling = {"at_rest": 0.2, "at_speed": 0.02, "speed": 0.5}
+    pairs = [{"law": law, "friction": mu} for law in laws_of_pairs() for mu in (0.06, falling)]
+    balls = [
+        {"radius": 0.03, "mass": 0.2, "position": (x, y, 0), "velocity": (1 - 5 * x, 0, 0)}
+        for x, y in ((0, 0), (0.2, 0.03))
+    ]
+    scenes = [
+        carom.Scene(gravity=0, balls=balls, ball_contact={"restitution": 0.9, **one}, run={"duration": 1})
+        for one in pairs
+    ]
+    asked = [scene_dict(scene) for scene in scenes]
+    answers = evaluate("(all) => all.map((scene) => [engine.faults(scene), engine.run(scene).final])", asked)
+    for scene, (faults, final) in zip(scenes, answers, strict=True):
+        right = carom.simulate(scene).final
+        assert faults == []
+        for i, ball in enumerate(final):
+            assert ball["v"] == pytest.approx(right.velocity[i], abs=1e-14)
+            assert ball["w"] == pytest.approx(right.spin[i], abs=1e-12)
+    bad = [
+        asked[0] | {"ball_contact": asked[0]["ball_contact"] | one}
+        for one in ({"law": "mirror"}, {"friction": {"at_rest": 1}})
+    ]
+    for faults, told in zip(
+        evaluate("(all) => all.map((scene) => engine.faults(scene))", bad), ("law", "friction"), strict=True
+    ):
+        assert faults[0].startswith(f"ball_contact.{told}")
 
 
 def test_a_report_is_what_carom_simulate_prints(evaluate: Any) -> None:
