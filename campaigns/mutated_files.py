@@ -80,7 +80,7 @@ ENCODINGS = ("utf-8-sig", "utf-16", "utf-16-le", "utf-16-be", "utf-32", "latin-1
 
 
 COMPILING_S = 600.0
-PATIENCE = 30.0
+PATIENCE = 5.0  # times the limit: compiled code is not ended by it
 KEPT_FILMS = 300
 
 
@@ -427,17 +427,22 @@ class Worker:
             self.process.start()
             self.compiled: set[str] = set()
         self.line.send((seed, command))
-        # (by the clock: beside other work this process may have a small part of the processor)
-        wait = PATIENCE * self.limit + (10 * COMPILING_S if command not in self.compiled else 0.0)
+        limit = PATIENCE * self.limit + (10 * COMPILING_S if command not in self.compiled else 0.0)
         self.compiled.add(command)
-        if self.line.poll(wait):
+        begin = before = _processor_time(self.process.pid)
+        while not self.line.poll(PATIENCE * self.limit):
+            # (not by the clock: beside other work this process may have a small part of the processor)
+            now = _processor_time(self.process.pid)
+            if now - begin > limit or now == before:
+                found = "compiled code that does not come back"
+                break
+            before = now
+        else:
             try:
                 row: Row = self.line.recv()
                 return row
             except EOFError:
                 found = "the process died"
-        else:
-            found = "compiled code that does not come back"
         self.close()
         return {"outcome": found}
 
@@ -447,6 +452,12 @@ class Worker:
             self.process.kill()
             self.process.join()
             self.process = None
+
+
+def _processor_time(process: int | None) -> float:
+    """Return how much processor time a process has taken, s."""
+    fields = Path(f"/proc/{process}/stat").read_text().rpartition(")")[2].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def _serve(line: Connection, limit: float, keep: Path | None) -> None:
