@@ -140,17 +140,18 @@ def test_every_verdict_moves_when_the_print_does(rows):
 def test_the_judge_on_small_things():
     x, y = sp.symbols("x y", real=True)
     u = sp.Symbol("u", positive=True)
-    assert true_of(sp.Eq(sp.sin(x) ** 2, 1 - sp.cos(x) ** 2, evaluate=False), {})[0]
-    assert not true_of(sp.Eq(x, y), {})[0]
-    assert true_of(sp.Gt(x, y), {x: 2 * u, y: u})[0]
-    assert not true_of(sp.Gt(x, y), {})[0]
-    assert true_of(sp.Ne(x, y), {x: u, y: 2 * u})[0]
-    assert not true_of(sp.Ne(x, y), {x: u, y: u})[0]
+    assert true_of(sp.Eq(sp.sin(x) ** 2, 1 - sp.cos(x) ** 2, evaluate=False), {})
+    assert not true_of(sp.Eq(x, y), {})
+    assert true_of(sp.Gt(x, y), {x: 2 * u, y: u})
+    assert not true_of(sp.Gt(x, y), {})
+    assert true_of(sp.Ne(x, y), {x: u, y: 2 * u})
+    assert not true_of(sp.Ne(x, y), {x: u, y: u})
     assert poles(sp.Eq(y, 1 / sp.sin(x)), {}, {x: 0})
     assert not poles(sp.Eq(y, sp.sin(x) / x), {}, {x: 0})
     half = Entry("1", "", (sp.Eq(x, y),), (sp.Eq(x, y),), (Branch("here", {x: y}), Branch("there", {x: 2 * u, y: u})))
     assert judge(half).status == "conditional"
     assert judge(half).sentence == "holds here; not there"
+    assert judge(half).gap == "x = y: left - right = u"
 
 
 def test_zero_test_is_not_fooled():

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import lru_cache
 from typing import Any
 
 import sympy as sp
@@ -75,13 +76,22 @@ class Entry:
 
 @dataclass(frozen=True)
 class EquationVerdict:
-    """Status ("holds", "conditional", "misprint"), the cases in which the printed form holds and fails, and the difference."""
+    """Status ("holds", "conditional", "misprint"), and the cases in which the printed form holds and fails."""
 
     status: str
     true_in: tuple[str, ...]
     false_in: tuple[str, ...]
-    gap: str
     sentence: str
+    failed: tuple[tuple[Any, Mapping[Expr, Expr]], ...] = ()
+    """The printed relations, with the facts of each case in which not all of them hold."""
+    idle: str = ""
+    """Printed identities, which say nothing."""
+
+    @property
+    def gap(self) -> str:
+        """The relations that fail, and by how much; simplified when asked for, which takes longer than the verdict."""
+        fails = [f"{shown(r)}: {difference(r, facts)}" for r, facts in self.failed if not true_of(r, facts)]
+        return self.idle or "; ".join(fails)
 
 
 def _value(expr: Expr, facts: Mapping[Expr, Expr]) -> Expr:
@@ -97,23 +107,36 @@ def shown(relation: Any) -> str:
     return str(relation)
 
 
-def true_of(relation: Any, facts: Mapping[Expr, Expr]) -> tuple[bool, str]:
-    """Return whether a relation holds with the facts substituted, and the difference where it does not."""
-    left, right = _value(relation.lhs, facts), _value(relation.rhs, facts)
+def true_of(relation: Any, facts: Mapping[Expr, Expr]) -> bool:
+    """Return whether a relation holds with the facts substituted."""
+    return _true_of(relation, tuple(facts.items()))
+
+
+@lru_cache(maxsize=4096)
+def _true_of(relation: Any, facts: tuple[tuple[Expr, Expr], ...]) -> bool:
+    left, right = (_value(side, dict(facts)) for side in (relation.lhs, relation.rhs))
     if isinstance(relation, sp.Equality):
-        if left == right or is_zero(left - right):
-            return True, ""
-        return False, f"left - right = {tidy(left - right)}"
+        return bool(left == right or is_zero(left - right))
     if relation.rel_op == "!=":
-        same = is_zero(left - right)
-        return not same, "both sides are equal" if same else ""
+        return not is_zero(left - right)
     margin = left - right if relation.rel_op in (">", ">=") else right - left
     short = margin if margin.is_number else tidy(margin)
     sign = short.is_positive if relation.rel_op in ("<", ">") else short.is_nonnegative
     if sign is None:  # a sum of squares may hide its sign until it is expanded
         spread = sp.expand(short)
         sign = spread.is_positive if relation.rel_op in ("<", ">") else spread.is_nonnegative
-    return bool(sign), "" if sign else f"the margin {short} is not of one sign, or of the wrong one"
+    return bool(sign)
+
+
+def difference(relation: Any, facts: Mapping[Expr, Expr]) -> str:
+    """Return by how much a relation fails with the facts substituted."""
+    left, right = _value(relation.lhs, facts), _value(relation.rhs, facts)
+    if isinstance(relation, sp.Equality):
+        return f"left - right = {tidy(left - right)}"
+    if relation.rel_op == "!=":
+        return "both sides are equal"
+    margin = left - right if relation.rel_op in (">", ">=") else right - left
+    return f"the margin {margin if margin.is_number else tidy(margin)} is not of one sign, or of the wrong one"
 
 
 def says_nothing(relation: Any) -> bool:
@@ -136,31 +159,31 @@ def poles(relation: Any, facts: Mapping[Expr, Expr], attitude: Mapping[Expr, Exp
 
 def judge(entry: Entry) -> EquationVerdict:
     """Return the verdict on an entry, from its printed relations, its facts and its cases."""
-    true_in, false_in, gaps = [], [], []
+    true_in, false = [], []
     for branch in entry.branches:
-        outcomes = [true_of(r, branch.facts) for r in entry.printed]
-        if all(ok for ok, _ in outcomes):
+        if all(true_of(r, branch.facts) for r in entry.printed):
             true_in.append(branch.name)
         else:
-            false_in.append(branch.name)
-            gaps += [f"{shown(r)}: {gap}" for r, (ok, gap) in zip(entry.printed, outcomes, strict=True) if not ok]
+            false.append(branch)
+    false_in = [branch.name for branch in false]
+    failed = tuple((r, branch.facts) for branch in false for r in entry.printed)
     idle = [shown(r) for r in entry.printed if says_nothing(r)]
     wanted = [r for r in entry.derived if not says_nothing(r)]
     if idle and len(idle) > len(entry.derived) - len(wanted):
-        return EquationVerdict("misprint", (), tuple(false_in), "; ".join(idle), f"{'; '.join(idle)} says nothing")
+        said = "; ".join(idle)
+        return EquationVerdict("misprint", (), tuple(false_in), f"{said} says nothing", failed, said)
     if not false_in:
         infinite = [s for r in entry.printed for s in poles(r, entry.branches[0].facts, entry.attitude)]
         if infinite:
             where = ", ".join(f"{k} = {v}" for k, v in entry.attitude.items())
             return EquationVerdict(
-                "conditional", tuple(true_in), (), "", f"holds away from {where}, where {infinite[0]} is infinite"
+                "conditional", tuple(true_in), (), f"holds away from {where}, where {infinite[0]} is infinite"
             )
-        return EquationVerdict("holds", tuple(true_in), (), "", "")
-    true_in += [c.name for c in entry.cases if all(true_of(r, c.facts)[0] for r in entry.printed)]
-    gap = "; ".join(gaps)
+        return EquationVerdict("holds", tuple(true_in), (), "")
+    true_in += [c.name for c in entry.cases if all(true_of(r, c.facts) for r in entry.printed)]
     named_true, named_false = [n for n in true_in if n], [n for n in false_in if n]
     if true_in:
         sentence = f"holds {'; '.join(named_true)}" + (f"; not {'; '.join(named_false)}" if named_false else "")
-        return EquationVerdict("conditional", tuple(true_in), tuple(false_in), gap, sentence)
+        return EquationVerdict("conditional", tuple(true_in), tuple(false_in), sentence, failed)
     right = "; ".join(shown(r) for r in entry.derived)
-    return EquationVerdict("misprint", (), tuple(false_in), gap, f"right is {right}")
+    return EquationVerdict("misprint", (), tuple(false_in), f"right is {right}", failed)
