@@ -1,7 +1,7 @@
 """Pockets of a table: their declaration, and the jaws that follow from it.
 
 A pocket catches a ball at the moment at which its centre passes the pocket's edge below the cushions' upper edge: the edge is a
-feature of kind OVER that ends in FALLS (:func:`put_pocket`); the event is ``fall_into_pocket``, in ``simulation/contacts/gates.py``.
+feature of kind OVER that ends in FALLS (:func:`put_pocket`); the event: ``simulation/contacts/gates.py``, ``fall_into_pocket``.
 
 Seen from above, the line of a cushion's nose ends in a tip, where it meets the line of the facing, which leads into the pocket. The
 tip is rounded by an arc that touches both lines. The facing ends where it comes over the pocket, so that no ball gets past it: a

@@ -215,15 +215,11 @@ class ContactFitter:
         k = given.kappa / (1 + given.kappa)
         prior = Prior(k=k)
         if given.floor_friction is not None:
-            prior = replace(
-                prior, mu_g=given.floor_friction * given.gravity, mu_g_error=1e-4 * given.floor_friction * given.gravity
-            )
+            mu_g = given.floor_friction * given.gravity
+            prior = replace(prior, mu_g=mu_g, mu_g_error=1e-4 * given.floor_friction * given.gravity)
         if given.rolling_resistance is not None:
-            prior = replace(
-                prior,
-                c_g=given.rolling_resistance * given.gravity,
-                c_g_error=max(1e-4 * given.rolling_resistance * given.gravity, 1e-6),
-            )
+            c_g = given.rolling_resistance * given.gravity
+            prior = replace(prior, c_g=c_g, c_g_error=max(1e-4 * given.rolling_resistance * given.gravity, 1e-6))
         return prior
 
     def _contact(
