@@ -1,5 +1,5 @@
 # Thin wrappers; `make check` is what CI does.
-.PHONY: test explore check-torch doctest lint docs wasm page benchmarks campaigns mutants check
+.PHONY: test explore check-torch doctest lint docs native wasm page benchmarks campaigns mutants check
 test:
 	pytest
 # the same tests with all the cases that they can draw, and new examples of Hypothesis
@@ -11,6 +11,9 @@ lint:
 	ruff check . && ruff format --check . && mypy && lint-imports
 docs:
 	sphinx-build -q -j 4 -W --keep-going -b html docs docs/_build/html
+# the loops that lie ready in the package: those whose kernels have changed (all of them, with --all: a few minutes)
+native:
+	python -m carom.cli.build_loops
 # the explorer's WebAssembly module, from today's kernels (extra wasm)
 wasm:
 	python -m carom.explorer.build

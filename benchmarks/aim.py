@@ -16,7 +16,7 @@ import numpy as np
 from rows import Row, report
 
 import carom
-from carom.core.jit.compile import thread_count
+from carom.core.jit.threads import thread_count
 
 REPEATS = int(sys.argv[1]) if len(sys.argv) > 1 else 5
 BRUTE = 18_000

@@ -20,7 +20,7 @@ from sweeps import KEEP, table
 
 import carom
 from carom.core.jit import cuda as gpu
-from carom.core.jit.compile import thread_count
+from carom.core.jit.threads import thread_count
 from carom.laws.contact import contact_rows
 
 IMPACTS = 10_000_000

@@ -15,7 +15,7 @@ import numpy as np
 from rows import compare, report
 
 import carom
-from carom.core.jit.compile import limit_threads, thread_count
+from carom.core.jit.threads import limit_threads, thread_count
 from carom.scene.paths import replaced
 
 SCENE = Path(__file__).parents[1] / "docs" / "scenes" / "three_balls.toml"

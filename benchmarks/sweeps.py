@@ -19,7 +19,7 @@ import numpy as np
 from rows import paired, report
 
 import carom
-from carom.core.jit.compile import thread_count
+from carom.core.jit.threads import thread_count
 
 SHOTS = int(sys.argv[1]) if len(sys.argv) > 1 else 1_000_000
 REPEATS = 5

@@ -484,13 +484,18 @@ def test_options_take_the_place_of_the_scenes(scenes: Path) -> None:
     assert back["events"][0]["velocity"] == [-1.0, -0.7, -0.3]
 
 
-def test_the_compiled_loop_is_found_in_the_cache(scenes: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    from carom.simulation.compiled import compiled_before, compiled_engine
+def test_the_compiled_loop_is_found_in_the_package_or_in_the_cache(
+    scenes: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from carom.simulation.compiled import compiled_before
 
-    compiled_engine()
+    monkeypatch.setattr("carom.core.jit.compile.cache_folder", lambda: scenes / "empty")
+    for shipped in (True, False):
+        monkeypatch.setattr("carom.core.jit.compile.is_shipped", lambda _loop, shipped=shipped: shipped)
+        assert compiled_before() is shipped
+    (scenes / "empty" / "simulation").mkdir(parents=True)
+    (scenes / "empty" / "simulation" / "compiled._one_end-1.py311.nbi").touch()
     assert compiled_before()
-    monkeypatch.setattr("carom.simulation.compiled.cache_folder", lambda: scenes / "empty")
-    assert not compiled_before()
 
 
 def test_compiling_is_shown_while_it_happens(scenes: Path, monkeypatch: pytest.MonkeyPatch) -> None:

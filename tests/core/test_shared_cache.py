@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -70,3 +71,19 @@ def test_a_folder_that_vanishes_while_it_is_searched_holds_nothing(monkeypatch: 
 
     monkeypatch.setattr(Path, "glob", gone)
     assert not is_cached(gone)
+
+
+def test_what_numba_cannot_cache_is_said_and_not_raised() -> None:
+    """With NUMBA_OPT=0 loops keep references to large arrays; Numba's warning names the file of the function."""
+    from numba.core.caching import CompileResultCacheImpl
+    from numba.core.errors import NumbaWarning
+
+    class Result:
+        lifted: tuple[Any, ...] = ()
+        library = type("Library", (), {"has_dynamic_globals": True})
+        fndesc = type("Described", (), {"qualname": "carom.core.jit.file_locks.locked"})
+
+    found = CompileResultCacheImpl.__new__(CompileResultCacheImpl)
+    found._lineno, found._locator = 1, Locator.from_function(locked, __file__)
+    with pytest.warns(NumbaWarning, match="dynamic globals"):
+        assert not found.check_cachable(Result())

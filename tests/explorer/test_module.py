@@ -8,8 +8,9 @@ import math
 import pytest
 
 from carom.core.jit import webassembly
-from carom.core.jit.compile import signature
+from carom.core.jit.compile import numba_signature, signature
 from carom.core.jit.kernel_hash import kernel_hash
+from carom.core.jit.lowering import LoweringError, linked_dispatcher, llvm_text
 from carom.explorer.build import MAX_BYTES
 from carom.explorer.module import ASSETS, description, engine_bytes, engine_layout, version
 
@@ -62,18 +63,22 @@ def test_the_hash_is_of_code_and_constants_and_not_of_comments(monkeypatch: pyte
 
 def test_code_that_numba_writes_otherwise_is_refused_in_a_sentence() -> None:
     export = webassembly.Export("entry", _entry_alone, signature(float, float))
-    name, text = webassembly._module_text(export)
-    made, needed = webassembly._object([export], [(name, text)])
+    made, needed = webassembly._object([export], [webassembly._text(export)])
     assert made[:4] == b"\0asm"
     assert needed == {"exp"}
-    with pytest.raises(
-        webassembly.WebAssemblyError, match=r"^make wasm: expected LLVM code as Numba .* arguments .* for "
-    ):
-        webassembly._object([export], [(name, text.replace("double %arg.x", "float %arg.x"))])
-    with pytest.raises(webassembly.WebAssemblyError, match=r"^make wasm: expected LLVM code as Numba .* no function "):
-        webassembly._object([export], [(name, text.replace(f"@{name}(", "@other("))])
+    name, text = llvm_text(linked_dispatcher(_entry_alone, numba_signature(export.signature)))
+    arguments = numba_signature(export.signature).args
+
+    def build(text: str) -> None:
+        webassembly._object([export], [webassembly._of_numbas_text(export, arguments, name, text)])
+
+    build(text)
+    with pytest.raises(LoweringError, match=r"^expected LLVM code as Numba .* arguments .* for "):
+        build(text.replace("double %arg.x", "float %arg.x"))
+    with pytest.raises(LoweringError, match=r"^expected LLVM code as Numba .* no function "):
+        build(text.replace(f"@{name}(", "@other("))
     with pytest.raises(webassembly.WebAssemblyError, match=r"^make wasm: expected LLVM code as Numba "):
-        webassembly._object([export], [(name, text.replace("ret i32 0", "return 0"))])
+        build(text.replace("ret i32 0", "return 0"))
 
 
 def _entry_alone(x: float) -> float:

@@ -13,8 +13,8 @@ from reference.scenes_of_all_laws import scene_of_all_laws
 from reference.sensitivity_differences import paths_of
 
 import carom
-from carom.core.jit.compile import limit_threads, thread_count
 from carom.core.jit.dual.numbers import LANES, seeded
+from carom.core.jit.threads import limit_threads, thread_count
 from carom.scene.paths import replaced
 from carom.simulation.sensitivity.compiled import follow_compiled
 from carom.simulation.sensitivity.interpreted import follow_interpreted

@@ -15,7 +15,7 @@ from typer.testing import CliRunner
 import carom
 from carom import plot, sweeps
 from carom.cli import app
-from carom.core.jit.compile import limit_threads, thread_count
+from carom.core.jit.threads import limit_threads, thread_count
 from carom.scene.paths import replaced
 from carom.simulation.records import BALL, FLOOR, PHASE, WALL
 

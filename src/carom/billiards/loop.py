@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from carom.billiards.intersections import next_hit, wall_normal
-from carom.billiards.lanes import CHUNK, LANES, STATE, T, U, V, W, X, Y, chunk_in_step, goes_in_step
+from carom.billiards.lanes import CHUNK, LANES, T, U, V, W, X, Y, chunk_in_step, goes_in_step
 from carom.billiards.table_records import (
     CORNER,
     DONE,
@@ -26,8 +26,8 @@ from carom.billiards.table_records import (
     WORLD,
 )  # fmt: skip
 from carom.core.contact import wall_contact
-from carom.core.jit.compile import array_of, njit, parallel_range, signature
-from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel
+from carom.core.jit.compile import array_of, njit, signature
+from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, prange
 from carom.laws.callbacks import call_user, register_calls
 from carom.laws.conventional import conventional_reflection
 from carom.laws.law import CONTACT_WALL, NO_SLIP_WALL, ROLLING_WALL
@@ -212,7 +212,6 @@ def _follow_in_step(world: Any, pieces: Any, memory: Any, until: int, s: Any) ->
 
 # What ``follow_many`` calls: replaced by the compiled function (a closure over it would not be cached).
 _follow: Any = follow
-_prange: Any = range
 
 
 @kernel
@@ -255,16 +254,16 @@ def follow_many(
     last: Any,
     ends: Any,
     memory: Any,
+    work: Any,
 ) -> None:
     """Follow every row of ``starts`` (N, 9) independently, if it has not ended, for at most ``share`` more bounces.
 
     LANES of them in step where that is possible and no bounces are kept (:mod:`carom.billiards.lanes`). The one WORLD is in an
-    array: a parallel loop takes no record.
+    array: a parallel loop takes no record. ``work`` (N / LANES, STATE), rounded up, is room for those in step.
     """
     in_step = rows.shape[1] == 0 and goes_in_step(worlds[0], pieces)
     blocks = (len(starts) + LANES - 1) // LANES
-    work = np.empty((blocks, STATE))
-    for block in _prange(blocks):
+    for block in prange(blocks):
         these = slice(block * LANES, min((block + 1) * LANES, len(starts)))
         first, own = these.start, ends[these]
         begin = own[0].bounces
@@ -293,30 +292,27 @@ def follow_many(
 def compiled_follow() -> Callable[..., Any]:
     """Return :func:`follow`, compiled or loaded from the cache."""
     global _follow  # noqa: PLW0603
-    register_calls()
     pieces, table, vec, row = array_of(PIECES), array_of(float, 2), (float, float, float), array_of(float)
     one = signature((int, int), WORLD, pieces, vec, vec, vec, int, int, table, array_of(np.dtype("i4")), row, row)
-    _follow = njit(follow, signature=one, _nrt=False)
+    _follow = njit(follow, one, (register_calls,), _nrt=False)
     return _follow  # type: ignore[no-any-return]
 
 
 @functools.cache
 def compiled_many() -> Callable[..., Any]:
     """Return :func:`follow_many` on all cores, compiled or loaded from the cache."""
-    global _prange  # noqa: PLW0603
     compiled_follow()
-    _prange = parallel_range()
     pieces, table, met = array_of(PIECES), array_of(float, 2), array_of(np.dtype("i4"), 2)
     many = signature(
-        None, array_of(WORLD), pieces, table, int, int, array_of(float, 3), met, table, array_of(ENDING), table
+        None, array_of(WORLD), pieces, table, int, int, array_of(float, 3), met, table, array_of(ENDING), table, table
     )
-    return njit(follow_many, signature=many, parallel=True)
+    return njit(follow_many, many, (register_calls,), parallel=True)
 
 
 def follow_one(worlds: Any, pieces: Any, starts: Any, bounces: int, share: int, *of_each: Any) -> None:
     """Do what :func:`follow_many` does, for one row of starts: its loop, which takes as long to compile, is not needed."""
     compiled_follow()
-    rows, met, last, ends, memory = of_each
+    rows, met, last, ends, memory, _work = of_each
     _follow_row(
         worlds[0], pieces, starts[0], bounces, share, rows[0], met[0], last[0], ends.view(np.recarray)[0], memory[0]
     )

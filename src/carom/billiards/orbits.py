@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.billiards.lanes import LANES, STATE
 from carom.billiards.loop import MEMORY, compiled_many, follow_one
 from carom.billiards.setup import OrbitSetup, Start, orbit_setup, start_rows
 from carom.billiards.table_records import DONE, ENDING, ENDS, POSITION, TIME
@@ -330,7 +331,7 @@ def _loop(
             more = pace.begin()
             advance(
                 setup.world, setup.pieces, rows[here], bounces, max(more // len(rows[here]), 1), kept[here], piece[here],
-                last[here], ends[here], memory[here],
+                last[here], ends[here], memory[here], np.empty((-(-len(rows[here]) // LANES), STATE)),
             )  # fmt: skip
             pace.done(more)
         if progress is not None:

@@ -16,8 +16,8 @@ from carom.billiards.intersections import next_hit, wall_normal
 from carom.billiards.loop import after_flight, after_impact, at_corner
 from carom.billiards.table_records import CORNER, DONE, ENDING, ESCAPED, GRAZED, PIECES, WORLD
 from carom.core.contact import LEAST, slip_velocity
-from carom.core.jit.compile import array_of, njit, parallel_range, signature
-from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel
+from carom.core.jit.compile import array_of, njit, signature
+from carom.core.jit.kernel import Vec, cross, dot, hot_kernel, kernel, prange
 from carom.laws.callbacks import register_calls
 from carom.laws.law import ROLLING_WALL
 
@@ -197,14 +197,13 @@ def orthonormalise(vectors: Any, sums: Any) -> None:
 
 
 _follow_tangents: Any = follow_tangents
-_prange: Any = range
 
 
 def follow_tangents_many(
     worlds: Any, pieces: Any, starts: Any, bounces: int, vectors: Any, sums: Any, every: int, last: Any, ends: Any
 ) -> None:
     """Apply :func:`follow_tangents` to every row of ``starts`` (N, 9), ``vectors`` (N, K, 9), ``sums`` (N, K) that goes on."""
-    for m in _prange(len(starts)):
+    for m in prange(len(starts)):
         if ends[m].reason != DONE:
             continue
         s = starts[m]
@@ -218,11 +217,10 @@ def follow_tangents_many(
 @functools.cache
 def compiled_tangent_loop() -> Any:
     """Compile :func:`follow_tangents_many`, or load it from the cache."""
-    global _follow_tangents, _prange  # noqa: PLW0603
-    register_calls()
+    global _follow_tangents  # noqa: PLW0603
+    needs = (register_calls,)
     pieces, row, table, vec = array_of(PIECES), array_of(float), array_of(float, 2), (float, float, float)
     one = signature((int, int, int), WORLD, pieces, vec, vec, vec, int, table, row, int, row)
-    _follow_tangents = njit(follow_tangents, signature=one, _nrt=False)
-    _prange = parallel_range()
+    _follow_tangents = njit(follow_tangents, one, needs, _nrt=False)
     many = signature(None, array_of(WORLD), pieces, table, int, array_of(float, 3), table, int, table, array_of(ENDING))
-    return njit(follow_tangents_many, signature=many, parallel=True)
+    return njit(follow_tangents_many, many, needs, parallel=True)

@@ -42,6 +42,7 @@ def doctor(as_json: Annotated[bool, shared("json")] = False) -> None:
         table.add_row(name, version)
     for name, about in found["optional"].items():
         table.add_row(name, about["version"] or f"not installed (extra {about['extra']})")
+    table.add_row("loops", found["loops"])
     cache = found["cache"]
     ready = "ready" if cache["engine_ready"] else "the event loop is compiled when it is first needed"
     state = f"{cache['megabytes']:.1f} MB, {ready}"
@@ -62,9 +63,11 @@ def report() -> dict[str, Any]:
     import carom
     from carom.core.jit.background import core_count
     from carom.core.jit.cache import cache_base
-    from carom.core.jit.compile import cache_folder, thread_count
+    from carom.core.jit.compile import cache_folder
     from carom.core.jit.cuda import why_no_gpu
     from carom.core.jit.generations import generations
+    from carom.core.jit.native import describe_loops
+    from carom.core.jit.threads import thread_count
     from carom.files import OPTIONAL
     from carom.simulation.compiled import compiled_before
 
@@ -79,6 +82,7 @@ def report() -> dict[str, Any]:
         "optional": {
             name: {"version": _version(name), "extra": extra} for name, (_prose, extra) in sorted(OPTIONAL.items())
         },
+        "loops": describe_loops(),
         "cache": {
             "folder": str(folder),
             "megabytes": sizes.get(folder, 0.0),

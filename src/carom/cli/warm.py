@@ -1,4 +1,4 @@
-"""``carom warm``: compile every loop in advance, in several processes, so that later runs start without delay."""
+"""``carom warm``: bring every loop to machine code in advance, in several processes, so that later runs start without delay."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ COMPILE_JOBS = (
     "carom.simulation.sensitivity.near_misses:compiled_least_gaps",
     f"{__name__}:draw_shots",
     f"{__name__}:follow_many_runs",
-    "carom.tracks.table_motion:_compiled",
+    f"{__name__}:draw_numbers",
 )
 MANY = 500  # rows, enough for the compiled loop to be used
 
@@ -57,7 +57,7 @@ def register(app: typer.Typer) -> None:
 def warm(
     workers: Annotated[int, typer.Option(min=0, help="Number of processes. Default: 0, one per core.")] = 0,
 ) -> None:
-    """Compile everything in advance. The compiled code is cached, so later runs only load it."""
+    """Bring all loops to this processor's machine code in advance. It is cached, so later runs only load it."""
     from carom.cli.console import err
     from carom.core.jit.compile import cache_folder
     from carom.errors import CaromError
@@ -153,6 +153,19 @@ def draw_shots() -> None:
     found.at(times)
     found.orientation(times)
     carom.simulate_many(scene, velocity=np.array([[[-1.0, 0.0, 0.0]], [[-2.0, 0.0, 0.0]]]))
+    carom.simulate_many(scene, position=np.array([[[1.0, 0.0, 0.03]], [[1.1, 0.0, 0.03]]]))
+
+
+def draw_numbers() -> None:
+    """Compile the random numbers of sweeps, and the motion on a table that fits of films follow."""
+    import numpy as np
+
+    from carom.sweeps.draws import normal_draws, uniform_draws
+    from carom.tracks.table_motion import slide_then_roll
+
+    uniform_draws(1, 1, 0, 2, 0.0, 1.0)
+    normal_draws(1, 1, 0, 2, 0.0, 1.0)
+    slide_then_roll(np.ones(2), np.ones(2), np.linspace(0.0, 1.0, 3), 2.0, 0.1, 2 / 7)
 
 
 def follow_many_runs() -> None:

@@ -24,6 +24,8 @@ __all__ = [
 ]  # fmt: skip
 
 UNDEFINED_DEVIANCE = 1e8  # of a row for which a law has no prediction
+# The caller of a law by its address, once there is one (carom.fitting.likelihood).
+call_law: Any = None
 RELATIVE_STEP = 1e-4  # of a numerical derivative, in the parameter's own size
 SPIN_WIDTH, SPIN_MEAN = INDEX["spin_width"], INDEX["spin_mean"]  # of the prior: the law does not depend on them
 
@@ -75,6 +77,10 @@ class Trial(NamedTuple):
 class Workspace(NamedTuple):
     """Scratch arrays of one thread."""
 
+    u: Any
+    """(k,) scores of one row."""
+    h: Any
+    """(k, k) its information."""
     asked: Any
     """(4 + 3 k, 3) predictions and their derivatives, as :func:`predict_with_derivatives` writes them."""
     s: Any
@@ -144,8 +150,17 @@ def predict_with_derivatives(
             )
             if inputs == 2:
                 at2 *= math.sqrt(at0 * at0 + at1 * at1) / speed
-            g = law(
-                rows.code, rows.form, rows.stages[i], (at0, at1, at2), rows.radius, trial.stepped_numbers[z], rows.known
+            g = call_law(
+                law,
+                (
+                    rows.code,
+                    rows.form,
+                    rows.stages[i],
+                    (at0, at1, at2),
+                    rows.radius,
+                    trial.stepped_numbers[z],
+                    rows.known,
+                ),
             )
             for n in range(3):
                 asked[item, n] = (g[n] - asked[0, n]) / step - trial.moved[z, i, 3 + n]
@@ -153,7 +168,9 @@ def predict_with_derivatives(
         was = trial.values[j] if j >= 0 else 0 * speed
         if j >= 0:
             trial.values[j] = was + step
-        g = law(rows.code, rows.form, rows.stages[i], (at0, at1, at2), rows.radius, trial.numbers[0], rows.known)
+        g = call_law(
+            law, (rows.code, rows.form, rows.stages[i], (at0, at1, at2), rows.radius, trial.numbers[0], rows.known)
+        )
         if j >= 0:
             trial.values[j] = was
         for n in range(3):

@@ -1,6 +1,6 @@
 """Likelihood of all rebounds under a law: deviances, scores and information; compiled, on all cores.
 
-The laws are compiled separately and passed to the loops as functions, so that one loop serves balls in the air and on tables. Rows
+The laws are compiled separately and called by their addresses, so that one loop serves balls in the air and on tables. Rows
 are split into the same parts whatever the number of cores, and summed in order: results are bitwise identical.
 """
 
@@ -15,10 +15,12 @@ from typing import TYPE_CHECKING, Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.jit.compile import array_of, function_type, named_tuple_type, njit, signature
+from carom.core.jit.compile import array_of, named_tuple_type, njit, signature
 from carom.core.jit.kernel import kernel
+from carom.core.jit.pointers import caller_of, compiled_address
 from carom.core.jit.slices import block_slices
 from carom.core.jit.threads import call_in_threads
+from carom.fitting import deviance as row_deviances
 from carom.fitting.deviance import RELATIVE_STEP, RowData, Trial, Workspace, row_deviance
 from carom.fitting.parameters import LAW_NUMBERS, NUMBERS
 from carom.fitting.spin_marginal import row_deviance_over_spins
@@ -38,6 +40,9 @@ PARTS = 8
 SHARED_STEP = 0.03  # of an error bar: the step of a derivative in a shared error
 MOST_TABLES = 16  # of a tabulated law, kept at once: each takes a megabyte
 SERIAL_WORK = 4000  # law evaluations up to which one core is faster
+
+# The caller of a law by its address, once there is one.
+_call_law: Any = None
 
 
 class TabulatedLaw(Protocol):
@@ -109,7 +114,7 @@ def _evaluate_rows(
     first, last = part
     deviance, chi2, u, h = out
     k, one, shared = trial.free.shape[0], min(weights.shape[0] - 1, 1), moves.shape[0]
-    ui, hi = np.zeros(k), np.zeros((k, k))
+    ui, hi = work.u, work.h
     for b in range(p.shape[0]):
         for j in range(p.shape[1]):
             trial.values[j] = p[b, j]
@@ -145,19 +150,40 @@ def _predict_rows(law: Any, rows: Any, x: Any, numbers: Any, out: Any) -> None:
     """Compute the law's prediction for each row: x (N, 3), numbers (N or 1,) records, out (N, 3)."""
     one = min(numbers.shape[0] - 1, 1)
     for i in range(x.shape[0]):
-        f = law(
-            rows.code, rows.form, rows.stages[i], (x[i, 0], x[i, 1], x[i, 2]), rows.radius, numbers[i * one], rows.known
+        f = _call_law(
+            law,
+            (
+                rows.code,
+                rows.form,
+                rows.stages[i],
+                (x[i, 0], x[i, 1], x[i, 2]),
+                rows.radius,
+                numbers[i * one],
+                rows.known,
+            ),
         )
         out[i, 0], out[i, 1], out[i, 2] = f[0], f[1], f[2]
 
 
 @functools.cache
-def _law(kind: Kind) -> Any:
+def _declare_calls() -> None:
+    """Tell the compiler how the laws are called."""
+    global _call_law  # noqa: PLW0603
+    _call_law = row_deviances.call_law = caller_of(*_types()["law"])
+
+
+@functools.cache
+def _compiled_law(kind: Kind) -> Callable[..., Any]:
     """Return the laws of a kind, compiled."""
     from carom.fitting.kernels import planar_law, table_law
 
-    register_calls()
-    return njit(planar_law if kind == "planar" else table_law, _types()["law"].signature, nogil=True)
+    law = planar_law if kind == "planar" else table_law
+    return njit(law, signature(*_types()["law"]), (register_calls,), nogil=True)
+
+
+def _law(kind: Kind) -> int:
+    """Return the address of the laws of a kind, valid while the process lives."""
+    return compiled_address(_compiled_law(kind))
 
 
 @functools.cache
@@ -167,7 +193,7 @@ def _types() -> Any:
         array_of(*x) for x in ((float, 1), (float, 2), (float, 3), (int, 1), (LAW_NUMBERS, 1))
     )
     vector = (float, float, float)
-    law = function_type(vector, int, int, int, vector, float, LAW_NUMBERS, one)
+    law = (vector, int, int, int, vector, float, LAW_NUMBERS, one)
     grid = named_tuple_type(SpinGrid, one, bool)
 
     def rows(spins: Any) -> Any:
@@ -175,26 +201,26 @@ def _types() -> Any:
 
     trial = named_tuple_type(Trial, one, numbers, indices, one, three, two, numbers)
     work = named_tuple_type(
-        Workspace, two, two, two, two, two, one, two, one, two, array_of(INTERVAL), two, two, two, two, one, two, two
-    )
+        Workspace, one, two, two, two, two, two, two, one, two, one, two, array_of(INTERVAL), two, two, two, two, one, two, two,
+    )  # fmt: skip
     bounds, part, out = (one, one), (int, int), (two, two, two, three)
     looks = {
-        averaged: signature(None, law, rows(kind), kind, (two, two), two, two, trial, bounds, two, part, out, work)
+        averaged: signature(None, int, rows(kind), kind, (two, two), two, two, trial, bounds, two, part, out, work)
         for averaged, kind in ((False, None), (True, grid))
     }
-    says = signature(None, law, rows(None), two, numbers, two)
+    says = signature(None, int, rows(None), two, numbers, two)
     return {"law": law, "evaluate": looks, "predict": says}
 
 
 @functools.cache
 def _evaluating(averaged: bool) -> Callable[..., None]:
     """Return :func:`_evaluate_rows`, compiled, for rows with or without unmeasured spins."""
-    return njit(_evaluate_rows, _types()["evaluate"][averaged], nogil=True)
+    return njit(_evaluate_rows, _types()["evaluate"][averaged], (_declare_calls,), nogil=True)
 
 
 @functools.cache
 def _predicting() -> Callable[..., None]:
-    return njit(_predict_rows, _types()["predict"], nogil=True)
+    return njit(_predict_rows, _types()["predict"], (_declare_calls,), nogil=True)
 
 
 def compile_likelihood() -> None:
@@ -222,9 +248,9 @@ def make_workspace(k: int, points: int) -> Workspace:
         return np.zeros(shape)
 
     return Workspace(
-        zeros(4 + 3 * k, 3), zeros(3, 3), zeros(3, 3), zeros(3, 3), zeros(2, 3), zeros(3), zeros(2, 3), zeros(4 * points),
-        zeros(4 * points, 3), np.zeros(5 * points, INTERVAL), zeros(k, 3), zeros(k, 3), zeros(k, 3), zeros(k, 3), zeros(k),
-        zeros(k, k), zeros(k, k),
+        zeros(k), zeros(k, k), zeros(4 + 3 * k, 3), zeros(3, 3), zeros(3, 3), zeros(3, 3), zeros(2, 3), zeros(3),
+        zeros(2, 3), zeros(4 * points), zeros(4 * points, 3), np.zeros(5 * points, INTERVAL), zeros(k, 3), zeros(k, 3),
+        zeros(k, 3), zeros(k, 3), zeros(k), zeros(k, k), zeros(k, k),
     )  # fmt: skip
 
 

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.core.jit.compile import thread_count
+from carom.core.jit.threads import thread_count
 from carom.errors import CaromError, FaultList, require_type
 from carom.gas import histograms, initial, overlaps
 from carom.gas.edmd import driver

@@ -68,7 +68,8 @@ def add_pair_histograms(
     # sorted by cell
     rows, kinds, here = np.ascontiguousarray(x[order].T), kind[order].astype(np.int64), np.argsort(order)[chosen]
     compiled_loops().pairs(
-        rows, kinds, here, place[chosen], radius, side, periodic, n, first, reach * reach, width, pairs
+        rows, kinds, here, place[chosen], radius, side, periodic, n, first, reach * reach, width, pairs,
+        np.zeros(3, np.int64), np.zeros(3, np.int64),
     )  # fmt: skip
 
 
@@ -126,10 +127,10 @@ def _nearest_image(r: float, side: float, periodic: bool) -> float:
 
 def _pair_histogram(
     x: Any, kind: Any, chosen: Any, place: Any, radius: Any, side: Any, periodic: Any, n: Any, first: Any, reach2: float,
-    width: float, pairs: Any,
+    width: float, pairs: Any, low: Any, high: Any,
 ) -> None:  # fmt: skip
+    """Count pairs; ``low`` and ``high`` (3,) are room for the cells around one."""
     bins = pairs.shape[2]
-    low, high = np.zeros(3, np.int64), np.zeros(3, np.int64)
     for k in range(chosen.shape[0]):
         i = chosen[k]
         for axis in range(3):

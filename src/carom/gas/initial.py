@@ -218,7 +218,18 @@ def scattered(
         gap = free if thick else np.where(free >= 0, math.inf, -1.0)
         for some in row_slices(len(batch)):
             placed = compiled_loops()(
-                x, radii[order], placed, batch[some], gap[some], size, around, cells, first, after, axes
+                x,
+                radii[order],
+                placed,
+                batch[some],
+                gap[some],
+                size,
+                around,
+                cells,
+                first,
+                after,
+                axes,
+                np.zeros(3, np.int64),
             )
     found = np.zeros_like(x)
     found[order] = x
@@ -235,10 +246,12 @@ def compiled_loops() -> Callable[..., int]:
 
 def _scatter(
     x: Any, radii: Any, placed: int, batch: Any, gap: Any, size: Any, around: Any, cells: Any, first: Any, after: Any,
-    axes: int,
+    axes: int, place: Any,
 ) -> int:  # fmt: skip
-    """Place as many balls as possible at a batch of positions with these distances from the walls; return how many are placed."""
-    place = np.zeros(3, np.int64)
+    """Place as many balls as possible at a batch of positions with these distances from the walls; return how many are placed.
+
+    ``place`` (3,) is room for a cell's numbers.
+    """
     for k in range(batch.shape[0]):
         if placed == x.shape[0]:
             break

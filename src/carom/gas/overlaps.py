@@ -25,14 +25,15 @@ def first_overlap(one: Any, radius: Array, x: Array, touch: float) -> tuple[int,
     """
     n, side, periodic = one["cells"], one["side"], one["periodic"] == 1
     first, after = np.full(int(n.prod()), NONE, np.uint32), np.empty(len(x), np.uint32)
+    place = np.zeros(3, np.int64)
     for rows in row_slices(len(x)):
         _, enter = compiled_loops()
-        enter(x, rows.start, rows.stop, n, side, periodic, first, after)
+        enter(x, rows.start, rows.stop, n, side, periodic, first, after, place)
     touch = float(touch)  # (an int, or an array of no axes, would have the search compiled again)
     for rows in row_slices(len(x)):
         search, _ = compiled_loops()
         # (the first ball has the pair that is asked for: its partner is the least)
-        i, j = search(x, radius, rows.start, rows.stop, n, side, periodic, first, after, touch)
+        i, j = search(x, radius, rows.start, rows.stop, n, side, periodic, first, after, touch, place)
         if i >= 0:
             return int(i), int(j)
     return None
@@ -62,9 +63,8 @@ def neighbour_cell(place: Any, step: int, n: Any, periodic: Any, axes: int) -> i
     return cell
 
 
-def _enter(x: Any, start: int, stop: int, n: Any, side: Any, periodic: Any, first: Any, after: Any) -> None:
-    """Put balls ``start`` to ``stop`` at the heads of their cells' chains."""
-    place = np.zeros(3, np.int64)
+def _enter(x: Any, start: int, stop: int, n: Any, side: Any, periodic: Any, first: Any, after: Any, place: Any) -> None:
+    """Put balls ``start`` to ``stop`` at the heads of their cells' chains; ``place`` (3,) is room for a cell's numbers."""
     for i in range(start, stop):
         for axis in range(3):
             r = x[i, axis] % side[axis] if periodic[axis] else x[i, axis]
@@ -75,10 +75,10 @@ def _enter(x: Any, start: int, stop: int, n: Any, side: Any, periodic: Any, firs
 
 
 def _search(
-    x: Any, radius: Any, start: int, stop: int, n: Any, side: Any, periodic: Any, first: Any, after: Any, touch: float
-) -> tuple[int, int]:
+    x: Any, radius: Any, start: int, stop: int, n: Any, side: Any, periodic: Any, first: Any, after: Any, touch: float,
+    place: Any,
+) -> tuple[int, int]:  # fmt: skip
     """Return the first of the balls ``start`` to ``stop`` that overlaps a later one, and the first of those; or (-1, -1)."""
-    place = np.zeros(3, np.int64)
     for i in range(start, stop):
         for axis in range(3):
             r = x[i, axis] % side[axis] if periodic[axis] else x[i, axis]

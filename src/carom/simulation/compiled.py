@@ -7,10 +7,10 @@ import functools
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-from carom.core.geometry.circles import rim_hit
+from carom.core.geometry.circles import rim_entry, rim_hit
 from carom.core.geometry.features import FEATURES, RIM
 from carom.core.jit.background import compile_in_background
-from carom.core.jit.compile import array_of, cache_folder, njit, signature
+from carom.core.jit.compile import array_of, is_cached, njit, signature
 from carom.laws.callbacks import register_calls
 from carom.scene.scene import Scene
 from carom.simulation.loop import finish, run
@@ -46,13 +46,12 @@ ENGINE_RUN = (
 @functools.cache
 def compiled_engine() -> Engine:
     """Return the compiled event loop; from the second time on it is loaded from the cache."""
-    register_calls()
-    register_joint_impact()
+    needs = (register_calls, register_joint_impact)
     with contextlib.nullcontext() if compiled_before() else compile_in_background(PART):
         # (nothing is made in the loop: no counting of who holds an array)
         return Engine(
-            njit(_one_run, signature=signature(*ENGINE_RUN), _nrt=False),
-            njit(_one_end, signature=signature(*ENGINE_END), _nrt=False),
+            njit(_one_run, signature(*ENGINE_RUN), needs, _nrt=False),
+            njit(_one_end, signature(*ENGINE_END), needs, _nrt=False),
         )
 
 
@@ -76,10 +75,9 @@ def _has_rims(scene: Scene) -> bool:
 
 
 def compiled_before(scene: Scene | None = None) -> bool:
-    """Return whether the compiled loop is in the cache (what is compiled last is), and rims, if the scene has any."""
+    """Return whether the compiled loop is at hand (what is compiled last is), and rims, if the scene has any."""
     rims = scene is not None and _has_rims(scene)
-    wanted = ["compiled._one_end", "circles.rim_entry"] if rims else ["compiled._one_end"]
-    return all(any(cache_folder().glob(f"*/{name}-*.nbi")) for name in wanted)
+    return is_cached(_one_end) and (not rims or is_cached(rim_entry))
 
 
 # Entries, and nothing else: what is called from Python is compiled with other flags, and so would be all that it calls, which

@@ -11,14 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.geometry.features import FEATURES
-from carom.core.jit.compile import array_of, njit, parallel_range, signature
-from carom.core.jit.cuda import CudaLoop, grid_range
-from carom.core.jit.kernel import kernel, vector
+from carom.core.jit.compile import array_of, njit, signature
+from carom.core.jit.cuda import CudaLoop
+from carom.core.jit.kernel import kernel, prange, vector
 from carom.core.motion.phases import PHASES
 from carom.simulation.compiled import compiled_engine, plain_engine
 from carom.simulation.contacts.contact import DONE
 from carom.simulation.event_rows import PHASES_FROM, rows_of_an_event
-from carom.simulation.loop import LIMIT, QUIET, finish, run
+from carom.simulation.loop import LIMIT, QUIET
 from carom.simulation.predict import write_vector
 from carom.simulation.records import BALLS, LOG, PHASE, WORLD
 
@@ -83,9 +83,9 @@ LOOP = (
 )  # fmt: skip
 
 # The compiled functions, once there are any (a closure over them would not be cached).
-_run: Any = run
-_finish: Any = finish
-_prange: Any = range
+_run: Any
+_finish: Any
+_run, _finish = plain_engine()
 
 
 def _many(
@@ -99,7 +99,7 @@ def _many(
     while its status is LIMIT, with fewer than ``most`` events.
     """
     total, parts = balls.shape[0], logs.shape[0]
-    for part in _prange(parts):
+    for part in prange(parts):
         log = logs[part]
         for n in range(part, total, parts):  # (neighbours cost about the same: every part has its share of them)
             here = n if worlds.shape[0] > 1 else 0
@@ -125,14 +125,13 @@ def _many(
 @functools.cache
 def compiled_many() -> Callable[..., None]:
     """Return the compiled loop, which uses all cores."""
-    global _run, _finish, _prange  # noqa: PLW0603
+    global _run, _finish
     _run, _finish = compiled_engine()
-    _prange = parallel_range()
-    return njit(_many, signature=signature(*LOOP), parallel=True)
+    return njit(_many, signature(*LOOP), parallel=True)
 
 
 @functools.cache
 def many_on_gpu() -> CudaLoop:
     """Return the loop for a GPU: a thread for every part of the runs."""
     one_run, one_end = plain_engine()
-    return CudaLoop(_many, {"_run": one_run, "_finish": one_end, "_prange": grid_range})
+    return CudaLoop(_many, {"_run": one_run, "_finish": one_end})

@@ -11,7 +11,7 @@ from collections.abc import Callable
 from typing import Any
 
 from carom.core.jit.background import wait_for
-from carom.core.jit.compile import call_compiled, njit, numba_type
+from carom.core.jit.compile import call_compiled, njit, signature
 from carom.core.jit.kernel import ON_GPU, Vec
 from carom.laws.two_step import first_impact_and_way
 
@@ -37,7 +37,8 @@ def compiled_joint_impact() -> Callable[..., Any]:
     """:func:`joint_impact` compiled; from the second time on, loaded."""
     wait_for(PART)
     vector = (float, float, float)
-    return njit(joint_impact, signature=tuple(map(numba_type, [*[vector] * 3, *[float] * 8, bool])), _nrt=False)
+    found = (vector, vector, vector, vector, float, int, int)
+    return njit(joint_impact, signature(found, *[vector] * 3, *[float] * 8, bool), _nrt=False)
 
 
 @functools.cache

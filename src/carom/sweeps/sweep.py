@@ -437,7 +437,7 @@ def write_block(place: str, identity: str, own_laws: bool, block: int) -> int:
     """Compute a block and write it to the store at ``place``; return its number. (What a worker does, with all of its threads.)"""
     from distributed import get_worker
 
-    from carom.core.jit.compile import limit_threads
+    from carom.core.jit.threads import limit_threads
 
     with _turns:
         limit_threads(get_worker().state.nthreads)

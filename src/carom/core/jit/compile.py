@@ -8,6 +8,8 @@ Signatures are written with Python's own types (:func:`signature`), so that a mo
 Numba::
 
     loop = njit(follow, signature=signature((int, int), array_of(WORLD), array_of(float, 2), float), _nrt=False)
+
+Loops that lie ready in the package (:mod:`carom.core.jit.native`) are taken from there: Numba is then not even imported.
 """
 
 from __future__ import annotations
@@ -15,7 +17,8 @@ from __future__ import annotations
 import functools
 import inspect
 import os
-from collections.abc import Callable, Iterator
+import sys
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any, NamedTuple
 
@@ -23,14 +26,16 @@ import numpy as np
 
 from carom.core.jit.cache import cache_folder, source_hash
 from carom.core.jit.kernel import DERIVED, HOT, KERNELS, PLAIN
+from carom.core.jit.native import LoopSource, is_shipped, shipped_loop
 from carom.core.jit.progress import listen
 from carom.core.jit.shared_cache import LOCATOR, compile_in_one_process
+from carom.core.jit.threads import thread_count
 from carom.errors import CaromError
 
 __all__ = [
-    "ArrayOf", "array_of", "cache_folder", "call_compiled", "cfunc", "compiler_is_off", "compiling_failed",
-    "function_type", "is_cached", "limit_threads", "named_tuple_type", "njit", "numba_type", "parallel_range",
-    "plain_numbers", "signature", "source_hash", "thread_count",
+    "ArrayOf", "Signature", "array_of", "cache_folder", "call_compiled", "cfunc", "compiler_is_off", "compiling_failed",
+    "is_cached", "named_tuple_type", "njit", "numba_signature", "numba_type", "plain_numbers", "signature",
+    "source_hash",
 ]  # fmt: skip
 
 _registered: set[Callable[..., Any]] = set()
@@ -109,6 +114,25 @@ class ArrayOf(NamedTuple):
     axes: int = 1
 
 
+class NamedTupleOf(NamedTuple):
+    """A NamedTuple of a class, with items as described."""
+
+    kind: type
+    items: tuple[Any, ...]
+
+
+def named_tuple_type(kind: type, *items: Any) -> NamedTupleOf:
+    """Describe a NamedTuple with items as described, for :func:`signature`."""
+    return NamedTupleOf(kind, items)
+
+
+class Signature(NamedTuple):
+    """What a function returns and takes, each described as for :func:`numba_type`."""
+
+    returns: Any
+    arguments: tuple[Any, ...]
+
+
 def array_of(item: Any, axes: int = 1) -> ArrayOf:
     """Describe a C-contiguous array for :func:`signature`: ``item`` is float, int, bool, or a NumPy dtype (of records, too)."""
     return ArrayOf(item, axes)
@@ -125,6 +149,8 @@ def numba_type(described: Any) -> Any:
     plain = {float: types.float64, int: types.int64, bool: types.boolean, None: types.none}
     if isinstance(described, ArrayOf):
         return types.Array(numba_type(described.item), described.axes, "C")
+    if isinstance(described, NamedTupleOf):
+        return types.NamedTuple(tuple(numba_type(one) for one in described.items), described.kind)
     if isinstance(described, np.dtype):
         return from_dtype(described)
     if isinstance(described, tuple):
@@ -132,44 +158,16 @@ def numba_type(described: Any) -> Any:
     return plain[described] if described in (float, int, bool, None) else described
 
 
-def signature(returns: Any, *arguments: Any) -> Any:
-    """Return Numba's signature of a function, each type described as for :func:`numba_type`."""
-    return numba_type(returns)(*(numba_type(one) for one in arguments))
+def signature(returns: Any, *arguments: Any) -> Signature:
+    """Describe a function, each type as for :func:`numba_type`."""
+    return Signature(returns, arguments)
 
 
-def function_type(returns: Any, *arguments: Any) -> Any:
-    """Return the type of a compiled function that is passed as an argument (its ``.signature`` compiles such a function)."""
-    from numba import types
-
-    return types.FunctionType(signature(returns, *arguments))
-
-
-def named_tuple_type(kind: type, *items: Any) -> Any:
-    """Return the type of a NamedTuple with items as described."""
-    from numba import types
-
-    return types.NamedTuple(tuple(numba_type(one) for one in items), kind)
-
-
-def parallel_range() -> Any:
-    """Return Numba's ``prange``: assign it to the global that a loop uses in place of ``range`` before the loop is compiled."""
-    import numba
-
-    return numba.prange
-
-
-def thread_count() -> int:
-    """Return how many threads a parallel loop uses."""
-    import numba
-
-    return int(numba.get_num_threads())
-
-
-def limit_threads(count: int) -> None:
-    """Let the parallel loops that this thread calls use at most so many threads."""
-    import numba
-
-    numba.set_num_threads(max(min(count, numba.config.NUMBA_NUM_THREADS), 1))
+def numba_signature(described: Any) -> Any:
+    """Return Numba's signature of a function for its description; a signature of Numba's is returned as it is."""
+    if isinstance(described, Signature):
+        return numba_type(described.returns)(*map(numba_type, described.arguments))
+    return described
 
 
 def call_compiled(function: Callable[..., Any], provide: Callable[[], Callable[..., Any]]) -> None:
@@ -206,7 +204,9 @@ def plain_numbers(*kinds: Any) -> bool:
 
 
 def is_cached(function: Callable[..., Any]) -> bool:
-    """Return whether the compiled code of a loop lies in the cache, for some signature."""
+    """Return whether the compiled code of a loop lies in the package or in the cache, for some signature."""
+    if is_shipped(function):
+        return True
     name = f"{function.__module__.rpartition('.')[2]}.{function.__qualname__}"
     try:
         return any(cache_folder().glob(f"*/{name}-*.nbi"))
@@ -223,6 +223,8 @@ def compiling_failed() -> type[Exception]:
 
 def compiler_is_off() -> bool:
     """Return whether Numba was told to compile nothing."""
+    if "numba" not in sys.modules:  # (its import takes half a second)
+        return os.environ.get("NUMBA_DISABLE_JIT", "0").strip() not in ("", "0")
     import numba
 
     return bool(numba.config.DISABLE_JIT)
@@ -238,36 +240,62 @@ def _require_compiler() -> None:
         )
 
 
-def njit(function: Callable[..., Any], signature: Any = None, **options: Any) -> Callable[..., Any]:
-    """Compile a loop over kernels; fastmath stays off, so that it gives the same bits as Python.
+def njit(
+    function: Callable[..., Any],
+    signature: Signature | None = None,
+    needs: Sequence[Callable[[], Any]] = (),
+    **options: Any,
+) -> Callable[..., Any]:
+    """Return a loop over kernels as machine code, with the same bits as Python: shipped with the package, or compiled here.
 
-    With a signature it is compiled, or loaded, at once and for nothing else. CaromError where Numba was told to compile nothing.
+    With a signature it is compiled, or loaded, at once and for nothing else. ``needs`` are called before anything is compiled.
+    CaromError where Numba was told to compile nothing.
     """
+    _require_compiler()
+    compile_here = functools.partial(_compile, function, signature, needs, options)
+    return shipped_loop(LoopSource(function, signature, needs, options, compile_here)) or compile_here()
+
+
+def _compile(
+    function: Callable[..., Any], signature: Signature | None, needs: Sequence[Callable[[], Any]], options: dict[str, Any]
+) -> Any:  # fmt: skip
+    """Return Numba's dispatcher of a loop; fastmath stays off, so that it gives the same bits as Python."""
     import numba
 
-    _require_compiler()
+    for prepare in needs:
+        prepare()
     register_kernels()
     listen()
     options = {"error_model": "numpy", "cache": True, **options}
     if options.get("parallel"):
         function.__globals__["prange"] = numba.prange
+        numba.set_num_threads(thread_count())
     with _numba_cache():
         compiled = numba.njit(**options)(function)
         if options["cache"]:
             compile_in_one_process(compiled, cache_folder())
         if signature is not None:
-            compiled.compile(signature)
+            compiled.compile(numba_signature(signature))
             compiled.disable_compile()
-    return compiled  # type: ignore[no-any-return]
+    return compiled
 
 
-def cfunc(function: Callable[..., Any], numbers: int, keep: bool = False, places: int = 1) -> Any:
-    """Compile a function of so many floats and of so many places of floats, for calls by its address; ``keep`` it."""
-    import numba
-    from numba import types
-
+def cfunc(
+    function: Callable[..., Any], numbers: int, keep: bool = False, places: int = 1, needs: Sequence[Callable[[], Any]] = ()
+) -> Any:  # fmt: skip
+    """Return a function of so many floats and of so many places of floats, with its ``address``; ``keep`` what is compiled."""
     _require_compiler()
-    register_kernels()
-    signature = types.void(*[types.float64] * numbers, *[types.CPointer(types.float64)] * places)
-    with _numba_cache():
-        return numba.cfunc(signature, error_model="numpy", cache=keep)(function)
+
+    def compile_here() -> Any:
+        import numba
+        from numba import types
+
+        for prepare in needs:
+            prepare()
+        register_kernels()
+        signature = types.void(*[types.float64] * numbers, *[types.CPointer(types.float64)] * places)
+        with _numba_cache():
+            return numba.cfunc(signature, error_model="numpy", cache=keep)(function)
+
+    source = LoopSource(function, None, needs, {}, compile_here, (numbers, places))
+    return (shipped_loop(source) if keep else None) or compile_here()

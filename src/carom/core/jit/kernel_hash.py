@@ -10,27 +10,32 @@ import functools
 import hashlib
 import inspect
 import types
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-__all__ = ["kernel_hash"]
+__all__ = ["kernel_hash", "module_hash", "name_with_values"]
 
 # What does not change the results: annotations and decorators (every kernel is made the same way), and what only some versions
 # of Python have.
 LEFT_OUT = {"annotation", "returns", "decorator_list", "type_comment", "type_params", "kind", "ctx"}
 
 
-def kernel_hash(functions: Iterable[Callable[..., Any]], *more: str) -> str:
+def kernel_hash(
+    functions: Iterable[Callable[..., Any]],
+    *more: str,
+    instead: Mapping[Callable[..., Any], Callable[..., Any]] | None = None,
+) -> str:
     """Return 16 hexadecimal digits: of the code and the constants of functions, and of further texts.
 
     Followed are functions of carom and their global numbers, tuples and arrays; of other modules' functions the names count.
+    ``instead``: functions in whose place others may be compiled, which are followed as well.
     """
     found: dict[str, str] = {}
     for function in functions:
-        _collect(function, found)
+        _collect(function, found, instead or {})
     digest = hashlib.sha256()
     for name in sorted(found):
         digest.update(f"{name} {found[name]}\n".encode())
@@ -39,13 +44,18 @@ def kernel_hash(functions: Iterable[Callable[..., Any]], *more: str) -> str:
     return digest.hexdigest()[:16]
 
 
-def _collect(function: Any, found: dict[str, str]) -> None:
-    name = f"{function.__module__}:{function.__qualname__}"
+def name_with_values(function: Callable[..., Any]) -> str:
+    """Return a function's name with its module, and with the names of what it holds from the function that made it."""
     held = inspect.getclosurevars(function).nonlocals if function.__closure__ else {}
-    name += "".join(
+    return f"{function.__module__}:{function.__qualname__}" + "".join(
         f" {key}={getattr(value, '__module__', '')}.{getattr(value, '__qualname__', value)}"
         for key, value in sorted(held.items())
     )
+
+
+def _collect(function: Any, found: dict[str, str], instead: Mapping[Callable[..., Any], Callable[..., Any]]) -> None:
+    held = inspect.getclosurevars(function).nonlocals if function.__closure__ else {}
+    name = name_with_values(function)
     if name in found:
         return
     node = _definitions(function.__code__.co_filename)[function.__code__.co_firstlineno]
@@ -56,15 +66,35 @@ def _collect(function: Any, found: dict[str, str]) -> None:
         value = held.get(key, function.__globals__.get(key))
         if isinstance(value, functools._lru_cache_wrapper):
             value = value.__wrapped__
+        value = getattr(value, "py_func", value)  # (of what was compiled)
         if isinstance(value, types.FunctionType):
-            if value.__module__.startswith("carom."):
-                _collect(value, found)
+            for one in (value, instead.get(value)):
+                if one is not None and one.__module__.startswith("carom."):
+                    _collect(one, found, instead)
         elif isinstance(value, np.ndarray):
             found[f"{function.__module__}.{key}"] = (
                 f"{value.dtype} {value.shape} {hashlib.sha256(value.tobytes()).hexdigest()}"
             )
         elif isinstance(value, (int, float, str, tuple)):
             found[f"{function.__module__}.{key}"] = repr(value)
+
+
+def module_hash(paths: Iterable[Path]) -> str:
+    """Return 16 hexadecimal digits: of what modules do, whatever their comments, docstrings and annotations are."""
+    digest = hashlib.sha256()
+    for path in paths:
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        for node in ast.walk(tree):
+            body = getattr(node, "body", None)
+            if (
+                isinstance(body, list)
+                and body
+                and isinstance(body[0], ast.Expr)
+                and isinstance(body[0].value, ast.Constant)
+            ):
+                body[0].value.value = None
+        digest.update(f"{path.name} {_shape(tree)}".encode())
+    return digest.hexdigest()[:16]
 
 
 @functools.cache

@@ -11,6 +11,8 @@ import functools
 from collections.abc import Callable
 from typing import Any
 
+from carom.core.jit.native import NativeLoop
+
 __all__ = ["Answer", "address_of", "answer_at", "caller_of", "compiled_address", "python_address", "register_answers"]
 
 Answer = tuple[float, float, float, float, float, float]
@@ -28,7 +30,7 @@ def answer_at(address: int, numbers: tuple[float, ...]) -> Answer:
 def address_of(entry: Callable[..., None], numbers: int, keep: bool = False) -> int:
     """Compile a function of so many numbers and of an array to write to; return its address, valid while the process lives.
 
-    ``keep``: cache the compiled code.
+    ``keep``: it is shipped with the package, or else what is compiled is cached.
     """
     from carom.core.jit.compile import cfunc
 
@@ -96,6 +98,11 @@ def register_answers() -> None:
 
 def compiled_address(compiled: Any) -> int:
     """Return the address of a function that is compiled for one signature (:func:`carom.core.jit.compile.njit`)."""
+    if isinstance(compiled, NativeLoop):
+        address = compiled.numba_address
+        if address is not None:
+            return address
+        compiled = compiled.numbas()
     (found,) = compiled.overloads.values()
     return int(found.library.get_pointer_to_function(found.fndesc.llvm_func_name))
 
@@ -110,9 +117,9 @@ def caller_of(returns: Any, *arguments: Any) -> Any:
     from numba.core import cgutils
     from numba.extending import intrinsic
 
-    from carom.core.jit.compile import signature
+    from carom.core.jit.compile import numba_signature, signature
 
-    kind = signature(returns, *arguments)
+    kind = numba_signature(signature(returns, *arguments))
 
     @intrinsic  # type: ignore[untyped-decorator]
     def call(_context: Any, address: Any, given: Any) -> Any:

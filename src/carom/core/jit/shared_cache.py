@@ -25,17 +25,20 @@ LOCATOR = f"{__name__}.Locator"
 class Locator:
     """Where Numba keeps the compiled code of carom's functions (see ``NUMBA_CACHE_LOCATOR_CLASSES`` in Numba's manual)."""
 
-    def __init__(self, module: str) -> None:
+    def __init__(self, module: str, source_file: str = "") -> None:
         self._module = module
+        self._py_file = (
+            source_file  # (which Numba names where it warns that a function cannot be cached, as with NUMBA_OPT=0)
+        )
 
     @classmethod
-    def from_function(cls, function: Callable[..., Any], _source_file: str) -> Any:
+    def from_function(cls, function: Callable[..., Any], source_file: str) -> Any:
         """Return a locator for a function of carom's; for any other, Numba's own in the same folder."""
         if function.__module__.startswith("carom."):
-            return cls(function.__module__)
+            return cls(function.__module__, source_file)
         from numba.core.caching import UserProvidedCacheLocator
 
-        return UserProvidedCacheLocator.from_function(function, _source_file)
+        return UserProvidedCacheLocator.from_function(function, source_file)
 
     def get_cache_path(self) -> str:
         """Return the folder, one for each package."""

@@ -1,38 +1,63 @@
-"""Threads for compiled loops that leave Python's lock (``nogil``): one pool for all of them."""
+"""Threads for compiled loops that leave Python's lock (``nogil``): how many, and pools for all of them."""
 
 from __future__ import annotations
 
 import functools
 import os
+import sys
 import threading
 from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from typing import TypeVar
 
-from carom.core.jit.compile import thread_count
+from carom.core.jit.background import core_count
 
-__all__ = ["call_in_threads"]
+__all__ = ["call_in_parts", "call_in_threads", "limit_threads", "thread_count"]
 
 Part = TypeVar("Part")
 Answer = TypeVar("Answer")
+_limits = threading.local()
 
 
 @functools.cache
-def _pool() -> ThreadPoolExecutor:
-    return ThreadPoolExecutor(thread_count(), thread_name_prefix="carom")
+def _most_threads() -> int:
+    """Return the number of threads that were asked for by NUMBA_NUM_THREADS, else of cores."""
+    asked = os.environ.get("NUMBA_NUM_THREADS", "")
+    return int(asked) if asked.isdigit() and int(asked) > 0 else core_count()
 
 
-if hasattr(os, "register_at_fork"):
-    # (threads do not survive a fork: a child would wait for them for ever)
+def thread_count() -> int:
+    """Return how many threads a parallel loop uses."""
+    return getattr(_limits, "count", None) or _most_threads()
+
+
+def limit_threads(count: int) -> None:
+    """Let the parallel loops that this thread calls use at most so many threads."""
+    _limits.count = max(min(count, _most_threads()), 1)
+    if "numba" in sys.modules:  # (else it is told when it compiles such a loop)
+        import numba
+
+        numba.set_num_threads(_limits.count)
+
+
+@functools.cache
+def _pool(_name: str) -> ThreadPoolExecutor:
+    return ThreadPoolExecutor(_most_threads(), thread_name_prefix="carom")
+
+
+if hasattr(os, "register_at_fork"):  # (threads do not survive a fork: a child would wait for them for ever)
     os.register_at_fork(after_in_child=_pool.cache_clear)
 
 
 def call_in_threads(work: Callable[[Part], Answer], parts: Sequence[Part]) -> list[Answer]:
-    """Return ``work(part)`` of every part, in their order. No work may call this itself.
+    """Return ``work(part)`` of every part, in their order; a single part is done at once. No work may call this itself."""
+    return [work(part) for part in parts] if len(parts) == 1 else list(_pool("work").map(work, parts))
 
-    From the main thread a single part is done in another thread, too: Numba runs Python code where a function is passed to a
-    loop, and Ctrl-C, which Python raises in the main thread, would be lost there or end as an error of Numba's.
+
+def call_in_parts(work: Callable[[int], Answer], count: int) -> list[Answer]:
+    """Return ``work(part)`` of so many parts of one loop, the first of them done by this thread. No work may call this itself.
+
+    The pool is another than that of :func:`call_in_threads`, whose work may have such loops.
     """
-    if len(parts) == 1 and threading.current_thread() is not threading.main_thread():
-        return [work(parts[0])]
-    return list(_pool().map(work, parts))
+    others = [_pool("parts").submit(work, part) for part in range(1, count)]
+    return [work(0), *(one.result() for one in others)]

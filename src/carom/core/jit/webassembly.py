@@ -1,10 +1,8 @@
 """Compile kernels to a WebAssembly module: the very code that Numba makes of them, brought to another machine.
 
-Numba types and lowers the functions to LLVM's intermediate code, as for every compiled loop (:mod:`carom.core.jit.link`). That
-code is told to be for WebAssembly, is optimised and brought to an object by llvmlite, which carries that target, and is linked
-with musl's mathematical functions (libm), so that all browsers give the same bits. Linker and C compiler are ziglang's.
-
-This relies on how Numba writes its code (as of 0.68); where that has changed, a WebAssemblyError says so.
+Numba types and lowers the functions to LLVM's intermediate code (:mod:`carom.core.jit.lowering`). That code is told to be for
+WebAssembly, is optimised and brought to an object by llvmlite, which carries that target, and is linked with musl's mathematical
+functions (libm), so that all browsers give the same bits. Linker and C compiler are ziglang's.
 """
 
 from __future__ import annotations
@@ -18,7 +16,8 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from carom.core.jit.compile import KERNEL_OPTIONS, register_kernels
+from carom.core.jit.compile import numba_signature, register_kernels
+from carom.core.jit.lowering import CFunction, LoweringError, linked_dispatcher, llvm_text, whole_module, with_entry
 
 __all__ = ["Export", "WebAssemblyError", "build_module", "libm_licence", "plain_signature", "tool_versions"]
 
@@ -68,7 +67,7 @@ def build_module(exports: Sequence[Export], version: str = "") -> bytes:
     Raises WebAssemblyError where ziglang is missing, and where Numba writes other code than this module knows.
     """
     register_kernels()
-    text = [_module_text(export) for export in exports]
+    text = [_text(export) for export in exports]
     with tempfile.TemporaryDirectory() as folder:
         work = Path(folder)
         made, needed = _object(exports, text)
@@ -92,41 +91,33 @@ def _custom_section(name: str, content: bytes) -> bytes:
 # --- Numba's code -----------------------------------------------------------------------------------------------------
 
 
-def _module_text(export: Export) -> tuple[str, str]:
-    """Return the name of a compiled function, and LLVM's text of it with all that it calls."""
-    import numba
-
-    from carom.core.jit.link import _pipeline
-
-    options = {**KERNEL_OPTIONS, "pipeline_class": _pipeline()}
-    dispatcher = numba.njit(**options)(export.function)
-    dispatcher.compile(export.signature)
-    compiled = next(iter(dispatcher.overloads.values()))
-    return compiled.fndesc.llvm_func_name, str(compiled.library._final_module)
+def _text(export: Export) -> str:
+    """Return LLVM's text of an export, with all that it calls, for WebAssembly."""
+    kind = numba_signature(export.signature)
+    try:
+        name, text = llvm_text(linked_dispatcher(export.function, kind))
+        return _of_numbas_text(export, kind.args, name, text)
+    except LoweringError as error:
+        raise WebAssemblyError(f"make wasm: {error}") from None
 
 
-def _object(exports: Sequence[Export], texts: Sequence[tuple[str, str]]) -> tuple[bytes, set[str]]:
+def _of_numbas_text(export: Export, arguments: Sequence[Any], name: str, text: str) -> str:
+    made = with_entry(CFunction(export.name, out=not export.by_address), arguments, name, _for_webassembly(text))
+    if export.by_address:
+        made += f"define i32 @address_of_{export.name}() {{\n  ret i32 ptrtoint (ptr @{export.name} to i32)\n}}\n"
+    return made
+
+
+def _object(exports: Sequence[Export], texts: Sequence[str]) -> tuple[bytes, set[str]]:
     """Return the object of all functions, optimised, and the names of functions that it needs."""
     import llvmlite.binding as llvm
 
     llvm.initialize_all_targets()
     llvm.initialize_all_asmprinters()
     try:
-        whole = None
-        for export, (name, text) in zip(exports, texts, strict=True):
-            part = llvm.parse_assembly(_for_webassembly(text) + _wrapper(export, name, text))
-            if whole is None:
-                whole = part
-            else:
-                whole.link_in(part)
-        assert whole is not None
-        kept = {export.name for export in exports} | {f"address_of_{export.name}" for export in exports}
-        for function in whole.functions:
-            if not function.is_declaration and function.name not in kept:
-                function.linkage = "internal"
-        whole.verify()
-    except RuntimeError as error:
-        raise _changed(str(error).splitlines()[0]) from None
+        whole = whole_module(texts, {f"{of}{one.name}" for one in exports for of in ("", "address_of_")})
+    except LoweringError as error:
+        raise WebAssemblyError(f"make wasm: {error}") from None
     machine = llvm.Target.from_triple(TRIPLE).create_target_machine(opt=3, reloc="static", codemodel="default")
     options = llvm.create_pipeline_tuning_options(speed_level=2)
     builder = llvm.create_pass_builder(machine, options)
@@ -142,76 +133,6 @@ def _for_webassembly(text: str) -> str:
     changed = re.sub(r'^target triple = ".*"$', f'target triple = "{TRIPLE}"', changed, flags=re.M)
     # (LLVM ends the process where it meets a common symbol here)
     return changed.replace(" = common ", " = internal ")
-
-
-def _wrapper(export: Export, name: str, text: str) -> str:
-    """Return a function with plain arguments that calls Numba's."""
-    from numba import types
-
-    taken, given, before = ["ptr %out"], ["ptr %out", "ptr null"], []
-    for i, kind in enumerate(export.signature.args):
-        if isinstance(kind, types.Array):
-            taken += [f"ptr %a{i}", *(f"i32 %n{i}_{axis}" for axis in range(kind.ndim))]
-            before += [f"  %m{i}_{axis} = sext i32 %n{i}_{axis} to i64" for axis in range(kind.ndim)]
-            size = int(kind.dtype.size if isinstance(kind.dtype, types.Record) else kind.dtype.bitwidth // 8 or 1)
-            step = f"{size}"
-            strides: list[str] = []
-            for axis in reversed(range(kind.ndim)):
-                strides.insert(0, f"i64 {step}")
-                if axis > 0:
-                    before.append(f"  %s{i}_{axis} = mul i64 {step}, %m{i}_{axis}")
-                    step = f"%s{i}_{axis}"
-            before.append(f"  %c{i}_0 = add i64 %m{i}_0, 0")
-            for axis in range(1, kind.ndim):
-                before.append(f"  %c{i}_{axis} = mul i64 %c{i}_{axis - 1}, %m{i}_{axis}")
-            shape = [f"i64 %m{i}_{axis}" for axis in range(kind.ndim)]
-            given += [
-                "ptr null",
-                "ptr null",
-                f"i64 %c{i}_{kind.ndim - 1}",
-                f"i64 {size}",
-                f"ptr %a{i}",
-                *shape,
-                *strides,
-            ]
-        elif isinstance(kind, types.CPointer):
-            taken, given = [*taken, f"ptr %a{i}"], [*given, f"ptr %a{i}"]
-        elif kind == types.float64:
-            taken, given = [*taken, f"double %a{i}"], [*given, f"double %a{i}"]
-        else:
-            wide = "i8" if kind == types.boolean else "i64"
-            before.append(f"  %w{i} = {'trunc' if wide == 'i8' else 'sext'} i32 %a{i} to {wide}")
-            taken, given = [*taken, f"i32 %a{i}"], [*given, f"{wide} %w{i}"]
-    _require_signature(name, text, given)
-    if export.by_address:  # called with numbers and a place for the answer: Numba's own results are none
-        taken, given[0] = taken[1:], "ptr %none"
-        before.insert(0, "  %none = alloca ptr")
-    lines = "\n".join(before)
-    call = f'call i32 @"{name}"({", ".join(given)})'
-    body = f"define void @{export.name}({', '.join(taken)}) {{\n{lines}\n  %r = {call}\n  ret void\n}}\n"
-    if export.by_address:
-        body += f"define i32 @address_of_{export.name}() {{\n  ret i32 ptrtoint (ptr @{export.name} to i32)\n}}\n"
-    return "\n" + body
-
-
-def _require_signature(name: str, text: str, given: Sequence[str]) -> None:
-    """Refuse a function whose arguments differ from the arguments that Numba has written so far."""
-    found = re.search(rf'^define [^@]*\bi32 @"?{re.escape(name)}"?\((.*?)\) [^()]*\{{$', text, flags=re.M)
-    if found is None:
-        raise _changed(f"no function {name:.40} that returns i32")
-    kinds = [re.sub(r"\(.*?\)", "", one).split()[0] for one in re.sub(r"captures\([^)]*\)", "", found[1]).split(", ")]
-    expected = [one.split()[0] for one in given]
-    if kinds != expected:
-        raise _changed(f"arguments {', '.join(kinds)} for {', '.join(expected)}")
-
-
-def _changed(what: str) -> WebAssemblyError:
-    import numba
-
-    return WebAssemblyError(
-        f"make wasm: expected LLVM code as Numba 0.68 writes it, got other code from Numba {numba.__version__}: {what};"
-        f" build with Numba 0.68, or follow the change in {__name__}"
-    )
 
 
 # --- linking ----------------------------------------------------------------------------------------------------------

@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from carom.core.jit.background import core_count
 
-__all__ = ["run_in_workers", "serve_jobs"]
+__all__ = ["do_job", "run_in_workers", "serve_jobs"]
 
 _lines = threading.Lock()
 
@@ -59,14 +59,19 @@ def _shared(jobs: Iterator[str]) -> Iterator[str]:
         yield job
 
 
+def do_job(job: str) -> None:
+    """Call a job, ``module:function``."""
+    module, _, name = job.partition(":")
+    getattr(importlib.import_module(module), name)()
+
+
 def serve_jobs() -> None:
     """Do the jobs that standard input names, answering each with a line on standard output, its error; end when the input does."""
     answers = sys.stdout
     sys.stdout = sys.stderr
     for line in sys.stdin:
-        module, _, name = line.strip().partition(":")
         try:
-            getattr(importlib.import_module(module), name)()
+            do_job(line.strip())
         except Exception as error:
             message = " ".join(f"{type(error).__name__}: {error}".split())
             print(message, file=answers, flush=True)

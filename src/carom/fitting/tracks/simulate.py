@@ -15,13 +15,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.core.geometry.features import FEATURES
-from carom.core.jit.compile import array_of, njit, parallel_range, signature, thread_count
+from carom.core.jit.compile import array_of, njit, signature
 from carom.core.jit.dual.dual_records import float_count, float_places
 from carom.core.jit.dual.numbers import LANES
-from carom.core.jit.kernel import vector
+from carom.core.jit.kernel import prange, vector
 from carom.core.jit.pointers import caller_of, compiled_address
 from carom.core.jit.slices import block_slices
-from carom.core.jit.threads import call_in_threads
+from carom.core.jit.threads import call_in_threads, thread_count
 from carom.core.motion.phases import HELD
 from carom.simulation.compiled import ENGINE_RUN, compiled_engine
 from carom.simulation.contacts.contact import DONE
@@ -44,7 +44,6 @@ BLOCK = 1024  # runs in one call, whose logs are in memory at once
 RUNS_A_THREAD = 16  # at least: fewer are done before another thread has begun
 X = float_places(BALLS)["x"].start
 
-_prange: Any = range
 # The compiled functions, called through their addresses, once there are any.
 _call_run: Any = None
 _call_follow: Any = None
@@ -55,7 +54,7 @@ def _run_all(
     functions: Any, worlds: Any, features: Any, balls: Any, logs: Any, users: Any, time: Any, count: Any, places: Any
 ) -> None:
     """Run every ball (N, 1), and write its position at the first ``count`` (N,) of its times (N, T)."""
-    for n in _prange(balls.shape[0]):
+    for n in prange(balls.shape[0]):
         log, until = logs[n], time[n, count[n] - 1]
         ended, _events, rows, _ball, _slow, last = _call_run(
             functions[0], (worlds, features, balls[n], log, -1.0, until, MAX_EVENTS, users, ALL)
@@ -113,32 +112,35 @@ def _follow_all(
 
 
 @functools.cache
+def _declare_calls() -> None:
+    """Tell the compiler what the loops call by address."""
+    global _call_run, _call_follow, _call_states
+    _call_run, _call_follow, _call_states = caller_of(*ENGINE_RUN), caller_of(*FOLLOW), caller_of(*STATES)
+
+
+@functools.cache
 def _compiled() -> Callable[..., None]:
     """Return the compiled loop over runs, on all cores."""
-    global _call_run, _prange
     addresses = np.array([compiled_address(compiled_engine().run)])
-    _call_run, _prange = caller_of(*ENGINE_RUN), parallel_range()
     loop = signature(
         None, array_of(int), array_of(WORLD), array_of(FEATURES), array_of(BALLS, 2), array_of(LOG, 2), array_of(int),
         array_of(float, 2), array_of(int), array_of(float, 3),
     )  # fmt: skip
-    return functools.partial(njit(_run_all, signature=loop, parallel=True), addresses)
+    return functools.partial(njit(_run_all, loop, (_declare_calls,), parallel=True), addresses)
 
 
 @functools.cache
 def _compiled_with_slopes() -> Callable[..., None]:
     """Return the compiled loop over runs with their derivatives, for one thread."""
-    global _call_run, _call_follow, _call_states
     addresses = np.array(
         [compiled_address(one) for one in (compiled_engine().run, compiled_follow(), compiled_states())]
     )
-    _call_run, _call_follow, _call_states = caller_of(*ENGINE_RUN), caller_of(*FOLLOW), caller_of(*STATES)
     loop = signature(
         None, array_of(int), array_of(WORLD), SLOPES, array_of(FEATURES), SLOPES, array_of(BALLS, 2), array_of(float, 5),
         array_of(int), array_of(int), array_of(float, 2), array_of(int), array_of(LOG), array_of(PASSAGES), SLOPES, array_of(BALLS),
         array_of(int), array_of(float, 3), array_of(float, 4),
     )  # fmt: skip
-    return functools.partial(njit(_follow_all, signature=loop, nogil=True), addresses)
+    return functools.partial(njit(_follow_all, loop, (_declare_calls,), nogil=True), addresses)
 
 
 def compile_tracks() -> None:

@@ -98,17 +98,21 @@ def compiled_loops() -> _CompiledLoop:
     from carom.core.jit.compile import njit
     from carom.core.jit.prefetch import register_prefetch
 
-    register_prefetch()
     # Without reference counts of arrays (_nrt): nothing is allocated in the loop, and counting took half of its time.
     # Without Python's lock (nogil): the gases of an ensemble run at once.
-    return _CompiledLoop(*(njit(getattr(loop, name), _nrt=False, nogil=True) for name in _CompiledLoop._fields))
+    return _CompiledLoop(
+        *(
+            njit(getattr(loop, name), needs=(register_prefetch,), _nrt=False, nogil=True)
+            for name in _CompiledLoop._fields
+        )
+    )
 
 
 def loop_is_cached() -> bool:
     """Return whether some variant of the loop has been compiled before, by this version of the sources."""
-    from carom.core.jit.compile import cache_folder
+    from carom.core.jit.compile import is_cached
 
-    return any(cache_folder().glob("edmd_*/loop.run-*.nbi"))
+    return is_cached(loop.run)
 
 
 def _allocate(one: Any, species: Any) -> dict[str, NDArray[Any]]:

@@ -110,20 +110,23 @@ STATES = (
 @functools.cache
 def compiled_follow() -> Callable[..., int]:
     """Return the compiled pass; from the second time on it is loaded from the cache."""
-    register_pass()
-    return njit(pass_loop, signature=signature(*FOLLOW), _nrt=False)
+    return njit(pass_loop, signature(*FOLLOW), (register_pass,), _nrt=False)
 
 
 @functools.cache
 def compiled_states() -> Callable[..., None]:
     """Return the states at a time, compiled."""
-    register_pass()
-    return njit(_states, signature=signature(*STATES), _nrt=False)
+    return njit(_states, signature(*STATES), (register_pass,), _nrt=False)
 
 
 @functools.cache
 def _user(law: WallKernel) -> int:
     """Return the address of a law compiled with dual numbers."""
+    return dual_address(law_of_duals(law), (register_pass,), keep=str(law.__module__).startswith("carom."))
+
+
+def law_of_duals(law: WallKernel) -> Callable[..., None]:
+    """Return the function of a place to read dual numbers from, and of one to write to, by which a law is called."""
     kernel(law)
 
     def entry(given: Any, out: Any) -> None:
@@ -131,12 +134,11 @@ def _user(law: WallKernel) -> int:
         v, w = law((x[0], x[1], x[2]), (x[3], x[4], x[5]), (x[6], x[7], x[8]), x[9], x[10], x[11], x[12], x[13])
         write_duals(out, v, w)
 
-    return dual_address(entry, keep=str(law.__module__).startswith("carom."))
+    return entry
 
 
 def dual_users(laws: Iterable[Law]) -> NDArray[np.int64]:
     """Return the addresses of laws that are not compiled in; raises whatever the compiler says of one that it refuses."""
-    register_pass()
     return np.array([_user(law.kernel) for law in laws if law.kernel is not None], dtype=np.int64)
 
 

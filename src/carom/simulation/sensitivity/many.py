@@ -13,13 +13,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from carom.bodies import State
 from carom.core.geometry.features import FEATURES
-from carom.core.jit.compile import array_of, njit, signature, thread_count
+from carom.core.jit.compile import array_of, njit, signature
 from carom.core.jit.dual.dual_records import float_count, float_places
 from carom.core.jit.dual.numbers import LANES
 from carom.core.jit.kernel import kernel
 from carom.core.jit.pointers import caller_of, compiled_address
 from carom.core.jit.slices import block_slices
-from carom.core.jit.threads import call_in_threads
+from carom.core.jit.threads import call_in_threads, thread_count
 from carom.core.motion.phases import PHASES
 from carom.errors import CaromError, require_type
 from carom.scene.paths import replaced
@@ -96,17 +96,22 @@ def _many(
 
 
 @functools.cache
+def _declare_calls() -> None:
+    """Tell the compiler what the loop calls by address."""
+    global _call_run, _call_finish, _call_follow
+    _call_run, _call_finish, _call_follow = caller_of(*ENGINE_RUN), caller_of(*ENGINE_END), caller_of(*FOLLOW)
+
+
+@functools.cache
 def compiled_many() -> Callable[..., None]:
     """Return the compiled loop, for one thread."""
-    global _call_run, _call_finish, _call_follow
     addresses = np.array([compiled_address(one) for one in (*compiled_engine(), compiled_follow())])
-    _call_run, _call_finish, _call_follow = caller_of(*ENGINE_RUN), caller_of(*ENGINE_END), caller_of(*FOLLOW)
     loop = signature(
         None, array_of(int), array_of(WORLD), SLOPES, array_of(FEATURES), SLOPES, array_of(BALLS, 2), SLOPES, array_of(int),
         array_of(int), array_of(int), float, int, int, array_of(LOG), array_of(PASSAGES), SLOPES, array_of(BALLS), SLOPES,
         array_of(BALLS, 2), array_of(float, 5), array_of(float), array_of(int, 2),
     )  # fmt: skip
-    return functools.partial(njit(_many, signature=loop, nogil=True), addresses)
+    return functools.partial(njit(_many, loop, (_declare_calls,), nogil=True), addresses)
 
 
 @dataclass(frozen=True, eq=False)

@@ -166,7 +166,7 @@ LEAST = (
 @functools.cache
 def compiled_least_gaps() -> Callable[..., None]:
     """Return the search, compiled; from the second time on it is loaded from the cache."""
-    return njit(_least_gaps, signature=signature(*LEAST), _nrt=False)
+    return njit(_least_gaps, signature(*LEAST), _nrt=False)
 
 
 # --- along a run ------------------------------------------------------------------------------------------------------

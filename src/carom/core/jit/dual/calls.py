@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 from carom.core.jit.dual.dual_records import load_dual, store_dual
@@ -25,11 +25,14 @@ def write_duals(out: Any, first: Any, second: Any) -> None:
     """Write two vectors of dual numbers to a place."""
 
 
-def dual_address(entry: Callable[..., None], keep: bool = False) -> int:
-    """Compile a function of a place to read from and one to write to; return its address, valid while the process lives."""
+def dual_address(entry: Callable[..., None], needs: Sequence[Callable[[], Any]] = (), keep: bool = False) -> int:
+    """Compile a function of a place to read from and one to write to; return its address, valid while the process lives.
+
+    ``needs`` are called before anything is compiled.
+    """
     from carom.core.jit.compile import cfunc
 
-    compiled = cfunc(entry, 0, keep, places=2)
+    compiled = cfunc(entry, 0, keep, 2, needs)
     _alive.append(compiled)
     return int(compiled.address)
 

@@ -1,0 +1,343 @@
+"""Loops that lie ready in the package: nothing is compiled by Numba, which is not even imported, on a user's machine.
+
+`make native` has Numba type and lower every loop that `carom warm` names, and keeps each as LLVM's bitcode, optimised, for any
+processor (:mod:`carom.core.jit.native_build`). Here llvmlite alone finishes it for this processor, when it is first called, in a
+fraction of a second; the machine code is kept in the user's cache, from where it is loaded in a millisecond.
+
+A loop is taken from the package only while its kernels are those of which it was built: by the hash of their files, or else by the
+hash of what they do. Otherwise, and for arguments or machines that it is not for, Numba compiles it.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import functools
+import hashlib
+import json
+import lzma
+import math
+import os
+import platform
+import sys
+import threading
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from carom.core.jit.cache import PLAIN_ROOMS, cache_folder
+from carom.core.jit.kernel import DERIVED
+from carom.core.jit.kernel_hash import kernel_hash, module_hash, name_with_values
+from carom.core.jit.machine_code import Bitcode, UnusableError, function_address
+from carom.core.jit.marshal import (
+    ArgumentWriter,
+    MismatchError,
+    ValueReader,
+    argument_writers,
+    dtype_of,
+    dtype_text,
+    value_reader,
+)
+from carom.core.jit.threads import call_in_parts, thread_count
+
+__all__ = [
+    "FOLDER", "INDEX", "LoopSource", "NativeCode", "NativeLoop", "arguments_text", "describe_loops",
+    "hash_of_code", "hash_of_files", "is_shipped", "native_is_off", "shipped_loop", "why_not_shipped",
+]  # fmt: skip
+
+FOLDER = Path(__file__).with_name("native")
+INDEX = FOLDER / "index.json"
+# Settings of Numba's that ask for other code than what is shipped: Numba then compiles.
+SETTINGS = (
+    "BOUNDSCHECK", "CPU_FEATURES", "CPU_NAME", "DEBUGINFO", "DISABLE_JIT", "LOOP_VECTORIZE", "OPT", "SLP_VECTORIZE",
+)  # fmt: skip
+# The modules of this room that decide how a kernel is lowered, beside the kernels.
+LOWERING = ("dual/*.py", "kernel.py", "link.py", "lowering.py", "pointers.py", "prefetch.py")
+
+
+class LoopSource(NamedTuple):
+    """A loop as its module declares it (:func:`carom.core.jit.compile.njit`)."""
+
+    function: Callable[..., Any]
+    signature: Any
+    needs: Sequence[Callable[[], Any]]
+    """Called before it is compiled."""
+    options: dict[str, Any]
+    """Numba's."""
+    compile_here: Callable[[], Any]
+    """Return what Numba makes of it."""
+    plain: tuple[int, int] | None = None
+    """Numbers, and places of numbers, that a function takes which is called by its address alone."""
+
+
+class NativeCode:
+    """One variant of a loop: its bitcode, and what its entry takes and returns, as the index says."""
+
+    def __init__(self, described: dict[str, Any], dtypes: Sequence[Any], read: Callable[[], bytes]) -> None:
+        self.described, self.read = described, read
+        self.entry = f"carom_{described['name']}"
+        self.numbas = f"numba_{described['name']}"
+        self.writers: list[ArgumentWriter] = argument_writers(described["arguments"], dtypes, described["fixed"])
+        self.reader: ValueReader | None = value_reader(described["returns"])
+        self._lock = threading.Lock()
+        self._row_seconds = math.inf  # of the last call
+        self._call: Callable[..., int] | None = None
+
+    def address(self, symbol: str) -> int:
+        """Return the address of one of its two functions, brought to machine code."""
+        described = self.described
+        return function_address(
+            Bitcode(
+                described["name"], self.read, described["vectorise"], described["calls"], described["llvm"],
+                INDEX if recorder is None else None,
+            ),
+            symbol,
+        )  # fmt: skip
+
+    def given(self, arguments: tuple[Any, ...]) -> list[Any]:
+        """Return the arguments as C takes them; MismatchError where they are not of the kinds that this code is for."""
+        if len(arguments) != len(self.writers):
+            raise MismatchError
+        given: list[Any] = []
+        for write, argument in zip(self.writers, arguments, strict=True):
+            write(argument, given)
+        return given
+
+    def call(self, arguments: tuple[Any, ...], given: list[Any]) -> Any:
+        """Call the loop, parallel ones on all threads."""
+        call = self._call or self._load()
+        out = NOTHING if self.reader is None else ctypes.create_string_buffer(self.reader.size)
+        parts, rows = 1, 1
+        if self.described["parallel"]:
+            rows = max((len(x) for x in arguments if hasattr(x, "__len__")), default=0) or 1
+            parts = 1 if self._row_seconds * rows < SERIAL_SECONDS else min(thread_count(), rows)
+        begin = time.perf_counter()
+
+        def work(part: int) -> int:
+            return call(out, (ctypes.c_int64 * 3)(0, part, parts), *given)
+
+        for status in [work(0)] if parts <= 1 else call_in_parts(work, parts):
+            if status not in OK:
+                raise RuntimeError(
+                    f"{self.described['name']}: expected no error within a compiled loop, got status {status}"
+                )
+        self._row_seconds = (time.perf_counter() - begin) * parts / rows
+        return None if self.reader is None else self.reader.read(out)
+
+    def _load(self) -> Callable[..., int]:
+        with self._lock:
+            if self._call is None:
+                kinds = [ctypes.c_void_p, ctypes.c_void_p, *(kind for write in self.writers for kind in write.kinds)]
+                # (with Python's lock held, as Numba's loops hold it that do not say otherwise)
+                leaves = self.described["parallel"] or self.described["nogil"]
+                prototype = (ctypes.CFUNCTYPE if leaves else ctypes.PYFUNCTYPE)(ctypes.c_int32, *kinds)
+                self._call = prototype(self.address(self.entry))
+        return self._call
+
+
+SERIAL_SECONDS = 1e-4  # of work in all, below which handing a part to another thread takes longer than doing it
+NOTHING = ctypes.create_string_buffer(8)  # to which a function without a value writes that
+OK = (0, -2)  # Numba's status of a function that returned a value, or None
+
+
+class NativeLoop:
+    """A loop of the package, called as Numba's dispatcher is; that one is made only for what the package has no code for."""
+
+    def __init__(self, source: LoopSource, codes: Sequence[NativeCode]) -> None:
+        self.source, self.codes = source, list(codes)
+        self.py_func = source.function
+        self._numbas: Any = None
+
+    def __call__(self, *arguments: Any) -> Any:
+        """Call the first code that is for arguments of these kinds, else Numba's."""
+        for code in self.codes:
+            try:
+                given = code.given(arguments)
+            except MismatchError:
+                continue
+            try:
+                return code.call(arguments, given)
+            except UnusableError:
+                self.codes.clear()
+                break
+        return self.numbas()(*arguments)
+
+    def numbas(self) -> Any:
+        """Return what Numba makes of the function, here."""
+        if self._numbas is None:
+            self._numbas = self.source.compile_here()
+        return self._numbas
+
+    @property
+    def address(self) -> int:
+        """Address of a function of numbers and places of numbers, for calls from compiled code."""
+        try:
+            return self.codes[0].address(self.codes[0].entry)
+        except UnusableError:
+            return int(self.numbas().address)
+
+    @property
+    def numba_address(self) -> int | None:
+        """Address of the function with the arguments that Numba gives it; None where the package's code cannot be used."""
+        try:
+            return self.codes[0].address(self.codes[0].numbas)
+        except UnusableError:
+            return None
+
+    @property
+    def _numba_type_(self) -> Any:
+        """What Numba takes this for where it compiles a caller."""
+        from numba import typeof
+
+        return typeof(self.numbas())
+
+
+# --- which loops are shipped ------------------------------------------------------------------------------------------
+
+
+def native_is_off() -> bool:
+    """Return whether the package's code is not to be used: by CAROM_NATIVE=0, or by settings of Numba's that ask for other code."""
+    if os.environ.get("CAROM_NATIVE", "1").strip() == "0":
+        return True
+    return any(os.environ.get(f"NUMBA_{name}", "").strip() for name in SETTINGS)
+
+
+@functools.cache
+def why_not_shipped() -> str:
+    """Return why the package's code is not for this process; empty if it is."""
+    if native_is_off():
+        return "CAROM_NATIVE or a setting of Numba's asks for loops that are compiled here"
+    if not _index():
+        return "the package holds no compiled loops"
+    if ctypes.sizeof(ctypes.c_void_p) != 8 or sys.byteorder != "little" or os.name != "posix":
+        return f"the package's loops are for 64 bits on Linux and macOS, not for {platform.platform()}"
+    if platform.python_implementation() != "CPython":
+        return f"the package's loops are for CPython, not for {platform.python_implementation()}"
+    return ""
+
+
+@functools.cache
+def _index() -> dict[str, Any]:
+    try:
+        return json.loads(INDEX.read_text(encoding="utf-8"))  # type: ignore[no-any-return]
+    except (OSError, ValueError):
+        return {}
+
+
+@functools.cache
+def _dtypes() -> list[Any]:
+    return [dtype_of(one) for one in _index()["dtypes"]]
+
+
+def hash_of_files(root: Path) -> str:
+    """Return the hash of the modules that may hold kernels, as they lie on the disk: quick, and another for any edit."""
+    digest = hashlib.sha256()
+    for path in sorted(root.rglob("*.py")):
+        name = path.relative_to(root)
+        if name.parts[0] not in PLAIN_ROOMS:
+            digest.update(name.as_posix().encode() + b"\0" + path.read_bytes())
+    return digest.hexdigest()[:16]
+
+
+@functools.cache
+def _files() -> str:
+    return hash_of_files(Path(__file__).parents[2])
+
+
+def _as_built() -> bool:
+    return bool(_index()["files"] == _files())
+
+
+@functools.cache
+def _lowering() -> str:
+    here = Path(__file__).parent
+    return module_hash(path for pattern in LOWERING for path in sorted(here.glob(pattern)))
+
+
+def hash_of_code(function: Callable[..., Any], arguments: str) -> str:
+    """Return the hash of what a loop does, for arguments that a text describes, and of how it is lowered."""
+    return kernel_hash([function], arguments, _lowering(), instead=DERIVED)
+
+
+@functools.cache
+def _known_hashes() -> tuple[Path, dict[str, str]]:
+    """Return the file of hashes in the cache of compiled code, one for each state of the sources, and its content."""
+    path = cache_folder() / f"kernels-{_files()}.json"
+    try:
+        return path, json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return path, {}
+
+
+def _is_current(function: Callable[..., Any], described: dict[str, Any]) -> bool:
+    """Return whether a loop's kernels are as they were when its code was built."""
+    if _as_built():
+        return True
+    path, known = _known_hashes()
+    arguments = arguments_text(described, _dtypes())
+    key = f"{name_with_values(function)} {hashlib.sha256(arguments.encode()).hexdigest()[:16]}"
+    if key not in known:
+        known[key] = hash_of_code(function, arguments)
+        with contextlib.suppress(OSError):
+            part = path.with_name(f"{path.stem}.{os.getpid()}.json")
+            part.write_text(json.dumps(known), encoding="utf-8")
+            part.replace(path)
+    return bool(known[key] == described["hash"])
+
+
+def arguments_text(described: dict[str, Any], dtypes: Sequence[Any]) -> str:
+    """Return the text of what a loop takes and returns, part of its hash."""
+
+    def whole(kind: Any) -> Any:
+        if isinstance(kind, list):
+            return [whole(one) for one in kind]
+        if isinstance(kind, dict):
+            return {key: dtype_text(dtypes[x]) if key in ("array", "record") else x for key, x in kind.items()}
+        return kind
+
+    return json.dumps([whole(described["arguments"]), whole(described["returns"])])
+
+
+@functools.cache
+def _codes(function: Callable[..., Any]) -> list[NativeCode]:
+    """Return the package's code of a loop; none where there is none, or where its kernels have changed."""
+    if why_not_shipped():
+        return []
+    found = _index()["loops"].get(name_with_values(function), [])
+    return [
+        NativeCode(one, _dtypes(), functools.partial(_bitcode, one["name"]))
+        for one in found
+        if _is_current(function, one)
+    ]
+
+
+def describe_loops() -> str:
+    """Return where compiled loops come from, in a sentence."""
+    why = why_not_shipped()
+    if why:
+        return f"compiled here: {why}"
+    changed = "" if _as_built() else "; those whose code has changed since they were built are compiled here"
+    return f"{len(_index()['loops'])} lie ready in the package{changed}"
+
+
+def _bitcode(name: str) -> bytes:
+    return lzma.decompress((FOLDER / f"{name}.bc.xz").read_bytes())
+
+
+def is_shipped(function: Callable[..., Any]) -> bool:
+    """Return whether the package has code of a loop."""
+    return bool(_codes(function))
+
+
+def shipped_loop(source: LoopSource) -> NativeLoop | None:
+    """Return a loop of the package; None where it has none, and Numba is to compile it."""
+    made = recorder(source) if recorder is not None else None
+    if made is not None:
+        return made
+    codes = _codes(source.function)
+    return NativeLoop(source, codes) if codes else None
+
+
+# While the package's code is built: what makes it of a loop (carom.core.jit.native_build).
+recorder: Callable[[LoopSource], NativeLoop | None] | None = None

@@ -1,0 +1,302 @@
+"""Build the package's loops: what `make native` does for each loop that `carom warm` names (:mod:`carom.core.jit.native`).
+
+A loop is typed and lowered by Numba (:mod:`carom.core.jit.lowering`), optimised for any processor, and kept as bitcode beside an
+index that says what it takes and returns. The jobs of `carom warm` are run here with these very loops, so that the list is the
+same and each loop has run before it is kept. What is current is left as it lies.
+"""
+
+from __future__ import annotations
+
+import functools
+import json
+import lzma
+import re
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+from carom.core.jit import native
+from carom.core.jit.compile import numba_signature, register_kernels
+from carom.core.jit.kernel_hash import name_with_values
+from carom.core.jit.lowering import CFunction, LoweringError, linked_dispatcher, llvm_text, whole_module, with_entry
+from carom.core.jit.machine_code import library_version
+from carom.core.jit.marshal import MismatchError, dtype_text
+from carom.core.jit.native import FOLDER, INDEX, LoopSource, NativeCode, NativeLoop
+
+__all__ = ["LoweringError", "NativeBuild", "part_range"]
+
+# Up to so many bytes of bitcode, a loop is optimised once more on the user's machine, where its vectors are known: in 0.1 s.
+VECTORISED_BYTES = 60_000
+# And up to so much of LLVM's text is it tried whether that is the case.
+VECTORISED_TEXT = 800_000
+
+
+class NativeBuild:
+    """The package's loops in the making: those that are current, and those that are asked for and are not."""
+
+    def __init__(self) -> None:
+        self.made: dict[str, list[NativeCode]] = {}
+        self.failed: dict[str, str] = {}
+        self.bitcode: dict[str, bytes] = {}
+        self._loops: dict[str, BuiltLoop] = {}
+        self.dtypes: list[Any] = []
+        self._before: dict[str, Any] = {}
+        self._files = _hash_of_files()
+        if INDEX.exists() and not native.native_is_off():
+            self.dtypes, self._before = list(native._dtypes()), native._index()["loops"]
+
+    @contextmanager
+    def recording(self) -> Iterator[None]:
+        """While inside, every loop that is asked for and is not current is built, and run as built."""
+        native.recorder = self._loop
+        try:
+            yield
+        finally:
+            native.recorder = None
+
+    def _loop(self, source: LoopSource) -> NativeLoop | None:
+        from numba.core.errors import NumbaError
+
+        if source.options.get("cache") is False:  # a law of the user's own
+            return None
+        key = name_with_values(source.function)
+        if key not in self._loops:
+            current = self.made[key] = list(native._codes(source.function))
+            try:
+                self._loops[key] = BuiltLoop(self, source, key, current)
+            except (NumbaError, LoweringError) as error:
+                self.note_failure(key, error)
+                return None  # (asked again, Numba is asked again)
+        return self._loops[key]
+
+    def note_failure(self, key: str, error: Exception) -> None:
+        """Note that a loop cannot be built: Numba compiles it on the user's machine."""
+        self.failed[key] = str(error).strip().splitlines()[0]
+
+    def add(self, key: str, source: LoopSource, dispatcher: Any, kinds: Sequence[Any], returns: Any) -> NativeCode:
+        """Keep a loop that was lowered for arguments of these types of Numba's."""
+        codes = self.made[key]
+        name = _file_name(key) + (f"-{len(codes)}" if codes else "")
+        made = _optimised(name, source, dispatcher, kinds)
+        arguments = [self._described(kind) for kind in kinds]
+        described = {
+            "name": name,
+            "arguments": arguments,
+            "returns": "none" if source.plain else self._described(returns),
+            "fixed": source.signature is not None,
+            "parallel": bool(source.options.get("parallel")),
+            "nogil": bool(source.options.get("nogil")),
+            **made,
+        }
+        self.bitcode[name] = described.pop("bitcode")
+        described["hash"] = native.hash_of_code(source.function, native.arguments_text(described, self.dtypes))
+        codes.append(NativeCode(described, self.dtypes, lambda: self.bitcode[name]))
+        return codes[-1]
+
+    def _described(self, kind: Any) -> Any:
+        """Return the description of one of Numba's types (:func:`carom.core.jit.marshal.argument_writers`)."""
+        from numba import types
+        from numba.np.numpy_support import as_dtype
+
+        if isinstance(kind, types.BaseTuple):
+            return [self._described(one) for one in kind]
+        if isinstance(kind, types.Array):
+            return {"array": self._dtype(as_dtype(kind.dtype)), "axes": kind.ndim, "readonly": not kind.mutable}
+        if isinstance(kind, types.Record):
+            return {"record": self._dtype(as_dtype(kind))}
+        if isinstance(kind, types.CPointer):
+            return "int64"
+        return {"none": "none", "float64": "float64", "int64": "int64", "bool": "bool"}[str(kind)]
+
+    def _dtype(self, dtype: Any) -> int:
+        if dtype not in self.dtypes:
+            self.dtypes.append(dtype)
+        return self.dtypes.index(dtype)
+
+    def write(self, done: bool = True) -> list[Path]:
+        """Write the index and what was built; return the files.
+
+        ``done``: all jobs have run, and what no loop has any more is removed; else what is written is for a later build to resume.
+        """
+        FOLDER.mkdir(exist_ok=True)
+        loops = {} if done else dict(self._before)
+        loops |= {key: [code.described for code in codes] for key, codes in self.made.items() if codes}
+        names = {one["name"] for codes in loops.values() for one in codes}
+        written = []
+        for name, bitcode in self.bitcode.items():
+            written.append(FOLDER / f"{name}.bc.xz")
+            written[-1].write_bytes(lzma.compress(bitcode, preset=9 | lzma.PRESET_EXTREME))
+        for path in FOLDER.glob("*.bc.xz"):
+            if path.name.removesuffix(".bc.xz") not in names:
+                path.unlink()
+        index = {
+            "files": self._files if done and self._files == _hash_of_files() else "",
+            "built_with": _versions(),
+            "dtypes": [dtype_text(one) for one in self.dtypes],
+            "loops": dict(sorted(loops.items())),
+        }
+        INDEX.write_text(json.dumps(index, indent=1) + "\n", encoding="utf-8")
+        return written
+
+
+class BuiltLoop(NativeLoop):
+    """A loop that is built for every kind of arguments that it is called with."""
+
+    def __init__(self, build: NativeBuild, source: LoopSource, key: str, current: list[NativeCode]) -> None:
+        super().__init__(source, current)
+        self._build, self._key, self._dispatchers = build, key, list[Any]()
+        if current:
+            return
+        if source.plain is not None:
+            from numba import types
+
+            numbers, places = source.plain
+            arguments = [types.float64] * numbers + [types.CPointer(types.float64)] * places
+            self._add(arguments, types.void(*arguments))
+        elif source.signature is not None:
+            for prepare in source.needs:
+                prepare()
+            kind = numba_signature(source.signature)
+            self._add(kind.args, kind)
+
+    def __call__(self, *arguments: Any) -> Any:
+        """Call the code for arguments of these kinds, built if there is none."""
+        from numba import typeof
+        from numba.core.errors import NumbaError
+
+        for code in self.codes:
+            try:
+                return code.call(arguments, code.given(arguments))
+            except MismatchError:
+                continue
+        if self.source.signature is not None:
+            raise TypeError(f"{self._key}: expected arguments of its signature, got others")
+        kinds = tuple(map(typeof, arguments))
+        try:
+            self._add(kinds, kinds)
+        except (NumbaError, LoweringError) as error:
+            self._build.note_failure(self._key, error)
+            return self.source.compile_here()(*arguments)
+        return self.codes[-1].call(arguments, self.codes[-1].given(arguments))
+
+    def _add(self, arguments: Sequence[Any], signature: Any) -> None:
+        for prepare in self.source.needs:
+            prepare()
+        register_kernels()
+        if self.source.options.get("parallel"):
+            self.py_func.__globals__["prange"] = part_range()
+        try:
+            made = linked_dispatcher(self.py_func, signature)
+        finally:
+            if self.source.options.get("parallel"):
+                self.py_func.__globals__["prange"] = range
+        self._dispatchers.append(made)
+        returns = next(iter(made.overloads.values())).signature.return_type
+        self.codes.append(self._build.add(self._key, self.source, made, arguments, returns))
+
+    def numbas(self) -> Any:
+        """Return what callers that are built link in."""
+        if not self._dispatchers:  # (its code is current, a caller's is not)
+            for prepare in self.source.needs:
+                prepare()
+            register_kernels()
+            self._dispatchers.append(linked_dispatcher(self.py_func, numba_signature(self.source.signature)))
+        return self._dispatchers[0]
+
+
+@functools.cache
+def part_range() -> Any:
+    """Return the range of a parallel loop in code for one of several threads: its share of the steps.
+
+    The entry's place for an error is followed by the number of this part and of all parts.
+    """
+    from llvmlite import ir
+    from numba import types
+    from numba.extending import intrinsic
+
+    @intrinsic  # type: ignore[untyped-decorator]
+    def share(typing: Any, count: Any) -> Any:
+        function = typing.resolve_value_type(range)
+        kind = typing.resolve_function_type(function, (types.int64, types.int64), {})
+
+        def build(context: Any, builder: Any, _signature: Any, args: Any) -> Any:
+            whole = ir.IntType(64)
+            place = builder.bitcast(builder.function.args[1], whole.as_pointer())
+            part, parts = (builder.load(builder.gep(place, [ir.Constant(whole, k)])) for k in (1, 2))
+            after = builder.add(part, ir.Constant(whole, 1))
+            builder.assume(builder.icmp_signed(">=", part, ir.Constant(whole, 0)))
+            ends = [builder.sdiv(builder.mul(args[0], one), parts) for one in (part, after)]
+            return context.get_function(function, kind)(builder, ends)
+
+        return kind.return_type(types.int64), build
+
+    return share
+
+
+def _optimised(name: str, source: LoopSource, dispatcher: Any, kinds: Sequence[Any]) -> dict[str, Any]:
+    """Return what the index says of a loop's code, and its bitcode."""
+    import llvmlite.binding as llvm
+
+    entry = f"carom_{name}"
+    numbas, text = llvm_text(dispatcher)
+    plain = source.plain is not None
+    made = with_entry(
+        CFunction(entry, True, not plain, not plain, not plain),
+        kinds,
+        numbas,
+        text.replace(" = common ", " = internal "),
+    )
+    data, vectorise = b"", False
+    for vectorise in (True, False) if len(made) < VECTORISED_TEXT else (False,):
+        module = whole_module([made], {entry, numbas})
+        module.get_function(numbas).name = f"numba_{name}"
+        llvm.initialize_native_target()
+        machine = llvm.Target.from_default_triple().create_target_machine(
+            cpu="x86-64", opt=3, codemodel="jitdefault", jit=True
+        )
+        options = llvm.create_pipeline_tuning_options(speed_level=2 if vectorise else 3)
+        options.loop_vectorization = options.slp_vectorization = False
+        options.loop_unrolling = options.loop_interleaving = not vectorise
+        builder = llvm.create_pass_builder(machine, options)
+        builder.getModulePassManager().run(module, builder)
+        names = llvm.create_new_module_pass_manager()
+        names.add_strip_symbols_pass()
+        names.add_strip_dead_prototype_pass()
+        names.run(module, builder)
+        data = bytes(module.as_bitcode())
+        if len(data) <= VECTORISED_BYTES:
+            break
+    declared = {one.name for one in module.functions if one.is_declaration}
+    if foreign := [one for one in declared if one.startswith(("NRT_", "Py", "numba_", "llvm.x86"))]:
+        raise LoweringError(
+            f"{name}: expected a loop that makes no arrays and calls no Python, got calls of {', '.join(foreign)}"
+        )
+    # (what LLVM has an intrinsic for may become a call of libm)
+    called = {one for one in declared if not one.startswith("llvm.")}
+    called |= {
+        m for one in declared for m in re.findall(r"^llvm\.(sin|cos|tan|exp|log|pow|exp2|log2|log10)\.f64$", one)
+    }
+    return {
+        "vectorise": vectorise,
+        "calls": sorted(called),
+        "llvm": list(llvm.llvm_version_info),
+        "bitcode": data,
+    }
+
+
+def _file_name(key: str) -> str:
+    """Return a short name of a loop for a file: its module and function, and what it holds."""
+    function, *held = key.split(" ")
+    parts = [function.removeprefix("carom.").replace(".<locals>", ""), *(one.rpartition(".")[2] for one in held)]
+    return re.sub(r"[^A-Za-z0-9_]+", "-", "-".join(parts))
+
+
+def _hash_of_files() -> str:
+    return native.hash_of_files(Path(__file__).parents[2])
+
+
+def _versions() -> dict[str, str]:
+    import numba
+
+    return {"numba": numba.__version__, "llvmlite": library_version()}

@@ -1,0 +1,288 @@
+"""Loops of the package: of today's kernels, with the same bits as Python, and Numba's wherever they are not for the case."""
+
+from __future__ import annotations
+
+import functools
+import importlib
+import json
+import math
+import os
+import subprocess
+import sys
+import threading
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from carom.core.jit import machine_code, native
+from carom.core.jit.compile import array_of, njit, signature
+from carom.core.jit.kernel import kernel, prange
+from carom.core.jit.lowering import LoweringError
+from carom.core.jit.marshal import dtype_of, dtype_text
+from carom.core.jit.native import NativeLoop
+from carom.core.jit.native_build import NativeBuild
+from carom.simulation import run_many
+
+PLACE = np.dtype([("x", "f8", (3,)), ("count", "i4"), ("weight", "f8")])
+SCALE = 3.0
+
+
+def _function(name: str) -> Any:
+    """Return the function of a name of the index: a loop, or what is made for one law."""
+    whole, *held = name.split(" ")
+    module, _, path = whole.partition(":")
+    made = getattr(importlib.import_module(module), path.partition(".<locals>")[0])
+    return made(*(_function(":".join(one.partition("=")[2].rsplit(".", 1))) for one in held)) if held else made
+
+
+def test_the_packages_loops_are_of_todays_kernels() -> None:
+    index = json.loads(native.INDEX.read_text(encoding="utf-8"))
+    dtypes = [dtype_of(one) for one in index["dtypes"]]
+    changed = [
+        name
+        for name, codes in index["loops"].items()
+        for one in codes
+        if native.hash_of_code(_function(name), native.arguments_text(one, dtypes)) != one["hash"]
+    ]
+    assert changed == [], (
+        "kernels have changed since these loops were built: make native, and commit src/carom/core/jit/native"
+    )
+    files = {path.name.removesuffix(".bc.xz") for path in native.FOLDER.glob("*.bc.xz")}
+    assert files == {one["name"] for codes in index["loops"].values() for one in codes}
+    assert sum(path.stat().st_size for path in native.FOLDER.iterdir()) < 3_000_000
+
+
+@kernel
+def _scaled(x: float, by: float) -> float:
+    return math.sqrt(x * x + by) * SCALE
+
+
+def _loop(places: Any, numbers: Any, by: float, most: int, upward: bool) -> Any:
+    total, last = 0.0, 0
+    for i in range(min(most, places.shape[0])):
+        places[i].weight = _scaled(places[i].x[2], by)
+        numbers[i, 1] = places[i].weight if upward else -places[i].weight
+        total += numbers[i, 1]
+        last = i
+    return total, (last, upward)
+
+
+def _rows(numbers: Any, out: Any) -> None:
+    for i in prange(numbers.shape[0]):
+        out[i] = _scaled(numbers[i], 1.0)
+
+
+def _places(count: int) -> tuple[Any, Any]:
+    places = np.zeros(count, PLACE)
+    places["x"] = np.arange(3 * count).reshape(count, 3) / 7
+    return places, np.zeros((count, 2))
+
+
+@pytest.fixture(scope="module")
+def built() -> dict[str, Any]:
+    """Two loops, built for the package."""
+    build, made = NativeBuild(), dict[str, Any]()
+    with build.recording():
+        made["loop"] = njit(
+            _loop, signature((float, (int, bool)), array_of(PLACE), array_of(float, 2), float, int, bool)
+        )
+        made["rows"] = njit(_rows, parallel=True)
+        made["rows"](np.ones(3), np.zeros(3))
+        made["loop"](*_places(2), 1.0, 2, True)
+    assert build.failed == {}
+    return made
+
+
+def _refused() -> Any:
+    raise AssertionError("Numba was asked")
+
+
+def _noting(asked: list[Any]) -> Callable[..., None]:
+    """Return what stands for Numba's loop, and notes what it is asked."""
+    return lambda *given: asked.append(given)
+
+
+def _again(loop: Any, compile_here: Callable[[], Any] = _refused) -> NativeLoop:
+    """Return a built loop as one of the package's."""
+    return NativeLoop(loop.source._replace(compile_here=compile_here), loop.codes)
+
+
+@pytest.mark.parametrize("upward", [True, False])
+def test_a_loop_gives_pythons_bits(built: dict[str, Any], upward: bool) -> None:
+    (places, numbers), (same, out) = _places(9), _places(9)
+    found = _again(built["loop"])(places, numbers, 0.3, 7, upward)
+    assert found == _loop(same.view(np.recarray), out, 0.3, 7, upward)
+    assert isinstance(found[1][1], bool)
+    assert places.tobytes() == same.tobytes()
+    assert numbers.tobytes() == out.tobytes()
+
+
+def test_a_parallel_loop_is_shared_out_and_given_every_row(
+    built: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    threads, numbers = set(), np.linspace(0, 5, 1001)
+    loop = _again(built["rows"])
+    monkeypatch.setattr(native, "SERIAL_SECONDS", 0.0)
+    for count in (1, 3, 7):
+        monkeypatch.setattr(native, "thread_count", lambda count=count: count)
+        out = np.zeros(1001)
+        loop(numbers, out)
+        assert out.tolist() == [_scaled(x, 1.0) for x in numbers.tolist()]
+    call = loop.codes[0]._call
+    assert call is not None
+    monkeypatch.setattr(loop.codes[0], "_call", lambda *given: threads.add(threading.get_ident()) or call(*given))
+    loop(numbers, np.zeros(1001))
+    assert threading.get_ident() in threads
+    loop(np.ones(1), one := np.zeros(1))
+    assert one.tolist() == [_scaled(1.0, 1.0)]
+    loop(np.ones(0), np.zeros(0))
+    monkeypatch.setattr(native, "SERIAL_SECONDS", 1e9)  # so little work is one thread's
+    asked = len(threads)
+    monkeypatch.setattr(native, "call_in_parts", lambda *_given: pytest.fail("another thread was asked"))
+    loop(numbers, np.zeros(1001))
+    assert len(threads) == asked
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        lambda p, x, *rest: (p, x.astype("f4"), *rest),
+        lambda p, x, *rest: (p, x[:, :1], *rest),
+        lambda p, x, *rest: (p, x[0], *rest),
+        lambda p, x, *rest: (p, x.tolist(), *rest),
+        lambda p, x, *rest: (p.view([("y", "f8", (3,)), ("count", "i4"), ("weight", "f8")]), x, *rest),
+        lambda p, x, by, most, up: (p, x, by, 2.0, up),
+        lambda p, x, by, most, up: (p, x, by, True, up),
+        lambda p, x, by, most, up: (p, x, "1", most, up),
+        lambda p, x, by, most, up: (p, x, by, most),
+    ],
+)  # fmt: skip
+def test_arguments_of_other_kinds_are_numbas(built: dict[str, Any], change: Callable[..., Any]) -> None:
+    asked: list[Any] = []
+    loop = _again(built["loop"], functools.partial(_noting, asked))
+    loop(*change(*_places(3), 1.0, 2, True))
+    assert len(asked) == 1
+
+
+def test_an_array_that_cannot_be_written_is_numbas(built: dict[str, Any]) -> None:
+    asked: list[Any] = []
+    loop = _again(built["rows"], functools.partial(_noting, asked))
+    frozen = np.zeros(3)
+    frozen.setflags(write=False)
+    loop(np.ones(3), frozen)
+    assert len(asked) == 1
+
+
+def test_code_for_a_later_llvm_or_with_unknown_calls_is_left_to_numba(built: dict[str, Any]) -> None:
+    good = built["rows"].codes[0]
+    for change in ({"llvm": [99, 0, 0]}, {"calls": ["no_such_function"]}, {}):
+        described = {**good.described, "name": f"other-{len(change)}", **change}
+        code = native.NativeCode(described, [np.dtype(float)] * 9, good.read if change else lambda: b"no bitcode")
+        asked: list[Any] = []
+        source = built["rows"].source._replace(compile_here=functools.partial(_noting, asked))
+        NativeLoop(source, [code])(np.ones(3), np.zeros(3))
+        assert len(asked) == 1
+        assert NativeLoop(source, [code]).numba_address is None
+
+
+def test_machine_code_is_kept_and_what_is_not_whole_is_made_again(
+    built: dict[str, Any], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    good, made = built["rows"].codes[0], []
+    kept_in = {name: good.described[name] for name in ("name", "vectorise", "calls", "llvm")}
+    code = machine_code.Bitcode(**kept_in, read=good.read, names=tmp_path / "index.json")
+    finish = machine_code.finished_code
+    monkeypatch.setattr(machine_code, "_objects", lambda _index: tmp_path)
+    monkeypatch.setattr(machine_code, "finished_code", lambda code: made.append(code) or finish(code))
+    first = machine_code._object(code)
+    (kept,) = tmp_path.glob("*.o")
+    assert machine_code._object(code) == first
+    assert len(made) == 1
+    kept.write_bytes(kept.read_bytes()[:-1])
+    assert machine_code._object(code) == first
+    assert len(made) == 2
+    assert machine_code._object(code) == first
+    assert len(made) == 2
+
+
+def test_a_loop_that_makes_an_array_is_refused_when_it_is_built() -> None:
+    def makes(out: Any) -> None:
+        out[:] = np.zeros(out.shape[0])
+
+    build = NativeBuild()
+    with build.recording():
+        loop = njit(makes, cache=True)
+        loop(out := np.ones(2))
+    assert out.tolist() == [0, 0]  # (by Numba)
+    assert list(build.failed) == [
+        f"{__name__}:test_a_loop_that_makes_an_array_is_refused_when_it_is_built.<locals>.makes"
+    ]
+    assert issubclass(LoweringError, Exception)
+
+
+def test_the_hash_is_of_the_code_and_of_the_arguments(monkeypatch: pytest.MonkeyPatch) -> None:
+    for function in (_scaled, _rows):
+        monkeypatch.setattr(function, "__module__", "carom.test")
+    before = native.hash_of_code(_rows, "a")
+    assert native.hash_of_code(_rows, "a") == before
+    assert native.hash_of_code(_rows, "b") != before
+    monkeypatch.setitem(globals(), "SCALE", 2.0)
+    assert native.hash_of_code(_rows, "a") != before
+
+
+def test_a_changed_loop_is_numbas(monkeypatch: pytest.MonkeyPatch) -> None:
+    from carom.simulation.states import state_rows
+
+    code = native._index()["loops"]["carom.simulation.states:state_rows"][0]
+    monkeypatch.setattr(native, "_as_built", lambda: False)
+    monkeypatch.setattr(native, "_known_hashes", functools.cache(lambda: (Path(os.devnull) / "none", {})))
+    assert native._is_current(state_rows, code)
+    assert not native._is_current(state_rows, {**code, "hash": "0" * 16})
+
+
+@pytest.mark.parametrize("name", ["NUMBA_BOUNDSCHECK", "NUMBA_OPT", "NUMBA_DISABLE_JIT", "CAROM_NATIVE"])
+def test_a_setting_that_asks_for_other_code_is_heard(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    for one in native.SETTINGS:
+        monkeypatch.delenv(f"NUMBA_{one}", raising=False)
+    monkeypatch.delenv("CAROM_NATIVE", raising=False)
+    assert not native.native_is_off()
+    monkeypatch.setenv(name, "0" if name == "CAROM_NATIVE" else "1")
+    assert native.native_is_off()
+
+
+def test_records_survive_the_index() -> None:
+    for dtype in (PLACE, np.dtype("u4"), np.dtype({"names": ["a"], "formats": ["f8"], "offsets": [8], "itemsize": 32})):
+        assert dtype_of(json.loads(json.dumps(dtype_text(dtype)))) == dtype
+
+
+FIRST_RUN = """
+import sys, json, carom
+wall = carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), restitution=0.8, friction=0.2)
+ball = carom.SceneBall(radius=0.03, mass=0.2, position=(1, 0, 0.03), velocity=(-3, 0.4, 0), spin=(3, 40, 5))
+scene = carom.Scene(floor=carom.Floor(friction=0.2, restitution=0.5), walls=[wall], balls=[ball], run=carom.Run(duration=2))
+many = carom.simulate_many(scene, velocity=[[[-3, 0.4, 0]], [[-2, 0, 0]]])
+print(json.dumps([many.final.velocity[0, 0].tolist(), carom.simulate(scene).final[0].velocity.tolist(), "numba" in sys.modules]))
+"""
+
+
+def test_a_first_run_needs_no_numba_and_gives_the_same_bits(tmp_path: Path) -> None:
+    if not native.is_shipped(run_many._many):
+        pytest.skip("the package's loops are not of today's kernels")
+    found = []
+    for place in (
+        tmp_path / "cache",
+        tmp_path / "cache",
+        Path(os.devnull),
+    ):  # (new, used, and one that cannot be written)
+        environment = {**os.environ, "CAROM_CACHE": str(place)}
+        done = subprocess.run(
+            [sys.executable, "-c", FIRST_RUN], capture_output=True, text=True, check=True, env=environment
+        )
+        found.append(json.loads(done.stdout))
+    many, one, numba = found[0]
+    assert many == one
+    assert not numba
+    assert found[1:] == [found[0]] * 2
