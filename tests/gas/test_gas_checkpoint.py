@@ -390,3 +390,17 @@ def test_counts_that_disagree_are_refused(tmp_path, array, field, place):
     (state[array] if field is None else state[array][field])[place] += 2**31
     with pytest.raises(ValueError, match="contents that no gas of this scene has"):
         Session.restore(scene, state)
+
+
+def test_a_gas_kept_warm_is_resumed(tmp_path):
+    # (a kick of the thermostat counts as a collision of its ball)
+    contact = {"between": ("a", "a"), "restitution": 0.9, "friction": 0.3}
+    scene = GasScene(
+        container={"shape": "periodic", "size": (6, 6, 6)}, species=[{"count": 64, "radius": 0.5}], contacts=[contact],
+        thermostat={"temperature": 1.0, "rate": 0.5}, run={"equilibrate": 100, "max_events": 400},
+    )  # fmt: skip
+    session = Session(scene)
+    session.run()
+    assert session.gas.arrays.system[0]["kicks"] > 0
+    save_checkpoint(session, tmp_path / "warm.npz")
+    assert load_checkpoint(tmp_path / "warm.npz").gas.time == session.gas.time

@@ -88,7 +88,8 @@ def _require_contents(scene: GasScene, state: State) -> None:
         "numbers": np.array_equal(np.sort(state["gas.numbers"]), np.arange(count)),
         "motions": all(np.isfinite(motions[name]).all() for name in MOTION.names or () if motions[name].dtype.kind == "f")
         and bool((motions["species"] < len(scene.species)).all())
-        and (counted["motions"] - 2 * pairs - walls) % 2**32 == 0,  # (a ball's number of collisions is kept modulo 2^32)
+        # (a ball's number of collisions is kept modulo 2^32; a kick of the thermostat counts as one, too)
+        and (counted["motions"] - 2 * pairs - walls - int(one["kicks"])) % 2**32 == 0,
         "bodies": all(np.isfinite(bodies[name]).all() for name in ("wx", "wy", "wz")),
         "session": 0 <= first <= pairs + walls and 0 <= sampled <= pairs + walls and interval >= 1 and snapshots >= 0,
         "system": (pairs, walls, walls) == tuple(counted[name] for name in ("pairs", "contacts", "faces"))
