@@ -110,6 +110,7 @@ ROWS = {
         Quantity("friction", "μ", "1", "walls[].friction friction"),
         Quantity("tangential restitution", "β", "1", "walls[].tangential_restitution tangential_restitution"),
         Quantity("tangential over normal stiffness", "", "1", "walls[].stiffness_ratio stiffness_ratio"),
+        Quantity("contact time of a ball alone", "T", "s", "walls[].contact_time"),
         Quantity("normal", "n", "1", "normal normal_x normal_y normal_z"),
         Quantity("height of the contact point", "", "radii of the ball", "contact_height",
                  "not the height of the nose: over a nose below its centre the ball meets the wall level with the centre, at 1"),

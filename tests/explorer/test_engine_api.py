@@ -17,7 +17,7 @@ from carom.core.motion.phases import PHASES
 from carom.explorer.module import version
 from carom.laws.registry import laws_of_pairs
 from carom.scene.as_json import scene_dict
-from carom.simulation.records import BALL, KINDS, WALL, kind_names
+from carom.simulation.records import BALL, SEEN, WALL, kind_names
 from carom.simulation.tables import NAMES
 
 SCENES = 60
@@ -312,5 +312,5 @@ def test_laws_are_described_as_in_python(evaluate: Any) -> None:
 
 
 def test_kinds_are_named(evaluate: Any) -> None:
-    # (balls of a cluster have met as any others, for people)
-    assert evaluate("() => layout.kinds") == ["ball" if kind == "in-cluster" else kind for kind in KINDS]
+    # (balls and walls of a cluster have met as any others, for people)
+    assert evaluate("() => layout.kinds") == list(SEEN)

@@ -5,6 +5,9 @@ alpha sqrt(m k) d^(1/4) d', never below 0; friction is Coulomb's. Small steps of
 NumPy: nothing of carom is used. With s = d^(5/4) the collision of one pair is a linear spring with a dashpot, zeta =
 alpha / sqrt(5), that must not pull, whose restitution is known in closed form (Schwager & Poschel, Granular Matter 9, 465 (2007));
 alpha is its root, found by bisection.
+
+Walls are planes that push a ball of mass m as a linear spring with a dashpot, k = m (pi / T)^2, T the time for which a ball alone
+touches the wall without loss: F = k d + 2 zeta sqrt(m k) d', never below 0, whose restitution is that same function of zeta.
 """
 
 from __future__ import annotations
@@ -41,6 +44,16 @@ def damping_of(restitution: float) -> float:
     return (low + high) / 2
 
 
+class Wall(NamedTuple):
+    """A plane through a point, with its unit normal towards the balls."""
+
+    point: Array
+    normal: Array
+    contact_time: float
+    restitution: float = 0.85
+    friction: float = 0.0
+
+
 class Case(NamedTuple):
     """Balls at the beginning: places, velocities and spins (N, 3)."""
 
@@ -54,6 +67,7 @@ class Case(NamedTuple):
     mass: float = MASS
     young: float = YOUNG
     poisson: float = POISSON
+    walls: tuple[Wall, ...] = ()
 
 
 def contact_time(case: Case, speed: float) -> float:
@@ -70,6 +84,7 @@ def integrate(case: Case, duration: float, step: float = 1e-6) -> tuple[Array, A
     i, j = i[near], j[near]
     k = 4 / 3 * case.young / (2 * (1 - case.poisson**2)) * math.sqrt(case.radius / 2)
     c = damping_of(case.restitution) * math.sqrt(case.mass / 2 * k)
+    walls = [(one, np.array(one.normal), damping_of(one.restitution) / math.sqrt(5)) for one in case.walls]
 
     def rates(x: Array, v: Array, w: Array) -> tuple[Array, Array]:
         """Return the accelerations, and the angular ones."""
@@ -94,6 +109,16 @@ def integrate(case: Case, duration: float, step: float = 1e-6) -> tuple[Array, A
             twist = np.cross(n, f) / (0.4 * case.mass * case.radius)
             np.add.at(turn, two, -twist)
             np.add.at(turn, one, -twist)
+        for wall, normal, zeta in walls:
+            depth = case.radius - (x - wall.point) @ normal
+            opening, rate = v @ normal, math.pi / wall.contact_time
+            push = case.mass * rate * np.maximum(rate * depth - 2 * zeta * opening, 0.0) * (depth > 0)
+            slip = v - opening[:, None] * normal - case.radius * np.cross(w, normal)
+            speed = np.sqrt((slip * slip).sum(axis=1))
+            rub = np.minimum(wall.friction * push, case.mass * 2 / 7 * speed / (4 * step)) * (push > 0)
+            f = push[:, None] * normal - (rub / np.maximum(speed, 1e-300))[:, None] * slip
+            acc += f / case.mass
+            turn -= np.cross(normal, f) / (0.4 * case.mass * case.radius)
         return acc, turn
 
     acc, turn = rates(x, v, w)
@@ -114,9 +139,12 @@ def known() -> dict[str, Any]:
 
 def known_case(one: dict[str, Any]) -> Case:
     """Return a case of the reference."""
-    return Case(*(one[name] for name in (
-        "position", "velocity", "spin", "restitution", "friction", "radius", "mass", "young", "poisson"
-    )))  # fmt: skip
+    return Case(
+        *(one[name] for name in (
+            "position", "velocity", "spin", "restitution", "friction", "radius", "mass", "young", "poisson"
+        )),
+        tuple(Wall(**wall) for wall in one.get("walls", ())),
+    )  # fmt: skip
 
 
 def rack(gap: float, spread: float = 0.0, seed: int = 0, radius: float = RADIUS, rows: int = 5) -> Array:

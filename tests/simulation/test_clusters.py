@@ -110,9 +110,11 @@ def test_a_restitution_of_the_speed_is_read_at_the_contact(e: Any) -> None:
     for speed in (0.5, 3.0, 9.5):
         case = row(2, speed=speed)
         setup = set_up(scene_of(case, restitution=e), compiled=False)
-        world, balls = as_objects(setup.world)[0], as_objects(setup.balls)
+        world, features, balls = as_objects(setup.world)[0], as_objects(setup.features), as_objects(setup.balls)
         cluster.place_all(world, balls, 0, 1)
-        assert cluster.collide_cluster(world, balls, 0, 1) == 0  # (a pair, but its contact was integrated)
+        assert (
+            cluster.collide_cluster(world, features, balls, 0, 1, -1) == 0
+        )  # (a pair, but its contact was integrated)
         alone = carom.simulate(scene_of(case, restitution=e)).final.velocity
         assert [one.cv[0] for one in balls] == pytest.approx(alone[:, 0].tolist(), abs=3e-4 * speed)
 

@@ -18,7 +18,7 @@ from carom.formatting import counted, format_number, json_value
 from carom.simulation.budget import budget
 from carom.simulation.contacts.wall import cushion_side
 from carom.simulation.narrate import describe_run
-from carom.simulation.records import BALL, IN_CLUSTER, kind_names
+from carom.simulation.records import BALL, CLUSTERS, FLOOR, WALL, kind_names
 from carom.simulation.tables import event_columns
 
 if TYPE_CHECKING:
@@ -149,9 +149,11 @@ def _event_row(run: Trajectory, features: Any, folded: list[int], several: bool,
     row += [_triple(event.after.position, axes), _triple(event.after.velocity, axes)]
     row += [_triple(event.after.spin)] if wide else []
     # energy is lost instantaneously only in contacts
-    lost = sum(one.energy_lost for one in events) if event.kind in ("wall", "floor") else math.nan
-    if event.kind == "ball" and _is_first(run.events.rows, folded[0]):
-        lost = sum(one.energy_lost for one in _meeting(run.events, folded[0]))
+    lost, kind = math.nan, run.events.rows["kind"][folded[0]]
+    if kind == FLOOR:
+        lost = sum(one.energy_lost for one in events)
+    elif kind == WALL or (kind == BALL and _is_first(run.events.rows, folded[0])):
+        lost = sum(one.energy_lost for one in _contacts(run.events, folded[0]))
     return [
         *row,
         format_number(0.0 if abs(lost) < ROUNDING else lost),
@@ -173,10 +175,11 @@ def _is_first(rows: Any, k: int) -> bool:
     return (k - start) % 2 == 0 and k + 1 < len(rows) and paired(k)
 
 
-def _meeting(events: Any, first: int) -> list[Any]:
-    """Return the events of the balls that met, from its first row on: two, and all whose contacts overlapped with theirs."""
-    kinds = events.rows["kind"][first + 2 :]
-    return [events[k] for k in range(first, first + 2 + int(np.argmin([*(kinds == IN_CLUSTER), False])))]
+def _contacts(events: Any, first: int) -> list[Any]:
+    """Return the events of an impact, from its first row on: of a wall or two balls, and all whose contacts overlapped with it."""
+    own = 2 if events.rows["kind"][first] == BALL else 1
+    kinds = events.rows["kind"][first + own :]
+    return [events[k] for k in range(first, first + own + int(np.argmin([*np.isin(kinds, CLUSTERS), False])))]
 
 
 def _states(run: Trajectory, times: list[float], wide: bool) -> Table:

@@ -33,7 +33,7 @@ from carom.simulation.contacts.contact import DONE
 from carom.simulation.contacts.kinds import REFUSALS
 from carom.simulation.event_rows import ALL, ROWS
 from carom.simulation.loop import FULL, LIMIT, QUIET
-from carom.simulation.records import BALL, BALLS, IN_CLUSTER, KINDS, LOG, WORLD
+from carom.simulation.records import BALLS, LOG, SEEN, WORLD
 
 __all__ = ["ASSETS", "description", "engine_bytes", "engine_layout", "version"]
 
@@ -70,7 +70,7 @@ def _described() -> dict[str, Any]:
         "functions": [entry.name for entry in entries()],
         "features": {"face": FACE, "over": OVER, "line": LINE, "point": POINT, "rim": RIM},
         "gates": {"goes_on": GOES_ON, "leaves": LEAVES, "falls": FALLS},
-        "kinds": [*KINDS[:IN_CLUSTER], KINDS[BALL]],  # (as people see them)
+        "kinds": list(SEEN),
         "phases": list(PHASES),
         "regimes": [str(name) for name in REGIME_NAMES],
         "forms": {name: code for code, name in enumerate(FORMS)},

@@ -25,6 +25,8 @@ from carom.simulation.records import (
     POCKETED_EVENT,
     START,
     WALL,
+    WALL_IN_CLUSTER,
+    WALLS,
     event_numbers,
 )
 from carom.simulation.trajectory import Trajectory
@@ -214,7 +216,7 @@ MARKS: dict[int, tuple[str, str, float]] = {
 
 def _marked(run: Trajectory, balls: list[int]) -> Any:
     """Return the rows of the log that are marked."""
-    rows = run.log[np.isin(run.log["kind"], [*MARKS, IN_CLUSTER]) & np.isin(run.log["ball"], balls)]
+    rows = run.log[np.isin(run.log["kind"], [*MARKS, IN_CLUSTER, WALL_IN_CLUSTER]) & np.isin(run.log["ball"], balls)]
     return rows if len(rows) <= MOST_MARKS else rows[:0]
 
 
@@ -222,7 +224,8 @@ def _marks(axes: Any, run: Trajectory, balls: list[int]) -> None:
     rows = _marked(run, balls)
     for kind, (_label, mark, size) in MARKS.items():
         for i in balls:
-            x = rows["x"][np.isin(rows["kind"], MEETINGS if kind == BALL else (kind,)) & (rows["ball"] == i)]
+            kinds = {BALL: MEETINGS, WALL: WALLS}.get(kind, (kind,))
+            x = rows["x"][np.isin(rows["kind"], kinds) & (rows["ball"] == i)]
             face = "white" if kind == FLOOR else colour(run, i)
             axes.plot(
                 x[:, 0],
@@ -246,7 +249,7 @@ def _marks(axes: Any, run: Trajectory, balls: list[int]) -> None:
 
 def _numbers(run: Trajectory, balls: list[int]) -> list[tuple[Any, int]]:
     """Return the rows of the log of contacts with walls and balls, and their numbers in the figure; empty if too many."""
-    rows = np.flatnonzero(np.isin(run.log["kind"], (WALL, *MEETINGS)) & np.isin(run.log["ball"], balls))
+    rows = np.flatnonzero(np.isin(run.log["kind"], (*WALLS, *MEETINGS)) & np.isin(run.log["ball"], balls))
     # a contact of balls has several rows and one number, at the ball of the lowest number
     rows = rows[np.lexsort((run.log["ball"][rows], event_numbers(run.log)[rows]))]
     _events, first = np.unique(event_numbers(run.log)[rows], return_index=True)

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from carom.formatting import format_length
 from carom.plot.scene_view import colour, steps, view, walls_in, way
 from carom.plot.style import GREY, INK, PALE, literal
-from carom.simulation.records import MEETINGS, WALL
+from carom.simulation.records import MEETINGS, WALLS
 from carom.simulation.trajectory import Trajectory
 
 __all__ = ["Film"]
@@ -130,7 +130,9 @@ class Film:
         self.axes.plot(x, y, color=GREY, lw=wide / 1000)
         log = self.run.log
         met = np.unique(
-            log["t"][np.isin(log["kind"], (WALL, *MEETINGS)) & (log["t"] >= self.span[0]) & (log["t"] <= self.span[1])]
+            log["t"][
+                np.isin(log["kind"], (*WALLS, *MEETINGS)) & (log["t"] >= self.span[0]) & (log["t"] <= self.span[1])
+            ]
         )
         if len(met) <= 200:
             at = x0 + across * (met - self.span[0]) / (self.span[1] - self.span[0])

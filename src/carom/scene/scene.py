@@ -253,7 +253,9 @@ class Scene(Model):
                 contact = contact._replace(beta=0.0 if self.floor is None else self.floor.contact.mu)
             gate = LEAVES if wall.encloses else GOES_ON
             for *shape, pocket in wall.features():
-                rows.append((*shape, i, *contact, number, *((gate, 0) if pocket < 0 else (FALLS, pockets))))
+                rows.append(
+                    (*shape, i, *contact, wall.contact_time, number, *((gate, 0) if pocket < 0 else (FALLS, pockets)))
+                )
                 pockets += pocket >= 0
         return np.array(rows, dtype=FEATURES)
 

@@ -28,6 +28,7 @@ from carom.scene.feature_builders import Feature, Flat, built
 from carom.scene.restitution import Bounce, Constant, Restitution
 from carom.scene.schema import (
     Components,
+    ContactTime,
     Friction,
     Model,
     PositiveNumber,
@@ -39,6 +40,7 @@ from carom.scene.schema import (
 )
 
 __all__ = [
+    "CUSHION",
     "ContactParameters",
     "LawChoice",
     "PairLawChoice",
@@ -54,6 +56,9 @@ __all__ = [
     "permitted_law",
     "put_fault",
 ]
+
+# Contact times, s: estimates. No measurement of a cushion's was found.
+HARD, CUSHION = 3e-4, 3e-3
 
 Outline = list[NDArray[np.float64]]
 
@@ -310,6 +315,8 @@ class WallShape(Model):
     friction : number >= 0, or inf
     tangential_restitution : number from -1 to 1
     stiffness_ratio : number > 0: tangential over normal stiffness of the contact; default: 14/17 (same material)
+    contact_time : s, from 0 to 1: how long a ball alone touches the wall; default: 0.3 ms, of a hard wall, and of a table 3 ms, of
+        rubber (estimates). It matters only where the ball touches something else meanwhile, another ball or another wall
     law : str or carom.Law, optional
         Law of this wall; default: the run's.
     name : str, optional
@@ -327,6 +334,7 @@ class WallShape(Model):
     friction: Friction | None = None
     tangential_restitution: Spring = 0.0
     stiffness_ratio: PositiveNumber = LIKE_SOLIDS
+    contact_time: ContactTime = HARD
     law: LawChoice | None = None
     name: str | None = None
 

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from carom.simulation.records import FLOOR, MEETINGS, WALL
+from carom.simulation.records import BALL, FLOOR, WALL, first_kinds
 from carom.simulation.trajectory import Trajectory
 
 __all__ = ["Budget", "budget"]
@@ -20,7 +20,7 @@ class Budget(NamedTuple):
     floor: float
     """In landings."""
     balls: float
-    """Where balls meet."""
+    """Where balls meet, and at walls that they touch meanwhile."""
     way: float
     """Between events: by sliding and rolling on the floor, and in bounces that are summed (phase bouncing)."""
     end: float
@@ -34,8 +34,8 @@ def budget(run: Trajectory) -> Budget:
     log = run.log
     before, after = (run.kinetic_energy(log["ball"], log[f"v{when}"], log[f"w{when}"]) for when in ("_before", ""))
     lost = np.asarray(before - after)
-    start, end = run.start, run.final
-    walls, floor, balls = (float(lost[np.isin(log["kind"], kinds)].sum()) for kinds in (WALL, FLOOR, MEETINGS))
+    start, end, kinds = run.start, run.final, first_kinds(log)
+    walls, floor, balls = (float(lost[kinds == kind].sum()) for kind in (WALL, FLOOR, BALL))
     e0, e1 = _energy(run, start), _energy(run, end)
     return Budget(e0, walls, floor, balls, e0 - e1 - walls - floor - balls, e1)
 

@@ -6,6 +6,7 @@ from typing import Any
 
 from carom.core.jit.kernel import Vec, kernel, vector
 from carom.core.motion.phases import HELD
+from carom.simulation.cluster_walls import MOST_WALLS, has_hit, wall_impulse, wall_of
 from carom.simulation.contacts.contact import DONE, NO_IMPULSE, Outcome, without_impulse
 from carom.simulation.contacts.kinds import met_at
 from carom.simulation.predict import write_vector
@@ -13,19 +14,21 @@ from carom.simulation.records import (
     BALL,
     HELD_EVENT,
     IN_CLUSTER,
+    MEETINGS,
     NO_REGIME,
     NOTHING,
     PHASE,
     POCKETED_EVENT,
     START,
     WALL,
+    WALL_IN_CLUSTER,
 )  # fmt: skip
 
 __all__ = ["ALL", "PHASES_FROM", "ROWS", "motion_of", "note_event", "note_starts", "rows_of_an_event"]
 
 # Which events are logged: bit ``kind``; for the end of a phase, bit PHASES_FROM + the phase that begins.
 ALL, PHASES_FROM = -1, 16
-# Rows that one event can write, IN_CLUSTER aside: both balls, and that both are held.
+# Rows that one event can write, clusters aside: both balls, and that both are held.
 ROWS = 4
 
 # Velocity, spin and phase.
@@ -33,9 +36,11 @@ Motion = tuple[Vec, Vec, int]
 
 
 @kernel
-def rows_of_an_event(balls: int, keep: int) -> int:
-    """Return how many rows one event of a scene of so many balls can write at most: where contacts overlap, one for each ball."""
-    return max(ROWS, balls) if (keep >> IN_CLUSTER) & 1 != 0 else ROWS
+def rows_of_an_event(balls: int, features: int, keep: int, room: int) -> int:
+    """Return how many rows one event can write to a log of so many: where contacts overlap, one for each ball and for its walls."""
+    rows = balls if (keep >> IN_CLUSTER) & 1 != 0 else 0
+    rows += balls * min(features, MOST_WALLS) if (keep >> WALL) & 1 != 0 else 0
+    return min(max(ROWS, rows), room)
 
 
 @kernel
@@ -76,17 +81,47 @@ def _note_held(log: Any, rows: int, ball: Any, i: int, met: int, other: int, bef
 
 
 @kernel
-def _note_cluster(log: Any, rows: int, balls: Any, many: int, keep: int) -> int:
-    """Write the rows of the balls of a cluster; return how many rows there are then."""
+def _note_touch(
+    log: Any, rows: int, balls: Any, i: int, kind: int, other: int, j: Vec, first: bool, keep: int
+) -> int:  # fmt: skip
+    """Write that ball i has touched a ball or a wall in a cluster, with its impulse; return how many rows there are then.
+
+    A ball's first row has its velocities before and after the whole event.
+    """
+    if (keep >> (WALL if kind == WALL_IN_CLUSTER else kind)) & 1 == 0 or rows == log.shape[0]:
+        return rows
+    ball, met = balls[i], BALL if kind in MEETINGS else WALL
+    before = motion_of(ball)
+    if first:
+        before = (vector(ball.dv), vector(ball.dw), ball.was)
+    _note(log[rows], ball, kind, i, met, other, before, (j, NO_IMPULSE, 0.0, NO_REGIME, DONE, 0))
+    return rows + 1
+
+
+@kernel
+def _note_cluster(log: Any, rows: int, features: Any, balls: Any, many: int, k: int, keep: int) -> int:
+    """Write the rows of a cluster that began with a meeting of balls, or at feature k >= 0; return how many rows there are then."""
     for p in range(many):
         i = balls[p].touched
-        ball, kind = balls[i], BALL if p < 2 else IN_CLUSTER
-        if (keep >> kind) & 1 != 0:
-            m, v, u = ball.mass, ball.v, ball.dv
-            j = (m * (v[0] - u[0]), m * (v[1] - u[1]), m * (v[2] - u[2]))
-            given = (j, NO_IMPULSE, 0.0, NO_REGIME, DONE, many)
-            _note(log[rows], ball, kind, i, BALL, ball.met, (vector(u), vector(ball.dw), ball.was), given)
-            rows += 1
+        ball = balls[i]
+        m, v, u = ball.mass, ball.v, ball.dv
+        j = (m * (v[0] - u[0]), m * (v[1] - u[1]), m * (v[2] - u[2]))
+        for s in range(ball.walls):
+            if has_hit(ball, s):
+                push = wall_impulse(ball, s)
+                j = (j[0] - push[0], j[1] - push[1], j[2] - push[2])
+        if k >= 0 and p == 0:
+            rows = _note_touch(log, rows, balls, i, WALL, features[k].wall, wall_impulse(ball, 0), True, keep)
+        if ball.met >= 0:
+            kind = BALL if k < 0 and p < 2 else IN_CLUSTER
+            rows = _note_touch(log, rows, balls, i, kind, ball.met, j, k < 0 or p > 0, keep)
+    for p in range(many):
+        i = balls[p].touched
+        ball = balls[i]
+        for s in range(1 if k >= 0 and p == 0 else 0, ball.walls):
+            if has_hit(ball, s):
+                wall = features[wall_of(ball, s)].wall
+                rows = _note_touch(log, rows, balls, i, WALL_IN_CLUSTER, wall, wall_impulse(ball, s), False, keep)
     return rows
 
 
@@ -98,7 +133,7 @@ def note_event(
     """Write the rows of an event of ball i, and of k if it is another, that are to be kept; return how many rows there are then."""
     ball, other = balls[i], balls[k]
     if outcome[5] > 0:
-        return _note_cluster(log, rows, balls, outcome[5], keep)
+        return _note_cluster(log, rows, features, balls, outcome[5], ball.next_who if kind == WALL else -1, keep)
     # (what is held is held by what it was to meet)
     met, who = met_at(ball.next_kind), ball.next_who
     if met == WALL:

@@ -10,7 +10,7 @@ from carom.formatting import counted, format_number
 from carom.laws.registry import laws
 from carom.scene.wall import law_name
 from carom.simulation.contacts.wall import wall_normal
-from carom.simulation.records import BALL, IN_CLUSTER, START, WALL
+from carom.simulation.records import BALL, CLUSTERS, START, WALL, are_in_clusters
 from carom.simulation.trajectory import Trajectory
 
 __all__ = ["law_notes"]
@@ -21,7 +21,7 @@ LOOKED_AT = 1000  # contacts of a law, for the direction in which balls leave
 
 def law_notes(run: Trajectory) -> list[str]:
     """Return a line for each law that creates energy, and for each custom one that leaves a ball moving into what it has met."""
-    rows = run.log[run.log["kind"] == WALL]
+    rows = run.log[(run.log["kind"] == WALL) & ~are_in_clusters(run.log)]
     names = np.array([law_name(law) for law in run.scene.wall_laws], dtype=object)[rows["other"]]
     found = []
     for name in dict.fromkeys(names):
@@ -39,7 +39,7 @@ def _notes_on_pairs(run: Trajectory) -> list[str]:
     name = law_name(run.scene.ball_contact.law)
     kinds = np.append(run.log["kind"], START)
     first = np.flatnonzero(kinds == BALL)[::2]
-    first = first[kinds[first + 2] != IN_CLUSTER]
+    first = first[~np.isin(kinds[first + 2], CLUSTERS)]
     rows, others = run.log[first], run.log[first + 1]
     found = _created(run, name, rows, others)
     n, v = rows["x"] - others["x"], rows["v"] - others["v"]

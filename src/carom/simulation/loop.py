@@ -170,7 +170,7 @@ def run(
             continue
         if events >= most:
             return LIMIT, events, rows, -1, slow, _last(balls)
-        room = rows + rows_of_an_event(balls.shape[0], keep) <= log.shape[0]
+        room = rows + rows_of_an_event(balls.shape[0], features.shape[0], keep, log.shape[0]) <= log.shape[0]
         if keep == ALL and not room:
             return FULL, events, rows, -1, slow, _last(balls)
         events += 1

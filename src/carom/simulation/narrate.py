@@ -11,10 +11,11 @@ from numpy.typing import NDArray
 
 from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, LEFT, PIVOTING, POCKETED, REST, ROLLING, SLIDING
 from carom.formatting import counted, format_length, format_number, format_time
-from carom.simulation.contacts.kinds import CONTACTS
+from carom.simulation.contacts.kinds import CONTACTS, partner_names
+from carom.simulation.contacts.wall import cushion_side
 from carom.simulation.contacts_in_time import overlap_note
 from carom.simulation.phrases import direction, listed, speed, when
-from carom.simulation.records import BALL, FLOOR, HELD_EVENT, IN_CLUSTER, START
+from carom.simulation.records import BALL, CLUSTERS, FLOOR, HELD_EVENT, IN_CLUSTER, START, WALL_IN_CLUSTER
 from carom.simulation.run_record import RunRecord
 
 __all__ = ["describe_run"]
@@ -89,6 +90,7 @@ def _ball(run: RunRecord, features: Any, rows: Rows) -> str:
     firsts = [k for k, kind in enumerate(rows["kind"]) if kind in IMPACT_KINDS]
     # what is held is held by what it met at that instant: one sentence
     firsts = [k for k in firsts if not (rows["kind"][k] == HELD_EVENT and k > 0 and rows["t"][k] == rows["t"][k - 1])]
+    firsts = [k for k in firsts if not _is_further(rows[k])]
     parts = [rows[a:b] for a, b in zip(firsts, [*firsts[1:], len(rows)], strict=True)]
     ends = [float(part["t"][0]) for part in parts[1:]] + [run.end]
     shown = range(len(parts))
@@ -104,6 +106,21 @@ def _ball(run: RunRecord, features: Any, rows: Rows) -> str:
             sentences.append(_sentence(run, features, parts[k], ends[k]))
     sentences.append(_outcome(run, rows))
     return " ".join(text for text in sentences if text)
+
+
+def _is_further(row: Any) -> bool:
+    """Return whether a row is of something else that a ball touches in the same contact, after its first row."""
+    return bool(row["kind"] in CLUSTERS and np.array_equal(row["v_before"], row["v"]))
+
+
+def _meanwhile(run: RunRecord, features: Any, part: Rows) -> str:
+    """Name what a ball touches together with what it meets."""
+    names = []
+    for row in part[1:][[_is_further(row) for row in part[1:]]]:
+        side = cushion_side(run, features, row) if row["kind"] == WALL_IN_CLUSTER else ""
+        name = str((partner_names(run.scene, int(row["met"])) or ())[row["other"]])
+        names.append(f"{name} ({side})" if side else name)
+    return f", touching {listed(list(dict.fromkeys(names)))} meanwhile" if names else ""
 
 
 def _skipped(parts: list[Rows]) -> str:
@@ -130,14 +147,14 @@ def _sentence(run: RunRecord, features: Any, part: Rows, end: float) -> str:
     else:
         contact = CONTACTS[BALL if kind == IN_CLUSTER else kind]
         assert contact.sentence is not None
-        head = contact.sentence(run, features, row)
+        head = contact.sentence(run, features, row) + _meanwhile(run, features, part)
         if contact.last:
             return head
     if row["phase"] == LEFT:
         return f"{head} and has left: it is followed no further."
     if part["phase"][-1] == HELD:
         return f"{head} and is held there, pressed on it: it is followed no further."
-    then = _then(run, part, end)
+    then = _then(run, part[[not (k and _is_further(row)) for k, row in enumerate(part)]], end)
     return f"{head}{'; it ' if then else ''}{listed(then) if then else ''}."
 
 

@@ -12,11 +12,20 @@ from typing import Any
 from carom.core.geometry.features import FALLS, OVER, SEAM, feature_hit, is_out_of_reach, never_closes
 from carom.core.jit.kernel import Vec, dot, hot_kernel, kernel, vector
 from carom.core.motion.bounces import bounces
-from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, accelerations, advance
+from carom.core.motion.phases import BOUNCING, FLIGHT, HELD, REST, SLIDING, accelerations, advance
 from carom.core.roots.first_root import hit2, hit4
 from carom.simulation.records import BALL, FLOOR, LEFT_EVENT, NOTHING, PHASE, POCKETED_EVENT, SETTLED, WALL
 
-__all__ = ["accelerations_of", "begin_phase", "move_by", "predict", "state_after", "state_at", "write_vector"]
+__all__ = [
+    "accelerations_of",
+    "begin_phase",
+    "is_on_floor",
+    "move_by",
+    "predict",
+    "state_after",
+    "state_at",
+    "write_vector",
+]
 
 STILL = 1e-12  # of the radius: a ball that moved by less is where it was
 
@@ -65,6 +74,14 @@ def accelerations_of(world: Any, ball: Any) -> tuple[Vec, Vec, float]:
         ball.phase, vector(ball.v), vector(ball.w), ball.radius, ball.kappa,
         vector(world.force), world.g, world.floor_mu, world.resistance, world.spin_friction,
     )  # fmt: skip
+
+
+@kernel
+def is_on_floor(world: Any, ball: Any) -> bool:
+    """Return whether a ball is on the floor: by its phase, or, where nothing presses it, by its position and velocity."""
+    if ball.phase == FLIGHT:
+        return bool(world.floor != 0 and not world.g > 0 and ball.v[2] == 0 and ball.x[2] == ball.radius)
+    return bool(SLIDING <= ball.phase <= REST)
 
 
 @kernel

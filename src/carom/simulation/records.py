@@ -15,16 +15,25 @@ from carom.core.contact import NO_REGIME
 from carom.core.motion.phases import PHASES
 
 __all__ = [
-    "BALL", "BALLS", "EVENT_KINDS", "FLOOR", "HELD_EVENT", "IN_CLUSTER", "KINDS", "LEFT_EVENT", "LOG", "MEETINGS", "NOTHING",
-    "NO_REGIME", "PHASE", "POCKETED_EVENT", "SETTLED", "START", "WALL", "WORLD", "event_numbers", "kind_names",
+    "BALL", "BALLS", "CLUSTERS", "EVENT_KINDS", "FLOOR", "HELD_EVENT", "IN_CLUSTER", "KINDS", "LEFT_EVENT", "LOG", "MEETINGS",
+    "NOTHING", "NO_REGIME", "PHASE", "POCKETED_EVENT", "SEEN", "SETTLED", "START", "WALL", "WALLS", "WALL_IN_CLUSTER", "WORLD",
+    "are_in_clusters", "event_numbers", "first_kinds", "kind_names",
 ]  # fmt: skip
 
 # What can come next for a ball, and what a log says of it. A meeting of balls has two rows of the kind BALL; where contacts overlap
-# in time (carom.simulation.cluster) a row of the kind IN_CLUSTER for every other ball that was touched follows.
-START, WALL, FLOOR, BALL, PHASE, SETTLED, LEFT_EVENT, HELD_EVENT, NOTHING, POCKETED_EVENT, IN_CLUSTER = range(11)
-# As files have them. People see that a phase ends by the name of the one that begins, and "ball" for every ball of a cluster.
-KINDS = ("start", "wall", "floor", "ball", "phase", "settled", "left", "held", "nothing", "pocketed", "in-cluster")
-MEETINGS = (BALL, IN_CLUSTER)
+# in time (carom.simulation.cluster) a row of the kind IN_CLUSTER for every other ball that was touched follows, then a row of the
+# kind WALL_IN_CLUSTER for every wall that a ball touched. A ball's first row has its velocities before and after all that; each row
+# has the impulse of what it names.
+(
+    START, WALL, FLOOR, BALL, PHASE, SETTLED, LEFT_EVENT, HELD_EVENT, NOTHING, POCKETED_EVENT, IN_CLUSTER, WALL_IN_CLUSTER
+) = range(12)  # fmt: skip
+# As files have them. People see that a phase ends by the name of the one that begins, and "ball" or "wall" in a cluster.
+KINDS = (
+    "start", "wall", "floor", "ball", "phase", "settled", "left", "held", "nothing", "pocketed", "in-cluster", "wall-in-cluster"
+)  # fmt: skip
+MEETINGS, WALLS, CLUSTERS = (BALL, IN_CLUSTER), (WALL, WALL_IN_CLUSTER), (IN_CLUSTER, WALL_IN_CLUSTER)
+# Kinds by number as people see them
+SEEN = (*KINDS[:IN_CLUSTER], KINDS[BALL], KINDS[WALL])
 # The kinds that people see; the end of a phase is called by the phase that begins.
 EVENT_KINDS = tuple(
     dict.fromkeys(kind for kind in (*KINDS[:IN_CLUSTER], *PHASES) if kind not in ("start", "phase", "nothing"))
@@ -82,12 +91,22 @@ BALLS = np.dtype(
         ("near", _WHOLE),
         ("joined", _WHOLE),  # so for those that stay in contact
         ("touched", _WHOLE),
-        ("met", _WHOLE),  # the ball that it touched first
+        ("met", _WHOLE),  # the ball that it touched first, or less than 0
         ("was", _WHOLE),  # its phase before
         *((f"c{name}", *_VECTOR) for name in "xvw"),  # place, velocity and spin in the cluster's own time
         *((f"d{name}", *_VECTOR) for name in "xvw"),  # their changes; then velocity and spin before
         ("push", *_VECTOR),  # force, and its torque per radius
         ("twist", *_VECTOR),
+        # the walls near it (carom.simulation.cluster_walls): how many, their features' numbers, bits for those that it has touched
+        ("walls", _WHOLE),
+        ("wall", _WHOLE),
+        ("hits", _WHOLE),
+        ("pushes", _WHOLE),  # what pushes it now
+        ("coupled", _WHOLE),  # whether a wall and something else have pushed it at once
+        ("rests", _WHOLE),  # whether the floor bears it
+        ("wall_n", _NUMBER, (9,)),  # normals
+        ("wall_at", _NUMBER, (3,)),  # where the contacts begin, along the normals
+        ("wall_push", _NUMBER, (9,)),  # impulses
     ]
 )
 
@@ -115,14 +134,28 @@ LOG = np.dtype(
 
 def kind_names(rows: NDArray[np.void]) -> NDArray[Any]:
     """Return the kinds of a log's rows as people see them."""
-    kinds = np.array([*KINDS[:IN_CLUSTER], KINDS[BALL]], dtype=object)[rows["kind"]]
+    kinds = np.array(SEEN, dtype=object)[rows["kind"]]
     phases = np.array(PHASES, dtype=object)[rows["phase"]]
     names: NDArray[Any] = np.where(rows["kind"] == PHASE, phases, kinds)
     return names
+
+
+def first_kinds(log: NDArray[np.void]) -> NDArray[np.int64]:
+    """Return for each row (M,) of a whole log the kind with which its event begins: BALL or WALL where contacts overlap in time."""
+    number = event_numbers(log)
+    found: NDArray[np.int64] = log["kind"][np.unique(number, return_index=True)[1]][number]
+    return found
+
+
+def are_in_clusters(log: NDArray[np.void]) -> NDArray[np.bool_]:
+    """Return which rows (M,) of a whole log are of events of contacts that overlap in time."""
+    number = event_numbers(log)
+    found: NDArray[np.bool_] = np.isin(number, number[np.isin(log["kind"], CLUSTERS)])
+    return found
 
 
 def event_numbers(log: NDArray[np.void]) -> NDArray[np.int64]:
     """Return the number of the event (M,) that each row of a whole log is of: a meeting of balls has two rows or more."""
     kind = log["kind"]
     second = (kind == BALL) & (np.cumsum(kind == BALL) % 2 == 0)
-    return np.asarray(np.cumsum(~second & (kind != IN_CLUSTER)) - 1)
+    return np.asarray(np.cumsum(~second & ~np.isin(kind, CLUSTERS)) - 1)

@@ -20,7 +20,7 @@ from carom.simulation.contacts.contact import DONE
 from carom.simulation.event_rows import PHASES_FROM, rows_of_an_event
 from carom.simulation.loop import LIMIT, QUIET
 from carom.simulation.predict import write_vector
-from carom.simulation.records import BALLS, LOG, PHASE, WORLD
+from carom.simulation.records import BALLS, LOG, PHASE, WALL, WALL_IN_CLUSTER, WORLD
 
 __all__ = ["LOG_ROWS", "LOOP", "PARTS", "ROWS_KEPT", "compiled_many", "empty_counts", "empty_logs", "many_on_gpu"]
 
@@ -66,6 +66,7 @@ def _keep_rows(log: Any, rows: int, wanted: Any, counts: Any, kept: Any) -> None
     """
     for r in range(rows):
         code = PHASES_FROM + log[r].phase if log[r].kind == PHASE else log[r].kind
+        code = WALL if code == WALL_IN_CLUSTER else code
         for j in range(wanted.shape[0]):
             if wanted[j, 0] == code and wanted[j, 1] == counts[code]:
                 _copy(kept[j], log[r])
@@ -107,7 +108,8 @@ def _many(
             left = min(share, most - ended[n, 1])
             while ended[n, 0] == LIMIT and left > 0:
                 # (a full log loses rows, and one event may write several of them)
-                step = min(left, log.shape[0] // rows_of_an_event(balls.shape[1], keep)) if keep != 0 else left
+                many = rows_of_an_event(balls.shape[1], shape.shape[0], keep, log.shape[0])
+                step = min(left, log.shape[0] // many) if keep != 0 else left
                 status, events, rows, _ball, slow[n], last = _run(
                     worlds[here : here + 1], shape, balls[n], log, slow[n], until, step, users, keep
                 )

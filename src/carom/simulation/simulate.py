@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -184,8 +185,10 @@ def _run_many(scene: Scene, arrays: SceneArrays, events: int, kinds: tuple[str, 
     ended[:, 0] = LIMIT
     kept: list[NDArray[np.void]] = []
     room = events if events <= WHOLE_EVENTS else FIRST_ROWS
-    one, first_ones = rows_of_an_event(len(scene.balls), bits), np.empty((0, 2), np.int64)
-    logs = empty_logs(min(PARTS, total), max(LOG_ROWS, len(scene.balls)))
+    shape = len(scene.balls), len(arrays.features)
+    longest = max(LOG_ROWS, rows_of_an_event(*shape, bits, sys.maxsize))
+    one, first_ones = rows_of_an_event(*shape, bits, longest), np.empty((0, 2), np.int64)
+    logs = empty_logs(min(PARTS, total), longest)
     for block in block_slices(total, BLOCK):
         rows, here, counts = np.zeros((block.stop - block.start, room), LOG), ended[block], written[block]
         pace, goes_on = Pace(FIRST_EVENTS), np.ones(len(rows), bool)

@@ -64,7 +64,11 @@ FILLED = {
     "balls": ("mass", "kappa"),
 }
 EVENT_KINDS = {
-    **{name: k for k, name in enumerate(KINDS) if name not in ("start", "phase", "nothing", "in-cluster")},
+    **{
+        name: k
+        for k, name in enumerate(KINDS)
+        if name not in ("start", "phase", "nothing", "in-cluster", "wall-in-cluster")
+    },
     **{name: PHASES_FROM + k for k, name in enumerate(PHASES) if name not in KINDS},
 }
 EVENT_PARTS = {"time": "t", "ball": "ball", "met": "other", "position": "x", "velocity": "v", "spin": "w"}

@@ -24,7 +24,7 @@ from carom.errors import CaromError, Fault, FaultList, did_you_mean, shown
 from carom.scene.paths import ball_index
 from carom.scene.scene import Scene
 from carom.scene.schema import Model, Number, Place, Size, refused
-from carom.simulation.records import BALL, IN_CLUSTER, MEETINGS, POCKETED_EVENT, WALL
+from carom.simulation.records import BALL, IN_CLUSTER, MEETINGS, POCKETED_EVENT, WALLS
 
 __all__ = [
     "EVENTS", "Outcomes", "Target", "TargetEvent", "find", "is_reached", "residuals", "sizes", "slopes", "targets_of",
@@ -34,7 +34,7 @@ Array = NDArray[np.float64]
 WHERE = "aim: reach"
 EXAMPLE = "a target such as {'ball': 0, 'hit': 1}"
 # Kinds of events among which targets are looked for.
-EVENTS = (WALL, *MEETINGS, POCKETED_EVENT)
+EVENTS = (*WALLS, *MEETINGS, POCKETED_EVENT)
 # Phases in which a ball ends at a place: in flight, in a pocket, beside the table and while it rolls it does not.
 LYING = (REST, PIVOTING, HELD)
 
@@ -227,7 +227,7 @@ def find(target: TargetEvent, log: NDArray[np.void]) -> NDArray[np.int64]:
             # of several balls at once it is the other one's row that says that this one touched it first
             there |= (log["kind"] == IN_CLUSTER) & (log["ball"] == other) & (log["other"] == target.ball)
             row = np.maximum(row, np.where(there.any(axis=1), there.argmax(axis=1), far))
-        cushions = ((log["kind"] == WALL) & mine).cumsum(axis=1)
+        cushions = (np.isin(log["kind"], WALLS) & mine).cumsum(axis=1)
         before = cushions[np.arange(count), np.minimum(row, width - 1)]
         row = np.where(before >= target.cushions, row, far)
     return np.where(row < far, row, -1)

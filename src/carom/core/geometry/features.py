@@ -53,6 +53,7 @@ FEATURES = np.dtype(
         ("e", "f8", (3,)),
         ("mu", "f8"),
         ("beta", "f8"),
+        ("contact_time", "f8"),  # s
         ("law", "i8"),
         ("ends", "i8"),  # GOES_ON, LEAVES or FALLS
         (

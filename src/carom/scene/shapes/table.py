@@ -17,8 +17,8 @@ from carom.formatting import format_length
 from carom.scene.feature_builders import Flat, length_2d, put_cushion, put_edges, put_standing
 from carom.scene.pockets import Jaw, Pockets, is_free, jaw_at, jaw_line, put_jaw, put_pocket
 from carom.scene.presets import preset_fault, presets, wall_fields
-from carom.scene.schema import Extent, Place, Size, raise_faults
-from carom.scene.wall import Outline, Pocket, ShapeFault, ShapeKernels, WallShape, put_fault
+from carom.scene.schema import ContactTime, Extent, Place, Size, raise_faults
+from carom.scene.wall import CUSHION, Outline, Pocket, ShapeFault, ShapeKernels, WallShape, put_fault
 
 __all__ = ["Table"]
 
@@ -240,7 +240,8 @@ class Table(WallShape):
     height : m: the cushions' upper edge; default: infinite, so that no ball leaves the table
     corner_pockets, side_pockets : Pockets, optional: in the corners, and in the middle of the longer sides. A ball whose centre
         passes a pocket's edge, below the cushions' upper edge, falls: an event ``pocketed``; it is followed no further
-    restitution, friction, tangential_restitution, stiffness_ratio, law, name : fields of every wall, as of :class:`Plane`
+    restitution, friction, tangential_restitution, stiffness_ratio, contact_time, law, name : fields of every wall, as of
+        :class:`Plane`
 
     Raises CaromError, one line per problem.
 
@@ -283,6 +284,7 @@ class Table(WallShape):
     height: Extent = math.inf
     corner_pockets: Pockets | None = None
     side_pockets: Pockets | None = None
+    contact_time: ContactTime = CUSHION
 
     @model_validator(mode="before")
     @classmethod

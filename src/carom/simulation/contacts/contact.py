@@ -7,15 +7,15 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from carom.core.jit.kernel import Vec, dot, kernel
-from carom.core.motion.phases import FLIGHT, REST, ROUNDING, SLIDING, grounded
-from carom.simulation.predict import write_vector
+from carom.core.jit.kernel import Vec, dot, kernel, vector
+from carom.core.motion.phases import FLIGHT, ROUNDING, grounded
+from carom.simulation.predict import is_on_floor, write_vector
 from carom.simulation.records import NO_REGIME, NOTHING
 
 if TYPE_CHECKING:
     from carom.simulation.run_record import RunRecord
 
-__all__ = ["DONE", "NO_IMPULSE", "ContactKind", "Outcome", "is_on_floor", "leave", "without_impulse"]
+__all__ = ["DONE", "NO_IMPULSE", "ContactKind", "Outcome", "leave", "leave_cluster", "without_impulse"]
 
 # How a contact may end: DONE, or as one of its refusals, where the law has no answer.
 DONE = 0
@@ -69,8 +69,8 @@ def leave(world: Any, ball: Any, v: Vec, w: Vec, from_floor: bool) -> None:
 
 
 @kernel
-def is_on_floor(world: Any, ball: Any) -> bool:
-    """Return whether a ball is on the floor: by its phase, or, where nothing presses it, by its position and velocity."""
-    if ball.phase == FLIGHT:
-        return bool(world.floor != 0 and not world.g > 0 and ball.v[2] == 0 and ball.x[2] == ball.radius)
-    return bool(SLIDING <= ball.phase <= REST)
+def leave_cluster(world: Any, balls: Any, count: int) -> None:
+    """Set velocities, spins and phases of the balls of a cluster (carom.simulation.cluster) after it."""
+    for p in range(count):
+        one = balls[balls[p].touched]
+        leave(world, one, vector(one.cv), vector(one.cw), is_on_floor(world, one))

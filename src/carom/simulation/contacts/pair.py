@@ -17,8 +17,9 @@ from carom.laws.callbacks import call_user
 from carom.laws.law import CALLED_WALL
 from carom.laws.pair import pair_as_wall, pair_contact, pair_slip, struck_as_wall
 from carom.simulation.cluster import collide_cluster, overlaps_in_time, place_all
-from carom.simulation.contacts.contact import DONE, NO_IMPULSE, ContactKind, Outcome, is_on_floor, leave
+from carom.simulation.contacts.contact import DONE, NO_IMPULSE, ContactKind, Outcome, leave, leave_cluster
 from carom.simulation.phrases import at, direction, speed
+from carom.simulation.predict import is_on_floor
 from carom.simulation.records import BALL, IN_CLUSTER, MEETINGS, NO_REGIME
 from carom.simulation.resting_contact import continue_ball_contact, is_pressed_on_ball
 
@@ -67,14 +68,12 @@ def meet_ball(world: Any, features: Any, balls: Any, i: int, k: int, users: Any)
         required, regime = 0 * mass, NO_REGIME
     else:
         v, w, v2, w2, j, required, regime = pair_contact(v, w, v2, w2, n, a, m, kappa, a2, m2, kappa2, e, mu, last)
-    if world.pair_modulus > 0 and balls.shape[0] > 2 and not pressed:
+    if world.pair_modulus > 0 and not pressed:
         place_all(world, balls, i, k)
-        if overlaps_in_time(world, balls, i, k, v, v2, approach):
-            count = collide_cluster(world, balls, i, k)
+        if overlaps_in_time(world, features, balls, i, k, v, v2, approach):
+            count = collide_cluster(world, features, balls, i, k, -1)
             if count > 0:
-                for p in range(count):
-                    one = balls[balls[p].touched]
-                    leave(world, one, vector(one.cv), vector(one.cw), is_on_floor(world, one))
+                leave_cluster(world, balls, count)
                 c, m = vector(ball.dv), ball.mass
                 v = vector(ball.v)
                 j = (m * (v[0] - c[0]), m * (v[1] - c[1]), m * (v[2] - c[2]))

@@ -9,7 +9,7 @@ import numpy as np
 
 from carom.core.contact import SLIDE, STICK, one_contact, slip_velocity
 from carom.core.geometry.features import OVER, contact_normal, feature_normal, gap_to_feature
-from carom.core.jit.kernel import dot, kernel, vector
+from carom.core.jit.kernel import Vec, dot, kernel, vector
 from carom.core.motion.phases import FLIGHT, HELD, PIVOTING, REST, ROLLING, ROUNDING
 from carom.core.motion.restitution import restitution
 from carom.core.motion.rolling import UP
@@ -19,10 +19,18 @@ from carom.laws.conventional import conventional_reflection
 from carom.laws.law import CALLED_WALL, CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL, ROLLING_WALL, TWO_STEP_WALL
 from carom.laws.two_step import UNDEFINED
 from carom.laws.wall_and_floor.solver import JAM, STALL
-from carom.simulation.contacts.contact import DONE, ContactKind, Outcome, is_on_floor, leave, without_impulse
+from carom.simulation.cluster import collide_cluster, overlaps_at_wall
+from carom.simulation.contacts.contact import (
+    DONE,
+    ContactKind,
+    Outcome,
+    leave,
+    leave_cluster,
+    without_impulse,
+)
 from carom.simulation.phrases import at, speed
-from carom.simulation.predict import write_vector
-from carom.simulation.records import WALL
+from carom.simulation.predict import is_on_floor, write_vector
+from carom.simulation.records import NO_REGIME, WALL
 from carom.simulation.resting_contact import continue_wall_contact, is_driven_into_wall
 from carom.simulation.wall_and_floor import joint_impact
 
@@ -86,6 +94,16 @@ def _restore(world: Any, ball: Any, energy: float) -> None:
 
 
 @kernel
+def _collide_at_wall(world: Any, features: Any, balls: Any, i: int, who: int, n: Vec, v: Vec, approach: float) -> int:
+    """Resolve what overlaps with the contact of ball i and a feature, which it would leave with v; return how many balls move."""
+    if not (world.pair_modulus > 0 and overlaps_at_wall(world, features, balls, i, who, n, v, approach)):
+        return 0
+    count = collide_cluster(world, features, balls, i, i, who)
+    leave_cluster(world, balls, count)
+    return count
+
+
+@kernel
 def meet_wall(world: Any, features: Any, balls: Any, i: int, who: int, users: Any) -> Outcome:
     """Resolve the impact of ball i on feature ``who`` by the law of its wall."""
     f, ball = features[who], balls[i]
@@ -101,7 +119,7 @@ def meet_wall(world: Any, features: Any, balls: Any, i: int, who: int, users: An
     if math.isnan(energy) or not keeps_energy(world, ball):
         energy = _kinetic(ball) - 2 * dot(vector(world.force), vector(ball.x))
     ball.energy = math.nan
-    _j, jf, required, regime, refusal, many = without_impulse()
+    _j, jf, required, regime, refusal, _many = without_impulse()
     if law == CONTACT_WALL or (law == TWO_STEP_WALL and not on_floor):
         v1, w1, j, required, regime = one_contact(v, w, n, a, kappa, e, mu, beta)
     elif law == ROLLING_WALL:
@@ -128,6 +146,10 @@ def meet_wall(world: Any, features: Any, balls: Any, i: int, who: int, users: An
             refusal = REFUSED_STALL
         elif regime == UNDEFINED:
             refusal = REFUSED_UNDEFINED
+    many = 0 if pushed or refusal != DONE else _collide_at_wall(world, features, balls, i, who, n, v1, approach)
+    if many > 0:
+        none = (0 * approach, 0 * approach, 0 * approach)
+        return none, none, 0 * approach, NO_REGIME, DONE, many
     if refusal == DONE:
         leave(world, ball, v1, w1, on_floor)
         continue_wall_contact(world, f, ball, n, approach, law == ROLLING_WALL)

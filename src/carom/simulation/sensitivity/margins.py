@@ -20,7 +20,7 @@ from carom.core.jit.objects import as_objects
 from carom.core.motion.phases import SLIDING
 from carom.core.motion.restitution import restitution
 from carom.laws.law import TWO_STEP_WALL
-from carom.simulation.records import BALL, MEETINGS, WALL, event_numbers
+from carom.simulation.records import BALL, MEETINGS, WALL, WALLS, event_numbers
 from carom.simulation.sensitivity.dual import derivative, value
 from carom.simulation.sensitivity.interpreted import seeded
 from carom.simulation.sensitivity.lift import lifted
@@ -108,7 +108,7 @@ def _next_of_its_balls(log: Any, k: int) -> int | None:
 def impacts_at_once(log: Any, k: int, balls: Sequence[int]) -> NDArray[np.bool_]:
     """Mark the rows in which one of these balls, of row k, meets something else at the time of row k."""
     t, kind, other = log["t"], log["kind"], log["other"]
-    found = np.isin(kind, (WALL, *MEETINGS)) & (np.abs(t - t[k]) <= EXACT * t[k]) & np.isin(log["ball"], balls)
+    found = np.isin(kind, (*WALLS, *MEETINGS)) & (np.abs(t - t[k]) <= EXACT * t[k]) & np.isin(log["ball"], balls)
     found &= (other != other[k]) | (kind != kind[k])
     number = event_numbers(log)
     return np.asarray(

@@ -34,6 +34,7 @@ from carom.simulation.records import (
     POCKETED_EVENT,
     SETTLED,
     WALL,
+    WALL_IN_CLUSTER,
 )  # fmt: skip
 from carom.simulation.resting_contact import stays_clear
 from carom.simulation.sensitivity.gaps import feature_gap, feature_gap_rate, pair_gap
@@ -305,11 +306,12 @@ def follow_log(world: Any, features: Any, walls: Any, balls: Any, plain: Any, lo
             _record_after(world, balls[k], log[n + 1], one, approach, required, friction)
             _record_slip(one, balls[k])
         n += 1 if k == i else 2
-        while n < rows and log[n].kind == IN_CLUSTER:
+        while n < rows and log[n].kind in (IN_CLUSTER, WALL_IN_CLUSTER):
             # (its contacts were integrated again with all others of the event, whose time changes for it too)
             other, one = balls[log[n].ball], out[min(n, last)]
-            write_vector(one.v_before, vector(other.dv))
-            write_vector(one.w_before, vector(other.dw))
+            again = log[n].kind == WALL_IN_CLUSTER or log[n].ball == i
+            write_vector(one.v_before, vector(other.v if again else other.dv))
+            write_vector(one.w_before, vector(other.w if again else other.dw))
             none = as_dual(math.nan)
             _record_after(world, other, log[n], one, none, none, none)
             _record_slip(one, other)

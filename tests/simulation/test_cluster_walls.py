@@ -1,0 +1,223 @@
+"""Walls in contacts that overlap in time, against an integration of its own (tests/reference/hertz_contacts.py)."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+from reference.hertz_contacts import MASS, RADIUS, known, known_case
+from simulation.test_clusters import energy, scene_of
+
+import carom
+from carom.core.jit.objects import as_objects
+from carom.simulation.budget import budget
+from carom.simulation.event_rows import ALL
+from carom.simulation.loop import run
+from carom.simulation.records import BALL, IN_CLUSTER, LOG, WALL, WALL_IN_CLUSTER, event_numbers
+from carom.simulation.setup import set_up
+
+CASES = known()["walls"]
+HEAD_ON = CASES["frozen to a hard wall, head-on"]
+JAWS = CASES["between jaws of half angle 60 deg"]
+Array = Any
+
+
+def with_walls(one: dict[str, Any], duration: float = 1e-6, law: str = "contact", **contact: Any) -> carom.Scene:
+    walls = [{"shape": "plane", **wall} for wall in one["walls"]]
+    scene = scene_of(known_case(one), duration, **contact)
+    return scene.model_copy(update={"walls": carom.Scene(balls=scene.balls, walls=walls, gravity=0).walls, "run": carom.Run(
+        law=law, duration=duration
+    )})  # fmt: skip
+
+
+def by_python(scene: carom.Scene, duration: float = 1e-6) -> tuple[Any, Any]:
+    """Rows of the log, and the balls, of a run in Python."""
+    setup = set_up(scene, compiled=False)
+    rows, balls = as_objects(np.zeros(60, LOG)), as_objects(setup.balls)
+    answer = run(as_objects(setup.world)[0], as_objects(setup.features), balls, rows, -1.0, duration, 99, [], ALL)
+    return rows[: answer[2]], balls
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_walls_in_a_cluster_have_the_velocities_of_the_reference(name: str) -> None:
+    one = CASES[name]
+    case, size = known_case(one), np.abs(one["velocity"]).max()
+    rows, balls = by_python(with_walls(one))
+    v, w = (np.array([getattr(ball, field) for ball in balls]) for field in "vw")
+    smooth = one["friction"] == 0
+    assert np.abs(v - one["out_velocity"]).max() < (4e-4 if smooth else 3e-3) * size
+    assert RADIUS * np.abs(w - np.array(one["out_spin"])).max() < (1e-12 if smooth else 1e-2) * size
+    # what the balls have gained is what the walls gave; balls give each other nothing in sum
+    own = [row.impulse for row in rows if row.kind in (WALL, WALL_IN_CLUSTER)]
+    assert np.sum(own, axis=0) == pytest.approx(MASS * (v - case.velocity).sum(axis=0), abs=1e-15)
+    pairs = [row.impulse for row in rows if row.kind in (BALL, IN_CLUSTER)]
+    assert np.sum(pairs, axis=0) == pytest.approx(np.zeros(3) if pairs else 0.0, abs=1e-15)
+    before, after = energy(case, np.array(case.velocity), np.array(case.spin)), energy(case, v, w)
+    if case.restitution == 1 and all(wall["restitution"] == 1 for wall in one["walls"]):
+        assert after == pytest.approx(before, rel=1e-12)
+    assert after <= before * (1 + 1e-12)
+    # one contact at a time, as on demand, is far from it
+    _rows, others = by_python(with_walls(one, overlap=False))
+    assert np.abs(np.array([ball.v for ball in others]) - one["out_velocity"]).max() > 0.06 * size
+
+
+def test_a_ball_between_jaws_goes_straight_whatever_the_numbers() -> None:
+    for walls in (JAWS["walls"], JAWS["walls"][::-1]):
+        _rows, balls = by_python(with_walls({**JAWS, "walls": walls}))
+        assert [ball.v[1] for ball in balls] == pytest.approx([0.0, 0.0], abs=1e-9)
+    side = CASES["between hard jaws of half angle 60 deg, from the side"]
+    mirror = np.array([1.0, -1.0, 1.0])
+    turned = {**side, **{name: (np.array(side[name]) * mirror).tolist() for name in ("position", "velocity")}}
+    (_, one), (_, two) = by_python(with_walls(side)), by_python(with_walls(turned))
+    for ball, image in zip(one, two, strict=True):
+        assert image.v == pytest.approx((np.array(ball.v) * mirror).tolist(), abs=1e-9)
+
+
+def test_the_log_has_a_row_for_each_wall_that_a_ball_touches() -> None:
+    done = carom.simulate(with_walls(JAWS))
+    log = done.log[2:]
+    assert log["kind"].tolist() == [BALL, BALL, WALL_IN_CLUSTER, WALL_IN_CLUSTER]
+    assert log["ball"].tolist() == [0, 1, 1, 1]
+    assert log["other"].tolist() == [1, 0, 0, 1]
+    assert done.events.kinds == ["ball", "ball", "wall", "wall"]
+    assert len(done.events.of("wall", ball=1)) == 2
+    assert event_numbers(done.log).tolist() == [0, 1, 2, 2, 2, 2]
+    assert (log["v_before"][2:] == log["v"][2:]).all()
+    text = " ".join(done.describe())
+    assert ", touching plane 0 and plane 1 meanwhile" in text
+    lost = budget(done)
+    assert lost.walls == 0
+    assert lost.balls == pytest.approx(lost.start - lost.end, rel=1e-12)
+
+
+def test_two_balls_that_come_to_a_wall_together_are_an_event_of_the_wall() -> None:
+    done = carom.simulate(with_walls(CASES["two that touch, together to a hard wall, e 1"]))
+    log = done.log[2:]
+    assert log["kind"].tolist() == [WALL, IN_CLUSTER, IN_CLUSTER]
+    assert log["ball"].tolist() == [1, 1, 0]
+    assert log["v_before"][:, 0] == pytest.approx([1.0, log["v"][0, 0], 1.0])
+    assert log["impulse"][1] == pytest.approx(-log["impulse"][2], abs=1e-15)
+    assert ", touching ball 0 meanwhile" in " ".join(done.describe())
+
+
+def test_python_and_compiled_code_have_the_same_bits() -> None:
+    one = CASES["frozen to a rough hard wall, 30 deg, with spin"]
+    scene = with_walls(one)
+    rows, _balls = by_python(scene)
+    carom.simulate_many(scene, velocity=[one["velocity"]])  # (the compiled loop is loaded from here on)
+    compiled = carom.simulate(scene).log
+    assert [row.v for row in rows] == compiled["v"].tolist()
+    assert [row.impulse for row in rows] == compiled["impulse"].tolist()
+
+
+def near_a_wall(gap: float, **wall: Any) -> carom.Scene:
+    """A ball at rest, a gap from a wall, and another one that comes to it."""
+    ball = {"radius": RADIUS, "mass": MASS}
+    return carom.Scene(
+        gravity=0,
+        walls=[{"shape": "plane", "point": (0, 0, 0), "normal": (-1, 0, 0), "restitution": 0.85, "friction": 0.1} | wall],
+        balls=[
+            {**ball, "position": (-0.4, 0.002, 0), "velocity": (1, 0, 0)},
+            {**ball, "position": (-RADIUS - gap, 0, 0)},
+        ],
+        ball_contact={"restitution": 0.95, "friction": 0.05},
+        run={"duration": 0.4, "law": "contact"},
+    )  # fmt: skip
+
+
+def test_in_the_open_nothing_changes() -> None:
+    # the wall is touched after the balls have parted: the law of the wall, with the same bits as one after the other
+    scene = near_a_wall(5e-4)
+    alone = carom.simulate(carom.replaced(scene, {"ball_contact.overlap": False})).log
+    assert carom.simulate(scene).log.tobytes() == alone.tobytes()
+    # so do walls whose contacts take no time, and walls of laws without one
+    for wall in ({"contact_time": 0.0}, {"law": "no-slip"}):
+        scene = near_a_wall(0.0, **wall)
+        alone = carom.simulate(carom.replaced(scene, {"ball_contact.overlap": False})).log
+        assert carom.simulate(scene).log.tobytes() == alone.tobytes()
+    assert (carom.simulate(near_a_wall(0.0)).log["kind"] == WALL_IN_CLUSTER).any()
+
+
+def test_a_right_angled_corner_keeps_the_law_of_the_walls() -> None:
+    # two walls at right angles do not act on each other: one after the other
+    walls = [
+        {"shape": "plane", "point": (0, 0, 0), "normal": n, "restitution": 0.8, "friction": 0.1}
+        for n in ((1, 0, 0), (0, 1, 0))
+    ]
+    balls = [{"radius": 0.03, "mass": 0.2, "position": (0.5, 0.50001, 0), "velocity": (-1, -1, 0)}]
+    scene = carom.Scene(gravity=0, walls=walls, balls=balls, run={"duration": 1.0, "law": "contact"})
+    log = carom.simulate(scene).log
+    assert log["kind"].tolist()[1:3] == [WALL, WALL]
+    assert log.tobytes() == carom.simulate(carom.replaced(scene, {"ball_contact.overlap": False})).log.tobytes()
+
+
+def test_a_ball_that_lies_in_a_groove_comes_to_rest_there() -> None:
+    # low bounces to and fro, that its weight drives, are never resolved together, however long the walls' contacts last
+    half = math.radians(35)
+    walls = [
+        {
+            "shape": "plane",
+            "point": (0, 0, 0),
+            "normal": (s * math.cos(half), 0, math.sin(half)),
+            "restitution": 0.5,
+            "friction": 0.0,
+        }
+        for s in (1, -1)
+    ]
+    balls = [{"radius": 0.03, "mass": 0.2, "position": (1e-5, 0, 0.06)}]
+    done = carom.simulate(
+        carom.Scene(walls=walls, balls=balls, run={"duration": 5.0, "max_events": 20_000, "law": "contact"})
+    )
+    assert done.final_phase[0] == "held"
+    assert done.final.position[0, 2] == pytest.approx(0.03 / math.sin(half), rel=1e-2)
+    assert (done.log["kind"] == WALL_IN_CLUSTER).any()  # (at first it falls on both)
+    assert len(done.log) < 200
+
+
+def test_on_a_table_the_floor_bears_what_a_cushion_pushes_down() -> None:
+    # frozen to a cushion whose nose is above its centre: it stays on the floor, and is as fast as at an upright wall of rubber
+    table = {"shape": "table", "length": 2.0, "width": 1.0, "restitution": 0.85, "friction": 0.0}
+    balls = [
+        {"radius": RADIUS, "mass": MASS, "position": (0.8, 0.0), "velocity": (1.0, 0.0)},
+        {"radius": RADIUS, "mass": MASS, "position": (1.0 - RADIUS, 0.0)},
+    ]
+    for nose in (None, 0.0363):
+        high = 0.0 if nose is None else RADIUS - math.sqrt(RADIUS**2 - (nose - RADIUS) ** 2)
+        placed = [balls[0], {**balls[1], "position": (1.0 - RADIUS + high, 0.0)}]
+        scene = carom.Scene(
+            floor={"friction": 0.0}, walls=[{**table, "nose_height": nose}], balls=placed,
+            ball_contact={"restitution": 0.95}, run={"duration": 0.5, "law": "contact"},
+        )  # fmt: skip
+        found = carom.simulate(scene)
+        log = found.log[(found.log["kind"] == BALL) & (found.log["ball"] == 1)]
+        assert log["v"][0, 0] == pytest.approx(-0.07, abs=1e-3)
+        assert abs(log["v"][0, 2]) < 1e-12
+
+
+def test_cushions_are_soft_and_other_walls_hard() -> None:
+    assert carom.scene.Table(preset="pool-9ft").contact_time == 3e-3
+    assert carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0)).contact_time == 3e-4
+
+
+def test_derivatives_are_those_of_differences() -> None:
+    scene = near_a_wall(2e-5)
+    values = {
+        "balls.0.velocity.y": 0.0,
+        "walls.0.contact_time": 3e-4,
+        "walls.0.restitution": 0.85,
+        "balls.1.mass": MASS,
+    }
+    found = carom.simulate(scene).sensitivity(list(values)).final.velocity
+    for k, (name, value) in enumerate(values.items()):
+        h = 1e-6 * max(abs(value), 1e-3)
+        ends = [carom.simulate(carom.replaced(scene, {name: value + s * h})).final.velocity for s in (1, -1)]
+        differences = (ends[0] - ends[1]) / (2 * h)
+        assert found[..., k] == pytest.approx(differences, abs=1e-3 * np.abs(differences).max())
+
+
+def test_a_contact_time_is_a_time() -> None:
+    with pytest.raises(carom.CaromError, match="contact_time: expected a time in s, from 0 to 1, got -1"):
+        carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), contact_time=-1)
+    assert carom.scene.Plane(point=(0, 0, 0), normal=(1, 0, 0), contact_time="3 ms").contact_time == 3e-3
