@@ -21,6 +21,7 @@ from carom import CaromError
 from carom.gas import checkpoint
 from carom.gas.build import load_gas
 from carom.gas.checkpoint import load_checkpoint, save_checkpoint
+from carom.gas.scene import GasScene
 from carom.gas.session import Session
 
 
