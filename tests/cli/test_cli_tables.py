@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from reference.commands import fails
 from typer.testing import CliRunner
 
 from carom.cli import app
@@ -58,19 +57,14 @@ def test_what_is_no_table(words: list[str], said: str, tmp_path: Path) -> None:
     assert not file.exists()
 
 
-def test_overlapping_pockets_in_a_file(tmp_path: Path) -> None:
+def test_overlapping_pockets_in_a_file(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     file = tmp_path / "scene.toml"
     file.write_text(
         '[[walls]]\nshape = "table"\npreset = "pool-9ft"\nlength = 0.42\nwidth = 0.3\nside_pockets = { radius = 0.4 }\n'
         "[[balls]]\nradius = 0.03\nmass = 0.2\nposition = [0, 0]\n",
         encoding="utf-8",
     )
-    # (as a command, which ends with 2)
-    done = subprocess.run(
-        [sys.executable, "-m", "carom", "scene", "check", file], capture_output=True, text=True, check=False
-    )
-    (line,) = done.stderr.splitlines()
-    assert (done.returncode, done.stdout) == (2, "")
+    (line,) = fails(capsys, "scene", "check", str(file))
     expected = (
         f"{file}: walls[0].side_pockets: expected pockets that lie apart, got bottom left pocket and bottom middle"
     )

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import json
 import math
-import subprocess
-import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
+from reference.commands import command
 from reference.exploring import tried
 from reference.identities import contact_velocity, energy, mirrored, rotation, units
 
@@ -171,27 +170,36 @@ def test_nothing_jumps() -> None:
 # --- through the verbs and the command ------------------------------------------------------------------------------
 
 
-def test_compare_and_predict_agree(tmp_path: Path) -> None:
+def test_compare_and_predict_agree(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The same ball by either verb; the ratio as an option and as a column."""
-    run = [sys.executable, "-m", "carom"]
     wall = ["--restitution", "0.9", "--friction", "0.15"]
-    told = subprocess.run(
-        [*run, "compare", "--angle", "15", "--stiffness-ratio", "1.1", "--law", "maw", "--law", "stronge", *wall, "--json"],
-        capture_output=True, text=True, check=True,
-    )  # fmt: skip
-    laws = {row["law"]: row for row in json.loads(told.stdout)["laws"]}
+    words = [
+        "compare",
+        "--angle",
+        "15",
+        "--stiffness-ratio",
+        "1.1",
+        "--law",
+        "maw",
+        "--law",
+        "stronge",
+        *wall,
+        "--json",
+    ]
+    code, text, _notes = command(capsys, *words)
+    assert code == 0
+    told = json.loads(text)
+    laws = {row["law"]: row for row in told["laws"]}
     assert laws["maw"]["admissible"]
     assert laws["stronge"]["admissible"]
-    assert json.loads(told.stdout)["settings"]["stiffness_ratio"] == 1.1
+    assert told["settings"]["stiffness_ratio"] == 1.1
     table = tmp_path / "in.csv"
     tau = math.radians(15)
     table.write_text(f"velocity_x,velocity_y,stiffness_ratio\n{-math.cos(tau)!r},{math.sin(tau)!r},1.1\n")
     for name, row in laws.items():
         out = tmp_path / f"{name}.csv"
-        subprocess.run(
-            [*run, "predict", str(table), "--law", name, "--spin", "rolling", *wall, "--out", str(out)], check=True,
-            capture_output=True,
-        )  # fmt: skip
+        words = ["predict", str(table), "--law", name, "--spin", "rolling", *wall, "--out", str(out)]
+        assert command(capsys, *words)[0] == 0
         header, values = (line.split(",") for line in out.read_text().splitlines())
         found = dict(zip(header, values, strict=True))
         assert [float(found[f"velocity_{k}_out"]) for k in "xyz"] == pytest.approx(

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 import json
 import math
-import subprocess
-import sys
 from pathlib import Path
 
 import numpy as np
 import pytest
+from reference.commands import command, fails
 from reference.sweep_scenes import table_scene
 
 import carom
@@ -72,21 +71,13 @@ def test_the_horizon_refuses_no_lengths() -> None:
             growth.horizon(error, size)
 
 
-def test_the_table_of_what_matters(tmp_path: Path) -> None:
+def test_the_table_of_what_matters(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     ball = "radius = 0.03\nmass = 0.2\nvelocity = [1.0, 0.2]\nposition = [0, 0]\nrolling = true\n"
     (tmp_path / "shot.toml").write_text(f"[floor]\nfriction = 0.2\nrolling_resistance = 0.02\n[[balls]]\n{ball}")
-    words = [
-        sys.executable,
-        "-m",
-        "carom",
-        "simulate",
-        "shot.toml",
-        "--sensitivity",
-        "balls.0.velocity,floor.rolling_resistance",
-    ]
-    done = subprocess.run([*words, "--json"], cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert done.returncode == 0, done.stderr
-    rows = json.loads(done.stdout)["sensitivity"]
+    words = ["simulate", str(tmp_path / "shot.toml"), "--sensitivity"]
+    code, told, notes = command(capsys, *words, "balls.0.velocity,floor.rolling_resistance", "--json")
+    assert code == 0, notes
+    rows = json.loads(told)["sensitivity"]
     # the way is v^2 / (2 c g): 2 % of the part along x for 1 % of v_x, and the resistance's 1 %
     way = (1.0 + 0.04) / (2 * 0.02 * 9.80665)
     assert [row["parameter"] for row in rows] == [
@@ -95,8 +86,5 @@ def test_the_table_of_what_matters(tmp_path: Path) -> None:
         "floor.rolling_resistance",
     ]
     assert rows[2]["mm_per_cent"][0] == pytest.approx(10 * way, rel=1e-6)
-    done = subprocess.run(words, cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert "What matters" in done.stdout
-    bad = subprocess.run([*words[:-1], "balls.0.velocty"], cwd=tmp_path, capture_output=True, text=True, check=False)
-    assert bad.returncode == 2
-    assert "did you mean 'balls.0.velocity'" in bad.stderr
+    assert "What matters" in command(capsys, *words, "balls.0.velocity,floor.rolling_resistance")[1]
+    assert "did you mean 'balls.0.velocity'" in " ".join(fails(capsys, *words, "balls.0.velocty"))
