@@ -20,8 +20,9 @@ from typing import Any
 import numpy as np
 from campaign import Campaign, campaign
 
+from carom.core.contact import friction_at_slip, slip_velocity
 from carom.core.jit.compile import njit
-from carom.core.jit.kernel import cross, dot, kernel
+from carom.core.jit.kernel import Vec, cross, dot, kernel
 from carom.core.motion.phases import ROUNDING
 from carom.laws.pair import pair_contact
 from carom.laws.registry import LAWS
@@ -138,9 +139,17 @@ def at_fault(errors: Any, worst: Any) -> bool:
 
 @functools.cache
 def contact_loop(
-    law: Callable[..., Any], elastic: bool, rough: bool, smooth: bool, low: float, high: float, cushion: bool
+    law: Callable[..., Any],
+    elastic: bool,
+    rough: bool,
+    smooth: bool,
+    low: float,
+    high: float,
+    cushion: bool,
+    falls: Vec,
 ) -> Any:
     """Return the loop over random contacts under a law; ``low`` to ``high``: its last number.
+    ``falls``: mu, drop and rate of a friction of its own, which falls with the slip; zeros for the surface's.
 
     ``cushion``: it keeps a ball on its table, whose force enters the other balances: of such a ball only the energy is judged.
     """
@@ -158,6 +167,9 @@ def contact_loop(
             last = one_of(rng, low, high, low + (high - low) * rng.random())
             v1, w1 = law(v, w, n, a, kappa, e, mu, last)
             used = 1.0 if elastic else e
+            if falls[1] > 0:
+                slip = slip_velocity(v, w, n, a)[1]
+                mu = friction_at_slip(falls[0], falls[1], falls[2], math.sqrt(dot(slip, slip)))
             judge(v, w, v1, w1, n, a, kappa, used, math.inf if rough else 0.0 if smooth else mu, errors)
             if cushion and v[2] == 0:
                 errors[RESTITUTION] = errors[CONE] = errors[MOMENTUM] = 0.0
@@ -266,7 +278,8 @@ def loop_of(name: str) -> Any:
     pinned = law.pinned
     low, high = {"stiffness_ratio": (0.2, 3.0), "floor_friction": (0.0, 2.0)}.get(law.last, (-1.0, 1.0))
     rough, smooth = pinned.get("friction", 0.5) == math.inf, pinned.get("friction") == 0
-    return contact_loop(law.kernel, pinned.get("restitution") == 1, rough, smooth, low, high, bool(law.on_table))
+    falls, elastic = law.slip_friction or (0.0, 0.0, 0.0), pinned.get("restitution") == 1
+    return contact_loop(law.kernel, elastic, rough, smooth, low, high, bool(law.on_table), falls)
 
 
 def one(loop: Any, seed: int, count: int) -> dict[str, Any]:

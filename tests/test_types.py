@@ -16,6 +16,8 @@ UNTYPED = {
     "Verdict.angle_after_wall": RENAMED,
     "Verdict.reflection_angle": RENAMED,
     "Arc.span": RENAMED,
+    "Settings.cloth": RENAMED,
+    "Settings.rolling": RENAMED,
     "Wedge.opening": RENAMED,
 }
 

@@ -301,7 +301,7 @@ def test_fit_tells_misspelt_laws_with_all_other_faults(here, monkeypatch, capsys
     [
         (("--seed", "-1"), "--seed: expected a whole number >= 0"),
         (("--report", "bounces.csv"), "--report bounces.csv: expected a name that ends with .html"),
-        (("--report", "page.html", "--no-report"), "--no-report: expected no --report"),
+        (("--report", "page.html", "--no-report"), "--no-report has no effect with --report; omit one of them"),
         (("--contact-height", "1.3"), "--contact-height: expected rebounds of a ball on a table"),
         (("--roll", "0.5"), "--roll: expected rebounds of a ball on a table"),
         (("--cushions", "2"), "--cushions: expected --whole as well"),

@@ -134,3 +134,14 @@ def test_a_rack_that_overlaps_by_digits_passes_and_a_deeper_one_says_how_much_an
         carom.CaromError, match=r"balls\[1\]\.position: .* overlaps balls\[0\] by 1 µm; move it by 1 µm"
     ):
         carom.Scene(balls=balls)
+
+
+def test_a_default_that_is_too_soft_is_no_fault() -> None:
+    """Balls of no matter that there is, a kilogram in a micrometre, have contacts without a duration; a given modulus is judged."""
+    balls = [carom.SceneBall(radius=1e-6, mass=1.0, position=(k * 4e-6, 0, 0), velocity=(1 - k, 0, 0)) for k in (0, 1)]
+    scene = carom.Scene(gravity=0, balls=balls, run=carom.Run(duration=1e-3))
+    assert not scene.ball_contact.overlap
+    assert carom.Scene.model_validate_json(scene.model_dump_json()) == scene
+    assert carom.simulate(scene).final.velocity[1, 0] == pytest.approx(1.0)
+    with pytest.raises(carom.CaromError, match=r"ball_contact\.young: expected at least"):
+        carom.Scene(gravity=0, balls=balls, ball_contact=carom.BallContact(young=1e9), run=carom.Run(duration=1e-3))

@@ -6,7 +6,7 @@ import math
 
 from carom.core.contact import friction_at_slip, slip_velocity
 from carom.core.jit.kernel import Vec, dot, kernel
-from carom.laws.law import Card, contact_kernel, wall_law
+from carom.laws.law import ON_FLOOR, Card, contact_kernel, wall_law
 
 __all__ = ["CARD", "LAW"]
 
@@ -39,7 +39,7 @@ def alciatore_contact(
 LAW = wall_law(
     CARD,
     alciatore_contact,
-    reads=("restitution", "tangential_restitution"),
+    reads=("restitution", "tangential_restitution", *ON_FLOOR),
     slip_friction=FALLS,
     needs=("restitution",),
     in_flight=True,

@@ -10,10 +10,10 @@ import numpy as np
 from carom.errors import Fault, FaultList
 from carom.formatting import format_length
 from carom.scene.ball import SceneBall
-from carom.scene.ball_contact import BallContact
+from carom.scene.ball_contact import YOUNG, BallContact
 from carom.scene.wall import format_vector
 
-__all__ = ["BALLS_TOUCH", "TOUCH", "name_faults", "overlap_faults", "stiffness_faults"]
+__all__ = ["BALLS_TOUCH", "TOUCH", "default_is_too_soft", "name_faults", "overlap_faults", "stiffness_faults"]
 
 TOUCH = 1e-9  # of the radius: what overlaps by less touches
 BALLS_TOUCH = 1e-7  # so do balls: a rack in a file is rounded to some digits
@@ -57,18 +57,28 @@ def overlap_faults(balls: Sequence[SceneBall]) -> list[Fault]:
     return faults
 
 
-def stiffness_faults(contact: BallContact, balls: Sequence[SceneBall]) -> list[Fault]:
-    """Report balls so soft that the fastest would press one alike by more than half its radius, or harder than any matter.
+def least_young(contact: BallContact, balls: Sequence[SceneBall]) -> tuple[float, float, float]:
+    """Return the modulus (Pa) below which the fastest ball would press one alike by more than half its radius; speed and radius.
 
     Two elastic balls press (15 m u^2 / (16 E* sqrt(R*)))^(2/5) deep (K. L. Johnson, Contact Mechanics, 11.4; m and R* are halves).
     """
-    if not contact.modulus > 0 or len(balls) < 2:
-        return []
     speeds = [math.hypot(*ball.state.velocity) for ball in balls]
     u, ball = max(zip(speeds, balls, strict=True), key=lambda one: one[0])
     a = ball.radius
     modulus = 15 * ball.mass / 2 * u * u / (16 * math.sqrt(a / 2) * (DEEPEST * a) ** 2.5)
-    least = contact.young * modulus / contact.modulus
+    return contact.young * modulus / contact.modulus, u, a
+
+
+def default_is_too_soft(contact: BallContact, balls: Sequence[SceneBall]) -> bool:
+    """Return whether the default modulus, that of phenolic resin, is too soft for balls of these sizes, masses and speeds."""
+    return contact.modulus > 0 and len(balls) > 1 and YOUNG == contact.young < least_young(contact, balls)[0]
+
+
+def stiffness_faults(contact: BallContact, balls: Sequence[SceneBall]) -> list[Fault]:
+    """Report a modulus that makes balls too soft for the fastest of them, or harder than any matter."""
+    if not contact.modulus > 0 or len(balls) < 2 or contact.young == YOUNG:
+        return []
+    least, u, a = least_young(contact, balls)
     at, got, advice = "ball_contact.young", f"{contact.young:.3g} Pa", "overlap = false takes contacts as hard"
     found = FaultList()
     if contact.young < least:

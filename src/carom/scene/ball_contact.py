@@ -20,11 +20,12 @@ from carom.scene.schema import (
     PositiveNumber,
     Spring,
     Vector,
+    checked_part,
     refused,
 )
 from carom.scene.wall import ContactParameters, PairLawChoice, contact
 
-__all__ = ["BallContact", "FallingFriction"]
+__all__ = ["YOUNG", "BallContact", "FallingFriction"]
 
 
 class FallingFriction(Model):
@@ -70,7 +71,7 @@ _NUMBER = Number("a number >= 0 (inf: never slips), or a table { at_rest, at_spe
 
 def _from_number(value: Any) -> float | FallingFriction:
     falls = isinstance(value, dict | FallingFriction)
-    return FallingFriction.model_validate(value) if falls else _NUMBER(value)
+    return checked_part(FallingFriction, value) if falls else _NUMBER(value)
 
 
 def _as_written(friction: float | FallingFriction) -> Any:
@@ -95,7 +96,7 @@ class BallContact(Model):
     stiffness_ratio : > 0, tangential over normal stiffness, which laws of tangential compliance read; default: 2 (1 - nu)/(2 - nu)
         of Poisson's ratio nu
     young : Young's modulus of the balls, > 0 Pa; default: 5.84e9, phenolic resin. It says how long contacts last, and so which of
-        them overlap in time, as in a rack
+        them overlap in time, as in a rack; in scenes of sizes and masses for which the default is too soft, overlap is False
     poisson : Poisson's ratio of the balls, 0 to 0.5; default: 0.34
     overlap : whether contacts that overlap in time are resolved together, or one pair after the other as if contacts took no time;
         default: True

@@ -23,7 +23,7 @@ from carom.formatting import format_length, format_time
 from carom.laws.law import CALLED_WALL, Law, Meeting
 from carom.laws.registry import laws
 from carom.laws.user import find_law
-from carom.scene.among_balls import TOUCH, name_faults, overlap_faults, stiffness_faults
+from carom.scene.among_balls import TOUCH, default_is_too_soft, name_faults, overlap_faults, stiffness_faults
 from carom.scene.ball import SceneBall
 from carom.scene.ball_contact import BallContact
 from carom.scene.feature_builders import Feature
@@ -178,6 +178,10 @@ class Scene(Model):
 
     @model_validator(mode="after")
     def _sound(self) -> Scene:
+        if default_is_too_soft(self.ball_contact, self.balls):
+            # (nobody gave these balls a modulus, so their contacts take no time)
+            object.__setattr__(self, "ball_contact", self.ball_contact.model_copy(update={"overlap": False}))
+            self.model_fields_set.add("ball_contact")
         raise_faults(scene_faults(self))
         return self
 
