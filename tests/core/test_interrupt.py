@@ -162,10 +162,18 @@ def test_what_is_sliced() -> None:
     assert seen[0][0] == 4096
 
 
-def test_a_single_part_leaves_the_main_thread() -> None:
-    """There an interrupt would come while Numba looks up a function that is passed to a loop, and be lost."""
+@pytest.mark.parametrize("loaded", [False, True])
+def test_a_single_part_leaves_the_main_thread_once_numba_is_loaded(
+    loaded: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """There an interrupt would come while Numba looks up the types of a loop's arguments, and be lost."""
+    if loaded:
+        monkeypatch.setitem(sys.modules, "numba", sys)
+    else:
+        monkeypatch.delitem(sys.modules, "numba", raising=False)
     main = threading.main_thread()
-    assert call_in_threads(lambda part: (part, threading.current_thread() is main), [7]) == [(7, False)]
+    found = call_in_threads(lambda part: (part, threading.current_thread() is main), [7])
+    assert found == [(7, not loaded)]
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="needs fork")

@@ -96,6 +96,38 @@ def built() -> dict[str, Any]:
     return made
 
 
+def test_loops_of_the_package_are_for_the_records_of_today(
+    built: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A kernel may stay while a record grows; what is called by its address would then read the wrong places."""
+    code = built["loop"].codes[0]
+    source = built["loop"].source
+    monkeypatch.setattr(native, "_codes", lambda _function: [code])
+    order = [one["array"] for one in code.described["arguments"] if isinstance(one, dict)]
+    dtypes: list[Any] = [None] * (max(order) + 1)
+    dtypes[order[0]], dtypes[order[1]] = PLACE, np.dtype(float)
+    monkeypatch.setattr(native, "_dtypes", lambda: dtypes)
+    assert native.current_codes(source) == [code]
+    dtypes[order[0]] = np.dtype([*PLACE.descr, ("more", "f8")])
+    assert native.current_codes(source) == []
+
+
+def test_every_loop_with_a_signature_is_in_the_package() -> None:
+    from carom.fitting import likelihood
+    from carom.fitting.tracks import simulate as tracks
+    from carom.simulation.compiled import compiled_engine
+    from carom.simulation.sensitivity import compiled, many, near_misses
+
+    if native.why_not_shipped():
+        pytest.skip("Numba compiles all loops")
+    loops = [
+        *compiled_engine(), compiled.compiled_follow(), compiled.compiled_states(), near_misses.compiled_least_gaps(),
+        run_many.compiled_many(), many.compiled_many(), tracks._compiled(), tracks._compiled_with_slopes(),
+        likelihood._evaluating(False), likelihood._evaluating(True), likelihood._predicting(),
+    ]  # fmt: skip
+    assert all(isinstance(getattr(one, "func", one), NativeLoop) for one in loops)
+
+
 def _refused() -> Any:
     raise AssertionError("Numba was asked")
 

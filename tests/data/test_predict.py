@@ -618,7 +618,11 @@ def test_a_law_reads_what_it_says_and_nothing_else(law):
     states = [
         (carom.rolling(ball, (-1.0, 1.5), 5.0), 1.0, 0.0),
         (carom.State((-1.0, 1.5, -0.4), (3.0, -9.0, 5.0)), 0.8, 0.1),
-        (carom.State((-2.0, 0.3, -0.4), (0.0, 0.0, 0.0)), 0.8, 0.0),  # little slip: it holds with the friction of pool balls
+        (
+            carom.State((-2.0, 0.3, -0.4), (0.0, 0.0, 0.0)),
+            0.8,
+            0.0,
+        ),  # little slip: it holds with the friction of pool balls
     ]
     meetings = [
         carom.Meeting(ball, state, wall=carom.Surface(e, mu, 0.0), floor=carom.Surface(0.4, mu, 0.1), height=height)

@@ -426,7 +426,7 @@ def test_any_number_of_threads_gives_the_same_bits(monkeypatch):
     p = numbers(restitution=0.8, friction=0.2, spin_mean=0.4, spin_width=0.35)[None]
     found = []
     for count in (1, 3):
-        monkeypatch.setattr(threads, "_pool", lambda count=count: ThreadPoolExecutor(count))
+        monkeypatch.setattr(threads, "_pool", lambda _name, count=count: ThreadPoolExecutor(count))
         seen = evaluate(rows, p)
         found.append((seen.deviance, seen.scores, seen.information))
     for one, other in zip(*found, strict=True):

@@ -19,15 +19,18 @@ from carom.core.jit.kernel import Vec, kernel
 from carom.fitting.parameters import INDEX, NUMBERS
 
 __all__ = [
-    "UNDEFINED_DEVIANCE", "RowData", "Trial", "Workspace", "measured_outputs", "predict_with_derivatives", "residual_precision",
-    "row_deviance",
+    "UNDEFINED_DEVIANCE", "RowData", "Trial", "Workspace", "call_law", "measured_outputs", "predict_with_derivatives",
+    "residual_precision", "row_deviance",
 ]  # fmt: skip
 
 UNDEFINED_DEVIANCE = 1e8  # of a row for which a law has no prediction
-# The caller of a law by its address, once there is one (carom.fitting.likelihood).
-call_law: Any = None
 RELATIVE_STEP = 1e-4  # of a numerical derivative, in the parameter's own size
 SPIN_WIDTH, SPIN_MEAN = INDEX["spin_width"], INDEX["spin_mean"]  # of the prior: the law does not depend on them
+
+
+def call_law(called: Any, given: tuple[Any, ...]) -> Vec:
+    """Call a law: a function; in compiled code its address (:func:`carom.core.jit.pointers.call_at`)."""
+    return called(*given)  # type: ignore[no-any-return]
 
 
 class RowData(NamedTuple):

@@ -17,11 +17,10 @@ from numpy.typing import NDArray
 
 from carom.core.jit.compile import array_of, named_tuple_type, njit, signature
 from carom.core.jit.kernel import kernel
-from carom.core.jit.pointers import caller_of, compiled_address
+from carom.core.jit.pointers import call_at, compiled_address
 from carom.core.jit.slices import block_slices
 from carom.core.jit.threads import call_in_threads
-from carom.fitting import deviance as row_deviances
-from carom.fitting.deviance import RELATIVE_STEP, RowData, Trial, Workspace, row_deviance
+from carom.fitting.deviance import RELATIVE_STEP, RowData, Trial, Workspace, call_law, row_deviance
 from carom.fitting.parameters import LAW_NUMBERS, NUMBERS
 from carom.fitting.spin_marginal import row_deviance_over_spins
 from carom.fitting.spin_quadrature import INTERVAL, SpinGrid
@@ -40,9 +39,6 @@ PARTS = 8
 SHARED_STEP = 0.03  # of an error bar: the step of a derivative in a shared error
 MOST_TABLES = 16  # of a tabulated law, kept at once: each takes a megabyte
 SERIAL_WORK = 4000  # law evaluations up to which one core is faster
-
-# The caller of a law by its address, once there is one.
-_call_law: Any = None
 
 
 class TabulatedLaw(Protocol):
@@ -150,7 +146,7 @@ def _predict_rows(law: Any, rows: Any, x: Any, numbers: Any, out: Any) -> None:
     """Compute the law's prediction for each row: x (N, 3), numbers (N or 1,) records, out (N, 3)."""
     one = min(numbers.shape[0] - 1, 1)
     for i in range(x.shape[0]):
-        f = _call_law(
+        f = call_law(
             law,
             (
                 rows.code,
@@ -168,8 +164,7 @@ def _predict_rows(law: Any, rows: Any, x: Any, numbers: Any, out: Any) -> None:
 @functools.cache
 def _declare_calls() -> None:
     """Tell the compiler how the laws are called."""
-    global _call_law  # noqa: PLW0603
-    _call_law = row_deviances.call_law = caller_of(*_types()["law"])
+    call_at(call_law, *_types()["law"])
 
 
 @functools.cache

@@ -26,6 +26,7 @@ import numpy as np
 
 from carom.core.jit.cache import cache_folder, source_hash
 from carom.core.jit.kernel import DERIVED, HOT, KERNELS, PLAIN
+from carom.core.jit.marshal import kinds_text
 from carom.core.jit.native import LoopSource, is_shipped, shipped_loop
 from carom.core.jit.progress import listen
 from carom.core.jit.shared_cache import LOCATOR, compile_in_one_process
@@ -158,6 +159,17 @@ def numba_type(described: Any) -> Any:
     return plain[described] if described in (float, int, bool, None) else described
 
 
+def _kind(described: Any) -> Any:
+    """Return the kind that a description stands for among those of :mod:`carom.core.jit.marshal`."""
+    if isinstance(described, ArrayOf):
+        return {"array": np.dtype(described.item), "axes": described.axes, "readonly": False}
+    if isinstance(described, np.dtype):
+        return {"record": described}
+    if isinstance(described, tuple):
+        return [_kind(one) for one in (described.items if isinstance(described, NamedTupleOf) else described)]
+    return {float: "float64", int: "int64", bool: "bool", None: "none"}[described]
+
+
 def signature(returns: Any, *arguments: Any) -> Signature:
     """Describe a function, each type as for :func:`numba_type`."""
     return Signature(returns, arguments)
@@ -253,7 +265,9 @@ def njit(
     """
     _require_compiler()
     compile_here = functools.partial(_compile, function, signature, needs, options)
-    return shipped_loop(LoopSource(function, signature, needs, options, compile_here)) or compile_here()
+    takes = None if signature is None else kinds_text(list(map(_kind, signature.arguments)), _kind(signature.returns))
+    source = LoopSource(function, signature, needs, options, compile_here, takes)
+    return shipped_loop(source) or compile_here()
 
 
 def _compile(
@@ -297,5 +311,5 @@ def cfunc(
         with _numba_cache():
             return numba.cfunc(signature, error_model="numpy", cache=keep)(function)
 
-    source = LoopSource(function, None, needs, {}, compile_here, (numbers, places))
+    source = LoopSource(function, None, needs, {}, compile_here, plain=(numbers, places))
     return (shipped_loop(source) if keep else None) or compile_here()

@@ -20,6 +20,7 @@ from typing import Any
 import numpy as np
 
 from carom.core.jit.cache import cache_folder
+from carom.core.jit.compile import numba_signature
 from carom.core.jit.kernel import KERNELS, ON_GPU
 from carom.core.jit.pointers import answer_at
 
@@ -210,7 +211,8 @@ def ptx(loop: CudaLoop, signature: Any, capability: tuple[int, int] = (8, 0)) ->
     dispatcher.get_current_device = lambda: SimpleNamespace(compute_capability=capability)
     try:
         with _rounded_one_by_one():
-            text, _returns = cuda.compile(loop._loop, signature, device=False, abi="numba", cc=capability)
+            kinds = numba_signature(signature)
+            text, _returns = cuda.compile(loop._loop, kinds, device=False, abi="numba", cc=capability)
     finally:
         dispatcher.get_current_device = before
     return str(text)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import json
 import operator
 import struct
 from collections.abc import Callable, Iterator, Sequence
@@ -17,6 +18,7 @@ __all__ = [
     "argument_writers",
     "dtype_of",
     "dtype_text",
+    "kinds_text",
     "value_reader",
 ]
 
@@ -143,6 +145,19 @@ def _codes(kind: Any) -> list[str]:
 
 def _value(kind: Any, numbers: Iterator[Any]) -> Any:
     return tuple(_value(one, numbers) for one in kind) if isinstance(kind, list) else next(numbers)
+
+
+def kinds_text(takes: Sequence[Any], returns: Any) -> str:
+    """Return the text of what a loop takes and returns: kinds with dtypes in place of their indices."""
+
+    def whole(kind: Any) -> Any:
+        if isinstance(kind, list):
+            return [whole(one) for one in kind]
+        if isinstance(kind, dict):
+            return {key: dtype_text(x) if key in ("array", "record") else x for key, x in kind.items()}
+        return kind
+
+    return json.dumps([whole(list(takes)), whole(returns)])
 
 
 def dtype_text(dtype: Any) -> Any:

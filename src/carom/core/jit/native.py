@@ -36,13 +36,13 @@ from carom.core.jit.marshal import (
     ValueReader,
     argument_writers,
     dtype_of,
-    dtype_text,
+    kinds_text,
     value_reader,
 )
 from carom.core.jit.threads import call_in_parts, thread_count
 
 __all__ = [
-    "FOLDER", "INDEX", "LoopSource", "NativeCode", "NativeLoop", "arguments_text", "describe_loops",
+    "FOLDER", "INDEX", "LoopSource", "NativeCode", "NativeLoop", "arguments_text", "current_codes", "describe_loops",
     "hash_of_code", "hash_of_files", "is_shipped", "native_is_off", "shipped_loop", "why_not_shipped",
 ]  # fmt: skip
 
@@ -67,6 +67,8 @@ class LoopSource(NamedTuple):
     """Numba's."""
     compile_here: Callable[[], Any]
     """Return what Numba makes of it."""
+    takes: str | None = None
+    """Text of what its signature says (:func:`carom.core.jit.marshal.kinds_text`), if it has one."""
     plain: tuple[int, int] | None = None
     """Numbers, and places of numbers, that a function takes which is called by its address alone."""
 
@@ -293,10 +295,10 @@ def arguments_text(described: dict[str, Any], dtypes: Sequence[Any]) -> str:
         if isinstance(kind, list):
             return [whole(one) for one in kind]
         if isinstance(kind, dict):
-            return {key: dtype_text(dtypes[x]) if key in ("array", "record") else x for key, x in kind.items()}
+            return {key: dtypes[x] if key in ("array", "record") else x for key, x in kind.items()}
         return kind
 
-    return json.dumps([whole(described["arguments"]), whole(described["returns"])])
+    return kinds_text(whole(described["arguments"]), whole(described["returns"]))
 
 
 @functools.cache
@@ -310,6 +312,15 @@ def _codes(function: Callable[..., Any]) -> list[NativeCode]:
         for one in found
         if _is_current(function, one)
     ]
+
+
+def current_codes(source: LoopSource) -> list[NativeCode]:
+    """Return the package's code of a loop as it is declared today: its kernels may be the same while its records are others.
+
+    (What is called by its address alone is never asked whether its arguments are of these kinds.)
+    """
+    codes, takes = _codes(source.function), source.takes
+    return [one for one in codes if takes is None or arguments_text(one.described, _dtypes()) == takes]
 
 
 def describe_loops() -> str:
@@ -335,7 +346,7 @@ def shipped_loop(source: LoopSource) -> NativeLoop | None:
     made = recorder(source) if recorder is not None else None
     if made is not None:
         return made
-    codes = _codes(source.function)
+    codes = current_codes(source)
     return NativeLoop(source, codes) if codes else None
 
 

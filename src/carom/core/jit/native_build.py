@@ -8,6 +8,7 @@ same and each loop has run before it is kept. What is current is left as it lies
 from __future__ import annotations
 
 import functools
+import itertools
 import json
 import lzma
 import re
@@ -39,7 +40,7 @@ class NativeBuild:
         self.made: dict[str, list[NativeCode]] = {}
         self.failed: dict[str, str] = {}
         self.bitcode: dict[str, bytes] = {}
-        self._loops: dict[str, BuiltLoop] = {}
+        self._loops: dict[tuple[str, str | None], BuiltLoop] = {}
         self.dtypes: list[Any] = []
         self._before: dict[str, Any] = {}
         self._files = _hash_of_files()
@@ -60,15 +61,15 @@ class NativeBuild:
 
         if source.options.get("cache") is False:  # a law of the user's own
             return None
-        key = name_with_values(source.function)
-        if key not in self._loops:
-            current = self.made[key] = list(native._codes(source.function))
+        key, takes = name_with_values(source.function), source.takes
+        if (key, takes) not in self._loops:
+            current = native.current_codes(source)
             try:
-                self._loops[key] = BuiltLoop(self, source, key, current)
+                self._loops[key, takes] = BuiltLoop(self, source, key, current)
             except (NumbaError, LoweringError) as error:
                 self.note_failure(key, error)
                 return None  # (asked again, Numba is asked again)
-        return self._loops[key]
+        return self._loops[key, takes]
 
     def note_failure(self, key: str, error: Exception) -> None:
         """Note that a loop cannot be built: Numba compiles it on the user's machine."""
@@ -76,8 +77,10 @@ class NativeBuild:
 
     def add(self, key: str, source: LoopSource, dispatcher: Any, kinds: Sequence[Any], returns: Any) -> NativeCode:
         """Keep a loop that was lowered for arguments of these types of Numba's."""
-        codes = self.made[key]
-        name = _file_name(key) + (f"-{len(codes)}" if codes else "")
+        codes, known = self.made.setdefault(key, []), native._codes(source.function)
+        taken = {one.described["name"] for one in (*codes, *known)}
+        names = (_file_name(key) + (f"-{k}" if k else "") for k in itertools.count())
+        name = next(one for one in names if one not in taken)
         made = _optimised(name, source, dispatcher, kinds)
         arguments = [self._described(kind) for kind in kinds]
         described = {
@@ -93,6 +96,12 @@ class NativeBuild:
         described["hash"] = native.hash_of_code(source.function, native.arguments_text(described, self.dtypes))
         codes.append(NativeCode(described, self.dtypes, lambda: self.bitcode[name]))
         return codes[-1]
+
+    def note_use(self, key: str, code: NativeCode) -> None:
+        """Note that a job needs this code: what none needs any more is not kept."""
+        codes = self.made.setdefault(key, [])
+        if code not in codes:
+            codes.append(code)
 
     def _described(self, kind: Any) -> Any:
         """Return the description of one of Numba's types (:func:`carom.core.jit.marshal.argument_writers`)."""
@@ -147,6 +156,8 @@ class BuiltLoop(NativeLoop):
         super().__init__(source, current)
         self._build, self._key, self._dispatchers = build, key, list[Any]()
         if current:
+            if source.plain is not None or source.signature is not None:
+                build.note_use(key, current[0])
             return
         if source.plain is not None:
             from numba import types
@@ -167,9 +178,11 @@ class BuiltLoop(NativeLoop):
 
         for code in self.codes:
             try:
-                return code.call(arguments, code.given(arguments))
+                given = code.given(arguments)
             except MismatchError:
                 continue
+            self._build.note_use(self._key, code)
+            return code.call(arguments, given)
         if self.source.signature is not None:
             raise TypeError(f"{self._key}: expected arguments of its signature, got others")
         kinds = tuple(map(typeof, arguments))

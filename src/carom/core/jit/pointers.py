@@ -13,7 +13,9 @@ from typing import Any
 
 from carom.core.jit.native import NativeLoop
 
-__all__ = ["Answer", "address_of", "answer_at", "caller_of", "compiled_address", "python_address", "register_answers"]
+__all__ = [
+    "Answer", "address_of", "answer_at", "call_at", "caller_of", "compiled_address", "python_address", "register_answers",
+]  # fmt: skip
 
 Answer = tuple[float, float, float, float, float, float]
 SIZE = 6
@@ -140,3 +142,22 @@ def caller_of(returns: Any, *arguments: Any) -> Any:
         return kind.return_type(address, given), build
 
     return call
+
+
+def call_at(function: Callable[[Any, tuple[Any, ...]], Any], returns: Any, *arguments: Any) -> None:
+    """Have compiled code that calls ``function(address, (arguments, ...))`` call what is compiled at that address.
+
+    Python goes on calling ``function``.
+    """
+    from numba.extending import overload
+
+    caller = caller_of(returns, *arguments)
+
+    # (Numba wants the names that the function has)
+    def typed(called: Any, given: Any) -> Any:
+        def call(called: Any, given: Any) -> Any:
+            return caller(called, given)
+
+        return call
+
+    overload(function)(typed)

@@ -50,8 +50,15 @@ if hasattr(os, "register_at_fork"):  # (threads do not survive a fork: a child w
 
 
 def call_in_threads(work: Callable[[Part], Answer], parts: Sequence[Part]) -> list[Answer]:
-    """Return ``work(part)`` of every part, in their order; a single part is done at once. No work may call this itself."""
-    return [work(part) for part in parts] if len(parts) == 1 else list(_pool("work").map(work, parts))
+    """Return ``work(part)`` of every part, in their order. No work may call this itself.
+
+    A single part is done at once; from the main thread in another thread, once Numba is loaded: its loops run Python code where
+    they look up the types of arguments, and Ctrl-C, which Python raises in the main thread, would be lost there or end as an error
+    of Numba's. The package's own loops run none.
+    """
+    if len(parts) == 1 and ("numba" not in sys.modules or threading.current_thread() is not threading.main_thread()):
+        return [work(parts[0])]
+    return list(_pool("work").map(work, parts))
 
 
 def call_in_parts(work: Callable[[int], Answer], count: int) -> list[Answer]:
