@@ -117,7 +117,8 @@ def test_each_orbit_once() -> None:
 def test_seeds_and_starts_are_repeated_exactly() -> None:
     one, other = (billiards.periodic_orbits(billiards.stadium(), (2, 3), starts=50, seed=5) for _ in range(2))
     assert [a.duration for a in one] == [b.duration for b in other]
-    assert "starts" in one.describe()
+    closed = sum(orbit.found for orbit in one)
+    assert f"{closed:,} starts closed, of 50 for each period; " in one.describe()
 
 
 def test_nothing_is_claimed_beyond_rounding() -> None:
@@ -156,6 +157,7 @@ def test_under_a_force_and_rolling() -> None:
     [
         (lambda: billiards.periodic_orbits(billiards.circle(), 0), "integer >= 1"),
         (lambda: billiards.periodic_orbits(billiards.circle(), 5000), "at most 1000"),
+        (lambda: billiards.periodic_orbits(billiards.circle(), "3,6-2"), "smaller number to the larger, such as 2-6, got '6-2'"),
         (lambda: billiards.periodic_orbits(billiards.sphere(), 2), "in the plane"),
         (lambda: billiards.periodic_orbits(billiards.strip(), 2), "closed boundary"),
         (lambda: billiards.periodic_orbits(billiards.circle(), 2, law="contact", surface=carom.Surface(0.8, 0.1)), "keeps"),

@@ -330,3 +330,27 @@ def test_settings_of_fits_that_are_no_numbers(value):
 )
 def test_an_option_that_is_no_number(capsys, words, line):
     assert fails(capsys, *words) == [line]
+
+
+@pytest.mark.parametrize(
+    ("words", "begins", "ends"),
+    [
+        (("explore", "--laws", "maww", "--out", "a.html"), "--laws: expected one of mirror, ", "did you mean 'maw'?"),
+        (("design", "--laws", "maw,contct"), "--laws: expected one of mirror, ", "did you mean 'contact'?"),
+        (("aim", "carom"), "aim: reach: expected one of --point, --pocket and --hit", "got none of them"),
+        (("simulate", "pool-9f"), "pool-9f: expected a scene file", "did you mean 'pool-9ft'?"),
+        (("simulate", "carom", "--set", "balls.0.radius=-1mm"), "--set: balls[0].radius: expected a length", "got '-1mm'"),
+        (("orbit", "stadium", "--periodic", "4-2"), "--periodic: expected ranges from the smaller", "got '4-2'"),
+        (("explore", "--data", "a.png", "--out", "a.html"), "a.png: expected a CSV file", "got a binary file"),
+        (("predict", "a.png", "--out", "a.csv"), "a.png: expected a CSV file", "got a binary file"),
+        (("sweep", "run", "a.toml"), "a.toml: expected a sweep of a scene, got the scene itself", "scene = 'a.toml'"),
+    ],
+)  # fmt: skip
+def test_a_wrong_name_or_file_is_one_line_and_writes_nothing(capsys, tmp_path, monkeypatch, words, begins, ends):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "a.png").write_bytes(b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0")
+    (tmp_path / "a.toml").write_text(carom.scene_text(), encoding="utf-8")
+    (line,) = fails(capsys, *words)
+    assert line.startswith(f"carom: {begins}")
+    assert line.endswith(ends)
+    assert sorted(one.name for one in tmp_path.iterdir()) == ["a.png", "a.toml"]

@@ -145,6 +145,7 @@ def test_what_cannot_be_shown_is_refused_in_one_line_each(tmp_path: Path) -> Non
     assert faults[0] == "explore: balls: expected at most 100, got 101; carom simulate takes more"
     assert faults[1].startswith("explore: law: expected one of mirror, ")
     assert "got 'soft'" in faults[1]
+    assert faults[2].startswith("explore: laws: expected one of mirror, ")
     assert "did you mean 'two-step'?" in faults[2]
     assert faults[3].startswith(f"{text}: ")
     with pytest.raises(carom.CaromError, match="expected a name that ends with"):
@@ -183,7 +184,7 @@ def test_bad_input_of_the_command_writes_nothing(
     monkeypatch.chdir(tmp_path)
     assert _cli(monkeypatch, "none.toml", "--laws", "nope", "--data", "none.csv", "--no-open") == 2
     lines = capsys.readouterr().err.splitlines()
-    assert [line.split(":")[1].strip() for line in lines] == ["none.toml", "law", "none.csv"]
+    assert [line.split(":")[1].strip() for line in lines] == ["none.toml", "--laws", "none.csv"]
     assert list(tmp_path.iterdir()) == []
 
 

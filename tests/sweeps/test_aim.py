@@ -267,8 +267,8 @@ def test_bad_input_is_said_at_once() -> None:
         (["balls.0.velocity"], {"hit": "blue"}, {}, "expected a ball of white, yellow, red"),
         (["balls.0.velocity"], {"hit": 0}, {}, "expected balls other than the one that hits them, got white itself"),
         (["balls.0.velocity"], {"pocket": "any"}, {}, "expected a table with pockets, got a scene without"),
-        (["balls.0.velocity"], {"hit": 1, "point": (1, 2)}, {}, "expected one of point, pocket and hit"),
-        (["balls.0.velocity"], {}, {}, "expected one of point, pocket and hit"),
+        (["balls.0.velocity"], {"hit": 1, "point": (1, 2)}, {}, "expected one of `point`, `pocket` and `hit`"),
+        (["balls.0.velocity"], {}, {}, "expected one of `point`, `pocket` and `hit`"),
         (["balls.0.velocity"], {"hit": 1}, {"starts": 0}, "starts: expected a whole number"),
         (["balls.0.velocity"], {"hit": 1}, {"errors": {"sped": 1}}, "expected names of speed"),
     ]:  # fmt: skip
@@ -331,8 +331,8 @@ def test_a_wrong_setting_is_one_line(settings: dict[str, object]) -> None:
         ("--point 0,0 --within nan", "aim: reach: within: expected a length in m, > 0, got nan"),
         ("--point nan,0", "aim: reach: point[0]: expected a length in m, got nan"),
         ("--hit red --within 0.1", "aim: reach: expected within with point only, got within = 0.1 with hit"),
-        ("--hit red --pocket any", "aim: reach: expected one of point, pocket and hit, got pocket, hit"),
-        ("", "aim: reach: expected one of point, pocket and hit, got none of them"),
+        ("--hit red --pocket any", "aim: reach: expected one of `point`, `pocket` and `hit`, got pocket, hit"),
+        ("", "aim: reach: expected one of `point`, `pocket` and `hit`, got none of them"),
         ("--hit red --error angle=nan", "aim: errors: angle: expected a number >= 0, got nan"),
     ],
 )

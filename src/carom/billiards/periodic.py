@@ -188,13 +188,13 @@ class PeriodicOrbits(Sequence[PeriodicOrbit]):
         """How many starts closed, and whether orbits were found once only: one line."""
         closed, once = sum(one.found for one in self.orbits), sum(one.found == 1 for one in self.orbits)
         if not closed:
-            return f"No periodic orbit: none of {self.starts:,} starts closed."
+            return f"No periodic orbit: none of {self.starts:,} starts for each period closed."
         end = (
             f"{counted(once, 'orbit')} found once: more starts may show more"
             if once
             else "every orbit was found twice or more"
         )
-        return f"{closed:,} of {self.starts:,} starts for each period closed; {end}."
+        return f"{closed:,} starts closed, of {self.starts:,} for each period; {end}."
 
     def describe(self) -> str:
         """Return a line for each orbit, and how complete the list is likely to be."""
@@ -334,6 +334,10 @@ def periods_of(period: int | str | Iterable[int]) -> list[int]:
         if not all(len(ends) <= 2 and all(end.isdecimal() and len(end) < 9 for end in ends) for ends in parts):
             raise CaromError(Fault("orbit", "periodic", "numbers of bounces, such as 4, 2-6 or 3,5", repr(period)))
         ends = [(_period(int(one[0])), _period(int(one[-1]))) for one in parts]
+        if turned := next((f"{first}-{last}" for first, last in ends if first > last), ""):
+            raise CaromError(
+                Fault("orbit", "periodic", "ranges from the smaller number to the larger, such as 2-6", repr(turned))
+            )
         return sorted({p for first, last in ends for p in range(first, last + 1)})
     return sorted({_period(p) for p in (period if isinstance(period, Iterable) else (period,))})
 

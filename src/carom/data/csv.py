@@ -25,6 +25,7 @@ __all__ = ["CHUNK_ROWS", "CsvTable", "TableChunk"]
 Array = NDArray[np.float64]
 CHUNK_ROWS = 1 << 14
 LARGE_CHUNK_ROWS = 1 << 16  # of a large file
+START_BYTES = 512  # in which a file that is not text shows its zeros
 DELIMITERS = ",;\t|"
 
 
@@ -98,7 +99,8 @@ class CsvTable:
 
     def _begin(self) -> None:
         path = self.path
-        self.encoding = text_encoding(self.raw.read(4))
+        start = self.raw.read(START_BYTES)
+        self.encoding = text_encoding(start[:4])
         self.raw.seek(len(self.encoding.mark))
         # bytes that are not UTF-8, in a name say, go through as they are
         self.on_error = "surrogateescape" if self.encoding.codec == "utf-8" else "replace"
@@ -111,7 +113,8 @@ class CsvTable:
         named = SPREADSHEET.match(first)
         if named:
             first = next((line for line in self.lines if line.strip()), "")
-        if any(sign < " " and sign not in "\t\r\n" for sign in first):
+        zeros = b"\0" in start and self.encoding.codec == "utf-8"
+        if zeros or any(sign < " " and sign not in "\t\r\n" for sign in first):
             raise CaromError(f"{path}: expected a CSV file, a line of text with names first, got a binary file")
         self.end = first[len(first.rstrip("\r\n")) :] or "\n"
         self.delimiter = named[1] if named else max(DELIMITERS, key=first.count)

@@ -170,7 +170,7 @@ def _laws(laws: str | Iterable[str] | None, faults: list[str]) -> list[str]:
         try:
             law = name if isinstance(name, Law) else law_named(name)
         except CaromError as error:
-            faults += error.faults
+            faults += map(str, error.records_at("explore: laws"))
             continue
         if law.name not in _compiled():
             faults.append(

@@ -210,7 +210,7 @@ def require_plan(
     if not named or len(laws) != 2:
         got = repr(",".join(laws) if named else laws)
         faults.add("laws", "two laws, first the one assumed to be true, such as maw,contact", got)
-    faults += unknown_laws(laws) if named else []
+    faults += [replace(fault, where="laws") for fault in (unknown_laws(laws) if named else ())]
     for name, value in (truth or {}).items():
         its = [p for p in (*PARAMETERS, *FORM_PARAMETERS) if p.name == name]
         low, high = min((p.low for p in its), default=0.0), max((p.high for p in its), default=0.0)

@@ -138,7 +138,7 @@ def load_gas(path: str | Path) -> GasScene:
     else:
         path = as_path("load_gas", path)
         name, folder = str(path), path.parent
-        table = read_toml(path, f"carom scene new `gas` {path}", "the scene file of a gas")
+        table = read_toml(path, f"carom scene new `gas` {path} writes one", "the scene file of a gas")
     if strange := sorted({"balls", "walls", "floor"} & set(table)):
         got = " and ".join(strange)
         raise CaromError(f"{name}: expected a gas, got a scene of single balls, with {got}; run carom simulate {name}")

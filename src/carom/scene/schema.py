@@ -270,7 +270,7 @@ class Number:
         advice = f"units are written as in {EXAMPLES[self.unit]!r}" if self.unit and isinstance(value, str) else ""
         if isinstance(value, str) and self.unit:
             try:
-                x = parse_quantity(value, self.unit)
+                x, advice = parse_quantity(value, self.unit), ""
             except ValueError as error:
                 advice = str(error) or advice
         elif isinstance(value, Real) and not isinstance(value, bool):

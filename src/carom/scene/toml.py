@@ -76,17 +76,19 @@ def _by_name(path: Path) -> dict[str, Any] | None:
 
 
 def _remedy(path: Path) -> str:
-    """Return the command that writes the scene that was meant."""
+    """Return the name of a real table that was meant, or the command that writes the file."""
     near = near_name(path, presets())
-    return f"carom scene new `table` {near} FILE.toml" if near else f"carom scene new {path}"
+    if near and not path.suffix:
+        return f"did you mean {near!r}?"
+    return f"carom scene new `table` {near} FILE.toml writes one" if near else f"carom scene new {path} writes one"
 
 
 def read_toml(path: Path, remedy: str, what: str = "a scene file") -> dict[str, Any]:
-    """Return the table in a TOML file. CaromError, one line, if it has none; ``remedy`` is the command that writes one."""
+    """Return the table in a TOML file. CaromError, one line, if it has none; ``remedy`` helps where there is no file."""
     try:
         text = path.read_bytes().decode("utf-8-sig")  # with or without a byte-order mark
     except OSError as error:
-        advice = f"; {remedy} writes one" if isinstance(error, FileNotFoundError) else ""
+        advice = f"; {remedy}" if isinstance(error, FileNotFoundError) else ""
         raise CaromError(f"{path}: expected {what}, got: {error.strerror}{advice}") from None
     except UnicodeDecodeError as error:
         raise CaromError(Fault(f"{path}", "", "text in UTF-8", f"byte {error.object[error.start]:#04x}")) from None

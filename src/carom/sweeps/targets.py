@@ -95,7 +95,7 @@ class Target(Model):
     def _one_aim(self) -> Target:
         aims = {name: value for name in ("point", "pocket", "hit") if (value := getattr(self, name)) is not None}
         if len(aims) != 1:
-            raise refused("one of point, pocket and hit", ", ".join(aims) or "none of them")
+            raise refused("one of `point`, `pocket` and `hit`", ", ".join(aims) or "none of them")
         for name, fits, expected in (
             ("within", "point" in aims, "within with point only"),
             ("cushions", "hit" in aims, "cushions with hit only"),

@@ -7,7 +7,7 @@ from importlib.resources import files
 from pathlib import Path
 from typing import Any
 
-from carom.errors import CaromError, FaultList, did_you_mean, shown
+from carom.errors import CaromError, Fault, FaultList, did_you_mean, shown
 from carom.files import as_path
 from carom.gas.build import load_gas
 from carom.gas.scene import GasScene
@@ -64,7 +64,14 @@ def load_sweep(path: str | Path, store: Any = None, *, allow_own_laws: bool = Fa
     <Sweep: 1,488 points of a scene, 1 block>
     """
     path = as_path("load_sweep", path)
-    table = read_toml(path, f"carom sweep new {path}", "a sweep file")
+    table = read_toml(path, f"carom sweep new {path} writes one", "a sweep file")
+    if not set(FIELDS) & set(table) and (
+        strange := sorted({"balls", "container", "floor", "species", "walls"} & set(table))
+    ):
+        scene = f"the scene itself, with {' and '.join(strange)}"
+        raise CaromError(
+            Fault(f"{path}", "", "a sweep of a scene", scene, f"in a sweep file it is named: scene = '{path.name}'")
+        )
     found = FaultList(str(path))
     for name in table:
         if name not in FIELDS:
