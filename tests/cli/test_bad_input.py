@@ -7,6 +7,8 @@ import pytest
 from reference.commands import fails
 
 import carom
+from carom.cli.option_names import as_option
+from carom.errors import Fault
 
 NAN, INF = math.nan, math.inf
 BALL = carom.Ball()
@@ -354,3 +356,9 @@ def test_a_wrong_name_or_file_is_one_line_and_writes_nothing(capsys, tmp_path, m
     assert line.startswith(f"carom: {begins}")
     assert line.endswith(ends)
     assert sorted(one.name for one in tmp_path.iterdir()) == ["a.png", "a.toml"]
+
+
+def test_a_plot_of_a_sweep_names_its_own_options(capsys):
+    fails(capsys, "sweep", "plot", "none.zarr", "--of", "a", "--x", "b", "--out", "c.png")
+    assert str(as_option(Fault("plot", "of", "an outcome", "'a'"))) == "--of: expected an outcome, got 'a'"
+    assert str(as_option(Fault("plot", "panels", "a dimension", "'b'"))) == "--panels: expected a dimension, got 'b'"

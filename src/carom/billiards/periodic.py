@@ -194,7 +194,7 @@ class PeriodicOrbits(Sequence[PeriodicOrbit]):
             if once
             else "every orbit was found twice or more"
         )
-        return f"{closed:,} starts closed, of {self.starts:,} for each period; {end}."
+        return f"{counted(closed, 'start')} closed, of {self.starts:,} for each period; {end}."
 
     def describe(self) -> str:
         """Return a line for each orbit, and how complete the list is likely to be."""

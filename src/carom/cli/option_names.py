@@ -28,7 +28,7 @@ ARGUMENTS: dict[str, dict[str, str]] = {
     "Ball": {}, "Disc": {}, "wall": {}, "Surface": {}, "incoming": {}, "compare": {},
     "floor": {name: f"floor_{name}" for name in ("restitution", "friction", "tangential_restitution")},
     "Run": {}, "simulate": {}, "predict": {}, "fit": {}, "design": {}, "tracks": {}, "measure_tracks": {},
-    "aim": {"errors": "error"}, "aim: reach": {}, "explore": {}, "sensitivity": {"wrt": "sensitivity"},
+    "aim": {"errors": "error"}, "aim: reach": {}, "explore": {}, "plot": {"orbit": "plot"}, "sensitivity": {"wrt": "sensitivity"},
     "GasSettings": {}, "simulate_gas": {}, "simulate_ensemble": {}, "orbit": {}, "orbit: start": {}, "starts": {},
 }  # fmt: skip
 # A fault of an argument, in the text of any fault: its function, where it is named, the argument, and the rest.
