@@ -80,3 +80,9 @@ def test_pockets_that_overlap_are_named() -> None:
     pocket = {"mouth": 0.12, "jaw_angle": 140, "jaw_radius": 0.01, "shelf": -0.12, "radius": 2.2}
     with pytest.raises(carom.CaromError, match=r"bottom left pocket and top left pocket, which overlap by"):
         Table(length=2, width=1, corner_pockets=pocket)
+
+
+def test_a_wall_far_beyond_its_own_size_is_refused() -> None:
+    """Its sides have no length once its place is rounded."""
+    with pytest.raises(carom.CaromError, match="a wall near the origin, compared with its size"):
+        carom.scene.Table(length=1.42, width=2.84, center=(1e23, 1.42))

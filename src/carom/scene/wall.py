@@ -348,6 +348,12 @@ class WallShape(Model):
             }
             values = {name: _Shown(value, self.pocket_places) for name, value in given.items()}
             found.append(Fault("", *(text.format_map(values) for text in self.shape_faults[int(code)])))
+        if not found:
+            try:
+                _about(_features, self.kernels.features, self.numbers)
+            except ZeroDivisionError:
+                got = "sides that vanish in the rounding of their places"
+                found.append(Fault("", "", "a wall near the origin, compared with its size", got, "move it nearer"))
         raise_faults(found)
         return self
 
