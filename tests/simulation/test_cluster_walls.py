@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from reference.hertz_contacts import MASS, RADIUS, known, known_case
+from reference.hertz_contacts import MASS, RADIUS, Case, Wall, integrate, known, known_case
 from simulation.test_clusters import energy, scene_of
 
 import carom
@@ -140,10 +140,10 @@ def test_in_the_open_nothing_changes() -> None:
     assert (carom.simulate(near_a_wall(0.0)).log["kind"] == WALL_IN_CLUSTER).any()
 
 
-def test_a_right_angled_corner_keeps_the_law_of_the_walls() -> None:
-    # two walls at right angles do not act on each other: one after the other
+def test_a_smooth_right_angled_corner_keeps_the_law_of_the_walls() -> None:
+    # two smooth walls at right angles do not act on each other: one after the other
     walls = [
-        {"shape": "plane", "point": (0, 0, 0), "normal": n, "restitution": 0.8, "friction": 0.1}
+        {"shape": "plane", "point": (0, 0, 0), "normal": n, "restitution": 0.8, "friction": 0.0}
         for n in ((1, 0, 0), (0, 1, 0))
     ]
     balls = [{"radius": 0.03, "mass": 0.2, "position": (0.5, 0.50001, 0), "velocity": (-1, -1, 0)}]
@@ -151,6 +151,23 @@ def test_a_right_angled_corner_keeps_the_law_of_the_walls() -> None:
     log = carom.simulate(scene).log
     assert log["kind"].tolist()[1:3] == [WALL, WALL]
     assert log.tobytes() == carom.simulate(carom.replaced(scene, {"ball_contact.overlap": False})).log.tobytes()
+
+
+@pytest.mark.parametrize("spin", [(0.0, 0.0, 0.0), (20.0, -10.0, 50.0)])
+def test_walls_of_a_rough_right_angled_corner_act_at_once(spin: tuple[float, float, float]) -> None:
+    # each rubs along the normal of the other: the order of the walls does not matter, and the integration has the same answer
+    normals = np.eye(3)[:2]
+    place, velocity = np.full(3, RADIUS + 1e-9), np.array([-1.0, -1.0, 0.0])
+    walls = [Wall(np.zeros(3).tolist(), n.tolist(), 3e-4, 0.8, 0.25) for n in normals]
+    case = Case([place], [velocity], [spin], walls=tuple(walls))
+    _x, v, w = integrate(case, 4e-4, 5e-7)
+    for some in (walls, walls[::-1]):
+        rows, balls = by_python(with_walls(case._asdict() | {"walls": [wall._asdict() for wall in some]}))
+        assert WALL_IN_CLUSTER in [row.kind for row in rows]
+        assert balls[0].v == pytest.approx(v[0], abs=0.02)
+        assert RADIUS * np.array(balls[0].w) == pytest.approx(RADIUS * w[0], abs=0.03)
+        if not any(spin):
+            assert balls[0].v[0] == pytest.approx(balls[0].v[1], abs=1e-12)
 
 
 def test_a_ball_that_lies_in_a_groove_comes_to_rest_there() -> None:

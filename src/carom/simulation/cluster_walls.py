@@ -34,7 +34,7 @@ LEAST_TIME = 1e-6  # s: a shorter contact takes no time
 NEAR = 0.15  # of the radius: a wall with such a gap to a ball can act on it
 SLACK = 1e-7  # of the radius: a ball that overlaps by less, as by the digits of a file, touches
 CLOSES = 1e-9  # of the speed of approach: a slower ball does not approach
-SQUARE = 1e-6  # cosine of two normals: walls at right angles do not act on each other
+SQUARE = 1e-6  # cosine of two normals: smooth walls at right angles do not act on each other
 FRONT = 1e-2  # of the radius: a point so little before a plane is of the same wall
 ROOT_5 = math.sqrt(5)
 
@@ -109,9 +109,10 @@ def wall_in_time(features: Any, ball: Any, v: Vec, u: float) -> float:
 
 @kernel
 def walls_in_time(world: Any, features: Any, ball: Any, f: Any, n: Vec, v: Vec, u: float) -> bool:
-    """Return whether a ball that meets feature f with the speed u touches another wall, not at right angles, before this ends.
+    """Return whether a ball that meets feature f with the speed u touches another wall, which acts on it too, before this ends.
 
-    The walls of mathematical billiards have the law mirror: a ball alone meets them one after the other.
+    At right angles only friction does: each wall rubs along the normal of the other. The walls of mathematical billiards have the
+    law mirror: a ball alone meets them one after the other.
     """
     rests = world.together != 0 and is_on_floor(world, ball)
     if f.law == MIRROR_WALL:
@@ -124,7 +125,7 @@ def walls_in_time(world: Any, features: Any, ball: Any, f: Any, n: Vec, v: Vec, 
                 c = n[0] * other[0] + n[1] * other[1]
                 if not (rests and n[2] < 0 and other[2] < 0):
                     c += n[2] * other[2]
-                if abs(c) > SQUARE:
+                if abs(c) > SQUARE or _mu(f) + _mu(g) > 0:
                     return True
     return False
 
