@@ -167,3 +167,13 @@ def test_under_a_force_and_rolling() -> None:
 def test_refusals(call, said: str) -> None:
     with pytest.raises(CaromError, match=said):
         call()
+
+
+def test_a_branch_begins_at_its_orbit() -> None:
+    one = billiards.refine_orbit(billiards.sinai(0.3), ((0.5, 0.0), (1.0, 0.0), 0.0), 2)
+    with pytest.raises(CaromError, match="where it does not close"):
+        billiards.continue_orbit(one, lambda radius: {"table": billiards.sinai(radius)}, 0.31, 0.4)
+    with pytest.raises(CaromError, match="a mapping such as"):
+        billiards.continue_orbit(one, billiards.sinai, 0.3, 0.4)
+    with pytest.raises(CaromError, match="`table` and `ball`, got sides"):
+        billiards.continue_orbit(one, lambda radius: {"sides": radius}, 0.3, 0.4)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -25,6 +26,7 @@ FIRST_STEP = 0.02  # of the range of the parameter, and of the table's size and 
 LONGEST_STEP, SHORTEST_STEP = 0.05, 1e-7
 CORRECTIONS = 8  # Newton's steps after each step along the branch; more: the step is halved
 CLOSED = 1e-11  # residual of a point of the branch, relative to 1 and the tangent map
+AT_START = 1e-6  # residual of the given orbit with the first value of the parameter
 DIFFERENCE = 1e-6  # of the range: the residual's derivative by the parameter is a central difference
 LOCATED = 1e-13  # of the range: accuracy of an event's parameter
 BISECTIONS = 60
@@ -172,19 +174,15 @@ class _Path:
         if shell.setup.table.dimension != 2:
             raise CaromError(Fault("continue_orbit", "change", "a table in the plane", f"{shell.setup.table}"))
         self.free = shell.free
-        y = first_coordinates(shell, given)[0]
-        self.z0 = np.append(y, 0.0)
         # the state after the first bounce of the orbit at hand: it must close with the parameter's first value, too
-        corrected = self.correct(self.z0, np.eye(5)[4], 0.0)
+        corrected = None
+        with contextlib.suppress(CaromError):  # (the orbit may lie outside the table of that value)
+            self.z0 = np.append(first_coordinates(shell, given)[0], 0.0)
+            if residual(self.equations(self.z0)[0][None])[0] < AT_START:
+                corrected = self.correct(self.z0, np.eye(5)[4], 0.0)
         if corrected is None:
-            raise CaromError(
-                Fault(
-                    "continue_orbit",
-                    "start",
-                    "the value of the number for this orbit",
-                    f"{start:g}, where it does not close",
-                )
-            )
+            expected = "the value of the number for this orbit"
+            raise CaromError(Fault("continue_orbit", "start", expected, f"{start:g}, where it does not close"))
         self.z0 = corrected
 
     def value(self, z: float) -> float:
@@ -193,7 +191,10 @@ class _Path:
 
     def shell(self, value: float) -> EnergyShell:
         """Return the energy shell with the parameter."""
-        changed = dict(self.change(value))
+        changed = self.change(value)
+        if not isinstance(changed, Mapping):
+            expected = "a mapping such as {'table': ...}"
+            raise CaromError(Fault("continue_orbit", "change", f"{expected} for each value", f"{changed!r:.60}"))
         if unknown := set(changed) - {"table", "ball"}:
             raise CaromError(
                 Fault("continue_orbit", "change", "`table` and `ball`", ", ".join(sorted(map(str, unknown))))
