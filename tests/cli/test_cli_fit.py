@@ -257,7 +257,7 @@ def test_design_tells_all_faults_of_words_and_numbers_at_once(here, monkeypatch,
     assert (code, out) == (2, "")
     said = [line.removeprefix("carom: ").split(": expected")[0] for line in err.splitlines()]
     assert said == ["--inertia", "--kind", "no.csv", "--radius", "--speeds", "--sigma-v", "--sigma-spin", "--stage",
-                    "--odds", "law", "--truth: friction", "--angles"]  # fmt: skip
+                    "--odds", "--laws", "--truth: friction", "--angles"]  # fmt: skip
     assert "got 'slidng'; did you mean 'sliding'?" in err
 
 

@@ -20,7 +20,7 @@ from carom.core.geometry.features import BEHIND, OVER, contact_normal, gap_to_fe
 from carom.core.jit.kernel import Vec, cross, dot, kernel, vector
 from carom.core.motion.restitution import CONSTANT, restitution
 from carom.laws.hertz import damping
-from carom.laws.law import MIRROR_WALL, NO_SLIP_WALL, ROLLING_WALL
+from carom.laws.law import CONTACT_WALL, MIRROR_WALL, NO_SLIP_WALL, ROLLING_WALL, TWO_STEP_WALL
 from carom.simulation.predict import accelerations_of, is_on_floor
 
 __all__ = [
@@ -97,6 +97,12 @@ def _is_apart(a: float, n: Vec, gap: float, other: Vec, other_gap: float) -> boo
 
 
 @kernel
+def _is_ideal(f: Any) -> bool:
+    """Return whether a wall is of mathematical billiards: a mirror, or with a tangential restitution, which springs lack."""
+    return bool(f.law == MIRROR_WALL or (f.law in (CONTACT_WALL, TWO_STEP_WALL) and f.beta > 0))
+
+
+@kernel
 def wall_in_time(features: Any, ball: Any, v: Vec, u: float) -> float:
     """Return how soon a ball that meets another with the speed u touches a wall, before that contact or after it (with v)."""
     soonest = math.inf + 0 * u
@@ -111,15 +117,15 @@ def wall_in_time(features: Any, ball: Any, v: Vec, u: float) -> float:
 def walls_in_time(world: Any, features: Any, ball: Any, f: Any, n: Vec, v: Vec, u: float) -> bool:
     """Return whether a ball that meets feature f with the speed u touches another wall, which acts on it too, before this ends.
 
-    At right angles only friction does: each wall rubs along the normal of the other. The walls of mathematical billiards have the
-    law mirror: a ball alone meets them one after the other.
+    At right angles only friction does: each wall rubs along the normal of the other. A ball alone meets the walls of mathematical
+    billiards, mirrors and those with a tangential restitution, one after the other: so it keeps the energy that they return.
     """
     rests = world.together != 0 and is_on_floor(world, ball)
-    if f.law == MIRROR_WALL:
+    if _is_ideal(f):
         return False
     for k in range(features.shape[0]):
         g = features[k]
-        if g.law != MIRROR_WALL and _can_touch(g, ball):
+        if not _is_ideal(g) and _can_touch(g, ball):
             time, gap, other = _time_to_wall(g, ball, v, u)
             if time <= f.contact_time and _is_apart(ball.radius, n, 0 * u, other, gap):
                 c = n[0] * other[0] + n[1] * other[1]
