@@ -65,6 +65,14 @@ def test_while_the_command_is_imported(tmp_path: Path, how: str, stage: str) -> 
     assert said[0] in ("carom: interrupted", "carom: interrupted; nothing was written")
 
 
+def ended_as_module(folder: Path, name: str) -> tuple[int, str, str]:
+    """How ``python -m`` of a module in a folder ends: exit code, and what it wrote."""
+    environment = {**os.environ, "PYTHONPATH": str(Path(carom.__file__).parents[1])}
+    order = [sys.executable, "-m", name]
+    done = subprocess.run(order, cwd=folder, capture_output=True, text=True, check=False, env=environment)
+    return done.returncode, done.stdout, done.stderr
+
+
 def test_the_exit_code_is_that_of_the_command(tmp_path: Path) -> None:
     """Where the interrupt comes while a text is executed (a namedtuple is made so), ``python -m`` killed itself at the end."""
     (tmp_path / "interrupted.py").write_text(
@@ -75,10 +83,7 @@ def test_the_exit_code_is_that_of_the_command(tmp_path: Path) -> None:
         "sys.argv = ['carom', 'laws', 'maw']\n"
         "main()\n"
     )
-    environment = {**os.environ, "PYTHONPATH": str(Path(carom.__file__).parents[1])}
-    order = [sys.executable, "-m", "interrupted"]
-    done = subprocess.run(order, cwd=tmp_path, capture_output=True, text=True, check=False, env=environment)
-    assert (done.returncode, done.stdout, done.stderr) == (130, "", "carom: interrupted\n")
+    assert ended_as_module(tmp_path, "interrupted") == (130, "", "carom: interrupted\n")
 
 
 def test_while_the_handler_is_set(tmp_path: Path) -> None:
@@ -97,10 +102,7 @@ def test_while_the_handler_is_set(tmp_path: Path) -> None:
         "sys.argv = ['carom', 'laws', 'maw']\n"
         "main()\n"
     )
-    environment = {**os.environ, "PYTHONPATH": str(Path(carom.__file__).parents[1])}
-    order = [sys.executable, "-m", "early"]
-    done = subprocess.run(order, cwd=tmp_path, capture_output=True, text=True, check=False, env=environment)
-    assert (done.returncode, done.stdout, done.stderr) == (130, "", "carom: interrupted\n")
+    assert ended_as_module(tmp_path, "early") == (130, "", "carom: interrupted\n")
 
 
 def test_one_line_is_enough(capsys: pytest.CaptureFixture[str]) -> None:
