@@ -13,6 +13,7 @@ from dataclasses import dataclass
 from typing import Literal
 
 from carom.core.units import UNITS, Unit, unit_named
+from carom.errors import Fault
 
 __all__ = [
     "BRACKETS",
@@ -148,10 +149,11 @@ def parse_header(header: str) -> Heading | None:
     return _STATE_NAMES.parse(header)
 
 
-def missing_unit(header: str, meaning: Heading) -> str:
-    """Return the message for a column whose unit is missing or unknown."""
+def missing_unit(where: str, header: str, meaning: Heading) -> Fault:
+    """Return the fault of a column whose unit is missing or unknown."""
     example = header_with_unit(meaning.alias, next(iter(UNITS[meaning.dimension].values())), "suffix")
-    return f"column {header!r}: expected a unit, one of {meaning.units}; add it to the header, as in {example!r}"
+    advice = f"add it to the header, as in {example!r}"
+    return Fault(where, f"column {header!r}", f"a unit, one of {meaning.units}", advice=advice)
 
 
 def without_unit(header: str) -> str:

@@ -174,7 +174,7 @@ def _meanings(headers: list[str], settings: PredictSettings, faults: FaultList) 
             continue
         unit = meaning.unit or Unit("")
         if meaning.unit is None:
-            faults.append(Fault(advice=missing_unit(header, meaning)))
+            faults.append(missing_unit("", header, meaning))
         found[meaning.quantity].append((InputColumn(index, header, unit), meaning))
     for quantity, those in found.items():
         if len(those) > 1:

@@ -9,7 +9,7 @@ import numpy as np
 from carom.data.columns import as_columns
 from carom.data.headers import missing_unit
 from carom.data.rebounds import NAMED, Kind, Rebounds, kind_of_columns, make_rebounds
-from carom.errors import CaromError
+from carom.errors import FaultList
 
 __all__ = ["as_rebounds"]
 
@@ -26,7 +26,7 @@ def as_rebounds(table: Any, kind: Kind | None = None, stage: str | None = None) 
     """
     if isinstance(table, Rebounds):
         return table
-    faults: list[Any] = []
+    faults = FaultList("rebounds")
     measured: dict[str, Any] = {}
     extra: dict[str, Any] = {}
     stages: Any = stage
@@ -38,15 +38,14 @@ def as_rebounds(table: Any, kind: Kind | None = None, stage: str | None = None) 
         elif meaning is None:
             extra[header.strip()] = column.astype(str)
         elif meaning.unit is None:
-            faults.append(f"rebounds: {missing_unit(header, meaning)}")
+            faults.append(missing_unit("rebounds", header, meaning))
         elif meaning.quantity in measured:
-            faults.append(f"rebounds: column {header!r}: expected one column for {meaning.quantity}, got two")
+            faults.add(f"column {header!r}", f"one column for {meaning.quantity}", "two")
         else:
             try:
                 measured[meaning.quantity] = meaning.unit.to_si(np.asarray(column, dtype=float))
             except (TypeError, ValueError):
-                faults.append(f"rebounds: column {header!r}: expected numbers, got {column.tolist()[0]!r:.40}")
-    kind = kind or kind_of_columns("rebounds", measured, stages is not None, list(columns), faults)
-    if faults:
-        raise CaromError(*faults)
+                faults.add(f"column {header!r}", "numbers", f"{column.tolist()[0]!r:.40}")
+    kind = kind or kind_of_columns(measured, stages is not None, list(columns), faults)
+    faults.raise_if_any()
     return make_rebounds(kind, measured, stage=None if kind == "planar" else stages, extra=extra)

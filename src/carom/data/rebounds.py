@@ -325,7 +325,7 @@ def read_rebounds(path: str | Path, *, kind: Kind | None = None, stage: str | No
     path = as_path("read_rebounds", path)
     if not path.is_file():
         raise CaromError(f"{path}: expected a table of rebounds, got {'a folder' if path.is_dir() else 'no such file'}")
-    faults: list[str] = []
+    faults = FaultList(str(path))
     read = _read_parquet if path.suffix.lower() in (".parquet", ".pq") else _read_csv
     headers, cells, rows, number = read(path, faults)
     measured: dict[str, Array] = {}
@@ -340,39 +340,37 @@ def read_rebounds(path: str | Path, *, kind: Kind | None = None, stage: str | No
             if header.strip():
                 extra[header.strip()] = np.array(["" if cell is None else str(cell) for cell in cells(i)])
         elif meaning.unit is None:
-            faults.append(f"{path}: {missing_unit(header, meaning)}")
+            faults.append(missing_unit(str(path), header, meaning))
         elif meaning.quantity in measured:
-            faults.append(f"{path}: column {header!r}: expected one column for {meaning.quantity}, got two")
+            faults.add(f"column {header!r}", f"one column for {meaning.quantity}", "two")
         else:
             measured[meaning.quantity] = meaning.unit.to_si(number(i, header))
-    kind = kind or kind_of_columns(path, measured, stages is not None, headers, faults)
+    kind = kind or kind_of_columns(measured, stages is not None, headers, faults)
     if faults:
         # check the columns as well, to report all problems at once
-        try:
-            make_rebounds(kind, measured, stage=stages, extra=extra, rows=rows, source=str(path))
-        except CaromError as error:
-            already = {fault.split(": expected")[0] for fault in faults}
-            faults += [fault for fault in error.faults if fault.split(": expected")[0] not in already]
-        raise CaromError(*faults)
+        more = FaultList()
+        more.attempt(make_rebounds, kind, measured, stage=stages, extra=extra, rows=rows, source=str(path))
+        faults += [fault for fault in more if not faults.has(fault.field)]
+        faults.raise_if_any()
     if kind == "planar" and stage is None:
         stages = None
     return make_rebounds(kind, measured, stage=stages, extra=extra, rows=rows, source=str(path))
 
 
-def kind_of_columns(
-    path: Path | str, measured: Mapping[str, Array], staged: bool, headers: list[str], faults: list[str]
-) -> Kind:
+def kind_of_columns(measured: Mapping[str, Array], staged: bool, headers: Sequence[str], faults: FaultList) -> Kind:
+    """Return the kind of bounces that the names of columns say; a table by default, with a fault if they do not say it."""
     bare = {name.removeprefix("sigma_") for name in measured}
     planar, table = bare & {"spin_in", "spin_out"}, bare & {"spin_z_in", "spin_z_out"}
     if planar and table:
         got = ", ".join(sorted(planar | table))
-        faults.append(f"{path}: columns: expected spin (a planar bounce) or spin_z (a ball on a table), got {got}")
+        faults.add("columns", "spin (a planar bounce) or spin_z (a ball on a table)", got)
     elif not planar and not table and not staged:
         wanted = "v_n_in" if "v_n_in" in measured or not headers else suggestion("v_n_in", headers)
-        faults.append(
-            f"{path}: columns: expected a spin_in or spin_out column (a planar bounce), or spin_z_in, spin_z_out or stage"
-            f" (a ball on a table), got {', '.join(map(repr, headers))}; say which with `kind` planar or table"
-            + ("" if wanted == "v_n_in" else f"; v_n_in: {wanted}")
+        faults.add(
+            "columns",
+            "a spin_in or spin_out column (a planar bounce), or spin_z_in, spin_z_out or stage (a ball on a table)",
+            ", ".join(map(repr, headers)),
+            "say which with `kind` planar or table" + ("" if wanted == "v_n_in" else f"; v_n_in: {wanted}"),
         )
     return "table" if (table or staged) and not planar else "planar"
 
@@ -380,7 +378,7 @@ def kind_of_columns(
 Reader = tuple[list[str], Callable[[int], list[Any]], list[str], Callable[[int, str], Array]]
 
 
-def _read_csv(path: Path, faults: list[str]) -> Reader:
+def _read_csv(path: Path, faults: FaultList) -> Reader:
     with CsvTable(path) as table:
         headers = table.headers
         records = list(table.records())
@@ -395,7 +393,7 @@ def _read_csv(path: Path, faults: list[str]) -> Reader:
     spare = [fields[width:] for _n, _t, fields in records]
     if wrong.any() and any(any(cell.strip() for cell in cells) for cells in spare):
         got = len(records[np.flatnonzero(wrong)[0]][2])
-        faults.append(f"{path}: rows: expected {width} fields, as the header has, got {got} {which_rows(wrong, lines)}")
+        faults.add("rows", f"{width} fields, as the header has", f"{got} {which_rows(wrong, lines)}")
 
     commas = semicolons or decimal_commas([cell for row in rows for cell in row])
 
@@ -404,16 +402,14 @@ def _read_csv(path: Path, faults: list[str]) -> Reader:
         values, bad = parse_numbers(cells, decimal_comma=commas)
         if bad:
             unit, got = BRACKETS.match(header), cells[bad[0]].strip()
-            faults.append(
-                f"{path}: {header if unit else header.strip()}: expected a number, got {got!r}"
-                f" {which_rows(bad, lines)}; {number_advice(got)}"
-            )
+            field = header if unit else header.strip()
+            faults.add(field, "a number", f"{got!r} {which_rows(bad, lines)}", number_advice(got))
         return values
 
     return headers, lambda i: [row[i] for row in rows], lines, number
 
 
-def _read_parquet(path: Path, faults: list[str]) -> Reader:
+def _read_parquet(path: Path, faults: FaultList) -> Reader:
     from carom.data.parquet import ParquetTable
 
     with ParquetTable(path) as table:
@@ -425,7 +421,7 @@ def _read_parquet(path: Path, faults: list[str]) -> Reader:
         values = arrow.column(i).to_pylist()
         if all(value is None or isinstance(value, int | float) for value in values):
             return np.array([np.nan if value is None else float(value) for value in values])
-        faults.append(f"{path}: column {header!r}: expected numbers, got {arrow.column(i).type}")
+        faults.add(f"column {header!r}", "numbers", str(arrow.column(i).type))
         return np.full(len(values), np.nan)
 
     return list(table.headers), lambda i: arrow.column(i).to_pylist(), lines, number

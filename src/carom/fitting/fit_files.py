@@ -16,7 +16,7 @@ from carom.data.published import published_at
 from carom.data.rebound_columns import as_rebounds
 from carom.data.rebounds import KINDS, STAGES, Rebounds
 from carom.data.where import Where
-from carom.errors import CaromError, attempt, noting, suggestion
+from carom.errors import CaromError, Fault, FaultList, noting, suggestion
 from carom.files import as_path, require_library
 from carom.fitting.laws import unknown_laws
 from carom.fitting.parameters import FORMS, INDEX
@@ -164,7 +164,7 @@ class _Request(NamedTuple):
 
 def _checked(asked: SimpleNamespace) -> _Request:
     """Return validated arguments of :func:`fit`; CaromError with all problems that can be found before the data are read."""
-    faults: list[Any] = []
+    faults = FaultList()
     memory = isinstance(asked.files, Rebounds | MeasuredFilms) or is_columns(asked.files)
     several = isinstance(asked.files, list | tuple)
     paths = [] if memory else [as_path("fit", one) for one in (asked.files if several else [asked.files])]
@@ -172,15 +172,15 @@ def _checked(asked: SimpleNamespace) -> _Request:
         raise CaromError("fit: files: expected a table of rebounds, or track files, got none")
     films: bool | None = isinstance(asked.files, MeasuredFilms)
     if paths and not asked.whole:  # (of whole tracks every file is looked at below)
-        films = attempt(faults, are_films, paths)
-    kappa = None if asked.inertia is None else attempt(faults, inertia_number, asked.inertia)
-    prior = attempt(faults, _prior, asked.spin, asked.whole) or {}
+        films = faults.attempt(are_films, paths)
+    kappa = None if asked.inertia is None else faults.attempt(inertia_number, asked.inertia)
+    prior = faults.attempt(_prior, asked.spin, asked.whole) or {}
     fixed, bounds = dict(asked.fix or {}), dict(asked.bound or {})
     strange = [*_strange_parameters("fix", fixed, asked.whole), *_strange_parameters("bound", bounds, asked.whole)]
     faults += strange
     if strange:  # (said once)
         fixed, bounds = {}, {}
-    attempt(faults, require_error_bars, asked.sigma_v, asked.sigma_spin)
+    faults.attempt(require_error_bars, asked.sigma_v, asked.sigma_spin)
     of_contacts = {
         "sigma_v": asked.sigma_v, "sigma_spin": asked.sigma_spin, "bootstrap": asked.bootstrap, "profiles": asked.profiles,
         "every_contact": asked.every_contact or None, "kind": asked.kind, "stage": asked.stage, "seed": asked.seed,
@@ -189,7 +189,7 @@ def _checked(asked: SimpleNamespace) -> _Request:
     of_frames = {"noise": asked.noise, "cushions": None if asked.cushions == CUSHIONS else asked.cushions}
     wanted = "no `whole`, which fits frames instead of contacts" if asked.whole else "`whole` as well"
     unused = of_contacts if asked.whole else of_frames
-    faults += [f"`{name}`: expected {wanted}; omit it" for name, value in unused.items() if value is not None]
+    faults += [Fault("", f"`{name}`", wanted, advice="omit it") for name, value in unused.items() if value is not None]
     names = [asked.laws] if isinstance(asked.laws, str) else list(asked.laws or [])
     faults += _strange_words(
         names if asked.laws is not None else None,
@@ -200,10 +200,10 @@ def _checked(asked: SimpleNamespace) -> _Request:
         asked.bootstrap,
         asked.seed,
     )
-    before: list[Any] = []
-    ours = attempt(before, published_at, paths[0]) if paths else None
+    before = FaultList()
+    ours = before.attempt(published_at, paths[0]) if paths else None
     if asked.radius is None and ours is None and not before:
-        faults.append("`radius`: expected the ball's radius in m, got none; a table-tennis ball has `radius` 0.02")
+        faults.add("`radius`", "the ball's radius in m", "none", "a table-tennis ball has `radius` 0.02")
     given = {
         "radius": asked.radius,
         "kappa": kappa,
@@ -217,16 +217,16 @@ def _checked(asked: SimpleNamespace) -> _Request:
         **prior, fixed=fixed, bounds=bounds, fit=tuple(asked.fit), robust=asked.robust, scatter=asked.scatter or "",
         **of_whole,
     )  # fmt: skip
-    attempt(faults, lambda: require_settings(setting, whole=asked.whole))
+    faults.attempt(require_settings, setting, whole=asked.whole)
     if asked.whole:
         for path in paths:
-            if path.is_file() and attempt(faults, is_track, path) is False:
-                faults.append(f"{path}: expected a track with `whole`, got a table of rebounds; omit `whole`")
+            if path.is_file() and faults.attempt(is_track, path) is False:
+                faults.add(str(path), "a track with `whole`", "a table of rebounds", "omit `whole`")
         if memory:
-            faults.append(f"fit: files: expected track files with `whole`, got {type(asked.files).__name__}")
+            faults.append(Fault("fit", "files", "track files with `whole`", type(asked.files).__name__))
         if asked.view == "side":
-            faults.append("`view`: expected above with `whole` (balls on a table), got side")
-        before = []
+            faults.add("`view`", "above with `whole` (balls on a table)", "side")
+        before.clear()
     # (before contacts are measured, which takes time)
     if before or (faults and (ours or films or asked.whole or memory)):
         raise CaromError(*faults, *before)
@@ -236,7 +236,7 @@ def _checked(asked: SimpleNamespace) -> _Request:
             "stage": asked.stage if asked.stage in STAGES else None,
         }
         if films is not None:
-            attempt(faults, lambda: rebounds_of_files(paths, **said))
+            faults.attempt(rebounds_of_files, paths, **said)
         raise CaromError(*faults)
     return _Request(paths, asked.files if memory else None, ours, bool(films), names, setting)
 
@@ -250,19 +250,19 @@ def _prior(spin: float | str | None, whole: bool) -> dict[str, Any]:
     return spin_of_rows(spin)[1]
 
 
-def _strange_parameters(argument: str, given: Mapping[str, Any], whole: bool) -> list[str]:
+def _strange_parameters(argument: str, given: Mapping[str, Any], whole: bool) -> FaultList:
     """Return faults of names that no law has as a parameter, and of values that are no numbers."""
     forms = (p.name for form in FORMS.values() for p in form.parameters)
     known = sorted({*INDEX, *forms, *(TRACK_NUMBERS if whole else ())})
-    faults = []
+    faults = FaultList(f"`{argument}`")
     for name, value in given.items():
         ends = value if argument == "bound" and isinstance(value, tuple | list) else [value]
         good = all(isinstance(x, int | float) and not isinstance(x, bool) and not math.isnan(x) for x in ends)
         if name not in known:
-            faults.append(f"`{argument}`: expected a parameter of a law, got {name!r}; {suggestion(name, known)}")
+            faults.add("", "a parameter of a law", repr(name), suggestion(name, known))
         elif not good or (argument == "bound" and not (len(ends) == 2 and ends[0] < ends[1])):
             what = "LOW:HIGH, LOW below HIGH" if argument == "bound" else "a number"
-            faults.append(f"`{argument}`: {name}: expected {what}, got {value!r}")
+            faults.add(name, what, repr(value))
     return faults
 
 
@@ -274,23 +274,24 @@ def _strange_words(
     stage: str | None,
     bootstrap: int | None,
     seed: int | None,
-) -> list[str]:
-    """Return one line per invalid argument, as far as that does not depend on the data."""
-    faults = [str(replace(fault, where="`laws`")) for fault in unknown_laws(names or [])]
+) -> FaultList:
+    """Return the faults of invalid arguments, as far as these do not depend on the data."""
+    faults = FaultList()
+    faults += [replace(fault, where="`laws`") for fault in unknown_laws(names or [])]
     if names == []:
-        faults.append("`laws`: expected names of laws, got none; omit it to fit all laws")
+        faults.add("`laws`", "names of laws", "none", "omit it to fit all laws")
     if seed is not None and seed < 0:
-        faults.append(f"`seed`: expected a whole number >= 0, got {seed}")
+        faults.add("`seed`", "a whole number >= 0", str(seed))
     if view not in (None, "above", "side"):
-        faults.append(f"`view`: expected above (a ball on a table) or side (a ball in flight), got {view!r}")
+        faults.add("`view`", "above (a ball on a table) or side (a ball in flight)", repr(view))
     if whole:  # (not used)
         return faults
     if kind not in (None, *KINDS):
-        faults.append(f"`kind`: expected planar or table, got {kind!r}")
+        faults.add("`kind`", "planar or table", repr(kind))
     if stage not in (None, *STAGES):
-        faults.append(f"`stage`: expected after_wall or rolling, got {stage!r}")
+        faults.add("`stage`", "after_wall or rolling", repr(stage))
     if bootstrap is not None and (bootstrap < 0 or bootstrap == 1):
-        faults.append(f"`bootstrap`: expected 0 (none) or a number of draws, 2 or more, got {bootstrap}")
+        faults.add("`bootstrap`", "0 (none) or a number of draws, 2 or more", str(bootstrap))
     return faults
 
 
