@@ -25,7 +25,7 @@ MODULES = {
 LOADERS = {
     "carom.cli",
     "carom.laws.registry",
-    "carom.scene.shapes",
+    "carom.scene.by_file",
     "carom.files",
     "carom.core.jit.workers",
     "carom.core.jit.background",

@@ -1,0 +1,258 @@
+"""Pieces of boundaries: segment, arc, arc of an ellipse; a further kind is one class with three methods.
+
+A piece is a smooth curve x(t) in the plane with the open side on its left. Its three methods give the place and its derivatives,
+the span of the parameter, and the same curve from the other side; length, tangent, normal, curvature and the parallel curve follow.
+"""
+
+from __future__ import annotations
+
+import functools
+import math
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["ArcPiece", "EllipsePiece", "ParallelPiece", "Piece", "SegmentPiece"]
+
+Array = NDArray[np.float64]
+Flat = tuple[float, float]
+PARTS, ORDER = 64, 12  # Gauss-Legendre rules for the length of a piece, and nodes of each
+STEPS = 8  # of Newton's method for the parameter at an arc length
+
+
+class Piece(ABC):
+    """A smooth piece of a boundary, with the open side on its left.
+
+    A subclass has three methods: :meth:`at`, :meth:`span` and :meth:`reversed`. All others follow from these; a subclass with a
+    closed form replaces them.
+
+    Examples
+    --------
+    >>> from carom.scene.figures import ArcPiece
+    >>> quarter = ArcPiece((0.0, 0.0), 2.0, 0.0, 90.0)
+    >>> round(quarter.length, 6), quarter.curvature([1.0])
+    (3.141593, array([0.5]))
+    """
+
+    @abstractmethod
+    def at(self, t: Any) -> tuple[Array, Array, Array]:
+        """Return the places (N, 2) at parameters t (N), and their first and second derivatives by t (N, 2)."""
+
+    @abstractmethod
+    def span(self) -> tuple[float, float]:
+        """Return the parameters at its beginning and its end, the second one the greater."""
+
+    @abstractmethod
+    def reversed(self) -> Piece:
+        """Return the piece from its end to its beginning: its open side is the other one."""
+
+    @functools.cached_property
+    def _lengths(self) -> tuple[Array, Array]:
+        """Return parameters, and the arc lengths there."""
+        first, last = self.span()
+        t = np.linspace(first, last, PARTS + 1)
+        nodes, weights = np.polynomial.legendre.leggauss(ORDER)
+        middle, half = (t[1:] + t[:-1]) / 2, (last - first) / PARTS / 2
+        rate = np.linalg.norm(self.at((middle[:, None] + half * nodes).ravel())[1], axis=-1).reshape(PARTS, ORDER)
+        return t, np.concatenate([[0.0], np.cumsum(rate @ weights * half)])
+
+    @property
+    def length(self) -> float:
+        """Its length, m."""
+        return float(self._lengths[1][-1])
+
+    def parameter(self, s: Any) -> Array:
+        """Return the parameters (N) at arc lengths s (N), m, from its beginning."""
+        t, lengths = self._lengths
+        s = np.asarray(s, float)
+        nodes, weights = np.polynomial.legendre.leggauss(ORDER)
+        k = np.clip(np.searchsorted(lengths, s, side="right") - 1, 0, PARTS - 1)
+        found: Array = np.interp(s, lengths, t)
+        for _ in range(STEPS):  # Newton: ds/dt = |x'|
+            half = (found - t[k]) / 2
+            inner = t[k][..., None] + half[..., None] * (nodes + 1)
+            rate = np.linalg.norm(self.at(inner.ravel())[1], axis=-1).reshape(inner.shape)
+            here = np.linalg.norm(self.at(found)[1], axis=-1)
+            found = np.clip(found - (lengths[k] + rate @ weights * half - s) / here, t[0], t[-1])
+        return found
+
+    def place(self, s: Any) -> Array:
+        """Return the places (N, 2), m, at arc lengths s (N), m."""
+        return self.at(self.parameter(s))[0]
+
+    def tangent(self, s: Any) -> Array:
+        """Return the unit tangents (N, 2) at arc lengths s (N), m."""
+        along = self.at(self.parameter(s))[1]
+        found: Array = along / np.linalg.norm(along, axis=-1, keepdims=True)
+        return found
+
+    def normal(self, s: Any) -> Array:
+        """Return the unit normals (N, 2) towards the open side at arc lengths s (N), m."""
+        return _left(self.tangent(s))
+
+    def curvature(self, s: Any) -> Array:
+        """Return the curvatures (N), 1/m, at arc lengths s (N): above 0 where it bends towards the open side."""
+        _x, d, dd = self.at(self.parameter(s))
+        found: Array = (d[:, 0] * dd[:, 1] - d[:, 1] * dd[:, 0]) / np.linalg.norm(d, axis=-1) ** 3
+        return found
+
+    def inset(self, a: float) -> Piece:
+        """Return the parallel curve at the distance a, m, on the open side: where a ball of radius a has its centre.
+
+        Its radius of curvature is smaller by a. Where a is greater than the radius of curvature a ball does not reach the piece,
+        and the parallel curve runs backwards there; who uses it cuts that part off.
+        """
+        return self if a == 0 else ParallelPiece(self, a)
+
+
+def _left(t: Array) -> Array:
+    return np.stack([-t[..., 1], t[..., 0]], axis=-1)
+
+
+@dataclass(frozen=True)
+class SegmentPiece(Piece):
+    """A straight piece between two points, m."""
+
+    start: Flat
+    end: Flat
+
+    def at(self, t: Any) -> tuple[Array, Array, Array]:
+        """Return places and derivatives; t goes from 0 to 1."""
+        t = np.asarray(t, float)
+        x, d = np.array(self.start), np.subtract(self.end, self.start)
+        return x + np.multiply.outer(t, d), np.broadcast_to(d, (*t.shape, 2)), np.zeros((*t.shape, 2))
+
+    def span(self) -> tuple[float, float]:
+        """Return 0 and 1."""
+        return 0.0, 1.0
+
+    def reversed(self) -> SegmentPiece:
+        """Return the segment from its end to its beginning."""
+        return SegmentPiece(self.end, self.start)
+
+    @property
+    def length(self) -> float:
+        """Its length, m."""
+        return math.dist(self.start, self.end)
+
+    def parameter(self, s: Any) -> Array:
+        """Return the parameters (N) at arc lengths s (N), m."""
+        return np.asarray(s, float) / self.length
+
+    def inset(self, a: float) -> SegmentPiece:
+        """Return the segment moved by a, m, towards the open side."""
+        off = a * self.normal(np.zeros(1))[0]
+        (x, y), (u, v) = (np.add(one, off).tolist() for one in (self.start, self.end))
+        return SegmentPiece((x, y), (u, v))
+
+
+@dataclass(frozen=True)
+class ArcPiece(Piece):
+    """An arc of a circle from one angle to another, degrees from x: counterclockwise, the centre on the open side, or clockwise."""
+
+    center: Flat
+    radius: float
+    from_angle: float
+    to_angle: float
+    """Above ``from_angle``: counterclockwise; below: clockwise, an obstacle seen from outside."""
+
+    @property
+    def way(self) -> float:
+        """1 where the centre is on the open side, else -1."""
+        return math.copysign(1.0, self.to_angle - self.from_angle)
+
+    def at(self, t: Any) -> tuple[Array, Array, Array]:
+        """Return places and derivatives; t is the angle turned, rad."""
+        t, w = np.asarray(t, float), self.way
+        angle = math.radians(self.from_angle) + w * t
+        u = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
+        return np.add(self.center, self.radius * u), w * self.radius * _left(u), -self.radius * u
+
+    def span(self) -> tuple[float, float]:
+        """Return 0 and its angle, rad."""
+        return 0.0, math.radians(abs(self.to_angle - self.from_angle))
+
+    def reversed(self) -> ArcPiece:
+        """Return the arc the other way round."""
+        return ArcPiece(self.center, self.radius, self.to_angle, self.from_angle)
+
+    @property
+    def length(self) -> float:
+        """Its length, m."""
+        return self.radius * self.span()[1]
+
+    def parameter(self, s: Any) -> Array:
+        """Return the angles turned (N), rad, at arc lengths s (N), m."""
+        return np.asarray(s, float) / self.radius
+
+    def inset(self, a: float) -> Piece:
+        """Return the arc about the same centre; of a ball that does not fit into it, the parallel curve that runs backwards."""
+        radius = self.radius - self.way * a
+        if radius <= 0:
+            return ParallelPiece(self, a)
+        return ArcPiece(self.center, radius, self.from_angle, self.to_angle)
+
+
+@dataclass(frozen=True)
+class EllipsePiece(Piece):
+    """An arc of the ellipse (p cos u, q sin u) about a centre, for u from one angle to another, degrees."""
+
+    half_axes: Flat
+    from_angle: float = 0.0
+    to_angle: float = 360.0
+    center: Flat = (0.0, 0.0)
+
+    def at(self, t: Any) -> tuple[Array, Array, Array]:
+        """Return places and derivatives; t is the change of u, rad."""
+        t, w = np.asarray(t, float), math.copysign(1.0, self.to_angle - self.from_angle)
+        u, axes = math.radians(self.from_angle) + w * t, np.array(self.half_axes)
+        out = axes * np.stack([np.cos(u), np.sin(u)], axis=-1)
+        along = w * axes * np.stack([-np.sin(u), np.cos(u)], axis=-1)
+        return np.add(self.center, out), along, -out
+
+    def span(self) -> tuple[float, float]:
+        """Return 0 and the change of u, rad."""
+        return 0.0, math.radians(abs(self.to_angle - self.from_angle))
+
+    def reversed(self) -> EllipsePiece:
+        """Return the arc the other way round."""
+        return EllipsePiece(self.half_axes, self.to_angle, self.from_angle, self.center)
+
+
+@dataclass(frozen=True)
+class ParallelPiece(Piece):
+    """The parallel curve of a piece at the distance a on its open side, with the same parameter."""
+
+    of: Piece
+    a: float
+
+    def at(self, t: Any) -> tuple[Array, Array, Array]:
+        """Return places and derivatives: P = x + a n, P' = (1 - a kappa) x'; the second one by differences of the first."""
+        first, last = self.of.span()
+        h = 1e-5 * (last - first)
+        t = np.asarray(t, float)
+        x, d = self._first(t)
+        return x, d, (self._first(t + h)[1] - self._first(t - h)[1]) / (2 * h)
+
+    def _first(self, t: Array) -> tuple[Array, Array]:
+        x, d, dd = self.of.at(t)
+        speed = np.linalg.norm(d, axis=-1, keepdims=True)
+        kappa = (d[..., 0] * dd[..., 1] - d[..., 1] * dd[..., 0])[..., None] / speed**3
+        return x + self.a * _left(d / speed), (1.0 - self.a * kappa) * d
+
+    def span(self) -> tuple[float, float]:
+        """Return the parameters of the piece."""
+        return self.of.span()
+
+    def reversed(self) -> ParallelPiece:
+        """Return the same curve the other way round: it is at the distance -a from the piece the other way round."""
+        return ParallelPiece(self.of.reversed(), -self.a)
+
+    def curvature(self, s: Any) -> Array:
+        """Return kappa/(1 - a kappa) (N), 1/m, at arc lengths s (N), m."""
+        _x, d, dd = self.of.at(self.parameter(s))
+        kappa: Array = (d[:, 0] * dd[:, 1] - d[:, 1] * dd[:, 0]) / np.linalg.norm(d, axis=-1) ** 3
+        return kappa / (1.0 - self.a * kappa)
