@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import pickle
+import re
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -82,3 +84,37 @@ def test_the_command_names_its_options(monkeypatch: pytest.MonkeyPatch) -> None:
 )
 def test_a_name_is_suggested_where_it_is_near(name: str, known: list[str], near: str) -> None:
     assert near_name(name, known) == near
+
+
+def test_faults_of_tables_films_and_fits_are_records_with_their_fields(tmp_path: Path) -> None:
+    film, table = tmp_path / "film.csv", tmp_path / "table.csv"
+    film.write_text("t [s],x [mm],y [mm]\n0,1,2\n1,a,3\n")
+    table.write_text("v_n_in,v_t_in,v_n_out,v_t_out,spin_in\n1,1,x,1,0\n")
+    found = []
+    for act in (
+        lambda: carom.measure_tracks(film, view="side"),
+        lambda: carom.data.read_rebounds(table),
+        lambda: carom.fit(table, 0.02, seed=-1),
+        lambda: carom.explore(data=table, laws="no-such-law"),
+    ):
+        with pytest.raises(carom.CaromError) as caught:
+            act()
+        found += [(fault.where, fault.field, fault.expected) for fault in caught.value.records]
+    assert (str(film), "x [mm]", "a number") in found
+    assert found.count((str(table), "v_n_out", "a number")) == 3  # (of the table, the fit, the page)
+    assert ("", "`seed`", "a whole number >= 0") in found
+    assert any(where == "explore: laws" for where, _field, _expected in found)
+
+
+def test_faults_are_raised_once() -> None:
+    faults = FaultList("film")
+    for _again in range(2):
+        faults.add("rate", "a number", "x")
+    with pytest.raises(carom.CaromError) as caught:
+        faults.raise_if_any()
+    assert caught.value.faults == ("film: rate: expected a number, got x",)
+
+
+def test_no_list_of_faults_holds_texts() -> None:
+    for file in Path(carom.__file__).parent.rglob("*.py"):
+        assert not re.search(r"\b(faults|found_faults): list\[(str|Any)\]", file.read_text(encoding="utf-8")), file

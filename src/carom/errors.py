@@ -23,7 +23,6 @@ __all__ = [
     "Fault",
     "FaultList",
     "MissingLibraryError",
-    "attempt",
     "broadcast_shape",
     "checked_number",
     "collected",
@@ -146,19 +145,12 @@ class MissingLibraryError(CaromError, ImportError):
 
 
 @contextmanager
-def collected(found: list[Any]) -> Iterator[None]:
+def collected(found: FaultList) -> Iterator[None]:
     """Append the faults of a CaromError raised in the block to ``found``, in place of raising it."""
     try:
         yield
     except CaromError as error:
         found += error.records
-
-
-def attempt(found: list[Any], action: Callable[..., Any], *args: Any) -> Any:
-    """Return the result of an action; if it raises CaromError, append its faults to ``found`` and return None."""
-    with collected(found):
-        return action(*args)
-    return None
 
 
 @contextmanager
@@ -207,9 +199,9 @@ class FaultList(list[Fault]):
         return any(fault.field == field for fault in self)
 
     def raise_if_any(self) -> None:
-        """Raise CaromError with all faults, if there are any."""
+        """Raise CaromError with all faults, each once, if there are any."""
         if self:
-            raise CaromError(*self)
+            raise CaromError(*dict.fromkeys(self))
 
 
 def _on_one_line(got: str) -> str:

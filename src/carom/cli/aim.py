@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.common import attempt, require_outputs, wrote
+from carom.cli.common import require_outputs, wrote
 from carom.cli.options import OUTPUT, RUN, quantity, shared
 from carom.cli.streams import say_json
-from carom.errors import CaromError
+from carom.errors import CaromError, FaultList
 
 if TYPE_CHECKING:
     from carom.sweeps.aiming import Aims
@@ -107,10 +107,10 @@ def aim(
     """Find starts that reach a target: a ball hit after so many cushions, a pocket, a place; ranked by a player's errors."""
     from carom.scene.toml import load_scene
 
-    found: list[str] = []
+    found = FaultList()
     require_outputs(found, {"--plot": plot})
-    made = attempt(found, lambda: load_scene(scene, allow_own_laws=allow_own_laws))
-    place = None if point is None else attempt(found, lambda: _numbers("--point", point, ","))
+    made = found.attempt(load_scene, scene, allow_own_laws=allow_own_laws)
+    place = None if point is None else found.attempt(_numbers, "--point", point, ",")
     target: dict[str, Any] = {
         "ball": ball,
         "hit": tuple(hit) if hit else None,
@@ -122,8 +122,8 @@ def aim(
     }
     struck = [i for i, one in enumerate(made.balls) if one.strike is not None] if made is not None else []
     usual = f"balls.{struck[0]}.strike" if struck else "balls.0.velocity"
-    ranges = attempt(found, lambda: _ranges(free or [usual]))
-    errors = attempt(found, lambda: dict(_error(text) for text in error or ()))
+    ranges = found.attempt(_ranges, free or [usual])
+    errors = found.attempt(dict, (_error(text) for text in error or ()))
     if found or made is None or ranges is None or errors is None:
         raise CaromError(*found)
     from carom.cli.console import err

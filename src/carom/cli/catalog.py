@@ -15,7 +15,7 @@ from carom.cli.common import require_outputs, wrote
 from carom.cli.console import err
 from carom.cli.options import shared
 from carom.cli.streams import say_json
-from carom.errors import CaromError
+from carom.errors import CaromError, FaultList
 
 if TYPE_CHECKING:
     from carom.laws.law import Card
@@ -127,10 +127,9 @@ def datasets(
         raise CaromError(
             f"--out {out}: expected the name of a table before it, got none; known are {', '.join(names())}"
         )
-    faults: list[str] = []
+    faults = FaultList()
     require_outputs(faults, {"--out": out}, {"--out": (".csv", ".txt")})
-    if faults:
-        raise CaromError(*faults)
+    faults.raise_if_any()
     chosen = [load(one) for one in (names() if name is None else [name])]
     if json_:
         cards = [
@@ -164,10 +163,9 @@ def _carom_tracks(source: Path | None, out: Path | None, as_json: bool) -> None:
             f"{NAME}: expected --from {FILE} --out TABLE.csv, with your own copy: {SOURCE} What carom measured on these shots is in"
             " docs/data/carom_tracks_rebounds.csv of its repository"
         )
-    faults: list[str] = []
+    faults = FaultList()
     require_outputs(faults, {"--out": out}, {"--out": (".csv", ".txt")}, source=source)
-    if faults:
-        raise CaromError(*faults)
+    faults.raise_if_any()
     written = write_carom_tracks(source, out)
     if as_json:
         facts = {"name": NAME, "citation": SOURCE, "path": str(out), "rows": written.rows, "expected": written.expected}

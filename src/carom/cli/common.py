@@ -7,11 +7,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from carom.cli.streams import note, say_json
-from carom.errors import Fault, attempt, noting
+from carom.errors import Fault, FaultList, noting
 from carom.files import require_library, require_writable
 
 __all__ = [
-    "attempt",
     "noting",
     "require_outputs",
     "tell",
@@ -67,7 +66,7 @@ LIBRARIES = {
 
 
 def require_outputs(
-    found: list[Any],
+    found: FaultList,
     named: dict[str, Path | None],
     kinds: dict[str, tuple[str, ...]] | None = None,
     source: Path | None = None,
@@ -82,10 +81,15 @@ def require_outputs(
         if path is None:
             continue
         endings = (kinds or {}).get(option, PICTURES)
-        faults: list[Fault] = []
-        attempt(faults, lambda path=path, endings=endings: require_writable(path, endings, source=source))
-        found += [Fault(advice=f"{option} {fault}") for fault in faults]
+        faults = FaultList()
+        faults.attempt(lambda path=path, endings=endings: require_writable(path, endings, source=source))
+        found += [of_option(option, fault) for fault in faults]
         for library in LIBRARIES.get(path.suffix.lower(), ()) if not faults else ():
-            attempt(found, require_library, library, option)
+            found.attempt(require_library, library, option)
         if (other := seen.setdefault(path.absolute(), option)) != option:
-            found.append(f"{option} {path}: expected another file than {other}'s, got the same; name a new one")
+            found.add(f"{option} {path}", f"another file than {other}'s", "the same", "name a new one")
+
+
+def of_option(option: str, fault: Fault) -> Fault:
+    """Return the fault of a file with the option that names it in front of its name."""
+    return Fault(advice=f"{option} {fault}")

@@ -13,11 +13,11 @@ from rich.console import Console
 from rich.table import Table
 from rich.text import Text
 
-from carom.cli.common import attempt, require_outputs, tick, wrote
+from carom.cli.common import require_outputs, tick, wrote
 from carom.cli.console import out
 from carom.cli.options import BALL, OUTPUT, comma_separated, quantity, shared
 from carom.cli.streams import say_json, say_notes
-from carom.errors import CaromError
+from carom.errors import FaultList
 from carom.formatting import format_length, format_number
 from carom.public.own_laws import with_own_laws
 
@@ -116,15 +116,14 @@ def compare(
         "gravity": gravity, "floor_contact": contact, "stiffness_ratio": stiffness_ratio,
     }  # fmt: skip
     # all errors at once, before anything is written
-    found: list[str] = []
+    found = FaultList()
     require_outputs(found, {"--plot": plot})
     names = [name for text in law or [] for name in comma_separated(text)]
     if law and not names:
-        found.append("--law: expected names of laws, NAME,NAME, got none; omit the option to compare all laws")
-    laws = [attempt(found, find_law, with_own_laws(name)) for name in names] or None
-    meeting = attempt(found, lambda: library.incoming(**settings))
-    if found:
-        raise CaromError(*found)
+        found.add("--law", "names of laws, NAME,NAME", "none", "omit the option to compare all laws")
+    laws = [found.attempt(find_law, with_own_laws(name)) for name in names] or None
+    meeting = found.attempt(library.incoming, **settings)
+    found.raise_if_any()
     say_notes(ball_notes("ball", radius, mass, speed, gravity))
     comparison = library.compare(meeting, laws)
     if plot is not None:

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 import typer
 
-from carom.cli.common import attempt, require_outputs, wrote
+from carom.cli.common import require_outputs, wrote
 from carom.cli.options import (
     BALL,
     WALL,
@@ -17,7 +17,7 @@ from carom.cli.options import (
 )
 from carom.cli.progress import working
 from carom.cli.streams import note, say_json
-from carom.errors import CaromError
+from carom.errors import CaromError, FaultList
 from carom.public.defaults import ANGLES_DEG, DESIGNED_LAWS, ODDS, RADIUS, SIGMA_V, SPEEDS, SPINS
 
 SHOTS = "Shots"
@@ -86,9 +86,9 @@ def design(
     from carom.fitting.design_shots import check_design
     from carom.fitting.design_shots import design as plan_shots
 
-    faults: list[Any] = []
+    faults = FaultList()
     ranges = {
-        name: None if text == "unknown" and name == "spins" else attempt(faults, _range, f"--{option}", text)
+        name: None if text == "unknown" and name == "spins" else faults.attempt(_range, f"--{option}", text)
         for name, option, text in (
             ("angles_deg", "angles", angles_deg),
             ("speeds", "speeds", speeds),
@@ -96,7 +96,7 @@ def design(
         )
     }
     numbers = {
-        name: attempt(faults, parse_number, "--truth", name, text)
+        name: faults.attempt(parse_number, "--truth", name, text)
         for name, text in parse_assignments(faults, "--truth", truth)
     }
     require_outputs(faults, {"--plot": plot})
@@ -108,8 +108,8 @@ def design(
         **({"spins": "unknown"} if spins == "unknown" else {}),
     }  # fmt: skip
     if faults:
-        found: list[Any] = []
-        attempt(found, lambda: check_design(**options))
+        found = FaultList()
+        found.attempt(check_design, **options)
         raise CaromError(*found, *faults)
     with working("planning"):
         plan = plan_shots(**options, fine=plot is not None)

@@ -7,9 +7,9 @@ from typing import Annotated
 
 import typer
 
-from carom.cli.common import attempt, require_outputs, wrote
+from carom.cli.common import require_outputs, wrote
 from carom.cli.options import OUTPUT, RUN, comma_separated, shared
-from carom.errors import CaromError
+from carom.errors import FaultList
 
 
 def register(app: typer.Typer) -> None:
@@ -52,12 +52,11 @@ def explore(
     """Write a page in which a ball is thrown by hand and every law is watched at once, and open it in the browser."""
     from carom.explorer.page import explore as make_page
 
-    found: list[str] = []
+    found = FaultList()
     target = out or Path("carom_explorer.html")
     require_outputs(found, {"--out": target}, {"--out": (".html", ".htm")})
-    page = attempt(found, make_page, scene, None if laws is None else comma_separated(laws), data)
-    if found:
-        raise CaromError(*found)
+    page = found.attempt(make_page, scene, None if laws is None else comma_separated(laws), data)
+    found.raise_if_any()
     page.save(target)
     if not quiet:
         wrote(target)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.common import attempt, require_outputs, tell, write_report_page
+from carom.cli.common import require_outputs, tell, write_report_page
 from carom.cli.fit_tracks import show_whole, write_whole_page
 from carom.cli.option_names import with_options
 from carom.cli.options import (
@@ -24,7 +24,7 @@ from carom.cli.options import (
 )
 from carom.cli.progress import working
 from carom.cli.ranking_output import show
-from carom.errors import CaromError
+from carom.errors import CaromError, FaultList
 from carom.public.defaults import CUSHIONS
 
 if TYPE_CHECKING:
@@ -184,7 +184,7 @@ def fit(
     from carom.fitting.fit_files import check_fit
     from carom.fitting.fit_files import fit as fit_laws_to
 
-    faults: list[Any] = []
+    faults = FaultList()
     fixed, bounds = _held(faults, fix, bound)
     _pages(faults, report, no_report)
     options: dict[str, Any] = {
@@ -192,14 +192,14 @@ def fit(
         "restitution": restitution, "fit": [name for text in fit_ or [] for name in comma_separated(text)], "fix": fixed,
         "bound": bounds, "robust": robust, "contact_height": contact_height, "floor_friction": floor_friction,
         "floor_restitution": floor_restitution, "roll": roll, "kind": kind, "stage": stage, "rate": rate,
-        "scale": attempt(faults, parse_length, "scale", scale), "view": view, "whole": whole, "cushions": cushions,
-        "noise": attempt(faults, parse_length, "noise", noise), "where": where or (), "sigma_v": sigma_v,
+        "scale": faults.attempt(parse_length, "scale", scale), "view": view, "whole": whole, "cushions": cushions,
+        "noise": faults.attempt(parse_length, "noise", noise), "where": where or (), "sigma_v": sigma_v,
         "sigma_spin": sigma_spin, "spin": spin, "every_contact": every_contact, "scatter": scatter, "bootstrap": bootstrap,
         "profiles": profiles, "seed": seed,
     }  # fmt: skip
     if faults:
-        found: list[Any] = []
-        attempt(found, lambda: check_fit(files=files, **options))
+        found = FaultList()
+        found.attempt(check_fit, files=files, **options)
         raise CaromError(*found, *faults)
     console = err()
     with _bar(console) as progress:
@@ -213,24 +213,24 @@ def fit(
 
 
 def _held(
-    faults: list[Any], fix: list[str] | None, bound: list[str] | None
+    faults: FaultList, fix: list[str] | None, bound: list[str] | None
 ) -> tuple[dict[str, float], dict[str, tuple[float, float]]]:
     """Return the parameters that are held, and the bounds of others."""
     fixed = {
-        name: attempt(faults, parse_number, "--fix", name, text)
+        name: faults.attempt(parse_number, "--fix", name, text)
         for name, text in parse_assignments(faults, "--fix", fix)
     }
     bounds = {
-        name: attempt(faults, parse_bounds, name, text) for name, text in parse_assignments(faults, "--bound", bound)
+        name: faults.attempt(parse_bounds, name, text) for name, text in parse_assignments(faults, "--bound", bound)
     }
     return ({name: x for name, x in fixed.items() if x is not None},
             {name: x for name, x in bounds.items() if x is not None})  # fmt: skip
 
 
-def _pages(faults: list[str], report: Path | None, no_report: bool) -> None:
+def _pages(faults: FaultList, report: Path | None, no_report: bool) -> None:
     require_outputs(faults, {"--report": report}, {"--report": (".html", ".htm")})
     if report is not None and no_report:
-        faults.append("--no-report has no effect with --report; omit one of them")
+        faults.add("", "", advice="--no-report has no effect with --report; omit one of them")
 
 
 @contextmanager

@@ -11,12 +11,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.common import attempt, require_outputs, wrote
+from carom.cli.common import of_option, require_outputs, wrote
 from carom.cli.gas_snapshots import Frames, open_frames, size_limit
 from carom.cli.interrupts import stop_requests
 from carom.cli.options import OUTPUT, RUN, shared
 from carom.cli.streams import json_text, note, say_notes
-from carom.errors import CaromError
+from carom.errors import CaromError, FaultList
 from carom.formatting import counted
 
 if TYPE_CHECKING:
@@ -99,7 +99,7 @@ def gas(
     from carom.cli.gas_ensemble import require_no_files, run_ensemble
     from carom.cli.gas_output import Progress
 
-    found: list[str] = []
+    found = FaultList()
     kept = {
         "--checkpoint": checkpoint,
         "--resume": resume if checkpoint is None and resume and resume.exists() else None,
@@ -118,15 +118,14 @@ def gas(
             },
         )
     if snapshots is not None and resume is None and not force and snapshots.is_file():
-        found.append(f"--snapshots {snapshots}: expected a new file, got an existing one; --force overwrites it")
-    interval = attempt(found, _interval, "--checkpoint-every", checkpoint_every)
+        found.add(f"--snapshots {snapshots}", "a new file", "an existing one", "--force overwrites it")
+    interval = found.attempt(_interval, "--checkpoint-every", checkpoint_every)
     if interval is not None and checkpoint_every != CHECKPOINT_INTERVAL and checkpoint is None and resume is None:
-        found.append("--checkpoint-every: expected --checkpoint FILE as well, got none")
+        found.add("--checkpoint-every", "--checkpoint FILE as well", "none")
     changes = {"max_events": max_events, "duration": duration, "seed": seed}
-    given = attempt(found, _scene, scene, resume, changes)
+    given = found.attempt(_scene, scene, resume, changes)
     snapshot_every, most = _snapshot_options(found, snapshots, every, max_size)
-    if found:
-        raise CaromError(*found)
+    found.raise_if_any()
     progress = Progress(quiet)
     if ensemble is not None:
         return run_ensemble(given, str(scene), ensemble, progress, plot, measures, as_json, quiet)
@@ -165,18 +164,17 @@ def gas(
         # the report is printed even if a file cannot be written
         _write(found, written, plot, _plot, session, plot)
         _write(found, written, measures, _write_measures, session, measures)
-        attempt(found, _print_report, session, as_json, quiet)
+        found.attempt(_print_report, session, as_json, quiet)
         if not quiet:
             _list_files(written, checkpoints.path, None if file is None or file.failed else snapshots)
-    if found:
-        raise CaromError(*found)
+    found.raise_if_any()
 
 
 # --- options -------------------------------------------------------------------------------------------------------
 
 
 def _check_files(
-    found: list[str], plot: Path | None, measures: Path | None, snapshots: Path | None, kept: dict[str, Path | None]
+    found: FaultList, plot: Path | None, measures: Path | None, snapshots: Path | None, kept: dict[str, Path | None]
 ) -> None:
     """Add the faults of the files to be written, and of missing libraries, to ``found``."""
     from carom.gas.checkpoint import require_checkpoint
@@ -187,20 +185,20 @@ def _check_files(
     require_outputs(found, named, {"--measures": (".json",), "--snapshots": (".gsd",), **kinds})
     checkpoint = kept["--checkpoint"]
     if checkpoint is not None and not any(str(fault).startswith("--checkpoint ") for fault in found):
-        faults: list[str] = []
-        attempt(faults, require_checkpoint, checkpoint)
-        found += [f"--checkpoint {fault}" for fault in faults]
+        faults = FaultList()
+        faults.attempt(require_checkpoint, checkpoint)
+        found += [of_option("--checkpoint", fault) for fault in faults]
 
 
 def _snapshot_options(
-    found: list[str], snapshots: Path | None, every: str | None, max_size: str | None
+    found: FaultList, snapshots: Path | None, every: str | None, max_size: str | None
 ) -> tuple[int | float | None, float | None]:
     """Return the interval of snapshots and their largest size in bytes, None if not given; add faults to ``found``."""
-    interval = attempt(found, _interval, "--every", every) if every is not None else None
+    interval = found.attempt(_interval, "--every", every) if every is not None else None
     for option, value in (("--every", every), ("--max-size", max_size)):
         if value is not None and snapshots is None:
-            found.append(f"{option}: expected --snapshots FILE.gsd as well, got none")
-    return interval, attempt(found, size_limit, max_size)
+            found.add(option, "--snapshots FILE.gsd as well", "none")
+    return interval, found.attempt(size_limit, max_size)
 
 
 def _interval(option: str, text: str) -> int | float:
@@ -296,7 +294,7 @@ def _run(
     progress: Callable[..., None],
     every: int | float | None,
     file: Frames | None,
-    found: list[str],
+    found: FaultList,
 ) -> bool:
     """Run a session; return whether it is over. Why a gas ended early while it was measured is added to ``found``."""
     from carom.gas.endings import EndedEarlyError
@@ -307,7 +305,7 @@ def _run(
     except EndedEarlyError as error:
         if not session.measuring:
             raise
-        found[:0] = error.faults
+        found[:0] = error.records
         return True
 
 
@@ -348,7 +346,7 @@ def _stopped(
     checkpoint: Path | None,
     which: int,
     options: dict[str, Any],
-    faults: list[str],
+    faults: FaultList,
 ) -> None:
     """Print faults, where the run was stopped and how to resume it, with the options that it needs again, and exit."""
     for fault in faults:
@@ -366,11 +364,11 @@ def _stopped(
 # --- output --------------------------------------------------------------------------------------------------------
 
 
-def _write(found: list[str], written: list[Path], path: Path | None, action: Callable[..., Any], *args: Any) -> None:
+def _write(found: FaultList, written: list[Path], path: Path | None, action: Callable[..., Any], *args: Any) -> None:
     """Write a file if it was asked for, and add its path to ``written``, or its fault to ``found``."""
     if path is not None:
         before = len(found)
-        attempt(found, action, *args)
+        found.attempt(action, *args)
         written += [path] * (len(found) == before)
 
 

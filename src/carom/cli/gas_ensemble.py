@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 from rich.text import Text
 
-from carom.cli.common import attempt, wrote
+from carom.cli.common import wrote
 from carom.cli.console import out
 from carom.cli.gas_output import (
     LINE_INTERVAL,
@@ -19,7 +19,7 @@ from carom.cli.gas_output import (
 )
 from carom.cli.interrupts import say_interrupted
 from carom.cli.streams import json_text, say_json
-from carom.errors import CaromError
+from carom.errors import FaultList
 
 if TYPE_CHECKING:
     from carom.gas.ensembles import Ensemble
@@ -28,15 +28,14 @@ if TYPE_CHECKING:
 __all__ = ["require_no_files", "run_ensemble"]
 
 
-def require_no_files(found: list[str], members: int, files: dict[str, Any]) -> None:
+def require_no_files(found: FaultList, members: int, files: dict[str, Any]) -> None:
     """Add the faults of a number of members, and of files that only a single gas has, to ``found``."""
     if members < 2:
-        found.append(f"--ensemble: expected a number of gases >= 2, got {members}")
-    found += [
-        f"{option}: expected none with --ensemble, got {value}; run one of its gases by its --seed, which --json prints"
-        for option, value in files.items()
-        if value is not None
-    ]
+        found.add("--ensemble", "a number of gases >= 2", str(members))
+    for option, value in files.items():
+        if value is not None:
+            advice = "run one of its gases by its --seed, which --json prints"
+            found.add(option, "none with --ensemble", str(value), advice)
 
 
 def run_ensemble(
@@ -54,14 +53,15 @@ def run_ensemble(
     from carom.gas.ensembles import simulate_ensemble
 
     progress.note_compiling()
-    found: list[str] = []
+    found = FaultList()
     try:
         with progress:
             ensemble = simulate_ensemble(scene, members, where=where, progress=_Bar(progress, members).show)
     except EndedEarlyError as error:
         if error.result is None:
             raise
-        ensemble, found = error.result, [*error.faults]
+        ensemble = error.result
+        found += error.records
     except KeyboardInterrupt:
         say_interrupted("carom: interrupted; nothing was saved")
         raise
@@ -69,7 +69,7 @@ def run_ensemble(
     for path, action in ((plot, _plot), (measures, _write)):
         if path is not None:
             before = len(found)
-            attempt(found, action, ensemble, path)
+            found.attempt(action, ensemble, path)
             written += [path] * (len(found) == before)
     # the report is printed even if a file cannot be written
     if as_json:
@@ -82,8 +82,7 @@ def run_ensemble(
         print_tables(scene, f"{members} gases: {scene.describe()}", ensemble.mean, ensemble.error, notes)
         out().print(Text("In brackets: standard error of the mean, in units of the last digits."), soft_wrap=True)
     wrote(*(() if quiet else written))
-    if found:
-        raise CaromError(*found)
+    found.raise_if_any()
 
 
 class _Bar:

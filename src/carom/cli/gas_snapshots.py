@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 
 import typer
 
-from carom.errors import CaromError
+from carom.cli.common import of_option
+from carom.errors import CaromError, FaultList
 from carom.formatting import format_bytes
 
 if TYPE_CHECKING:
@@ -48,10 +49,9 @@ def _allowed_size(path: Path, scene: GasScene, every: int | float, most: float |
     try:
         require_size(path, size, scene.count, limit)
     except CaromError as error:
-        faults = [f"--snapshots {fault}" for fault in error.faults]
         asked = most is None and size.total > limit and progress.console.is_terminal and sys.stdin.isatty()
         if not asked or not typer.confirm(f"Write {format_bytes(size.total)} of snapshots to {path}?", err=True):
-            raise CaromError(*faults) from None
+            raise CaromError(*(of_option("--snapshots", fault) for fault in error.records)) from None
         require_size(path, size, scene.count, size.total)  # (the disk still needs room)
         return float("inf")
     return limit
@@ -61,7 +61,7 @@ class Frames:
     """Writes snapshots; where that fails, the run continues without them, and the fault is printed again at its end."""
 
     def __init__(
-        self, path: Path, session: Session, resumed: bool, found: list[str], progress: Progress, most: float
+        self, path: Path, session: Session, resumed: bool, found: FaultList, progress: Progress, most: float
     ) -> None:
         from carom.gas.snapshots import Snapshots
 
@@ -91,7 +91,7 @@ class Frames:
         except CaromError as error:
             self.file.close()
             self.file, self.failed = None, True
-            self.found += error.faults
+            self.found += error.records
             self.progress.say(f"carom: {'; '.join(error.faults)}; the run continues without snapshots")
             return False
         return True
@@ -103,7 +103,7 @@ def open_frames(
     resumed: bool,
     every: int | float,
     most: float | None,
-    found: list[str],
+    found: FaultList,
     progress: Progress,
 ) -> Frames:
     """Return the file of a session's snapshots, unless they would be larger than is wanted or than the disk has room for."""

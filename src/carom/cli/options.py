@@ -9,7 +9,7 @@ from typing import Any
 
 import typer
 
-from carom.errors import CaromError
+from carom.errors import CaromError, FaultList
 
 __all__ = [
     "BALL",
@@ -153,12 +153,12 @@ def quantity(option: str, unit: str) -> dict[str, Any]:
     return {"parser": functools.partial(parse_with_unit, option, unit), "metavar": what.replace(" ", "_").upper()}
 
 
-def parse_assignments(faults: list[Any], option: str, texts: list[str] | None) -> Iterator[tuple[str, str]]:
+def parse_assignments(faults: FaultList, option: str, texts: list[str] | None) -> Iterator[tuple[str, str]]:
     """Yield names and values of repeated NAME=VALUE; the library knows the names."""
     for text in texts or []:
         name, equals, value = text.partition("=")
         if not equals:
-            faults.append(f"{option}: expected NAME=..., got {text!r}")
+            faults.add(option, "NAME=...", repr(text))
         else:
             yield name, value
 

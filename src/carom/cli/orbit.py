@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from carom.billiards.named import SIZES
-from carom.cli.common import attempt, require_outputs, wrote
+from carom.cli.common import require_outputs, wrote
 from carom.cli.options import BALL, OUTPUT, quantity, shared
 from carom.cli.orbit_output import every_bounce, orbit_facts, print_orbit
 from carom.cli.progress import working
 from carom.cli.streams import say_json
-from carom.errors import CaromError
+from carom.errors import CaromError, FaultList
 from carom.public.defaults import BOUNCES, PERIODIC_STARTS
 from carom.public.own_laws import with_own_laws
 
@@ -148,22 +148,22 @@ def orbit(
     from carom.billiards.orbit_by_name import check_orbit
     from carom.billiards.orbit_by_name import orbit as follow
 
-    faults: list[str] = []
+    faults = FaultList()
     require_outputs(
         faults, {"--plot": plot, "--portrait": portrait, "--boundary": boundary, "--lyapunov-plot": lyapunov_plot}
     )
     options = {
         "bounds": bounds, "radius": radius, "major": major, "minor": minor, "straight": straight, "sides": sides,
-        "vertices": None if vertices is None else attempt(faults, _points, vertices), "width": width, "height": height,
+        "vertices": None if vertices is None else faults.attempt(_points, vertices), "width": width, "height": height,
         "depth": depth, "angle_deg": angle_deg, "side": side, "period": period, "distance": distance,
         "kappa": kappa, "ball_radius": ball_radius, "law": with_own_laws(law), "restitution": restitution,
         "friction": friction, "tangential_restitution": tangential_restitution, "corners": corners, "orbits": orbits,
         "seed": seed, "reverse": reverse,
     }  # fmt: skip
     for name, text in (("acceleration", acceleration), ("position", position), ("velocity", velocity), ("spin", spin)):
-        options[name] = None if text is None else attempt(faults, _numbers, f"--{name}", text)
+        options[name] = None if text is None else faults.attempt(_numbers, f"--{name}", text)
     if faults:
-        attempt(faults, lambda: check_orbit(table=table, bounces=bounces, **options))
+        faults.attempt(check_orbit, table=table, bounces=bounces, **options)
         raise CaromError(*faults)
     with working("orbits") as report:
         exponents = lyapunov or lyapunov_plot is not None
@@ -185,7 +185,7 @@ def orbit(
 def _points(text: str) -> list[list[float]]:
     points = []
     for part in text.split():
-        found = attempt([], _numbers, "--vertices", part)
+        found = FaultList().attempt(_numbers, "--vertices", part)
         if not isinstance(found, list) or len(found) != 2:
             raise CaromError(f"--vertices: expected two numbers, such as 0.1,0.2, got {part!r}")
         points.append(found)

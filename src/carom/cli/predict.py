@@ -9,13 +9,13 @@ import typer
 from rich.console import Console
 from rich.text import Text
 
-from carom.cli.common import attempt, require_outputs, wrote
+from carom.cli.common import require_outputs, wrote
 from carom.cli.console import err
 from carom.cli.option_names import in_options
 from carom.cli.options import WALL, quantity, shared
 from carom.cli.progress import working
 from carom.cli.streams import say_json
-from carom.errors import CaromError
+from carom.errors import CaromError, FaultList
 from carom.public.defaults import CONTACT_HEIGHT, FLOOR_CONTACT, GRAVITY
 from carom.public.own_laws import with_own_laws
 
@@ -82,23 +82,23 @@ def predict(
     from carom.data.predict import STANDARD_OUTPUT, predict_settings
     from carom.data.predict import predict as predict_rows
 
-    faults: list[str] = []
+    faults = FaultList()
     require_outputs(faults, {"--out": out}, {"--out": ()}, source=table)
     if out is not None and out.suffix.lower() in OTHER_TABLES:
-        faults.append(f"--out: expected a .csv or .parquet file, got {out.suffix!r}; spreadsheets open .csv")
+        faults.add("--out", "a .csv or .parquet file", repr(out.suffix), "spreadsheets open .csv")
     if json_ and out is None:
-        faults.append("--out: expected a file for the table with --json, which uses standard output, got none")
+        faults.add("--out", "a file for the table with --json, which uses standard output", "none")
     options: dict[str, Any] = {
         "spin": spin, "suffix": suffix, "speed": speed, "radius": radius, "mass": mass, "inertia": inertia, "height": height,
         "restitution": restitution, "friction": friction, "tangential_restitution": tangential_restitution,
-        "stiffness_ratio": stiffness_ratio, "normal": None if normal is None else attempt(faults, _vector, normal),
+        "stiffness_ratio": stiffness_ratio, "normal": None if normal is None else faults.attempt(_vector, normal),
         "contact_height": contact_height, "floor_restitution": floor_restitution, "floor_friction": floor_friction,
         "floor_tangential_restitution": floor_tangential_restitution, "floor_contact": floor_contact, "gravity": gravity,
     }  # fmt: skip
     typed: Any = with_own_laws(law)
     if faults:
-        found: list[str] = []
-        attempt(found, lambda: predict_settings(typed, **options))
+        found = FaultList()
+        found.attempt(predict_settings, typed, **options)
         raise CaromError(*found, *faults)
     console = err()
 

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.common import attempt, require_outputs, wrote
+from carom.cli.common import require_outputs, wrote
 from carom.cli.interrupts import noticed_interrupts, say_interrupted
 from carom.cli.options import OUTPUT, RUN, shared
 from carom.cli.progress import working
@@ -105,17 +105,16 @@ def simulate(
     from carom.simulation.save import FORMATS
 
     try:
-        found: list[str] = []
-        most, times = attempt(found, _most, events), attempt(found, _times, at)
+        found = FaultList()
+        most, times = found.attempt(_most, events), found.attempt(_times, at)
         kinds = {"--animate": ANIMATIONS, "--save": FORMATS, "--table": TABLES}
         require_outputs(found, {"--plot": plot, "--animate": animate, "--save": save, "--table": table}, kinds)
         values: dict[str, Any] = {}
         for text in set_ or []:
-            values |= with_own_laws(attempt(found, _assigned, text) or {})
+            values |= with_own_laws(found.attempt(_assigned, text) or {})
         settings = {"law": with_own_laws(law), "duration": duration, "max_events": max_events}
-        given = attempt(found, _scene, scene, allow_own_laws, settings, values)
-        if found:
-            raise CaromError(*found)
+        given = found.attempt(_scene, scene, allow_own_laws, settings, values)
+        found.raise_if_any()
         say_notes(unit_notes(given))
         run = _run(given, quiet)
         notes = law_notes(run)
@@ -192,8 +191,7 @@ def _scene(path: Path, allow_own_laws: bool, changes: dict[str, Any], values: di
     now = {"max_events": 1} if scene is None else {name: getattr(scene.run, name) for name in Run.model_fields}
     # (the options are checked even if the scene itself is invalid)
     run = found.attempt(Run, **now | changes) if changes else None
-    if found:
-        raise CaromError(*found)
+    found.raise_if_any()
     if run is None:
         return scene  # type: ignore[no-any-return]
     try:  # validated again as a whole: another law may require parameters that the walls do not have

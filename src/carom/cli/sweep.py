@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from carom.cli.common import attempt, require_outputs, wrote
+from carom.cli.common import require_outputs, wrote
 from carom.cli.options import OUTPUT, RUN, shared
 from carom.cli.progress import working
 from carom.cli.streams import say_json
-from carom.errors import CaromError
+from carom.errors import CaromError, FaultList
 from carom.formatting import counted, format_number
 
 if TYPE_CHECKING:
@@ -189,17 +189,16 @@ def plot(
     from carom.plot.sweeps import plot_sweep
     from carom.sweeps.dataset import open_dataset
 
-    found: list[str] = []
+    found = FaultList()
     require_outputs(found, {"--out": out})
     chosen: dict[str, str] = {}
     for text in at or ():
         name, equals, value = text.partition("=")
         if not equals:
-            found.append(f"--at: expected DIM=VALUE, got {text!r}")
+            found.add("--at", "DIM=VALUE", repr(text))
         chosen[name.strip()] = value.strip()
-    made = attempt(found, _stored, store, allow_own_laws)
-    if found:
-        raise CaromError(*found)
+    made = found.attempt(_stored, store, allow_own_laws)
+    found.raise_if_any()
     made.missing()
     save(plot_sweep(open_dataset(made), of, x=x, y=y, panels=panels, at=chosen), out)
     wrote(out)

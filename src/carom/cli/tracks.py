@@ -12,14 +12,14 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 from rich.console import Console
 
-from carom.cli.common import attempt, require_outputs, wrote
+from carom.cli.common import require_outputs, wrote
 from carom.cli.console import err
 from carom.cli.console import out as stdout
 from carom.cli.options import FLOOR, parse_length, quantity, shared
 from carom.cli.progress import working
 from carom.cli.streams import say_json
 from carom.cli.tracks_output import facts, tell, tell_contacts
-from carom.errors import CaromError, shortened_list
+from carom.errors import CaromError, FaultList, shortened_list
 from carom.formatting import counted
 from carom.public.defaults import GRAVITY, WINDOW
 
@@ -127,22 +127,20 @@ def show(
     from carom.bodies import inertia_number
     from carom.tracks.film_files import measure_tracks
 
-    faults: list[str] = []
-    lengths = {name: attempt(faults, parse_length, name, text) for name, text in (("scale", scale), ("noise", noise))}
-    attempt(faults, inertia_number, inertia)
+    faults = FaultList()
+    lengths = {name: faults.attempt(parse_length, name, text) for name, text in (("scale", scale), ("noise", noise))}
+    faults.attempt(inertia_number, inertia)
     for name, value, known in (
         ("stage", stage, ("best", "after_wall", "rolling", "both")),
         ("view", view, ("above", "side")),
     ):
         if value is not None and value not in known:
-            faults.append(f"--{name}: expected one of {', '.join(known)}, got {value!r}")
+            faults.add(f"--{name}", f"one of {', '.join(known)}", repr(value))
     for file in files:
         require_outputs(faults, {"--plot": plot, "--out": out}, {"--out": TABLES}, source=file)
     if plot is not None and len(files) > 1:
-        faults.append(f"--plot: expected one film, got {len(files)}; name one file")
-    faults = list(dict.fromkeys(faults))
-    if faults:
-        raise CaromError(*faults)
+        faults.add("--plot", "one film", str(len(files)), "name one file")
+    faults.raise_if_any()
     console = err()
     with working("contacts", console) as bar:
         films = measure_tracks(
@@ -152,8 +150,8 @@ def show(
         )  # fmt: skip
     names, found, measured = films.names, films.files, films.measured
     written = None
-    lacking: list[str] = []
-    table = attempt(lacking, lambda: films.rebounds(stage, sliding=sliding))  # type: ignore[arg-type]
+    lacking = FaultList()
+    table = lacking.attempt(films.rebounds, stage, sliding=sliding)
     if out is not None:
         if table is None:
             _notes(console, names, found, measured, None)

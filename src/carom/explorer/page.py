@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from carom.data.rebounds import Rebounds, read_rebounds
-from carom.errors import CaromError, require_type
+from carom.errors import CaromError, Fault, FaultList, require_type
 from carom.explorer.module import engine_bytes, engine_layout
 from carom.files import as_path, require_writable, write_text
 from carom.laws.law import Law
@@ -106,76 +106,70 @@ def explore(
     >>> len(page.html) < 1_500_000
     True
     """
-    faults: list[str] = []
+    faults = FaultList()
     given = None if scene is None else _scene(scene, faults)
     named = _laws(laws, faults)
     rebounds = None
     if data is not None:
-        try:
-            rebounds = data if isinstance(data, Rebounds) else read_rebounds(Path(data))
-        except CaromError as error:
-            faults += error.faults
+        rebounds = data if isinstance(data, Rebounds) else faults.attempt(read_rebounds, Path(data))
     if rebounds is not None and len(rebounds) > MOST_REBOUNDS:
-        faults.append(
-            f"explore: data: expected at most {MOST_REBOUNDS:,} rebounds, got {len(rebounds):,}; carom fit takes more"
-        )
-    if faults:
-        raise CaromError(*faults)
+        wanted = f"at most {MOST_REBOUNDS:,} rebounds"
+        faults.append(Fault("explore", "data", wanted, f"{len(rebounds):,}", "carom fit takes more"))
+    faults.raise_if_any()
     return ExplorerPage(page_text(given, named, rebounds))
 
 
-def _scene(scene: Scene | str | os.PathLike[str], faults: list[str]) -> Scene | None:
+def _scene(scene: Scene | str | os.PathLike[str], faults: FaultList) -> Scene | None:
     """Return a scene that the page can show; else add to the faults why it cannot."""
     try:
         found = load_scene(Path(scene)) if isinstance(scene, str | os.PathLike) else scene
         require_type("explore", "scene", found, Scene)
     except CaromError as error:
-        faults += error.faults
+        faults += error.records
         return None
     faults += not_shown(found, str(scene) if isinstance(scene, str | os.PathLike) else "explore")
     return found
 
 
-def not_shown(scene: Scene, where: str) -> list[str]:
-    """Return why the page cannot run a scene, a line for each reason; ``where`` begins them."""
-    faults = []
+def not_shown(scene: Scene, where: str) -> FaultList:
+    """Return why the page cannot run a scene; ``where`` is the place of all these faults."""
+    faults = FaultList(where)
     known = engine_layout()["shapes"]
     for i, wall in enumerate(scene.walls):
         if wall.kind not in known:
             advice = "the page holds no other; carom simulate takes it"
-            faults.append(f"{where}: walls[{i}].shape: expected one of {', '.join(known)}, got {wall.kind!r}; {advice}")
+            faults.add(f"walls[{i}].shape", f"one of {', '.join(known)}", repr(wall.kind), advice)
     features = sum(len(wall.features()) for wall in scene.walls)
     for what, count, most in (("balls", len(scene.balls), MOST_BALLS), ("features of walls", features, MOST_FEATURES)):
         if count > most:
-            faults.append(f"{where}: {what}: expected at most {most:,}, got {count:,}; carom simulate takes more")
+            faults.add(what, f"at most {most:,}", f"{count:,}", "carom simulate takes more")
     for law in scene.given_laws:
         name = law_name(law)
         if isinstance(law, Law) or name not in _compiled():
             advice = "the page holds no other law; carom simulate runs it"
-            faults.append(f"{where}: law: expected one of {', '.join(_compiled())}, got {name!r}; {advice}")
+            faults.add("law", f"one of {', '.join(_compiled())}", repr(name), advice)
     return faults
 
 
-def _laws(laws: str | Iterable[str] | None, faults: list[str]) -> list[str]:
+def _laws(laws: str | Iterable[str] | None, faults: FaultList) -> list[str]:
     """Return the names of laws, each once."""
     if laws is None:
         return []
     try:
         asked = one_or_several("explore", laws)
     except CaromError as error:
-        faults += error.faults
+        faults += error.records
         return []
     found: dict[str, None] = {}
     for name in asked:
         try:
             law = name if isinstance(name, Law) else law_named(name)
         except CaromError as error:
-            faults += map(str, error.records_at("explore: laws"))
+            faults += error.records_at("explore: laws")
             continue
         if law.name not in _compiled():
-            faults.append(
-                f"explore: laws: expected one of {', '.join(_compiled())}, got {law.name!r}; the page holds no other"
-            )
+            wanted = f"one of {', '.join(_compiled())}"
+            faults.append(Fault("explore", "laws", wanted, repr(law.name), "the page holds no other"))
         found[law.name] = None
     return list(found)
 

@@ -10,7 +10,7 @@ from typing import Any
 from carom.bodies import inertia_number
 from carom.data.rebound_columns import as_rebounds
 from carom.data.rebounds import KINDS, STAGES, Rebounds, read_rebounds
-from carom.errors import CaromError, attempt
+from carom.errors import FaultList
 from carom.fitting.design import Plan, Shots, require_plan
 from carom.fitting.design import design as plan_shots
 from carom.fitting.setting import Setting
@@ -118,36 +118,30 @@ def _checked(
     sigma_spin: float | None = None,
     odds: float = ODDS,
 ) -> tuple[Rebounds | None, Any, Setting, tuple[str, str], Shots]:
-    faults: list[Any] = []
-    kappa = attempt(faults, inertia_number, inertia)
-    prior: dict[str, Any] = (attempt(faults, spin_of_rows, spin) or (None, {}))[1]
+    faults = FaultList()
+    kappa = faults.attempt(inertia_number, inertia)
+    prior: dict[str, Any] = (faults.attempt(spin_of_rows, spin) or (None, {}))[1]
     if spin is not None and file is None:
-        faults.append("`spin`: expected a file of rebounds with it, got none; `spins` describes the shots to come")
+        faults.add("`spin`", "a file of rebounds with it", "none", "`spins` describes the shots to come")
     pair = tuple(part.strip() for part in laws.split(",") if part.strip()) if isinstance(laws, str) else tuple(laws)
     if kind not in (None, *KINDS):
-        faults.append(f"`kind`: expected planar or table, got {kind!r}")
+        faults.add("`kind`", "planar or table", repr(kind))
     read = read_rebounds if isinstance(file, str | os.PathLike) else as_rebounds
-    filmed: Rebounds | None = None if file is None else attempt(faults, read, file)
-    clash = ""
+    filmed: Rebounds | None = None if file is None else faults.attempt(read, file)
+    clash = filmed is not None and kind not in (None, filmed.kind)
     if filmed is not None:
-        if kind not in (None, filmed.kind):
-            clash = f"`kind`: expected {filmed.kind}, the kind of {filmed.source}, got {kind}; omit it"
+        if clash:
+            faults.add("`kind`", f"{filmed.kind}, the kind of {filmed.source}", str(kind), "omit it")
         kind = filmed.kind
-    if clash:  # reported only if there is no other fault
-        faults.append(clash)
-    elif kind in (None, "planar") and (file is None or filmed is not None):
+    if not clash and kind in (None, "planar") and (file is None or filmed is not None):
         given = {"stage": stage in STAGES[1:], "contact_height": contact_height is not None,
                  "floor_friction": floor_friction is not None}  # fmt: skip
-        faults += [
-            f"`{name}`: expected a ball on a table, got one in flight; choose `kind` table, or omit it"
-            for name, there in given.items()
-            if there
-        ]
+        for name in (name for name, there in given.items() if there):
+            faults.add(f"`{name}`", "a ball on a table", "one in flight", "choose `kind` table, or omit it")
     shots = Shots(angles_deg, speeds, None if spins == "unknown" else spins, sigma_v, sigma_spin, stage)
     setting = Setting(
         radius=radius, kappa=0.4 if kappa is None else kappa, contact_height=contact_height, floor_friction=floor_friction, **prior
     )  # fmt: skip
-    attempt(faults, require_plan, setting, pair, shots, dict(truth or {}), odds)
-    if faults:
-        raise CaromError(*faults)
+    faults.attempt(require_plan, setting, pair, shots, dict(truth or {}), odds)
+    faults.raise_if_any()
     return filmed, kind, setting, (pair[0], pair[1]), shots

@@ -10,7 +10,7 @@ from typing import Any
 from carom.bodies import inertia_number
 from carom.data.rebounds import Kind, Rebounds, read_rebounds
 from carom.data.where import Where, rows_where
-from carom.errors import CaromError, attempt, collected, noting
+from carom.errors import CaromError, FaultList, collected, noting
 from carom.files import text_encoding
 from carom.formatting import counted
 from carom.public.defaults import GRAVITY, WINDOW
@@ -89,13 +89,13 @@ class MeasuredFilms:
 
     def tables(self, stage: Stage = "best", *, sliding: bool = False) -> dict[str, Rebounds]:
         """Return the rebounds of each film that has some, by its name. Raises CaromError, with a line per film, if none has."""
-        faults: list[str] = []
+        faults = FaultList()
         tables: dict[str, Rebounds] = {}
         for name, one in zip(self.names, self.measured, strict=True):
             with collected(faults):
                 tables[name] = to_rebounds(one, stage, sliding=sliding)
         if not tables:
-            raise CaromError(*dict.fromkeys(faults))
+            faults.raise_if_any()
         return tables
 
     def rebounds(self, stage: Stage = "best", *, sliding: bool = False) -> Rebounds:
@@ -113,13 +113,12 @@ def read_films(
     format: str | None = None,  # noqa: A002
 ) -> tuple[TrackFile, ...]:
     """Return the tracks in each file, and those that were read before. Raises CaromError with the faults of all of them."""
-    faults: list[str] = []
+    faults = FaultList()
     found: list[TrackFile] = []
     for path in paths:
         with collected(faults):
             found.append(path if isinstance(path, TrackFile) else read_tracks(path, format, calibration))
-    if faults:
-        raise CaromError(*faults)
+    faults.raise_if_any()
     return tuple(found)
 
 
@@ -237,12 +236,11 @@ def measure_tracks(
     >>> found
     <MeasuredFilms: 1 film, 1 contact>
     """
-    faults: list[str] = []
-    kappa = attempt(faults, inertia_number, inertia)
+    faults = FaultList()
+    kappa = faults.attempt(inertia_number, inertia)
     if view not in (None, "above", "side"):
-        faults.append(f"`view`: expected one of above, side, got {view!r}")
-    if faults:
-        raise CaromError(*faults)
+        faults.add("`view`", "one of above, side", repr(view))
+    faults.raise_if_any()
     settings = Settings(
         radius=radius, kappa=kappa, view=view, noise=noise, floor_friction=floor_friction,  # type: ignore[arg-type]
         rolling_resistance=rolling_resistance, gravity=gravity, window=window, blind=blind, hard=hard, drag=drag,
@@ -392,7 +390,7 @@ def rebounds_of_files(
 
 def are_films(paths: Sequence[Path]) -> bool:
     """Return whether files are films, not a table of rebounds. Raises CaromError where tables are among several files."""
-    faults: list[str] = []
+    faults = FaultList()
     for path in paths if len(paths) > 1 else ():
         with collected(faults):
             if not path.exists():
@@ -401,8 +399,7 @@ def are_films(paths: Sequence[Path]) -> bool:
                 raise CaromError(
                     f"{path}: expected a track, as several files are given, got a table of rebounds; join tables to one"
                 )
-    if faults:
-        raise CaromError(*faults)
+    faults.raise_if_any()
     return len(paths) > 1 or is_track(paths[0])
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.data.columns import as_columns, is_columns
-from carom.errors import CaromError, Fault, suggestion
+from carom.errors import CaromError, Fault, FaultList, suggestion
 from carom.files import as_path, read_text
 from carom.laws.results import GRAVITY
 from carom.tracks.formats import (
@@ -174,10 +174,9 @@ def _tracks_of_text(path: Path, text: str, name: str, calibration: Calibration) 
 def _checked_tracks(path: Path, name: str, tracks: Sequence[Track], calibration: Calibration) -> TrackFile:
     """Return tracks with increasing times and on one clock, with notes; CaromError for times and places that cannot be right."""
     notes: list[str] = []
-    faults: list[str] = []
-    checked = [_in_order(track, str(path), notes, faults) for track in tracks]
-    if faults:
-        raise CaromError(*faults)
+    faults = FaultList(str(path))
+    checked = [_in_order(track, notes, faults) for track in tracks]
+    faults.raise_if_any()
     if calibration.rate is not None:
         checked = at_rate(checked, calibration.rate, str(path), notes)
     else:
@@ -252,16 +251,14 @@ def got_instead(text: str) -> str:
 
 
 def _check(calibration: Calibration) -> None:
-    faults = [
-        f"`{name}`: expected a number above 0, got {value!r}"
-        for name, value in (("scale", calibration.scale), ("rate", calibration.rate))
-        if value is not None and not 0 < value < np.inf
-    ]
-    if faults:
-        raise CaromError(*faults)
+    faults = FaultList()
+    for name, value in (("scale", calibration.scale), ("rate", calibration.rate)):
+        if value is not None and not 0 < value < np.inf:
+            faults.add(f"`{name}`", "a number above 0", repr(value))
+    faults.raise_if_any()
 
 
-def _in_order(track: Track, path: str, notes: list[str], faults: list[str]) -> Track:
+def _in_order(track: Track, notes: list[str], faults: FaultList) -> Track:
     """Return the rows that have a time; times that decrease are a fault."""
     label = _label(track)
     for name, values, most, unit in (
@@ -269,10 +266,9 @@ def _in_order(track: Track, path: str, notes: list[str], faults: list[str]) -> T
     ):  # fmt: skip
         far = np.flatnonzero(np.abs(values) > most)
         if len(far):
-            faults.append(
-                f"{path}: {label}: {name}: expected at most {most:g} {unit}, got {values[far[0]]:g} {unit} ({len(far)} in all);"
-                " is the unit right? `scale` is the length of one unit of the file"
-            )
+            got = f"{values[far[0]]:g} {unit} ({len(far)} in all)"
+            advice = "is the unit right? `scale` is the length of one unit of the file"
+            faults.add(f"{label}: {name}", f"at most {most:g} {unit}", got, advice)
     known: NDArray[np.bool_] = np.isfinite(track.time)
     if (~known & np.isfinite(track.position).any(axis=1)).any():
         notes.append(f"{label}: {(~known).sum():,} rows without a time were omitted")
@@ -280,10 +276,9 @@ def _in_order(track: Track, path: str, notes: list[str], faults: list[str]) -> T
     step = np.diff(track.time)
     if (step < 0).any():
         i = int(np.flatnonzero(step < 0)[0])
-        faults.append(
-            f"{path}: {label}: time: expected increasing times, got {track.time[i + 1]:g} s after {track.time[i]:g} s, at its row"
-            f" {i + 2} ({(step < 0).sum()} in all); sort the rows, or give each ball and shot a name in columns 'ball', 'shot'"
-        )
+        got = f"{track.time[i + 1]:g} s after {track.time[i]:g} s, at its row {i + 2} ({(step < 0).sum()} in all)"
+        advice = "sort the rows, or give each ball and shot a name in columns 'ball', 'shot'"
+        faults.add(f"{label}: time", "increasing times", got, advice)
     return track
 
 

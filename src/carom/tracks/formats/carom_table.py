@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from carom.errors import CaromError
+from carom.errors import CaromError, FaultList
 from carom.tracks.formats.text_table import Calibration, require_sizes
 from carom.tracks.track import Track
 
@@ -39,21 +39,19 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
             f"{name}: {PROGRAM}: expected PathTracking with DataSets, TableWidth and TableHeight (mm); missing: {error}"
         )
         raise CaromError(message) from None
-    tracks, faults = [], []
+    tracks, faults = [], FaultList(name)
     for number, one in enumerate(sets):
         try:
             rows = np.array([[float(row[key]) for key in KEYS] for row in one["Coords"]]).reshape(-1, 3)
         except UNREADABLE as error:
-            faults.append(
-                f"{name}: {PROGRAM}: DataSets[{number}]: expected Coords with DeltaT_500us, X and Y, missing or no number: {error}"
-            )
+            wanted = f"Coords with DeltaT_500us, X and Y, missing or no number: {error}"
+            faults.add(f"{PROGRAM}: DataSets[{number}]", wanted)
             continue
         for axis, values in enumerate(rows.T):
-            require_sizes(values, f"{name}: {PROGRAM}: DataSets[{number}]: {KEYS[axis]}", faults)
+            require_sizes(values, f"{PROGRAM}: DataSets[{number}]: {KEYS[axis]}", faults)
         tracks.append((one.get("BallColor", number + 1), rows))
-    require_sizes(size, f"{name}: {PROGRAM}: TableWidth, TableHeight", faults)
-    if faults:
-        raise CaromError(*faults)
+    require_sizes(size, f"{PROGRAM}: TableWidth, TableHeight", faults)
+    faults.raise_if_any()
     return [_track(color, rows, size, calibration) for color, rows in tracks]
 
 

@@ -38,13 +38,13 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     """Read tracks by group and name, or side by side; with a z column they have three coordinates."""
     table = split_rows(name, text)
     if not table.rows:
-        table.faults.append(f"{name}: expected a header and rows, got an empty file")
+        table.faults.add("", "a header and rows", "an empty file")
     table.raise_faults()
     header = header_of(table.rows) or Header(table.rows[0], 0, 1)
     balls, who, unknown = series_of(header.cells)
-    table.faults += [f"{name}: {fault}" for fault in unknown]
+    table.faults += [fault.within(name) for fault in unknown]
     if not balls:
-        table.faults += _missing_axes(name, header.cells)
+        _require_axes(table, header.cells)
         table.raise_faults()
     notes: list[str] = []
     if header.above:
@@ -75,18 +75,16 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     return [replace(track, notes=tuple(notes)) for track in tracks]
 
 
-def _missing_axes(name: str, header: Sequence[str]) -> list[str]:
-    """Return a fault for each of x and y that no column holds."""
+def _require_axes(table: TextTable, header: Sequence[str]) -> None:
+    """Add a fault for each of x and y that no column holds."""
     from carom.tracks.formats.headers import NAMED
 
     there = {heading.quantity for cell in header if (heading := NAMED.parse(cell))}
-    return [
-        f"{name}: expected a column {axis} (with its unit, as in '{axis} [mm]'), got none;"
-        f" {suggestion(axis, [cell.strip() for cell in header if cell.strip()])};"
-        f" a header that is understood: {HEADER_EXAMPLE!r}"
-        for axis in "xy"
-        if axis not in there
-    ]
+    for axis in "xy":
+        if axis not in there:
+            near = suggestion(axis, [cell.strip() for cell in header if cell.strip()])
+            advice = f"{near}; a header that is understood: {HEADER_EXAMPLE!r}"
+            table.faults.add("", f"a column {axis} (with its unit, as in '{axis} [mm]')", "none", advice)
 
 
 def _require_clock(table: TextTable, header: Header, one: Series, named: bool, calibration: Calibration) -> None:
@@ -94,8 +92,8 @@ def _require_clock(table: TextTable, header: Header, one: Series, named: bool, c
     if {"time", "frame"} & set(one.columns) or (calibration.rate is not None and not named):
         return
     columns = ", ".join(cell.strip() for cell in header.cells)
-    hint = "" if named else "; `rate` 60 counts the rows as frames"
-    table.faults.append(f"{table.name}: expected a column t (as in 't [s]') or frame, got columns {columns:.80}{hint}")
+    hint = "" if named else "`rate` 60 counts the rows as frames"
+    table.faults.add("", "a column t (as in 't [s]') or frame", f"columns {columns:.80}", hint)
 
 
 def _track(

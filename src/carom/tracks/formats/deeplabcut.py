@@ -55,7 +55,7 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     tracks = []
     for label, columns in parts.items():
         if not {"x", "y"} <= set(columns):
-            table.faults.append(f"{name}: {PROGRAM}: {label}: expected coords x and y, got {', '.join(columns)}")
+            table.faults.add(f"{PROGRAM}: {label}", "coords x and y", ", ".join(columns))
             continue
         place = np.stack([table.column(columns[axis], first, f"{label} {axis}") for axis in "xy"], axis=-1)
         notes: tuple[str, ...] = ()

@@ -7,7 +7,8 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from carom.data.headers import ColumnNames, Heading
+from carom.data.headers import ColumnNames, Heading, missing_unit
+from carom.errors import Fault
 from carom.tracks.formats.text_table import is_number
 
 __all__ = ["GROUPS", "NAMES", "Header", "Series", "header_of", "numbers_rows", "series_of"]
@@ -112,7 +113,7 @@ def _with_units(cells: Sequence[str], row: Sequence[str], used: Sequence[int]) -
     return found
 
 
-def series_of(header: Sequence[str]) -> tuple[list[Series], dict[str, list[int]], list[str]]:
+def series_of(header: Sequence[str]) -> tuple[list[Series], dict[str, list[int]], list[Fault]]:
     """Return the balls whose x and y are side by side, columns of names by kind, and faults of headers with unknown units.
 
     Balls are told apart by the run (``Run 2: X``), a number (``x2``), a name (``red x``), or by headers that repeat.
@@ -182,9 +183,10 @@ def _completed(balls: list[Series], found: dict[tuple[str, str], Series]) -> lis
     return balls
 
 
-def _unknown(header: Sequence[str], balls: Sequence[Series]) -> list[str]:
+def _unknown(header: Sequence[str], balls: Sequence[Series]) -> list[Fault]:
+    columns = dict.fromkeys(column for one in balls for column in one.columns.values())
     return [
-        f"column {header[i].strip()!r}: expected a unit, one of {meaning.units}"
-        for i, meaning in {column for one in balls for column in one.columns.values()}
+        missing_unit("", header[i].strip(), meaning)
+        for i, meaning in columns
         if meaning is not None and meaning.unit is None
     ]

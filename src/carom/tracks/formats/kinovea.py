@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from carom.errors import CaromError
+from carom.errors import CaromError, FaultList
 from carom.tracks.formats.text_table import (
     Calibration,
     first_rows,
@@ -54,7 +54,7 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
     tracks = []
     for point, columns in points.items():
         if set(columns) != {"X", "Y"}:
-            table.faults.append(f"{name}: {PROGRAM}: {point}: expected columns X and Y, got {', '.join(columns)} only")
+            table.faults.add(f"{PROGRAM}: {point}", "columns X and Y", f"{', '.join(columns)} only")
             continue
         position = np.stack([table.column(columns[axis], 1, f"{point}/{axis}") for axis in "XY"], axis=-1)
         tracks.append(Track(point.removesuffix("/0"), time, position * scale * flip, notes=tuple(notes)))
@@ -64,7 +64,7 @@ def read(name: str, text: str, calibration: Calibration) -> list[Track]:
 
 def _trajectories(name: str, text: str, scale: np.ndarray) -> list[Track]:
     """Read blocks of rows "T X Y", each after a line with its label, or after an empty line."""
-    faults: list[str] = []
+    faults = FaultList(name)
     blocks: list[tuple[str, list[tuple[int, list[str]]]]] = []
     begins = True
     for number, line in enumerate(text.splitlines(), 1):
@@ -88,14 +88,13 @@ def _trajectories(name: str, text: str, scale: np.ndarray) -> list[Track]:
         notes: list[str] = []
         time = time_codes(cells[0], notes)
         columns = [
-            numbers(some, True, lines.__getitem__, f"{name}: {title}: {axis}", faults)
+            numbers(some, True, lines.__getitem__, f"{title}: {axis}", faults)
             for axis, some in zip("TXY", cells, strict=True)
             if time is None or axis != "T"
         ]
         time, places = (columns[0], columns[1:]) if time is None else (time, columns)
         tracks.append(Track(title, time, np.stack(places, axis=-1) * scale, notes=tuple(notes)))
-    if faults:
-        raise CaromError(*faults)
+    faults.raise_if_any()
     return tracks
 
 

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from carom.data.table_cells import SIGNS, SPREADSHEET, decimal_commas, number_advice, parse_numbers, plain_number
-from carom.errors import MAX_MAGNITUDE, CaromError
+from carom.errors import MAX_MAGNITUDE, CaromError, FaultList
 
 __all__ = [
     "Calibration", "TextTable", "first_rows", "is_number", "numbers", "require_calibration", "require_sizes", "split_rows",
@@ -65,12 +65,16 @@ class TextTable:
     decimal_comma: bool = False
     """Whether a lone comma is a decimal sign."""
     notes: list[str] = field(default_factory=list)
-    faults: list[str] = field(default_factory=list)
+    faults: FaultList = field(default_factory=FaultList)
+
+    def __post_init__(self) -> None:
+        """Say in all faults which file it is."""
+        self.faults.where = self.name
 
     def column(self, i: int, first: int, label: str) -> Array:
         """Return column ``i`` from row ``first`` on as numbers (n,); missing ones are NaN, other texts are faults."""
         cells = [row[i] if i < len(row) else "" for row in self.rows[first:]]
-        return numbers(cells, self.decimal_comma, lambda k: self.lines[first + k], f"{self.name}: {label}", self.faults)
+        return numbers(cells, self.decimal_comma, lambda k: self.lines[first + k], label, self.faults)
 
     def between(self, low: int, high: int) -> TextTable:
         """Return some of the rows as a table of their own, without faults."""
@@ -78,8 +82,7 @@ class TextTable:
 
     def raise_faults(self) -> None:
         """Raise CaromError with all faults, if there are any."""
-        if self.faults:
-            raise CaromError(*self.faults)
+        self.faults.raise_if_any()
 
 
 def split_rows(name: str, text: str, delimiter: str | None = None) -> TextTable:
@@ -204,7 +207,7 @@ def _last_field(last: Array, texts: Sequence[str]) -> tuple[float, str]:
 
 
 def numbers(
-    cells: Sequence[str], decimal_comma: bool, line: Callable[[int], int], label: str, faults: list[str]
+    cells: Sequence[str], decimal_comma: bool, line: Callable[[int], int], label: str, faults: FaultList
 ) -> Array:
     """Return cells as numbers (n,), NaN where one is missing; add a fault for cells that are not numbers, or far too large.
 
@@ -212,10 +215,8 @@ def numbers(
     """
     values, bad = parse_numbers(cells, decimal_comma=decimal_comma)
     if bad:
-        faults.append(
-            f"{label}: expected a number, got {cells[bad[0]].strip()[:40]!r}{_at_line(bad, line)};"
-            f" {number_advice(cells[bad[0]])}"
-        )
+        got = f"{cells[bad[0]].strip()[:40]!r}{_at_line(bad, line)}"
+        faults.add(label, "a number", got, number_advice(cells[bad[0]]))
     require_sizes(values, label, faults, lambda where: _at_line(where, line))
     return values
 
@@ -225,27 +226,23 @@ def _at_line(bad: Sequence[int], line: Callable[[int], int]) -> str:
 
 
 def require_sizes(
-    values: Array, label: str, faults: list[str], where: Callable[[Sequence[int]], str] = lambda _bad: ""
+    values: Array, label: str, faults: FaultList, where: Callable[[Sequence[int]], str] = lambda _bad: ""
 ) -> None:
     """Add a fault for numbers (n,) that are infinite, or so large that their squares may be."""
     far = np.flatnonzero(np.abs(values) > MAX_MAGNITUDE).tolist()
     if far:
-        faults.append(
-            f"{label}: expected numbers of at most {MAX_MAGNITUDE:g} in size, got {values[far[0]]:g}{where(far)};"
-            " leave the cell empty where there is none"
-        )
+        wanted, got = f"numbers of at most {MAX_MAGNITUDE:g} in size", f"{values[far[0]]:g}{where(far)}"
+        faults.add(label, wanted, got, "leave the cell empty where there is none")
 
 
 def require_calibration(
     name: str, program: str, calibration: Calibration, scale: str | None = None, rate: str | None = None
 ) -> None:
     """Raise CaromError for a missing scale or frame rate; ``scale`` and ``rate``: why they are needed, if they are."""
-    faults = []
+    faults = FaultList(name)
     if scale and calibration.scale is None:
-        faults.append(
-            f"{name}: {program}: expected the scale, {scale}; give `scale`, the length of one unit of the file (0.5mm)"
-        )
+        advice = "give `scale`, the length of one unit of the file (0.5mm)"
+        faults.add(program, f"the scale, {scale}", advice=advice)
     if rate and calibration.rate is None:
-        faults.append(f"{name}: {program}: expected the frame rate, {rate}; give `rate`, frames per second")
-    if faults:
-        raise CaromError(*faults)
+        faults.add(program, f"the frame rate, {rate}", advice="give `rate`, frames per second")
+    faults.raise_if_any()

@@ -81,8 +81,7 @@ def _in_si(table: TextTable, i: int, label: str, units: Sequence[str], dimension
     values = table.column(i, 2, label)
     unit = unit_named(units[i], dimension) if units[i] else None
     if unit is None and units[i]:
-        known = ", ".join(UNITS[dimension])
-        table.faults.append(f"{table.name}: column {label}: expected a unit, one of {known}, got {units[i]!r}")
+        table.faults.add(f"column {label}", f"a unit, one of {', '.join(UNITS[dimension])}", repr(units[i]))
     return values if unit is None else np.asarray(unit.to_si(values))
 
 
