@@ -170,10 +170,10 @@ def draw_numbers() -> None:
 
 def follow_many_runs() -> None:
     """Compile the loops over short runs and those with derivatives: whole tracks, and many starts."""
-    from carom.fitting.tracks.simulate import compile_tracks
+    from carom.simulation.sensitivity.at_times import compile_at_times
     from carom.simulation.sensitivity.many import compiled_many
 
-    compile_tracks()
+    compile_at_times()
     compiled_many()
 
 

@@ -20,8 +20,9 @@ from carom.fitting.optimizer import minimize
 from carom.fitting.tracks.arrays import Table
 from carom.fitting.tracks.model import TrackModel
 from carom.fitting.tracks.segments import TrackSegment
-from carom.fitting.tracks.simulate import START, Slopes, positions_and_slopes, positions_at, start_slopes
+from carom.fitting.tracks.simulate import START, positions_and_slopes, positions_at, start_slopes
 from carom.simulation.records import BALLS
+from carom.simulation.sensitivity.at_times import Slopes
 from carom.simulation.setup import SceneArrays
 
 __all__ = [

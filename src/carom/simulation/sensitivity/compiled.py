@@ -25,7 +25,7 @@ from carom.simulation.predict import move_by
 from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.sensitivity.parameters import ARRAYS, Parameters, unpacked
 from carom.simulation.sensitivity.pass_kernels import PASSAGES, follow_log, state_at_time
-from carom.simulation.sensitivity.passages import Motion, Passages
+from carom.simulation.sensitivity.passages import Motion, Passages, rows_at
 from carom.simulation.wall_and_floor import joint_impact
 
 __all__ = [
@@ -34,6 +34,7 @@ __all__ = [
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
+X = float_places(BALLS)["x"].start
 
 
 # --- what is compiled ------------------------------------------------------------------------------------------------
@@ -63,15 +64,30 @@ def pass_loop(
 
 
 def _states(
-    worlds: Any, world_d: Any, start: Any, start_d: Any, log: Any, which: Any, out: Any, out_d: Any, t: float, balls: Any,
-    balls_d: Any,
+    worlds: Any, world_d: Any, start: Any, start_d: Any, log: Any, which: Any, out: Any, out_d: Any, time: Any, balls: Any,
+    balls_d: Any, states: Any, slopes: Any,
 ) -> None:  # fmt: skip
-    """Compute the balls at a time t, each from its row ``which`` (B,) of the log."""
+    """Compute the balls at times (T,), each from its row ``which`` (T, B) of the log.
+
+    ``states`` (T, B, 9): position, velocity, spin; ``slopes`` (C, T, B, K, LANES): derivatives of the first K numbers of these.
+    ``balls`` (B,) and ``balls_d`` (C, B, numbers, LANES) are work memory, which may be that of the starts' derivatives.
+    """
     for c in range(balls_d.shape[0]):
         world, first = dual_records(worlds, world_d, c)[0], dual_records(start, start_d, c)
         rows, passages = dual_records(balls, balls_d, c), dual_records(out, out_d, c)
-        for k in range(balls.shape[0]):
-            state_at_time(world, rows[k], first[k], passages[which[k]], log[which[k]].phase, t)
+        for i in range(which.shape[0]):
+            for k in range(balls.shape[0]):
+                state_at_time(world, rows[k], first[k], passages[which[i, k]], log[which[i, k]].phase, time[i])
+                for j in range(slopes.shape[3]):
+                    for lane in range(LANES):
+                        slopes[c, i, k, j, lane] = balls_d[c, k, X + j, lane]
+                if c == 0:
+                    for j in range(3):
+                        states[i, k, j], states[i, k, 3 + j], states[i, k, 6 + j] = (
+                            balls[k].x[j],
+                            balls[k].v[j],
+                            balls[k].w[j],
+                        )
 
 
 @kernel
@@ -102,8 +118,8 @@ FOLLOW = (
     array_of(int), float, array_of(PASSAGES), SLOPES,
 )  # fmt: skip
 STATES = (
-    None, array_of(WORLD), SLOPES, array_of(BALLS), SLOPES, array_of(LOG), array_of(int), array_of(PASSAGES), SLOPES, float,
-    array_of(BALLS), SLOPES,
+    None, array_of(WORLD), SLOPES, array_of(BALLS), SLOPES, array_of(LOG), array_of(int, 2), array_of(PASSAGES), SLOPES,
+    array_of(float), array_of(BALLS), SLOPES, array_of(float, 3), array_of(float, 5),
 )  # fmt: skip
 
 
@@ -165,14 +181,16 @@ def follow_compiled(scene: Any, parameters: Parameters, log: NDArray[np.void], e
         out_d,
     )
 
-    def at(t: float) -> list[Array]:
-        found = last_d
-        if t != end:
-            found = np.zeros_like(start_d)
-            which = [np.flatnonzero((log["ball"] == k) & (log["t"] <= t))[-1] for k in range(len(last))]
-            rows = np.array(which, dtype=np.int64)
-            compiled_states()(arrays.world, world_d, start, start_d, log, rows, out, out_d, t, last.copy(), found)
-        all_of = unpacked(found, p)
-        return [all_of[:, places[name]] for name in Motion._fields]
+    def at(times: Array) -> Array:
+        if len(times) == 1 and times[0] == end:
+            all_of = unpacked(last_d, p)
+            return np.concatenate([all_of[None, :, places[name]] for name in Motion._fields], axis=2)
+        which = np.stack([rows_at(log, k, times) for k in range(len(last))], axis=1)
+        states, slopes = np.empty((*which.shape, 9)), np.zeros((len(world_d), *which.shape, 9, LANES))
+        compiled_states()(
+            arrays.world, world_d, start, start_d, log, which, out, out_d, times, last.copy(), np.zeros_like(start_d), states,
+            slopes,
+        )  # fmt: skip
+        return np.moveaxis(slopes, 0, 3).reshape(*which.shape, 9, -1)[..., :p]
 
     return Passages(out, lambda: unpacked(out_d, p), at), int(graze)

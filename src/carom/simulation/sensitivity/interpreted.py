@@ -14,7 +14,7 @@ from carom.simulation.sensitivity.dual import Dual, derivative, value
 from carom.simulation.sensitivity.lift import lifted
 from carom.simulation.sensitivity.parameters import ARRAYS, Parameters
 from carom.simulation.sensitivity.pass_kernels import PASSAGES, follow_log, state_at_time
-from carom.simulation.sensitivity.passages import Motion, Passages
+from carom.simulation.sensitivity.passages import Motion, Passages, rows_at
 
 __all__ = ["follow_interpreted", "seeded"]
 
@@ -83,15 +83,15 @@ def follow_interpreted(scene: Any, parameters: Parameters, log: NDArray[np.void]
                 f"sensitivity: events[{number}]: expected a wall's law made of + - * / and functions of math, got: {error}"
             ) from error
 
-    def at(t: float) -> list[Array]:
-        here = as_objects(np.array(arrays.balls))
-        found = []
+    def at(times: Array) -> Array:
+        here, found = as_objects(np.array(arrays.balls)), np.zeros((len(times), len(arrays.balls), 9, p))
         for k, ball in enumerate(here):
-            row = np.flatnonzero((log["ball"] == k) & (log["t"] <= t))[-1]
-            with np.errstate(all="ignore"):
-                lifted(state_at_time)(world[0], ball, first[k], out[row], rows[row].phase, t)
-            found.append([[derivative(x, p) for x in getattr(ball, name)] for name in Motion._fields])
-        return [np.array([one[k] for one in found], dtype=float) for k in range(3)]
+            for i, row in enumerate(rows_at(log, k, times).tolist()):
+                with np.errstate(all="ignore"):
+                    lifted(state_at_time)(world[0], ball, first[k], out[row], rows[row].phase, float(times[i]))
+                numbers = [x for name in Motion._fields for x in getattr(ball, name)]
+                found[i, k] = [derivative(x, p) for x in numbers]
+        return found
 
     values, derivatives = _arrays(out, p)
     return Passages(values, lambda: derivatives, at), int(graze)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 import math
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -31,6 +31,7 @@ from carom.simulation.event_rows import ALL
 from carom.simulation.loop import FULL, LIMIT, QUIET
 from carom.simulation.records import BALLS, LOG, WORLD
 from carom.simulation.run_log import run_limits, run_scene
+from carom.simulation.sensitivity.at_times import Limits, states_and_slopes
 from carom.simulation.sensitivity.compiled import FOLLOW, SLOPES, compiled_follow, dual_users
 from carom.simulation.sensitivity.parameters import ARRAYS, Parameters, parameters_of
 from carom.simulation.sensitivity.pass_kernels import PASSAGES
@@ -132,6 +133,10 @@ class ManySensitivities:
     """(N,): number of events."""
     why: NDArray[np.str_]
     """(N,): empty, or why a run ended at an event for which a law has no answer, or has no derivative."""
+    states: State | None = None
+    """(N, T, B, 3): the states at the ``times``, if these were given; NaN where a run has ended before at such an event."""
+    slopes: StateSensitivity | None = None
+    """Derivatives of these states, each (N, T, B, 3, p); NaN from an event without a derivative on."""
 
     @property
     def phase(self) -> NDArray[np.str_]:
@@ -145,6 +150,8 @@ def sensitivities(
     velocity: ArrayLike | None = None,
     spin: ArrayLike | None = None,
     position: ArrayLike | None = None,
+    *,
+    times: ArrayLike | None = None,
 ) -> ManySensitivities:
     """Simulate a scene from many initial states, on all cores, with exact derivatives of the final states.
 
@@ -159,6 +166,9 @@ def sensitivities(
     velocity, spin, position : array (N, B, 3), or (N, 3) for a scene of one ball only, optional
         Initial velocities (m/s), spins (rad/s) and positions (m); default: the scene's. One run's, (1, B, 3), are those of all.
         A ball that is to roll at another velocity than the scene's needs its spin too: that of :func:`carom.rolling`.
+    times : array (T,) or (N, T), optional
+        Increasing times, s, of all runs or of each, at which states and derivatives are wanted as well, as ``run.at`` and
+        ``run.sensitivity(...).at`` return them.
 
     Returns
     -------
@@ -180,11 +190,52 @@ def sensitivities(
     >>> many = carom.sensitivities(scene, "walls.0.restitution", velocity=[[-2, 1, 0], [-4, 1, 0]])
     >>> many.derivatives.position[:, 0, 0, 0].round(6).tolist()
     [1.0, 3.0]
+    >>> many = carom.sensitivities(scene, "walls.0.restitution", velocity=[[-2, 1, 0], [-4, 1, 0]], times=[0.25, 0.75])
+    >>> many.states.position[:, :, 0, 0].round(6).tolist(), many.slopes.position[:, :, 0, 0, 0].round(6).tolist()
+    ([[0.6, 0.35], [0.1, 1.1]], [[0.0, 0.5], [0.0, 2.0]])
     """
     require_type("sensitivities", "scene", scene, Scene)
     arrays = set_up(scene)
     starts = starts_of("sensitivities", scene, arrays, velocity, spin, position)
-    return _run_all(scene, arrays, parameters_of(scene, arrays, wrt, _phases(scene)), starts)
+    wanted = None if times is None else _times(times, len(starts), scene)
+    parameters = parameters_of(scene, arrays, wrt, _phases(scene))
+    found, rows = _run_all(scene, arrays, parameters, starts)
+    return found if wanted is None else _with_states(found, scene, parameters, starts, wanted, rows)
+
+
+def _times(times: ArrayLike, runs: int, scene: Scene) -> Array:
+    """Return the times (1 or N, T) of frames; CaromError for times that no run has."""
+    where, until = "sensitivities", run_limits(scene)[0]
+    try:
+        found = np.atleast_2d(np.asarray(times, dtype=float))
+    except (TypeError, ValueError):
+        found = np.full((1, 1), math.nan)
+    if found.ndim != 2 or not found.size or len(found) not in (1, runs) or np.isnan(found).any():
+        got = f"shape {found.shape}" if not np.isnan(found).any() else f"{times!r:.60}"
+        raise CaromError(f"{where}: times: expected times in s, (T,) or ({runs}, T), got {got}")
+    bad = ~((found >= 0) & (found <= until) & np.isfinite(found))
+    if bad.any():
+        span = "from 0 on" if until == math.inf else f"from 0 to {until:g} s, the end of the run"
+        raise CaromError(f"{where}: times: expected times {span}, got {float(found[bad][0])!r}")
+    if (np.diff(found, axis=1) < 0).any():
+        raise CaromError(f"{where}: times: expected increasing times, got a smaller one after a larger one; sort them")
+    return np.ascontiguousarray(found)
+
+
+def _with_states(
+    found: ManySensitivities, scene: Scene, parameters: Parameters, starts: NDArray[np.void], time: Array, rows: int
+) -> ManySensitivities:
+    """Return the sensitivities with states and derivatives at times: each run once more, up to its last time."""
+    arrays, p, places = parameters.arrays, len(parameters), np.full(len(starts), time.shape[1])
+    by_scene = {name: parameters.packed[name] for name in ARRAYS if name != "balls"}
+    by_start = np.repeat(parameters.packed["balls"][None], len(starts), axis=0)
+    limits = Limits(rows, run_limits(scene)[1])
+    states, slopes = states_and_slopes(
+        arrays, dual_users(scene.called_laws), starts, time, places, by_scene, by_start, undefined=math.nan, limits=limits
+    )  # fmt: skip
+    d = np.moveaxis(slopes, 1, 4).reshape(*states.shape, -1)[..., :p]
+    x, v, w = (states[..., k : k + 3] for k in (0, 3, 6))
+    return replace(found, states=State.of(v, w, x), slopes=StateSensitivity(*(d[..., k : k + 3, :] for k in (0, 3, 6))))
 
 
 def _phases(scene: Scene) -> list[int]:
@@ -193,7 +244,10 @@ def _phases(scene: Scene) -> list[int]:
     return [int(phase) for phase in run.log["phase"][: len(scene.balls)]]
 
 
-def _run_all(scene: Scene, arrays: SceneArrays, parameters: Parameters, starts: NDArray[np.void]) -> ManySensitivities:
+def _run_all(
+    scene: Scene, arrays: SceneArrays, parameters: Parameters, starts: NDArray[np.void]
+) -> tuple[ManySensitivities, int]:
+    """Return the final states with derivatives, and how many rows of a log the longest run needs."""
     many, laws, p = compiled_many(), dual_users(scene.called_laws), len(parameters)
     world_d, features_d, starts_d = (parameters.packed[name] for name in ARRAYS)
     places = float_places(BALLS)
@@ -203,6 +257,7 @@ def _run_all(scene: Scene, arrays: SceneArrays, parameters: Parameters, starts: 
     ended = np.zeros((total, 3), np.int64)
     found = np.full((total, count, last - first, p), math.nan)
     until, most = run_limits(scene)
+    needed = ROWS_AT_FIRST
     for block in block_slices(total, BLOCK):
         size = block.stop - block.start
         slopes_d = np.zeros((size, chunks, count, last - first, LANES))
@@ -220,6 +275,7 @@ def _run_all(scene: Scene, arrays: SceneArrays, parameters: Parameters, starts: 
                 )  # fmt: skip
 
             call_in_threads(part, np.array_split(which, min(thread_count(), len(which))))
+            needed = max(needed, rows)
             which = np.flatnonzero(ended[block, 0] == FULL)
             rows *= 8
             if rows > MOST_ROWS and len(which):
@@ -230,9 +286,10 @@ def _run_all(scene: Scene, arrays: SceneArrays, parameters: Parameters, starts: 
         good = np.isin(ended[block, 0], (DONE, QUIET, LIMIT)) & (ended[block, 2] < 0)
         found[block][good] = np.moveaxis(slopes_d, 1, 3).reshape(size, count, last - first, -1)[good][..., :p]
     why = np.array([REFUSALS.get(int(code), NO_DERIVATIVE if graze >= 0 else "") for code, _count, graze in ended])
-    return ManySensitivities(
+    found_runs = ManySensitivities(
         [one.name for one in parameters.columns],
         State.of(*(np.array(finals[name]) for name in ("v", "w", "x"))),
         StateSensitivity(*(found[:, :, 3 * k : 3 * k + 3] for k in range(3))),
         np.array(finals["phase"]), ends, ended[:, 1].copy(), why,
     )  # fmt: skip
+    return found_runs, needed

@@ -7,13 +7,13 @@ from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from carom.core.jit.dual.dual_records import float_places
 from carom.simulation.sensitivity.dual import Dual
 from carom.simulation.sensitivity.pass_kernels import PASSAGES
 
-__all__ = ["Motion", "Passage", "Passages", "StateSensitivity"]
+__all__ = ["Motion", "Passage", "Passages", "StateSensitivity", "rows_at"]
 
 Array = NDArray[np.float64]
 PLACES = float_places(PASSAGES)
@@ -42,7 +42,7 @@ class Passage(NamedTuple):
 
 
 class StateSensitivity(NamedTuple):
-    """Derivatives of the states of all balls at a fixed time, each (B, 3, p)."""
+    """Derivatives of the states of all balls at a fixed time, each (B, 3, p); at times (...), each (..., B, 3, p)."""
 
     position: Array
     """m per unit of the parameter."""
@@ -50,11 +50,18 @@ class StateSensitivity(NamedTuple):
     spin: Array
 
 
+def rows_at(log: NDArray[np.void], ball: int, times: Array) -> NDArray[np.int64]:
+    """Return the rows of a log (T,) that a ball follows at times (T,)."""
+    own = np.flatnonzero(log["ball"] == ball)
+    found: NDArray[np.int64] = own[np.searchsorted(log["t"][own], times, side="right") - 1]
+    return found
+
+
 class Passages:
     """A sequence of passages, which are made when they are asked for."""
 
     def __init__(
-        self, values: NDArray[np.void], derivatives: Callable[[], Array], at: Callable[[float], list[Array]]
+        self, values: NDArray[np.void], derivatives: Callable[[], Array], at: Callable[[Array], Array]
     ) -> None:
         self.values = values
         """(M,) of PASSAGES."""
@@ -66,9 +73,12 @@ class Passages:
         """(M, numbers of PASSAGES, p)."""
         return self._derivatives()
 
-    def at(self, t: float) -> StateSensitivity:
-        """Return the derivatives of all states at a time, s."""
-        return StateSensitivity(*self._at(t))
+    def at(self, t: ArrayLike) -> StateSensitivity:
+        """Return the derivatives of all states at a time, s, or at times (...)."""
+        times = np.asarray(t, dtype=float)
+        found = self._at(times.ravel())
+        found = found.reshape(*times.shape, *found.shape[1:])
+        return StateSensitivity(*(found[..., k : k + 3, :] for k in (0, 3, 6)))
 
     def __len__(self) -> int:
         """How many rows the log has."""

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from carom.errors import CaromError
 from carom.formatting import format_number, html_table
@@ -75,11 +75,11 @@ class Sensitivity:
         time, *motion = (d[:, PLACES[name]] for name in ("time", "x", "v", "w", "v_before", "w_before"))
         return [EventSensitivity(t[0], *rest) for t, *rest in zip(time, *motion, strict=True)]
 
-    def at(self, t: float) -> StateSensitivity:
-        """Return the derivatives of all states at a fixed time t, s."""
-        t = float(t)
-        self._run.at(t)  # (which refuses times before and after the run)
-        return self._passages.at(t)
+    def at(self, t: ArrayLike) -> StateSensitivity:
+        """Return the derivatives of all states at a fixed time, s, or at times (...): each (B, 3, p), or (..., B, 3, p)."""
+        times = np.asarray(t, dtype=float)
+        self._run.at(times if times.size else 0.0)  # (which refuses times before and after the run)
+        return self._passages.at(times)
 
     @property
     def final(self) -> StateSensitivity:
