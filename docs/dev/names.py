@@ -21,7 +21,7 @@ import carom
 from carom.data.headers import STATE_COLUMNS
 from carom.data.rebounds import COLUMNS, NAMED
 from carom.fitting import Setting
-from carom.fitting.parameters import PARAMETERS
+from carom.fitting.parameters import ALONG, PARAMETERS
 from carom.fitting.setting import FORM_PARAMETERS
 from carom.fitting.tracks.model import FLOOR as TRACK_PARAMETERS
 from carom.scene.ball import CueStrike, SceneBall, SceneCue
@@ -110,6 +110,18 @@ ROWS = {
         Quantity("friction", "μ", "1", "walls[].friction friction"),
         Quantity("tangential restitution", "β", "1", "walls[].tangential_restitution tangential_restitution"),
         Quantity("tangential over normal stiffness", "", "1", "walls[].stiffness_ratio stiffness_ratio"),
+        *(
+            Quantity(f"{name.replace('_', ' ')} in slip, slip/v_n or a speed{words}", "", unit, f"{name}_{field}", "of fits alone")
+            for name in ALONG
+            for words, unit, field in (
+                (": linear, constant", "1", "0"), (": linear, slope", "s/m or 1", "1"), (", at rest", "1", "at_rest"),
+                (", far from rest", "1", "at_speed"), (": where it changes", "m/s or 1", "speed"),
+            )
+        ),
+        *(
+            Quantity(f"number of a form, in the record of a fit: {name}", "", "", name, "within the fit alone")
+            for name in ("friction_2", "last_1", "last_2")
+        ),
         Quantity("contact time of a ball alone", "T", "s", "walls[].contact_time"),
         Quantity("normal", "n", "1", "normal normal_x normal_y normal_z"),
         Quantity("height of the contact point", "", "radii of the ball", "contact_height",

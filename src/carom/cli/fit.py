@@ -59,6 +59,28 @@ def fit(
             rich_help_panel=LAWS,
         ),
     ] = "constant",
+    friction: Annotated[
+        str,
+        typer.Option(
+            metavar="FORM[:VARIABLE]",
+            help="Friction: constant, or linear or exponential in the slip, or in v_n, slip/v_n, speed after a colon.",
+            rich_help_panel=LAWS,
+        ),
+    ] = "constant",
+    tangential_restitution: Annotated[
+        str,
+        typer.Option(
+            metavar="FORM[:VARIABLE]",
+            help="Tangential restitution: the same, by default in slip/v_n.",
+            rich_help_panel=LAWS,
+        ),
+    ] = "constant",
+    stiffness_ratio: Annotated[
+        str,
+        typer.Option(
+            metavar="FORM[:VARIABLE]", help="Stiffness ratio: the same, by default in slip/v_n.", rich_help_panel=LAWS
+        ),
+    ] = "constant",
     fit_: Annotated[
         list[str] | None,
         typer.Option(
@@ -189,7 +211,8 @@ def fit(
     _pages(faults, report, no_report)
     options: dict[str, Any] = {
         "radius": radius, "inertia": inertia, "laws": [name for text in laws for name in comma_separated(text)] if laws else None,
-        "restitution": restitution, "fit": [name for text in fit_ or [] for name in comma_separated(text)], "fix": fixed,
+        "restitution": restitution, "friction": friction, "tangential_restitution": tangential_restitution,
+        "stiffness_ratio": stiffness_ratio, "fit": [name for text in fit_ or [] for name in comma_separated(text)], "fix": fixed,
         "bound": bounds, "robust": robust, "contact_height": contact_height, "floor_friction": floor_friction,
         "floor_restitution": floor_restitution, "roll": roll, "kind": kind, "stage": stage, "rate": rate,
         "scale": faults.attempt(parse_length, "scale", scale), "view": view, "whole": whole, "cushions": cushions,

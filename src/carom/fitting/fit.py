@@ -60,6 +60,15 @@ def _descend(model: FitModel, p: Array) -> _Place:
 
 
 def _search(model: FitModel) -> Array:
+    """Return starting points (B, K): those of a grid, and of a fit of constants where parameters depend on the impact."""
+    if model.form:  # what constants reach is a start, too: a form contains them, or nearly so
+        steady = model.steady()
+        found = steady.minimize(_search(steady), FEW_STEPS)
+        return np.vstack([_search_grid(model), model.like(found.p[np.argmin(found.value)])])
+    return _search_grid(model)
+
+
+def _search_grid(model: FitModel) -> Array:
     """Return starting points (B, K): the best of a grid, after a short descent with few rows."""
     problem, law = model.problem, model.law
     n, parameters = len(problem.x), model.parameters
@@ -68,7 +77,7 @@ def _search(model: FitModel) -> Array:
     some = model if n <= few else replace(model, problem=problem.select(np.linspace(0, n - 1, few).astype(int)))
     if law.search_code is not None and parameters:  # a similar law that is a hundred times as fast
         quick = replace(model.using(None), law=replace(law, code=law.search_code, search_code=None))
-        found = quick.minimize(_search(quick), FEW_STEPS)
+        found = quick.minimize(_search_grid(quick), FEW_STEPS)
         starts = found.p[_distinct(found.p[:, model.free], found.value, MAX_EXCESS, 2)]
         if marginal:
             return starts

@@ -19,9 +19,9 @@ from carom.data.where import Where
 from carom.errors import CaromError, Fault, FaultList, noting, suggestion
 from carom.files import as_path, require_library
 from carom.fitting.laws import unknown_laws
-from carom.fitting.parameters import FORMS, INDEX
+from carom.fitting.parameters import ALONG, INDEX
 from carom.fitting.ranking import Ranking, fit_laws
-from carom.fitting.setting import Setting, require_settings
+from carom.fitting.setting import FORM_PARAMETERS, Setting, require_settings
 from carom.fitting.tracks.ranking import TrackRanking, fit_tracks
 from carom.fitting.usable_rows import require_error_bars, spin_of_rows
 from carom.public.defaults import CUSHIONS
@@ -44,6 +44,9 @@ def fit(
     inertia: str | float | None = None,
     laws: str | Sequence[str] | None = None,
     restitution: str = "constant",
+    friction: str = "constant",
+    tangential_restitution: str = "constant",
+    stiffness_ratio: str = "constant",
     fit: Sequence[str] = (),
     fix: Mapping[str, float] | None = None,
     bound: Mapping[str, tuple[float, float]] | None = None,
@@ -85,6 +88,9 @@ def fit(
         Names. Default: all laws for this kind of rebound.
     restitution : str
         As a function of speed: constant, line, polynomial, viscoelastic, exponential.
+    friction, tangential_restitution, stiffness_ratio : str
+        Constant, linear or exponential in the slip (the last two: in slip/v_n), or in what a colon precedes: v_n, slip, slip/v_n,
+        speed.
     fit, fix, bound : optional
         Parameters to fit as well; held ones with their values; bounds of fitted ones.
     robust : bool
@@ -213,7 +219,8 @@ def _checked(asked: SimpleNamespace) -> _Request:
     ball = {"radius": 1.0} | (ours.setting if ours else {}) | {k: x for k, x in given.items() if x is not None}
     of_whole: dict[str, Any] = {"noise": asked.noise, "cushions": asked.cushions} if asked.whole else {}
     setting = Setting(
-        **ball, restitution=asked.restitution, floor_restitution=asked.floor_restitution, roll=asked.roll,
+        **ball, restitution=asked.restitution, **{name: getattr(asked, name) for name in ALONG},
+        floor_restitution=asked.floor_restitution, roll=asked.roll,
         **prior, fixed=fixed, bounds=bounds, fit=tuple(asked.fit), robust=asked.robust, scatter=asked.scatter or "",
         **of_whole,
     )  # fmt: skip
@@ -252,7 +259,7 @@ def _prior(spin: float | str | None, whole: bool) -> dict[str, Any]:
 
 def _strange_parameters(argument: str, given: Mapping[str, Any], whole: bool) -> FaultList:
     """Return faults of names that no law has as a parameter, and of values that are no numbers."""
-    forms = (p.name for form in FORMS.values() for p in form.parameters)
+    forms = (one.name for one in FORM_PARAMETERS)
     known = sorted({*INDEX, *forms, *(TRACK_NUMBERS if whole else ())})
     faults = FaultList(f"`{argument}`")
     for name, value in given.items():

@@ -10,12 +10,12 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from carom.core.contact import wall_contact
-from carom.core.jit.kernel import Vec, kernel
+from carom.core.contact import slip_velocity, wall_contact
+from carom.core.jit.kernel import Vec, dot, kernel
 from carom.core.motion.phases import ROUNDING
 from carom.core.motion.restitution import restitution
 from carom.core.motion.rolling import UP, rolls_at_last
-from carom.fitting.parameters import LINE
+from carom.fitting.parameters import ALONG_FORMS, LINE, RESTITUTION_FORMS
 from carom.laws.callbacks import call_user
 from carom.laws.conventional import conventional_reflection
 from carom.laws.two_step import UNDEFINED, first_impact
@@ -45,16 +45,42 @@ def speed_restitution(form: int, p: Vec, speed: float) -> float:
 
 
 @kernel
+def _of_impact(code: int, p: Vec, v: Vec, w: Vec, n: Vec, a: float) -> float:
+    """Return a parameter along the wall: constant, or by its form (:data:`carom.fitting.parameters.ALONG`)."""
+    if code == 0:
+        return p[0]
+    un, ut = slip_velocity(v, w, n, a)
+    slip, variable = math.sqrt(dot(ut, ut)), code // 4
+    s = -un if variable == 0 else slip if variable == 1 else slip / -un if variable == 2 else math.sqrt(dot(v, v))
+    return p[0] + p[1] * s if code % 4 == 1 else p[1] + (p[0] - p[1]) * math.exp(-s / p[2])
+
+
+@kernel
+def _along_wall(code: int, form: int, p: Any, v: Vec, w: Vec, n: Vec, a: float) -> tuple[float, float]:
+    """Return the friction at an impact, and the last number of the law: tangential restitution or stiffness ratio."""
+    stiff = code < 0
+    last = p.stiffness_ratio if stiff else p.tangential_restitution
+    mu = p.friction
+    along = form // RESTITUTION_FORMS
+    if along > 0:
+        zero = 0 * a
+        mu = max(_of_impact(along % ALONG_FORMS, (mu, p.friction_1, p.friction_2), v, w, n, a), zero)
+        last = _of_impact(along // ALONG_FORMS, (last, p.last_1, p.last_2), v, w, n, a)
+        last = max(last, zero) if stiff else min(max(last, zero - 1), zero + 1)
+    return mu, last
+
+
+@kernel
 def planar_rebound(code: int, form: int, _stage: int, x: Vec, a: float, p: Any) -> Vec:
     """Return v_n, v_t and spin of a planar bounce after the wall."""
     zero = 0 * x[0]
-    e = speed_restitution(form, (p.restitution, p.restitution_1, p.restitution_2), x[0])
+    e = speed_restitution(form % RESTITUTION_FORMS, (p.restitution, p.restitution_1, p.restitution_2), x[0])
     v, w, n = (-x[0], x[1], zero), (zero, zero, x[2]), (1 + zero, zero, zero)
+    mu, last = _along_wall(code, form, p, v, w, n, a)
     if code < 0 or code > TOGETHER:
-        last = p.stiffness_ratio if code < 0 else p.tangential_restitution
-        v1, w1 = call_user(abs(code), v, w, n, a, p.kappa, e, p.friction, last)
+        v1, w1 = call_user(abs(code), v, w, n, a, p.kappa, e, mu, last)
     else:
-        v1, w1, _j, _required, _regime = wall_contact(v, w, n, a, p.kappa, e, p.friction, p.tangential_restitution)
+        v1, w1, _j, _required, _regime = wall_contact(v, w, n, a, p.kappa, e, mu, last)
     return v1[0], v1[1], w1[2]
 
 
@@ -70,12 +96,12 @@ def table_rebound(code: int, form: int, stage: int, x: Vec, a: float, p: Any) ->
     if code == CONVENTIONAL:
         v1, w1 = conventional_reflection(v, (-x[1] / a, -x[0] / a, x[2]), (1 + zero, zero, zero), a, p.kappa)
         return v1[0], v1[1], w1[2]
-    e = speed_restitution(form, (p.restitution, p.restitution_1, p.restitution_2), x[0] * n[0])
+    e = speed_restitution(form % RESTITUTION_FORMS, (p.restitution, p.restitution_1, p.restitution_2), x[0] * n[0])
     if code == SMOOTH:
         return e * x[0], x[1], x[2]
+    mu, last = _along_wall(code, form, p, v, w, n, a)
     if code < 0 or code > TOGETHER:
-        last = p.stiffness_ratio if code < 0 else p.tangential_restitution
-        v1, w1 = call_user(abs(code), v, w, n, a, p.kappa, e, p.friction, last)
+        v1, w1 = call_user(abs(code), v, w, n, a, p.kappa, e, mu, last)
     else:
         v1, w1, _j, _jf, _required, regime = first_impact(
             v,
@@ -84,8 +110,8 @@ def table_rebound(code: int, form: int, stage: int, x: Vec, a: float, p: Any) ->
             a,
             p.kappa,
             e,
-            p.friction,
-            p.tangential_restitution,
+            mu,
+            last,
             p.floor_restitution,
             p.floor_friction,
             zero,

@@ -5,6 +5,7 @@ from __future__ import annotations
 import functools
 import math
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,8 +16,8 @@ from carom.fitting.kernels import TABULATED
 from carom.fitting.laws import FittedLaw
 from carom.fitting.likelihood import LikelihoodModel, TabulatedLaw, evaluate, predictions
 from carom.fitting.optimizer import Minimum, minimize
-from carom.fitting.parameters import INDEX, NUMBERS, PARAMETERS, Parameter
-from carom.fitting.setting import Setting, decided, form_of
+from carom.fitting.parameters import ALONG, INDEX, NUMBERS, PARAMETERS, PLACES, Parameter
+from carom.fitting.setting import Setting, code_of, decided, forms_of
 
 __all__ = ["SETTING_NUMBERS", "STEPS", "FitModel", "feels_spins", "model_of", "predict_law"]
 
@@ -62,6 +63,21 @@ class FitModel:
     def without_shared(self) -> FitModel:
         """Return the model with shared errors held fixed."""
         return replace(self, free=self.free[self.free < NUMBERS])
+
+    def steady(self) -> FitModel:
+        """Return the model of constants for the same rows."""
+        constant: dict[str, Any] = dict.fromkeys(("restitution", *ALONG), "constant")
+        setting = replace(self.problem.setting, **constant)
+        return model_of(self.law, replace(self.problem, setting=setting))
+
+    def like(self, p: Array) -> Array:
+        """Return numbers (1, K) with which the forms are nearly the constants of p (K,)."""
+        out, v_n = p.copy(), float(np.median(self.problem.x[:, 0]))
+        for name, form in forms_of(self.law, self.problem.setting).items():
+            places = list(PLACES[name])
+            out[places] = form.like(float(p[places[0]]), v_n)
+        out[self.free] = np.clip(out[self.free], self.low[self.free], self.high[self.free])
+        return out[None]
 
     def likelihood(self, derivatives: bool = True) -> LikelihoodModel:
         """Return rows and law for the compiled loops; unmeasured spins are omitted if the law does not depend on them."""
@@ -135,9 +151,11 @@ def _matters(name: str, law: FittedLaw) -> bool:
 
 def model_of(law: FittedLaw, problem: Problem) -> FitModel:
     """Return the law with its free parameters, prepared for the compiled loops."""
-    setting, form, floor = problem.setting, form_of(law, problem.setting), INDEX["floor_friction"]
-    first = form.parameters if "restitution" in law.free else ()
-    known = [_given(one, setting) for one in (*first, *PARAMETERS[len(first) :])]  # (in the places of the record)
+    setting, forms, floor = problem.setting, forms_of(law, problem.setting), INDEX["floor_friction"]
+    at = dict(enumerate(PARAMETERS))  # by the place in the record
+    for name, form in forms.items():
+        at.update(zip(PLACES[name], form.parameters))  # noqa: B905 (a form has one to three)
+    known = [_given(one, setting) for one in at.values()]
     also = [name for name in setting.fit if name in INDEX and _matters(name, law)]
     if feels_spins(law, problem):
         also += ["spin_mean"] if setting.spin_mean is None and setting.spin_prior == "normal" else []
@@ -157,13 +175,13 @@ def model_of(law: FittedLaw, problem: Problem) -> FitModel:
         low[NUMBERS:][moved] = np.maximum(-MAX_SHARED, 0.01 - start[floor] / moves[moved, floor])
     fitted = np.array([*(places[name] for name in free), *range(NUMBERS, len(start))], dtype=np.int64)
     return FitModel(
-        law, problem, form.code, free, {name: places[name] for name in free}, start, fitted, low, high, moves
+        law, problem, code_of(forms), free, {name: places[name] for name in free}, start, fitted, low, high, moves
     )
 
 
 def _given(one: Parameter, setting: Setting) -> Parameter:
     """Return a parameter of the ball or the table, or of the spins before the wall, with the setting's value, if it has one."""
-    value = getattr(setting, one.name, None) if one.name in (*SETTING_NUMBERS, "spin_width", "spin_mean") else None
+    value = getattr(setting, one.name) if one.name in (*SETTING_NUMBERS, "spin_width", "spin_mean") else None
     return one if value is None else replace(one, value=value, origin="setting")
 
 

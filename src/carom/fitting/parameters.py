@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-__all__ = ["FORMS", "INDEX", "LAW_NUMBERS", "LINE", "NUMBERS", "PARAMETERS", "RENAMED", "Form", "Parameter"]
+__all__ = [
+    "ALONG", "ALONG_FORMS", "FORMS", "INDEX", "LAW_NUMBERS", "LINE", "NUMBERS", "PARAMETERS", "PLACES", "RENAMED",
+    "RESTITUTION_FORMS", "Form", "Parameter",
+]  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -50,11 +55,22 @@ PARAMETERS = (
     Parameter("spin_width", 1e-3, 3.0, (0.2, 0.6), 1.25, "v/a", "standard deviation of the unmeasured spins"),
     Parameter("roll", 0.0, 1.0, (0.5,), 1.0, meaning="fraction of rolling before the wall"),
     Parameter("spin_mean", -2.0, 2.0, (0.0, 0.5), 0.0, "v_t/a", "mean of the unmeasured spins: 1 is no slip"),
+    Parameter("friction_1", -5.0, 5.0, (0.0,), 0.0, meaning="second number of the friction's form"),
+    Parameter("friction_2", 0.0, 100.0, (1.0,), 1.0, meaning="third number of the friction's form"),
+    Parameter("last_1", -5.0, 5.0, (0.0,), 0.0, meaning="second number of the form of tangential restitution or stiffness ratio"),
+    Parameter("last_2", 0.0, 100.0, (1.0,), 1.0, meaning="third number of that form"),
 )  # fmt: skip
 INDEX = {parameter.name: i for i, parameter in enumerate(PARAMETERS)}
 NUMBERS = len(PARAMETERS)
 # All parameters of a law as one record: the same memory as an array of NUMBERS floats in the order of PARAMETERS.
 LAW_NUMBERS = np.dtype([(parameter.name, "f8") for parameter in PARAMETERS])
+
+# The places in the record of the numbers of a form: the parameter's own, then two more
+PLACES = {
+    name: (INDEX[name], INDEX[f"{more}_1"], INDEX[f"{more}_2"])
+    for name, more in (("restitution", "restitution"), ("friction", "friction"), ("tangential_restitution", "last"),
+                       ("stiffness_ratio", "last"))
+}  # fmt: skip
 
 # In addition to the forms of carom.core.motion.restitution: v_out = slope v + offset, a straight line through measured speeds.
 LINE = 5
@@ -70,16 +86,34 @@ class Form:
     code: int
     parameters: tuple[Parameter, ...]
     formula: str
+    shape: str = ""
+    """Of a form along the wall: linear or exponential,"""
+    variable: str = ""
+    """in one of VARIABLES."""
+
+    def like(self, constant: float, speed: float) -> tuple[float, float, float]:
+        """Return the three numbers with which the form has about this value at a speed, and near it."""
+        if any(one.name.endswith("_at_speed") for one in self.parameters):
+            return constant, constant, 1.0
+        if [one.name for one in self.parameters] == ["restitution_c"]:  # 1/e = 1 + c + 2/5 c^2
+            return (math.sqrt(1 + 1.6 * (1 / max(constant, 0.05) - 1)) - 1) / 0.8 / speed**0.2, 0.0, 0.0
+        return constant, 0.0, 0.0
 
     def for_scene(self, name: str, values: Sequence[float]) -> float | dict[str, Any] | None:
         """Return the ``restitution`` of a wall in a scene, for the values of the parameters; None for a line, which scenes lack."""
         if name == "line":
             return None
-        if name == "constant":
-            return values[0]
-        if name == "polynomial":
+        return values[0] if name == "constant" else self.table(name, values)
+
+    def table(self, name: str, values: Sequence[float]) -> dict[str, Any]:
+        """Return the form with its fields, as a table of a scene has them."""
+        values = values[: len(self.parameters)]
+        if name in ("polynomial", "linear"):
             return {"form": name, "coefficients": list(values)}
-        fields = (one.name.removeprefix("restitution_") for one in self.parameters)
+        fields = (
+            re.sub("^(restitution|friction|tangential_restitution|stiffness_ratio)_", "", one.name)
+            for one in self.parameters
+        )
         return {"form": name, **dict(zip(fields, values, strict=True))}
 
 
@@ -119,6 +153,45 @@ FORMS = {
         "e = at_speed + (at_rest - at_speed) exp(-v_n / speed)",
     ),
 }  # fmt: skip
+
+# Of the impact, on which friction, tangential restitution and stiffness ratio may depend; each with its unit
+VARIABLES = {"v_n": "m/s", "slip": "m/s", "slip/v_n": "", "speed": "m/s"}
+SHAPES = ("constant", "linear", "exponential")
+_USUAL = {"friction": "slip", "tangential_restitution": "slip/v_n", "stiffness_ratio": "slip/v_n"}
+_TRIED = {
+    "friction": (0.06, 0.15, 0.3, 0.9),
+    "tangential_restitution": (-0.5, 0.0, 0.5),
+    "stiffness_ratio": (0.5, 0.82, 1.8),
+}
+RESTITUTION_FORMS, ALONG_FORMS = 8, 4 * len(VARIABLES)  # numbers of codes of the forms, of each parameter
+
+
+def _forms_along(parameter: str) -> dict[str, Form]:
+    """Return the forms of friction, tangential restitution or stiffness ratio by their names: "linear:slip", shape and variable.
+
+    The variable may be omitted: slip for the friction, slip/v_n for the others.
+    """
+    one = PARAMETERS[INDEX[parameter]]
+    tried, size, found = (
+        _TRIED[parameter],
+        2.0 if parameter == "friction" else 5.0,
+        {"constant": Form(0, (one,), parameter)},
+    )
+    for v, variable in enumerate(VARIABLES):
+        first = Parameter(f"{parameter}_0", one.low, one.high, tried, tried[0])
+        slope = Parameter(f"{parameter}_1", -size, size, (-0.05, 0.0, 0.05), 0.0, "s/m" if VARIABLES[variable] else "")
+        formula = f"{parameter}_0 + {parameter}_1 {variable}, within its bounds"
+        linear = Form(4 * v + 1, (first, slope), formula, "linear", variable)
+        ends = (Parameter(f"{parameter}_{end}", one.low, one.high, tried, tried[0]) for end in ("at_rest", "at_speed"))
+        reach = Parameter(f"{parameter}_speed", 0.01, 100.0, (1.0,), 1.0, VARIABLES[variable])
+        formula = f"at_speed + (at_rest - at_speed) exp(-{variable} / {parameter}_speed)"
+        exponential = Form(4 * v + 2, (*ends, reach), formula, "exponential", variable)
+        found |= {f"linear:{variable}": linear, f"exponential:{variable}": exponential}
+    return found | {shape: found[f"{shape}:{_USUAL[parameter]}"] for shape in SHAPES[1:]}
+
+
+ALONG = {parameter: _forms_along(parameter) for parameter in _USUAL}
+"""Forms of the parameters along the wall, by parameter and name."""
 # Names of the release before, of which settings still take those of parameters held fixed or bounded.
 RENAMED = {
     "restitution_slow": "restitution_at_rest", "restitution_fast": "restitution_at_speed", "dissipation": "restitution_c",

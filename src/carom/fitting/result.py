@@ -13,7 +13,8 @@ from carom.fitting.data import Problem
 from carom.fitting.laws import FittedLaw
 from carom.fitting.likelihood import TabulatedLaw
 from carom.fitting.model import STEPS, FitModel, model_of, predict_law
-from carom.fitting.parameters import FORMS, INDEX, NUMBERS, RENAMED
+from carom.fitting.parameters import FORMS, INDEX, NUMBERS, PLACES, RENAMED
+from carom.fitting.setting import forms_of
 from carom.formatting import json_value
 from carom.public.renamed import with_old_keys
 
@@ -132,6 +133,15 @@ class Fit:
         values = self.numbers[[INDEX[one] for one in ("restitution", "restitution_1", "restitution_2")]]
         return form.for_scene(name, values[: len(form.parameters)].tolist())
 
+    @property
+    def forms(self) -> dict[str, dict[str, Any]]:
+        """Forms of the parameters along the wall that depend on the impact: by parameter, shape and variable with the numbers."""
+        return {
+            name: {"variable": form.variable, **form.table(form.shape, self.numbers[list(PLACES[name])].tolist())}
+            for name, form in forms_of(self.law, self.problem.setting).items()
+            if name != "restitution" and form.code
+        }
+
     def predicted(self) -> Array:
         """Return the prediction (N, 3) for each row; rows without spin at the mean of its prior."""
         return predict_law(self.law, self.problem, self.numbers)
@@ -141,6 +151,7 @@ class Fit:
         return common_dict(self) | {
             "bic": json_value(self.bic),
             "restitution": self.restitution,
+            "forms": self.forms,
             "scatter": self.scatter,
             "contact_scatter": None if self.contact_scatter is None else estimate_dict(self.contact_scatter),
             "shared_errors": dict(

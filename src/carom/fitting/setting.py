@@ -9,17 +9,19 @@ from typing import Any
 
 from carom.errors import FaultList, float_or_nan, require_type
 from carom.fitting.laws import FittedLaw
-from carom.fitting.parameters import FORMS, PARAMETERS, RENAMED, Form, Parameter
+from carom.fitting.parameters import ALONG, ALONG_FORMS, FORMS, PARAMETERS, RENAMED, RESTITUTION_FORMS, Form, Parameter
 from carom.public.renamed import with_new_names
 from carom.tracks.contact import BALL_RADIUS, MAX_RADIUS_M
 
-__all__ = ["FORM_PARAMETERS", "Setting", "decided", "form_of", "require_settings"]
+__all__ = ["FORM_PARAMETERS", "Setting", "code_of", "decided", "forms_of", "require_settings"]
 
 SCATTERS = ("share", "absolute")
 PRIORS = ("uniform", "normal")
 MAX_SPIN = 5.0  # mean or width of spins before the wall, in v/a
 SPHERE = 2 / 3 * (1 + 1e-12)  # largest kappa of a ball that is simulated: a hollow one's
-FORM_PARAMETERS = tuple({one.name: one for form in FORMS.values() for one in form.parameters}.values())
+FORM_PARAMETERS = tuple(
+    {one.name: one for forms in (FORMS, *ALONG.values()) for form in forms.values() for one in form.parameters}.values()
+)
 EXTRA = (
     ("kappa", "contact_height", "floor_friction", "roll"),
     ("spin_loss",),
@@ -46,6 +48,12 @@ class Setting:
     """I / (m a^2)"""
     restitution: str = "constant"
     """One of :data:`carom.fitting.parameters.FORMS`; whole tracks: any but line, which no scene has."""
+    friction: str = "constant"
+    """Rebounds: constant, linear or exponential in the slip; ``linear:v_n`` in another variable: v_n, slip, slip/v_n, speed."""
+    tangential_restitution: str = "constant"
+    """Rebounds: the same, in slip/v_n by default."""
+    stiffness_ratio: str = "constant"
+    """Rebounds: the same, for laws with tangential compliance."""
     contact_height: float | None = None
     """Height of the wall contact above the floor, in radii (billiard cushions: 1.2 to 1.4); for balls on a table. None: taken as 1,
     and a note says so."""
@@ -122,9 +130,11 @@ def require_settings(setting: Setting, *, whole: bool = False) -> None:
         value = getattr(setting, name)
         omitted = value is None and Setting.__dataclass_fields__[name].default is None
         require(omitted or holds(float_or_nan(value)), "inertia" if name == "kappa" else name, expected, value)
-    for name, known in (("restitution", forms), ("spin_prior", PRIORS), ("scatter", SCATTERS)):
+    along = ((name, ("constant",) if whole else tuple(known)) for name, known in ALONG.items())
+    for name, known in (("restitution", forms), *along, ("spin_prior", PRIORS), ("scatter", SCATTERS)):
         value = getattr(setting, name)
-        words = f"one of {', '.join(known)}{where}" if name == "restitution" else " or ".join(known)
+        of_form = name == "restitution" or name in ALONG
+        words = f"one of {', '.join(known)}{where}" if of_form else " or ".join(known)
         require(value in known or (name == "scatter" and value == ""), name, words, value)
     if setting.spin_prior == "uniform" and setting.spin_width is None:
         faults.add("spin_width", "a width in v/a for a uniform prior", "none", "a normal one's can be fitted")
@@ -146,9 +156,19 @@ def require_settings(setting: Setting, *, whole: bool = False) -> None:
     faults.raise_if_any()
 
 
-def form_of(law: FittedLaw, setting: Setting) -> Form:
-    """Return the form of the restitution: the setting's, if the law fits a restitution; else a constant."""
-    return FORMS[setting.restitution if "restitution" in law.free else "constant"]
+def forms_of(law: FittedLaw, setting: Setting) -> dict[str, Form]:
+    """Return the form of each parameter that the law fits and that may depend on the impact."""
+    found = {"restitution": FORMS[setting.restitution]} | {
+        name: known[getattr(setting, name)] for name, known in ALONG.items()
+    }
+    return {name: form for name, form in found.items() if name in law.free}
+
+
+def code_of(forms: Mapping[str, Form]) -> int:
+    """Return the forms as one number, as the kernels of a rebound take it."""
+    code = {name: form.code for name, form in forms.items()}
+    last = code.get("tangential_restitution", 0) or code.get("stiffness_ratio", 0)
+    return code.get("restitution", 0) + RESTITUTION_FORMS * (code.get("friction", 0) + ALONG_FORMS * last)
 
 
 def decided(
@@ -156,12 +176,14 @@ def decided(
 ) -> dict[str, Parameter]:
     """Return parameters by name, the free ones first, each with its bounds, its value, and who decided.
 
-    ``known``: all parameters, those of the restitution's form among them. The law's own and those named in ``also`` are free,
+    ``known``: all parameters, those of the forms among them. The law's own and those named in ``also`` are free,
     unless the law pins them or the setting fixes them. (A value that the setting fixes counts only for a parameter that would be
     free, or that belongs to the ball or the table.)
     """
-    form = form_of(law, setting).parameters if "restitution" in law.free else ()
-    own = [*(one.name for one in form), *(name for name in law.free if name != "restitution")]
+    forms = forms_of(law, setting)
+    own = [one.name for form in forms.values() for one in form.parameters] + [
+        name for name in law.free if name not in forms
+    ]
     at, found = {one.name: one for one in known}, {}
     for name in dict.fromkeys([*own, *also, *at]):
         one, wanted = at[name], name in own or name in also

@@ -13,7 +13,7 @@ import numpy as np
 from carom.errors import CaromError
 from carom.fitting.laws import FittedLaw, track_laws_named
 from carom.fitting.parameters import FORMS, PARAMETERS, Parameter
-from carom.fitting.setting import Setting, decided, form_of, require_settings
+from carom.fitting.setting import Setting, decided, forms_of, require_settings
 from carom.fitting.tracks.arrays import AffineArrays, Table
 from carom.fitting.usable_rows import assumed_height
 from carom.laws.law import LIKE_SOLIDS
@@ -152,7 +152,7 @@ def track_models(
 
 
 def _model(law: FittedLaw, setting: Setting, walls: Sequence[WallLine], start: Mapping[str, float]) -> TrackModel:
-    form = form_of(law, setting).parameters
+    form = forms_of(law, setting).get("restitution", FORMS["constant"]).parameters
     known = [*form, *(_NAMED[name] for name in ON_WALL), *FLOOR]
     if setting.floor_friction is not None:
         known[-len(FLOOR)] = replace(FLOOR[0], value=setting.floor_friction, origin="setting")
