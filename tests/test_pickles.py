@@ -112,6 +112,7 @@ def sinai_of_radius(radius: float) -> dict[str, Any]:
 
 
 EXAMPLES: dict[str, Callable[[], list[Any]]] = {
+    "rolling": lambda: [run := billiards.putt(1.2, 0.03), run.at([0.0, 0.1]), billiards.putts([1.0, 2.0], [0.0, 0.03])],
     "periodic orbits": lambda: [
         found := billiards.periodic_orbits(billiards.circle(), 2, law="mirror", starts=20),
         found[0],

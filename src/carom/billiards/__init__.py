@@ -8,7 +8,8 @@
 - Tables: `circle`, `ellipse`, `stadium`, `polygon`, `strip`, `wedge`, `sinai`, `torus`, `sphere`, `box`, `cylinder` and others.
 - Orbits: `orbit`, `final`, `reverse`; initial states from the invariant measure: `starts`.
 - Analysis: `period`, `caustics`, `section`, `drift`, `escape`, `uniformity`.
-- Stability: `tangent_map`, `lyapunov`.
+- Stability: `tangent_map`, `lyapunov`; periodic orbits: `periodic_orbits`, `continue_orbit`.
+- Rolling on surfaces: `roll`, `surfaces`, `putt`.
 """
 
 from carom.public.names import attach_public as _attach_public

@@ -1,3 +1,4 @@
+from . import surfaces as surfaces
 from .analysis import Caustics as Caustics
 from .analysis import Drift as Drift
 from .analysis import Section as Section
@@ -10,6 +11,10 @@ from .analysis import uniformity as uniformity
 from .continuation import BranchPoint as BranchPoint
 from .continuation import OrbitBranch as OrbitBranch
 from .continuation import continue_orbit as continue_orbit
+from .golf import OUTCOMES as OUTCOMES
+from .golf import Putts as Putts
+from .golf import putt as putt
+from .golf import putts as putts
 from .open_tables import Escape as Escape
 from .open_tables import escape as escape
 from .orbit_by_name import OrbitResult as OrbitResult
@@ -24,6 +29,10 @@ from .periodic import refine_orbit as refine_orbit
 from .periodic_tables import periodic_strip as periodic_strip
 from .periodic_tables import sinai as sinai
 from .periodic_tables import torus as torus
+from .rolling_run import RollingEvent as RollingEvent
+from .rolling_run import RollingRun as RollingRun
+from .rolling_run import RollingStates as RollingStates
+from .rolling_run import roll as roll
 from .sampling import starts as starts
 from .setup import LAWS as LAWS
 from .setup import Start as Start
@@ -35,6 +44,7 @@ from .stability import Lyapunov as Lyapunov
 from .stability import TangentMap as TangentMap
 from .stability import lyapunov as lyapunov
 from .stability import tangent_map as tangent_map
+from .surfaces import RollingSurface as RollingSurface
 from .table_records import ENDS as ENDS
 from .tables import Table as Table
 from .tables import circle as circle

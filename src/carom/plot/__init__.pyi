@@ -15,6 +15,8 @@ from .periodic_orbits import plot_branch as plot_branch
 from .periodic_orbits import plot_periodic as plot_periodic
 from .portrait import plot_boundary as plot_boundary
 from .portrait import plot_portrait as plot_portrait
+from .rolling import plot_putts as plot_putts
+from .rolling import plot_roll as plot_roll
 from .style import require_matplotlib as require_matplotlib
 from .style import require_writable as require_writable
 from .style import save as save

@@ -1,0 +1,330 @@
+"""Surfaces on which a ball rolls: pipe, bowl, dome, torus, ellipsoid, plate, hole; each known by distance, normal and curvature.
+
+A surface is one smooth piece or several that join with a common normal. A piece of your own is a class with three methods:
+
+    distance(x)        from the surface to the place x of the ball's centre, positive on the ball's side
+    normal(x)          the gradient of the distance: from the contact point to the centre
+    turn(x, n, v)      the rate of change of the normal while the centre moves with v: the Hessian of the distance times v
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import partial
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from carom.billiards.checks import positive_number
+from carom.errors import CaromError, Fault, FaultList
+
+__all__ = [
+    "RollingSurface",
+    "SmoothPiece",
+    "bowl",
+    "dome",
+    "ellipsoid",
+    "hole",
+    "pipe",
+    "plane",
+    "plate",
+    "sheets",
+    "torus",
+]
+
+Array = NDArray[np.float64]
+NEWTON, CLOSE = 60, 4e-16
+
+
+class SmoothPiece(Protocol):
+    """A smooth piece of a surface, in space of any number of dimensions; places are places of the ball's centre."""
+
+    def distance(self, x: Array) -> float:
+        """From the surface to the centre's place x, positive on the ball's side."""
+
+    def normal(self, x: Array) -> Array:
+        """Return the gradient of the distance."""
+
+    def turn(self, x: Array, n: Array, v: Array) -> Array:
+        """Return the rate of change of the normal n while the centre moves with v."""
+
+
+@dataclass(frozen=True)
+class FlatPiece:
+    """A plane at ``offset`` from the origin, against its direction for a negative one."""
+
+    direction: Array
+    offset: float = 0.0
+
+    def distance(self, x: Array) -> float:
+        return float(self.direction @ x) - self.offset
+
+    def normal(self, x: Array) -> Array:
+        return self.direction
+
+    def turn(self, x: Array, n: Array, v: Array) -> Array:
+        return np.zeros(x.size)
+
+
+@dataclass(frozen=True)
+class RoundPiece:
+    """Places at a distance from a point or a line, a plane in more dimensions: sphere, cylinder. ``across`` is 0 along its axes."""
+
+    radius: float
+    across: Array
+    side: float
+    """1 for a ball outside, -1 for a ball inside."""
+
+    def distance(self, x: Array) -> float:
+        return self.side * (_length(self.across * x) - self.radius)
+
+    def normal(self, x: Array) -> Array:
+        away = self.across * x
+        return (self.side / _length(away)) * away
+
+    def turn(self, x: Array, n: Array, v: Array) -> Array:
+        across = self.across * v
+        return (self.side / _length(self.across * x)) * (across - n * (n @ across))
+
+
+@dataclass(frozen=True)
+class RingPiece:
+    """Places at a distance ``tube`` from a circle about the last axis; tube 0 is a circular edge."""
+
+    ring: float
+    tube: float
+    side: float
+
+    def distance(self, x: Array) -> float:
+        return self.side * (_length(self._from_circle(x)[0]) - self.tube)
+
+    def normal(self, x: Array) -> Array:
+        away = self._from_circle(x)[0]
+        return (self.side / _length(away)) * away
+
+    def turn(self, x: Array, n: Array, v: Array) -> Array:
+        away, outwards, far = self._from_circle(x)
+        level = v.copy()
+        level[-1] = 0.0
+        rate = v - (self.ring / far) * (level - outwards * (outwards @ level))
+        return (self.side / _length(away)) * (rate - n * (n @ rate))
+
+    def _from_circle(self, x: Array) -> tuple[Array, Array, float]:
+        """From the nearest point of the circle to x, the direction away from the axis, and the distance from it."""
+        outwards = x.copy()
+        outwards[-1] = 0.0
+        far = _length(outwards)
+        outwards /= far
+        return x - self.ring * outwards, outwards, far
+
+
+@dataclass(frozen=True)
+class EllipsoidPiece:
+    """An ellipsoid about the origin; an infinite half axis makes a cylinder with an elliptical section."""
+
+    half_axes: Array
+    side: float
+
+    def distance(self, x: Array) -> float:
+        foot, n = self._foot(x)
+        return float((x - foot) @ n)
+
+    def normal(self, x: Array) -> Array:
+        return self._foot(x)[1]
+
+    def turn(self, x: Array, n: Array, v: Array) -> Array:
+        # y is the foot, x = y + d n, and dn/dy = W = side P (1/a^2) P / |y/a^2|, so that dn/dt = W (1 + d W)^-1 v.
+        foot, _ = self._foot(x)
+        project = np.eye(x.size) - np.outer(n, n)
+        shape = self.side * project @ np.diag(self.half_axes**-2) @ project / _length(foot / self.half_axes**2)
+        return shape @ np.linalg.solve(np.eye(x.size) + float((x - foot) @ n) * shape, v)
+
+    def _foot(self, x: Array) -> tuple[Array, Array]:
+        """The nearest point of the surface by Newton's method in its multiplier t, foot = x a^2/(a^2 + t), and the normal there."""
+        squares = self.half_axes**2
+        finite = np.isfinite(squares)
+        a, p = squares[finite], x[finite]
+        t = float(
+            np.max(np.sqrt(a) * np.abs(p) - a)
+        )  # there one term of the sum is 1: Newton's method goes up to the root
+        for _ in range(NEWTON):
+            scaled = a * p * p / (a + t) ** 2
+            step = (float(scaled.sum()) - 1.0) / (2.0 * float((scaled / (a + t)).sum()))
+            t += step
+            if abs(step) <= CLOSE * (abs(t) + float(a.min())):
+                break
+        foot = x.copy()
+        foot[finite] = p * a / (a + t)
+        gradient = np.zeros(x.size)
+        gradient[finite] = foot[finite] / a
+        return foot, (self.side / _length(gradient)) * gradient
+
+
+def _length(x: Array) -> float:
+    return math.sqrt(float(x @ x))
+
+
+def _only(_: Array) -> int:
+    return 0
+
+
+@dataclass(frozen=True)
+class RollingSurface:
+    """A surface on which a ball rolls: smooth pieces, the borders at which one joins another, and places that end a run."""
+
+    name: str
+    pieces: tuple[SmoothPiece, ...]
+    borders: tuple[tuple[tuple[Callable[[Array], float], int], ...], ...] = ()
+    """For each piece: functions of the centre's place that are positive on it, and the piece that follows where one is zero."""
+    at: Callable[[Array], int] = _only
+    """The piece that is nearest to a place."""
+    ends: tuple[tuple[str, Callable[[Array], float]], ...] = ()
+    """Names with functions of the centre's place: where one becomes negative, the run ends."""
+    dimension: int = 3
+
+    def distance(self, x: ArrayLike) -> float:
+        """Distance (m) from the surface to a place, positive on the side of the ball."""
+        place = np.asarray(x, dtype=float)
+        return self.pieces[self.at(place)].distance(place)
+
+    def normal(self, x: ArrayLike) -> Array:
+        """Direction from the surface to a place."""
+        place = np.asarray(x, dtype=float)
+        return self.pieces[self.at(place)].normal(place)
+
+
+def plane(dimension: int = 3) -> RollingSurface:
+    """Make the plane z = 0, with the ball above it."""
+    return RollingSurface("plane", (FlatPiece(_last(dimension)),), dimension=dimension)
+
+
+def pipe(radius: float, inside: bool = True, dimension: int = 3) -> RollingSurface:
+    """Make a circular cylinder about the last axis, in space of 3 or more dimensions."""
+    (size,) = _sizes("pipe", radius=radius)
+    across = 1.0 - _last(dimension)
+    return RollingSurface("pipe", (RoundPiece(size, across, -1.0 if inside else 1.0),), dimension=dimension)
+
+
+def bowl(radius: float, dimension: int = 3) -> RollingSurface:
+    """Make a sphere about the origin with the ball inside."""
+    (size,) = _sizes("bowl", radius=radius)
+    return RollingSurface("bowl", (RoundPiece(size, np.ones(dimension), -1.0),), dimension=dimension)
+
+
+def dome(radius: float, dimension: int = 3) -> RollingSurface:
+    """Make a sphere about the origin with the ball outside."""
+    (size,) = _sizes("dome", radius=radius)
+    return RollingSurface("dome", (RoundPiece(size, np.ones(dimension), 1.0),), dimension=dimension)
+
+
+def torus(ring: float, tube: float, inside: bool = False) -> RollingSurface:
+    """Make a torus about the z axis: a tube about a circle of radius ``ring``; the ball outside it, or inside."""
+    around, size = _sizes("torus", ring=ring, tube=tube)
+    if size >= around:
+        raise CaromError(Fault("torus", "tube", f"a radius below that of the ring, {around:g} m", f"{size:g}"))
+    return RollingSurface("torus", (RingPiece(around, size, -1.0 if inside else 1.0),))
+
+
+def ellipsoid(half_axes: Sequence[float], inside: bool = True) -> RollingSurface:
+    """Make an ellipsoid about the origin; ``math.inf`` as a half axis makes a cylinder with an elliptical section."""
+    finite = {f"half_axes[{i}]": one for i, one in enumerate(half_axes) if one != math.inf}
+    _sizes("ellipsoid", **finite)
+    axes = np.array(half_axes, dtype=float)
+    return RollingSurface("ellipsoid", (EllipsoidPiece(axes, -1.0 if inside else 1.0),), dimension=axes.size)
+
+
+def plate(radius: float) -> RollingSurface:
+    """Make a thin round plate in z = 0: the ball rolls on one face, around the sharp edge, and on the other face.
+
+    As the ball's radius goes to 0, rolling around the edge becomes the bounce of a no-slip billiard (Cox, Feres & Zhao, *Rolling
+    systems and their billiard limits*, arXiv 2009.05890). Without gravity only a ball that is held stays on the edge.
+    """
+    (size,) = _sizes("plate", radius=radius)
+    return _two_faces("plate", size, 0.0, 1.0)
+
+
+def sheets(radius: float, gap: float, ball: float) -> RollingSurface:
+    """Make two round sheets that join in a rounded edge, with the ball between them: a gap wider than the ball by ``2 gap``.
+
+    As the gap goes to 0, rolling around the edge becomes the bounce of a no-slip billiard (Borisov, Kilin & Mamaev, Regul. Chaotic
+    Dyn. 16, 653 (2011)). ``ball`` is the ball's radius.
+    """
+    size, free, small = _sizes("sheets", radius=radius, gap=gap, ball=ball)
+    return _two_faces("sheets", size, free + small, -1.0)
+
+
+def _two_faces(name: str, ring: float, tube: float, side: float) -> RollingSurface:
+    """Two faces at the distance ``tube`` from a disc, joined around its edge; ``side`` is 1 for a ball outside."""
+
+    up, edge = side * _last(3), RingPiece(ring, tube, side)
+    pieces = (
+        FlatPiece(up, side * tube),
+        FlatPiece(-up, side * tube),
+        edge,
+        edge,
+    )  # (the edge's upper and its lower half)
+    before, beyond = partial(_inside, ring), partial(_outside, ring)
+    borders = (((before, 2),), ((before, 3),), ((beyond, 0), (_above, 3)), ((beyond, 1), (_below, 2)))
+    return RollingSurface(name, pieces, borders, partial(_face, ring))
+
+
+def _face(ring: float, x: Array) -> int:
+    return int(x[-1] < 0) + 2 * int(_outside(ring, x) > 0)
+
+
+def hole(radius: float = 0.054, depth: float = 0.1, ball: float = 0.02135) -> RollingSurface:
+    """Make a hole in a green, by default golf's: a plane, a sharp circular rim, the cylinder below it.
+
+    A run ends with "bottom" when the ball touches the bottom, and with "away" when its centre is two radii from the axis.
+    """
+    size, bottom, small = _sizes("hole", radius=radius, depth=depth, ball=ball)
+    if small >= size:
+        raise CaromError(Fault("hole", "ball", f"a radius below that of the hole, {size:g} m", f"{small:g}"))
+
+    green, rim, wall = FlatPiece(_last(3)), RingPiece(size, 0.0, 1.0), RoundPiece(size, 1.0 - _last(3), -1.0)
+    outside, inside = partial(_outside, size), partial(_inside, size)
+    borders = (((outside, 1),), ((inside, 0), (_above, 2)), ((_below, 1),))
+    ends = (("bottom", partial(_above, low=small - bottom)), ("away", partial(_inside, 2.0 * size)))
+    return RollingSurface("hole", (green, rim, wall), borders, partial(_part_of_hole, size), ends)
+
+
+def _part_of_hole(size: float, x: Array) -> int:
+    return 0 if _outside(size, x) >= 0 else 1 if x[-1] >= 0 else 2
+
+
+# Functions of a place that are positive on one side of a border.
+def _outside(radius: float, x: Array) -> float:
+    return _from_axis(x) - radius
+
+
+def _inside(radius: float, x: Array) -> float:
+    return radius - _from_axis(x)
+
+
+def _above(x: Array, low: float = 0.0) -> float:
+    return float(x[-1]) - low
+
+
+def _below(x: Array) -> float:
+    return -float(x[-1])
+
+
+def _from_axis(x: Array) -> float:
+    return _length(x[:-1])
+
+
+def _last(dimension: int) -> Array:
+    if dimension < 2:
+        raise CaromError(Fault("", "dimension", "an integer of 2 or more", repr(dimension)))
+    return np.array(np.eye(dimension)[-1])
+
+
+def _sizes(where: str, **sizes: float) -> list[float]:
+    """Return lengths in m, each more than 0; CaromError with all faults."""
+    faults = FaultList(where)
+    found = [positive_number(faults, name, value) for name, value in sizes.items()]
+    faults.raise_if_any()
+    return found
