@@ -23,7 +23,7 @@ from carom.laws.wall_and_floor.solver import STALL
 
 __all__ = [
     "AFTER_WALL", "CONTACT", "CONVENTIONAL", "DENSE", "PLANES", "ROLLING", "SMOOTH", "TABLE_HEAD", "TABULATED", "TOGETHER",
-    "TURN", "planar_law", "planar_rebound", "table_law", "table_rebound",
+    "TURN", "of_impact", "planar_law", "planar_rebound", "speed_restitution", "table_law", "table_rebound",
 ]  # fmt: skip
 
 # Contact models that are compiled in. SMOOTH: wall and floor without friction; TURN: the wall and then the floor; TOGETHER: both
@@ -45,7 +45,7 @@ def speed_restitution(form: int, p: Vec, speed: float) -> float:
 
 
 @kernel
-def _of_impact(code: int, p: Vec, v: Vec, w: Vec, n: Vec, a: float) -> float:
+def of_impact(code: int, p: Vec, v: Vec, w: Vec, n: Vec, a: float) -> float:
     """Return a parameter along the wall: constant, or by its form (:data:`carom.fitting.parameters.ALONG`)."""
     if code == 0:
         return p[0]
@@ -64,8 +64,8 @@ def _along_wall(code: int, form: int, p: Any, v: Vec, w: Vec, n: Vec, a: float) 
     along = form // RESTITUTION_FORMS
     if along > 0:
         zero = 0 * a
-        mu = max(_of_impact(along % ALONG_FORMS, (mu, p.friction_1, p.friction_2), v, w, n, a), zero)
-        last = _of_impact(along // ALONG_FORMS, (last, p.last_1, p.last_2), v, w, n, a)
+        mu = max(of_impact(along % ALONG_FORMS, (mu, p.friction_1, p.friction_2), v, w, n, a), zero)
+        last = of_impact(along // ALONG_FORMS, (last, p.last_1, p.last_2), v, w, n, a)
         last = max(last, zero) if stiff else min(max(last, zero - 1), zero + 1)
     return mu, last
 

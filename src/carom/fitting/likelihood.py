@@ -287,13 +287,13 @@ def evaluate(model: LikelihoodModel, p: Array, weights: Array | None = None) -> 
 
 
 def predictions(kind: Kind, rows: RowData, x: Array, p: Array) -> Array:
-    """Return the law's predictions (N, 3) for x (N, 3) with numbers p (K,); on all cores where there are many."""
+    """Return the law's predictions (N, 3) for x (N, 3) with numbers p (K,) or (N, K); on all cores where there are many."""
     out, x = np.empty((len(x), 3)), np.ascontiguousarray(x, float)
-    numbers = np.ascontiguousarray(p[None, :NUMBERS], float).view(LAW_NUMBERS)[:, 0]
+    numbers = np.ascontiguousarray(np.atleast_2d(p)[:, :NUMBERS], float).view(LAW_NUMBERS)[:, 0]
 
     def part(some: slice) -> None:
         own = rows._replace(stages=rows.stages[some], spins=None)
-        _predicting()(_law(kind), own, x[some], numbers, out[some])
+        _predicting()(_law(kind), own, x[some], numbers if len(numbers) == 1 else numbers[some], out[some])
 
     edges = np.linspace(0, len(x), 1 + (PARTS if len(x) > SERIAL_WORK else 1)).astype(int).tolist()
     call_in_threads(part, [slice(*pair) for pair in pairwise(edges)])

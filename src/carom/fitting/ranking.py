@@ -7,6 +7,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
+from carom.bodies import Surface
 from carom.data.rebounds import Rebounds
 from carom.data.where import Where
 from carom.errors import CaromError, noting, require_type
@@ -20,6 +21,7 @@ from carom.fitting.laws import laws_named
 from carom.fitting.model import SETTING_NUMBERS
 from carom.fitting.outliers import Outlier, outliers_of
 from carom.fitting.parameters import FORMS
+from carom.fitting.predictive import Prediction
 from carom.fitting.profile_likelihood import with_profiles
 from carom.fitting.result import Fit, with_error_bar
 from carom.fitting.setting import Setting, require_settings
@@ -29,6 +31,7 @@ from carom.formatting import json_value
 from carom.laws.registry import one_or_several
 from carom.public.progress import Progress, loop_callback
 from carom.public.renamed import renamed_arguments
+from carom.scene import Scene
 
 __all__ = ["Outlier", "Ranking", "fit_laws"]
 
@@ -87,6 +90,18 @@ class Ranking(RankedLaws[Fit]):
     def decisive(self) -> bool:
         """Whether the data decide for a law that fits, whatever the outliers, and not only for a small range of contacts."""
         return decisive(self.fits, self.odds) and not self.swayed and not self.coverage.narrow
+
+    def predict(self, before: Any) -> Prediction:
+        """Return what the best law predicts (:meth:`carom.fitting.Fit.predict`)."""
+        return self.best.predict(before)
+
+    def to_surface(self, before: Any = None) -> Surface:
+        """Return the best law's surface (:meth:`carom.fitting.Fit.to_surface`)."""
+        return self.best.to_surface(before)
+
+    def to_scene(self) -> Scene:
+        """Return a scene with the best law (:meth:`carom.fitting.Fit.to_scene`)."""
+        return self.best.to_scene()
 
     def with_shared_errors(self, shifted: Sequence[tuple[str, Rebounds]]) -> Ranking:
         """Return the ranking with standard errors from systematic errors; ``shifted``: name of each error, and the shifted rows."""

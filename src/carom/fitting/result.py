@@ -9,14 +9,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from carom.bodies import Surface
 from carom.fitting.data import Problem
 from carom.fitting.laws import FittedLaw
 from carom.fitting.likelihood import TabulatedLaw
 from carom.fitting.model import STEPS, FitModel, model_of, predict_law
 from carom.fitting.parameters import FORMS, INDEX, NUMBERS, PLACES, RENAMED
+from carom.fitting.predictive import Prediction, impacts, predictive_of
 from carom.fitting.setting import forms_of
+from carom.fitting.to_scene import law_of, scene_of, surface_of
 from carom.formatting import json_value
+from carom.laws.law import Law
 from carom.public.renamed import with_old_keys
+from carom.scene import Scene
 
 __all__ = [
     "Estimate", "Fit", "common_dict", "estimate_dict", "refit", "rows_of_fit", "scaled", "with_error_bar",
@@ -145,6 +150,41 @@ class Fit:
     def predicted(self) -> Array:
         """Return the prediction (N, 3) for each row; rows without spin at the mean of its prior."""
         return predict_law(self.law, self.problem, self.numbers)
+
+    def predict(self, before: Any) -> Prediction:
+        """Return mean and covariance of the states after the wall, from the parameters' covariance and the fitted scatter.
+
+        Parameters
+        ----------
+        before : State, mapping of columns, or array (N, 3)
+            Balls that meet a wall with normal (1, 0, 0); or v_n_in, v_t_in (m/s) and spin_in (rad/s), for a ball on a table
+            spin_z_in.
+
+        Returns
+        -------
+        Prediction
+            Of v_n, v_t and spin; measured states have their error bars besides, where the scatter was not estimated.
+        """
+        return predictive_of(self).at(impacts(self.problem, before))
+
+    def to_surface(self, before: Any = None) -> Surface:
+        """Return restitution, friction and tangential restitution as :func:`carom.impact` takes them.
+
+        ``before``: impacts, as for :meth:`predict`, at which parameters that depend on the impact are taken. Default: the rows.
+        """
+        return surface_of(self, np.nan_to_num(self.problem.x) if before is None else impacts(self.problem, before))
+
+    def to_law(self) -> Law:
+        """Return the law; with friction and its last number as functions of the impact, where these were fitted."""
+        return law_of(self)
+
+    def to_scene(self) -> Scene:
+        """Return a scene with the ball and the fitted wall, at the median impact: :func:`carom.save_scene` writes it as TOML.
+
+        Raises CaromError for a restitution that no scene has. Friction, tangential restitution and stiffness ratio that depend on
+        the impact are in the scene's law (:meth:`to_law`), which a file cannot hold.
+        """
+        return scene_of(self)
 
     def as_dict(self) -> dict[str, Any]:
         """Return the fit for JSON."""

@@ -1,0 +1,190 @@
+"""What a fitted law predicts: mean and covariance of the state after the wall, regions, and the score of rows held out.
+
+The covariance of a prediction is S + G C G': the scatter of rebounds (and their error bars), and the covariance C of the fitted
+numbers through the derivatives G. Where the scatter was estimated from few rows, S is enlarged by n/(n - k), and the prediction is
+Student's t with n - k degrees of freedom for each output.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from carom.bodies import State
+from carom.data.rebounds import COLUMNS, Rebounds
+from carom.errors import CaromError
+from carom.fitting.data import Problem
+from carom.fitting.varying import Noise, VaryingFit, VaryingModel, varying_model
+
+__all__ = ["Prediction", "Predictive", "held_out_score", "predictive_of"]
+
+Array = NDArray[np.float64]
+FOLDS = 5
+
+
+@dataclass(frozen=True, eq=False)
+class Prediction:
+    """Predicted states after the wall: v_n, v_t and spin (of a ball on a table about the vertical), in SI units.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> from carom.fitting import Prediction
+    >>> one = Prediction(np.array([[1.0, 2.0, 0.0]]), np.eye(3)[None] * 0.01)
+    >>> one.inside(np.array([[1.1, 2.0, np.nan]]), 0.68)
+    array([ True])
+    """
+
+    mean: Array
+    """(..., 3)"""
+    covariance: Array
+    """(..., 3, 3)"""
+    nu: float = 0.0
+    """Degrees of freedom of Student's t; 0: normal."""
+    errors: str = "normal"
+
+    @property
+    def stderr(self) -> Array:
+        """Standard errors (..., 3)."""
+        return np.asarray(np.sqrt(np.einsum("...ii->...i", self.covariance)))
+
+    def distance(self, measured: Array) -> tuple[Array, NDArray[np.int64]]:
+        """Return r' covariance^-1 r (...) and the count of measured outputs; NaN: not measured."""
+        seen = np.isfinite(measured)
+        pair = seen[..., :, None] & seen[..., None, :]
+        r = np.where(seen, measured - self.mean, 0.0)
+        q = np.linalg.inv(np.where(pair, self.covariance, np.eye(3)))
+        return np.einsum("...i,...ij,...j->...", r, q, r), seen.sum(axis=-1)
+
+    def inside(self, measured: Array, share: float) -> NDArray[np.bool_]:
+        """Return whether measured states (..., 3) lie within the ellipsoid that has this share of the probability."""
+        from scipy.stats import chi2, f, gamma
+
+        c, d = self.distance(measured)
+        if self.errors == "two-sided":
+            return np.asarray(c <= gamma.ppf(share, d) ** 2 / (d + 1))
+        return np.asarray(c <= (d * f.ppf(share, d, self.nu) if self.nu else chi2.ppf(share, d)))
+
+
+@dataclass(frozen=True, eq=False)
+class Predictive:
+    """A fitted model with the covariance of its numbers."""
+
+    model: VaryingModel
+    q: Array
+    covariance: Array
+    """(m, m) of the numbers of law and splines."""
+    dof: float
+
+    @property
+    def nu(self) -> float:
+        """Degrees of freedom of Student's t; 0: normal."""
+        if self.model.noise.errors == "student":
+            return math.exp(float(self.q[self.model.parts["shape"]][0]))
+        estimated = self.model.problem.estimated.any() and self.model.noise.errors == "normal"
+        return max(self.dof / len(self.model.scattered), 1.0) if estimated else 0.0
+
+    @property
+    def enlarged(self) -> float:
+        """Factor of an estimated scatter's variance: numbers over degrees of freedom."""
+        problem = self.model.problem
+        return problem.count / max(self.dof, 1.0) if problem.estimated.any() else 1.0
+
+    def at(self, x: Array, errors: Array | None = None) -> Prediction:
+        """Return the prediction for impacts x (N, 3), with error bars (N, 3, 3), if given, of their measurement."""
+        here, s = self.model.predict(self.q, x), self.enlarged * self.model.scatter(self.q, x).sum(axis=0)
+        spread = np.einsum("ni,ij->nij", s, np.eye(3))
+        # the numbers one standard deviation to both sides along each axis of their covariance: a slope does not see kinks
+        strength, axes = np.linalg.eigh(self.covariance)
+        for step in (np.sqrt(np.maximum(strength, 0.0)) * axes).T:
+            for side in (step, -step):
+                moved = self.q.copy()
+                moved[: len(side)] = np.clip(
+                    moved[: len(side)] + side, *(end[: len(side)] for end in self.model.bounds)
+                )
+                off = self.model.predict(moved, x) - here
+                spread += off[:, :, None] * off[:, None, :] / 2
+        spread = spread if errors is None else spread + errors
+        return Prediction(here, spread, self.nu, self.model.noise.errors)
+
+    def of_rows(self, problem: Problem) -> Prediction:
+        """Return the predictions for other rows, with their error bars."""
+        model = replace(self.model, base=replace(self.model.base, problem=problem))
+        unknown = np.where(problem.estimated, 1.0, np.zeros_like(problem.y))
+        bars = model.covariance(self.q)[1] - np.einsum("ni,ij->nij", unknown, np.eye(3))
+        seen = np.isfinite(problem.y)
+        pair = seen[:, :, None] & seen[:, None, :]
+        return self.at(problem.x, np.where(pair, bars, 0.0))
+
+    def log_density(self, problem: Problem) -> Array:
+        """Return the log density (N,) of other rows, per (m/s)^d: spins count as a times their size."""
+        one, a = self.of_rows(problem), problem.setting.radius
+        c, d = one.distance(problem.y)
+        seen = np.isfinite(problem.y)
+        pair = seen[:, :, None] & seen[:, None, :]
+        logs = np.linalg.slogdet(np.where(pair, one.covariance, np.eye(3)))[1]
+        shape = np.array([math.log(one.nu)]) if one.nu else self.q[self.model.parts["shape"]]
+        kind = Noise("student") if one.nu else self.model.noise
+        r = np.nan_to_num(problem.y - one.mean)
+        rho = replace(self.model, noise=kind).rho(c, r[:, 0], np.maximum(d, 1), shape)[0]
+        return np.where(d > 0, -0.5 * (logs + rho + d * math.log(2 * math.pi)) - seen[:, 2] * math.log(a), 0.0)
+
+
+def predictive_of(fit: Any) -> Predictive:
+    """Return what a fit (:class:`carom.fitting.Fit`, or a :class:`VaryingFit`) predicts with: numbers, covariance, scatter."""
+    if isinstance(fit, VaryingFit):
+        return Predictive(fit.model, fit.q, fit.covariance, fit.dof)
+    problem = fit.problem
+    marginal = problem.spins is not None
+    if (
+        marginal
+    ):  # (rows without spin give no derivatives; what a spin does to a prediction is in the state before the wall)
+        problem = replace(problem, spins=None, x=np.nan_to_num(problem.x))
+    model = varying_model(replace(fit, problem=problem))
+    q = model.start()
+    sizes = [fit.scatter[name] for name in fit.scatter]
+    q[model.parts["scatter"]] = np.log(np.maximum(sizes, 1e-5)) if sizes else q[model.parts["scatter"]]
+    dof = float(problem.count - fit.k)
+    if not marginal:
+        information = model.evaluate(q, np.ones(len(problem.x)), True)[2]
+        return predictive_of(VaryingFit(model, q, fit.deviance, information))
+    inside = [list(fit.names).index(name) for name in model.base.parameters if name in fit.names]
+    return Predictive(model, q, np.nan_to_num(fit.covariance[np.ix_(inside, inside)]), dof)
+
+
+def held_out_score(fit: VaryingFit, folds: int = FOLDS) -> tuple[float, Array]:
+    """Return the mean log density of a row that was left out, per (m/s)^3, and the density of each row (N,).
+
+    Every fifth row is left out in turn, and all numbers, the scatter among them, are fitted to the others, from the fit to all.
+    """
+    model, n = fit.model, len(fit.model.problem.x)
+    fold = np.arange(n) % min(folds, n)
+    weights = np.array([fold != one for one in range(fold.max() + 1)], float)
+    q, value, information = model.minimize(np.tile(fit.q, (len(weights), 1)), weights)
+    scores = np.zeros(n)
+    for one in range(len(weights)):
+        out = fold == one
+        seen = float(np.isfinite(model.problem.y[~out]).sum())
+        part = VaryingFit(model, q[one], float(value[one]), information[one])
+        scores[out] = replace(predictive_of(part), dof=max(seen - part.k, 1.0)).log_density(model.problem.select(out))
+    return float(scores.mean()), scores
+
+
+def impacts(problem: Problem, before: State | Mapping[str, Any] | Rebounds | Any) -> Array:
+    """Return impacts (N, 3) of a table's columns, or of states that meet a wall whose normal is (1, 0, 0)."""
+    names = COLUMNS[problem.rebounds.kind]
+    if isinstance(before, State):
+        v, w = before.velocity, before.spin
+        return np.stack([-v[..., 0], v[..., 1], w[..., 2]], axis=-1).reshape(-1, 3)
+    if not isinstance(before, Mapping | Rebounds):
+        return np.asarray(before, float).reshape(-1, 3)
+    try:
+        columns = [np.atleast_1d(np.asarray(before[name], float)) for name in names[:3]]
+    except KeyError as error:
+        raise CaromError(f"predict: state: expected columns {', '.join(names[:3])}, got none called {error}") from None
+    return np.stack(np.broadcast_arrays(*columns), axis=-1)
