@@ -8,6 +8,10 @@ from .analysis import drift as drift
 from .analysis import period as period
 from .analysis import section as section
 from .analysis import uniformity as uniformity
+from .birkhoff import RotationNumber as RotationNumber
+from .birkhoff import digits_of_averages as digits_of_averages
+from .birkhoff import is_regular as is_regular
+from .birkhoff import rotation_number as rotation_number
 from .continuation import BranchPoint as BranchPoint
 from .continuation import OrbitBranch as OrbitBranch
 from .continuation import continue_orbit as continue_orbit

@@ -67,7 +67,7 @@ class RollingRun:
     >>> run = billiards.roll(pipe, (0.08, 0, 0), (0, 3, 0), ball=ball, duration=math.tau * 0.08 / 3 / math.sqrt(2 / 7))
     >>> swing = run.at([0, run.duration / 2, run.duration]).place[:, 2]
     >>> run.end, swing.round(6).tolist()
-    ('duration', [0.0, -0.034881, 0.0])
+    ('duration', [0.0, -0.03488, 0.0])
     """
 
     setting: RollingSetting

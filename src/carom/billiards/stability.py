@@ -76,7 +76,9 @@ class Lyapunov:
     per_time: Array
     """The same per unit time: divided by the mean time between bounces, 1/s."""
     error: Array
-    """Standard error of ``per_bounce``, from its scatter between the blocks of the run."""
+    """Error of ``per_bounce``: its scatter between the blocks of the run, or its change since half of the run if that is more.
+
+    The change bounds the bias of a finite run: of a regular orbit the exponents fall to 0 as log(n)/n."""
     history: Array
     """(blocks, ..., 4): ``per_bounce`` up to the end of each block."""
     bounces: int
@@ -267,7 +269,7 @@ def lyapunov(
     bounces : int
         Number of bounces, after the first.
     blocks : int
-        The run is divided into this many parts, whose scatter gives the standard error.
+        The run is divided into this many parts, whose scatter gives the standard error, or its change since half of the run.
 
     Returns
     -------
@@ -308,6 +310,7 @@ def lyapunov(
     order = np.argsort(-found, axis=1)
     found = np.take_along_axis(found, order, 1)
     scatter = np.std(parts, axis=0, ddof=1) / np.sqrt(blocks)
+    scatter = np.maximum(scatter, np.abs(history[-1] - history[blocks // 2 - 1]))
     error = np.take_along_axis(scatter, order, 1)
     run = np.stack([np.take_along_axis(one, order, 1) for one in history])
     return Lyapunov(

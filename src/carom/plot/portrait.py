@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from carom.billiards import Orbit
+from carom.billiards import Orbit, is_regular
 from carom.errors import CaromError
 from carom.formatting import format_number
 from carom.plot.style import GREY, INK, literal, new_figure, style
@@ -22,18 +22,15 @@ Array = NDArray[np.float64]
 SEA = "#5f6368"
 ISLANDS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
 LEAST_BOUNCES = 50  # of an orbit of which can be said whether it lies on curves
-MOST_BOUNCES = 600  # of an orbit that are looked at for that
-NEIGHBOURS = (4, 24), (8, 40)  # two pairs: points of a slow rotation come in small clusters
 
 
 def on_curves(found: Orbit) -> NDArray[np.bool_]:
     """Return for each orbit (N,) whether it stays on smooth curves of the velocity phase portrait: islands, and periodic orbits.
 
-    From a point on a curve the 24th neighbour is 6 times as far as the 4th, in an area only the root of 6, and among scattered
-    clusters much farther. On curves, seven points in ten have a ratio within a quarter of 6, on a logarithmic scale; or the same of
-    the 40th and the 8th. Orbits of fewer than 50 bounces count as others. Not all of the others are
-    chaotic: curves that are long, or visited unevenly, are missed, and in polygons no orbit has a positive Lyapunov exponent. The
-    largest exponent decides (:func:`carom.billiards.lyapunov`). Under the mirror law the boundary map takes the portrait's place.
+    Weighted Birkhoff averages over both halves of an orbit agree to many digits on curves, to one or two for chaotic orbits
+    (:func:`carom.billiards.is_regular`). Orbits of fewer than 50 bounces count as others, as do those that ended early. Not all
+    of the others are chaotic: slow rotations need more bounces, and in polygons no orbit has a positive Lyapunov exponent. The
+    largest exponent decides (:func:`carom.billiards.lyapunov`).
 
     Examples
     --------
@@ -43,33 +40,9 @@ def on_curves(found: Orbit) -> NDArray[np.bool_]:
     >>> on_curves(billiards.orbit(billiards.stadium(), start, bounces=300, law="mirror")).tolist()
     [False]
     """
-    phase = found.phase
-    shape = found.setup.shape
-    if found.setup.law == "mirror" and shape.sphere is None and np.isfinite(shape.lengths).all():
-        # spins never change: each orbit is on one line of the portrait; the boundary map shows what it is
-        speed = np.hypot(found.velocity[..., 0], found.velocity[..., 1])
-        phase = np.stack([found.arc / shape.lengths.sum(), found.along / speed], axis=-1)
-    phase = phase.reshape(-1, found.t.shape[-1], 2)
-    return np.array([_is_curve(points) for points in phase], dtype=bool)
-
-
-def _is_curve(points: Array) -> bool:
-    """Return whether points (B, 2) lie on smooth curves."""
-    points = points[np.isfinite(points).all(axis=1)][:MOST_BOUNCES]
-    if len(points) < LEAST_BOUNCES:
-        return False
-    apart = np.hypot(*(points[:, None] - points[None]).transpose(2, 0, 1))
-    apart.partition(sorted({k for pair in NEIGHBOURS for k in pair}), axis=1)
-    for first, second in NEIGHBOURS:
-        near, far = apart[:, first], apart[:, second]
-        seen = near > 1e-9  # (others are points of a periodic orbit)
-        if seen.mean() < 0.5:
-            return True
-        ratio = np.maximum(far[seen] / near[seen], 1 + 1e-9)
-        dimension = math.log(second / first) / np.log(ratio)
-        if (np.abs(dimension - 1) < 0.25).mean() >= 0.7:
-            return True
-    return False
+    if found.t.shape[-1] < LEAST_BOUNCES:
+        return np.zeros(int(np.prod(found.t.shape[:-1], dtype=int)), dtype=bool)
+    return np.atleast_1d(is_regular(found)).ravel()
 
 
 def _title(found: Orbit) -> str:
