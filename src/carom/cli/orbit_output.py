@@ -208,7 +208,7 @@ def _meaning(exponents: dict[str, Any]) -> str:
     """Return a sentence on the exponents and their errors."""
     largest = sorted(row[0] for row in exponents.get("per_bounce_of_each", ()) if row[0] is not None)
     if len(largest) < 2:
-        return "±: error of exponents per bounce: scatter between 20 parts of the orbit, or change since half of it if that is more."
+        return "±: error of exponents per bounce: scatter between 20 parts of the orbit, or change since half of it if it is more."
     low, middle, high = largest[0], median(largest), largest[-1]
     return (
         f"Means over {len(largest):,} orbits; ±: their standard error, from the scatter between orbits."
